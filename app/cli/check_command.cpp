@@ -1,0 +1,53 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_codes.h"
+
+namespace hazumi {
+
+namespace {
+
+nlohmann::ordered_json WarningsAsJson(const std::vector<Warning>& warnings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Warning& warning : warnings) {
+    list.push_back({{"place", warning.place}, {"message", warning.message}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<BakedProject>& baked) {
+  if (baked.ok()) {
+    return {{"file", file}, {"ok", true}, {"warnings", WarningsAsJson(baked.value().warnings)}};
+  }
+  const Error& error = baked.error();
+  return {{"file", file},
+          {"ok", false},
+          {"in", error.file},
+          {"place", error.place},
+          {"message", error.message}};
+}
+
+}  // namespace
+
+// Reads, resolves and bakes every file: a hold out of reach shows only then.
+int RunCheck(const Options& options) {
+  int exit_code = kExitOk;
+  for (const std::string& file : options.files) {
+    const Result<BakedProject> baked = LoadAndBake(file, options);
+    if (options.json) {
+      const auto line = AnswerAsJson(file, baked).dump(
+          -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      std::printf("%s\n", line.c_str());
+    } else if (baked.ok()) {
+      PrintWarnings(file, baked.value().warnings);
+      std::printf("%s: ok\n", file.c_str());
+    }
+    if (baked.ok()) continue;
+    const int code = options.json ? ExitCodeOf(baked.error()) : Complain(baked.error());
+    if (exit_code == kExitOk) exit_code = code;
+  }
+  return exit_code;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/cli/options.h"
+#include "engine/bake/motion.h"
+#include "engine/project/project.h"
+
+namespace hazumi {
+
+// Each does one task of the command line and returns the exit code.
+int RunRender(const Options& options);
+int RunBake(const Options& options);
+int RunCheck(const Options& options);
+int RunInfo(const Options& options);
+
+// Prints "hazumi: file: place: message" to standard error and returns the exit code.
+int Complain(const Error& error);
+
+// A project, read, resolved and baked with the command line's changes.
+struct BakedProject {
+  Project project;
+  Animation animation;
+  Motion motion;
+  std::vector<Warning> warnings;  // of compiling and of baking
+};
+Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
+// Prints the warnings to standard error.
+void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings);
+// "take_off  frame 6  0.200000 s  r_ankle", a line an event.
+std::string EventTable(const Motion& motion);
+
+}  // namespace hazumi

@@ -1,0 +1,118 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_codes.h"
+
+namespace hazumi {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* NameOf(PlacementKind kind) {
+  switch (kind) {
+    case PlacementKind::kKeyed: return "keyed";
+    case PlacementKind::kPinned: return "pinned";
+    case PlacementKind::kGravity: return "gravity";
+  }
+  return "";
+}
+
+Json RegionsAsJson(const BakedProject& baked) {
+  Json list = Json::array();
+  for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
+    const DynamicsRegion& region = baked.animation.regions[i];
+    const RegionReport& report = baked.motion.regions[i];
+    list.push_back({{"name", region.name},
+                    {"first_frame", region.first_frame},
+                    {"last_frame", region.last_frame},
+                    {"joints", region.joints.size()},
+                    {"method", NameOf(region.method)},
+                    {"steps", report.steps},
+                    {"microseconds", report.microseconds}});
+  }
+  return list;
+}
+
+Json EventsAsJson(const Motion& motion) {
+  Json list = Json::array();
+  for (const MotionEvent& event : motion.events) {
+    list.push_back({{"kind", NameOf(event.kind)},
+                    {"frame", event.frame},
+                    {"time_s", event.time},
+                    {"joint", event.joint}});
+  }
+  return list;
+}
+
+Json InfoAsJson(const BakedProject& baked) {
+  const Animation& animation = baked.animation;
+  const Figure& figure = *animation.figure;
+  return {{"name", baked.project.name},
+          {"frames", {animation.first_frame, animation.last_frame}},
+          {"fps", animation.rate.frames_per_second()},
+          {"solver", {{"method", NameOf(animation.solver.method)},
+                      {"step_s", animation.solver.step},
+                      {"version", animation.solver.version}}},
+          {"figure", {{"name", figure.name()},
+                      {"joints", figure.num_joints()},
+                      {"links", figure.links().size()},
+                      {"mass_kg", figure.total_mass()}}},
+          {"regions", RegionsAsJson(baked)},
+          {"events", EventsAsJson(baked.motion)}};
+}
+
+void PrintRegions(const BakedProject& baked) {
+  for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
+    const DynamicsRegion& region = baked.animation.regions[i];
+    const RegionReport& report = baked.motion.regions[i];
+    std::printf("region     %s: F%d-F%d, %zu of %d joints, %s at %g s: %d steps, %.0f us\n",
+                region.name.c_str(), region.first_frame, region.last_frame, region.joints.size(),
+                report.all_joints, NameOf(region.method), report.step, report.steps,
+                report.microseconds);
+  }
+}
+
+void PrintPlacements(const Animation& animation) {
+  for (const PlacementSpan& span : animation.placements) {
+    std::printf("placement  F%d-F%d: %s%s%s\n", span.first_frame, span.last_frame,
+                NameOf(span.kind), span.pin ? " " : "",
+                span.pin ? animation.figure->group(*span.pin).name.c_str() : "");
+  }
+  for (const IkHold& hold : animation.holds) {
+    std::printf("hold       F%d-F%d: %s\n", hold.first_frame, hold.last_frame,
+                animation.figure->group(hold.joint).name.c_str());
+  }
+}
+
+void Print(const BakedProject& baked) {
+  const Animation& animation = baked.animation;
+  const Figure& figure = *animation.figure;
+  std::printf("%s\n", baked.project.name.c_str());
+  std::printf("frames     F%d-F%d at %g fps\n", animation.first_frame, animation.last_frame,
+              animation.rate.frames_per_second());
+  std::printf("figure     %s: %d joints, %zu links, %g kg\n", figure.name().c_str(),
+              figure.num_joints(), figure.links().size(), figure.total_mass());
+  std::printf("solver     %s at %g s, version %d\n", NameOf(animation.solver.method),
+              animation.solver.step, animation.solver.version);
+  PrintRegions(baked);
+  PrintPlacements(animation);
+  std::printf("%s", EventTable(baked.motion).c_str());
+}
+
+}  // namespace
+
+int RunInfo(const Options& options) {
+  const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
+  if (!baked.ok()) return Complain(baked.error());
+  if (options.json) {
+    std::printf("%s\n", InfoAsJson(baked.value()).dump(2).c_str());
+    return kExitOk;
+  }
+  PrintWarnings(options.files[0], baked.value().warnings);
+  Print(baked.value());
+  return kExitOk;
+}
+
+}  // namespace hazumi

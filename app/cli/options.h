@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/spatial/types.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+enum class Task { kNone, kRender, kBake, kCheck, kInfo };
+
+struct FrameRange {
+  int first = 0, last = 0;  // inclusive
+};
+
+// A view that replaces the project's camera: a named side, or eye, target and field of view.
+struct CameraChoice {
+  std::string side;  // front, back, left, right, top, three-quarter; empty: as below
+  Vec3 eye = Vec3::Zero(), target = Vec3::Zero();
+  double vertical_fov_deg = 35.0;
+};
+
+// What the command line asks for. See `hazumi --help`.
+struct Options {
+  Task task = Task::kNone;
+  std::string output;              // of --render and --bake
+  std::vector<std::string> files;  // --check takes several, the others one
+
+  std::optional<FrameRange> frames;
+  int width = 1280, height = 720;
+  int samples = 4;
+  std::optional<CameraChoice> camera;
+  int threads = 2;
+  int ghosts = 0;  // one every so many frames; 0: none
+  bool paths = false;
+  bool shadow = true;
+  bool frame_number = false;
+
+  std::optional<Method> method;
+  std::optional<double> step_s;
+  std::optional<FrameRate> rate;
+  bool timings = false;
+  bool json = false;
+};
+
+// Either options, or an exit code after the message (help, version, what is wrong) was printed.
+struct ParsedCommandLine {
+  std::optional<Options> options;
+  int exit_code = 0;
+};
+ParsedCommandLine ParseCommandLine(int argc, const char* const* argv);
+
+}  // namespace hazumi

@@ -1,0 +1,33 @@
+#include <cstdio>
+#include <exception>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/options.h"
+
+namespace {
+
+int Run(const hazumi::Options& options) {
+  switch (options.task) {
+    case hazumi::Task::kRender: return hazumi::RunRender(options);
+    case hazumi::Task::kBake: return hazumi::RunBake(options);
+    case hazumi::Task::kCheck: return hazumi::RunCheck(options);
+    case hazumi::Task::kInfo: return hazumi::RunInfo(options);
+    case hazumi::Task::kNone: break;
+  }
+  return hazumi::kExitUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    hazumi::CatchInterrupts();
+    const hazumi::ParsedCommandLine parsed = hazumi::ParseCommandLine(argc, argv);
+    return parsed.options ? Run(*parsed.options) : parsed.exit_code;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hazumi: failed: %s\n", error.what());
+    return hazumi::kExitFailed;
+  }
+}

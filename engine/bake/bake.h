@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/base/result.h"
+#include "engine/bake/motion.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+struct BakeOptions {
+  // Frames a second of the result; the animation's own if not given. The motion is the same: the
+  // steps of the solver lie on the animation's frames, other instants are found between them.
+  std::optional<FrameRate> output_rate;
+};
+
+// Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)
+// where a hold is out of reach or a region cannot go on. Two bakes of one animation are bit-equal.
+Result<Motion> Bake(const Animation& animation, const BakeOptions& options = {});
+
+}  // namespace hazumi

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/bake/bake.h"
+#include "engine/bake/curve_set.h"
+#include "engine/bake/object_flight.h"
+#include "engine/bake/region_driver.h"
+#include "engine/placement/gravity_placement.h"
+#include "engine/placement/hold_solver.h"
+
+namespace hazumi {
+
+// Walks through an animation from its first frame to its last. Between two frames the same regions,
+// holds and placement are active; they change at frames only. Within a frame it takes equal steps.
+class Baker {
+ public:
+  Baker(const Animation& animation, const BakeOptions& options);
+  Result<Motion> Run();
+
+ private:
+  struct ActiveHold {
+    const IkHold* hold;
+    HoldSolver solver;
+    HoldTarget target;
+  };
+  using Failure = std::optional<Error>;
+
+  // At a frame: what ends, what begins (baker_boundary.cpp).
+  Failure CrossFrame(int frame);
+  bool EndRegions(int frame);
+  bool EndHolds(int frame);
+  bool EndPlacement(int frame);
+  bool ReleaseObjects(int frame);
+  void BeginRegions(int frame);
+  bool BeginHolds(int frame);
+  bool BeginPlacement(int frame);
+  void RebuildDriver(int frame);
+  void StartFreeJoint(JointIndex j, int frame, bool handed_over);
+  void WarnOfVelocityJump(int frame);
+
+  // Between frames (baker.cpp).
+  Failure AdvanceFrame(int frame);
+  Failure Step(double frame_from, double frame_to, bool to_boundary);
+  Failure StepRegions(double seconds, FigureMotion* next);
+  Failure StepPlacement(double frame_from, double seconds, Side side, FigureMotion* next);
+  Failure FinishLanding();
+  Failure Evaluate(double frame, Side side, FigureMotion* motion);
+  void PlaceRoot(double frame, Side side, FigureMotion* motion);
+  Failure SolveHolds(double frame, Side side, FigureMotion* motion);
+
+  // What is kept (baker_record.cpp).
+  void Record(int output_frame, const FigureMotion& motion, const MotionRates& before);
+  void RecordBetween(const FigureMotion& from, const FigureMotion& to);
+  std::optional<int> OutputFrameAt(int frame) const;
+  void AddEvent(EventKind kind, double frame, const std::string& joint);
+  void AddPinEvent(int frame);
+  void AddWarning(const std::string& place, const std::string& message);
+  std::optional<GroupIndex> pinned() const;
+  RootHold root_hold() const;
+  double Seconds(double frames) const { return animation_.rate.SecondsAt(frames); }
+
+  const Animation& animation_;
+  Figure figure_;  // with what it holds at present
+  DynamicsWorkspace ws_;
+  CurveSet curves_;
+  std::vector<double> key_frames_;
+
+  FigureMotion now_;
+  MotionRates before_;      // limits from the left at now_.frame
+  std::vector<char> free_;  // by JointIndex: driven by a region
+  std::unique_ptr<RegionDriver> driver_;
+  std::vector<ActiveHold> holds_;
+  const PlacementSpan* span_ = nullptr;  // null: keyed
+  Vec3 pin_W_ = Vec3::Zero();
+  std::optional<GravityPlacement> gravity_;
+  std::vector<ObjectFlight> objects_;
+  Motion motion_;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,177 @@
+// What ends and what begins at a frame.
+
+#include <algorithm>
+
+#include "engine/bake/baker.h"
+#include "engine/bake/rates.h"
+#include "engine/base/text.h"
+
+namespace hazumi {
+
+Baker::Failure Baker::CrossFrame(int frame) {
+  bool changed = EndRegions(frame);
+  changed |= EndHolds(frame);
+  changed |= EndPlacement(frame);
+  changed |= ReleaseObjects(frame);
+  BeginRegions(frame);
+  changed |= BeginHolds(frame);
+  const bool placed = BeginPlacement(frame);
+  const auto starts_or_ends = [frame](const DynamicsRegion& region) {
+    return region.first_frame == frame || region.last_frame == frame;
+  };
+  const auto& regions = animation_.regions;
+  if (std::any_of(regions.begin(), regions.end(), starts_or_ends)) {
+    RebuildDriver(frame);
+    changed = true;
+  }
+  const bool key_here = std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
+  if (!changed && !placed && !key_here) return std::nullopt;
+  if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
+  if (placed) WarnOfVelocityJump(frame);
+  return std::nullopt;
+}
+
+bool Baker::EndRegions(int frame) {
+  bool any = false;
+  for (size_t r = 0; r < animation_.regions.size(); ++r) {
+    const DynamicsRegion& region = animation_.regions[r];
+    if (region.last_frame != frame) continue;
+    any = true;
+    for (const JointIndex j : region.joints) {
+      free_[j.value()] = 0;
+      CurveTrack& track = curves_.joint(j);
+      track.Resume(frame, now_.q[j.value()], now_.qd[j.value()]);
+      const bool handed_over = std::any_of(
+          animation_.regions.begin(), animation_.regions.end(), [&](const DynamicsRegion& next) {
+            return next.first_frame == frame &&
+                   std::binary_search(next.joints.begin(), next.joints.end(), j);
+          });
+      if (frame == animation_.last_frame || handed_over || track.HasKeyAfter(frame)) continue;
+      AddWarning("regions[" + std::to_string(r) + "]",
+                 "joint \"" + figure_.joint(j).name + "\" has no key after frame " +
+                     std::to_string(frame) + ": it stops dead where the region left it");
+    }
+  }
+  return any;
+}
+
+bool Baker::EndHolds(int frame) {
+  bool any = false;
+  for (const ActiveHold& active : holds_) {
+    if (active.hold->last_frame != frame) continue;
+    any = true;
+    for (const JointIndex j : active.solver.joints()) {
+      curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()], /*as_keyed=*/true);
+    }
+  }
+  std::erase_if(holds_,
+                [frame](const ActiveHold& active) { return active.hold->last_frame == frame; });
+  return any;
+}
+
+bool Baker::EndPlacement(int frame) {
+  if (!span_ || span_->last_frame != frame) return false;
+  if (span_->kind != PlacementKind::kKeyed) {
+    for (int i = 0; i < 3; ++i) {
+      curves_.root(kRootX + i).Resume(frame, now_.X_WR.p[i], now_.root.v[i]);
+    }
+  }
+  gravity_.reset();
+  span_ = nullptr;
+  return true;
+}
+
+bool Baker::ReleaseObjects(int frame) {
+  bool any = false;
+  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+    const HeldObject& object = animation_.held_objects[i];
+    if (object.release_frame != frame) continue;
+    ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
+    ComputeVelocities(figure_, before_.root_w, before_.root_v, before_.qd, &ws_);
+    objects_[i].Release(ws_, Seconds(frame));
+    AddEvent(EventKind::kRelease, frame, figure_.group(object.holder).name);
+    any = true;
+  }
+  if (!any) return false;
+  figure_ = *animation_.figure;
+  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+    const HeldObject& object = animation_.held_objects[i];
+    if (!objects_[i].is_held()) continue;
+    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
+  }
+  if (gravity_) gravity_->MassesChanged(now_, &ws_);
+  return true;
+}
+
+void Baker::BeginRegions(int frame) {
+  for (const DynamicsRegion& region : animation_.regions) {
+    if (region.first_frame != frame) continue;
+    for (const JointIndex j : region.joints) {
+      const bool handed_over = driver_ && driver_->is_free(j);
+      StartFreeJoint(j, frame, handed_over);
+    }
+  }
+}
+
+// With the rate given by a key on the first frame, else with that which the curve, the hold or the
+// region before left.
+void Baker::StartFreeJoint(JointIndex j, int frame, bool handed_over) {
+  free_[j.value()] = 1;
+  now_.qdd[j.value()] = 0.0;
+  const Key* key = curves_.joint(j).KeyAt(frame);
+  if (!handed_over && key && key->rate) now_.qd[j.value()] = *key->rate;
+}
+
+void Baker::RebuildDriver(int frame) {
+  std::vector<int> active;
+  for (size_t r = 0; r < animation_.regions.size(); ++r) {
+    const DynamicsRegion& region = animation_.regions[r];
+    if (region.first_frame <= frame && frame < region.last_frame) {
+      active.push_back(static_cast<int>(r));
+    }
+  }
+  driver_.reset();
+  if (!active.empty()) driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);
+}
+
+bool Baker::BeginHolds(int frame) {
+  bool any = false;
+  for (const IkHold& hold : animation_.holds) {
+    if (hold.first_frame != frame) continue;
+    any = true;
+    ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
+    const JointIndex held = figure_.group(hold.joint).first;
+    const HoldTarget target{ws_.body(held).p, ws_.body(figure_.joint(held).parent).R};
+    holds_.push_back({&hold, HoldSolver(figure_, hold.joint, hold.hold_orientation), target});
+  }
+  return any;
+}
+
+bool Baker::BeginPlacement(int frame) {
+  for (const PlacementSpan& span : animation_.placements) {
+    if (span.first_frame != frame) continue;
+    span_ = &span;
+    if (span.kind == PlacementKind::kPinned) {
+      ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
+      pin_W_ = ws_.body(figure_.group(*span.pin).first).p;
+    }
+    if (span.kind == PlacementKind::kGravity) {
+      gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
+      gravity_->Start(now_, &ws_);
+    }
+    AddPinEvent(frame);
+    return true;
+  }
+  return false;
+}
+
+void Baker::WarnOfVelocityJump(int frame) {
+  constexpr double kJump = 1e-3;  // [m/s]
+  const double jump = (now_.root.v - before_.root_v).norm();
+  if (frame == animation_.first_frame || jump <= kJump) return;
+  AddWarning("placements", "the root's velocity jumps by " + FormatNumber(jump) +
+                               " m/s at frame " + std::to_string(frame) +
+                               ", where the placement changes");
+}
+
+}  // namespace hazumi

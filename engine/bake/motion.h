@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/warning.h"
+#include "engine/figure/figure.h"
+#include "engine/spatial/pose.h"
+#include "engine/timeline/dynamics_region.h"
+#include "engine/timeline/frame_time.h"
+
+namespace hazumi {
+
+// Rates on one side of an instant.
+struct MotionRates {
+  VecX qd;                      // by JointIndex [rad/s]
+  Vec3 root_w = Vec3::Zero();   // angular velocity of the root, world axes [rad/s]
+  Vec3 root_v = Vec3::Zero();   // velocity of the root's origin [m/s]
+};
+
+// Where a held object is.
+struct ObjectPose {
+  Pose X_WO;
+  bool held = true;
+};
+
+struct MotionFrame {
+  int frame = 0;  // in frames of Motion::rate
+  VecX q;         // by JointIndex [rad]
+  Pose X_WR;      // root in the world [m]
+  MotionRates before, after;  // limits from the left and from the right
+  Vec3 com = Vec3::Zero();    // of the figure with what it holds, world [m]
+  std::optional<GroupIndex> pinned;
+  std::vector<ObjectPose> objects;  // by index of Animation::held_objects
+  std::vector<char> in_region;      // by JointIndex
+};
+
+enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kStop, kRelease };
+const char* NameOf(EventKind kind);
+
+struct MotionEvent {
+  EventKind kind;
+  double time = 0.0;  // since frame 0 [s]
+  int frame = 0;      // the nearest for an apex, else the first at or after `time`
+  std::string joint;  // pinned, stopped or letting go; empty if none
+};
+
+struct RegionReport {
+  std::string name;
+  Method method;
+  double step = 0.0;         // [s]
+  int steps = 0;
+  int evaluations = 0;       // of the equations of motion
+  int solves = 0;            // of them for accelerations: more than evaluations where stops were hit
+  double microseconds = 0.0; // differs from run to run; no part of the motion
+  int free_joints = 0;
+  int all_joints = 0;
+};
+
+// The result of a bake: the figure at every frame.
+struct Motion {
+  FrameRate rate;
+  std::vector<MotionFrame> frames;
+  std::vector<MotionEvent> events;  // in order of time
+  std::vector<RegionReport> regions;
+  std::vector<Warning> warnings;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/passive/paper_step.h"
+#include "engine/passive/region_system.h"
+#include "engine/placement/figure_motion.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// What holds the root during a step.
+struct RootHold {
+  RootCoupling coupling = RootCoupling::kPrescribed;
+  JointIndex pin;  // kPinned
+};
+
+// Steps the joints of all regions that are active at one time, as one system: limbs on one trunk
+// may feel each other.
+class RegionDriver {
+ public:
+  // `active`: indices of Animation::regions. `figure` must outlive the driver.
+  RegionDriver(const Animation& animation, const Figure& figure, std::vector<int> active);
+
+  const std::vector<int>& active() const { return active_; }
+  double step() const { return step_; }  // the smallest any of the regions asks for [s]
+  bool is_free(JointIndex j) const;
+
+  struct Failure {
+    JointIndex joint;
+    std::string cause;
+  };
+  // From the state `from` advances the free joints' entries of q and qd by dt seconds. A joint that
+  // reaches a stop in this step is added to `stops`.
+  std::optional<Failure> Advance(const FigureMotion& from, const RootHold& hold, double dt,
+                                 DynamicsWorkspace* ws, VecX* q, VecX* qd,
+                                 std::vector<JointIndex>* stops);
+
+  // The kick of a landing on the free joints' rates: `from.root.v` is the velocity just before.
+  bool ApplyLanding(const FigureMotion& from, JointIndex pin, DynamicsWorkspace* ws, VecX* qd);
+
+  int solves_of_last_step() const { return paper_.solves(); }
+
+ private:
+  const Animation& animation_;
+  std::vector<int> active_;
+  double step_;
+  RegionSystem system_;
+  PaperStep paper_;
+  PaperStepInput input_;
+  VecX factors_;  // friction per 1/30 s
+  VecX y_, yd_;   // free joints' angles and rates
+  std::vector<char> on_stop_;
+};
+
+}  // namespace hazumi

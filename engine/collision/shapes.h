@@ -1,0 +1,33 @@
+#pragma once
+
+#include <variant>
+
+#include "engine/spatial/pose.h"
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+// The points within `radius` of the segment from a to b; a == b is a sphere. Metres, the frame of
+// the obstacles it is compared with (W in this folder). radius >= 0.
+struct Capsule {
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  double radius = 0.0;
+};
+
+// The solid half-space {x : normal . x <= offset}, in W. `normal` is a unit vector and points out
+// of the solid; offset in metres.
+struct Plane {
+  Vec3 normal = Vec3::UnitZ();
+  double offset = 0.0;
+};
+
+// A solid box centred on B's origin with edges along B's axes. half_size >= 0, in metres; a zero
+// makes it a plate, a rod or a point.
+struct Box {
+  Pose X_WB;
+  Vec3 half_size = Vec3::Zero();
+};
+
+using Obstacle = std::variant<Plane, Box, Capsule>;
+
+}  // namespace hazumi

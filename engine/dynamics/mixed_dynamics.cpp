@@ -1,0 +1,60 @@
+#include "engine/dynamics/mixed_dynamics.h"
+
+#include <cmath>
+
+namespace hazumi {
+
+int FactorCholesky(Eigen::Ref<MatX> A) {
+  const int n = static_cast<int>(A.rows());
+  for (int k = 0; k < n; ++k) {
+    const double diagonal = A(k, k);
+    double pivot = diagonal;
+    for (int j = 0; j < k; ++j) pivot -= A(k, j) * A(k, j);
+    // A pivot lost to rounding means a joint that moves no mass of its own.
+    if (!(pivot > 1e-14 * diagonal)) return k;
+    A(k, k) = std::sqrt(pivot);
+    for (int i = k + 1; i < n; ++i) {
+      double entry = A(i, k);
+      for (int j = 0; j < k; ++j) entry -= A(i, j) * A(k, j);
+      A(i, k) = entry / A(k, k);
+    }
+  }
+  return -1;
+}
+
+void SolveCholesky(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
+  L.triangularView<Eigen::Lower>().solveInPlace(x);
+  L.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+}
+
+int SolveMixed(const Eigen::Ref<const MatX>& H, const Eigen::Ref<const VecX>& B,
+               const std::vector<char>& given, Eigen::Ref<MatX> A, Eigen::Ref<VecX> x,
+               Eigen::Ref<VecX> qdd, Eigen::Ref<VecX> T) {
+  const int n = static_cast<int>(H.rows());
+  int free = 0;
+  for (int i = 0; i < n; ++i) {
+    if (given[i]) continue;
+    x[free] = T[i] - B[i];
+    for (int j = 0, column = 0; j < n; ++j) {
+      if (given[j]) {
+        x[free] -= H(i, j) * qdd[j];
+      } else {
+        A(free, column++) = H(i, j);
+      }
+    }
+    ++free;
+  }
+  const int pivot = FactorCholesky(A.topLeftCorner(free, free));
+  if (pivot < 0) SolveCholesky(A.topLeftCorner(free, free), x.head(free));
+  for (int i = 0, k = 0; i < n; ++i) {
+    if (given[i]) continue;
+    if (k == pivot) return i;
+    qdd[i] = x[k++];
+  }
+  for (int i = 0; i < n; ++i) {
+    if (given[i]) T[i] = B[i] + H.row(i).dot(qdd);
+  }
+  return -1;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,164 @@
+#include "engine/exchange/motion_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/base/text.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/exchange/units.h"
+#include "engine/placement/contact.h"
+
+namespace hazumi {
+
+namespace {
+
+std::string Quote(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// "[a, b, ...]" of what `text_of` makes of each item.
+template <typename Items, typename TextOf>
+std::string List(const Items& items, TextOf text_of) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ", ";
+    text += text_of(item);
+  }
+  return text + "]";
+}
+
+// The same with each item on a line of its own.
+template <typename Items, typename TextOf>
+std::string Lines(const Items& items, TextOf text_of) {
+  if (items.empty()) return "[]";
+  std::string text;
+  for (const auto& item : items) text += (text.empty() ? "[\n    " : ",\n    ") + text_of(item);
+  return text + "\n  ]";
+}
+
+template <typename Vector>
+std::string Numbers(const Vector& values) {
+  return List(values, FormatNumber);
+}
+
+std::string InDegrees(const VecX& radians) {
+  return List(radians, [](double x) { return FormatNumber(Degrees(x)); });
+}
+
+std::string QuaternionText(const Eigen::Quaterniond& q) {
+  return Numbers(std::array{q.w(), q.x(), q.y(), q.z()});
+}
+
+// Writes the frames of one motion in order.
+class FrameWriter {
+ public:
+  explicit FrameWriter(const Animation& animation)
+      : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
+
+  std::string Write(const MotionFrame& frame) {
+    ComputePositions(figure_, frame.X_WR, frame.q, &ws_);
+    turn_ = NearQuaternion(frame.X_WR.R, turn_);
+    std::string text = "{\"frame\": " + std::to_string(frame.frame);
+    text += ", \"angles_deg\": " + InDegrees(frame.q);
+    text += ", \"rates_deg_s\": " + InDegrees(frame.after.qd);
+    text += ", \"root\": {\"position\": " + Numbers(frame.X_WR.p);
+    text += ", \"quaternion_wxyz\": " + QuaternionText(turn_) + "}";
+    text += ", \"com\": " + Numbers(frame.com);
+    text += ", \"pinned\": " + (frame.pinned ? Quote(figure_.group(*frame.pinned).name) : "null");
+    text += ", \"joint_positions_m\": " + JointPositions();
+    text += ", \"clearance_m\": " + Clearance();
+    text += ", \"free\": " + FreeJoints(frame);
+    return text + ", \"objects\": " + Objects(frame) + "}";
+  }
+
+ private:
+  std::string JointPositions() {
+    return List(figure_.groups(), [this](const JointGroup& group) {
+      const std::string p = Numbers(ws_.body(group.first).p);
+      std::string text = p;
+      for (int i = 1; i < group.size; ++i) text += ", " + p;
+      return text;
+    });
+  }
+
+  std::string Clearance() {
+    const auto contact = NearestContact(figure_, animation_.scene, ws_);
+    return contact ? FormatNumber(contact->clearance) : "null";
+  }
+
+  std::string FreeJoints(const MotionFrame& frame) {
+    std::vector<std::string> names;
+    for (int j = 0; j < figure_.num_joints(); ++j) {
+      if (frame.in_region[j]) names.push_back(figure_.joints()[j].name);
+    }
+    return List(names, Quote);
+  }
+
+  std::string Objects(const MotionFrame& frame) {
+    std::string text = "[";
+    for (size_t i = 0; i < frame.objects.size(); ++i) {
+      const ObjectPose& object = frame.objects[i];
+      text += (i ? ", {" : "{") + std::string("\"name\": ") +
+              Quote(animation_.held_objects[i].name);
+      text += ", \"position\": " + Numbers(object.X_WO.p);
+      text += ", \"quaternion_wxyz\": " + QuaternionText(Eigen::Quaterniond(object.X_WO.R));
+      text += std::string(", \"held\": ") + (object.held ? "true" : "false") + "}";
+    }
+    return text + "]";
+  }
+
+  const Animation& animation_;
+  const Figure& figure_;
+  DynamicsWorkspace ws_;
+  Eigen::Quaterniond turn_ = Eigen::Quaterniond::Identity();
+};
+
+std::string EventText(const MotionEvent& event) {
+  return "{\"kind\": " + Quote(NameOf(event.kind)) + ", \"frame\": " + std::to_string(event.frame) +
+         ", \"time_s\": " + FormatNumber(event.time) +
+         ", \"joint\": " + (event.joint.empty() ? "null" : Quote(event.joint)) + "}";
+}
+
+std::string RegionText(const RegionReport& region, bool timings) {
+  std::string text = "{\"name\": " + Quote(region.name);
+  text += ", \"method\": " + Quote(NameOf(region.method));
+  text += ", \"step_s\": " + FormatNumber(region.step);
+  text += ", \"steps\": " + std::to_string(region.steps);
+  text += ", \"evaluations\": " + std::to_string(region.evaluations);
+  text += ", \"solves\": " + std::to_string(region.solves);
+  if (timings) text += ", \"microseconds\": " + FormatNumber(region.microseconds);
+  text += ", \"free_joints\": " + std::to_string(region.free_joints);
+  return text + ", \"all_joints\": " + std::to_string(region.all_joints) + "}";
+}
+
+std::string WarningText(const Warning& warning) {
+  return "{\"place\": " + Quote(warning.place) + ", \"message\": " + Quote(warning.message) + "}";
+}
+
+}  // namespace
+
+std::string MotionToJson(const Animation& animation, const Motion& motion,
+                         const MotionJsonOptions& options) {
+  const SolverSettings& solver = animation.solver;
+  std::string text = "{\n  \"format\": \"hazumi-motion\", \"version\": 1,\n";
+  text += "  \"fps\": " + FormatNumber(motion.rate.frames_per_second()) + ", \"fps_num\": " +
+          std::to_string(motion.rate.num) + ", \"fps_den\": " + std::to_string(motion.rate.den);
+  text += ",\n  \"solver\": {\"method\": " + Quote(NameOf(solver.method)) +
+          ", \"step_s\": " + FormatNumber(solver.step) +
+          ", \"version\": " + std::to_string(solver.version) + "}";
+  text += ",\n  \"joints\": " + List(animation.figure->joints(), [](const Joint& joint) {
+            return Quote(joint.name);
+          });
+  text += ",\n  \"joint_groups\": " + List(animation.figure->joints(), [&](const Joint& joint) {
+            return Quote(animation.figure->group(joint.group).name);
+          });
+  FrameWriter writer(animation);
+  text += ",\n  \"frames\": " +
+          Lines(motion.frames, [&](const MotionFrame& frame) { return writer.Write(frame); });
+  text += ",\n  \"events\": " + Lines(motion.events, EventText);
+  text += ",\n  \"regions\": " + Lines(motion.regions, [&](const RegionReport& region) {
+            return RegionText(region, options.timings);
+          });
+  return text + ",\n  \"warnings\": " + Lines(motion.warnings, WarningText) + "\n}\n";
+}
+
+}  // namespace hazumi

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/placement/contact.h"
+#include "engine/placement/figure_motion.h"
+#include "engine/timeline/placement_span.h"
+
+namespace hazumi {
+
+// Placement by gravity and contact [Arai 3.2]. While the figure touches something a joint is
+// pinned; else its CoM flies on a parabola.
+//
+// The paper does not say which velocity the tentative pose starts from. We take the CoM's velocity
+// at t_c as the rates give it. The difference quotient of two steps would lag by half a step, which
+// lets a pinned figure go at -g/2 instead of -g however small the step. [METHOD 2, "take-off"]
+class GravityPlacement {
+ public:
+  enum class EventKind { kTakeOff, kApex, kLanding };
+  struct Event {
+    EventKind kind;
+    double seconds_into_step;
+  };
+
+  GravityPlacement(const Figure& figure, const std::vector<SceneObject>& scene,
+                   const PlacementSpan& span, double gravity);
+
+  // Begins at `motion`: pinned if it touches something, else in flight with the CoM velocity of
+  // `motion`.
+  void Start(const FigureMotion& motion, DynamicsWorkspace* ws);
+
+  // Takes the CoM of `motion` anew after an object was let go.
+  void MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws);
+
+  // Places the root of `to`, whose joint angles and root orientation are those at the end of the
+  // step; `from` is the start. The root's velocity is that just before a landing.
+  void Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws, FigureMotion* to);
+
+  // Places the root of `motion` as things stand at the end of the last step, a landing done.
+  void Place(DynamicsWorkspace* ws, FigureMotion* motion) const;
+
+  // What happened in the last step. A landing comes last.
+  const std::vector<Event>& events() const { return events_; }
+  // The joint pinned from the end of the last step on, if any, and where.
+  std::optional<GroupIndex> pin() const { return pin_; }
+  const Vec3& pin_position() const { return pin_W_; }
+  // True if the last step ended with a landing.
+  bool has_landed() const { return just_landed_; }
+
+ private:
+  JointIndex pin_joint() const { return figure_.group(*pin_).first; }
+  bool Touches(const std::optional<Contact>& contact) const;
+  void PinAt(std::optional<GroupIndex> named, const Vec3& contact, const DynamicsWorkspace& ws);
+  void Fly(const Vec3& com, double dt);
+  void Land(const Vec3& com_from, const Vec3& com_tentative, const Vec3& velocity, double dt,
+            DynamicsWorkspace* ws, FigureMotion* to);
+
+  const Figure& figure_;
+  const std::vector<SceneObject>& scene_;
+  const PlacementSpan& span_;
+  Vec3 g_;
+  std::optional<GroupIndex> pin_;
+  Vec3 pin_W_ = Vec3::Zero();
+  Vec3 com_ = Vec3::Zero(), com_v_ = Vec3::Zero();  // in flight, and just after a landing
+  bool just_landed_ = false;
+  std::vector<Event> events_;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,67 @@
+#pragma once
+
+// Internal. The words that files use for enumerators.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/figure/figure_spec.h"
+#include "engine/timeline/dynamics_region.h"
+#include "engine/timeline/keyframe.h"
+#include "engine/timeline/placement_span.h"
+
+namespace hazumi {
+
+template <typename Enum>
+struct EnumName {
+  Enum value;
+  const char* name;
+};
+
+// What the enumeration is called in messages, and its words.
+template <typename Enum>
+struct EnumNames;
+
+template <>
+struct EnumNames<Method> {
+  static constexpr const char* kWhat = "method";
+  static constexpr EnumName<Method> kNames[] = {{Method::kPaper, "paper"}};
+};
+
+template <>
+struct EnumNames<Interpolation> {
+  static constexpr const char* kWhat = "interpolation";
+  static constexpr EnumName<Interpolation> kNames[] = {{Interpolation::kHold, "hold"},
+                                                       {Interpolation::kLinear, "linear"},
+                                                       {Interpolation::kQuadratic, "quadratic"},
+                                                       {Interpolation::kCubic, "cubic"}};
+};
+
+template <>
+struct EnumNames<PlacementKind> {
+  static constexpr const char* kWhat = "placement kind";
+  static constexpr EnumName<PlacementKind> kNames[] = {{PlacementKind::kKeyed, "keyed"},
+                                                       {PlacementKind::kPinned, "pinned"},
+                                                       {PlacementKind::kGravity, "gravity"}};
+};
+
+template <>
+struct EnumNames<Look::Shape> {
+  static constexpr const char* kWhat = "shape";
+  static constexpr EnumName<Look::Shape> kNames[] = {
+      {Look::Shape::kTaperedCapsule, "tapered_capsule"}, {Look::Shape::kEllipsoid, "ellipsoid"}};
+};
+
+template <typename Enum>
+concept FileEnum = requires { EnumNames<Enum>::kNames; };
+
+template <FileEnum Enum>
+const char* NameOf(Enum value) {
+  for (const auto& entry : EnumNames<Enum>::kNames) {
+    if (entry.value == value) return entry.name;
+  }
+  return "";
+}
+
+}  // namespace hazumi

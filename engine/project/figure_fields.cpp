@@ -1,0 +1,211 @@
+#include "engine/project/figure_fields.h"
+
+#include <Eigen/Geometry>
+
+#include "engine/figure/figure_builder.h"
+#include "engine/figure/mirror.h"
+#include "engine/project/field_checks.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr size_t kMostJoints = 1000;
+
+struct AxisName {
+  const char* name;
+  Vec3 axis;
+};
+const AxisName kAxisNames[] = {{"x", Vec3::UnitX()},   {"y", Vec3::UnitY()},
+                               {"z", Vec3::UnitZ()},   {"-x", -Vec3::UnitX()},
+                               {"-y", -Vec3::UnitY()}, {"-z", -Vec3::UnitZ()}};
+
+void ReadAxisName(const Json& json, const Site& site, Vec3& axis) {
+  const std::string& word = json.get_ref<const std::string&>();
+  std::vector<std::string> words;
+  for (const AxisName& entry : kAxisNames) {
+    if (entry.name == word) {
+      axis = entry.axis;
+      return;
+    }
+    words.emplace_back(entry.name);
+  }
+  site.Report(Check::kUnknownChoice, {"axis " + Quoted(word), Suggestion(word, words)});
+}
+
+// "z", "-y", or a unit vector.
+void ReadAxis(FieldReader& in, Vec3& axis) {
+  const Json* json = in.FindRequired("axis");
+  if (!json) return;
+  const Site site = in.At("axis");
+  if (json->is_string()) return ReadAxisName(*json, site, axis);
+  ReadValue(*json, site, axis);
+  CheckUnitVector(axis, site);
+  if (axis.norm() > 0.0) axis.normalize();
+}
+
+void ReadPositive(FieldReader& in, const char* name, double& value) {
+  in.Required(name, value);
+  if (in.site().errors->ok()) CheckPositive(value, in.At(name));
+}
+
+void ReadNotNegative(FieldReader& in, const char* name, std::optional<double>& value) {
+  in.Optional(name, value);
+  if (value) CheckNotNegative(*value, in.At(name));
+}
+
+void ReadColor(FieldReader& in, const char* name, std::string& color) {
+  in.Required(name, color);
+  CheckColor(color, in.At(name));
+}
+
+void ReadTaperedCapsule(FieldReader& in, Look& look) {
+  std::array<double, 2> radii{1.0, 1.0};
+  in.Required("from_m", look.from);
+  in.Required("to_m", look.to);
+  in.Required("radii_m", radii);
+  for (size_t i = 0; i < 2; ++i) CheckPositive(radii[i], in.At("radii_m").Item(i));
+  look.radius_from = radii[0];
+  look.radius_to = radii[1];
+}
+
+void ReadEllipsoid(FieldReader& in, Look& look) {
+  look.half_axes = Vec3::Ones();
+  in.Required("center_m", look.center);
+  in.Required("half_axes_m", look.half_axes);
+  CheckPositive(look.half_axes, in.At("half_axes_m"));
+}
+
+Mat3 SymmetricMatrix(const std::array<double, 6>& m) {  // xx, yy, zz, xy, xz, yz
+  Mat3 matrix;
+  matrix << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
+  return matrix;
+}
+
+}  // namespace
+
+static void Describe(FieldReader& in, Look& look) {
+  in.Required("shape", look.shape);
+  if (look.shape == Look::Shape::kTaperedCapsule) {
+    ReadTaperedCapsule(in, look);
+  } else {
+    ReadEllipsoid(in, look);
+  }
+  ReadColor(in, "color", look.color);
+  in.Optional("mirror_color", look.mirror_color);
+  if (!look.mirror_color.empty()) CheckColor(look.mirror_color, in.At("mirror_color"));
+}
+
+static void Describe(FieldReader& in, LinkSpec& link) {
+  in.Required("name", link.name);
+  in.Required("from_m", link.from);
+  in.Required("to_m", link.to);
+  ReadPositive(in, "radius_m", link.radius);
+  ReadNotNegative(in, "mass_kg", link.mass);
+  ReadNotNegative(in, "density_kg_m3", link.density);
+  if (link.mass.has_value() == link.density.has_value()) {
+    in.site().Report(Check::kNotOneOf, {"\"mass_kg\" and \"density_kg_m3\""});
+  }
+  if (in.Find("com_m")) in.Required("com_m", link.com.emplace(Vec3::Zero()));
+  std::optional<std::array<double, 6>> inertia;
+  in.Optional("inertia_kg_m2", inertia);
+  if (inertia) link.inertia = SymmetricMatrix(*inertia);
+  in.Optional("look", link.looks);
+}
+
+static void Describe(FieldReader& in, HingeSpec& hinge) {
+  std::array<double, 2> limits_deg{0.0, 0.0};
+  double rest_deg = 0.0;
+  in.Optional("name", hinge.name);
+  ReadAxis(in, hinge.axis);
+  in.Required("limits_deg", limits_deg);
+  in.Required("rest_deg", rest_deg);
+  hinge.lower = limits_deg[0] * kRadiansPerDegree;
+  hinge.upper = limits_deg[1] * kRadiansPerDegree;
+  hinge.rest = rest_deg * kRadiansPerDegree;
+}
+
+static void Describe(FieldReader& in, JointSpec& joint) {
+  Vec3 orientation_deg = Vec3::Zero();
+  in.Required("name", joint.name);
+  CheckNotEmpty(joint.name, in.At("name"));
+  in.Required("parent", joint.parent);
+  in.Required("offset_m", joint.offset);
+  in.Optional("orientation_deg", orientation_deg);
+  joint.orientation = RotationFromAngles(orientation_deg);
+  in.Required("hinges", joint.hinges);
+  in.Optional("links", joint.links);
+}
+
+static void Describe(FieldReader& in, MirrorSpec& mirror) {
+  in.Required("from", mirror.from);
+  in.Required("to", mirror.to);
+  CheckNotEmpty(mirror.from, in.At("from"));
+  CheckNotEmpty(mirror.to, in.At("to"));
+}
+
+static void Describe(FieldReader& in, FigureSpec& spec) {
+  in.Optional("name", spec.name);
+  in.Nested("root", spec, [](FieldReader& root, FigureSpec& figure) {
+    root.Required("name", figure.root_name);
+    root.Optional("links", figure.root_links);
+  });
+  in.FindRequired("root");
+  in.Required("joints", spec.joints);
+  in.Optional("mirror", spec.mirror);
+}
+
+static void CheckParents(const FigureSpec& spec, const Site& site) {
+  std::vector<std::string> parents = {spec.root_name};
+  for (const JointSpec& joint : WithMirroredTwins(spec).joints) parents.push_back(joint.name);
+  for (size_t i = 0; i < spec.joints.size(); ++i) {
+    const std::string& parent = spec.joints[i].parent;
+    if (std::find(parents.begin(), parents.end(), parent) != parents.end()) continue;
+    site.Field("joints").Item(i).Field("parent").Report(
+        Check::kUnknownParent, {Quoted(parent), Suggestion(parent, parents)});
+    return;
+  }
+}
+
+static void CheckBuilds(const FigureSpec& spec, const Site& site) {
+  const Result<Figure> figure = BuildFigure(spec);
+  if (figure.ok()) return;
+  Error error = figure.error();
+  if (!site.place.empty()) error.place = site.Field(error.place).place;
+  site.errors->Report(error);
+}
+
+bool ExpectFormat(const Json& json, const char* format, Check other_format, const Site& site) {
+  if (!json.is_object() || !json.contains("format") || json["format"] != format) {
+    site.Report(other_format);
+    return false;
+  }
+  int version = 0;
+  FieldReader(json, site).Required("version", version);
+  const Site place = site.Field("version");
+  if (version > 1) place.Report(Check::kNewerFormat, {std::to_string(version)});
+  if (version < 1) place.Report(Check::kUnknownFormat, {std::to_string(version)});
+  return site.errors->ok();
+}
+
+FigureSpec ReadFigure(const Json& json, const Site& site) {
+  FigureSpec spec;
+  if (!ExpectFormat(json, "hazumi-figure", Check::kNotAFigure, site)) return spec;
+  ReadValue(json, site, spec);
+  if (spec.joints.size() > kMostJoints) {
+    site.Field("joints").Report(Check::kTooManyJoints, {std::to_string(spec.joints.size())});
+  }
+  if (site.errors->ok()) CheckParents(spec, site);
+  if (site.errors->ok()) CheckBuilds(spec, site);
+  return spec;
+}
+
+Mat3 RotationFromAngles(const Vec3& zyx_deg) {
+  if (zyx_deg.isZero(0.0)) return Mat3::Identity();
+  const Vec3 angles = zyx_deg * kRadiansPerDegree;
+  return (Eigen::AngleAxisd(angles[0], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
+          Eigen::AngleAxisd(angles[2], Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
+}  // namespace hazumi

@@ -1,0 +1,131 @@
+#pragma once
+
+// The document: what a .kfa file says, in the file's units (metres, degrees, frames) and with names
+// instead of indices. It may be inconsistent while it is edited: CompileAnimation checks it.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/project/extra_fields.h"
+#include "engine/project/project_figure.h"
+#include "engine/project/project_scene.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+struct ProjectRate {
+  int num = 30, den = 1;  // frames per second = num / den
+  ExtraFields extra;
+  bool operator==(const ProjectRate&) const = default;
+};
+
+struct ProjectFrames {
+  int first = 0, last = 0;  // both inclusive
+  ExtraFields extra;
+  bool operator==(const ProjectFrames&) const = default;
+};
+
+struct ProjectSolver {
+  Method method = Method::kPaper;
+  double step_s = 1.0 / 30.0;
+  int version = 1;
+  ExtraFields extra;
+  bool operator==(const ProjectSolver&) const = default;
+};
+
+// Values are degrees for angles and metres for root positions; rates are per second.
+struct ProjectKey {
+  double frame = 0.0;
+  double value = 0.0;
+  std::optional<double> rate;
+  Interpolation interpolation = Interpolation::kCubic;
+  ExtraFields extra;
+  bool operator==(const ProjectKey&) const = default;
+};
+
+struct ProjectCurve {
+  std::vector<ProjectKey> keys;  // in order of frames, no two on one frame
+  ExtraFields extra;
+  bool operator==(const ProjectCurve&) const = default;
+};
+
+struct ProjectRoot {
+  std::array<ProjectCurve, kNumRootCurves> curves;  // by RootCurve
+  ExtraFields extra;
+  bool operator==(const ProjectRoot&) const = default;
+};
+
+// An entry of a JSON object whose field names are names of the document.
+template <typename T>
+struct Named {
+  std::string name;
+  T value{};
+  bool operator==(const Named&) const = default;
+};
+
+// Joints of a region: a hinge, a group (all its hinges), or either with everything beyond it.
+struct JointRef {
+  std::string name;
+  bool beyond = false;
+  ExtraFields extra;  // only if `beyond`
+  bool operator==(const JointRef&) const = default;
+};
+
+// Factors in [0, 1] per 1/30 s: 0 frozen, 1 no friction.
+struct ProjectFriction {
+  double default_factor = 1.0;
+  std::vector<Named<double>> joints;  // a hinge's own entry goes before its group's
+  ExtraFields extra;
+  bool operator==(const ProjectFriction&) const = default;
+};
+
+struct ProjectRegion {
+  std::string name;
+  int first_frame = 0, last_frame = 0;  // half open
+  std::vector<JointRef> joints;
+  ProjectFriction friction;
+  std::optional<Method> method;  // not given: the project's
+  std::optional<double> step_s;  // not given: the project's
+  ExtraFields extra;
+  bool operator==(const ProjectRegion&) const = default;
+};
+
+struct ProjectPlacement {
+  PlacementKind kind = PlacementKind::kKeyed;
+  std::string pin;                      // kPinned: the joint; kGravity: may be empty
+  std::string landing_pin;              // kGravity only; may be empty
+  int first_frame = 0, last_frame = 0;  // half open
+  ExtraFields extra;
+  bool operator==(const ProjectPlacement&) const = default;
+};
+
+struct ProjectHold {
+  std::string joint;
+  bool orientation = false;
+  int first_frame = 0, last_frame = 0;
+  ExtraFields extra;
+  bool operator==(const ProjectHold&) const = default;
+};
+
+struct Project {
+  std::string name;
+  ProjectRate fps;
+  ProjectFrames frames;
+  ProjectSolver solver;
+  ProjectFigure figure;
+  ProjectScene scene;
+  ProjectRoot root;
+  std::vector<Named<ProjectCurve>> joints;  // by hinge; a hinge not named rests
+  std::vector<ProjectRegion> regions;
+  std::vector<ProjectPlacement> placements;
+  std::vector<ProjectHold> holds;
+  std::vector<ProjectHeldObject> held_objects;
+  std::optional<ProjectCamera> camera;
+  ExtraFields extra;
+  bool operator==(const Project&) const = default;
+};
+
+}  // namespace hazumi

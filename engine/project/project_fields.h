@@ -1,0 +1,183 @@
+#pragma once
+
+// Internal. The .kfa format: each object's fields, named once for reading and writing.
+//   Required  must be there
+//   Stated    may be missing, is always written
+//   Optional  may be missing, is written unless it has its default value
+
+#include "engine/project/field_reader.h"
+#include "engine/project/field_writer.h"
+
+namespace hazumi {
+
+inline constexpr const char* kProjectFormat = "hazumi-project";
+
+// What a key's fields are called.
+struct KeyFieldNames {
+  const char* value;
+  const char* rate;
+};
+inline constexpr KeyFieldNames kAngleKey = {"angle_deg", "rate_deg_s"};
+inline constexpr KeyFieldNames kPositionKey = {"position_m", "rate_m_s"};
+
+// By RootCurve.
+inline constexpr const char* kRootCurveNames[kNumRootCurves] = {"x",       "y",       "z",
+                                                                "angle_z", "angle_y", "angle_x"};
+
+inline const KeyFieldNames& KeyFieldsOf(int root_curve) {
+  return root_curve <= kRootZ ? kPositionKey : kAngleKey;
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectRate> rate) {
+  ar.Required("num", rate.num);
+  ar.Required("den", rate.den);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectFrames> frames) {
+  ar.Required("first", frames.first);
+  ar.Required("last", frames.last);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSolver> solver) {
+  ar.Required("method", solver.method);
+  ar.Required("step_s", solver.step_s);
+  ar.Required("version", solver.version);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectPlane> plane) {
+  ar.Required("normal", plane.normal);
+  ar.Required("offset_m", plane.offset_m);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectBox> box) {
+  ar.Required("center_m", box.center_m);
+  ar.Required("size_m", box.size_m);
+  ar.Optional("rotation_deg", box.rotation_deg, Vec3(Vec3::Zero()));
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSceneObject> object) {
+  ar.Required("name", object.name);
+  ar.OneOf({"plane", "box"}, object.shape);
+  ar.Stated("color", object.color);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectScene> scene) {
+  ar.Stated("gravity_m_s2", scene.gravity_m_s2);
+  ar.Optional("objects", scene.objects);
+}
+
+template <typename Ar>
+void DescribeCurve(Ar& ar, Ref<Ar, ProjectCurve> curve, const KeyFieldNames& names) {
+  ar.List("keys", curve.keys, [&](auto& item, auto& key) {
+    item.Required("frame", key.frame);
+    item.Required(names.value, key.value);
+    item.Optional(names.rate, key.rate);
+    item.Optional("interpolation", key.interpolation, Interpolation::kCubic);
+  });
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectRoot> root) {
+  for (int i = 0; i < kNumRootCurves; ++i) {
+    ar.Nested(kRootCurveNames[i], root.curves[i],
+              [i](auto& item, auto& curve) { DescribeCurve(item, curve, KeyFieldsOf(i)); });
+  }
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectFriction> friction) {
+  ar.Required("default", friction.default_factor);
+  ar.Optional("joints", friction.joints);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
+  ar.Required("name", region.name);
+  ar.Required("first_frame", region.first_frame);
+  ar.Required("last_frame", region.last_frame);
+  ar.Required("joints", region.joints);
+  ar.Stated("friction", region.friction);
+  ar.Optional("method", region.method);
+  ar.Optional("step_s", region.step_s);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectPlacement> placement) {
+  ar.Required("kind", placement.kind);
+  if (placement.kind == PlacementKind::kPinned) ar.Required("joint", placement.pin);
+  if (placement.kind == PlacementKind::kGravity) {
+    ar.Optional("pin", placement.pin);
+    ar.Optional("landing_pin", placement.landing_pin);
+  }
+  ar.Required("first_frame", placement.first_frame);
+  ar.Required("last_frame", placement.last_frame);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectHold> hold) {
+  ar.Required("joint", hold.joint);
+  ar.Optional("orientation", hold.orientation);
+  ar.Required("first_frame", hold.first_frame);
+  ar.Required("last_frame", hold.last_frame);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSphereShape> sphere) {
+  ar.Required("radius_m", sphere.radius_m);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectBoxShape> box) {
+  ar.Required("size_m", box.size_m);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
+  ar.Required("name", object.name);
+  ar.OneOf({"sphere", "box"}, object.shape);
+  ar.Required("mass_kg", object.mass_kg);
+  ar.Required("joint", object.joint);
+  ar.Optional("offset_m", object.offset_m, Vec3(Vec3::Zero()));
+  ar.Optional("release_frame", object.release_frame);
+  ar.Stated("color", object.color);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectCamera> camera) {
+  ar.Required("eye_m", camera.eye_m);
+  ar.Required("target_m", camera.target_m);
+  ar.Required("vertical_fov_deg", camera.vertical_fov_deg);
+}
+
+// A reference to a figure file, or the figure itself.
+void ReadValue(const Json& json, const Site& site, ProjectFigure& figure);
+Json ToJson(const ProjectFigure& figure);
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, Project> project) {
+  ar.Literal("format", kProjectFormat);
+  ar.Literal("version", 1);
+  ar.Optional("name", project.name);
+  ar.Required("fps", project.fps);
+  ar.Required("frames", project.frames);
+  ar.Required("solver", project.solver);
+  ar.Required("figure", project.figure);
+  ar.Stated("scene", project.scene);
+  ar.Optional("root", project.root);
+  ar.Map("joints", project.joints,
+         [](auto& item, auto& curve) { DescribeCurve(item, curve, kAngleKey); });
+  ar.Optional("regions", project.regions);
+  ar.Optional("placements", project.placements);
+  ar.Optional("holds", project.holds);
+  ar.Optional("held_objects", project.held_objects);
+  ar.Optional("camera", project.camera);
+}
+
+}  // namespace hazumi

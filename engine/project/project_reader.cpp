@@ -1,0 +1,79 @@
+#include "engine/project/project_reader.h"
+
+#include <filesystem>
+
+#include "engine/figure/figure_builder.h"
+#include "engine/project/document_checks.h"
+#include "engine/project/figure_fields.h"
+#include "engine/project/figure_reader.h"
+#include "engine/project/joint_names.h"
+#include "engine/project/project_fields.h"
+#include "engine/project/text_file.h"
+
+namespace hazumi {
+
+namespace {
+
+// A file that cannot be read is an error of the project, which names the wrong file.
+Error InProject(Error error, const std::string& reference) {
+  if (error.code != ErrorCode::kNoInput) return error;
+  return MakeError(Check::kFigureUnreadable, "figure.file", {Quoted(reference), error.message});
+}
+
+void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, FirstError* errors) {
+  const auto folder = std::filesystem::path(project_file).parent_path();
+  Result<FigureSpec> spec = LoadFigure((folder / figure->file).lexically_normal().string());
+  if (!spec.ok()) return errors->Report(InProject(spec.error(), figure->file));
+  figure->spec = std::move(spec).value();
+}
+
+void CheckProject(const Project& project, FirstError* errors) {
+  CheckDocument(project, errors);
+  if (!errors->ok()) return;
+  const Result<Figure> figure = BuildFigure(project.figure.spec);
+  if (!figure.ok()) return errors->Report(figure.error());
+  CheckNames(project, figure.value(), errors);
+}
+
+Project ReadProject(const Json& json, const std::string& file_name, FirstError* errors) {
+  Project project;
+  const Site site{"", errors};
+  if (!ExpectFormat(json, kProjectFormat, Check::kNotAProject, site)) return project;
+  ReadValue(json, site, project);
+  if (errors->ok() && !project.figure.file.empty()) {
+    ReadFigureFile(&project.figure, file_name, errors);
+  }
+  if (errors->ok()) CheckProject(project, errors);
+  return project;
+}
+
+}  // namespace
+
+void ReadValue(const Json& json, const Site& site, ProjectFigure& figure) {
+  if (json.is_object() && json.contains("format")) {
+    figure.spec = ReadFigure(json, site);
+    figure.embedded_json = CompactJson(json);
+    return;
+  }
+  ReadObject(json, site, figure, [](FieldReader& in, ProjectFigure& reference) {
+    in.Required("file", reference.file);
+    CheckNotEmpty(reference.file, in.At("file"));
+  });
+}
+
+Result<Project> LoadProject(const std::string& path) {
+  const Result<std::string> text = ReadTextFile(path);
+  if (!text.ok()) return text.error();
+  return ParseProject(text.value(), path);
+}
+
+Result<Project> ParseProject(std::string_view text, const std::string& file_name) {
+  FirstError errors;
+  const std::optional<Json> json = ParseJson(text, &errors);
+  if (!json) return errors.In(file_name);
+  Project project = ReadProject(*json, file_name, &errors);
+  if (!errors.ok()) return errors.In(file_name);
+  return project;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,34 @@
+#include "engine/project/project_writer.h"
+
+#include <filesystem>
+
+#include "engine/project/project_fields.h"
+#include "engine/project/text_file.h"
+
+namespace hazumi {
+
+Json ToJson(const ProjectFigure& figure) {
+  if (figure.file.empty()) return FromText(figure.embedded_json);
+  return ObjectToJson(figure, [](FieldWriter& out, const ProjectFigure& reference) {
+    out.Required("file", reference.file);
+  });
+}
+
+std::string WriteProject(const Project& project) { return FormatJson(ToJson(project)); }
+
+Result<Done> SaveProject(const Project& project, const std::string& path) {
+  return ReplaceTextFile(path, WriteProject(project));
+}
+
+void RebaseReferences(Project* project, const std::string& from_folder,
+                      const std::string& to_folder) {
+  namespace fs = std::filesystem;
+  std::string& file = project->figure.file;
+  if (file.empty() || fs::path(file).is_absolute()) return;
+  std::error_code failed;
+  const fs::path from = fs::absolute(from_folder, failed), to = fs::absolute(to_folder, failed);
+  if (failed) return;
+  file = (from / file).lexically_normal().lexically_relative(to.lexically_normal()).string();
+}
+
+}  // namespace hazumi

@@ -1,0 +1,19 @@
+#pragma once
+
+// Internal. Whole text files.
+
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+
+namespace hazumi {
+
+// The contents of a regular file of at most 64 MiB. Errors: kNoInput; kSchema if too big.
+Result<std::string> ReadTextFile(const std::string& path);
+
+// Replaces or creates the file all or nothing: a new file in the same folder takes its place once
+// it is safely on the disk. Permissions are kept, a link is followed. Error: kCannotWrite.
+Result<Done> ReplaceTextFile(const std::string& path, std::string_view text);
+
+}  // namespace hazumi

@@ -1,0 +1,105 @@
+#include "engine/timeline/curve_track.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+size_t FirstAfter(const Keys& keys, double frame) {
+  const auto later = [](double f, const Key& key) { return f < key.frame; };
+  return std::upper_bound(keys.begin(), keys.end(), frame, later) - keys.begin();
+}
+
+}  // namespace
+
+CurveTrack::CurveTrack(const Keys* keys, FrameRate rate, double default_value,
+                       std::vector<double> takeovers)
+    : keys_(keys), rate_(rate), takeovers_(std::move(takeovers)) {
+  const double start_value = keys->empty() ? default_value : keys->front().value;
+  const double start_frame = keys->empty() ? kEver : keys->front().frame;
+  segments_.push_back({-kEver, start_frame, Interval::Hold(start_value)});
+}
+
+const Key* CurveTrack::KeyAt(double frame) const {
+  const size_t after = FirstAfter(*keys_, frame);
+  if (after == 0 || (*keys_)[after - 1].frame != frame) return nullptr;
+  return &(*keys_)[after - 1];
+}
+
+bool CurveTrack::HasKeyAfter(double frame) const {
+  return FirstAfter(*keys_, frame) < keys_->size();
+}
+
+CurveSample CurveTrack::Evaluate(const Segment& segment, double frame) const {
+  if (segment.first_frame == -kEver) return segment.interval.At(0.0);
+  return segment.interval.At(Seconds(frame - segment.first_frame));
+}
+
+CurveSample CurveTrack::At(double frame) {
+  PlanUpTo(frame);
+  size_t i = segments_.size() - 1;
+  while (segments_[i].first_frame > frame) --i;
+  return Evaluate(segments_[i], frame);
+}
+
+CurveSample CurveTrack::Before(double frame) {
+  PlanUpTo(frame);
+  size_t i = segments_.size() - 1;
+  while (segments_[i].first_frame >= frame) --i;
+  return Evaluate(segments_[i], frame);
+}
+
+void CurveTrack::PlanUpTo(double frame) {
+  while (segments_.back().last_frame <= frame) {
+    const Segment& before = segments_.back();
+    const Key& key = *KeyAt(before.last_frame);
+    const double rate = key.rate.value_or(Evaluate(before, before.last_frame).rate);
+    Append(key.frame, key.value, rate, key.interpolation);
+  }
+}
+
+void CurveTrack::Resume(double frame, double value, double rate, bool as_keyed) {
+  while (segments_.size() > 1 && segments_.back().first_frame >= frame) segments_.pop_back();
+  segments_.back().last_frame = frame;
+  const Key* key = KeyAt(frame);
+  Append(frame, value, rate, as_keyed && key ? key->interpolation : Interpolation::kCubic);
+}
+
+void CurveTrack::Append(double frame, double value, double rate, Interpolation kind) {
+  const size_t next = FirstAfter(*keys_, frame);
+  if (next == keys_->size()) {
+    segments_.push_back({frame, kEver, Interval::Hold(value)});
+    return;
+  }
+  const Key& target = (*keys_)[next];
+  const double duration = Seconds(target.frame - frame);
+  Interval interval = Interval::Hold(value);
+  if (kind == Interpolation::kLinear) interval = Interval::Linear(value, target.value, duration);
+  if (kind == Interpolation::kQuadratic) {
+    interval = Interval::Quadratic(value, rate, target.value, duration);
+  }
+  if (kind == Interpolation::kCubic) {
+    const double arrival = ArrivalRate(target, next, frame, value, rate);
+    interval = Interval::Cubic(value, rate, target.value, arrival, duration);
+  }
+  segments_.push_back({frame, target.frame, interval});
+}
+
+double CurveTrack::ArrivalRate(const Key& target, size_t index, double start_frame,
+                               double start_value, double start_rate) const {
+  if (target.rate) return *target.rate;
+  const double slope = (target.value - start_value) / Seconds(target.frame - start_frame);
+  const bool taken_over =
+      std::find(takeovers_.begin(), takeovers_.end(), target.frame) != takeovers_.end();
+  if (taken_over) return 2.0 * slope - start_rate;
+  if (index + 1 == keys_->size()) return 0.0;
+  const Key& beyond = (*keys_)[index + 1];
+  return AutomaticRate(Seconds(start_frame), start_value, Seconds(target.frame), target.value,
+                       Seconds(beyond.frame), beyond.value);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/timeline/frame_time.h"
+#include "engine/timeline/interval.h"
+#include "engine/timeline/keyframe.h"
+
+namespace hazumi {
+
+// One curve while it is being baked. It follows its keys until something else takes over (a
+// dynamics region, inverse kinematics, a placement) and goes on from where that left it.
+//
+// Rules, from left to right:
+// - Before the first key and after the last one the curve is constant.
+// - An interval starts with its left key's rate if given, else with the rate at which the interval
+//   before ended; the first key starts at rate 0.
+// - A cubic arrives with the right key's rate if given, else with an automatic tangent: between two
+//   neighbours as AutomaticRate, at the last key flat.
+// - At a key on which a takeover begins the keys beyond it say nothing, so the tangent there is
+//   that of a parabola [Arai 2.5 (1)]: marking a region lets the limb go with the speed that its
+//   keys built up.
+class CurveTrack {
+ public:
+  // `keys` must outlive the track. `takeovers`: the frames at which something else takes over.
+  CurveTrack(const Keys* keys, FrameRate rate, double default_value, std::vector<double> takeovers);
+
+  // At a key and at a resumption: the limit from the right.
+  CurveSample At(double frame);
+  // The limit from the left, if something lies there; else as At.
+  CurveSample Before(double frame);
+  // The rate given by a key that lies on `frame`.
+  const Key* KeyAt(double frame) const;
+  bool HasKeyAfter(double frame) const;
+
+  // Goes on from `frame` with this value and rate to the next key after it; what was planned from
+  // there on is forgotten. The first interval is a cubic unless `as_keyed` is set and a key lies on
+  // `frame`: then it is of that key's kind.
+  void Resume(double frame, double value, double rate, bool as_keyed = false);
+
+ private:
+  struct Segment {
+    double first_frame, last_frame;
+    Interval interval;
+  };
+
+  void PlanUpTo(double frame);
+  void Append(double frame, double value, double rate, Interpolation kind);
+  double ArrivalRate(const Key& target, size_t index, double start_frame, double start_value,
+                     double start_rate) const;
+  CurveSample Evaluate(const Segment& segment, double frame) const;
+  double Seconds(double frames) const { return rate_.SecondsAt(frames); }
+
+  const Keys* keys_;
+  FrameRate rate_;
+  std::vector<double> takeovers_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace hazumi

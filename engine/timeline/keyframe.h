@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace hazumi {
+
+// How a curve runs from a key to the next one.
+enum class Interpolation {
+  kHold,       // stays at the key's value
+  kLinear,
+  kQuadratic,  // Arai 2.5 (1): from value and rate to the next value
+  kCubic,      // Arai 2.5 (1), (3): from value and rate to the next value and rate
+};
+
+// A value that the animator set. Values are rad for angles and m for root positions; rates are per
+// second.
+struct Key {
+  double frame = 0.0;  // may lie between frames
+  double value = 0.0;
+  std::optional<double> rate;  // not given: the interval rules of interval.h
+  Interpolation interpolation = Interpolation::kCubic;
+};
+
+// In order of frames, no two on one frame.
+using Keys = std::vector<Key>;
+
+}  // namespace hazumi

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/figure/indices.h"
+
+namespace hazumi {
+
+// How the figure's position in the world is found (Arai 3). Frames not covered by any span are
+// keyed. The root's orientation is keyed always.
+enum class PlacementKind {
+  kKeyed,    // the root's position curves
+  kPinned,   // a joint stays where it is (Arai 3.1)
+  kGravity,  // gravity and contact (Arai 3.2)
+};
+
+struct PlacementSpan {
+  PlacementKind kind = PlacementKind::kKeyed;
+  int first_frame = 0;
+  int last_frame = 0;  // half open, as for regions
+  // kPinned: the pinned joint. kGravity: the joint pinned while touching before the first take-off;
+  // none: the nearest to the contact.
+  std::optional<GroupIndex> pin;
+  // kGravity: the joint pinned after a landing; none: the nearest to the contact.
+  std::optional<GroupIndex> landing_pin;
+};
+
+// Inverse kinematics: the joint stays where it was at `first_frame`, up to and including the moment
+// of `last_frame`. The joints between the root and it are solved, the keyed pose picks the branch.
+struct IkHold {
+  GroupIndex joint;
+  int first_frame = 0;
+  int last_frame = 0;
+  bool hold_orientation = false;  // also of the body that the joint sits on
+};
+
+}  // namespace hazumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "render/scene/camera.h"
+#include "render/scene/color.h"
+#include "render/scene/marks.h"
+#include "render/scene/solids.h"
+
+namespace hazumi::render {
+
+enum class GroundLook { kGrid, kChecker };
+
+// A floor z = height that fades into the horizon. Colours are those seen in full light.
+struct Ground {
+  bool visible = true;
+  double height = 0.0;  // [m]
+  GroundLook look = GroundLook::kGrid;
+  SrgbColor floor = FromHex(0xa9b0b8);
+  SrgbColor pattern = FromHex(0x8f979f);  // grid lines, or the other checker squares
+};
+
+// The light around: seen as the background and felt as ambient light.
+struct Sky {
+  SrgbColor zenith = FromHex(0x6f7c8b);
+  SrgbColor horizon = FromHex(0xc6ccd2);
+};
+
+// All that is in a picture. Knows neither documents nor GL. World: z up, right-handed, metres.
+struct Scene {
+  Camera camera;
+  Vec3 to_light{-0.45, -0.55, 1.0};  // towards the key light; any length, z > 0
+  Sky sky;
+  Ground ground;
+  std::vector<TaperedCapsule> capsules;
+  std::vector<Ellipsoid> ellipsoids;
+  std::vector<BoxShape> boxes;
+  std::vector<Polyline> polylines;
+  std::vector<Marker> markers;
+  std::vector<Caption> captions;
+};
+
+}  // namespace hazumi::render
