@@ -106,6 +106,8 @@ void Declare(CLI::App* app, RawOptions* raw, Options* options) {
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   draw->add_flag("--paths", options->paths, "Draw the paths of CoM, hands and feet");
+  draw->add_flag("--marks", options->marks, "Draw a ring at the pinned joint");
+  draw->add_flag("--tint", options->tint, "Tint the joints that a dynamics region moves");
   draw->add_flag("--frame-number", options->frame_number, "Draw the frame number");
   draw->add_flag("--no-shadow", raw->no_shadow, "Draw no shadow");
 

@@ -36,6 +36,8 @@ struct Options {
   int threads = 2;
   int ghosts = 0;  // one every so many frames; 0: none
   bool paths = false;
+  bool marks = false;
+  bool tint = false;
   bool shadow = true;
   bool frame_number = false;
 

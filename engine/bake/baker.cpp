@@ -62,7 +62,7 @@ Result<Motion> Baker::Run() {
   before_ = RatesOf(now_);
   for (int frame = animation_.first_frame;; ++frame) {
     if (auto error = CrossFrame(frame)) return *error;
-    if (const auto output = OutputFrameAt(frame)) Record(*output, now_, before_);
+    RecordIfOutput();
     if (frame == animation_.last_frame) break;
     if (auto error = AdvanceFrame(frame)) return *error;
   }
@@ -81,6 +81,7 @@ Baker::Failure Baker::AdvanceFrame(int frame) {
     const double from = frame + static_cast<double>(i) / steps;
     const double to = i + 1 == steps ? frame + 1.0 : frame + (i + 1.0) / steps;
     if (auto error = Step(from, to, i + 1 == steps)) return error;
+    if (i + 1 < steps) RecordIfOutput();
   }
   return std::nullopt;
 }
@@ -185,7 +186,7 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
   for (int j = 0; j < figure_.num_joints(); ++j) {
     q[j] = Jet(motion->q[j], motion->qd[j], motion->qdd[j]);
   }
-  for (const ActiveHold& active : holds_) {
+  for (ActiveHold& active : holds_) {
     const HoldSolution solution = active.solver.Solve(X_WR, active.target, &q);
     const size_t index = active.hold - animation_.holds.data();
     if (!solution.reached) {
@@ -205,6 +206,13 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
 }
 
 Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
+  const auto falls = [](const PlacementSpan& span) { return span.kind == PlacementKind::kGravity; };
+  const auto& spans = animation.placements;
+  const auto span = std::find_if(spans.begin(), spans.end(), falls);
+  if (span != spans.end() && animation.figure->groups().empty()) {
+    return CannotGoOn("placements[" + std::to_string(span - spans.begin()) + "]",
+                      "the figure has no joint that could be pinned where it lands; give it one");
+  }
   return Baker(animation, options).Run();
 }
 

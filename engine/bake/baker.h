@@ -36,7 +36,8 @@ class Baker {
   bool ReleaseObjects(int frame);
   void BeginRegions(int frame);
   bool BeginHolds(int frame);
-  bool BeginPlacement(int frame);
+  bool BeginPlacement(int frame, bool was_keyed);
+  void TakeKeyedVelocity(int frame);
   void RebuildDriver(int frame);
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
   void WarnOfVelocityJump(int frame);
@@ -52,9 +53,12 @@ class Baker {
   Failure SolveHolds(double frame, Side side, FigureMotion* motion);
 
   // What is kept (baker_record.cpp).
-  void Record(int output_frame, const FigureMotion& motion, const MotionRates& before);
+  void RecordIfOutput();
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
-  std::optional<int> OutputFrameAt(int frame) const;
+  void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
+  void Record(int output_frame, const FigureMotion& motion, const MotionRates& before,
+              std::optional<GroupIndex> pinned);
+  double OutputFramesPerFrame() const;
   void AddEvent(EventKind kind, double frame, const std::string& joint);
   void AddPinEvent(int frame);
   void AddWarning(const std::string& place, const std::string& message);

@@ -9,13 +9,14 @@
 namespace hazumi {
 
 Baker::Failure Baker::CrossFrame(int frame) {
+  const bool was_keyed = !span_ || span_->kind == PlacementKind::kKeyed;
   bool changed = EndRegions(frame);
   changed |= EndHolds(frame);
   changed |= EndPlacement(frame);
   changed |= ReleaseObjects(frame);
   BeginRegions(frame);
   changed |= BeginHolds(frame);
-  const bool placed = BeginPlacement(frame);
+  const bool placed = BeginPlacement(frame, was_keyed);
   const auto starts_or_ends = [frame](const DynamicsRegion& region) {
     return region.first_frame == frame || region.last_frame == frame;
   };
@@ -69,8 +70,9 @@ bool Baker::EndHolds(int frame) {
   return any;
 }
 
+// At the animation's last frame nothing takes over: the pin is still the pin.
 bool Baker::EndPlacement(int frame) {
-  if (!span_ || span_->last_frame != frame) return false;
+  if (!span_ || span_->last_frame != frame || frame == animation_.last_frame) return false;
   if (span_->kind != PlacementKind::kKeyed) {
     for (int i = 0; i < 3; ++i) {
       curves_.root(kRootX + i).Resume(frame, now_.X_WR.p[i], now_.root.v[i]);
@@ -147,7 +149,7 @@ bool Baker::BeginHolds(int frame) {
   return any;
 }
 
-bool Baker::BeginPlacement(int frame) {
+bool Baker::BeginPlacement(int frame, bool was_keyed) {
   for (const PlacementSpan& span : animation_.placements) {
     if (span.first_frame != frame) continue;
     span_ = &span;
@@ -156,6 +158,7 @@ bool Baker::BeginPlacement(int frame) {
       pin_W_ = ws_.body(figure_.group(*span.pin).first).p;
     }
     if (span.kind == PlacementKind::kGravity) {
+      if (was_keyed) TakeKeyedVelocity(frame);
       gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
       gravity_->Start(now_, &ws_);
     }
@@ -163,6 +166,22 @@ bool Baker::BeginPlacement(int frame) {
     return true;
   }
   return false;
+}
+
+// Gravity takes the figure over as a region takes a joint over: with the root's rates given by keys
+// on its first frame, else with those that the curves before it left. Before the animation's first
+// frame there is nothing, so all curves start as their keys say.
+void Baker::TakeKeyedVelocity(int frame) {
+  if (frame == animation_.first_frame) {
+    curves_.SampleJoints(frame, Side::kAfter, free_, &now_);
+    curves_.SampleRootOrientation(frame, Side::kAfter, &now_);
+    curves_.SampleRootPosition(frame, Side::kAfter, &now_);
+    return;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Key* key = curves_.root(kRootX + i).KeyAt(frame);
+    if (key && key->rate) now_.root.v[i] = *key->rate;
+  }
 }
 
 void Baker::WarnOfVelocityJump(int frame) {

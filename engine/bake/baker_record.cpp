@@ -7,6 +7,12 @@
 
 namespace hazumi {
 
+namespace {
+
+constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
+
+}  // namespace
+
 const char* NameOf(EventKind kind) {
   switch (kind) {
     case EventKind::kTakeOff: return "take_off";
@@ -19,7 +25,8 @@ const char* NameOf(EventKind kind) {
   return "";
 }
 
-void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRates& before) {
+void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRates& before,
+                   std::optional<GroupIndex> pinned) {
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   MotionFrame frame;
   frame.frame = output_frame;
@@ -28,7 +35,7 @@ void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRat
   frame.before = before;
   frame.after = RatesOf(motion);
   frame.com = CenterOfMass(figure_, ws_);
-  frame.pinned = pinned();
+  frame.pinned = pinned;
   for (const ObjectFlight& object : objects_) {
     frame.objects.push_back(object.At(ws_, Seconds(motion.frame)));
   }
@@ -36,40 +43,49 @@ void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRat
   motion_.frames.push_back(std::move(frame));
 }
 
-// Output frames that fall strictly between two steps. Curves are evaluated there; free joints, and
-// a root placed by gravity, move on a straight line from step to step as in the paper.
+double Baker::OutputFramesPerFrame() const {
+  return static_cast<double>(animation_.rate.den) * motion_.rate.num /
+         (static_cast<double>(animation_.rate.num) * motion_.rate.den);
+}
+
+// The end of a step that coincides with an output frame: the same bits at any output rate.
+void Baker::RecordIfOutput() {
+  const double output = now_.frame * OutputFramesPerFrame();
+  if (std::abs(output - std::round(output)) > kSameFrame) return;
+  Record(static_cast<int>(std::round(output)), now_, before_, pinned());
+}
+
+// Output frames that fall strictly between the two ends of a step.
 void Baker::RecordBetween(const FigureMotion& from, const FigureMotion& to) {
-  if (motion_.rate == animation_.rate) return;
-  const double per_frame =
-      motion_.rate.frames_per_second() / animation_.rate.frames_per_second();
-  const int first = static_cast<int>(std::floor(from.frame * per_frame + 1e-9)) + 1;
-  const int last = static_cast<int>(std::ceil(to.frame * per_frame - 1e-9)) - 1;
+  const double per_frame = OutputFramesPerFrame();
+  const int first = static_cast<int>(std::floor(from.frame * per_frame + kSameFrame)) + 1;
+  const int last = static_cast<int>(std::ceil(to.frame * per_frame - kSameFrame)) - 1;
   for (int output = first; output <= last; ++output) {
-    const double frame = output / per_frame;
-    const double u = (frame - from.frame) / (to.frame - from.frame);
     FigureMotion between = to;
-    between.q = from.q + u * (to.q - from.q);
-    between.X_WR.p = from.X_WR.p + u * (to.X_WR.p - from.X_WR.p);
-    const Vec3 p = between.X_WR.p;
-    if (gravity_) {
-      curves_.SampleJoints(frame, Side::kAfter, free_, &between);
-      curves_.SampleRootOrientation(frame, Side::kAfter, &between);
-      between.X_WR.p = p;
-    } else if (Evaluate(frame, Side::kAfter, &between)) {
-      continue;  // a hold out of reach: the step's own end reports it
-    }
-    between.frame = frame;
-    Record(output, between, RatesOf(between));
+    between.frame = output / per_frame;
+    SetBetween(from, to, &between);
+    const bool lands = gravity_ && gravity_->has_landed();
+    Record(output, between, RatesOf(between), lands ? std::nullopt : pinned());
   }
 }
 
-// The output frame that coincides with a frame of the animation.
-std::optional<int> Baker::OutputFrameAt(int frame) const {
-  const long long numerator =
-      static_cast<long long>(frame) * animation_.rate.den * motion_.rate.num;
-  const long long denominator = static_cast<long long>(animation_.rate.num) * motion_.rate.den;
-  if (numerator % denominator != 0) return std::nullopt;
-  return static_cast<int>(numerator / denominator);
+// Curves, holds and placement are evaluated; free joints move on a straight line from step to step
+// as in the paper. So does the root in a step that ends with a landing, and all that is not on a
+// curve where a hold is in reach at the ends of the step but not here.
+void Baker::SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between) {
+  const double u = (between->frame - from.frame) / (to.frame - from.frame);
+  between->q = from.q + u * (to.q - from.q);
+  if (gravity_) {
+    curves_.SampleJoints(between->frame, Side::kAfter, free_, between);
+    curves_.SampleRootOrientation(between->frame, Side::kAfter, between);
+    const double seconds_before_end = Seconds(to.frame - between->frame);
+    if (!gravity_->has_landed()) return gravity_->Place(&ws_, between, seconds_before_end);
+  } else {
+    if (!Evaluate(between->frame, Side::kAfter, between)) return;
+    between->q = from.q + u * (to.q - from.q);
+  }
+  between->X_WR.p = from.X_WR.p + u * (to.X_WR.p - from.X_WR.p);
+  between->root.v = (to.X_WR.p - from.X_WR.p) / Seconds(to.frame - from.frame);
 }
 
 void Baker::AddEvent(EventKind kind, double frame, const std::string& joint) {

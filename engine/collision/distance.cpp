@@ -22,8 +22,8 @@ Distance ToGrownBox(const Capsule& capsule, const Pose& X_WB, const Vec3& half_s
   const SegmentBoxDistance d =
       SegmentToBox(X_WB.R.transpose() * p_Ba_W, X_WB.R.transpose() * p_ab_W, half_size);
   const Vec3 normal_W = X_WB.R * d.normal;
-  return {d.value - capsule.radius - margin,
-          capsule.a + d.t * p_ab_W - capsule.radius * normal_W, normal_W};
+  return {d.value - capsule.radius - margin, capsule.a + d.t * p_ab_W - capsule.radius * normal_W,
+          normal_W};
 }
 
 // A rotation whose third column is along `direction`, or the identity if that is zero.

@@ -20,7 +20,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kTouch = 1e-11;       // metres
-constexpr double kNormalError = 1e-5;  // radians: 1 mm from 100 m shapes, with a margin
+constexpr double kNormalError = 1e-5;  // radians: what 1 mm from 100 m shapes may come to
 constexpr int kMaxSteps = 64;
 constexpr double kGolden = 0.6180339887498949;  // 0.618^80 = 2e-17
 
@@ -45,7 +45,7 @@ double Bisect(const Path& path, double free, double touching) {
   return touching;
 }
 
-// Where between s = lo and 1 the gap is least.
+// Where between s = lo and 1 the gap is least, either end included.
 double LeastGap(const Path& path, double lo) {
   double hi = 1.0, x = hi - kGolden * (hi - lo), y = lo + kGolden * (hi - lo);
   double at_x = path.GapAt(x), at_y = path.GapAt(y);
@@ -62,9 +62,9 @@ double LeastGap(const Path& path, double lo) {
 }
 
 std::optional<double> SearchRest(const Path& path, double free) {
-  for (const double s : {LeastGap(path, free), 1.0})
-    if (path.GapAt(s) <= kTouch) return Bisect(path, free, s);
-  return std::nullopt;
+  const double s = LeastGap(path, free);
+  if (path.GapAt(s) > kTouch) return std::nullopt;
+  return Bisect(path, free, s);
 }
 
 }  // namespace

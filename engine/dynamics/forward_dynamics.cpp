@@ -10,14 +10,14 @@ std::optional<SingularInertia> ForwardDynamicsDense(const Figure& figure, const 
                                                     const EndForces* ends, DynamicsWorkspace* ws,
                                                     VecX* qdd) {
   const int n = figure.num_joints();
-  InverseDynamics(figure, root, qd, VecX::Zero(n), ends, ws);
-  const VecX rhs = tau - ws->tau;
-  MatX H(n, n);
-  InertiaMatrixByUnitAccelerations(figure, ws, &H);
-  const int pivot = FactorCholesky(H);
+  ws->H.resize(n, n);
+  qdd->setZero();
+  InverseDynamics(figure, root, qd, *qdd, ends, ws);
+  *qdd = tau - ws->tau;
+  InertiaMatrixByUnitAccelerations(figure, ws, &ws->H);
+  const int pivot = FactorCholesky(ws->H);
   if (pivot >= 0) return SingularInertia{JointIndex(pivot)};
-  *qdd = rhs;
-  SolveCholesky(H, *qdd);
+  SolveCholesky(ws->H, *qdd);
   return std::nullopt;
 }
 
@@ -81,13 +81,20 @@ void StartArticulated(const Figure& figure, const Vec6& v_root, const VecX& qd,
 void SubtractEndForces(const Figure& figure, const EndForces& ends, DynamicsWorkspace* ws) {
   const Vec3 o = ws->bodies[0].p;
   int end = 0;
-  for (const JointIndex j : EndJoints(figure)) {
+  for (int i = 0; i < figure.num_joints(); ++i) {
+    if (!IsEndJoint(figure, JointIndex(i))) continue;
     const Vec3 force = ends.Kf.col(end);
     Vec6 wrench;
-    wrench << ends.Kn.col(end) + (ws->body(j).p - o).cross(force), force;
-    ws->articulated[j.value()].pA -= wrench;
+    wrench << ends.Kn.col(end) + (ws->bodies[i + 1].p - o).cross(force), force;
+    ws->articulated[i].pA -= wrench;
     ++end;
   }
+}
+
+// Hinges that line up leave nothing but rounding of D = S^T IA S, which is at most about this.
+double SizeOfD(const Articulated& own) {
+  return own.IA.topLeftCorner<3, 3>().trace() +
+         own.S.tail<3>().squaredNorm() * own.IA.bottomRightCorner<3, 3>().trace();
 }
 
 // Inwards: articulated inertias and bias forces.
@@ -97,7 +104,7 @@ std::optional<SingularInertia> GatherArticulated(const Figure& figure, const Vec
     Articulated& own = ws->articulated[i];
     own.U = own.IA * own.S;
     own.D = own.S.dot(own.U);
-    if (!(own.D > 0.0)) return SingularInertia{JointIndex(i)};
+    if (!(own.D > 1e-14 * SizeOfD(own))) return SingularInertia{JointIndex(i)};
     own.u = tau[i] - own.S.dot(own.pA);
     const JointIndex parent = figure.joints()[i].parent;
     if (!parent.is_valid()) continue;

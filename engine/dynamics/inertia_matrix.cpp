@@ -63,22 +63,21 @@ void InertiaMatrixByCompositeBodies(const Figure& figure, DynamicsWorkspace* ws,
     const BodyScratch& body = ws->bodies[i + 1];
     const RigidInertia& inertia = figure.body(JointIndex(i));
     DynamicsWorkspace::Composite& own = ws->composites[i];
-    own = {0.0, Vec3::Zero(), Mat3::Zero()};
+    own = {0.0, Vec3::Zero(), Mat3::Zero(), (body.p - o).cross(body.axis)};
     if (figure.joints()[i].massless) continue;
     const Vec3 com = body.p + body.c - o;
-    own = {inertia.mass, inertia.mass * com,
-           body.R * inertia.I_com * body.R.transpose() + PointInertia(inertia.mass, com)};
+    own.mass = inertia.mass;
+    own.h = inertia.mass * com;
+    own.I_o = body.R * inertia.I_com * body.R.transpose() + PointInertia(inertia.mass, com);
   }
   H->setZero();
   for (int i = figure.num_joints() - 1; i >= 0; --i) {
     const DynamicsWorkspace::Composite& own = ws->composites[i];
-    const BodyScratch& body = ws->bodies[i + 1];
-    const Vec3 v = (body.p - o).cross(body.axis);
-    const Vec3 f = own.mass * v + body.axis.cross(own.h);
-    const Vec3 n = own.I_o * body.axis + own.h.cross(v);
+    const Vec3& axis = ws->bodies[i + 1].axis;
+    const Vec3 f = own.mass * own.v + axis.cross(own.h);
+    const Vec3 n = own.I_o * axis + own.h.cross(own.v);
     for (JointIndex j(i); j.is_valid(); j = figure.joint(j).parent) {
-      const BodyScratch& other = ws->body(j);
-      const double entry = other.axis.dot(n) + (other.p - o).cross(other.axis).dot(f);
+      const double entry = ws->body(j).axis.dot(n) + ws->composites[j.value()].v.dot(f);
       (*H)(i, j.value()) = (*H)(j.value(), i) = entry;
     }
     const JointIndex parent = figure.joints()[i].parent;

@@ -37,7 +37,7 @@ void SetOwnForces(const Figure& figure, DynamicsWorkspace* ws) {
 void SubtractEndForces(const Figure& figure, const EndForces& ends, DynamicsWorkspace* ws) {
   int end = 0;
   for (int i = 0; i < figure.num_joints(); ++i) {
-    if (figure.joints()[i].subtree_end.value() != i + 1) continue;
+    if (!IsEndJoint(figure, JointIndex(i))) continue;
     ws->bodies[i + 1].f -= ends.Kf.col(end);
     ws->bodies[i + 1].n -= ends.Kn.col(end);
     ++end;
@@ -49,7 +49,7 @@ void SubtractEndForces(const Figure& figure, const EndForces& ends, DynamicsWork
 std::vector<JointIndex> EndJoints(const Figure& figure) {
   std::vector<JointIndex> ends;
   for (int i = 0; i < figure.num_joints(); ++i) {
-    if (figure.joints()[i].subtree_end.value() == i + 1) ends.emplace_back(i);
+    if (IsEndJoint(figure, JointIndex(i))) ends.emplace_back(i);
   }
   return ends;
 }

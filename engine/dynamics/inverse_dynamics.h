@@ -11,6 +11,10 @@ struct EndForces {
   Eigen::Matrix3Xd Kf, Kn;
 };
 
+// True if nothing lies beyond joint j.
+inline bool IsEndJoint(const Figure& figure, JointIndex j) {
+  return figure.joint(j).subtree_end.value() == j.value() + 1;
+}
 // The joints with nothing beyond them, ascending. [Arai 2.1: J_end]
 std::vector<JointIndex> EndJoints(const Figure& figure);
 

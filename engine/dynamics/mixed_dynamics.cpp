@@ -8,16 +8,12 @@ int FactorCholesky(Eigen::Ref<MatX> A) {
   const int n = static_cast<int>(A.rows());
   for (int k = 0; k < n; ++k) {
     const double diagonal = A(k, k);
-    double pivot = diagonal;
-    for (int j = 0; j < k; ++j) pivot -= A(k, j) * A(k, j);
+    auto column = A.col(k).tail(n - k);
+    for (int j = 0; j < k; ++j) column -= A(k, j) * A.col(j).tail(n - k);
     // A pivot lost to rounding means a joint that moves no mass of its own.
-    if (!(pivot > 1e-14 * diagonal)) return k;
-    A(k, k) = std::sqrt(pivot);
-    for (int i = k + 1; i < n; ++i) {
-      double entry = A(i, k);
-      for (int j = 0; j < k; ++j) entry -= A(i, j) * A(k, j);
-      A(i, k) = entry / A(k, k);
-    }
+    if (!(A(k, k) > 1e-14 * diagonal)) return k;
+    A(k, k) = std::sqrt(A(k, k));
+    column.tail(n - k - 1) /= A(k, k);
   }
   return -1;
 }

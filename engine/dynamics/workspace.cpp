@@ -19,6 +19,17 @@ DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
     }
   }
   tau.setConstant(kNaN);
+  for (Composite& body : composites) {
+    body.mass = kNaN;
+    body.h.setConstant(kNaN);
+    body.I_o.setConstant(kNaN);
+    body.v.setConstant(kNaN);
+  }
+  for (Articulated& body : articulated) {
+    for (Vec6* x : {&body.S, &body.v, &body.c, &body.pA, &body.U, &body.a}) x->setConstant(kNaN);
+    body.IA.setConstant(kNaN);
+    body.D = body.u = kNaN;
+  }
 #endif
 }
 

@@ -5,6 +5,16 @@
 
 namespace hazumi {
 
+namespace {
+
+// A^T B, entry by entry where it is used: Eigen's ordinary product would allocate.
+template <typename B>
+auto TimesTransposed(const Eigen::Matrix3Xd& a, const B& b) {
+  return a.transpose().lazyProduct(b);
+}
+
+}  // namespace
+
 RegionSystem::RegionSystem(const Figure& figure, std::vector<JointIndex> free)
     : figure_(figure),
       free_(std::move(free)),
@@ -56,15 +66,15 @@ void RegionSystem::ComputeBias(const PassiveState& state, const Vec3& root_accel
 void RegionSystem::ProjectOnPin(JointIndex pin, const DynamicsWorkspace& ws) {
   for (int i = 0; i < size(); ++i) J_.col(i) = OriginJacobian(figure_, ws, pin, free_[i]);
   if (J_.isZero(0.0)) return;  // no free joint between root and pin: the root is prescribed
-  M_ += figure_.total_mass() * J_.transpose() * J_ - J_.transpose() * H_root_ -
-        H_root_.transpose() * J_;
-  b_ -= J_.transpose() * f_root_;
+  M_ += figure_.total_mass() * TimesTransposed(J_, J_) - TimesTransposed(J_, H_root_) -
+        TimesTransposed(H_root_, J_);
+  b_ -= TimesTransposed(J_, f_root_);
 }
 
 void RegionSystem::EliminateRoot() {
   const double mass = figure_.total_mass();
-  M_ -= H_root_.transpose() * H_root_ / mass;
-  b_ -= H_root_.transpose() * f_root_ / mass;
+  M_ -= TimesTransposed(H_root_, H_root_) / mass;
+  b_ -= TimesTransposed(H_root_, f_root_) / mass;
 }
 
 bool RegionSystem::RatesAfterPinning(const PassiveState& state, JointIndex pin,

@@ -1,8 +1,24 @@
 #include "engine/placement/gravity_placement.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/placement/root_placement.h"
 
 namespace hazumi {
+
+namespace {
+
+// When something that is thrown upwards with velocity v has risen by `rise`: of the two times that
+// which is nearer to `guess`, or `guess` if it never rises so far. `g` points downwards.
+double SecondsUntilRisen(double rise, double v, double g, double guess) {
+  const double square = v * v - 2.0 * g * rise;
+  if (g <= 0.0 || square < 0.0) return guess;
+  const double up = (v - std::sqrt(square)) / g, down = (v + std::sqrt(square)) / g;
+  return std::abs(up - guess) < std::abs(down - guess) ? up : down;
+}
+
+}  // namespace
 
 GravityPlacement::GravityPlacement(const Figure& figure, const std::vector<SceneObject>& scene,
                                    const PlacementSpan& span, double gravity)
@@ -19,15 +35,20 @@ void GravityPlacement::PinAt(std::optional<GroupIndex> named, const Vec3& contac
   pin_W_ = ws.body(pin_joint()).p;
 }
 
-void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws) {
+void GravityPlacement::TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws) {
   ComputePositions(figure_, motion.X_WR, motion.q, ws);
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
   com_ = CenterOfMass(figure_, *ws);
   com_v_ = CenterOfMassVelocity(figure_, *ws);
 }
 
+// While pinned every step takes it anew, but for the velocity that a landing left.
+void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws) {
+  if (!pin_) TakeCenterOfMass(motion, ws);
+}
+
 void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) {
-  MassesChanged(motion, ws);
+  TakeCenterOfMass(motion, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
   if (Touches(contact)) PinAt(span_.pin, contact->point, *ws);
 }
@@ -35,37 +56,49 @@ void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) 
 void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws,
                                FigureMotion* to) {
   events_.clear();
-  ComputePositions(figure_, from.X_WR, from.q, ws);
   const bool was_pinned = pin_.has_value();
-  bool touches_now = false;
-  if (was_pinned) {
-    ComputeVelocities(figure_, from.root.w, from.root.v, from.qd, ws);
-    com_ = CenterOfMass(figure_, *ws);
-    // After a landing: the velocity that the contact took away, or the figure would hop.
-    if (!just_landed_) com_v_ = CenterOfMassVelocity(figure_, *ws);
-    touches_now = Touches(NearestContact(figure_, scene_, *ws));
-  }
+  const bool touches_now = was_pinned && MeasurePinned(from, ws);
   just_landed_ = false;
-  const Vec3 tentative = com_ + com_v_ * dt + 0.5 * g_ * dt * dt;
-  PlaceCenterOfMass(figure_, tentative, com_v_ + g_ * dt, ws, to);
-  const Vec3 shift = to->X_WR.p;  // the workspace holds the figure with its root at the origin
-  const bool touches_then = Touches(NearestContact(figure_, scene_, *ws, shift));
+  const Vec3 com = com_, velocity = com_v_;
+  const Vec3 path = velocity * dt + 0.5 * g_ * dt * dt;
+  PlaceCenterOfMass(figure_, com + path, velocity + g_ * dt, ws, to);
+  const bool touches_then = Touches(NearestContact(figure_, scene_, *ws, to->X_WR.p));
   if (touches_now && touches_then) {  // (3)
     PinRoot(figure_, pin_joint(), pin_W_, ws, to);
     return;
   }
   if (was_pinned) events_.push_back({EventKind::kTakeOff, 0.0});
   pin_.reset();
-  const Vec3 com_from = com_, velocity = com_v_;
-  Fly(tentative, dt);                                                 // (4), (5)
-  if (touches_then) Land(com_from, tentative, velocity, dt, ws, to);  // (6)
+  Fly(com + path, dt);  // (4), (5)
+  const bool is_stopped = touches_then || (!touches_now && PassesThrough(*ws, *to, path));
+  if (is_stopped) Land(path, velocity, dt, ws, to);  // (6)
 }
 
-void GravityPlacement::Place(DynamicsWorkspace* ws, FigureMotion* motion) const {
+// Takes the CoM of a pinned figure; returns whether it touches something.
+bool GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
+  const Vec3 before_landing = com_v_;
+  TakeCenterOfMass(motion, ws);
+  // After a landing: the velocity that the contact took away, or the figure would hop.
+  if (just_landed_) com_v_ = before_landing;
+  return Touches(NearestContact(figure_, scene_, *ws));
+}
+
+// Whether a figure that is free at both ends of the path that led to `motion` met something on it.
+// The workspace, here and below, holds the figure with its root at the origin.
+bool GravityPlacement::PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
+                                     const Vec3& path) const {
+  const Vec3 start = motion.X_WR.p - path;
+  if (Touches(NearestContact(figure_, scene_, ws, start))) return false;
+  return FirstTouchOfFigure(figure_, scene_, ws, start, path).has_value();
+}
+
+void GravityPlacement::Place(DynamicsWorkspace* ws, FigureMotion* motion,
+                             double seconds_before_end) const {
   if (pin_) {
     PinRoot(figure_, pin_joint(), pin_W_, ws, motion);
   } else {
-    PlaceCenterOfMass(figure_, com_, com_v_, ws, motion);
+    const double t = -seconds_before_end;
+    PlaceCenterOfMass(figure_, com_ + com_v_ * t + 0.5 * g_ * t * t, com_v_ + g_ * t, ws, motion);
   }
 }
 
@@ -82,29 +115,31 @@ void GravityPlacement::Fly(const Vec3& com, double dt) {
 // Slides the CoM back along its path to where the figure, in its pose at the end of the step, just
 // touches. Where it overlaps even at the start of the path (a limb was stretched into something),
 // it is moved out of what it is deepest in.
-void GravityPlacement::Land(const Vec3& com_from, const Vec3& com_tentative, const Vec3& velocity,
-                            double dt, DynamicsWorkspace* ws, FigureMotion* to) {
-  const Vec3 path = com_tentative - com_from;
+void GravityPlacement::Land(const Vec3& path, const Vec3& velocity, double dt,
+                            DynamicsWorkspace* ws, FigureMotion* to) {
   const Vec3 start = to->X_WR.p - path;
   const double s = FirstTouchOfFigure(figure_, scene_, *ws, start, path).value_or(1.0);
-  Vec3 shift = start + s * path;
+  const Vec3 shift = MovedOut(*ws, start + s * path);
+  const double seconds = std::clamp(
+      SecondsUntilRisen(s * path.z(), velocity.z(), -g_.z(), s * dt), 0.0, dt);
+  std::erase_if(events_, [&](const Event& event) { return event.seconds_into_step > seconds; });
+  com_ = CenterOfMass(figure_, *ws) + shift;
+  PlaceCenterOfMass(figure_, com_, velocity + g_ * dt, ws, to);
+  ComputePositions(figure_, to->X_WR, to->q, ws);
+  PinAt(span_.landing_pin, NearestContact(figure_, scene_, *ws)->point, *ws);
+  just_landed_ = true;
+  events_.push_back({EventKind::kLanding, seconds});
+}
+
+// Where the figure, moved by `shift`, no longer overlaps anything.
+Vec3 GravityPlacement::MovedOut(const DynamicsWorkspace& ws, Vec3 shift) const {
   constexpr int kPushes = 32;
   for (int i = 0; i < kPushes; ++i) {
-    const Contact deepest = *NearestContact(figure_, scene_, *ws, shift);
+    const Contact deepest = *NearestContact(figure_, scene_, ws, shift);
     if (deepest.clearance >= -1e-12) break;
     shift -= deepest.clearance * deepest.normal;
   }
-  if (!events_.empty() && events_.back().kind == EventKind::kApex &&
-      events_.back().seconds_into_step > s * dt) {
-    events_.pop_back();
-  }
-  const Vec3 com = CenterOfMass(figure_, *ws) + shift;
-  PlaceCenterOfMass(figure_, com, velocity + g_ * dt, ws, to);
-  ComputePositions(figure_, to->X_WR, to->q, ws);
-  com_ = com;
-  PinAt(span_.landing_pin, NearestContact(figure_, scene_, *ws)->point, *ws);
-  just_landed_ = true;
-  events_.push_back({EventKind::kLanding, s * dt});
+  return shift;
 }
 
 }  // namespace hazumi

@@ -15,6 +15,7 @@ namespace hazumi {
 // The paper does not say which velocity the tentative pose starts from. We take the CoM's velocity
 // at t_c as the rates give it. The difference quotient of two steps would lag by half a step, which
 // lets a pinned figure go at -g/2 instead of -g however small the step. [METHOD 2, "take-off"]
+// Beyond (5), a figure that is free at t_c and at t_d but meets something between lands on it.
 class GravityPlacement {
  public:
   enum class EventKind { kTakeOff, kApex, kLanding };
@@ -30,15 +31,16 @@ class GravityPlacement {
   // `motion`.
   void Start(const FigureMotion& motion, DynamicsWorkspace* ws);
 
-  // Takes the CoM of `motion` anew after an object was let go.
+  // Takes the CoM of `motion` anew after an object was let go in flight.
   void MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws);
 
   // Places the root of `to`, whose joint angles and root orientation are those at the end of the
   // step; `from` is the start. The root's velocity is that just before a landing.
   void Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws, FigureMotion* to);
 
-  // Places the root of `motion` as things stand at the end of the last step, a landing done.
-  void Place(DynamicsWorkspace* ws, FigureMotion* motion) const;
+  // Places the root of `motion` as things stand at the end of the last step, a landing done; or
+  // within that step, if it did not land.
+  void Place(DynamicsWorkspace* ws, FigureMotion* motion, double seconds_before_end = 0.0) const;
 
   // What happened in the last step. A landing comes last.
   const std::vector<Event>& events() const { return events_; }
@@ -52,9 +54,14 @@ class GravityPlacement {
   JointIndex pin_joint() const { return figure_.group(*pin_).first; }
   bool Touches(const std::optional<Contact>& contact) const;
   void PinAt(std::optional<GroupIndex> named, const Vec3& contact, const DynamicsWorkspace& ws);
+  void TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws);
   void Fly(const Vec3& com, double dt);
-  void Land(const Vec3& com_from, const Vec3& com_tentative, const Vec3& velocity, double dt,
-            DynamicsWorkspace* ws, FigureMotion* to);
+  bool MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
+  bool PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
+                     const Vec3& path) const;
+  void Land(const Vec3& path, const Vec3& velocity, double dt, DynamicsWorkspace* ws,
+            FigureMotion* to);
+  Vec3 MovedOut(const DynamicsWorkspace& ws, Vec3 shift) const;
 
   const Figure& figure_;
   const std::vector<SceneObject>& scene_;

@@ -1,216 +1,215 @@
 #include "engine/placement/hold_solver.h"
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hazumi {
 
 namespace {
 
-template <typename T>
-using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+constexpr int kNewtonSteps = 30;
+constexpr int kDescentSteps = 60;     // without the chain's curvature
+constexpr int kDampedSteps = 240;
+constexpr int kStarts = 4;
+constexpr double kLargestStep = 0.4;  // [rad] an iteration
+constexpr double kConverged = 1e-12;  // [m, rad]
 
-// What the chain looks like at some angles: of every solved hinge the axis and the velocity it
-// gives the held joint's origin, world axes.
+// The position error and, for six constraints, sine times axis of the orientation error.
 template <typename T>
-struct ChainPose {
-  std::vector<Vec3Of<T>> axis, J;
-  Vec3Of<T> p;  // held joint's origin
-  Mat3Of<T> R;  // body it sits on
-};
-
-template <typename T>
-T SinOf(const T& x) {
-  using std::sin;
-  return sin(x);
-}
-template <typename T>
-T CosOf(const T& x) {
-  using std::cos;
-  return cos(x);
-}
-
-// Angle of chain joint i: an unknown if it is solved, else as given.
-template <typename T>
-ChainPose<T> PoseChain(const Figure& figure, const std::vector<JointIndex>& chain,
-                       const std::vector<int>& row_of_chain, JointIndex held,
-                       const PoseOf<T>& X_WR, const std::vector<T>& given, const Vector<T>& x,
-                       int num_solved) {
-  ChainPose<T> pose;
-  pose.axis.resize(num_solved);
-  pose.J.resize(num_solved);
-  std::vector<Vec3Of<T>> origin(num_solved);
-  PoseOf<T> X = X_WR;
-  for (size_t i = 0; i < chain.size(); ++i) {
-    const Joint& joint = figure.joint(chain[i]);
-    const int row = row_of_chain[i];
-    const T angle = row >= 0 ? x[row] : given[chain[i].value()];
-    X.p += X.R * joint.X_PJ.p.cast<T>();
-    const Mat3Of<T> turn = AxisRotation<T>(joint.axis, SinOf(angle), CosOf(angle));
-    X.R = (X.R * (joint.X_PJ.R.cast<T>() * turn).eval()).eval();
-    if (row < 0) continue;
-    pose.axis[row] = X.R * joint.axis.cast<T>();
-    origin[row] = X.p;
-  }
-  pose.R = X.R;
-  pose.p = X.p + X.R * figure.joint(held).X_PJ.p.cast<T>();
-  for (int r = 0; r < num_solved; ++r) pose.J[r] = pose.axis[r].cross(pose.p - origin[r]);
-  return pose;
-}
-
-// c(q): position error, and the rotation vector's sine of the orientation error.
-template <typename T>
-Vector<T> Constraint(const ChainPose<T>& pose, const HoldTarget& target, int size) {
-  Vector<T> c(size);
+void SetConstraint(const ChainPose<T>& pose, const HoldTarget& target, Eigen::Ref<VecXOf<T>> c) {
   c.template head<3>() = pose.p - target.position.cast<T>();
-  if (size == 6) {
-    const Mat3Of<T> E = pose.R * target.orientation.transpose().cast<T>();
-    const T half(0.5);
-    c.template tail<3>() << half * (E(2, 1) - E(1, 2)), half * (E(0, 2) - E(2, 0)),
-        half * (E(1, 0) - E(0, 1));
-  }
-  return c;
+  if (c.size() == 3) return;
+  const Mat3Of<T> E = pose.R * target.orientation.transpose().cast<T>();
+  const T half(0.5);
+  c.template tail<3>() << half * (E(2, 1) - E(1, 2)), half * (E(0, 2) - E(2, 0)),
+      half * (E(1, 0) - E(0, 1));
 }
 
-// F = (q - q_keyed + J^T l, c).
+// F = (q - q_keyed + J^T l, c), n angles q and m multipliers l in x.
 template <typename T>
-Vector<T> Stationarity(const ChainPose<T>& pose, const HoldTarget& target,
-                       const Vector<T>& keyed, const Vector<T>& x, int n, int m) {
-  Vector<T> F(n + m);
+void SetStationarity(const ChainPose<T>& pose, const HoldTarget& target, const VecXOf<T>& keyed,
+                     const VecXOf<T>& x, VecXOf<T>* F) {
+  const Eigen::Index n = keyed.size(), m = x.size() - n;
   const Vec3Of<T> l = x.template segment<3>(n);
-  for (int r = 0; r < n; ++r) F[r] = x[r] - keyed[r] + pose.J[r].dot(l);
+  for (int r = 0; r < n; ++r) (*F)[r] = x[r] - keyed[r] + pose.J[r].dot(l);
   if (m == 6) {
-    const Vec3Of<T> l_turn = x.template segment<3>(n + 3);
-    for (int r = 0; r < n; ++r) F[r] += pose.axis[r].dot(l_turn);
+    const Vec3Of<T> l_turn = x.template tail<3>();
+    for (int r = 0; r < n; ++r) (*F)[r] += pose.axis[r].dot(l_turn);
   }
-  F.tail(m) = Constraint(pose, target, m);
-  return F;
+  SetConstraint<T>(pose, target, F->tail(m));
 }
 
-// dF/d(q, l), exact where c = 0. Moving a hinge s nearer the root turns everything beyond it:
-// dJ_r/dq_s = axis_s x J_r, d axis_r/dq_s = axis_s x axis_r; a farther one moves only the end:
-// dJ_r/dq_s = axis_r x J_s.
-MatX Derivative(const ChainPose<double>& pose, const Vector<double>& x, int n, int m) {
-  MatX K = MatX::Zero(n + m, n + m);
-  const Vec3 l = x.segment<3>(n);
-  const Vec3 l_turn = m == 6 ? Vec3(x.segment<3>(n + 3)) : Vec3::Zero();
-  for (int r = 0; r < n; ++r) {
-    for (int s = 0; s < n; ++s) {
-      K(r, s) = pose.axis[std::min(r, s)].cross(pose.J[std::max(r, s)]).dot(l);
-      if (s < r) K(r, s) += pose.axis[s].cross(pose.axis[r]).dot(l_turn);
-    }
-    K(r, r) += 1.0;
-    K.block<3, 1>(n, r) = pose.J[r];
-    if (m == 6) K.block<3, 1>(n + 3, r) = pose.axis[r];
-  }
-  K.topRightCorner(n, m) = K.bottomLeftCorner(m, n).transpose();
-  return K;
+// The sine is zero after half a turn too.
+bool IsTurnedOver(const ChainPose<double>& pose, const HoldTarget& target) {
+  return pose.R.cwiseProduct(target.orientation).sum() < 1.0;  // 1 + 2 cos(angle)
 }
-
-constexpr int kMaxIterations = 60;
-constexpr double kLargestStep = 0.4;   // [rad] an iteration
-constexpr double kConverged = 1e-12;   // [m, rad]
 
 }  // namespace
 
-struct HoldSolver::Newton {
-  std::vector<double> given;    // all joints' keyed angles
-  Vector<double> keyed;         // the solved ones
-  Vector<double> x;             // angles, multipliers
-  MatX K;
-};
-
 HoldSolver::HoldSolver(const Figure& figure, GroupIndex held, bool hold_orientation)
-    : figure_(&figure), held_(figure.group(held).first), hold_orientation_(hold_orientation) {
-  for (JointIndex j = figure.joint(held_).parent; j.is_valid(); j = figure.joint(j).parent) {
-    chain_.push_back(j);
+    : chain_(figure, figure.group(held).first),
+      n_(chain_.size()),
+      m_(hold_orientation ? 6 : 3),
+      pose_(n_),
+      pose_jet_(n_),
+      keyed_(n_),
+      x_(n_ + m_),
+      F_(n_ + m_),
+      step_(n_ + m_),
+      keyed_jet_(n_),
+      x_jet_(n_ + m_),
+      F_jet_(n_ + m_),
+      K_(n_ + m_, n_ + m_),
+      lu_(n_ + m_) {}
+
+HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target,
+                               std::vector<Jet>* q) {
+  const Problem problem{X_WR, target, *q};
+  for (int r = 0; r < n_; ++r) {
+    keyed_jet_[r] = (*q)[joints()[r].value()];
+    keyed_[r] = keyed_jet_[r].v;
   }
-  std::reverse(chain_.begin(), chain_.end());
-  for (const JointIndex j : chain_) {
-    const bool fixed = figure.joint(j).is_fixed();
-    row_of_chain_.push_back(fixed ? -1 : num_solved());
-    if (!fixed) solved_.push_back(j);
+  StartFrom(0);
+  if (!Converge(problem, kNewtonSteps, Hessian::kFull)) {
+    double distance = 0.0;
+    if (!ConvergeFromAfar(problem, &distance)) return {false, distance};
   }
+  FindRates(problem);
+  for (int r = 0; r < n_; ++r) (*q)[joints()[r].value()] = x_jet_[r];
+  return {true, 0.0};
 }
 
-bool HoldSolver::Converge(const PoseOf<double>& X_WR, const HoldTarget& target,
-                          Newton* newton) const {
-  const int n = num_solved(), m = num_constraints();
-  for (int i = 0; i < kMaxIterations; ++i) {
-    const auto pose = PoseChain<double>(*figure_, chain_, row_of_chain_, held_, X_WR, newton->given,
-                                        newton->x, n);
-    const Vector<double> F = Stationarity(pose, target, newton->keyed, newton->x, n, m);
-    newton->K = Derivative(pose, newton->x, n, m);
-    if (F.cwiseAbs().maxCoeff() < kConverged) return true;
-    Vector<double> step = newton->K.fullPivLu().solve(F);
-    const double largest = step.head(n).cwiseAbs().maxCoeff();
+// Newton's method on F = 0 from x_. Where the chain's part of the Hessian is left out it takes more
+// steps, but from far away too it goes towards the nearest solution.
+bool HoldSolver::Converge(const Problem& problem, int iterations, Hessian hessian) {
+  for (int i = 0; i < iterations; ++i) {
+    chain_.Place<double>(problem.X_WR, problem.q, x_, &pose_);
+    SetStationarity<double>(pose_, problem.target, keyed_, x_, &F_);
+    SetDerivative(hessian);
+    Factor();
+    if (F_.cwiseAbs().maxCoeff() < kConverged) {
+      return m_ == 3 || !IsTurnedOver(pose_, problem.target);
+    }
+    VecX& step = SolveLinear(F_);
+    const double largest = step.head(n_).cwiseAbs().maxCoeff();
     if (largest > kLargestStep) step *= kLargestStep / largest;
-    newton->x -= step;
-    if (!newton->x.allFinite()) return false;
+    x_ -= step;
+    if (!x_.allFinite()) return false;
   }
   return false;
 }
 
-// Levenberg-Marquardt on |c|^2 alone; leaves the nearest angles in newton->x.
-double HoldSolver::LeastDistance(const PoseOf<double>& X_WR, const HoldTarget& target,
-                                 Newton* newton) const {
-  const int n = num_solved(), m = num_constraints();
-  double damping = 1e-3, best = std::numeric_limits<double>::infinity();
-  Vector<double> x = newton->x, tried = x;
-  for (int i = 0; i < 4 * kMaxIterations; ++i) {
-    const auto pose =
-        PoseChain<double>(*figure_, chain_, row_of_chain_, held_, X_WR, newton->given, tried, n);
-    const Vector<double> c = Constraint(pose, target, m);
-    damping *= c.norm() < best ? 0.3 : 4.0;
-    if (c.norm() < best) {
-      best = c.norm();
-      x = tried;
-      newton->K = Derivative(pose, x, n, m);
-    }
-    if (best < kConverged || damping > 1e12) break;
-    const MatX J = newton->K.bottomLeftCorner(m, n);
-    const auto now = PoseChain<double>(*figure_, chain_, row_of_chain_, held_, X_WR, newton->given,
-                                       x, n);
-    const MatX A = J.transpose() * J + damping * MatX::Identity(n, n);
-    tried.head(n) = x.head(n) - A.fullPivLu().solve(J.transpose() * Constraint(now, target, m));
+// First onto the target from several starts, then along it to the nearest solution.
+bool HoldSolver::ConvergeFromAfar(const Problem& problem, double* distance) {
+  *distance = std::numeric_limits<double>::infinity();
+  for (int start = 0; start < kStarts; ++start) {
+    StartFrom(start);
+    *distance = std::min(*distance, LeastDistance(problem));
+    if (Converge(problem, kNewtonSteps, Hessian::kFull)) return true;
+    StartFrom(start);
+    LeastDistance(problem);
+    Converge(problem, kDescentSteps, Hessian::kWithoutChain);
+    if (x_.allFinite() && Converge(problem, kNewtonSteps, Hessian::kFull)) return true;
   }
-  newton->x = x;
-  const auto pose =
-      PoseChain<double>(*figure_, chain_, row_of_chain_, held_, X_WR, newton->given, x, n);
-  return (pose.p - target.position).norm();
+  return false;
 }
 
-HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target,
-                               std::vector<Jet>* q) const {
-  const int n = num_solved(), m = num_constraints();
-  const auto value = [](const Jet& jet) { return jet.v; };
-  const PoseOf<double> X{X_WR.R.unaryExpr(value), X_WR.p.unaryExpr(value)};
-  Newton newton;
-  for (const Jet& jet : *q) newton.given.push_back(jet.v);
-  Vector<Jet> keyed(n);
-  for (int r = 0; r < n; ++r) keyed[r] = (*q)[solved_[r].value()];
-  newton.keyed = keyed.unaryExpr(value);
-  newton.x = Vector<double>::Zero(n + m);
-  newton.x.head(n) = newton.keyed;
-  if (!Converge(X, target, &newton)) {
-    newton.x.head(n) = newton.keyed;
-    newton.x.tail(m).setZero();
-    const double distance = LeastDistance(X, target, &newton);
-    newton.x.tail(m).setZero();
-    if (!Converge(X, target, &newton)) return {false, distance};
+// The keyed pose; then poses beside it, because a straight limb has no first-order way to get
+// shorter: towards the middle of the limits (a knee bends backwards), and to either side.
+void HoldSolver::StartFrom(int start) {
+  constexpr double kBeside = 0.1;  // [rad]
+  x_.setZero();
+  for (int r = 0; r < n_; ++r) {
+    const double middle = 0.5 * (chain_.joint(r).lower + chain_.joint(r).upper);
+    const double side = r % 2 == 0 ? kBeside : -kBeside;
+    const double beside[kStarts] = {0.0, std::clamp(middle - keyed_[r], -kBeside, kBeside), side,
+                                    -side};
+    x_[r] = keyed_[r] + beside[start];
   }
-  // Newton's method on the Taylor series: each pass makes one more derivative exact.
-  Vector<Jet> x = newton.x.cast<Jet>();
-  const auto lu = newton.K.fullPivLu();
+}
+
+// Levenberg and Marquardt's method on |c|^2 from x_; leaves the nearest angles in x_ and the
+// multipliers at zero. The orientation counts so much that it is given up last.
+double HoldSolver::LeastDistance(const Problem& problem) {
+  constexpr double kMetresPerRadian = 30.0;
+  VecX weight = VecX::Constant(m_, kMetresPerRadian), c(m_), best_c(m_);
+  weight.head<3>().setOnes();
+  MatX J(m_, n_);
+  VecX best = x_;
+  double damping = 1e-3, least = std::numeric_limits<double>::infinity(), distance = least;
+  for (int i = 0; i < kDampedSteps && least > kConverged && damping < 1e12; ++i) {
+    chain_.Place<double>(problem.X_WR, problem.q, x_, &pose_);
+    SetConstraint<double>(pose_, problem.target, c);
+    c = c.cwiseProduct(weight).eval();
+    const bool better = c.norm() < least;
+    damping *= better ? 0.3 : 4.0;
+    if (better) {
+      least = c.norm();
+      distance = c.head<3>().norm();
+      best = x_;
+      best_c = c;
+      SetDerivative(Hessian::kWithoutChain);
+      J = weight.asDiagonal() * K_.bottomLeftCorner(m_, n_);
+    }
+    const MatX A = J.transpose() * J + damping * MatX::Identity(n_, n_);
+    x_.head(n_) = best.head(n_) - A.ldlt().solve(J.transpose() * best_c);
+  }
+  x_ = best;
+  return distance;
+}
+
+// K = dF/dx at pose_ and x_, exact where c = 0. A hinge s nearer the root turns everything beyond
+// it: dJ_r/dq_s = axis_s x J_r, d axis_r/dq_s = axis_s x axis_r; a farther one moves only the end:
+// dJ_r/dq_s = axis_r x J_s.
+void HoldSolver::SetDerivative(Hessian hessian) {
+  K_.setZero();
+  const Vec3 l = x_.segment<3>(n_);
+  const Vec3 l_turn = m_ == 6 ? Vec3(x_.tail<3>()) : Vec3::Zero();
+  for (int r = 0; r < n_; ++r) {
+    for (int s = 0; s < n_ && hessian == Hessian::kFull; ++s) {
+      K_(r, s) = pose_.axis[std::min(r, s)].cross(pose_.J[std::max(r, s)]).dot(l);
+      if (s < r) K_(r, s) += pose_.axis[s].cross(pose_.axis[r]).dot(l_turn);
+    }
+    K_(r, r) += 1.0;
+    K_.block<3, 1>(n_, r) = pose_.J[r];
+    if (m_ == 6) K_.block<3, 1>(n_ + 3, r) = pose_.axis[r];
+  }
+  K_.topRightCorner(n_, m_) = K_.bottomLeftCorner(m_, n_).transpose();
+}
+
+// A straight limb, or one of too few hinges, makes K singular: then with full pivoting.
+void HoldSolver::Factor() {
+  constexpr double kLeastPivot = 1e-11;
+  lu_.compute(K_);
+  singular_ = !(lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastPivot);
+  if (singular_) lu_singular_.compute(K_);
+}
+
+// K^-1 right_side, in step_.
+VecX& HoldSolver::SolveLinear(const VecX& right_side) {
+  if (singular_) {
+    step_ = lu_singular_.solve(right_side);
+  } else {
+    step_ = lu_.solve(right_side);
+  }
+  return step_;
+}
+
+// Newton's method on the Taylor series in time: each pass makes one more derivative exact.
+void HoldSolver::FindRates(const Problem& problem) {
+  x_jet_ = x_.cast<Jet>();
   for (int order = 1; order <= 2; ++order) {
-    const auto pose = PoseChain<Jet>(*figure_, chain_, row_of_chain_, held_, X_WR, *q, x, n);
-    const Vector<Jet> F = Stationarity(pose, target, keyed, x, n, m);
-    const Vector<double> d = lu.solve(F.unaryExpr([](const Jet& f) { return f.d; }).eval());
-    const Vector<double> dd = lu.solve(F.unaryExpr([](const Jet& f) { return f.dd; }).eval());
-    for (int r = 0; r < n + m; ++r) x[r] -= Jet(0.0, d[r], dd[r]);
+    chain_.Place<Jet>(problem.X_WR, problem.q, x_jet_, &pose_jet_);
+    SetStationarity<Jet>(pose_jet_, problem.target, keyed_jet_, x_jet_, &F_jet_);
+    for (int r = 0; r < n_ + m_; ++r) F_[r] = F_jet_[r].d;
+    SolveLinear(F_);
+    for (int r = 0; r < n_ + m_; ++r) x_jet_[r].d -= step_[r];
+    for (int r = 0; r < n_ + m_; ++r) F_[r] = F_jet_[r].dd;
+    SolveLinear(F_);
+    for (int r = 0; r < n_ + m_; ++r) x_jet_[r].dd -= step_[r];
   }
-  for (int r = 0; r < n; ++r) (*q)[solved_[r].value()] = x[r];
-  return {true, 0.0};
 }
 
 }  // namespace hazumi

@@ -2,13 +2,10 @@
 
 // Inverse kinematics of a held joint.
 
-#include <optional>
+#include <Eigen/LU>
 #include <vector>
 
-#include "engine/figure/figure.h"
-#include "engine/spatial/jet.h"
-#include "engine/spatial/pose.h"
-#include "engine/spatial/types.h"
+#include "engine/placement/hold_chain.h"
 
 namespace hazumi {
 
@@ -19,7 +16,9 @@ struct HoldTarget {
 
 struct HoldSolution {
   bool reached = false;
-  double distance = 0.0;  // how far the held joint stays from its target [m]; 0 if reached
+  // How far the held joint stays from its target [m], its orientation as good as it gets; 0 if
+  // reached.
+  double distance = 0.0;
 };
 
 // Finds the angles between the root and a held joint:
@@ -28,31 +27,48 @@ struct HoldSolution {
 // sits on). With multipliers l this is  F = (q - q_keyed + J^T l, c) = 0, solved by Newton's method
 // from the keyed pose, so that the keyed pose picks the branch. The solution's rates and
 // accelerations follow exactly from F = 0 differentiated in time, with q_keyed and the root's pose
-// given as jets.
+// given as jets. The result depends on the arguments alone, not on what was solved before.
 class HoldSolver {
  public:
+  // `figure` must outlive the solver.
   HoldSolver(const Figure& figure, GroupIndex held, bool hold_orientation);
 
   // The joints that are solved, ascending: between root and held joint, fixed hinges left out.
-  const std::vector<JointIndex>& joints() const { return solved_; }
+  const std::vector<JointIndex>& joints() const { return chain_.unknowns(); }
 
-  // `q`: all joints of the figure as jets, keyed on entry; the solved ones are replaced.
-  HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q) const;
+  // `q`: all joints of the figure as jets, keyed on entry; the solved ones are replaced if the
+  // target is reached.
+  HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q);
 
  private:
-  struct Newton;
+  struct Problem {
+    const PoseOf<Jet>& X_WR;
+    const HoldTarget& target;
+    const std::vector<Jet>& q;
+  };
+  enum class Hessian { kFull, kWithoutChain };
 
-  int num_solved() const { return static_cast<int>(solved_.size()); }
-  int num_constraints() const { return hold_orientation_ ? 6 : 3; }
-  bool Converge(const PoseOf<double>& X_WR, const HoldTarget& target, Newton* newton) const;
-  double LeastDistance(const PoseOf<double>& X_WR, const HoldTarget& target, Newton* newton) const;
+  bool Converge(const Problem& problem, int iterations, Hessian hessian);
+  bool ConvergeFromAfar(const Problem& problem, double* distance);
+  void StartFrom(int start);
+  double LeastDistance(const Problem& problem);
+  void SetDerivative(Hessian hessian);
+  void Factor();
+  VecX& SolveLinear(const VecX& right_side);
+  void FindRates(const Problem& problem);
 
-  const Figure* figure_;
-  JointIndex held_;
-  bool hold_orientation_;
-  std::vector<JointIndex> chain_;   // root to held joint, the latter's own hinges left out
-  std::vector<JointIndex> solved_;
-  std::vector<int> row_of_chain_;   // chain index -> row in solved_, or -1
+  HoldChain chain_;
+  int n_, m_;  // unknown angles, constraints
+
+  // Scratch. The unknowns x are angles and multipliers.
+  ChainPose<double> pose_;
+  ChainPose<Jet> pose_jet_;
+  VecX keyed_, x_, F_, step_;
+  VecXOf<Jet> keyed_jet_, x_jet_, F_jet_;
+  MatX K_;  // dF/dx
+  Eigen::PartialPivLU<MatX> lu_;
+  Eigen::FullPivLU<MatX> lu_singular_;
+  bool singular_ = false;
 };
 
 }  // namespace hazumi

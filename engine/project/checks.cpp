@@ -32,7 +32,7 @@ constexpr CheckText kTexts[] = {
     {Check::kNewerFormat, kSchema,
      "made by a newer Hazumi: this is format version {}, this Hazumi reads 1; please update it"},
     {Check::kUnknownFormat, kSchema, "there is no format version {}; write 1"},
-    {Check::kMissingField, kSchema, "the field {} is missing"},
+    {Check::kMissingField, kSchema, "the field {} is missing; add it"},
     {Check::kMisspelledField, kSchema, "the field {} is missing; did you mean it by {}?"},
     {Check::kWrongType, kSchema, "expected {}, found {}"},
     {Check::kNumberTooLarge, kSchema, "{} is too large: numbers lie between -1e9 and 1e9"},
@@ -40,7 +40,8 @@ constexpr CheckText kTexts[] = {
     {Check::kWrongCount, kSchema, "expected {} values, found {}"},
     {Check::kUnknownChoice, kSchema, "there is no {}; {}"},
     {Check::kNotOneOf, kSchema, "needs exactly one of {}"},
-    {Check::kBadColor, kSchema, "{} is no colour; write it as \"#rrggbb\", for example \"#d9482b\""},
+    {Check::kBadColor, kSchema,
+     "{} is no colour; write it as \"#rrggbb\", for example \"#d9482b\""},
     {Check::kNotPositive, kSchema, "must be greater than 0, is {}"},
     {Check::kNegative, kSchema, "must not be negative, is {}"},
     {Check::kZeroVector, kSchema, "must not be zero: it gives a direction"},
@@ -51,8 +52,7 @@ constexpr CheckText kTexts[] = {
     {Check::kTooManyJoints, kSchema, "{} joints; a figure has 1000 at most"},
     {Check::kFigureUnreadable, kNoInput, "the figure {} {}"},
 
-    {Check::kBadFrameRate, kSchema,
-     "must lie between 0.1 and 10000 frames a second, is {}/{}"},
+    {Check::kBadFrameRate, kSchema, "must lie between 0.1 and 10000 frames a second, is {}/{}"},
     {Check::kFramesReversed, kSchema, "the last frame {} is before the first, {}"},
     {Check::kTooManyFrames, kSchema, "{} frames; a project has 1000000 at most"},
     {Check::kNewerSolver, kSchema,
@@ -73,14 +73,14 @@ constexpr CheckText kTexts[] = {
     {Check::kRootInRegion, kSchema,
      "{} is the root, which no region can drive: in the paper's method it stays keyed; "
      "name joints beyond it"},
-    {Check::kRootNotAJoint, kSchema, "{} is the root, not a joint; {}"},
+    {Check::kRootNotAJoint, kSchema,
+     "{} is the root, not a joint; name a joint (the root's own keys stand under \"root\")"},
     {Check::kFrictionNotInRegion, kSchema,
      "{} is not in this region; add it to the region's joints or remove its friction"},
 
     {Check::kOutsideFrames, kSemantics,
      "frames {} to {} are not within the project's frames {} to {}"},
-    {Check::kReleaseOutside, kSemantics,
-     "frame {} is not within the project's frames {} to {}"},
+    {Check::kReleaseOutside, kSemantics, "frame {} is not within the project's frames {} to {}"},
     {Check::kRegionsOverlap, kSemantics,
      "regions {} and {} both drive {} in frames {} to {}; end one where the other begins, or take "
      "the joint out of one"},
@@ -108,7 +108,7 @@ constexpr CheckText kTexts[] = {
      "region {} drives {}, which the hold of {} ({}) needs in frames {} to {}; end one where the "
      "other begins, or take the joint out of the region"},
 
-    {Check::kFixedLeftOut, kSemantics, "{} is fixed by equal limits and left out of the region"},
+    {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
     {Check::kNothingToLandOn, kSemantics,
      "gravity without objects in the scene: there is nothing to land on"},
     {Check::kKeyOutsideLimits, kSemantics,
@@ -144,8 +144,7 @@ std::string MessageOf(Check check, std::initializer_list<std::string_view> argum
   return message.append(text);
 }
 
-Error MakeError(Check check, std::string place,
-                std::initializer_list<std::string_view> arguments) {
+Error MakeError(Check check, std::string place, std::initializer_list<std::string_view> arguments) {
   return {TextOf(check).code, "", std::move(place), MessageOf(check, arguments)};
 }
 

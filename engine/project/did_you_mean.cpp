@@ -12,7 +12,8 @@ constexpr size_t kLongestName = 64;  // longer ones are not worth comparing
 constexpr size_t kMostListed = 12;
 
 int FarthestSlip(std::string_view name) {
-  return std::max(1, std::min(3, static_cast<int>(name.size()) / 3));
+  if (name.size() < 2) return 0;
+  return std::clamp(static_cast<int>(name.size()) / 3, 1, 3);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace hazumi {
 int EditDistance(std::string_view a, std::string_view b);
 
 // The candidate nearest to `name`, if it is near enough to be a slip of the pen.
-std::optional<std::string> Nearest(std::string_view name, const std::vector<std::string>& candidates);
+std::optional<std::string> Nearest(std::string_view name,
+                                   const std::vector<std::string>& candidates);
 
 // What to do about a wrong name: `did you mean "x"?`, else `use one of "x", "y"`.
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates);

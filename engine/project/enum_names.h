@@ -54,7 +54,9 @@ struct EnumNames<Look::Shape> {
 };
 
 template <typename Enum>
-concept FileEnum = requires { EnumNames<Enum>::kNames; };
+concept FileEnum = requires {
+  EnumNames<Enum>::kNames;
+};
 
 template <FileEnum Enum>
 const char* NameOf(Enum value) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/project/field_reader.h"
+#include "engine/project/site.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {

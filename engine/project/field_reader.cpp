@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/project/read_value.h"
+
 namespace hazumi {
 
 namespace {

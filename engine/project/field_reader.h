@@ -4,6 +4,7 @@
 // FirstError with its place; reading goes on, with the value left as it was.
 // A struct is read by a function `Describe(Archive&, Ref<Archive, Struct>)` that names its fields
 // once for FieldReader and FieldWriter alike; fields it does not name are kept in `value.extra`.
+// Single values are read by the overloads of ReadValue in read_value.h.
 
 #include <array>
 #include <optional>
@@ -11,31 +12,14 @@
 #include <variant>
 #include <vector>
 
-#include "engine/project/checks.h"
-#include "engine/project/did_you_mean.h"
-#include "engine/project/enum_names.h"
 #include "engine/project/json.h"
 #include "engine/project/project.h"
-#include "engine/spatial/types.h"
+#include "engine/project/site.h"
 
 namespace hazumi {
 
 template <typename Archive, typename T>
 using Ref = typename Archive::template RefTo<T>;
-
-// Where a value stands and whom to tell.
-struct Site {
-  std::string place;
-  FirstError* errors;
-
-  void Report(Check check, std::initializer_list<std::string_view> arguments = {}) const {
-    errors->Report(check, place, arguments);
-  }
-  Site Field(const std::string& name) const {
-    return {place.empty() ? name : place + "." + name, errors};
-  }
-  Site Item(size_t index) const { return {place + "[" + std::to_string(index) + "]", errors}; }
-};
 
 bool ExpectObject(const Json& json, const Site& site);
 bool ExpectArray(const Json& json, const Site& site);
@@ -112,70 +96,5 @@ class FieldReader {
   std::vector<std::string> known_;
   Site site_;
 };
-
-void ReadValue(const Json& json, const Site& site, double& value);
-void ReadValue(const Json& json, const Site& site, int& value);
-void ReadValue(const Json& json, const Site& site, bool& value);
-void ReadValue(const Json& json, const Site& site, std::string& value);
-void ReadValue(const Json& json, const Site& site, Vec3& value);
-void ReadValue(const Json& json, const Site& site, JointRef& value);
-// An object of numbers by name, as in friction.
-void ReadValue(const Json& json, const Site& site, std::vector<Named<double>>& values);
-
-template <FileEnum Enum>
-void ReadValue(const Json& json, const Site& site, Enum& value) {
-  std::string word;
-  ReadValue(json, site, word);
-  if (!json.is_string()) return;
-  std::vector<std::string> words;
-  for (const auto& entry : EnumNames<Enum>::kNames) {
-    if (entry.name == word) value = entry.value;
-    words.push_back(entry.name);
-  }
-  if (NameOf(value) == word) return;
-  const std::string what = EnumNames<Enum>::kWhat + (" " + Quoted(word));
-  site.Report(Check::kUnknownChoice, {what, Suggestion(word, words)});
-}
-
-template <size_t N>
-void ReadValue(const Json& json, const Site& site, std::array<double, N>& values) {
-  if (!ExpectArray(json, site) || !ExpectCount(json, N, site)) return;
-  for (size_t i = 0; i < N; ++i) ReadValue(json[i], site.Item(i), values[i]);
-}
-
-template <typename T, typename Fields>
-void ReadObject(const Json& json, const Site& site, T& value, Fields fields) {
-  FieldReader in(json, site);
-  fields(in, value);
-  if constexpr (requires { value.extra; }) value.extra = in.Unknown();
-}
-
-template <typename T, typename Fields>
-void ReadList(const Json& json, const Site& site, std::vector<T>& values, Fields fields) {
-  if (!ExpectArray(json, site)) return;
-  values.resize(json.size());
-  for (size_t i = 0; i < values.size(); ++i) {
-    ReadObject(json[i], site.Item(i), values[i], fields);
-  }
-}
-
-template <typename T>
-void ReadValue(const Json& json, const Site& site, std::optional<T>& value) {
-  ReadValue(json, site, value.emplace());
-}
-
-template <typename T>
-void ReadValue(const Json& json, const Site& site, std::vector<T>& values) {
-  if (!ExpectArray(json, site)) return;
-  values.resize(json.size());
-  for (size_t i = 0; i < values.size(); ++i) ReadValue(json[i], site.Item(i), values[i]);
-}
-
-// Any struct that has a Describe.
-template <typename T>
-  requires std::is_class_v<T>
-void ReadValue(const Json& json, const Site& site, T& value) {
-  ReadObject(json, site, value, [](FieldReader& in, T& item) { Describe(in, item); });
-}
 
 }  // namespace hazumi

@@ -88,7 +88,7 @@ Json ObjectToJson(const T& value, Fields fields) {
 }
 
 template <typename T>
-  requires requires(const T& value) { value.extra; }
+requires requires(const T& value) { value.extra; }
 Json ToJson(const T& value) {
   return ObjectToJson(value, [](FieldWriter& out, const T& item) { Describe(out, item); });
 }

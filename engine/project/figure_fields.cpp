@@ -1,10 +1,12 @@
 #include "engine/project/figure_fields.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "engine/figure/figure_builder.h"
 #include "engine/figure/mirror.h"
 #include "engine/project/field_checks.h"
+#include "engine/project/read_value.h"
 
 namespace hazumi {
 
@@ -46,7 +48,7 @@ void ReadAxis(FieldReader& in, Vec3& axis) {
 
 void ReadPositive(FieldReader& in, const char* name, double& value) {
   in.Required(name, value);
-  if (in.site().errors->ok()) CheckPositive(value, in.At(name));
+  CheckPositive(value, in.At(name));
 }
 
 void ReadNotNegative(FieldReader& in, const char* name, std::optional<double>& value) {
@@ -119,7 +121,7 @@ static void Describe(FieldReader& in, HingeSpec& hinge) {
   in.Optional("name", hinge.name);
   ReadAxis(in, hinge.axis);
   in.Required("limits_deg", limits_deg);
-  in.Required("rest_deg", rest_deg);
+  in.Stated("rest_deg", rest_deg);
   hinge.lower = limits_deg[0] * kRadiansPerDegree;
   hinge.upper = limits_deg[1] * kRadiansPerDegree;
   hinge.rest = rest_deg * kRadiansPerDegree;
@@ -203,8 +205,8 @@ FigureSpec ReadFigure(const Json& json, const Site& site) {
 Mat3 RotationFromAngles(const Vec3& zyx_deg) {
   if (zyx_deg.isZero(0.0)) return Mat3::Identity();
   const Vec3 angles = zyx_deg * kRadiansPerDegree;
-  return (Eigen::AngleAxisd(angles[0], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
-          Eigen::AngleAxisd(angles[2], Vec3::UnitX()))
+  return (Eigen::AngleAxisd(angles[0], Vec3::UnitZ()) *
+          Eigen::AngleAxisd(angles[1], Vec3::UnitY()) * Eigen::AngleAxisd(angles[2], Vec3::UnitX()))
       .toRotationMatrix();
 }
 

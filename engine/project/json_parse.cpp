@@ -12,8 +12,8 @@ std::string LineAndColumn(std::string_view text, size_t offset) {
   text = text.substr(0, std::min(offset, text.size()));
   const auto line = 1 + std::count(text.begin(), text.end(), '\n');
   text.remove_prefix(text.rfind('\n') + 1);  // npos + 1 == 0
-  const auto column = 1 + std::count_if(text.begin(), text.end(),
-                                        [](char c) { return (c & 0xC0) != 0x80; });
+  const auto column =
+      1 + std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
@@ -63,10 +63,13 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     std::unordered_set<std::string> fields;  // of an object: all so far
   };
 
-  // "[json.exception...] parse error at ...: syntax error while parsing value - REASON".
+  // Of "[json.exception...] parse error at ...: syntax error while parsing value - REASON; last
+  // read: 'TEXT'", where TEXT may be long.
   static std::string Reason(std::string_view what) {
+    constexpr size_t kLongest = 100;
     const size_t dash = what.find(" - ");
-    return std::string(dash == std::string_view::npos ? what : what.substr(dash + 3));
+    if (dash != std::string_view::npos) what.remove_prefix(dash + 3);
+    return std::string(what.size() > kLongest ? what.substr(0, what.find("; last read")) : what);
   }
 
   bool Add(Json value) {

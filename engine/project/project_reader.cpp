@@ -4,6 +4,7 @@
 
 #include "engine/figure/figure_builder.h"
 #include "engine/project/document_checks.h"
+#include "engine/project/field_checks.h"
 #include "engine/project/figure_fields.h"
 #include "engine/project/figure_reader.h"
 #include "engine/project/joint_names.h"
@@ -30,8 +31,7 @@ void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, Firs
 void CheckProject(const Project& project, FirstError* errors) {
   CheckDocument(project, errors);
   if (!errors->ok()) return;
-  const Result<Figure> figure = BuildFigure(project.figure.spec);
-  if (!figure.ok()) return errors->Report(figure.error());
+  const Result<Figure> figure = BuildFigure(project.figure.spec);  // it was tried when read
   CheckNames(project, figure.value(), errors);
 }
 

@@ -62,8 +62,8 @@ struct ProjectHeldObject {
   std::string name;
   std::variant<ProjectSphereShape, ProjectBoxShape> shape;
   double mass_kg = 0.0;
-  std::string joint;              // the holder
-  Vec3 offset_m = Vec3::Zero();   // of the centre, in the holder's frame
+  std::string joint;             // the holder
+  Vec3 offset_m = Vec3::Zero();  // of the centre, in the holder's frame
   std::optional<int> release_frame;
   std::string color = kDefaultObjectColor;
   ExtraFields extra;

@@ -29,7 +29,7 @@ class CurveTrack {
   CurveSample At(double frame);
   // The limit from the left, if something lies there; else as At.
   CurveSample Before(double frame);
-  // The rate given by a key that lies on `frame`.
+  // The key that lies exactly on `frame`, or null.
   const Key* KeyAt(double frame) const;
   bool HasKeyAfter(double frame) const;
 

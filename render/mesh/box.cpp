@@ -12,7 +12,7 @@
 namespace hazumi::render {
 namespace {
 
-constexpr int kSteps = 3;  // of the rounding, per face and edge
+constexpr int kSteps = 2;  // of the rounding, per face and edge
 constexpr int kSize = 2 * (kSteps + 1);
 
 // The side of the face (-1 or 1) and the tangent of the lean there.

@@ -22,13 +22,23 @@ struct SolidMesh {
   void Clear();
 };
 
-// Each appends one closed solid. Normals are those of the exact surface, hence smooth.
-void AppendTaperedCapsule(const TaperedCapsule& capsule, SolidMesh& mesh);
-void AppendEllipsoid(const Ellipsoid& ellipsoid, SolidMesh& mesh);
+// How closely solids are looked at: what is small in the picture gets few triangles.
+struct MeshDetail {
+  Vec3 eye = Vec3::Zero();
+  double px_per_radian = 1200.0;  // size in the picture of a small angle at its middle
+};
+
+// The columns a round solid needs for its outline to be true to 0.3 px: a multiple of 4 in [8, 48].
+int ColumnsFor(const Vec3& center, double radius_m, const MeshDetail& detail);
+
+// Each appends one closed solid. Normals are those of the exact surface, hence smooth. `columns`, a
+// multiple of 4 and at least 8, are the facets around; the other direction follows from it.
+void AppendTaperedCapsule(const TaperedCapsule& capsule, int columns, SolidMesh& mesh);
+void AppendEllipsoid(const Ellipsoid& ellipsoid, int columns, SolidMesh& mesh);
 void AppendBox(const BoxShape& box, SolidMesh& mesh);
 
 // Appends the scene's opaque solids, or its ghosts (colour alpha < 1).
 enum class SolidKind { kOpaque, kGhost };
-void AppendSolids(const Scene& scene, SolidKind kind, SolidMesh& mesh);
+void AppendSolids(const Scene& scene, SolidKind kind, const MeshDetail& detail, SolidMesh& mesh);
 
 }  // namespace hazumi::render

@@ -1,6 +1,5 @@
 #include "render/mesh/surface_grid.h"
 
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -8,24 +7,19 @@
 namespace hazumi::render {
 namespace {
 
-std::array<Turn, kColumns> MakeTurns() {
-  std::array<Turn, kColumns> turns{};
-  for (int i = 0; i < kColumns; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kColumns;
-    turns[i] = {std::cos(angle), std::sin(angle)};
-  }
-  return turns;
-}
-
 void AppendTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, SolidMesh& mesh) {
   mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
 }  // namespace
 
-const Turn* ColumnTurns() {
-  static const std::array<Turn, kColumns> turns = MakeTurns();
-  return turns.data();
+std::vector<Turn> ColumnTurns(int columns) {
+  std::vector<Turn> turns(columns);
+  for (int i = 0; i < columns; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / columns;
+    turns[i] = {std::cos(angle), std::sin(angle)};
+  }
+  return turns;
 }
 
 void AppendVertex(const Vec3& position, const Vec3& normal, const LinearColor& color,
@@ -35,11 +29,12 @@ void AppendVertex(const Vec3& position, const Vec3& normal, const LinearColor& c
       {{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}, {color.r, color.g, color.b, color.a}});
 }
 
-void JoinRings(std::uint32_t first, int rows, SolidMesh& mesh) {
+void JoinRings(std::uint32_t first, int rows, int columns, SolidMesh& mesh) {
+  const auto around = static_cast<std::uint32_t>(columns);
   for (int row = 0; row + 1 < rows; ++row) {
-    const std::uint32_t low = first + row * kColumns, high = low + kColumns;
-    for (std::uint32_t i = 0; i < kColumns; ++i) {
-      const std::uint32_t next = (i + 1) % kColumns;
+    const std::uint32_t low = first + row * around, high = low + around;
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t next = (i + 1) % around;
       if (row > 0) AppendTriangle(low + i, low + next, high + i, mesh);
       if (row + 2 < rows) AppendTriangle(low + next, high + next, high + i, mesh);
     }

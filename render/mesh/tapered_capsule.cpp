@@ -15,8 +15,6 @@
 namespace hazumi::render {
 namespace {
 
-constexpr int kCapRings = 6;  // steps from a pole to the cone
-
 // A capsule with its axis made explicit.
 struct CapsuleFrame {
   Vec3 a, b;
@@ -46,31 +44,35 @@ CapsuleFrame MakeFrame(const TaperedCapsule& c) {
   return {c.a, c.b, c.radius_a, c.radius_b, FrameAlong((c.b - c.a) / length), split};
 }
 
-void AppendRing(const Vec3& center, double radius, double angle, const Mat3& R_WC,
-                const LinearColor& color, SolidMesh& mesh) {
-  const Turn* turns = ColumnTurns();
-  const double across = std::sin(angle), along = std::cos(angle);
-  for (int i = 0; i < kColumns; ++i) {
-    const Vec3 n = R_WC * Vec3(across * turns[i].cosine, across * turns[i].sine, along);
-    AppendVertex(center + radius * n, n, color, mesh);
+// The rings of one end, at angles from `from` to `to` against the axis.
+struct Cap {
+  Vec3 center;
+  double radius, from, to;
+};
+
+void AppendCap(const Cap& cap, int steps, const std::vector<Turn>& turns, const Mat3& R_WC,
+               const LinearColor& color, SolidMesh& mesh) {
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = std::lerp(cap.from, cap.to, double(i) / steps);
+    const double across = std::sin(angle), along = std::cos(angle);
+    for (const Turn& turn : turns) {
+      const Vec3 n = R_WC * Vec3(across * turn.cosine, across * turn.sine, along);
+      AppendVertex(cap.center + cap.radius * n, n, color, mesh);
+    }
   }
 }
 
 }  // namespace
 
-void AppendTaperedCapsule(const TaperedCapsule& capsule, SolidMesh& mesh) {
-  const CapsuleFrame frame = MakeFrame(capsule);
+void AppendTaperedCapsule(const TaperedCapsule& capsule, int columns, SolidMesh& mesh) {
+  const CapsuleFrame f = MakeFrame(capsule);
   const LinearColor color = ToLinear(capsule.color);
+  const std::vector<Turn> turns = ColumnTurns(columns);
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (int i = 0; i <= kCapRings; ++i) {
-    const double angle = std::lerp(std::numbers::pi, frame.split, double(i) / kCapRings);
-    AppendRing(frame.a, frame.radius_a, angle, frame.R_WC, color, mesh);
-  }
-  for (int i = 0; i <= kCapRings; ++i) {
-    const double angle = std::lerp(frame.split, 0.0, double(i) / kCapRings);
-    AppendRing(frame.b, frame.radius_b, angle, frame.R_WC, color, mesh);
-  }
-  JoinRings(first, 2 * (kCapRings + 1), mesh);
+  const int steps = columns / 4;
+  AppendCap({f.a, f.radius_a, std::numbers::pi, f.split}, steps, turns, f.R_WC, color, mesh);
+  AppendCap({f.b, f.radius_b, f.split, 0.0}, steps, turns, f.R_WC, color, mesh);
+  JoinRings(first, 2 * (steps + 1), columns, mesh);
 }
 
 }  // namespace hazumi::render

@@ -42,7 +42,7 @@ GroundRect ShadedGround(const std::vector<BoundingSphere>& casters, const Vec3& 
     const double spread = s.radius * std::min(std::hypot(1.0, away.norm()), 5.0);
     rect.Include(s.center.head<2>() + shorten * reach, spread);
     // The soft dark patch below a body is about as wide as the body is high.
-    rect.Include(s.center.head<2>(), s.radius + std::min(height, 0.4));
+    rect.Include(s.center.head<2>(), s.radius + 0.35);
   }
   return rect;
 }

@@ -16,14 +16,14 @@ struct Ground {
   bool visible = true;
   double height = 0.0;  // [m]
   GroundLook look = GroundLook::kGrid;
-  SrgbColor floor = FromHex(0xa9b0b8);
-  SrgbColor pattern = FromHex(0x8f979f);  // grid lines, or the other checker squares
+  SrgbColor floor = FromHex(0xb7bcc2);
+  SrgbColor pattern = FromHex(0x9aa1a9);  // grid lines, or the other checker squares
 };
 
 // The light around: seen as the background and felt as ambient light.
 struct Sky {
-  SrgbColor zenith = FromHex(0x6f7c8b);
-  SrgbColor horizon = FromHex(0xc6ccd2);
+  SrgbColor zenith = FromHex(0x8793a1);
+  SrgbColor horizon = FromHex(0xd3d7db);
 };
 
 // All that is in a picture. Knows neither documents nor GL. World: z up, right-handed, metres.

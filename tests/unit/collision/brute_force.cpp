@@ -8,6 +8,9 @@
 namespace hazumi::test {
 namespace {
 
+// Gaps up to this [m] are taken for 0.
+constexpr double kRounding = 1e-12;
+
 struct Minimum {
   double at, value;
 };
@@ -42,17 +45,23 @@ double SearchPointToBox(const Vec3& x, const Vec3& h) {
 
 double SearchAxisDistance(const Capsule& capsule, const Box& box) {
   const Pose X_BW = box.X_WB.Inverse();
-  return Minimize(0.0, 1.0, [&](double t) {
-           return SearchPointToBox(X_BW.R * (PointAt(capsule, t) - box.X_WB.p), box.half_size);
-         }).value;
+  return Minimize(0.0, 1.0,
+                  [&](double t) {
+                    return SearchPointToBox(X_BW.R * (PointAt(capsule, t) - box.X_WB.p),
+                                            box.half_size);
+                  })
+      .value;
 }
 
 double SearchAxisDistance(const Capsule& capsule, const Capsule& other) {
-  return Minimize(0.0, 1.0, [&](double t) {
-           const Vec3 x = PointAt(capsule, t);
-           return Minimize(0.0, 1.0, [&](double u) { return (x - PointAt(other, u)).norm(); })
-               .value;
-         }).value;
+  return Minimize(0.0, 1.0,
+                  [&](double t) {
+                    const Vec3 x = PointAt(capsule, t);
+                    return Minimize(0.0, 1.0,
+                                    [&](double u) { return (x - PointAt(other, u)).norm(); })
+                        .value;
+                  })
+      .value;
 }
 
 // The corners of box - segment, in the box's frame.
@@ -96,7 +105,7 @@ double PlaneGap(const Capsule& c, const Plane& plane) {
 double Signed(const Capsule& c, const Plane& plane) { return PlaneGap(c, plane); }
 double Signed(const Capsule& c, const Box& box) {
   const double apart = SearchAxisDistance(c, box);
-  return (apart > 1e-11 ? apart : -HullDepth(DifferenceCorners(c, box))) - c.radius;
+  return (apart > kRounding ? apart : -HullDepth(DifferenceCorners(c, box))) - c.radius;
 }
 // Two crossing segments are a flat body: its depth is 0.
 double Signed(const Capsule& c, const Capsule& other) {
@@ -105,9 +114,8 @@ double Signed(const Capsule& c, const Capsule& other) {
 
 double Gap(const Capsule& c, const Plane& plane) { return PlaneGap(c, plane); }
 double Gap(const Capsule& c, const Box& box) {
-  const Mat3 R_BW = box.X_WB.R.transpose();
   const auto apart = [&](double t) {
-    const Vec3 x = R_BW * (PointAt(c, t) - box.X_WB.p);
+    const Vec3 x = box.X_WB.R.transpose() * (PointAt(c, t) - box.X_WB.p);
     return (x.cwiseAbs() - box.half_size).cwiseMax(0.0).norm();
   };
   return Minimize(0.0, 1.0, apart).value - c.radius;
@@ -137,12 +145,12 @@ SearchedTouch SearchFirstTouch(const Capsule& capsule, const Vec3& translation,
                                const Obstacle& obstacle) {
   const auto gap = [&](double s) { return SearchGap(Moved(capsule, s * translation), obstacle); };
   const Minimum least = Minimize(0.0, 1.0, gap);
-  if (least.value > 0.0) return {least.value, std::nullopt};
-  if (gap(0.0) <= 0.0) return {least.value, 0.0};
+  if (least.value > kRounding) return {least.value, std::nullopt};
+  if (gap(0.0) <= kRounding) return {least.value, 0.0};
   double free = 0.0, touching = least.at;
   for (int k = 0; k < 60; ++k) {
     const double s = 0.5 * (free + touching);
-    (gap(s) <= 0.0 ? touching : free) = s;
+    (gap(s) <= kRounding ? touching : free) = s;
   }
   return {least.value, touching};
 }

@@ -18,7 +18,7 @@ double SearchGap(const Capsule& capsule, const Obstacle& obstacle);
 
 struct SearchedTouch {
   double least_gap = 0.0;   // of SearchGap over the whole path [m]
-  std::optional<double> s;  // first touch, if least_gap <= 0
+  std::optional<double> s;  // first touch, if least_gap is 0 or less
 };
 SearchedTouch SearchFirstTouch(const Capsule& capsule, const Vec3& translation,
                                const Obstacle& obstacle);

@@ -22,8 +22,8 @@ struct Scene {
 Scene RandomScene(ObstacleKind kind, uint64_t seed, int index);
 
 constexpr int kFamilies = 8;
-constexpr const char* kFamilyNames[kFamilies] = {"general",         "on a grid",  "sphere",
-                                                 "parallel",        "nearly parallel", "centred",
-                                                 "without radius",  "limb at a large obstacle"};
+constexpr const char* kFamilyNames[kFamilies] = {
+    "general",         "on a grid", "sphere",         "parallel",
+    "nearly parallel", "centred",   "without radius", "limb at a large obstacle"};
 
 }  // namespace hazumi::test

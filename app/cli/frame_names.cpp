@@ -1,0 +1,38 @@
+#include "app/cli/frame_names.h"
+
+#include <filesystem>
+
+namespace hazumi {
+
+namespace fs = std::filesystem;
+
+Result<FrameNames> FrameNames::Create(const std::string& output) {
+  FrameNames names;
+  const size_t last = output.rfind('#');
+  if (last == std::string::npos) {
+    names.before_ = (fs::path(output) / "frame_").string();
+    names.after_ = ".png";
+  } else {
+    const size_t first = output.find_last_not_of('#', last) + 1;  // npos + 1 is 0
+    names.before_ = output.substr(0, first);
+    names.after_ = output.substr(last + 1);
+    names.digits_ = static_cast<int>(last + 1 - first);
+    if (!names.after_.ends_with(".png")) names.after_ += ".png";
+  }
+  const fs::path folder = fs::path(names.before_ + names.after_).parent_path();
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) {
+    return Error{ErrorCode::kCannotWrite, folder.string(), "",
+                 "cannot be made: " + error.message()};
+  }
+  return names;
+}
+
+std::string FrameNames::Of(int frame) const {
+  std::string number = std::to_string(std::abs(frame));
+  if (static_cast<int>(number.size()) < digits_) number.insert(0, digits_ - number.size(), '0');
+  return before_ + (frame < 0 ? "-" : "") + number + after_;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+
+namespace hazumi {
+
+// Names of the pictures of a sequence: in a folder (frame_0000.png), or a pattern in whose last run
+// of #### the frame number stands.
+class FrameNames {
+ public:
+  // Makes the folder if it is not there. Error: kCannotWrite.
+  static Result<FrameNames> Create(const std::string& output);
+  std::string Of(int frame) const;
+
+ private:
+  std::string before_, after_;
+  int digits_ = 4;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,209 @@
+#include "engine/project/compile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/figure/figure_builder.h"
+#include "engine/project/compile_checks.h"
+#include "engine/project/document_checks.h"
+#include "engine/project/figure_fields.h"
+#include "engine/project/joint_names.h"
+#include "engine/project/project_fields.h"
+
+namespace hazumi {
+
+namespace {
+
+// Key values times `scale` are SI.
+Keys ToKeys(const ProjectCurve& curve, double scale) {
+  Keys keys;
+  for (const ProjectKey& key : curve.keys) {
+    std::optional<double> rate;
+    if (key.rate) rate = *key.rate * scale;
+    keys.push_back({key.frame, key.value * scale, rate, key.interpolation});
+  }
+  return keys;
+}
+
+Obstacle ToObstacle(const ProjectPlane& plane) {
+  return Plane{plane.normal.normalized(), plane.offset_m};
+}
+Obstacle ToObstacle(const ProjectBox& box) {
+  return Box{{RotationFromAngles(box.rotation_deg), box.center_m}, 0.5 * box.size_m};
+}
+
+std::variant<SphereShape, BoxShape> ToShape(const ProjectSphereShape& sphere) {
+  return SphereShape{sphere.radius_m};
+}
+std::variant<SphereShape, BoxShape> ToShape(const ProjectBoxShape& box) {
+  return BoxShape{0.5 * box.size_m};
+}
+
+Error InFigure(Error error) {
+  error.place = error.place.empty() ? "figure" : "figure." + error.place;
+  return error;
+}
+
+double Degrees(double radians) { return std::round(radians / kRadiansPerDegree * 1e6) / 1e6; }
+
+// Builds the animation from a project whose values and names have been checked.
+class Compiler {
+ public:
+  Compiler(const Project& project, Figure figure)
+      : project_(project), figure_(std::make_shared<const Figure>(std::move(figure))) {}
+
+  Result<Compiled> Compile() {
+    FirstError errors;
+    AddSettings();
+    AddCurves();
+    AddScene();
+    for (size_t i = 0; i < project_.regions.size(); ++i) AddRegion(i);
+    for (const ProjectPlacement& placement : project_.placements) AddPlacement(placement);
+    for (const ProjectHold& hold : project_.holds) AddHold(hold);
+    CheckAnimation(animation_, &errors);
+    if (!errors.ok()) return *errors.error();
+    WarnAboutPlacements(animation_, &warnings_);
+    std::sort(animation_.placements.begin(), animation_.placements.end(),
+              [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
+    return Compiled{std::move(animation_), std::move(warnings_)};
+  }
+
+ private:
+  void Warn(std::string place, Check check, std::initializer_list<std::string_view> arguments) {
+    warnings_.push_back({std::move(place), MessageOf(check, arguments)});
+  }
+
+  std::optional<GroupIndex> GroupOf(const std::string& name) const {
+    const auto meant = FindJoints(*figure_, name);
+    return meant ? std::optional(meant->group) : std::nullopt;
+  }
+
+  void AddSettings() {
+    animation_.figure = figure_;
+    animation_.rate = {project_.fps.num, project_.fps.den};
+    animation_.first_frame = project_.frames.first;
+    animation_.last_frame = project_.frames.last;
+    animation_.solver = {project_.solver.method, project_.solver.step_s, project_.solver.version};
+    animation_.gravity = project_.scene.gravity_m_s2;
+  }
+
+  void AddCurves() {
+    for (int i = 0; i < kNumRootCurves; ++i) {
+      const double scale = i <= kRootZ ? 1.0 : kRadiansPerDegree;
+      animation_.root_keys[i] = ToKeys(project_.root.curves[i], scale);
+    }
+    animation_.joint_keys.resize(figure_->joints().size());
+    for (const auto& joint : project_.joints) {
+      const JointIndex j = *figure_->FindJoint(joint.name);
+      animation_.joint_keys[j.value()] = ToKeys(joint.value, kRadiansPerDegree);
+      WarnAboutLimits(figure_->joint(j), joint);
+    }
+  }
+
+  // One warning a curve, at the first key outside.
+  void WarnAboutLimits(const Joint& joint, const Named<ProjectCurve>& curve) {
+    constexpr double kTolerance = 1e-9;
+    const Keys& keys = animation_.joint_keys[figure_->FindJoint(joint.name)->value()];
+    const auto is_outside = [&](const Key& key) {
+      return key.value < joint.lower - kTolerance || key.value > joint.upper + kTolerance;
+    };
+    const auto count = std::count_if(keys.begin(), keys.end(), is_outside);
+    if (count == 0) return;
+    const auto first = std::find_if(keys.begin(), keys.end(), is_outside) - keys.begin();
+    Warn("joints." + joint.name + ".keys[" + std::to_string(first) + "].angle_deg",
+         Check::kKeyOutsideLimits,
+         {NumberText(curve.value.keys[static_cast<size_t>(first)].value),
+          NumberText(Degrees(joint.lower)), NumberText(Degrees(joint.upper)), Quoted(joint.name),
+          std::to_string(count)});
+  }
+
+  void AddScene() {
+    for (const ProjectSceneObject& object : project_.scene.objects) {
+      const Obstacle shape =
+          std::visit([](const auto& item) { return ToObstacle(item); }, object.shape);
+      animation_.scene.push_back({object.name, shape, object.color});
+    }
+    for (const ProjectHeldObject& object : project_.held_objects) {
+      const auto shape = std::visit([](const auto& item) { return ToShape(item); }, object.shape);
+      animation_.held_objects.push_back({object.name, shape, object.mass_kg, *GroupOf(object.joint),
+                                         object.offset_m, object.release_frame, object.color});
+    }
+  }
+
+  void AddRegion(size_t index) {
+    const ProjectRegion& source = project_.regions[index];
+    DynamicsRegion region;
+    region.name = source.name;
+    region.first_frame = source.first_frame;
+    region.last_frame = source.last_frame;
+    region.method = source.method.value_or(project_.solver.method);
+    region.step = source.step_s;
+    region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
+    const std::vector<double> factors = FrictionFactors(source.friction);
+    for (JointIndex j : region.joints) region.friction.push_back(factors[j.value()]);
+    animation_.regions.push_back(std::move(region));
+  }
+
+  std::vector<JointIndex> FreeJoints(const ProjectRegion& region, const std::string& place) {
+    const std::vector<bool> meant = JointsOf(region, *figure_);
+    std::vector<JointIndex> joints;
+    std::string fixed;
+    for (int j = 0; j < figure_->num_joints(); ++j) {
+      const Joint& joint = figure_->joints()[j];
+      if (!meant[j]) continue;
+      if (joint.is_fixed()) {
+        fixed += (fixed.empty() ? "" : ", ") + joint.name;
+      } else {
+        joints.emplace_back(j);
+      }
+    }
+    if (!fixed.empty()) Warn(place, Check::kFixedLeftOut, {fixed});
+    return joints;
+  }
+
+  // By joint. Groups first, so that a hinge's own factor has the last word.
+  std::vector<double> FrictionFactors(const ProjectFriction& friction) const {
+    std::vector<double> factors(figure_->joints().size(), friction.default_factor);
+    for (const bool groups : {true, false}) {
+      for (const auto& entry : friction.joints) {
+        if (figure_->FindGroup(entry.name).has_value() != groups) continue;
+        const MeantJoints meant = *FindJoints(*figure_, entry.name);
+        std::fill(factors.begin() + meant.first.value(), factors.begin() + meant.end.value(),
+                  entry.value);
+      }
+    }
+    return factors;
+  }
+
+  void AddPlacement(const ProjectPlacement& source) {
+    PlacementSpan span{source.kind, source.first_frame, source.last_frame, {}, {}};
+    if (source.kind != PlacementKind::kKeyed) span.pin = GroupOf(source.pin);
+    if (source.kind == PlacementKind::kGravity) span.landing_pin = GroupOf(source.landing_pin);
+    animation_.placements.push_back(span);
+  }
+
+  void AddHold(const ProjectHold& source) {
+    animation_.holds.push_back(
+        {*GroupOf(source.joint), source.first_frame, source.last_frame, source.orientation});
+  }
+
+  const Project& project_;
+  std::shared_ptr<const Figure> figure_;
+  Animation animation_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace
+
+Result<Compiled> CompileAnimation(const Project& project) {
+  FirstError errors;
+  CheckDocument(project, &errors);
+  if (!errors.ok()) return *errors.error();
+  Result<Figure> figure = BuildFigure(project.figure.spec);
+  if (!figure.ok()) return InFigure(figure.error());
+  CheckNames(project, figure.value(), &errors);
+  if (!errors.ok()) return *errors.error();
+  return Compiler(project, std::move(figure).value()).Compile();
+}
+
+}  // namespace hazumi

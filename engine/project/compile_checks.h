@@ -1,0 +1,17 @@
+#pragma once
+
+// Internal. What must hold between regions, placements and holds.
+
+#include "engine/project/checks.h"
+#include "engine/project/compile.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// `animation` has its lists in the order of the project, which the places refer to.
+void CheckAnimation(const Animation& animation, FirstError* errors);
+
+// Odd, but no error.
+void WarnAboutPlacements(const Animation& animation, std::vector<Warning>* warnings);
+
+}  // namespace hazumi

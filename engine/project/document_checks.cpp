@@ -1,0 +1,174 @@
+#include "engine/project/document_checks.h"
+
+#include <cmath>
+#include <map>
+
+#include "engine/project/field_checks.h"
+#include "engine/project/project_fields.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kSlowestRate = 0.1, kFastestRate = 1e4;     // frames per second
+constexpr double kShortestStep = 1e-6, kLongestStep = 1.0;   // [s]
+constexpr double kNarrowestView = 1.0, kWidestView = 179.0;  // [deg]
+constexpr long kMostFrames = 1'000'000;
+constexpr int kSolverVersion = 1;
+
+void CheckTime(const Project& project, const Site& site) {
+  const double rate = static_cast<double>(project.fps.num) / project.fps.den;
+  const bool good = project.fps.den > 0 && rate >= kSlowestRate && rate <= kFastestRate;
+  site.errors->Require(good, Check::kBadFrameRate, "fps",
+                       {std::to_string(project.fps.num), std::to_string(project.fps.den)});
+  const long first = project.frames.first, last = project.frames.last;
+  site.errors->Require(first <= last, Check::kFramesReversed, "frames",
+                       {std::to_string(last), std::to_string(first)});
+  site.errors->Require(last - first < kMostFrames, Check::kTooManyFrames, "frames",
+                       {std::to_string(last - first + 1)});
+}
+
+void CheckStep(double step_s, const Site& site) {
+  if (step_s >= kShortestStep && step_s <= kLongestStep) return;
+  site.Report(Check::kStepRange, {NumberText(step_s)});
+}
+
+void CheckSolver(const ProjectSolver& solver, const Site& site) {
+  CheckPositive(solver.version, site.Field("version"));
+  if (solver.version > kSolverVersion) {
+    site.Field("version").Report(Check::kNewerSolver, {std::to_string(solver.version)});
+  }
+  CheckStep(solver.step_s, site.Field("step_s"));
+}
+
+void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& site) {
+  if (key.frame == before.frame) site.Report(Check::kKeyTwice, {NumberText(key.frame)});
+  if (key.frame < before.frame) {
+    site.Report(Check::kKeyOrder, {NumberText(key.frame), NumberText(before.frame)});
+  }
+}
+
+void CheckKey(const ProjectKey& key, const KeyFieldNames& names, const Site& site) {
+  CheckFinite(key.frame, site.Field("frame"));
+  CheckFinite(key.value, site.Field(names.value));
+  CheckFinite(key.rate.value_or(0.0), site.Field(names.rate));
+}
+
+void CheckCurve(const ProjectCurve& curve, const KeyFieldNames& names, const Site& site) {
+  for (size_t i = 0; i < curve.keys.size() && site.errors->ok(); ++i) {
+    const Site place = site.Field("keys").Item(i);
+    CheckKey(curve.keys[i], names, place);
+    if (i > 0) CheckOrder(curve.keys[i - 1], curve.keys[i], place.Field("frame"));
+  }
+}
+
+void CheckCurves(const Project& project, const Site& site) {
+  for (int i = 0; i < kNumRootCurves; ++i) {
+    CheckCurve(project.root.curves[i], KeyFieldsOf(i),
+               site.Field("root").Field(kRootCurveNames[i]));
+  }
+  for (const auto& joint : project.joints) {
+    CheckCurve(joint.value, kAngleKey, site.Field("joints").Field(joint.name));
+  }
+}
+
+void CheckFactor(double factor, const Site& site) {
+  if (factor >= 0.0 && factor <= 1.0) return;
+  site.Report(Check::kFactorRange, {NumberText(factor)});
+}
+
+void CheckFriction(const ProjectFriction& friction, const Site& site) {
+  CheckFactor(friction.default_factor, site.Field("default"));
+  for (const auto& joint : friction.joints) {
+    CheckFactor(joint.value, site.Field("joints").Field(joint.name));
+  }
+}
+
+void CheckSpan(int first, int last, const Site& site) {
+  if (first < last) return;
+  site.Report(Check::kSpanEmpty, {std::to_string(first), std::to_string(last)});
+}
+
+void CheckRegion(const ProjectRegion& region, const Site& site) {
+  CheckNotEmpty(region.name, site.Field("name"));
+  CheckSpan(region.first_frame, region.last_frame, site);
+  if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
+  CheckFriction(region.friction, site.Field("friction"));
+  if (region.step_s) CheckStep(*region.step_s, site.Field("step_s"));
+}
+
+// Names of one list: none empty, none twice.
+template <typename Items>
+void CheckNamesUnique(const Items& items, const Site& site) {
+  std::map<std::string, std::string> places;
+  for (size_t i = 0; i < items.size(); ++i) {
+    const Site place = site.Item(i).Field("name");
+    CheckNotEmpty(items[i].name, place);
+    const auto [it, fresh] = places.emplace(items[i].name, site.Item(i).place);
+    if (!fresh) place.Report(Check::kNameTwice, {Quoted(items[i].name), it->second});
+  }
+}
+
+void CheckShape(const ProjectPlane& plane, const Site& site) {
+  CheckUnitVector(plane.normal, site.Field("plane").Field("normal"));
+}
+void CheckShape(const ProjectBox& box, const Site& site) {
+  CheckPositive(box.size_m, site.Field("box").Field("size_m"));
+}
+void CheckShape(const ProjectSphereShape& sphere, const Site& site) {
+  CheckPositive(sphere.radius_m, site.Field("sphere").Field("radius_m"));
+}
+void CheckShape(const ProjectBoxShape& box, const Site& site) {
+  CheckPositive(box.size_m, site.Field("box").Field("size_m"));
+}
+
+// Scene objects and held ones.
+template <typename Object>
+void CheckObject(const Object& object, const Site& site) {
+  std::visit([&](const auto& shape) { CheckShape(shape, site); }, object.shape);
+  CheckColor(object.color, site.Field("color"));
+  if constexpr (requires { object.mass_kg; }) CheckPositive(object.mass_kg, site.Field("mass_kg"));
+}
+
+void CheckCamera(const ProjectCamera& camera, const Site& site) {
+  const double fov = camera.vertical_fov_deg;
+  site.errors->Require(fov >= kNarrowestView && fov <= kWidestView, Check::kFieldOfView,
+                       site.Field("vertical_fov_deg").place, {NumberText(fov)});
+  if ((camera.eye_m - camera.target_m).norm() < 1e-9) site.Report(Check::kNoView);
+}
+
+template <typename Items, typename CheckItem>
+void ForEach(const Items& items, const Site& site, CheckItem check) {
+  for (size_t i = 0; i < items.size(); ++i) check(items[i], site.Item(i));
+}
+
+void CheckScene(const Project& project, const Site& site) {
+  CheckNotNegative(project.scene.gravity_m_s2, site.Field("scene").Field("gravity_m_s2"));
+  const Site objects = site.Field("scene").Field("objects"), held = site.Field("held_objects");
+  CheckNamesUnique(project.scene.objects, objects);
+  CheckNamesUnique(project.held_objects, held);
+  ForEach(project.scene.objects, objects,
+          [](const auto& object, const Site& place) { CheckObject(object, place); });
+  ForEach(project.held_objects, held,
+          [](const auto& object, const Site& place) { CheckObject(object, place); });
+  if (project.camera) CheckCamera(*project.camera, site.Field("camera"));
+}
+
+}  // namespace
+
+void CheckDocument(const Project& project, FirstError* errors) {
+  const Site site{"", errors};
+  const auto check_span = [](const auto& span, const Site& place) {
+    CheckSpan(span.first_frame, span.last_frame, place);
+  };
+  CheckTime(project, site);
+  CheckSolver(project.solver, site.Field("solver"));
+  CheckScene(project, site);
+  CheckCurves(project, site);
+  CheckNamesUnique(project.regions, site.Field("regions"));
+  ForEach(project.regions, site.Field("regions"), CheckRegion);
+  ForEach(project.placements, site.Field("placements"), check_span);
+  ForEach(project.holds, site.Field("holds"), check_span);
+}
+
+}  // namespace hazumi

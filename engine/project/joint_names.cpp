@@ -1,0 +1,125 @@
+#include "engine/project/joint_names.h"
+
+#include <algorithm>
+
+#include "engine/project/did_you_mean.h"
+#include "engine/project/site.h"
+
+namespace hazumi {
+
+namespace {
+
+bool IsRoot(const std::string& name, const Figure& figure) {
+  return name == "root" || name == figure.root_name();
+}
+
+// Groups first: they are fewer and what is meant most often.
+std::vector<std::string> AllNames(const Figure& figure) {
+  std::vector<std::string> names;
+  for (const JointGroup& group : figure.groups()) names.push_back(group.name);
+  for (const Joint& joint : figure.joints()) names.push_back(joint.name);
+  return names;
+}
+
+bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site) {
+  if (FindJoints(figure, name)) return true;
+  if (IsRoot(name, figure)) {
+    site.Report(Check::kRootNotAJoint, {Quoted(name)});
+  } else {
+    site.Report(Check::kUnknownJoint, {Quoted(name), Suggestion(name, AllNames(figure))});
+  }
+  return false;
+}
+
+void CheckKeyed(const std::string& name, const Figure& figure, const Site& site) {
+  if (!ExpectJoint(name, figure, site) || figure.FindJoint(name)) return;
+  const JointGroup& group = figure.group(FindJoints(figure, name)->group);
+  std::string hinges;
+  for (int j = group.first.value(); j <= group.last().value(); ++j) {
+    hinges += (hinges.empty() ? "" : ", ") + Quoted(figure.joints()[j].name);
+  }
+  site.Report(Check::kKeysOnGroup, {Quoted(name), std::to_string(group.size), hinges});
+}
+
+void CheckInRegion(const std::string& name, const Figure& figure, const std::vector<bool>& region,
+                   const Site& site) {
+  if (!ExpectJoint(name, figure, site)) return;
+  const MeantJoints meant = *FindJoints(figure, name);
+  const auto begin = region.begin();
+  if (std::find(begin + meant.first.value(), begin + meant.end.value(), true) ==
+      begin + meant.end.value()) {
+    site.Report(Check::kFrictionNotInRegion, {Quoted(name)});
+  }
+}
+
+void CheckRegionNames(const ProjectRegion& region, const Figure& figure, const Site& site) {
+  for (size_t i = 0; i < region.joints.size(); ++i) {
+    const std::string& name = region.joints[i].name;
+    const Site place = site.Field("joints").Item(i);
+    if (IsRoot(name, figure) && !FindJoints(figure, name)) {
+      return place.Report(Check::kRootInRegion, {Quoted(name)});
+    }
+    if (!ExpectJoint(name, figure, place)) return;
+  }
+  const std::vector<bool> joints = JointsOf(region, figure);
+  for (const auto& factor : region.friction.joints) {
+    CheckInRegion(factor.name, figure, joints,
+                  site.Field("friction").Field("joints").Field(factor.name));
+  }
+}
+
+void CheckPlacementNames(const ProjectPlacement& placement, const Figure& figure,
+                         const Site& site) {
+  const bool is_pinned = placement.kind == PlacementKind::kPinned;
+  if (is_pinned) ExpectJoint(placement.pin, figure, site.Field("joint"));
+  if (placement.kind != PlacementKind::kGravity) return;
+  if (!placement.pin.empty()) ExpectJoint(placement.pin, figure, site.Field("pin"));
+  if (!placement.landing_pin.empty()) {
+    ExpectJoint(placement.landing_pin, figure, site.Field("landing_pin"));
+  }
+}
+
+}  // namespace
+
+std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& name) {
+  if (const auto g = figure.FindGroup(name)) {
+    const JointGroup& group = figure.group(*g);
+    return MeantJoints{group.first, JointIndex(group.last().value() + 1), *g};
+  }
+  const auto j = figure.FindJoint(name);
+  if (!j) return std::nullopt;
+  return MeantJoints{*j, JointIndex(j->value() + 1), figure.joint(*j).group};
+}
+
+std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure) {
+  std::vector<bool> joints(figure.joints().size());
+  for (const JointRef& ref : region.joints) {
+    const auto meant = FindJoints(figure, ref.name);
+    if (!meant) continue;
+    const JointIndex end = ref.beyond ? figure.joint(meant->first).subtree_end : meant->end;
+    std::fill(joints.begin() + meant->first.value(), joints.begin() + end.value(), true);
+  }
+  return joints;
+}
+
+void CheckNames(const Project& project, const Figure& figure, FirstError* errors) {
+  const Site site{"", errors};
+  for (const auto& joint : project.joints) {
+    CheckKeyed(joint.name, figure, site.Field("joints").Field(joint.name));
+  }
+  for (size_t i = 0; i < project.regions.size(); ++i) {
+    CheckRegionNames(project.regions[i], figure, site.Field("regions").Item(i));
+  }
+  for (size_t i = 0; i < project.placements.size(); ++i) {
+    CheckPlacementNames(project.placements[i], figure, site.Field("placements").Item(i));
+  }
+  for (size_t i = 0; i < project.holds.size(); ++i) {
+    ExpectJoint(project.holds[i].joint, figure, site.Field("holds").Item(i).Field("joint"));
+  }
+  for (size_t i = 0; i < project.held_objects.size(); ++i) {
+    ExpectJoint(project.held_objects[i].joint, figure,
+                site.Field("held_objects").Item(i).Field("joint"));
+  }
+}
+
+}  // namespace hazumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "render/gl/ground_pass.h"
+#include "render/gl/lighting.h"
+#include "render/gl/picture_target.h"
+#include "render/gl/renderer.h"
+#include "render/gl/shadow_map.h"
+#include "render/gl/vertex_stream.h"
+#include "render/mesh/mark_mesh.h"
+#include "render/mesh/solid_mesh.h"
+
+namespace hazumi::render {
+
+// The passes of a frame and the GL objects they need.
+class FrameDrawer {
+ public:
+  FrameDrawer(const GlFunctions& gl, const RendererOptions& options);
+
+  // Makes the buffers for pictures of this size; false if the driver cannot.
+  bool Resize(PictureSize size);
+  void Draw(const Scene& scene, GLuint framebuffer);
+
+ private:
+  FrameView LookAt(const Scene& scene, const std::vector<BoundingSphere>& casters) const;
+  void UploadSolids(const Scene& scene, SolidKind kind);
+  void DrawShadowMap(const ShadowView& shadow);
+  void DrawSolids(const Scene& scene, const FrameView& view, bool as_ghosts);
+  void DrawSurroundings(const Scene& scene, const FrameView& view,
+                        const std::vector<BoundingSphere>& casters);
+  void DrawGhosts(const Scene& scene, const FrameView& view);
+  void DrawFlat(const FlatMesh& mesh, bool hidden_by_solids);
+
+  const GlFunctions& gl_;
+  RendererOptions options_;
+  ShaderProgram solid_, depth_, sky_, flat_;
+  VertexStream solid_stream_, sky_stream_, flat_stream_;
+  SolidMesh solid_mesh_;
+  GroundPass ground_;
+  ShadowMap shadow_map_;
+  PictureTarget target_;
+};
+
+}  // namespace hazumi::render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace hazumi::render {
+
+// A picture in memory: 4 bytes a pixel (sRGB-encoded red, green, blue; the fourth is ignored), rows
+// from the top without gaps.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+
+  Image() = default;
+  Image(int w, int h) : width(w), height(h), rgba(size_t(w) * size_t(h) * 4) {}
+};
+
+}  // namespace hazumi::render

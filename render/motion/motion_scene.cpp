@@ -1,0 +1,160 @@
+#include "render/motion/motion_scene.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "engine/dynamics/inverse_dynamics.h"
+#include "engine/dynamics/kinematics.h"
+#include "render/motion/object_scene.h"
+
+namespace hazumi::render {
+
+namespace {
+
+constexpr SrgbColor kRegionAccent = FromHex(0x2f8fff);
+constexpr SrgbColor kComPath = FromHex(0xffbe33);
+constexpr SrgbColor kPinMark = FromHex(0xff3352);
+constexpr float kGhostAlpha = 0.16f;
+constexpr double kLift = 0.004;  // of flat marks above the ground [m]
+
+SrgbColor Mix(const SrgbColor& a, const SrgbColor& b, float share_of_b) {
+  const float s = share_of_b, r = 1.0f - s;
+  return {r * a.r + s * b.r, r * a.g + s * b.g, r * a.b + s * b.b, a.a};
+}
+
+// The far end of the body on an end joint: the tip of its longest capsule.
+Vec3 TipOf(const Figure& figure, JointIndex end) {
+  Vec3 tip = Vec3::Zero();
+  for (const Link& link : figure.links()) {
+    if (link.joint == end && link.capsule.b.norm() > tip.norm()) tip = link.capsule.b;
+  }
+  return tip;
+}
+
+// A colour for each end, so that left and right can be told apart.
+SrgbColor EndColor(size_t i) {
+  constexpr std::uint32_t kColors[] = {0x8bdc00, 0xff3352, 0x2890ff, 0xc678dd, 0x56c8b4, 0xe5884d};
+  return FromHex(kColors[i % std::size(kColors)], 0.9f);
+}
+
+}  // namespace
+
+MotionScene::MotionScene(const Animation& animation, const Motion& motion, const Camera& camera,
+                         const Overlays& overlays)
+    : animation_(animation),
+      motion_(motion),
+      camera_(camera),
+      overlays_(overlays),
+      ws_(*animation.figure) {
+  if (overlays_.paths) CollectPaths();
+}
+
+Scene MotionScene::At(int index) {
+  const MotionFrame& frame = motion_.frames[index];
+  Scene scene;
+  scene.camera = camera_;
+  AddWorld(&scene);
+  AddFigure(frame, 1.0f, overlays_.region_tint, &scene);
+  AddHeldObjects(frame, 1.0f, &scene);
+  if (overlays_.ghost_every > 0) AddGhosts(index, &scene);
+  if (overlays_.paths) AddPaths(index, &scene);
+  if (overlays_.contact_marks) AddContactMark(frame, &scene);
+  if (overlays_.frame_number) {
+    scene.captions.push_back({"F" + std::to_string(frame.frame), Corner::kTopLeft, 20.0});
+  }
+  return scene;
+}
+
+void MotionScene::AddWorld(Scene* scene) const {
+  scene->ground.visible = false;
+  for (const SceneObject& object : animation_.scene) AddSceneObject(object, scene);
+}
+
+void MotionScene::AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene) {
+  ComputePositions(*animation_.figure, frame.X_WR, frame.q, &ws_);
+  for (const Link& link : animation_.figure->links()) {
+    const BodyScratch& body = ws_.body(link.joint);
+    const bool tinted = tint && link.joint.is_valid() && frame.in_region[link.joint.value()];
+    for (const Look& look : link.looks) {
+      SrgbColor color = ColorFromText(look.color);
+      if (tinted) color = Mix(color, kRegionAccent, 0.45f);
+      color.a = alpha;
+      AddLook(look, {body.R, body.p}, color, scene);
+    }
+  }
+}
+
+void MotionScene::AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color,
+                          Scene* scene) const {
+  if (look.shape == Look::Shape::kTaperedCapsule) {
+    scene->capsules.push_back(
+        {X_WJ * look.from, X_WJ * look.to, look.radius_from, look.radius_to, color});
+  } else {
+    scene->ellipsoids.push_back({{X_WJ.R, X_WJ * look.center}, look.half_axes, color});
+  }
+}
+
+void MotionScene::AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const {
+  for (size_t i = 0; i < frame.objects.size(); ++i) {
+    AddHeldObject(animation_.held_objects[i], frame.objects[i].X_WO, alpha, scene);
+  }
+}
+
+void MotionScene::AddGhosts(int index, Scene* scene) {
+  for (int i = 0; i < static_cast<int>(motion_.frames.size()); i += overlays_.ghost_every) {
+    if (i == index) continue;
+    AddFigure(motion_.frames[i], kGhostAlpha, false, scene);
+    AddHeldObjects(motion_.frames[i], kGhostAlpha, scene);
+  }
+}
+
+void MotionScene::CollectPaths() {
+  const Figure& figure = *animation_.figure;
+  const std::vector<JointIndex> ends = EndJoints(figure);
+  end_paths_.resize(ends.size());
+  for (const MotionFrame& frame : motion_.frames) {
+    ComputePositions(figure, frame.X_WR, frame.q, &ws_);
+    for (size_t i = 0; i < ends.size(); ++i) {
+      const BodyScratch& body = ws_.body(ends[i]);
+      end_paths_[i].push_back(body.p + body.R * TipOf(figure, ends[i]));
+    }
+  }
+}
+
+void MotionScene::AddPaths(int index, Scene* scene) const {
+  std::vector<Vec3> com, on_ground;
+  for (const MotionFrame& frame : motion_.frames) {
+    com.push_back(frame.com);
+    on_ground.emplace_back(frame.com.x(), frame.com.y(), GroundHeight(frame.com) + kLift);
+  }
+  scene->polylines.push_back({com, 2.5, kComPath, 0.0, true});
+  scene->polylines.push_back({on_ground, 2.0, kComPath, 0.03, false});
+  scene->markers.push_back({MarkerShape::kCenterOfMass, com[index], 0.035, kComPath, 2.0, true});
+  scene->markers.push_back({MarkerShape::kCross, on_ground[index], 0.05, kComPath, 2.0, false});
+  for (size_t i = 0; i < end_paths_.size(); ++i) {
+    scene->polylines.push_back({end_paths_[i], 1.5, EndColor(i), 0.0, false});
+  }
+}
+
+void MotionScene::AddContactMark(const MotionFrame& frame, Scene* scene) {
+  if (!frame.pinned) return;
+  ComputePositions(*animation_.figure, frame.X_WR, frame.q, &ws_);
+  Vec3 mark = ws_.body(animation_.figure->group(*frame.pinned).first).p;
+  mark.z() = GroundHeight(mark) + kLift;
+  scene->markers.push_back({MarkerShape::kRing, mark, 0.07, kPinMark, 3.0, false});
+}
+
+// The highest level floor or box top below a point; 0 if there is none.
+double MotionScene::GroundHeight(const Vec3& below) const {
+  double height = 0.0;
+  bool found = false;
+  for (const SceneObject& object : animation_.scene) {
+    const std::optional<double> top = TopBelow(object, below);
+    if (!top || (found && *top <= height)) continue;
+    height = *top;
+    found = true;
+  }
+  return height;
+}
+
+}  // namespace hazumi::render

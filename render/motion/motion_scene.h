@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/motion.h"
+#include "engine/dynamics/workspace.h"
+#include "engine/timeline/animation.h"
+#include "render/scene/scene.h"
+
+namespace hazumi::render {
+
+// What is drawn beside the figure and its scene.
+struct Overlays {
+  int ghost_every = 0;        // a translucent figure every so many frames; 0: none
+  bool paths = false;         // of the CoM, its projection on the ground, and every limb's end
+  bool contact_marks = false;  // a ring at the pinned joint
+  bool region_tint = false;   // joints moved by a dynamics region
+  bool frame_number = false;
+};
+
+// Makes the draw list of each frame of a motion. Animation and motion must outlive it.
+class MotionScene {
+ public:
+  MotionScene(const Animation& animation, const Motion& motion, const Camera& camera,
+              const Overlays& overlays);
+
+  // `index` counts the motion's frames from 0.
+  Scene At(int index);
+
+ private:
+  void AddWorld(Scene* scene) const;
+  void AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene);
+  void AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color, Scene* scene) const;
+  void AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const;
+  void AddGhosts(int index, Scene* scene);
+  void AddPaths(int index, Scene* scene) const;
+  void AddContactMark(const MotionFrame& frame, Scene* scene);
+  void CollectPaths();
+  double GroundHeight(const Vec3& below) const;
+
+  const Animation& animation_;
+  const Motion& motion_;
+  Camera camera_;
+  Overlays overlays_;
+  DynamicsWorkspace ws_;
+  std::vector<std::vector<Vec3>> end_paths_;  // of every end of the figure, a point a frame
+};
+
+}  // namespace hazumi::render

@@ -1,0 +1,163 @@
+#!/usr/bin/env -S /usr/bin/python3
+"""What the command line promises: exit codes, streams, whole files. usage: cli_test.py HAZUMI"""
+
+import json
+import os
+import pathlib
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+THROW = ROOT / "assets" / "examples" / "throw.kfa"
+JUMP = ROOT / "assets" / "examples" / "jump.kfa"
+SHARED_JSON = ROOT.parent / "shared" / "data" / "json"
+HAZUMI = None
+
+
+def run(*arguments, **more):
+    command = [HAZUMI, *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, **more)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-cli-"))
+
+    def tearDown(self):
+        subprocess.run(["chmod", "-R", "u+w", self.folder], check=True)
+        subprocess.run(["rm", "-rf", self.folder], check=True)
+
+    def files(self):
+        return sorted(p.name for p in self.folder.rglob("*") if p.is_file())
+
+    def test_help_and_version_go_to_standard_output(self):
+        for option in ("--help", "--version"):
+            done = run(option)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("azumi", done.stdout)
+
+    def test_wrong_usage_exits_with_2_and_prints_no_result(self):
+        for wrong in ([], ["--bogus"], ["--render"], ["--check"], ["--bake", "x.json"],
+                      ["--bake", "x.txt", THROW], ["--bake", "-", THROW, JUMP],
+                      ["--render", "o", "--bake", "-", THROW], ["--bake", "-", "--step", "0", THROW],
+                      ["--bake", "-", "--fps", "zero", THROW],
+                      ["--bake", "-", "--method", "magic", THROW],
+                      ["--render", "o", "--frames", "9..3", THROW],
+                      ["--render", "o", "--size", "0x9", THROW],
+                      ["--render", "o", "--camera", "sideways", THROW]):
+            done = run(*wrong, cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), wrong)
+            self.assertNotEqual(done.stderr, "", wrong)
+        self.assertEqual(self.files(), [])
+
+    def test_a_missing_file_exits_with_66_and_names_it(self):
+        for task in (["--check"], ["--info"], ["--bake", "-"], ["--render", self.folder / "o"]):
+            done = run(*task, "nowhere.kfa")
+            self.assertEqual(done.returncode, 66, task)
+            self.assertIn("nowhere.kfa", done.stderr)
+
+    def test_bad_data_exits_with_65_and_names_the_place(self):
+        project = json.loads(THROW.read_text())
+        project["figure"] = {"file": str(ROOT / "assets" / "figures" / "human.json")}
+        project["regions"][0]["joints"].append("r_wirst")
+        bad = self.folder / "bad.kfa"
+        bad.write_text(json.dumps(project))
+        done = run("--bake", "-", bad)
+        self.assertEqual((done.returncode, done.stdout), (65, ""))
+        self.assertIn('regions[0].joints[2]: no joint "r_wirst"; did you mean "r_wrist"?',
+                      done.stderr)
+
+    def test_check_answers_for_every_file(self):
+        bad = self.folder / "bad.kfa"
+        bad.write_text("{")
+        done = run("--check", THROW, bad, JUMP)
+        self.assertEqual(done.returncode, 65)
+        self.assertEqual(done.stdout.count(": ok"), 2)
+        lines = [json.loads(line) for line in run("--check", "--json", THROW, bad)
+                 .stdout.splitlines()]
+        self.assertEqual([line["ok"] for line in lines], [True, False])
+
+    def test_output_that_cannot_be_written_exits_with_73_and_leaves_nothing(self):
+        blocked = self.folder / "blocked"
+        blocked.write_text("a file where a folder is wanted")
+        for task in (["--bake", blocked / "x.json"], ["--render", blocked / "frames"]):
+            self.assertEqual(run(*task, THROW).returncode, 73, task)
+        self.assertEqual(self.files(), ["blocked"])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_a_full_standard_output_exits_with_73(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([HAZUMI, "--bake", "-", THROW], stdout=full,
+                                  stderr=subprocess.PIPE, timeout=60)
+        self.assertEqual(done.returncode, 73)
+
+    def test_bake_writes_json_or_csv_by_suffix(self):
+        self.assertEqual(run("--bake", self.folder / "m.json", THROW).returncode, 0)
+        self.assertEqual(run("--bake", self.folder / "m.csv", THROW).returncode, 0)
+        motion = json.loads((self.folder / "m.json").read_text())
+        rows = (self.folder / "m.csv").read_text().splitlines()
+        self.assertEqual(len(motion["frames"]), 31)
+        self.assertEqual(len(rows), 32)
+        self.assertEqual(len(rows[0].split(",")), len(rows[1].split(",")))
+        self.assertEqual(run("--bake", "-", THROW).stdout, (self.folder / "m.json").read_text())
+        self.assertTrue(stat.S_IMODE((self.folder / "m.json").stat().st_mode) & 0o400)
+
+    def test_another_frame_rate_is_the_same_motion(self):
+        at_30 = json.loads(run("--bake", "-", JUMP).stdout)
+        at_60 = json.loads(run("--bake", "-", "--fps", "60", JUMP).stdout)
+        self.assertEqual(len(at_60["frames"]), 61)
+        for i, frame in enumerate(at_30["frames"]):
+            self.assertEqual(frame["angles_deg"], at_60["frames"][2 * i]["angles_deg"])
+            self.assertEqual(frame["root"], at_60["frames"][2 * i]["root"])
+
+    def test_render_writes_the_frames_asked_for(self):
+        small = ["--size", "64x48"]
+        self.assertEqual(run("--render", self.folder / "a", *small, "--frames", "3..5",
+                             THROW).returncode, 0)
+        self.assertEqual(run("--render", self.folder / "b_##.png", *small, "--frames", "7",
+                             THROW).returncode, 0)
+        self.assertEqual(self.files(), ["b_07.png", "frame_0003.png", "frame_0004.png",
+                                        "frame_0005.png"])
+
+    def test_equal_input_gives_equal_pictures_with_any_number_of_threads(self):
+        for threads in ("1", "2"):
+            run("--render", self.folder / threads, "--size", "160x90", "--frames", "4..8",
+                "--threads", threads, "--paths", "--marks", "--tint", "--ghosts", "10", THROW)
+        for name in (f"frame_{i:04}.png" for i in range(4, 9)):
+            self.assertEqual((self.folder / "1" / name).read_bytes(),
+                             (self.folder / "2" / name).read_bytes())
+
+    def test_an_interrupted_render_exits_with_130_and_leaves_whole_pictures(self):
+        out = self.folder / "frames"
+        process = subprocess.Popen([HAZUMI, "--render", out, "--size", "640x360", JUMP],
+                                   stderr=subprocess.PIPE, text=True)
+        process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        for name in self.files():
+            data = (out / name).read_bytes()
+            self.assertTrue(name.endswith(".png") and data.endswith(b"IEND\xaeB`\x82"), name)
+        self.assertLess(len(self.files()), 31)
+
+    def test_every_broken_json_is_bad_data_with_a_place(self):
+        if not SHARED_JSON.is_dir():
+            self.skipTest("no data: ../shared/data/json is not here")
+        for path in sorted(SHARED_JSON.glob("*.json")):
+            start = time.monotonic()
+            done = run("--check", path)
+            self.assertLess(time.monotonic() - start, 10.0, path.name)
+            self.assertEqual((done.returncode, done.stdout), (65, ""), path.name)
+            self.assertTrue(done.stderr.startswith(f"hazumi: {path}: "), done.stderr)
+            if path.name.startswith("n_"):
+                self.assertRegex(done.stderr, r"line \d+, column \d+", path.name)
+
+
+if __name__ == "__main__":
+    HAZUMI = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,41 @@
+#pragma once
+
+// Animations put together by hand, and what to look for in their motions.
+
+#include <vector>
+
+#include "engine/bake/bake.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi::test {
+
+// Frames 0 to 30 at 30 a second, everything at rest and keyed, nothing in the scene.
+Animation Still(Figure figure);
+
+JointIndex JointOf(const Animation& animation, const char* name);
+GroupIndex GroupOf(const Animation& animation, const char* name);
+// The keys of a joint.
+Keys& KeysOf(Animation* animation, const char* joint);
+// A region of these joints and all beyond them, without friction.
+DynamicsRegion& AddRegion(Animation* animation, const char* name, int first, int last,
+                          const std::vector<const char*>& joints);
+PlacementSpan& AddPin(Animation* animation, int first, int last, const char* joint);
+PlacementSpan& AddGravity(Animation* animation, int first, int last);
+IkHold& AddHold(Animation* animation, int first, int last, const char* joint, bool orientation);
+void AddFloor(Animation* animation, double height = 0.0);
+
+// Bakes; a failure fails the test.
+Motion BakeOrFail(const Animation& animation, const BakeOptions& options = {});
+// The error of a bake that must fail.
+Error BakeError(const Animation& animation);
+
+// Origin of a joint at a frame [m].
+Vec3 OriginOf(const Animation& animation, const MotionFrame& frame, const char* joint);
+// Its velocity with the rates of one side of the frame [m/s].
+Vec3 VelocityOf(const Animation& animation, const MotionFrame& frame, const MotionRates& rates,
+                const char* joint);
+std::vector<MotionEvent> EventsOf(const Motion& motion, EventKind kind);
+// Same bits, in angles, rates, root, CoM and objects.
+bool IsSame(const MotionFrame& a, const MotionFrame& b);
+
+}  // namespace hazumi::test

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include "engine/dynamics/forward_dynamics.h"
+#include "engine/dynamics/inertia_matrix.h"
+#include "engine/passive/paper_step.h"
+#include "engine/passive/region_system.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/figures.h"
+#include "tests/support/random_tree.h"
+
+namespace hazumi::test {
+namespace {
+
+// Everything an evaluation on the human needs, made beforehand.
+class NoAllocation : public ::testing::Test {
+ protected:
+  NoAllocation() : figure_(Human37()), ws_(figure_) {
+    Random random(1);
+    q_ = RandomAngles(figure_, &random);
+    qd_ = random.Vector(figure_.num_joints(), 1.0);
+    qdd_ = tau_ = qd_;
+    ends_ = RandomEndForces(figure_, &random);
+    ComputePositions(figure_, Pose(), q_, &ws_);
+  }
+
+  // Once to let scratch that is sized at first use be sized, then counted.
+  template <typename Evaluate>
+  void ExpectNone(const Evaluate& evaluate) {
+    if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
+    evaluate();
+    const long before = AllocationCount();
+    evaluate();
+    const long after = AllocationCount();
+    EXPECT_EQ(after - before, 0);
+  }
+
+  const Figure figure_;
+  DynamicsWorkspace ws_;
+  VecX q_, qd_, qdd_, tau_;
+  EndForces ends_;
+  RootMotion root_;
+};
+
+TEST_F(NoAllocation, TheCounterCounts) {
+  if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
+  const long before = AllocationCount();
+  const VecX x(100);
+  const auto y = std::make_unique<double>(x.size());
+  EXPECT_EQ(AllocationCount() - before, 2);
+}
+
+TEST_F(NoAllocation, InKinematics) {
+  ExpectNone([&] {
+    ComputePositions(figure_, Pose(), q_, &ws_);
+    ComputeMotion(figure_, root_, qd_, qdd_, &ws_);
+    (void)CenterOfMass(figure_, ws_);
+  });
+}
+
+TEST_F(NoAllocation, InInverseDynamics) {
+  ExpectNone([&] { InverseDynamics(figure_, root_, qd_, qdd_, &ends_, &ws_); });
+}
+
+TEST_F(NoAllocation, InTheInertiaMatrices) {
+  MatX H(figure_.num_joints(), figure_.num_joints());
+  ExpectNone([&] {
+    InertiaMatrixByUnitAccelerations(figure_, &ws_, &H);
+    InertiaMatrixByCompositeBodies(figure_, &ws_, &H);
+  });
+}
+
+TEST_F(NoAllocation, InForwardDynamicsByArticulatedBodies) {
+  ExpectNone([&] {
+    (void)ForwardDynamicsByArticulatedBodies(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_);
+  });
+}
+
+TEST_F(NoAllocation, InDenseForwardDynamics) {
+  ExpectNone(
+      [&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
+}
+
+std::vector<JointIndex> AllJoints(const Figure& figure) {
+  std::vector<JointIndex> all;
+  for (int j = 0; j < figure.num_joints(); ++j) all.emplace_back(j);
+  return all;
+}
+
+TEST_F(NoAllocation, InARegionSystem) {
+  RegionSystem system(figure_, AllJoints(figure_));
+  const PassiveState state{Pose(), root_, q_, qd_, qdd_};
+  for (const RootCoupling coupling :
+       {RootCoupling::kPrescribed, RootCoupling::kPinned, RootCoupling::kFlight}) {
+    ExpectNone([&] { system.Evaluate(state, coupling, JointIndex(36), 9.81, &ws_); });
+  }
+}
+
+TEST_F(NoAllocation, InThePapersStep) {
+  RegionSystem system(figure_, AllJoints(figure_));
+  const int n = figure_.num_joints();
+  system.Evaluate({Pose(), root_, q_, qd_, qdd_}, RootCoupling::kPrescribed, {}, 9.81, &ws_);
+  PaperStep step(n);
+  // Stops so tight that the set of corrected joints has to grow.
+  const VecX ones = VecX::Ones(n), lower = q_ - 1e-4 * ones, upper = q_ + 1e-4 * ones;
+  const PaperStepInput input{&system.M(), &system.b(), 0.9 * ones, lower, upper};
+  ExpectNone([&] { ASSERT_EQ(step.Advance(input, 1.0 / 300.0, &q_, &qd_), PaperStepStatus::kOk); });
+  EXPECT_GT(step.solves(), 1);
+}
+
+}  // namespace
+}  // namespace hazumi::test

@@ -1,0 +1,99 @@
+#include "engine/project/compile.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "engine/project/project_reader.h"
+#include "tests/unit/project/sample.h"
+
+namespace hazumi::testing {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Compiled CompileGood(const Changes& changes = {}) {
+  Result<Compiled> compiled = CompileAnimation(ParseGood(Changed(SampleProject(), changes)));
+  if (!compiled.ok()) ADD_FAILURE() << compiled.error().ToString();
+  return std::move(compiled).value();
+}
+
+std::vector<std::string> JointNames(const Animation& animation, const DynamicsRegion& region) {
+  std::vector<std::string> names;
+  for (JointIndex j : region.joints) names.push_back(animation.figure->joint(j).name);
+  return names;
+}
+
+TEST(CompileAnimation, ConvertsToRadiansAndKeepsMetres) {
+  const Animation animation = CompileGood().animation;
+  const auto knee = animation.figure->FindJoint("r_knee");
+  const Keys& keys = animation.joint_keys[knee->value()];
+  ASSERT_EQ(keys.size(), 3u);
+  EXPECT_DOUBLE_EQ(keys[0].value, 12 * kDegree);
+  EXPECT_DOUBLE_EQ(*keys[0].rate, 30 * kDegree);
+  EXPECT_EQ(keys[0].interpolation, Interpolation::kLinear);
+  EXPECT_EQ(keys[1].frame, 2.5);
+  EXPECT_FALSE(keys[1].rate.has_value());
+  EXPECT_DOUBLE_EQ(animation.root_keys[kRootZ][0].value, 0.9);
+  EXPECT_DOUBLE_EQ(*animation.root_keys[kRootZ][0].rate, 0.1);
+  EXPECT_DOUBLE_EQ(animation.root_keys[kRootAngleZ][0].value, 90 * kDegree);
+  EXPECT_EQ(animation.gravity, 9.8);
+}
+
+TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
+  const Compiled compiled = CompileGood();
+  const DynamicsRegion& arm = compiled.animation.regions[0];
+  // Beyond l_shoulder includes it; its fixed twist is left out with a warning.
+  EXPECT_EQ(JointNames(compiled.animation, arm),
+            (std::vector<std::string>{"r_elbow", "r_wrist_flexion", "r_wrist_deviation",
+                                      "l_shoulder_flexion", "l_shoulder_abduction", "l_elbow",
+                                      "l_wrist_flexion", "l_wrist_deviation"}));
+  // A hinge's own factor goes before its group's, that before the default.
+  EXPECT_EQ(arm.friction, (std::vector<double>{0.8, 0.3, 0.4, 0.8, 0.8, 0.8, 0.8, 0.8}));
+  EXPECT_EQ(arm.step, 0.01);
+  EXPECT_FALSE(compiled.animation.regions[1].step.has_value());
+  ASSERT_EQ(compiled.warnings.size(), 1u);
+  EXPECT_EQ(compiled.warnings[0].place, "regions[0].joints");
+}
+
+TEST(CompileAnimation, SortsPlacementsAndResolvesPins) {
+  const Animation animation = CompileGood().animation;
+  ASSERT_EQ(animation.placements.size(), 3u);
+  EXPECT_EQ(animation.placements[0].kind, PlacementKind::kKeyed);
+  EXPECT_FALSE(animation.placements[0].pin.has_value());
+  EXPECT_EQ(animation.placements[1].pin, animation.figure->FindGroup("l_ankle"));
+  EXPECT_EQ(animation.placements[2].pin, animation.figure->FindGroup("r_ankle"));
+  EXPECT_EQ(animation.placements[2].landing_pin, animation.figure->FindGroup("l_ankle"));
+  EXPECT_TRUE(animation.holds[0].hold_orientation);
+}
+
+TEST(CompileAnimation, HalvesSizesAndTurnsBoxes) {
+  const Animation animation = CompileGood().animation;
+  const Box& platform = std::get<Box>(animation.scene[1].shape);
+  EXPECT_EQ(platform.half_size, Vec3(0.5, 0.5, 0.1));
+  EXPECT_TRUE((platform.X_WB.R * Vec3::UnitX()).isApprox(Vec3::UnitY()));
+  const HeldObject& brick = animation.held_objects[1];
+  EXPECT_EQ(std::get<BoxShape>(brick.shape).half_size, Vec3(0.1, 0.05, 0.025));
+  EXPECT_FALSE(brick.release_frame.has_value());
+  // A hinge's name means its group.
+  EXPECT_EQ(animation.held_objects[0].holder, animation.figure->FindGroup("r_wrist"));
+}
+
+TEST(CompileAnimation, SpansMayTouch) {
+  const Changes changes = {{"/regions/1/joints", R"(["r_elbow"])"}};
+  EXPECT_EQ(CompileGood(changes).animation.regions[1].joints.size(), 1u);
+}
+
+TEST(CompileAnimation, AnEmptyProjectRests) {
+  const Changes changes = {{"/scene", ""},        {"/root", ""},       {"/joints", ""},
+                           {"/regions", ""},      {"/placements", ""}, {"/holds", ""},
+                           {"/held_objects", ""}, {"/camera", ""},     {"/name", ""}};
+  const Compiled compiled = CompileGood(changes);
+  EXPECT_EQ(compiled.animation.gravity, 9.81);
+  EXPECT_EQ(compiled.animation.joint_keys.size(),
+            static_cast<size_t>(compiled.animation.figure->num_joints()));
+  EXPECT_TRUE(compiled.warnings.empty());
+}
+
+}  // namespace
+}  // namespace hazumi::testing

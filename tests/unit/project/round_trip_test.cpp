@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/project/project_reader.h"
+#include "engine/project/project_writer.h"
+#include "tests/unit/project/sample.h"
+
+namespace hazumi::testing {
+namespace {
+
+// Objects whose field names are joints take no unknown fields.
+bool IsMap(const Json& parent, const std::string& name) {
+  return name == "joints" && (parent.contains("default") || parent.contains("solver"));
+}
+
+// Gives every object of the tree an unknown field; returns how many.
+int AddUnknownFields(Json* json, bool is_map = false) {
+  if (!json->is_structured()) return 0;
+  int count = 0;
+  for (auto& item : json->items()) {
+    count += AddUnknownFields(&item.value(), json->is_object() && IsMap(*json, item.key()));
+  }
+  if (!json->is_object() || is_map) return count;
+  (*json)["x_unknown"] = Json::parse(R"({"deep": [1, -2.5, "\"\n\u00e9", null], "at": )" +
+                                     std::to_string(count) + "}");
+  return count + 1;
+}
+
+int CountUnknownFields(const Json& json) {
+  if (!json.is_structured()) return 0;
+  int count = json.is_object() && json.contains("x_unknown") ? 1 : 0;
+  for (const auto& item : json.items()) {
+    if (item.key() != "x_unknown") count += CountUnknownFields(item.value());
+  }
+  return count;
+}
+
+TEST(RoundTrip, GivesTheSameDocument) {
+  const Project project = ParseGood(SampleProject());
+  const Result<Project> again = ParseProject(WriteProject(project), "again.kfa");
+  ASSERT_TRUE(again.ok()) << again.error().ToString();
+  EXPECT_TRUE(again.value() == project);
+}
+
+TEST(RoundTrip, SaveLoadSaveIsByteEqual) {
+  const std::string once = WriteProject(ParseGood(SampleProject()));
+  EXPECT_EQ(WriteProject(ParseGood(Json::parse(once))), once);
+}
+
+TEST(RoundTrip, KeepsWhatTheFileSays) {
+  const Json before = SampleProject();
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["regions"][0], before["regions"][0]);
+  EXPECT_EQ(after["placements"], before["placements"]);
+  EXPECT_EQ(after["figure"], before["figure"]);
+  EXPECT_EQ(after["joints"], before["joints"]);
+}
+
+TEST(RoundTrip, UnknownFieldsSurviveAtEveryLevel) {
+  Json document = SampleProject();
+  const int added = AddUnknownFields(&document);
+  ASSERT_GT(added, 60);
+  const std::string text = WriteProject(ParseGood(document));
+  const Json saved = Json::parse(text);
+  EXPECT_EQ(CountUnknownFields(saved), added);
+  EXPECT_EQ(saved["regions"][0]["friction"]["x_unknown"],
+            document["regions"][0]["friction"]["x_unknown"]);
+  EXPECT_EQ(WriteProject(ParseGood(saved)), text);
+}
+
+TEST(RoundTrip, ReadsBackEveryNumberExactly) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> mantissa(-1.0, 1.0);
+  std::uniform_int_distribution<int> exponent(-40, 9);
+  Project project = ParseGood(SampleProject());
+  auto& keys = project.joints[0].value.keys;
+  keys.clear();
+  for (int i = 0; i < 2000; ++i) {
+    keys.push_back({i + 0.1, mantissa(random) * std::pow(10.0, exponent(random)), {}, {}, {}});
+  }
+  const Result<Project> again = ParseProject(WriteProject(project), "again.kfa");
+  ASSERT_TRUE(again.ok()) << again.error().ToString();
+  EXPECT_TRUE(again.value() == project);
+}
+
+TEST(RoundTrip, WritesNumbersAndLinesForPeople) {
+  Project project = ParseGood(SampleProject());
+  project.joints[0].value.keys[0].value = -0.0;
+  project.joints[0].value.keys[1].value = 2.0;
+  const std::string text = WriteProject(project);
+  EXPECT_NE(text.find("  \"fps\": {\"num\": 30, \"den\": 1},\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("{\"frame\": 0, \"angle_deg\": 0, \"rate_deg_s\": 30, "
+                      "\"interpolation\": \"linear\"},\n        {\"frame\": 2.5, "
+                      "\"angle_deg\": 2},\n"),
+            std::string::npos)
+      << text;
+  for (size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos;) {
+    EXPECT_LE(end - begin, 100u) << text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+}
+
+TEST(RoundTrip, WritesValidJsonWhateverTheDocumentHolds) {
+  Project project = ParseGood(SampleProject());
+  project.name = "bad \xff bytes \x01 \"quoted\\";
+  project.root.curves[kRootX].keys = {{0.0, std::nan(""), {}, {}, {}}};
+  project.extra = {{"x", "not json"}};
+  const Json saved = Json::parse(WriteProject(project), nullptr, false);
+  ASSERT_FALSE(saved.is_discarded());
+  EXPECT_EQ(saved["name"], "bad \xEF\xBF\xBD bytes \x01 \"quoted\\");
+  EXPECT_TRUE(saved["root"]["x"]["keys"][0]["position_m"].is_null());
+  EXPECT_EQ(saved["x"], "not json");
+}
+
+TEST(RoundTrip, AReferenceStaysAReference) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "figures");
+  std::filesystem::create_directory(folder / "projects");
+  const Json embedded = SampleProject();
+  WriteFile(folder / "figures/doll.json", embedded["figure"].dump());
+  const Json document =
+      Changed(embedded, {{"/figure", R"({"file": "../figures/doll.json", "x": 1})"}});
+  WriteFile(folder / "projects/a.kfa", document.dump());
+  Result<Project> project = LoadProject(folder / "projects/a.kfa");
+  ASSERT_TRUE(project.ok()) << project.error().ToString();
+  EXPECT_EQ(project.value().figure.spec.joints.size(), 7u);
+  EXPECT_EQ(Json::parse(WriteProject(project.value()))["figure"], document["figure"]);
+  RebaseReferences(&project.value(), folder / "projects", folder.path());
+  EXPECT_EQ(project.value().figure.file, "figures/doll.json");
+}
+
+}  // namespace
+}  // namespace hazumi::testing

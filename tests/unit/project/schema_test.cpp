@@ -1,0 +1,98 @@
+// Every shipped file against the published schemas, and the schemas against the reader.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "engine/project/compile.h"
+#include "engine/project/figure_reader.h"
+#include "engine/project/project_reader.h"
+#include "engine/project/project_writer.h"
+#include "tests/unit/project/sample.h"
+
+namespace hazumi::testing {
+namespace {
+
+using PlainJson = nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+const std::string kAssets = HAZUMI_SOURCE_DIR "/assets/";
+
+PlainJson Load(const std::string& path) { return PlainJson::parse(ReadFile(path)); }
+
+// The first complaint about the document; empty: it is valid.
+std::string Complaint(const std::string& schema_name, const PlainJson& document) {
+  const PlainJson schema_json = Load(kAssets + "schema/" + schema_name);
+  const PlainJson figure_json = Load(kAssets + "schema/figure.schema.json");
+  valijson::Schema schema;
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+      .populateSchema(
+          Adapter(schema_json), schema, [&](const std::string&) { return &figure_json; },
+          [](const PlainJson*) {});
+  valijson::ValidationResults results;
+  if (valijson::Validator().validate(schema, Adapter(document), &results)) return "";
+  std::string text;
+  for (const auto& result : results) {
+    for (const std::string& part : result.context) text += part;
+    text += ": " + result.description + "\n";
+  }
+  return text;
+}
+
+std::vector<std::string> FilesIn(const std::string& folder, const std::string& extension) {
+  std::vector<std::string> files;
+  if (!std::filesystem::exists(kAssets + folder)) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(kAssets + folder)) {
+    if (entry.path().extension() == extension) files.push_back(entry.path().string());
+  }
+  return files;
+}
+
+TEST(Schema, TheSampleIsValid) {
+  const PlainJson sample = PlainJson::parse(SampleProject().dump());
+  EXPECT_EQ(Complaint("kfa.schema.json", sample), "");
+  EXPECT_EQ(Complaint("figure.schema.json", sample["figure"]), "");
+}
+
+TEST(Schema, FindsMistakes) {
+  const Changes mistakes = {{"/solver", ""},
+                            {"/regions/0/friction/default", "1.5"},
+                            {"/joints/r_knee/keys/0/interpolation", "\"cubik\""},
+                            {"/scene/objects/0/color", "\"red\""},
+                            {"/figure/joints/0/hinges/0/limits_deg", "[1]"},
+                            {"/fps/num", "0"}};
+  for (const auto& mistake : mistakes) {
+    const std::string wrong = Changed(SampleProject(), {mistake}).dump();
+    EXPECT_NE(Complaint("kfa.schema.json", PlainJson::parse(wrong)), "") << mistake.first;
+  }
+}
+
+TEST(Schema, ShippedFiguresAreValidAndLoad) {
+  const std::vector<std::string> files = FilesIn("figures", ".json");
+  for (const std::string& file : files) {
+    EXPECT_EQ(Complaint("figure.schema.json", Load(file)), "") << file;
+    const Result<FigureSpec> figure = LoadFigure(file);
+    EXPECT_TRUE(figure.ok()) << figure.error().ToString();
+  }
+  if (files.empty()) GTEST_SKIP() << "skipped: no figures";
+}
+
+TEST(Schema, ShippedExamplesAreValidLoadAndCompile) {
+  const std::vector<std::string> files = FilesIn("examples", ".kfa");
+  for (const std::string& file : files) {
+    EXPECT_EQ(Complaint("kfa.schema.json", Load(file)), "") << file;
+    const Result<Project> project = LoadProject(file);
+    ASSERT_TRUE(project.ok()) << project.error().ToString();
+    const Result<Compiled> compiled = CompileAnimation(project.value());
+    EXPECT_TRUE(compiled.ok()) << file << compiled.error().ToString();
+    EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(WriteProject(project.value()))), "");
+  }
+  if (files.empty()) GTEST_SKIP() << "skipped: no examples";
+}
+
+}  // namespace
+}  // namespace hazumi::testing

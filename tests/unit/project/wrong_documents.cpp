@@ -1,0 +1,200 @@
+#include "tests/unit/project/wrong_makers.h"
+#include "tests/unit/project/wrong_projects.h"
+
+namespace hazumi::testing {
+
+namespace {
+
+const std::string kHoldBoth = R"([{"joint": "r_wrist", "first_frame": 0, "last_frame": 5},
+                                  {"joint": "l_wrist", "first_frame": 3, "last_frame": 5}])";
+const std::string kWaistRegion = R"([{"name": "trunk", "first_frame": 4, "last_frame": 9,
+                                      "joints": ["waist"]}])";
+const std::string kPinWrist = R"([{"kind": "pinned", "joint": "l_wrist", "first_frame": 0,
+                                   "last_frame": 5}])";
+const std::string kHoldWrist = R"([{"joint": "r_wrist", "first_frame": 2, "last_frame": 8}])";
+
+std::vector<WrongProject> WrongValues() {
+  return {
+      {Check::kBadFrameRate, Read("/fps/num", "0"),
+       "fps: must lie between 0.1 and 10000 frames a second, is 0/1"},
+      {Check::kBadFrameRate, Read("/fps/den", "0"),
+       "fps: must lie between 0.1 and 10000 frames a second, is 30/0"},
+      {Check::kBadFrameRate, Read("/fps/num", "-30"),
+       "fps: must lie between 0.1 and 10000 frames a second, is -30/1"},
+      {Check::kFramesReversed, Read("/frames/last", "-1"),
+       "frames: the last frame -1 is before the first, 0"},
+      {Check::kTooManyFrames, Read("/frames/last", "1000000"),
+       "frames: 1000001 frames; a project has 1000000 at most"},
+      {Check::kNewerSolver, Read("/solver/version", "2"),
+       "solver.version: made for version 2 of the solver, this Hazumi has 1; please update it"},
+      {Check::kStepRange, Read("/solver/step_s", "0"),
+       "solver.step_s: must lie between 0.000001 and 1 s, is 0"},
+      {Check::kStepRange, Read("/regions/0/step_s", "1e-9"),
+       "regions[0].step_s: must lie between 0.000001 and 1 s, is 1e-09"},
+      {Check::kNotFinite,
+       Spoilt([](Project& p) { p.joints[0].value.keys[0].value = std::nan(""); }),
+       "joints.r_knee.keys[0].angle_deg: must be a finite number"},
+      {Check::kKeyOrder, Read("/joints/r_knee/keys/1/frame", "31"),
+       "joints.r_knee.keys[2].frame: frame 30 comes after frame 31; write keys in order of frames"},
+      {Check::kKeyTwice, Read("/joints/r_knee/keys/1/frame", "30"),
+       "joints.r_knee.keys[2].frame: a second key on frame 30; keep one of them"},
+      {Check::kKeyTwice, Read("/root/z/keys", R"([{"frame": 1, "position_m": 0},
+                                                 {"frame": 1, "position_m": 2}])"),
+       "root.z.keys[1].frame: a second key on frame 1; keep one of them"},
+      {Check::kSpanEmpty, Read("/regions/0/last_frame", "5"),
+       "regions[0]: first_frame 5 must be before last_frame 5"},
+      {Check::kSpanEmpty, Read("/placements/0/first_frame", "30"),
+       "placements[0]: first_frame 30 must be before last_frame 30"},
+      {Check::kSpanEmpty, Read("/holds/0/last_frame", "-2"),
+       "holds[0]: first_frame 0 must be before last_frame -2"},
+      {Check::kRegionEmpty, Read("/regions/0/joints", "[]"),
+       "regions[0].joints: a region needs at least one joint"},
+      {Check::kFactorRange, Read("/regions/0/friction/default", "1.5"),
+       "regions[0].friction.default: must lie between 0 (frozen) and 1 (no friction), is 1.5"},
+      {Check::kFactorRange, Read("/regions/0/friction/joints/r_wrist", "-0.1"),
+       "regions[0].friction.joints.r_wrist: must lie between 0 (frozen) and 1 (no friction), is "
+       "-0.1"},
+      {Check::kNameTwice, Read("/regions/1/name", "\"arm\""),
+       "regions[1].name: the name \"arm\" is already used by regions[0]; choose another"},
+      {Check::kNameTwice, Read("/held_objects/1/name", "\"ball\""),
+       "held_objects[1].name: the name \"ball\" is already used by held_objects[0]; choose "
+       "another"},
+      {Check::kFieldOfView, Read("/camera/vertical_fov_deg", "180"),
+       "camera.vertical_fov_deg: must lie between 1 and 179 degrees, is 180"},
+      {Check::kNoView, Read("/camera/target_m", "[0, -3, 1]"),
+       "camera: eye_m and target_m are the same point; move one of them"},
+  };
+}
+
+std::vector<WrongProject> WrongNames() {
+  return {
+      {Check::kUnknownJoint, Read("/regions/0/joints/0", "\"r_wirst\""),
+       "regions[0].joints[0]: no joint \"r_wirst\"; did you mean \"r_wrist\"?"},
+      {Check::kUnknownJoint, Read("/regions/0/joints/2/beyond", "\"tail\""),
+       "regions[0].joints[2]: no joint \"tail\"; use one of \"waist\", \"r_shoulder\", "
+       "\"r_elbow\", \"r_wrist\", \"l_shoulder\", \"l_elbow\", \"l_wrist\", \"r_hip\", \"r_knee\", "
+       "\"r_ankle\", \"l_hip\", \"l_knee\" (and 22 more)"},
+      {Check::kUnknownJoint, Read("/regions/0/friction/joints/r_elbo", "0.5"),
+       "regions[0].friction.joints.r_elbo: no joint \"r_elbo\"; did you mean \"r_elbow\"?"},
+      {Check::kUnknownJoint, Read("/joints/r_kne", R"({"keys": []})"),
+       "joints.r_kne: no joint \"r_kne\"; did you mean \"r_knee\"?"},
+      {Check::kUnknownJoint, Read("/placements/1/joint", "\"l_ankel\""),
+       "placements[1].joint: no joint \"l_ankel\"; did you mean \"l_ankle\"?"},
+      {Check::kUnknownJoint, Read("/placements/0/pin", "\"r_ancle\""),
+       "placements[0].pin: no joint \"r_ancle\"; did you mean \"r_ankle\"?"},
+      {Check::kUnknownJoint, Read("/placements/0/landing_pin", "\"l_ancle\""),
+       "placements[0].landing_pin: no joint \"l_ancle\"; did you mean \"l_ankle\"?"},
+      {Check::kUnknownJoint, Read("/holds/0/joint", "\"\""),
+       "holds[0].joint: no joint \"\"; use one of \"waist\", \"r_shoulder\", \"r_elbow\", "
+       "\"r_wrist\", \"l_shoulder\", \"l_elbow\", \"l_wrist\", \"r_hip\", \"r_knee\", \"r_ankle\", "
+       "\"l_hip\", \"l_knee\" (and 22 more)"},
+      {Check::kUnknownJoint, Read("/held_objects/0/joint", "\"r_wristt\""),
+       "held_objects[0].joint: no joint \"r_wristt\"; did you mean \"r_wrist\"?"},
+      {Check::kKeysOnGroup, Read("/joints/r_wrist", R"({"keys": []})"),
+       "joints.r_wrist: \"r_wrist\" has 2 hinges; key each by its name: \"r_wrist_flexion\", "
+       "\"r_wrist_deviation\""},
+      {Check::kRootInRegion, Read("/regions/0/joints/0", "\"root\""),
+       "regions[0].joints[0]: \"root\" is the root, which no region can drive: in the paper's "
+       "method it stays keyed; name joints beyond it"},
+      {Check::kRootInRegion, Read("/regions/0/joints/2/beyond", "\"pelvis\""),
+       "regions[0].joints[2]: \"pelvis\" is the root, which no region can drive: in the paper's "
+       "method it stays keyed; name joints beyond it"},
+      {Check::kRootNotAJoint, Read("/placements/1/joint", "\"pelvis\""),
+       "placements[1].joint: \"pelvis\" is the root, not a joint; name a joint (the root's own "
+       "keys stand under \"root\")"},
+      {Check::kRootNotAJoint, Read("/joints/root", R"({"keys": []})"),
+       "joints.root: \"root\" is the root, not a joint; name a joint (the root's own keys stand "
+       "under \"root\")"},
+      {Check::kFrictionNotInRegion, Read("/regions/1/friction/joints", R"({"r_ankle": 0.5})"),
+       "regions[1].friction.joints.r_ankle: \"r_ankle\" is not in this region; add it to the "
+       "region's joints or remove its friction"},
+  };
+}
+
+std::vector<WrongProject> Contradictions() {
+  return {
+      {Check::kOutsideFrames, Compile({{"/regions/1/last_frame", "31"}}),
+       "regions[1]: frames 15 to 31 are not within the project's frames 0 to 30"},
+      {Check::kOutsideFrames, Compile({{"/placements/2/first_frame", "-1"}}),
+       "placements[2]: frames -1 to 5 are not within the project's frames 0 to 30"},
+      {Check::kOutsideFrames, Compile({{"/holds/0/last_frame", "40"}}),
+       "holds[0]: frames 0 to 40 are not within the project's frames 0 to 30"},
+      {Check::kReleaseOutside, Compile({{"/held_objects/0/release_frame", "31"}}),
+       "held_objects[0].release_frame: frame 31 is not within the project's frames 0 to 30"},
+      {Check::kRegionsOverlap,
+       Compile(
+           {{"/regions/1/first_frame", "14"}, {"/regions/1/joints", R"(["r_knee", "l_elbow"])"}}),
+       "regions[1]: regions \"arm\" and \"leg\" both drive \"l_elbow\" in frames 14 to 15; end one "
+       "where the other begins, or take the joint out of one"},
+      {Check::kRegionAllFixed, Compile({{"/regions/1/joints", R"(["r_shoulder_twist"])"}}),
+       "regions[1].joints: every joint of region \"leg\" is fixed by equal limits, so nothing can "
+       "swing; name others"},
+      {Check::kPlacementsOverlap, Compile({{"/placements/1/last_frame", "16"}}),
+       "placements[1]: overlaps placements[0] in frames 15 to 16; end one where the other begins"},
+      {Check::kNothingToSolve, Compile({{"/holds/0/joint", "\"r_hip\""}}),
+       "holds[0]: no joint lies between the root and \"r_hip\", so nothing can hold it in place; "
+       "pin it instead"},
+      {Check::kHoldsConflict, Compile({{"/holds", kHoldBoth}}),
+       "holds[1]: \"l_wrist\" and \"r_wrist\" (holds[0]) are held in frames 3 to 5 and both need "
+       "\"waist\", so they cannot be solved together; let go of one"},
+      {Check::kLoopOfHolds, Compile({{"/holds", kHoldBoth}, {"/regions", kWaistRegion}}),
+       "holds[1]: region \"trunk\" drives \"waist\", which lies between the root and both "
+       "\"l_wrist\" and \"r_wrist\", held in frames 4 to 5: a closed loop, which cannot swing; let "
+       "go of one, or take the joint out of the region"},
+      {Check::kHoldOnPin,
+       Compile({{"/placements/1/joint", "\"r_ankle\""}, {"/holds/0/last_frame", "7"}}),
+       "holds[0]: \"r_ankle\" is pinned by placements[1] in frames 5 to 7 already; remove the hold "
+       "there"},
+      {Check::kHoldConflictsPin, Compile({{"/holds", kHoldWrist}, {"/placements", kPinWrist}}),
+       "holds[0]: holding \"r_wrist\" needs \"waist\", which also carries \"l_wrist\", pinned by "
+       "placements[0] in frames 2 to 5; let go of one"},
+      {Check::kHoldConflictsPin,
+       Compile({{"/placements/1/joint", "\"r_knee\""}, {"/holds/0/last_frame", "7"}}),
+       "holds[0]: holding \"r_ankle\" needs \"r_hip\", which also carries \"r_knee\", pinned by "
+       "placements[1] in frames 5 to 7; let go of one"},
+      {Check::kLoopWithPin,
+       Compile({{"/holds", kHoldWrist}, {"/placements", kPinWrist}, {"/regions", kWaistRegion}}),
+       "holds[0]: region \"trunk\" drives \"waist\", which lies between the root and both "
+       "\"r_wrist\", held, and \"l_wrist\", pinned, in frames 4 to 5: a closed loop, which cannot "
+       "swing; let go of one, or take the joint out of the region"},
+      {Check::kRegionInHold, Compile({{"/regions/1/first_frame", "3"}}),
+       "holds[0]: region \"leg\" drives \"r_knee\", which the hold of \"r_ankle\" (holds[0]) needs "
+       "in frames 3 to 5; end one where the other begins, or take the joint out of the region"},
+      // Documents that no file could give are checked all the same.
+      {Check::kUnknownJoint, Spoilt([](Project& p) { p.holds[0].joint = "nose"; }),
+       "holds[0].joint: no joint \"nose\"; use one of \"waist\", \"r_shoulder\", \"r_elbow\", "
+       "\"r_wrist\", \"l_shoulder\", \"l_elbow\", \"l_wrist\", \"r_hip\", \"r_knee\", \"r_ankle\", "
+       "\"l_hip\", \"l_knee\" (and 22 more)"},
+      {Check::kFactorRange, Spoilt([](Project& p) { p.regions[0].friction.default_factor = 2; }),
+       "regions[0].friction.default: must lie between 0 (frozen) and 1 (no friction), is 2"},
+      {Check::kNumChecks, Spoilt([](Project& p) { p.figure.spec = {}; }),
+       "figure: the figure has no mass"},
+  };
+}
+
+std::vector<WrongProject> Warnings() {
+  return {
+      {Check::kFixedLeftOut, Warn({}),
+       "regions[0].joints: fixed by equal limits and left out of the region: l_shoulder_twist"},
+      {Check::kNothingToLandOn, Warn({{"/scene/objects", "[]"}}),
+       "placements[0]: gravity without objects in the scene: there is nothing to land on"},
+      {Check::kKeyOutsideLimits,
+       Warn({{"/joints/r_knee/keys/1/angle_deg", "-12"},
+             {"/joints/r_knee/keys/2/angle_deg", "151"},
+             {"/regions", "[]"}}),
+       "joints.r_knee.keys[1].angle_deg: -12 is outside the limits 0 to 150 of \"r_knee\", and is "
+       "kept; keys outside: 2"},
+  };
+}
+
+}  // namespace
+
+std::vector<WrongProject> WrongDocuments() {
+  std::vector<WrongProject> all = WrongValues();
+  for (const auto& list : {WrongNames(), Contradictions(), Warnings()}) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+}  // namespace hazumi::testing

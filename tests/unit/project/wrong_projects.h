@@ -1,0 +1,24 @@
+#pragma once
+
+// Wrong projects, and what Hazumi must say about each.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/project/checks.h"
+
+namespace hazumi::testing {
+
+struct WrongProject {
+  Check check;                       // the complaint's number; kNumChecks: of the figure builder
+  std::function<std::string()> say;  // does the wrong thing; gives "place: message"
+  std::string expected;
+};
+
+std::vector<WrongProject> WrongProjects();
+
+// The part of them that is well formed: values, names and contradictions.
+std::vector<WrongProject> WrongDocuments();
+
+}  // namespace hazumi::testing
