@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace hazumi {
 
@@ -15,107 +16,94 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error CannotWrite(const std::string& path, int error) {
-  return {ErrorCode::kCannotWrite, path, "", std::string("cannot be written: ") + strerror(error)};
-}
+constexpr mode_t kPermissionBits = 07777;
 
-// A file that goes away again unless it is renamed.
-class TemporaryFile {
+// An open file descriptor, closed at the end of the scope.
+class OpenFile {
  public:
-  explicit TemporaryFile(const std::string& target) : name_(target + ".XXXXXX") {
-    fd_ = mkstemp(name_.data());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (fd_ < 0) return;
-    close(fd_);
-    if (!renamed_) unlink(name_.c_str());
-  }
+  OpenFile(const std::string& path, int flags, mode_t mode = 0)
+      : fd_(::open(path.c_str(), flags | O_CLOEXEC, mode)) {}
+  ~OpenFile() { Close(); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
 
+  int fd() const { return fd_; }
   bool is_open() const { return fd_ >= 0; }
-
-  bool Write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = write(fd_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return false;
-      bytes.remove_prefix(static_cast<size_t>(written));
-    }
-    return true;
-  }
-
-  bool TakePermissionsOf(const std::string& target) {
-    struct stat info;
-    if (stat(target.c_str(), &info) == 0) return fchmod(fd_, info.st_mode & 07777) == 0;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return fchmod(fd_, 0666 & ~mask) == 0;
-  }
-
-  bool Sync() { return fsync(fd_) == 0; }
-
-  bool RenameTo(const std::string& target) {
-    renamed_ = rename(name_.c_str(), target.c_str()) == 0;
-    return renamed_;
+  bool Close() {
+    const int fd = std::exchange(fd_, -1);
+    return fd < 0 || ::close(fd) == 0;
   }
 
  private:
-  std::string name_;
-  int fd_ = -1;
-  bool renamed_ = false;
+  int fd_;
 };
 
-std::string WithoutLinks(const std::string& path) {
-  std::error_code error;
-  const fs::path resolved = fs::weakly_canonical(path, error);
-  return error ? path : resolved.string();
+bool WriteAll(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) bytes.remove_prefix(static_cast<size_t>(count));
+  }
+  return true;
 }
 
-void SyncFolder(const std::string& path) {
+// The file that a link leads to, so that writing does not replace the link.
+std::string FollowLinks(const std::string& path) {
+  std::error_code failed;
+  const fs::path target = fs::canonical(path, failed);
+  return failed ? path : target.string();
+}
+
+std::string FolderOf(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
-  const int fd = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (fd < 0) return;
-  fsync(fd);
-  close(fd);
+  return folder.empty() ? "." : folder;
+}
+
+// A name that no other process or thread uses at the same time.
+std::string TemporaryName(const std::string& target, const void* unique) {
+  const std::string suffix =
+      std::to_string(::getpid()) + "-" + std::to_string(reinterpret_cast<uintptr_t>(unique));
+  return FolderOf(target) + "/." + fs::path(target).filename().string() + "." + suffix + ".tmp";
+}
+
+// False: errno says why.
+bool WriteTemporary(const std::string& temporary, const std::string& target,
+                    std::string_view bytes, WriteMode mode) {
+  OpenFile file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+  if (!file.is_open()) return false;
+  struct stat old;
+  const bool replaces = ::stat(target.c_str(), &old) == 0;
+  if (replaces && ::fchmod(file.fd(), old.st_mode & kPermissionBits) != 0) return false;
+  const bool whole = WriteAll(file.fd(), bytes);
+  return whole && (mode == WriteMode::kFast || ::fsync(file.fd()) == 0) && file.Close();
+}
+
+// Makes the renaming itself last. The new file is in place, so a failure is not one of writing.
+void SyncFolder(const std::string& folder) {
+  OpenFile handle(folder, O_RDONLY | O_DIRECTORY);
+  if (handle.is_open()) ::fsync(handle.fd());
 }
 
 }  // namespace
 
-Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes, WriteMode mode) {
-  const std::string target = WithoutLinks(path);
-  TemporaryFile file(target);
-  const bool durable = mode == WriteMode::kDurable;
-  if (!file.is_open() || !file.Write(bytes) || !file.TakePermissionsOf(target) ||
-      (durable && !file.Sync()) || !file.RenameTo(target)) {
-    return CannotWrite(path, errno);
+int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode) {
+  const std::string target = FollowLinks(path);
+  const std::string temporary = TemporaryName(target, &bytes);
+  if (!WriteTemporary(temporary, target, bytes, mode) ||
+      std::rename(temporary.c_str(), target.c_str()) != 0) {
+    const int reason = errno;
+    std::remove(temporary.c_str());
+    return reason;
   }
-  if (durable) SyncFolder(target);
-  return Done{};
+  if (mode == WriteMode::kDurable) SyncFolder(FolderOf(target));
+  return 0;
 }
 
-Result<std::string> ReadWholeFile(const std::string& path, size_t max_bytes) {
-  const auto no_input = [&path](const std::string& why) {
-    return Error{ErrorCode::kNoInput, path, "", "cannot be read: " + why};
-  };
-  std::error_code error;
-  if (fs::is_directory(path, error)) return no_input("it is a folder");
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return no_input(strerror(errno));
-  std::string bytes;
-  char buffer[65536];
-  size_t got = 0;
-  while ((got = std::fread(buffer, 1, sizeof buffer, file)) > 0 && bytes.size() <= max_bytes) {
-    bytes.append(buffer, got);
-  }
-  const bool failed = std::ferror(file) != 0;
-  const int reason = errno;
-  std::fclose(file);
-  if (failed) return no_input(strerror(reason));
-  if (bytes.size() > max_bytes) {
-    return no_input("larger than " + std::to_string(max_bytes) + " bytes");
-  }
-  return bytes;
+Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes, WriteMode mode) {
+  const int reason = ReplaceFile(path, bytes, mode);
+  if (reason == 0) return Done{};
+  return Error{ErrorCode::kCannotWrite, path, "",
+               std::string("cannot be written: ") + std::strerror(reason)};
 }
 
 }  // namespace hazumi

@@ -13,8 +13,8 @@ DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (BodyScratch& body : bodies) {
     body.R.setConstant(kNaN);
-    for (Vec3* x : {&body.p, &body.axis, &body.c, &body.w, &body.v, &body.alpha, &body.a, &body.f,
-                    &body.n}) {
+    for (Vec3* x :
+         {&body.p, &body.axis, &body.c, &body.w, &body.v, &body.alpha, &body.a, &body.f, &body.n}) {
       x->setConstant(kNaN);
     }
   }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/placement/root_placement.h"
 
 namespace hazumi {
 
 namespace {
+
+constexpr double kRounding = 1e-12;  // [m]
+constexpr double kFree = std::numeric_limits<double>::infinity();
 
 // When something that is thrown upwards with velocity v has risen by `rise`: of the two times that
 // which is nearer to `guess`, or `guess` if it never rises so far. `g` points downwards.
@@ -23,10 +27,6 @@ double SecondsUntilRisen(double rise, double v, double g, double guess) {
 GravityPlacement::GravityPlacement(const Figure& figure, const std::vector<SceneObject>& scene,
                                    const PlacementSpan& span, double gravity)
     : figure_(figure), scene_(scene), span_(span), g_(0.0, 0.0, -gravity) {}
-
-bool GravityPlacement::Touches(const std::optional<Contact>& contact) const {
-  return contact && contact->clearance <= kTouching;
-}
 
 // Expects the workspace to hold the figure where the contact was found.
 void GravityPlacement::PinAt(std::optional<GroupIndex> named, const Vec3& contact,
@@ -50,19 +50,22 @@ void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspa
 void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) {
   TakeCenterOfMass(motion, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  if (Touches(contact)) PinAt(span_.pin, contact->point, *ws);
+  if (contact && contact->clearance <= kTouching) PinAt(span_.pin, contact->point, *ws);
 }
 
 void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws,
                                FigureMotion* to) {
   events_.clear();
   const bool was_pinned = pin_.has_value();
-  const bool touches_now = was_pinned && MeasurePinned(from, ws);
+  const double clearance_now = was_pinned ? MeasurePinned(from, ws) : kFree;
+  const bool touches_now = clearance_now <= kTouching;
   just_landed_ = false;
   const Vec3 com = com_, velocity = com_v_;
   const Vec3 path = velocity * dt + 0.5 * g_ * dt * dt;
   PlaceCenterOfMass(figure_, com + path, velocity + g_ * dt, ws, to);
-  const bool touches_then = Touches(NearestContact(figure_, scene_, *ws, to->X_WR.p));
+  // A standing figure is at rest a hair above the ground as well as on it.
+  const double leeway = touches_now ? std::max(clearance_now, 0.0) : 0.0;
+  const bool touches_then = ClearanceAt(*ws, to->X_WR.p) <= leeway + kRounding;
   if (touches_now && touches_then) {  // (3)
     PinRoot(figure_, pin_joint(), pin_W_, ws, to);
     return;
@@ -74,13 +77,18 @@ void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWork
   if (is_stopped) Land(path, velocity, dt, ws, to);  // (6)
 }
 
-// Takes the CoM of a pinned figure; returns whether it touches something.
-bool GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
+// Takes the CoM of a pinned figure; returns its clearance [m].
+double GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
   const Vec3 before_landing = com_v_;
   TakeCenterOfMass(motion, ws);
   // After a landing: the velocity that the contact took away, or the figure would hop.
   if (just_landed_) com_v_ = before_landing;
-  return Touches(NearestContact(figure_, scene_, *ws));
+  return ClearanceAt(*ws, Vec3::Zero());
+}
+
+double GravityPlacement::ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const {
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, ws, shift);
+  return contact ? contact->clearance : kFree;
 }
 
 // Whether a figure that is free at both ends of the path that led to `motion` met something on it.
@@ -88,7 +96,7 @@ bool GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspa
 bool GravityPlacement::PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                                      const Vec3& path) const {
   const Vec3 start = motion.X_WR.p - path;
-  if (Touches(NearestContact(figure_, scene_, ws, start))) return false;
+  if (ClearanceAt(ws, start) <= kTouching) return false;
   return FirstTouchOfFigure(figure_, scene_, ws, start, path).has_value();
 }
 

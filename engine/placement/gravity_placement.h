@@ -52,11 +52,11 @@ class GravityPlacement {
 
  private:
   JointIndex pin_joint() const { return figure_.group(*pin_).first; }
-  bool Touches(const std::optional<Contact>& contact) const;
   void PinAt(std::optional<GroupIndex> named, const Vec3& contact, const DynamicsWorkspace& ws);
   void TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws);
   void Fly(const Vec3& com, double dt);
-  bool MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
+  double MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
+  double ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const;
   bool PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                      const Vec3& path) const;
   void Land(const Vec3& path, const Vec3& velocity, double dt, DynamicsWorkspace* ws,

@@ -97,6 +97,9 @@ constexpr CheckText kTexts[] = {
      "{} is pinned by {} in frames {} to {} already; remove the hold there"},
     {Check::kHoldConflictsPin, kSemantics,
      "holding {} needs {}, which also carries {}, pinned by {} in frames {} to {}; let go of one"},
+    {Check::kHoldInGravity, kSemantics,
+     "{} is held while gravity places the figure ({}) in frames {} to {}; hold it before or after, "
+     "or pin it"},
     {Check::kLoopOfHolds, kSemantics,
      "region {} drives {}, which lies between the root and both {} and {}, held in frames {} to "
      "{}: a closed loop, which cannot swing; let go of one, or take the joint out of the region"},

@@ -78,6 +78,7 @@ enum class Check {
   kHoldsConflict,
   kHoldOnPin,
   kHoldConflictsPin,
+  kHoldInGravity,
   kLoopOfHolds,
   kLoopWithPin,
   kRegionInHold,

@@ -160,6 +160,16 @@ class AnimationChecker {
                      {Quoted(NameOf(animation_.holds[i].joint))});
     for (size_t k = 0; k < i; ++k) CheckPair(i, k);
     for (const Pin& pin : pins_) CheckAgainstPin(i, pin);
+    for (size_t k = 0; k < animation_.placements.size(); ++k) CheckAgainstGravity(i, k);
+  }
+
+  void CheckAgainstGravity(size_t i, size_t k) {
+    const PlacementSpan& placement = animation_.placements[k];
+    const Span both = Common(SpanOf(animation_.holds[i]), SpanOf(placement));
+    if (placement.kind != PlacementKind::kGravity || both.is_empty()) return;
+    errors_->Report(Check::kHoldInGravity, At("holds", i),
+                    {Quoted(NameOf(animation_.holds[i].joint)), At("placements", k),
+                     Text(both.first), Text(both.last)});
   }
 
   // No region drives what the hold needs. Comes after the closed loops, whose message says more.

@@ -51,7 +51,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     if (error.id == kNumberOverflow) {
       errors_->Report(Check::kNumberOverflow, place, {token});
     } else {
-      errors_->Report(Check::kNotJson, place, {Reason(error.what())});
+      errors_->Report(Check::kNotJson, place, {ValidUtf8(Reason(error.what()))});
     }
     return false;
   }

@@ -18,10 +18,10 @@ std::atomic<long> allocation_count{0};
 
 #if HAZUMI_COUNTS_ALLOCATIONS
 extern "C" {
-void* __libc_malloc(size_t);                // NOLINT: glibc's names
-void* __libc_calloc(size_t, size_t);        // NOLINT
-void* __libc_realloc(void*, size_t);        // NOLINT
-void* __libc_memalign(size_t, size_t);      // NOLINT
+void* __libc_malloc(size_t);            // NOLINT: glibc's names
+void* __libc_calloc(size_t, size_t);    // NOLINT
+void* __libc_realloc(void*, size_t);    // NOLINT
+void* __libc_memalign(size_t, size_t);  // NOLINT
 
 void* malloc(size_t size) {
   ++allocation_count;

@@ -13,7 +13,8 @@ namespace hazumi::test {
 // Largest difference of any entry, as a fraction of the largest entry of `expected`. Not a number
 // anywhere, or a difference in size, is infinitely wrong.
 template <typename A, typename B>
-double RelativeDifference(const Eigen::MatrixBase<A>& actual, const Eigen::MatrixBase<B>& expected) {
+double RelativeDifference(const Eigen::MatrixBase<A>& actual,
+                          const Eigen::MatrixBase<B>& expected) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (actual.rows() != expected.rows() || actual.cols() != expected.cols()) return kInfinity;
   if (actual.size() == 0) return 0.0;
@@ -23,7 +24,8 @@ double RelativeDifference(const Eigen::MatrixBase<A>& actual, const Eigen::Matri
   return size > 0.0 ? difference / size : difference;
 }
 
-// The worst of many differences, printed with the claim when it goes out of scope.
+// The worst of many differences. Its decimal logarithm goes under the name of the claim into the
+// test report (--gtest_output=xml).
 class Worst {
  public:
   explicit Worst(const char* claim) : claim_(claim) {}

@@ -63,8 +63,8 @@ void AddParts(const std::vector<Part>& parts, FigureSpec* spec) {
       joint.hinges.push_back(
           {std::string(1, letter), Axis(letter), -std::numbers::pi, std::numbers::pi, 0.0});
     }
-    joint.links.push_back(Cylinder(part.name, part.mass, part.radius, part.centre,
-                                   part.length * Axis(part.along)));
+    joint.links.push_back(
+        Cylinder(part.name, part.mass, part.radius, part.centre, part.length * Axis(part.along)));
     spec->joints.push_back(joint);
   }
 }

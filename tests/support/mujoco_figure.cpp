@@ -57,7 +57,8 @@ std::string ChildElements(const Figure& figure, JointIndex parent) {
 }
 
 std::string GroupElement(const Figure& figure, const JointGroup& group) {
-  std::string text = BodyStart(figure.joint(group.first).X_PJ) + Inertial(figure.body(group.last()));
+  std::string text =
+      BodyStart(figure.joint(group.first).X_PJ) + Inertial(figure.body(group.last()));
   for (int h = 0; h < group.size; ++h) {
     text += JointElement("hinge", figure.joints()[group.first.value() + h].axis);
   }
@@ -174,8 +175,7 @@ Vec3 MujocoFigure::OriginBiasAcceleration(JointIndex j) {
   mj_rnePostConstraint(model_.get(), data_.get());
   double acceleration[6];  // angular first; MuJoCo counts gravity as an acceleration upwards
   mj_objectAcceleration(model_.get(), data_.get(), mjOBJ_XBODY, BodyOf(j), acceleration, 0);
-  return Eigen::Map<const Vec3>(acceleration + 3) +
-         Eigen::Map<const Vec3>(model_->opt.gravity);
+  return Eigen::Map<const Vec3>(acceleration + 3) + Eigen::Map<const Vec3>(model_->opt.gravity);
 }
 
 }  // namespace hazumi::test

@@ -1,5 +1,7 @@
 #include "tests/support/random_tree.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -72,7 +74,7 @@ FigureSpec RandomTreeSpec(Random* random) {
 VecX RandomAngles(const Figure& figure, Random* random) {
   VecX q = random->Vector(figure.num_joints(), std::numbers::pi);
   for (const JointGroup& group : figure.groups()) {
-    if (group.size == 3) q[group.first.value() + 1] *= (0.5 * std::numbers::pi - 0.5) / std::numbers::pi;
+    if (group.size == 3) q[group.first.value() + 1] *= 0.5 - 0.5 / std::numbers::pi;
   }
   return q;
 }

@@ -22,7 +22,7 @@ EndForces RandomEndForces(const Figure& figure, Random* random);
 // A root that moves along a curve: translation, and angles about x, y, z in this order from the
 // world inwards, each with its first two derivatives.
 struct MovingRoot {
-  Vec3 p = Vec3::Zero(), v = Vec3::Zero(), a = Vec3::Zero();           // [m, m/s, m/s^2]
+  Vec3 p = Vec3::Zero(), v = Vec3::Zero(), a = Vec3::Zero();                    // [m, m/s, m/s^2]
   Vec3 angle = Vec3::Zero(), rate = Vec3::Zero(), acceleration = Vec3::Zero();  // [rad ...]
 
   Pose X_WR() const;

@@ -78,15 +78,13 @@ double InertiaDifference(const Sample& s, InertiaRoute route) {
 }
 
 TEST(InertiaMatrix, ByUnitAccelerationsAgreesWithMujoco) {
-  ForAllSamples("H by unit accelerations", Root::kStill, [](Sample& s) {
-    return InertiaDifference(s, InertiaMatrixByUnitAccelerations);
-  });
+  ForAllSamples("H by unit accelerations", Root::kStill,
+                [](Sample& s) { return InertiaDifference(s, InertiaMatrixByUnitAccelerations); });
 }
 
 TEST(InertiaMatrix, ByCompositeBodiesAgreesWithMujoco) {
-  ForAllSamples("H by composite bodies", Root::kStill, [](Sample& s) {
-    return InertiaDifference(s, InertiaMatrixByCompositeBodies);
-  });
+  ForAllSamples("H by composite bodies", Root::kStill,
+                [](Sample& s) { return InertiaDifference(s, InertiaMatrixByCompositeBodies); });
 }
 
 TEST(ForwardDynamics, DenseAgreesWithMujoco) {

@@ -1,6 +1,8 @@
 #include "engine/dynamics/kinematics.h"
 
-#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
 
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
@@ -42,9 +44,9 @@ TEST(Kinematics, CenterOfMassVelocityIsTheDerivativeOfTheCenterOfMass) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     const Path path(seed);
     const auto com = [&](double t) { return CenterOfMass(path.figure(), path.At(t)); };
-    EXPECT_LE(RelativeDifference(CenterOfMassVelocity(path.figure(), path.At(0.0)),
-                                 Derivative(com)),
-              1e-8)
+    EXPECT_LE(
+        RelativeDifference(CenterOfMassVelocity(path.figure(), path.At(0.0)), Derivative(com)),
+        1e-8)
         << "seed " << seed;
   }
 }
@@ -63,11 +65,11 @@ TEST(OriginJacobian, IsTheDerivativeOfTheOriginByEachAngle) {
   }
 }
 
-TEST(Kinematics, OfADeepChainFollowsTheCurveOfItsLinks) {
-  // 2,000 hinges about z, 1 mm apart, each turned by the same angle: a circle.
+// Hinges about z, 1 mm apart.
+FigureSpec Chain(int joints) {
   FigureSpec spec;
   spec.root_name = "root";
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < joints; ++i) {
     JointSpec joint;
     joint.name = "j" + std::to_string(i);
     joint.parent = i == 0 ? "root" : "j" + std::to_string(i - 1);
@@ -76,12 +78,16 @@ TEST(Kinematics, OfADeepChainFollowsTheCurveOfItsLinks) {
     joint.links = {{"", Vec3::Zero(), {1e-3, 0.0, 0.0}, 1e-3, 1e-3, {}, {}, {}, {}}};
     spec.joints.push_back(joint);
   }
-  const Figure chain = Build(spec);
+  return spec;
+}
+
+// 2,000 equal turns make a full circle: half way round the chain is one diameter away.
+TEST(Kinematics, OfADeepChainFollowsTheCurveOfItsLinks) {
+  const Figure chain = Build(Chain(2000));
   DynamicsWorkspace ws(chain);
-  const double angle = 2.0 * 3.14159265358979323846 / 2000.0;
+  const double angle = 2.0 * std::numbers::pi / 2000.0;
   ComputePositions(chain, Pose(), VecX::Constant(2000, angle), &ws);
   const double diameter = 1e-3 / std::sin(0.5 * angle);
-  // Half way round, 1,000 chords on, the chain is one diameter away.
   EXPECT_NEAR((ws.bodies[1001].p - ws.bodies[1].p).norm(), diameter, 1e-12);
   EXPECT_NEAR((ws.bodies[2000].p - ws.bodies[1].p).norm(), 1e-3, 1e-12);
 }

@@ -2,6 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "tests/support/compare.h"
 #include "tests/support/random.h"

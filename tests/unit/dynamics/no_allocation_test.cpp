@@ -76,8 +76,7 @@ TEST_F(NoAllocation, InForwardDynamicsByArticulatedBodies) {
 }
 
 TEST_F(NoAllocation, InDenseForwardDynamics) {
-  ExpectNone(
-      [&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
+  ExpectNone([&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
 }
 
 std::vector<JointIndex> AllJoints(const Figure& figure) {

@@ -60,10 +60,11 @@ const std::vector<WrongSpec> kWrongSpecs = {
      [](FigureSpec* s) { s->joints[0].hinges[0].axis.setZero(); }},
     {"joints[0].hinges[0].limits_deg", "the lower limit is above the upper one",
      [](FigureSpec* s) { s->joints[0].hinges[0].lower = 2.0; }},
+    {"joints[1].hinges", "one to three hinges", [](FigureSpec* s) { s->joints[1].hinges.clear(); }},
     {"joints[1].hinges", "one to three hinges",
-     [](FigureSpec* s) { s->joints[1].hinges.clear(); }},
-    {"joints[1].hinges", "one to three hinges",
-     [](FigureSpec* s) { s->joints[1].hinges.assign(4, {"x", Vec3::UnitX(), -1.0, 1.0}); }},
+     [](FigureSpec* s) {
+       s->joints[1].hinges.assign(4, {"x", Vec3::UnitX(), -1.0, 1.0});
+     }},
     {"joints[2]", "\"a\" is already used by joints[0]",
      [](FigureSpec* s) { s->joints[2].name = "a"; }},
     {"joints[2]", "\"root\" is already used by root",
@@ -126,7 +127,8 @@ TEST(FigureBuilder, NumbersDepthFirstWithContiguousSubtrees) {
       EXPECT_LT(figure.joints()[j].parent.value(), j) << "seed " << seed;
       for (int k = 0; k < figure.num_joints(); ++k) {
         bool below = false;  // by walking up, not by ranges
-        for (JointIndex up(k); up.is_valid(); up = figure.joint(up).parent) below |= up.value() == j;
+        for (JointIndex up(k); up.is_valid(); up = figure.joint(up).parent)
+          below |= up.value() == j;
         EXPECT_EQ(figure.IsBeyond(JointIndex(k), JointIndex(j)), below)
             << "seed " << seed << ": " << k << " beyond " << j;
       }
@@ -188,7 +190,8 @@ FigureSpec Chain(int joints) {
   FigureSpec spec;
   spec.root_name = "root";
   for (int i = 0; i < joints; ++i) {
-    spec.joints.push_back(OneHinge("j" + std::to_string(i), i ? "j" + std::to_string(i - 1) : "root"));
+    spec.joints.push_back(
+        OneHinge("j" + std::to_string(i), i ? "j" + std::to_string(i - 1) : "root"));
   }
   return spec;
 }

@@ -31,8 +31,7 @@ void ExpectNear(const RigidInertia& actual, const RigidInertia& expected, double
   EXPECT_LE((actual.I_com - expected.I_com).norm(), tolerance * expected.I_com.norm());
 }
 
-// A body as eight points with the same mass, CoM and inertia: two on each principal axis and the
-// rest in the middle would do; a box of points in the principal axes does as well.
+// A body as eight equal points, the corners of a box.
 void AddAsPoints(double mass, const Vec3& com, const Mat3& axes, const Vec3& spread,
                  PointCloud* cloud) {
   for (int corner = 0; corner < 8; ++corner) {

@@ -1,7 +1,6 @@
 #include "tests/unit/passive/arm_swing.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/dynamics/forward_dynamics.h"
 #include "tests/support/compare.h"
@@ -27,7 +26,7 @@ TEST(PaperStep, ReproducesTheKnownSwingWithStops) { ExpectResults(SwingWithStops
 
 TEST(PaperStep, ReproducesTheKnownFreeSwing) { ExpectResults(FreeSwing(), 1e-5); }
 
-// Near the singular pose rounding grows a millionfold and more; a digit is lost for it.
+// Rounding grows a millionfold near the singular pose: a digit is given up for it.
 TEST(PaperStep, ReproducesTheKnownSwingNearGimbalLock) { ExpectResults(NearGimbal(), 1e-4); }
 
 TEST(PaperStep, ConvergesWithOrderOneToTheKnownSwings) {
@@ -38,7 +37,7 @@ TEST(PaperStep, ConvergesWithOrderOneToTheKnownSwings) {
   }
 }
 
-TEST(PaperStep, ExplodesNearGimbalLockWithAStatusAndNotANumberNever) {
+TEST(PaperStep, ExplodesNearGimbalLockWithAStatusAndNeverNaN) {
   const SwingEnd end = RunArmCase(NearGimbal(), 100);
   EXPECT_EQ(end.status, PaperStepStatus::kNotFinite);
   EXPECT_TRUE(end.q.allFinite());
@@ -71,7 +70,7 @@ TEST(PaperStep, SwingsAPendulumLikeTheEllipticIntegralToFirstOrder) {
   const double quarter = std::comp_ellint_1(k) / w;
   const VecX one = VecX::Ones(1);
   const auto error = [&](int steps) {
-    const SwingEnd end = Swing{pendulum,   start * one, 0.0 * one,       one,  -9.0 * one,
+    const SwingEnd end = Swing{pendulum,  start * one, 0.0 * one,       one,  -9.0 * one,
                                9.0 * one, 9.81,        quarter / steps, steps}
                              .Run();
     return Eigen::Vector2d(end.q[0], end.qd[0] + 2.0 * k * w);
@@ -87,8 +86,9 @@ TEST(PaperStep, FrictionIsARateWhateverTheStep) {
   const Figure pendulum = Pendulum(2.0, 0.05, 0.6);
   const VecX one = VecX::Ones(1);
   for (const int per_frame : {1, 3, 10}) {
-    const SwingEnd end = Swing{pendulum,   0.0 * one, 5.0 * one, 0.7 * one, -9.0 * one, 9.0 * one,
-                               0.0,        1.0 / (30.0 * per_frame), 6 * per_frame}
+    const SwingEnd end = Swing{pendulum,     0.0 * one, 5.0 * one, 0.7 * one,
+                               -9.0 * one,   9.0 * one, 0.0,       1.0 / (30.0 * per_frame),
+                               6 * per_frame}
                              .Run();
     EXPECT_NEAR(end.qd[0], 5.0 * std::pow(0.7, 6), 1e-12) << per_frame << " steps a frame";
   }

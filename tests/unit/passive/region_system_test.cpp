@@ -1,10 +1,13 @@
-// The free joints' equation of motion against Lagrange multipliers: MuJoCo's inertia matrix and bias
-// of the figure on a root with six degrees of freedom, bordered by what is prescribed or pinned.
+// The free joints' equation of motion against Lagrange multipliers: MuJoCo's inertia matrix and
+// bias of the figure on a root with six degrees of freedom, bordered by what is prescribed or
+// pinned.
 
 #include "engine/passive/region_system.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <limits>
 
 #include "tests/support/compare.h"
 #include "tests/support/sample.h"
@@ -145,8 +148,8 @@ TEST(RegionSystem, RatesAfterPinningAgreeWithTheImpulseOfMultipliers) {
     DynamicsWorkspace ws(sample.figure);
     RegionSystem system(sample.figure, region.free);
     VecX rates;
-    ASSERT_TRUE(system.RatesAfterPinning(region.State(RootCoupling::kPinned), region.pin, &ws,
-                                         &rates));
+    ASSERT_TRUE(
+        system.RatesAfterPinning(region.State(RootCoupling::kPinned), region.pin, &ws, &rates));
     EXPECT_LE(worst(RelativeDifference(rates, region.FreeRows(impulse.Solve()))), kTolerance)
         << "seed " << seed;
   }

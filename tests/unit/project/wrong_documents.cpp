@@ -11,6 +11,7 @@ const std::string kWaistRegion = R"([{"name": "trunk", "first_frame": 4, "last_f
                                       "joints": ["waist"]}])";
 const std::string kPinWrist = R"([{"kind": "pinned", "joint": "l_wrist", "first_frame": 0,
                                    "last_frame": 5}])";
+const std::string kFall = R"([{"kind": "gravity", "first_frame": 0, "last_frame": 5}])";
 const std::string kHoldWrist = R"([{"joint": "r_wrist", "first_frame": 2, "last_frame": 8}])";
 
 std::vector<WrongProject> WrongValues() {
@@ -152,6 +153,9 @@ std::vector<WrongProject> Contradictions() {
        Compile({{"/placements/1/joint", "\"r_knee\""}, {"/holds/0/last_frame", "7"}}),
        "holds[0]: holding \"r_ankle\" needs \"r_hip\", which also carries \"r_knee\", pinned by "
        "placements[1] in frames 5 to 7; let go of one"},
+      {Check::kHoldInGravity, Compile({{"/holds", kHoldWrist}, {"/placements", kFall}}),
+       "holds[0]: \"r_wrist\" is held while gravity places the figure (placements[0]) in frames 2 "
+       "to 5; hold it before or after, or pin it"},
       {Check::kLoopWithPin,
        Compile({{"/holds", kHoldWrist}, {"/placements", kPinWrist}, {"/regions", kWaistRegion}}),
        "holds[0]: region \"trunk\" drives \"waist\", which lies between the root and both "
