@@ -30,16 +30,19 @@ class Baker {
 
   // At a frame: what ends, what begins (baker_boundary.cpp).
   Failure CrossFrame(int frame);
+  bool Ends(int last_frame, int frame) const;
   bool EndRegions(int frame);
   bool EndHolds(int frame);
   bool EndPlacement(int frame);
   bool ReleaseObjects(int frame);
-  void BeginRegions(int frame);
+  bool BeginRegions(int frame);
   bool BeginHolds(int frame);
   bool BeginPlacement(int frame, bool was_keyed);
   void TakeKeyedVelocity(int frame);
   void RebuildDriver(int frame);
+  bool HasRegionFrom(int frame, JointIndex j) const;
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
+  void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
 
   // Between frames (baker.cpp).

@@ -1,6 +1,7 @@
 // What ends and what begins at a frame.
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/bake/baker.h"
 #include "engine/bake/rates.h"
@@ -10,69 +11,70 @@ namespace hazumi {
 
 Baker::Failure Baker::CrossFrame(int frame) {
   const bool was_keyed = !span_ || span_->kind == PlacementKind::kKeyed;
-  bool changed = EndRegions(frame);
-  changed |= EndHolds(frame);
-  changed |= EndPlacement(frame);
-  changed |= ReleaseObjects(frame);
-  BeginRegions(frame);
-  changed |= BeginHolds(frame);
+  const bool ended = EndRegions(frame) | EndHolds(frame);
+  const bool unplaced = EndPlacement(frame);
+  const bool released = ReleaseObjects(frame);
+  const bool begun = BeginRegions(frame) | BeginHolds(frame);
   const bool placed = BeginPlacement(frame, was_keyed);
-  const auto starts_or_ends = [frame](const DynamicsRegion& region) {
-    return region.first_frame == frame || region.last_frame == frame;
-  };
-  const auto& regions = animation_.regions;
-  if (std::any_of(regions.begin(), regions.end(), starts_or_ends)) {
-    RebuildDriver(frame);
-    changed = true;
-  }
+  if (ended || begun) RebuildDriver(frame);
   const bool key_here = std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
-  if (!changed && !placed && !key_here) return std::nullopt;
+  if (!ended && !unplaced && !released && !begun && !placed && !key_here) return std::nullopt;
   if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
-  if (placed) WarnOfVelocityJump(frame);
+  if (placed || unplaced) WarnOfVelocityJump(frame);
   return std::nullopt;
+}
+
+// At the animation's last frame nothing takes over: regions, holds and pins are what they were.
+bool Baker::Ends(int last_frame, int frame) const {
+  return last_frame == frame && frame != animation_.last_frame;
 }
 
 bool Baker::EndRegions(int frame) {
   bool any = false;
   for (size_t r = 0; r < animation_.regions.size(); ++r) {
     const DynamicsRegion& region = animation_.regions[r];
-    if (region.last_frame != frame) continue;
+    if (!Ends(region.last_frame, frame)) continue;
     any = true;
     for (const JointIndex j : region.joints) {
       free_[j.value()] = 0;
-      CurveTrack& track = curves_.joint(j);
-      track.Resume(frame, now_.q[j.value()], now_.qd[j.value()]);
-      const bool handed_over = std::any_of(
-          animation_.regions.begin(), animation_.regions.end(), [&](const DynamicsRegion& next) {
-            return next.first_frame == frame &&
-                   std::binary_search(next.joints.begin(), next.joints.end(), j);
-          });
-      if (frame == animation_.last_frame || handed_over || track.HasKeyAfter(frame)) continue;
-      AddWarning("regions[" + std::to_string(r) + "]",
-                 "joint \"" + figure_.joint(j).name + "\" has no key after frame " +
-                     std::to_string(frame) + ": it stops dead where the region left it");
+      curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()]);
+      if (!HasRegionFrom(frame, j)) WarnIfNoKeyAfter(frame, j, "regions", r);
     }
   }
   return any;
+}
+
+bool Baker::HasRegionFrom(int frame, JointIndex j) const {
+  const auto& regions = animation_.regions;
+  return std::any_of(regions.begin(), regions.end(), [&](const DynamicsRegion& region) {
+    return region.first_frame == frame &&
+           std::binary_search(region.joints.begin(), region.joints.end(), j);
+  });
 }
 
 bool Baker::EndHolds(int frame) {
-  bool any = false;
+  const auto ends = [&](const ActiveHold& active) { return Ends(active.hold->last_frame, frame); };
   for (const ActiveHold& active : holds_) {
-    if (active.hold->last_frame != frame) continue;
-    any = true;
+    if (!ends(active)) continue;
     for (const JointIndex j : active.solver.joints()) {
       curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()], /*as_keyed=*/true);
+      if (HasRegionFrom(frame, j)) continue;
+      WarnIfNoKeyAfter(frame, j, "holds", active.hold - animation_.holds.data());
     }
   }
-  std::erase_if(holds_,
-                [frame](const ActiveHold& active) { return active.hold->last_frame == frame; });
-  return any;
+  return std::erase_if(holds_, ends) > 0;
 }
 
-// At the animation's last frame nothing takes over: the pin is still the pin.
+void Baker::WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index) {
+  constexpr double kMoving = 1e-6;  // [rad/s]
+  if (curves_.joint(j).HasKeyAfter(frame) || std::abs(now_.qd[j.value()]) < kMoving) return;
+  AddWarning(std::string(list) + "[" + std::to_string(index) + "]",
+             "joint \"" + figure_.joint(j).name + "\" has no key after frame " +
+                 std::to_string(frame) + ": it stops dead there");
+}
+
 bool Baker::EndPlacement(int frame) {
-  if (!span_ || span_->last_frame != frame || frame == animation_.last_frame) return false;
+  if (!span_ || !Ends(span_->last_frame, frame)) return false;
   if (span_->kind != PlacementKind::kKeyed) {
     for (int i = 0; i < 3; ++i) {
       curves_.root(kRootX + i).Resume(frame, now_.X_WR.p[i], now_.root.v[i]);
@@ -105,14 +107,17 @@ bool Baker::ReleaseObjects(int frame) {
   return true;
 }
 
-void Baker::BeginRegions(int frame) {
+bool Baker::BeginRegions(int frame) {
+  bool any = false;
   for (const DynamicsRegion& region : animation_.regions) {
     if (region.first_frame != frame) continue;
+    any = true;
     for (const JointIndex j : region.joints) {
       const bool handed_over = driver_ && driver_->is_free(j);
       StartFreeJoint(j, frame, handed_over);
     }
   }
+  return any;
 }
 
 // With the rate given by a key on the first frame, else with that which the curve, the hold or the
@@ -176,7 +181,6 @@ void Baker::TakeKeyedVelocity(int frame) {
     curves_.SampleJoints(frame, Side::kAfter, free_, &now_);
     curves_.SampleRootOrientation(frame, Side::kAfter, &now_);
     curves_.SampleRootPosition(frame, Side::kAfter, &now_);
-    return;
   }
   for (int i = 0; i < 3; ++i) {
     const Key* key = curves_.root(kRootX + i).KeyAt(frame);

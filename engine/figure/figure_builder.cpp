@@ -33,7 +33,8 @@ RigidInertia InertiaOf(const LinkSpec& link) {
 // A real body's principal moments are positive and none exceeds the sum of the others.
 bool IsPhysical(const Mat3& inertia) {
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvalues();
-  return moments[0] >= 0.0 && moments[2] <= (moments[0] + moments[1]) * (1.0 + 1e-9);
+  // A thin rod's smallest moment is zero but for rounding.
+  return moments[0] >= -1e-9 * moments[2] && moments[2] <= (moments[0] + moments[1]) * (1.0 + 1e-9);
 }
 
 std::optional<Error> CheckLink(const LinkSpec& link, const std::string& place) {
@@ -181,7 +182,7 @@ class FigureAssembler {
     joint.axis = hinge.axis.normalized();
     joint.lower = hinge.lower;
     joint.upper = hinge.upper;
-    joint.rest = hinge.rest;
+    joint.rest = hinge.lower == hinge.upper ? hinge.lower : hinge.rest;  // fixed hinges stay put
     joint.parallel_frame = X_PJ.R.isIdentity(0.0);
     joint.massless = true;
     figure_.joints_.push_back(joint);

@@ -66,7 +66,7 @@ void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWork
   // A standing figure is at rest a hair above the ground as well as on it.
   const double leeway = touches_now ? std::max(clearance_now, 0.0) : 0.0;
   const bool touches_then = ClearanceAt(*ws, to->X_WR.p) <= leeway + kRounding;
-  if (touches_now && touches_then) {  // (3)
+  if (touches_now && (touches_then || !Leaves(*ws, to->X_WR.p))) {  // (3)
     PinRoot(figure_, pin_joint(), pin_W_, ws, to);
     return;
   }
@@ -91,8 +91,15 @@ double GravityPlacement::ClearanceAt(const DynamicsWorkspace& ws, const Vec3& sh
   return contact ? contact->clearance : kFree;
 }
 
+// Whether a standing figure that would be free with its root at p gets there by leaving what it
+// stands on, not through it. The workspace, here and below, holds it with its root at the origin.
+bool GravityPlacement::Leaves(const DynamicsWorkspace& ws, const Vec3& p) const {
+  const Vec3 pinned = pin_W_ - ws.body(pin_joint()).p;
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, ws, pinned);
+  return contact->normal.dot(p - pinned) > 0.0;
+}
+
 // Whether a figure that is free at both ends of the path that led to `motion` met something on it.
-// The workspace, here and below, holds the figure with its root at the origin.
 bool GravityPlacement::PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                                      const Vec3& path) const {
   const Vec3 start = motion.X_WR.p - path;

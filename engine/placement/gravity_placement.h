@@ -57,6 +57,7 @@ class GravityPlacement {
   void Fly(const Vec3& com, double dt);
   double MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
   double ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const;
+  bool Leaves(const DynamicsWorkspace& ws, const Vec3& p) const;
   bool PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                      const Vec3& path) const;
   void Land(const Vec3& path, const Vec3& velocity, double dt, DynamicsWorkspace* ws,

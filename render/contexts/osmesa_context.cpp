@@ -67,8 +67,8 @@ struct OsmesaContext::Library {
 Result<OsmesaContext> OsmesaContext::Create() {
   const Library& library = Library::Get();
   if (!library.problem.empty()) return CannotLoad(library.problem);
-  const int attributes[] = {kFormat, kRgba, kDepthBits, 24, kProfile, kCoreProfile,
-                            kMajorVersion, 3, kMinorVersion, 3, 0};
+  const int attributes[] = {kFormat,       kRgba, kDepthBits,    24, kProfile, kCoreProfile,
+                            kMajorVersion, 3,     kMinorVersion, 3,  0};
   void* context = library.create(attributes, nullptr);
   if (context == nullptr) return CannotLoad("Mesa makes no OpenGL 3.3 context");
   return OsmesaContext(&library, context);

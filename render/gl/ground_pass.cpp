@@ -67,8 +67,7 @@ ShaderProgram& GroundPass::Program(GroundLook look, bool is_shaded) {
   if (!is_compiled_[i]) {
     std::string defines = look == GroundLook::kChecker ? "#define CHECKER\n" : "";
     if (is_shaded) defines += "#define SHADED\n";
-    programs_[i] =
-        ShaderProgram(*gl_, defines, shaders::kGroundVertex, shaders::kGroundFragment);
+    programs_[i] = ShaderProgram(*gl_, defines, shaders::kGroundVertex, shaders::kGroundFragment);
     is_compiled_[i] = true;
   }
   return programs_[i];
@@ -108,10 +107,9 @@ void GroundPass::DrawPart(bool is_shaded, const Scene& scene, const FrameView& v
   program.Use();
   program.Set("clip_from_world", view.clip_from_world);
   program.Set("shadow_from_world", view.shadow.map_from_world);
-  program.Set("center", Vec4(target.x(), target.y(), scene.ground.height,
-                             1.0 / FadeRadius(scene.camera)));
-  program.Set("shaded_rect",
-              Vec4(rect.min.x(), rect.min.y(), 1.0 / size.x(), 1.0 / size.y()));
+  program.Set("center",
+              Vec4(target.x(), target.y(), scene.ground.height, 1.0 / FadeRadius(scene.camera)));
+  program.Set("shaded_rect", Vec4(rect.min.x(), rect.min.y(), 1.0 / size.x(), 1.0 / size.y()));
   program.Set("shadow_step", Vec4(view.shadow_texel_uv, view.shadow_texel_uv, 0.0, 0.0));
   program.Set("floor_srgb", scene.ground.floor);
   program.Set("pattern_srgb", scene.ground.pattern);

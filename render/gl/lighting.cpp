@@ -39,7 +39,6 @@ void SetSolidLight(const ShaderProgram& program, const Scene& scene, const Frame
   program.Set("clip_from_world", view.clip_from_world);
   program.Set("shadow_from_world", view.shadow.map_from_world);
   program.Set("shadow_offset_m", static_cast<float>(2.0 * view.shadow.texel_m));
-  program.Set("shadow_step", Vec4(view.shadow_texel_uv, view.shadow_texel_uv, 0.0, 0.0));
   program.Set("eye", Vec4(scene.camera.eye.homogeneous()));
   program.Set("to_light", Direction(scene.to_light));
   program.Set("to_fill", Direction(ToFill(scene)));

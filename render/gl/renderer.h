@@ -10,7 +10,7 @@
 namespace hazumi::render {
 
 struct RendererOptions {
-  int samples = 4;            // per pixel: 1 or 4; 0 counts as 1, 2 and 3 as 4, more as 4
+  int samples = 4;  // per pixel: 1 or 4; 0 counts as 1, 2 and 3 as 4, more as 4
   bool shadow = true;
   int shadow_map_px = 1024;  // edge of the shadow map, which is fitted to the figures
 };

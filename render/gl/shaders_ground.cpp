@@ -2,8 +2,8 @@
 // fading to the horizon with the squared distance from the centre of interest. No light is
 // computed, since floor and light are both even.
 // Pattern, smoothed analytically over the pixel's footprint w: grid lines cover
-// clamp(0.5 + (half - g) / w) at distance g from the nearest line, thinned where half << w; for
-// checkers the box filter of the square wave: both known in closed form.
+// 0.5 + (half - g) / w of it at distance g from the nearest line, at least 0 and at most 2 half / w
+// or 1; for checkers it is the box filter of the square wave.
 
 #include "render/gl/shaders.h"
 
@@ -58,8 +58,9 @@ float Pattern(vec2 w) {
 #else
   vec2 major = abs(fract(plane - 0.5) - 0.5);
   vec2 minor = abs(fract(plane * 4.0 - 0.5) - 0.5) * 0.25;
-  vec2 a = clamp(0.5 + (0.009 - major) / w, 0.0, 1.0) * clamp(0.018 / w, 0.0, 1.0);
-  vec2 b = clamp(0.5 + (0.003 - minor) / w, 0.0, 1.0) * clamp(0.006 / w, 0.0, 1.0);
+  vec2 per_w = 1.0 / w;
+  vec2 a = min(max(0.5 + (0.009 - major) * per_w, 0.0), min(0.018 * per_w, 1.0));
+  vec2 b = min(max(0.5 + (0.003 - minor) * per_w, 0.0), min(0.006 * per_w, 1.0));
   return max(max(a.x, a.y), 0.55 * max(b.x, b.y));
 #endif
 }

@@ -39,7 +39,6 @@ uniform vec4 above_linear;
 uniform vec4 below_linear;
 uniform vec4 fill_linear;
 uniform vec4 rim_linear;
-uniform vec4 shadow_step;   // texel size in map coordinates, x and y
 uniform float ground_height;
 uniform float ghost;        // 1: see-through in the middle, denser at the rim
 in vec3 normal;
@@ -47,14 +46,6 @@ in vec3 world;
 in vec3 shadow;
 flat in vec4 color;
 out vec4 picture;
-
-float Lit() {
-  vec2 d = shadow_step.xy;
-  return 0.25 * (texture(shadow_map, shadow + vec3(-0.6 * d.x, -1.6 * d.y, 0.0)) +
-                 texture(shadow_map, shadow + vec3(1.6 * d.x, -0.6 * d.y, 0.0)) +
-                 texture(shadow_map, shadow + vec3(-1.6 * d.x, 0.6 * d.y, 0.0)) +
-                 texture(shadow_map, shadow + vec3(0.6 * d.x, 1.6 * d.y, 0.0)));
-}
 
 // Linear to sRGB by a fit in roots, within 0.1 % of the exact curve.
 vec3 Encode(vec3 c) {
@@ -66,7 +57,7 @@ vec3 Encode(vec3 c) {
 void main() {
   vec3 n = normalize(normal), v = normalize(eye.xyz - world);
   float facing = dot(n, to_light.xyz);
-  float lit = Lit() * smoothstep(-0.05, 0.25, facing);
+  float lit = texture(shadow_map, shadow) * smoothstep(-0.05, 0.25, facing);
   float wrap = clamp(0.86 * facing + 0.14, 0.0, 1.0);
   float near_floor = clamp((world.z - ground_height) * 2.2, 0.0, 1.0);
   vec3 ambient = mix(below_linear.rgb, above_linear.rgb, 0.5 + 0.5 * n.z);

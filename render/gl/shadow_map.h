@@ -14,8 +14,7 @@ struct ShadowView {
 
 // Holds all casters. The map's extent grows in steps of 0.5 m and its origin moves by whole texels,
 // so that shadow edges do not crawl when the figure moves.
-ShadowView FitShadow(const std::vector<BoundingSphere>& casters, const Vec3& to_light,
-                     int size_px);
+ShadowView FitShadow(const std::vector<BoundingSphere>& casters, const Vec3& to_light, int size_px);
 
 // A square depth texture that answers comparisons; outside is lit.
 class ShadowMap {

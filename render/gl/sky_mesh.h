@@ -8,12 +8,13 @@
 namespace hazumi::render {
 
 struct SkyVertex {
-  float x, y;        // GL normalised device coordinates
+  float x, y;  // GL normalised device coordinates
   float srgb[3];
 };
 
-// Triangles over the whole picture, coloured by the elevation seen there: the horizon's colour at
-// and below it, turning to the zenith's.
+// Triangles over all of the picture that is above the horizon, coloured by the elevation seen
+// there, from the horizon's colour to the zenith's. Below, the picture must be cleared to the
+// horizon's.
 std::vector<SkyVertex> BuildSky(const Scene& scene, PictureSize size);
 
 }  // namespace hazumi::render

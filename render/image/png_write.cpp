@@ -12,7 +12,10 @@
 namespace hazumi::render {
 namespace {
 
-constexpr int kCompressionLevel = 1;  // with the SUB filter: a quarter of the default's time
+// With the SUB filter a quarter of the default's time. Gradients and flat areas become runs, so that
+// looking for runs alone (zlib's Z_RLE) is faster than level 1's search and no larger.
+constexpr int kCompressionLevel = 1;
+constexpr int kRunLengths = 3;
 
 struct EncodeJob {
   const Image* image;
@@ -41,6 +44,7 @@ void WriteHeader(png_structp png, png_infop info, EncodeJob& job) {
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_text(png, info, job.texts->data(), static_cast<int>(job.texts->size()));
   png_set_compression_level(png, kCompressionLevel);
+  png_set_compression_strategy(png, kRunLengths);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_write_info(png, info);
   png_set_filler(png, 0, PNG_FILLER_AFTER);
@@ -84,8 +88,7 @@ bool HasBadKey(const std::vector<PngText>& texts) {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> EncodePng(const Image& image,
-                                            const std::vector<PngText>& texts) {
+Result<std::vector<std::uint8_t>> EncodePng(const Image& image, const std::vector<PngText>& texts) {
   if (HasBadKey(texts)) {
     return Error{ErrorCode::kCannotWrite, "", "",
                  "the name of a PNG text must have 1 to 79 ASCII letters"};

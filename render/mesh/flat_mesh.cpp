@@ -37,10 +37,10 @@ Vec2 LeftOf(const Vec2& from, const Vec2& to) {
 
 // From the middle line to the left edge of a stroke of half width 1 at point i.
 Vec2 MiterAt(const std::vector<ScreenPoint>& points, size_t i) {
-  const bool first = i == 0, last = i + 1 == points.size();
-  const Vec2 before = first ? LeftOf(points[0].px, points[1].px)
-                            : LeftOf(points[i - 1].px, points[i].px);
-  const Vec2 after = last ? before : LeftOf(points[i].px, points[i + 1].px);
+  const size_t last = points.size() - 1;
+  const size_t in = i == 0 ? 0 : i - 1, out = i == last ? last - 1 : i;
+  const Vec2 after = LeftOf(points[out].px, points[out + 1].px);
+  Vec2 before = LeftOf(points[in].px, points[in + 1].px);
   const Vec2 sum = before + after;
   const double length = sum.norm();
   if (length < 1e-6) return before;
@@ -68,10 +68,8 @@ void AppendStroke(const std::vector<ScreenPoint>& points, const Stroke& stroke, 
   for (size_t i = 0; i < line.size(); ++i) {
     const Vec2 miter = outer * MiterAt(line, i);
     const ScreenPoint& p = line[i];
-    const auto next_left =
-        MakeVertex(p.px + miter, p.depth, outer, half, stroke.color, size);
-    const auto next_right =
-        MakeVertex(p.px - miter, p.depth, -outer, half, stroke.color, size);
+    const auto next_left = MakeVertex(p.px + miter, p.depth, outer, half, stroke.color, size);
+    const auto next_right = MakeVertex(p.px - miter, p.depth, -outer, half, stroke.color, size);
     if (i > 0) {
       mesh.insert(mesh.end(), {left, right, next_left, right, next_right, next_left});
     }

@@ -17,8 +17,8 @@ std::vector<Turn> ColumnTurns(int columns);
 void AppendVertex(const Vec3& position, const Vec3& normal, const LinearColor& color,
                   SolidMesh& mesh);
 
-// Joins `rows` rings of `columns` vertices starting at `first`, whose first and last ring are single
-// points (poles). Rings follow the axis; columns turn counter-clockwise about it.
+// Joins `rows` rings of `columns` vertices starting at `first`, whose first and last ring are
+// single points (poles). Rings follow the axis; columns turn counter-clockwise about it.
 void JoinRings(std::uint32_t first, int rows, int columns, SolidMesh& mesh);
 
 // Joins a flat grid of size x size vertices starting at `first`, rows along the second axis.

@@ -7,9 +7,7 @@ namespace hazumi::render {
 namespace {
 
 // IEC 61966-2-1.
-float Decode(float c) {
-  return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-}
+float Decode(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 float Encode(float c) {
   c = std::clamp(c, 0.0f, 1.0f);

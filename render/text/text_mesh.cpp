@@ -12,12 +12,12 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 constexpr int kRoundings = 3;
-constexpr double kMarginPx = 20.0;
-constexpr int kGap = 2;                // after a letter, part of its advance
-constexpr int kSpacing = 1;            // between letters, on the glyphs' grid
-constexpr double kLineHeight = 2.6;    // in cap heights
-constexpr double kWeight = 0.135;      // stroke width in cap heights
-constexpr double kPadding = 0.62;      // of the panel around the letters, in cap heights
+constexpr double kMarginPx = 14.0;   // from the picture's edge to a panel
+constexpr int kGap = 2;              // after a letter, part of its advance
+constexpr int kSpacing = 1;          // between letters, on the glyphs' grid
+constexpr double kLineHeight = 2.6;  // in cap heights
+constexpr double kWeight = 0.135;    // stroke width in cap heights
+constexpr double kPadding = 0.62;    // of the panel around the letters, in cap heights
 constexpr SrgbColor kPanel = FromHex(0x1d232a, 0.62f);
 
 double Coordinate(char c) { return c >= 'a' ? c - 'a' + 10 : c - '0'; }
@@ -61,13 +61,15 @@ void AppendGlyph(const Glyph& glyph, const Vec2& origin, double unit,
   }
 }
 
+double PaddingOf(const Caption& c) { return std::round(kPadding * c.cap_height_px); }
+
 Vec2 BaselineStart(const Caption& c, double lines_before_px, PictureSize size) {
   const bool right = c.corner == Corner::kTopRight || c.corner == Corner::kBottomRight;
   const bool top = c.corner == Corner::kTopLeft || c.corner == Corner::kTopRight;
-  const double x =
-      right ? size.width - kMarginPx - TextWidth(c.text, c.cap_height_px) : kMarginPx;
-  const double y = top ? size.height - kMarginPx - c.cap_height_px - lines_before_px
-                       : kMarginPx + lines_before_px;
+  const double margin = kMarginPx + PaddingOf(c);
+  const double x = right ? size.width - margin - TextWidth(c.text, c.cap_height_px) : margin;
+  const double y =
+      top ? size.height - margin - c.cap_height_px - lines_before_px : margin + lines_before_px;
   return {std::round(x) + 0.5, std::round(y) + 0.5};
 }
 
@@ -82,7 +84,7 @@ void AppendStrokes(const std::vector<TextStroke>& strokes, const Vec2& start, co
 
 // Edges lie between pixels and are sharp without smoothing.
 void AppendPanel(const Caption& c, const Vec2& start, PictureSize size, FlatMesh& mesh) {
-  const double pad = std::round(kPadding * c.cap_height_px);
+  const double pad = PaddingOf(c);
   const double x0 = std::floor(start.x()) - pad, y0 = std::floor(start.y()) - pad;
   const double x1 = std::ceil(start.x() + TextWidth(c.text, c.cap_height_px)) + pad;
   const double y1 = std::ceil(start.y() + c.cap_height_px) + pad;
@@ -92,8 +94,8 @@ void AppendPanel(const Caption& c, const Vec2& start, PictureSize size, FlatMesh
 void AppendCaption(const Caption& c, double lines_before_px, PictureSize size, FlatMesh& mesh) {
   const Vec2 start = BaselineStart(c, lines_before_px, size);
   AppendPanel(c, start, size, mesh);
-  AppendStrokes(LayOutText(c.text, c.cap_height_px), start,
-                {kWeight * c.cap_height_px, c.color}, size, mesh);
+  AppendStrokes(LayOutText(c.text, c.cap_height_px), start, {kWeight * c.cap_height_px, c.color},
+                size, mesh);
 }
 
 }  // namespace

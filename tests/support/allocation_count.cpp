@@ -6,6 +6,11 @@
 
 // operator new and Eigen both end in malloc, so taking its place sees them all. Sanitizers bring a
 // malloc of their own.
+#if defined(__has_feature)  // clang's way to tell
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define HAZUMI_COUNTS_ALLOCATIONS 1
 #else

@@ -30,8 +30,21 @@ Keys& KeysOf(Animation* animation, const char* joint) {
   return animation->joint_keys[JointOf(*animation, joint).value()];
 }
 
+void KeyTheRest(Animation* animation) {
+  const double first = animation->first_frame, last = animation->last_frame;
+  const auto complete = [&](double rest, Keys* keys) {
+    if (keys->empty()) *keys = {{first, rest, {}, Interpolation::kCubic}};
+    if (keys->back().frame == last) return;
+    keys->push_back({last, keys->back().value, {}, Interpolation::kCubic});
+  };
+  for (size_t j = 0; j < animation->joint_keys.size(); ++j) {
+    complete(animation->figure->joints()[j].rest, &animation->joint_keys[j]);
+  }
+  for (Keys& keys : animation->root_keys) complete(0.0, &keys);
+}
+
 DynamicsRegion& AddRegion(Animation* animation, const char* name, int first, int last,
-                          const std::vector<const char*>& joints) {
+                          const std::vector<const char*>& joints, double friction) {
   DynamicsRegion region;
   region.name = name;
   region.first_frame = first;
@@ -42,7 +55,7 @@ DynamicsRegion& AddRegion(Animation* animation, const char* name, int first, int
     for (int k = j.value(); k < end; ++k) region.joints.emplace_back(k);
   }
   std::sort(region.joints.begin(), region.joints.end());
-  region.friction.assign(region.joints.size(), 1.0);
+  region.friction.assign(region.joints.size(), friction);
   animation->regions.push_back(region);
   return animation->regions.back();
 }

@@ -16,9 +16,12 @@ JointIndex JointOf(const Animation& animation, const char* name);
 GroupIndex GroupOf(const Animation& animation, const char* name);
 // The keys of a joint.
 Keys& KeysOf(Animation* animation, const char* joint);
-// A region of these joints and all beyond them, without friction.
+// Gives every curve a key on the last frame, that without keys one on the first too, so that after
+// a region, a hold or a pin there is somewhere to go.
+void KeyTheRest(Animation* animation);
+// A region of these joints and all beyond them, with one friction factor.
 DynamicsRegion& AddRegion(Animation* animation, const char* name, int first, int last,
-                          const std::vector<const char*>& joints);
+                          const std::vector<const char*>& joints, double friction = 1.0);
 PlacementSpan& AddPin(Animation* animation, int first, int last, const char* joint);
 PlacementSpan& AddGravity(Animation* animation, int first, int last);
 IkHold& AddHold(Animation* animation, int first, int last, const char* joint, bool orientation);

@@ -23,10 +23,13 @@ class NoAllocation : public ::testing::Test {
     ComputePositions(figure_, Pose(), q_, &ws_);
   }
 
+  void SetUp() override {
+    if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
+  }
+
   // Once to let scratch that is sized at first use be sized, then counted.
   template <typename Evaluate>
   void ExpectNone(const Evaluate& evaluate) {
-    if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
     evaluate();
     const long before = AllocationCount();
     evaluate();
@@ -42,7 +45,6 @@ class NoAllocation : public ::testing::Test {
 };
 
 TEST_F(NoAllocation, TheCounterCounts) {
-  if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
   const long before = AllocationCount();
   const VecX x(100);
   const auto y = std::make_unique<double>(x.size());

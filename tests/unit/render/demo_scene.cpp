@@ -38,7 +38,8 @@ class Person {
     Part({0, 0.01, 1.12}, {0, 0, 1.27}, 0.112, 0.13, kShirt);
     Part({-0.10, 0, 1.33}, {0.10, 0, 1.33}, 0.085, 0.085, kShirt);
     Part({0, 0, 1.36}, {0, -0.01, 1.50}, 0.055, 0.05, kSkin);
-    Ellipsoid head{{Mat3::Identity(), origin_ + Vec3(0, -0.02, 1.59)}, {0.076, 0.095, 0.112}, kSkin};
+    Ellipsoid head{
+        {Mat3::Identity(), origin_ + Vec3(0, -0.02, 1.59)}, {0.076, 0.095, 0.112}, kSkin};
     head.color.a = alpha_;
     scene_.ellipsoids.push_back(head);
     Part({0, -0.11, 1.575}, {0, -0.115, 1.565}, 0.016, 0.018, kSkin);
@@ -94,8 +95,7 @@ std::vector<Vec3> Ballistic(double x) {
 void AddMarks(Scene& scene) {
   scene.polylines.push_back({Ballistic(0.0), 3.0, FromHex(0xffbe33), 0.0, false});
   scene.polylines.push_back({Ballistic(0.55), 2.5, FromHex(0x53992e), 0.05, false});
-  scene.polylines.push_back(
-      {{{0, 0, 0.98}, {0, 0, 0.004}}, 1.5, FromHex(0x2890ff), 0.03, true});
+  scene.polylines.push_back({{{0, 0, 0.98}, {0, 0, 0.004}}, 1.5, FromHex(0x2890ff), 0.03, true});
   scene.markers.push_back({MarkerShape::kCenterOfMass, {0, 0, 0.98}, 0.035, FromHex(0xffffff)});
   scene.markers.push_back({MarkerShape::kRing, {0, 0, 0.004}, 0.09, FromHex(0x2890ff), 2.5});
   scene.markers.push_back({MarkerShape::kCross, {0, 0, 0.004}, 0.05, FromHex(0x2890ff), 2.0});
@@ -110,13 +110,13 @@ Scene MakeDemoScene(int frame) {
   Scene scene;
   scene.camera = {.eye = {2.6, -3.7, 1.45}, .target = {0.15, 0, 0.82}, .vertical_fov_deg = 32.0};
   Person(scene, PhaseOf(frame), 0.0, 1.0f).Draw();
-  scene.boxes.push_back({{Mat3::Identity(), {0.85, 0.35, 0.2}}, {0.25, 0.3, 0.2}, 0.015,
-                         FromHex(0xb9a58a)});
+  scene.boxes.push_back(
+      {{Mat3::Identity(), {0.85, 0.35, 0.2}}, {0.25, 0.3, 0.2}, 0.015, FromHex(0xb9a58a)});
   AddMarks(scene);
   scene.captions.push_back({"frame " + std::to_string(frame), Corner::kBottomRight});
   scene.captions.push_back({"Hazumi", Corner::kTopLeft, 16.0});
-  scene.captions.push_back({"passive: r_arm, l_arm  (12–24)", Corner::kTopLeft, 12.0,
-                            FromHex(0xffbe33)});
+  scene.captions.push_back(
+      {"passive: r_arm, l_arm  (12–24)", Corner::kTopLeft, 12.0, FromHex(0xffbe33)});
   return scene;
 }
 

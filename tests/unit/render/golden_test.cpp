@@ -32,9 +32,7 @@ TEST(GoldenImage, WalkerWithBoxShadowAndPaths) { ExpectMatchesGolden(Draw(Plain(
 
 // Two ghosts, see-through and without shadows, never showing their own inner parts; captions in
 // their corners on dark panels.
-TEST(GoldenImage, GhostsAndCaptions) {
-  ExpectMatchesGolden(Draw(MakeGhostScene(4), {}), "ghosts");
-}
+TEST(GoldenImage, GhostsAndCaptions) { ExpectMatchesGolden(Draw(MakeGhostScene(4), {}), "ghosts"); }
 
 // Checkers fade into the horizon without shimmering; no samples, no shadow map.
 TEST(GoldenImage, CheckerWithoutSamplesOrShadow) {

@@ -83,7 +83,10 @@ TEST(Text, StaysWithinItsWidthAndHeight) {
 TEST(Utf8, BadBytesBecomeReplacementSigns) {
   EXPECT_EQ(DecodeUtf8("a\xc2\xb0"), U"a\u00b0");
   EXPECT_EQ(DecodeUtf8("\xe5\xbc\xbe"), U"弾");
-  EXPECT_EQ(DecodeUtf8("\xff" "b\xe5"), U"\ufffd" U"b\ufffd");
+  EXPECT_EQ(DecodeUtf8("\xff"
+                       "b\xe5"),
+            U"\ufffd"
+            U"b\ufffd");
 }
 
 TEST(GroundOcclusion, IsThatOfASphereInClosedForm) {

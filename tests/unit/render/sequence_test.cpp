@@ -32,7 +32,8 @@ std::vector<std::string> FilesOfARun(int threads) {
   EXPECT_EQ(RenderSequence(SmallPictures(threads), SequenceInto(folder.path())).value(), kFrames);
   EXPECT_EQ(folder.file_count(), kFrames);
   std::vector<std::string> files;
-  for (int frame = 0; frame < kFrames; ++frame) files.push_back(BytesOf(folder.path() / NameOf(frame)));
+  for (int frame = 0; frame < kFrames; ++frame)
+    files.push_back(BytesOf(folder.path() / NameOf(frame)));
   return files;
 }
 

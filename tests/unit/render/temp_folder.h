@@ -24,9 +24,7 @@ class TempFolder {
   TempFolder& operator=(const TempFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  long file_count() const {
-    return std::distance(std::filesystem::directory_iterator(path_), {});
-  }
+  long file_count() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
 
  private:
   std::filesystem::path path_;

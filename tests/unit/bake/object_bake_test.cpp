@@ -1,0 +1,126 @@
+// Held objects in a bake.
+
+#include <gtest/gtest.h>
+
+#include "engine/bake/object_flight.h"
+#include "tests/support/animations.h"
+#include "tests/support/stick_figures.h"
+
+namespace hazumi {
+namespace {
+
+using namespace test;  // NOLINT: short names for the builders
+
+constexpr Interpolation kCubic = Interpolation::kCubic;
+constexpr double kG = 9.81;
+
+HeldObject Ball(const Animation& animation, const char* holder, std::optional<int> release) {
+  HeldObject ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{0.05};
+  ball.mass = 0.6;
+  ball.holder = GroupOf(animation, holder);
+  ball.offset = Vec3(0.05, 0.0, -0.12);
+  ball.release_frame = release;
+  return ball;
+}
+
+Animation Throw(std::optional<int> release) {
+  Animation animation = Still(Human());
+  animation.root_keys[kRootX] = {{0, 0.0, {}, kCubic}, {30, 0.4, {}, kCubic}};
+  KeysOf(&animation, "r_shoulder_y") = {{0, 0.5, {}, kCubic}, {12, -2.5, {}, kCubic}};
+  KeysOf(&animation, "r_elbow_y") = {{0, -1.5, {}, kCubic}, {12, -0.2, {}, kCubic}};
+  animation.held_objects.push_back(Ball(animation, "r_wrist", release));
+  return animation;
+}
+
+// The last hinge of the wrist carries the ball.
+Vec3 OnTheHand(const Animation& animation, const MotionFrame& frame) {
+  DynamicsWorkspace ws(*animation.figure);
+  ComputePositions(*animation.figure, frame.X_WR, frame.q, &ws);
+  const HeldObject& object = animation.held_objects[0];
+  const BodyScratch& hand = ws.body(animation.figure->group(object.holder).last());
+  return hand.p + hand.R * object.offset;
+}
+
+TEST(HeldObject, IsWhereItsHolderIsUntilItIsLetGo) {
+  const Animation animation = Throw(8);
+  const Motion motion = BakeOrFail(animation);
+  for (int f = 0; f <= 8; ++f) {
+    EXPECT_LE((motion.frames[f].objects[0].X_WO.p - OnTheHand(animation, motion.frames[f])).norm(),
+              1e-12);
+    EXPECT_EQ(motion.frames[f].objects[0].held, f < 8);
+  }
+}
+
+TEST(HeldObject, ThenFliesOnAParabolaWithTheVelocityItHad) {
+  const Animation animation = Throw(8);
+  const Motion motion = BakeOrFail(animation);
+  // The hand's motion around frame 8, on the same curves without a release.
+  BakeOptions fine;
+  fine.output_rate = FrameRate{30000, 1};
+  const Motion held = BakeOrFail(Throw({}), fine);
+  const auto at = [&](int i) { return OnTheHand(animation, held.frames[i]); };
+  const Vec3 v = (8.0 * (at(8001) - at(7999)) - (at(8002) - at(7998))) / 12.0 * 30000.0;
+  const Vec3 start = motion.frames[8].objects[0].X_WO.p;
+  for (int f = 8; f <= 30; ++f) {
+    const double t = (f - 8) / 30.0;
+    const Vec3 expected = start + v * t - Vec3(0, 0, 0.5 * kG * t * t);
+    EXPECT_LE((motion.frames[f].objects[0].X_WO.p - expected).norm(), 1e-6) << f;
+    if (f < 10) continue;
+    const auto p = [&](int k) { return motion.frames[k].objects[0].X_WO.p; };
+    const Vec3 second = (p(f) - 2.0 * p(f - 1) + p(f - 2)) * 900.0;
+    EXPECT_LE((second - Vec3(0, 0, -kG)).norm(), 1e-9) << "exact parabola at " << f;
+  }
+}
+
+TEST(HeldObject, ReleaseIsAnEvent) {
+  const Motion motion = BakeOrFail(Throw(8));
+  const auto releases = EventsOf(motion, EventKind::kRelease);
+  ASSERT_EQ(releases.size(), 1u);
+  EXPECT_EQ(releases[0].frame, 8);
+  EXPECT_EQ(releases[0].joint, "r_wrist");
+}
+
+TEST(HeldObject, IsPartOfItsHoldersLinkWhileHeld) {
+  const Animation animation = Throw(8);
+  const Figure loaded = animation.figure->WithLoad(
+      animation.figure->group(animation.held_objects[0].holder).last(),
+      InertiaOf(animation.held_objects[0]));
+  const Motion motion = BakeOrFail(animation);
+  for (const int f : {4, 8}) {
+    const Figure& figure = f < 8 ? loaded : *animation.figure;
+    DynamicsWorkspace ws(figure);
+    ComputePositions(figure, motion.frames[f].X_WR, motion.frames[f].q, &ws);
+    EXPECT_LE((motion.frames[f].com - CenterOfMass(figure, ws)).norm(), 1e-14) << f;
+  }
+}
+
+// A region with the ball in the hand is one of a figure whose hand is heavier.
+TEST(HeldObject, WeighsOnARegion) {
+  Animation with_ball = Throw({});
+  AddRegion(&with_ball, "arm", 5, 15, {"r_shoulder"});
+  Animation heavier = with_ball;
+  heavier.held_objects.clear();
+  heavier.figure = std::make_shared<const Figure>(with_ball.figure->WithLoad(
+      with_ball.figure->group(with_ball.held_objects[0].holder).last(),
+      InertiaOf(with_ball.held_objects[0])));
+  const Motion one = BakeOrFail(with_ball), other = BakeOrFail(heavier);
+  for (int f = 0; f <= 30; ++f) EXPECT_EQ(one.frames[f].q, other.frames[f].q) << f;
+}
+
+// Nothing pushes or pulls at a release.
+TEST(HeldObject, LetGoInFlightChangesNoVelocity) {
+  Animation animation = Throw(8);
+  animation.root_keys[kRootX] = {{0, 0.0, 1.0, kCubic}};
+  animation.root_keys[kRootZ] = {{0, 5.0, 2.0, kCubic}};
+  AddGravity(&animation, 0, 30);
+  const Motion motion = BakeOrFail(animation);
+  const MotionFrame& frame = motion.frames[8];
+  EXPECT_LE((frame.before.root_v - frame.after.root_v).norm(), 1e-12);
+  const Vec3 second = (motion.frames[12].com - 2.0 * motion.frames[11].com + motion.frames[10].com);
+  EXPECT_LE((900.0 * second - Vec3(0, 0, -kG)).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace hazumi
