@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/bake/rates.h"
+#include "engine/bake/limits.h"
 #include "engine/base/text.h"
 
 namespace hazumi {
@@ -59,7 +59,7 @@ Baker::Baker(const Animation& animation, const BakeOptions& options)
 
 Result<Motion> Baker::Run() {
   if (auto error = Evaluate(animation_.first_frame, Side::kBefore, &now_)) return *error;
-  before_ = RatesOf(now_);
+  before_ = LimitOf(now_);
   for (int frame = animation_.first_frame;; ++frame) {
     if (auto error = CrossFrame(frame)) return *error;
     RecordIfOutput();
@@ -97,7 +97,7 @@ Baker::Failure Baker::Step(double frame_from, double frame_to, bool to_boundary)
   if (auto error = StepPlacement(frame_from, seconds, side, &next)) return error;
   RecordBetween(now_, next);
   now_ = std::move(next);
-  before_ = RatesOf(now_);
+  before_ = LimitOf(now_);
   return FinishLanding();
 }
 

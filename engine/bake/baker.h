@@ -59,7 +59,7 @@ class Baker {
   void RecordIfOutput();
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
-  void Record(int output_frame, const FigureMotion& motion, const MotionRates& before,
+  void Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
               std::optional<GroupIndex> pinned);
   double OutputFramesPerFrame() const;
   void AddEvent(EventKind kind, double frame, const std::string& joint);
@@ -76,7 +76,7 @@ class Baker {
   std::vector<double> key_frames_;
 
   FigureMotion now_;
-  MotionRates before_;      // limits from the left at now_.frame
+  MotionLimit before_;      // from the left at now_.frame
   std::vector<char> free_;  // by JointIndex: driven by a region
   std::unique_ptr<RegionDriver> driver_;
   std::vector<ActiveHold> holds_;

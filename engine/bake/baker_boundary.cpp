@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/bake/baker.h"
-#include "engine/bake/rates.h"
+#include "engine/bake/limits.h"
 #include "engine/base/text.h"
 
 namespace hazumi {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/bake/baker.h"
-#include "engine/bake/rates.h"
+#include "engine/bake/limits.h"
 
 namespace hazumi {
 
@@ -25,7 +25,7 @@ const char* NameOf(EventKind kind) {
   return "";
 }
 
-void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRates& before,
+void Baker::Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
                    std::optional<GroupIndex> pinned) {
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   MotionFrame frame;
@@ -33,7 +33,7 @@ void Baker::Record(int output_frame, const FigureMotion& motion, const MotionRat
   frame.q = motion.q;
   frame.X_WR = motion.X_WR;
   frame.before = before;
-  frame.after = RatesOf(motion);
+  frame.after = LimitOf(motion);
   frame.com = CenterOfMass(figure_, ws_);
   frame.pinned = pinned;
   for (const ObjectFlight& object : objects_) {
@@ -65,7 +65,7 @@ void Baker::RecordBetween(const FigureMotion& from, const FigureMotion& to) {
     between.frame = output / per_frame;
     SetBetween(from, to, &between);
     const bool lands = gravity_ && gravity_->has_landed();
-    Record(output, between, RatesOf(between), lands ? std::nullopt : pinned());
+    Record(output, between, LimitOf(between), lands ? std::nullopt : pinned());
   }
 }
 

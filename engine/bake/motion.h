@@ -12,9 +12,10 @@
 
 namespace hazumi {
 
-// Rates on one side of an instant.
-struct MotionRates {
-  VecX qd;                      // by JointIndex [rad/s]
+// The figure's motion on one side of an instant.
+struct MotionLimit {
+  VecX q, qd;                   // by JointIndex [rad, rad/s]
+  Pose X_WR;                    // root in the world [m]
   Vec3 root_w = Vec3::Zero();   // angular velocity of the root, world axes [rad/s]
   Vec3 root_v = Vec3::Zero();   // velocity of the root's origin [m/s]
 };
@@ -27,9 +28,9 @@ struct ObjectPose {
 
 struct MotionFrame {
   int frame = 0;  // in frames of Motion::rate
-  VecX q;         // by JointIndex [rad]
-  Pose X_WR;      // root in the world [m]
-  MotionRates before, after;  // limits from the left and from the right
+  VecX q;         // by JointIndex [rad]; as in `after`
+  Pose X_WR;      // root in the world [m]; as in `after`
+  MotionLimit before, after;  // limits from the left and from the right
   Vec3 com = Vec3::Zero();    // of the figure with what it holds, world [m]
   std::optional<GroupIndex> pinned;
   std::vector<ObjectPose> objects;  // by index of Animation::held_objects
@@ -52,7 +53,7 @@ struct RegionReport {
   double step = 0.0;         // [s]
   int steps = 0;
   int evaluations = 0;       // of the equations of motion
-  int solves = 0;            // of them for accelerations: more than evaluations where stops were hit
+  int solves = 0;            // of them for accelerations: more where stops were hit
   double microseconds = 0.0; // differs from run to run; no part of the motion
   int free_joints = 0;
   int all_joints = 0;

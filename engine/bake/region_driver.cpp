@@ -74,7 +74,8 @@ std::optional<RegionDriver::Failure> RegionDriver::Advance(const FigureMotion& f
   const PaperStepStatus status = paper_.Advance(input_, dt, &y_, &yd_);
   if (status == PaperStepStatus::kSingular) {
     return Failure{system_.free()[paper_.failed_joint()],
-                   "it moves no mass, so nothing determines its motion; leave it out of the region"};
+                   "it moves no mass, so nothing determines its motion; leave it out of the "
+                   "region"};
   }
   if (status == PaperStepStatus::kNotFinite) {
     return Failure{system_.free()[paper_.failed_joint()],

@@ -50,53 +50,57 @@ void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspa
 void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) {
   TakeCenterOfMass(motion, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  if (contact && contact->clearance <= kTouching) PinAt(span_.pin, contact->point, *ws);
+  clearance_ = contact ? contact->clearance : kFree;
+  if (clearance_ <= kTouching) PinAt(span_.pin, contact->point, *ws);
 }
 
 void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws,
                                FigureMotion* to) {
   events_.clear();
   const bool was_pinned = pin_.has_value();
-  const double clearance_now = was_pinned ? MeasurePinned(from, ws) : kFree;
-  const bool touches_now = clearance_now <= kTouching;
+  if (was_pinned) MeasurePinned(from, ws);
+  const bool touches = was_pinned && clearance_ <= kTouching;
   just_landed_ = false;
   const Vec3 com = com_, velocity = com_v_;
   const Vec3 path = velocity * dt + 0.5 * g_ * dt * dt;
   PlaceCenterOfMass(figure_, com + path, velocity + g_ * dt, ws, to);
-  // A standing figure is at rest a hair above the ground as well as on it.
-  const double leeway = touches_now ? std::max(clearance_now, 0.0) : 0.0;
-  const bool touches_then = ClearanceAt(*ws, to->X_WR.p) <= leeway + kRounding;
-  if (touches_now && (touches_then || !Leaves(*ws, to->X_WR.p))) {  // (3)
+  const double clearance = ClearanceAt(*ws, to->X_WR.p);
+  if (touches && !Leaves(*ws, to->X_WR.p, clearance)) {  // (3)
     PinRoot(figure_, pin_joint(), pin_W_, ws, to);
     return;
   }
   if (was_pinned) events_.push_back({EventKind::kTakeOff, 0.0});
   pin_.reset();
   Fly(com + path, dt);  // (4), (5)
-  const bool is_stopped = touches_then || (!touches_now && PassesThrough(*ws, *to, path));
-  if (is_stopped) Land(path, velocity, dt, ws, to);  // (6)
+  // A figure that took off from a hair inside the ground is stopped only if it goes deeper.
+  const bool is_deeper = clearance <= std::min(clearance_, 0.0) + kRounding;
+  clearance_ = clearance;
+  const bool is_stopped = is_deeper || (clearance > 0.0 && PassesThrough(*ws, *to, path));
+  if (!touches && is_stopped) Land(path, velocity, dt, ws, to);  // (6)
 }
 
-// Takes the CoM of a pinned figure; returns its clearance [m].
-double GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
+// Takes the CoM of a pinned figure and its clearance.
+void GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
   const Vec3 before_landing = com_v_;
   TakeCenterOfMass(motion, ws);
   // After a landing: the velocity that the contact took away, or the figure would hop.
   if (just_landed_) com_v_ = before_landing;
-  return ClearanceAt(*ws, Vec3::Zero());
+  clearance_ = ClearanceAt(*ws, Vec3::Zero());
+}
+
+// Whether a standing figure gets free with its tentative root at p: higher than its pin would have
+// it, so that a hair above or inside the ground is as good as on it, and not through the ground.
+// The workspace, here and below, holds the figure with its root at the origin.
+bool GravityPlacement::Leaves(const DynamicsWorkspace& ws, const Vec3& p, double clearance) const {
+  const Vec3 pinned = pin_W_ - ws.body(pin_joint()).p;
+  const Contact contact = *NearestContact(figure_, scene_, ws, pinned);
+  return clearance > std::max(contact.clearance, -kTouching) + kRounding &&
+         contact.normal.dot(p - pinned) > 0.0;
 }
 
 double GravityPlacement::ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const {
   const std::optional<Contact> contact = NearestContact(figure_, scene_, ws, shift);
   return contact ? contact->clearance : kFree;
-}
-
-// Whether a standing figure that would be free with its root at p gets there by leaving what it
-// stands on, not through it. The workspace, here and below, holds it with its root at the origin.
-bool GravityPlacement::Leaves(const DynamicsWorkspace& ws, const Vec3& p) const {
-  const Vec3 pinned = pin_W_ - ws.body(pin_joint()).p;
-  const std::optional<Contact> contact = NearestContact(figure_, scene_, ws, pinned);
-  return contact->normal.dot(p - pinned) > 0.0;
 }
 
 // Whether a figure that is free at both ends of the path that led to `motion` met something on it.
@@ -135,8 +139,8 @@ void GravityPlacement::Land(const Vec3& path, const Vec3& velocity, double dt,
   const Vec3 start = to->X_WR.p - path;
   const double s = FirstTouchOfFigure(figure_, scene_, *ws, start, path).value_or(1.0);
   const Vec3 shift = MovedOut(*ws, start + s * path);
-  const double seconds = std::clamp(
-      SecondsUntilRisen(s * path.z(), velocity.z(), -g_.z(), s * dt), 0.0, dt);
+  const double seconds =
+      std::clamp(SecondsUntilRisen(s * path.z(), velocity.z(), -g_.z(), s * dt), 0.0, dt);
   std::erase_if(events_, [&](const Event& event) { return event.seconds_into_step > seconds; });
   com_ = CenterOfMass(figure_, *ws) + shift;
   PlaceCenterOfMass(figure_, com_, velocity + g_ * dt, ws, to);

@@ -55,9 +55,9 @@ class GravityPlacement {
   void PinAt(std::optional<GroupIndex> named, const Vec3& contact, const DynamicsWorkspace& ws);
   void TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws);
   void Fly(const Vec3& com, double dt);
-  double MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
+  void MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
   double ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const;
-  bool Leaves(const DynamicsWorkspace& ws, const Vec3& p) const;
+  bool Leaves(const DynamicsWorkspace& ws, const Vec3& p, double clearance) const;
   bool PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                      const Vec3& path) const;
   void Land(const Vec3& path, const Vec3& velocity, double dt, DynamicsWorkspace* ws,
@@ -71,6 +71,7 @@ class GravityPlacement {
   std::optional<GroupIndex> pin_;
   Vec3 pin_W_ = Vec3::Zero();
   Vec3 com_ = Vec3::Zero(), com_v_ = Vec3::Zero();  // in flight, and just after a landing
+  double clearance_ = 0.0;                          // at the start of the step [m]
   bool just_landed_ = false;
   std::vector<Event> events_;
 };

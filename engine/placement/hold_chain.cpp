@@ -57,7 +57,7 @@ void HoldChain::Place(const PoseOf<Jet>& X_WR, const std::vector<Jet>& q, const 
 
 template void HoldChain::Place<double>(const PoseOf<Jet>&, const std::vector<Jet>&, const VecX&,
                                        ChainPose<double>*) const;
-template void HoldChain::Place<Jet>(const PoseOf<Jet>&, const std::vector<Jet>&,
-                                    const VecXOf<Jet>&, ChainPose<Jet>*) const;
+template void HoldChain::Place<Jet>(const PoseOf<Jet>&, const std::vector<Jet>&, const VecXOf<Jet>&,
+                                    ChainPose<Jet>*) const;
 
 }  // namespace hazumi

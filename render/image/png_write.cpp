@@ -12,8 +12,8 @@
 namespace hazumi::render {
 namespace {
 
-// With the SUB filter a quarter of the default's time. Gradients and flat areas become runs, so that
-// looking for runs alone (zlib's Z_RLE) is faster than level 1's search and no larger.
+// With the SUB filter a quarter of the default's time. Gradients and flat areas become runs, so
+// that looking for runs alone (zlib's Z_RLE) is faster than level 1's search and no larger.
 constexpr int kCompressionLevel = 1;
 constexpr int kRunLengths = 3;
 

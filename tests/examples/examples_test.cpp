@@ -78,7 +78,8 @@ TEST(Examples, CompileAndBakeWithoutAWarning) {
     if (entry.path().extension() != ".kfa") continue;
     const Compiled compiled = Load(entry.path().stem().string());
     for (const Warning& warning : compiled.warnings) ADD_FAILURE() << warning.message;
-    for (const Warning& warning : Bake(compiled.animation).value().warnings) {
+    const Motion motion = Bake(compiled.animation).value();
+    for (const Warning& warning : motion.warnings) {
       ADD_FAILURE() << warning.place << ": " << warning.message;
     }
   }

@@ -98,7 +98,7 @@ Vec3 OriginOf(const Animation& animation, const MotionFrame& frame, const char* 
   return ws.body(JointOf(animation, joint)).p;
 }
 
-Vec3 VelocityOf(const Animation& animation, const MotionFrame& frame, const MotionRates& rates,
+Vec3 VelocityOf(const Animation& animation, const MotionFrame& frame, const MotionLimit& rates,
                 const char* joint) {
   DynamicsWorkspace ws(*animation.figure);
   ComputePositions(*animation.figure, frame.X_WR, frame.q, &ws);
@@ -115,11 +115,12 @@ std::vector<MotionEvent> EventsOf(const Motion& motion, EventKind kind) {
 
 namespace {
 
-bool IsSame(const MotionRates& a, const MotionRates& b) {
-  return a.qd == b.qd && a.root_w == b.root_w && a.root_v == b.root_v;
-}
-
 bool IsSame(const Pose& a, const Pose& b) { return a.R == b.R && a.p == b.p; }
+
+bool IsSame(const MotionLimit& a, const MotionLimit& b) {
+  return a.q == b.q && a.qd == b.qd && IsSame(a.X_WR, b.X_WR) && a.root_w == b.root_w &&
+         a.root_v == b.root_v;
+}
 
 }  // namespace
 

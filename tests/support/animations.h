@@ -35,7 +35,7 @@ Error BakeError(const Animation& animation);
 // Origin of a joint at a frame [m].
 Vec3 OriginOf(const Animation& animation, const MotionFrame& frame, const char* joint);
 // Its velocity with the rates of one side of the frame [m/s].
-Vec3 VelocityOf(const Animation& animation, const MotionFrame& frame, const MotionRates& rates,
+Vec3 VelocityOf(const Animation& animation, const MotionFrame& frame, const MotionLimit& rates,
                 const char* joint);
 std::vector<MotionEvent> EventsOf(const Motion& motion, EventKind kind);
 // Same bits, in angles, rates, root, CoM and objects.

@@ -59,8 +59,8 @@ void AddLeg(const std::string& side, double y, FigureSpec* spec) {
   const auto name = [&](const char* joint) { return side + joint; };
   spec->joints.push_back(
       JointOf(name("hip"), "root", {0, y, -0.05}, "yxz", Link(name("thigh"), Down(0.4), 0.06, 9)));
-  spec->joints.push_back(JointOf(name("knee"), name("hip"), Down(0.4), "y",
-                                 Link(name("shank"), Down(0.4), 0.04, 3)));
+  spec->joints.push_back(
+      JointOf(name("knee"), name("hip"), Down(0.4), "y", Link(name("shank"), Down(0.4), 0.04, 3)));
   spec->joints.push_back(JointOf(name("ankle"), name("knee"), Down(0.4), "yx",
                                  Link(name("foot"), {0.15, 0, -0.07}, 0.03, 0.8)));
   spec->joints.push_back(JointOf(name("toe"), name("ankle"), {0.15, 0, -0.07}, "y",

@@ -41,7 +41,8 @@ TEST(GravityBake, StartsInMidAirWithTheVelocityOfTheKeys) {
 TEST(GravityBake, StartsLaterWithTheVelocityOfTheCurve) {
   Animation animation = Thrown(5.0, 0.0, 0.0);
   animation.placements[0].first_frame = 10;
-  animation.root_keys[kRootX] = {{0, 0.0, {}, kCubic}, {10, 0.5, 3.0, kCubic}, {20, 0.0, {}, kCubic}};
+  animation.root_keys[kRootX] = {
+      {0, 0.0, {}, kCubic}, {10, 0.5, 3.0, kCubic}, {20, 0.0, {}, kCubic}};
   const Motion motion = BakeOrFail(animation);
   EXPECT_NEAR(motion.frames[20].X_WR.p.x(), 0.5 + 3.0 / 3.0, 1e-12);
   animation.root_keys[kRootX] = {{0, 0.0, {}, Interpolation::kLinear}, {10, 0.5, {}, kCubic}};

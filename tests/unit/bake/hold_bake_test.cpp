@@ -20,8 +20,8 @@ Animation Sway(bool orientation) {
   Animation animation = Still(Human());
   animation.root_keys[kRootX] = {{0, 0.0, {}, kCubic}, {5, 0.08, {}, kCubic}};
   animation.root_keys[kRootZ] = {{0, 0.90, {}, kCubic}, {5, 0.84, {}, kCubic}};
-  animation.root_keys[kRootAngleZ] = {{0, 0.0, {}, kCubic}, {5, 0.2, {}, kCubic},
-                                      {15, 0.0, {}, kCubic}};
+  animation.root_keys[kRootAngleZ] = {
+      {0, 0.0, {}, kCubic}, {5, 0.2, {}, kCubic}, {15, 0.0, {}, kCubic}};
   for (const char* side : {"r", "l"}) {
     const auto keys = [&](const char* joint) -> Keys& {
       return KeysOf(&animation, (std::string(side) + joint).c_str());
@@ -57,13 +57,18 @@ TEST(Hold, LeavesAngleAndRateToTheCurveAndThePin) {
   const Animation animation = Sway(true);
   const Motion motion = BakeOrFail(animation);
   const MotionFrame& frame = motion.frames[5];
+  EXPECT_LE((frame.before.q - frame.after.q).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LE((frame.before.X_WR.p - frame.after.X_WR.p).norm(), 1e-9);
   EXPECT_LE((frame.before.qd - frame.after.qd).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LE((frame.before.root_v - frame.after.root_v).norm(), 1e-9);
   EXPECT_LE((frame.before.root_w - frame.after.root_w).norm(), 1e-9);
   EXPECT_GT(frame.before.root_v.norm(), 0.1);
   for (int f = 5; f <= 30; ++f) {
     EXPECT_LE((OriginOf(animation, motion.frames[f], "l_toe") -
-               OriginOf(animation, motion.frames[0], "l_toe")).norm(), 1e-9) << f;
+               OriginOf(animation, motion.frames[0], "l_toe"))
+                  .norm(),
+              1e-9)
+        << f;
   }
   EXPECT_TRUE(motion.warnings.empty()) << motion.warnings[0].message;
 }
@@ -87,7 +92,8 @@ TEST(Hold, OutOfReachIsAnErrorWithFrameAndDistance) {
 
 TEST(Hold, MayStartLaterAndLetGoInTheAir) {
   Animation animation = Still(Leg());
-  animation.root_keys[kRootZ] = {{0, 0.9, {}, kCubic}, {10, 0.8, {}, kCubic}, {20, 0.9, {}, kCubic}};
+  animation.root_keys[kRootZ] = {
+      {0, 0.9, {}, kCubic}, {10, 0.8, {}, kCubic}, {20, 0.9, {}, kCubic}};
   KeysOf(&animation, "knee") = {{0, 0.7, {}, kCubic}, {30, 0.9, {}, kCubic}};
   KeysOf(&animation, "hip_y") = {{0, -0.4, {}, kCubic}, {30, -0.4, {}, kCubic}};
   KeyTheRest(&animation);

@@ -84,9 +84,9 @@ TEST(HeldObject, ReleaseIsAnEvent) {
 
 TEST(HeldObject, IsPartOfItsHoldersLinkWhileHeld) {
   const Animation animation = Throw(8);
-  const Figure loaded = animation.figure->WithLoad(
-      animation.figure->group(animation.held_objects[0].holder).last(),
-      InertiaOf(animation.held_objects[0]));
+  const Figure loaded =
+      animation.figure->WithLoad(animation.figure->group(animation.held_objects[0].holder).last(),
+                                 InertiaOf(animation.held_objects[0]));
   const Motion motion = BakeOrFail(animation);
   for (const int f : {4, 8}) {
     const Figure& figure = f < 8 ? loaded : *animation.figure;
@@ -102,9 +102,9 @@ TEST(HeldObject, WeighsOnARegion) {
   AddRegion(&with_ball, "arm", 5, 15, {"r_shoulder"});
   Animation heavier = with_ball;
   heavier.held_objects.clear();
-  heavier.figure = std::make_shared<const Figure>(with_ball.figure->WithLoad(
-      with_ball.figure->group(with_ball.held_objects[0].holder).last(),
-      InertiaOf(with_ball.held_objects[0])));
+  heavier.figure = std::make_shared<const Figure>(
+      with_ball.figure->WithLoad(with_ball.figure->group(with_ball.held_objects[0].holder).last(),
+                                 InertiaOf(with_ball.held_objects[0])));
   const Motion one = BakeOrFail(with_ball), other = BakeOrFail(heavier);
   for (int f = 0; f <= 30; ++f) EXPECT_EQ(one.frames[f].q, other.frames[f].q) << f;
 }

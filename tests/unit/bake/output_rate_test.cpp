@@ -20,8 +20,8 @@ Animation Everything(double step) {
   animation.solver.step = step;
   animation.root_keys[kRootZ] = {{0, 0.90, {}, kCubic}, {5, 0.86, {}, kCubic}};
   for (const char* joint : {"r_hip_y", "l_hip_y"}) {
-    KeysOf(&animation, joint) = {{0, -0.4, {}, kCubic}, {5, -0.5, {}, kCubic},
-                                 {15, -0.3, {}, kCubic}};
+    KeysOf(&animation, joint) = {
+        {0, -0.4, {}, kCubic}, {5, -0.5, {}, kCubic}, {15, -0.3, {}, kCubic}};
   }
   for (const char* joint : {"r_knee", "l_knee"}) {
     KeysOf(&animation, joint) = {{0, 0.8, {}, kCubic}, {5, 1.0, {}, kCubic}, {15, 0.6, {}, kCubic}};
@@ -48,8 +48,8 @@ double StepSize(const MotionFrame& a, const MotionFrame& b) {
 TEST(OutputRate, HasEveryFrameOnce) {
   for (const double step : {1.0 / 30.0, 1.0 / 60.0, 1.0 / 90.0, 0.013}) {
     const Animation animation = Everything(step);
-    const std::tuple<int, int, int> cases[] = {
-        {60, 1, 61}, {24, 1, 25}, {30000, 1001, 30}, {120, 1, 121}, {90, 1, 91}, {30, 1, 31}};
+    const std::tuple<int, int, int> cases[] = {{60, 1, 61},   {24, 1, 25}, {30000, 1001, 30},
+                                               {120, 1, 121}, {90, 1, 91}, {30, 1, 31}};
     for (const auto& [num, den, count] : cases) {
       const Motion motion = At(animation, num, den);
       ASSERT_EQ(motion.frames.size(), static_cast<size_t>(count)) << num << "/" << den;
@@ -97,8 +97,8 @@ TEST(OutputRate, KeepsFlightExact) {
   const Motion motion = At(animation, 120, 1);
   const int landing = EventsOf(motion, EventKind::kLanding).at(0).frame / 4 * 4;
   for (int f = 12 * 4 + 2; f <= landing; ++f) {
-    const Vec3 second = motion.frames[f].com - 2.0 * motion.frames[f - 1].com +
-                        motion.frames[f - 2].com;
+    const Vec3 second =
+        motion.frames[f].com - 2.0 * motion.frames[f - 1].com + motion.frames[f - 2].com;
     EXPECT_LE((second * 14400.0 - Vec3(0, 0, -9.81)).norm(), 1e-6) << f;
   }
   EXPECT_GT(landing, 12 * 4 + 20);

@@ -20,21 +20,23 @@ constexpr Interpolation kCubic = Interpolation::kCubic;
 // The human with both arms raised and a region of the right one.
 Animation RightArmSwings(int first, int last) {
   Animation animation = Still(Human());
-  KeysOf(&animation, "r_shoulder_y") = {{0, -0.2, {}, kCubic}, {5, -1.2, {}, kCubic},
-                                        {15, 0.3, {}, kLinear}, {30, 0.0, {}, kCubic}};
-  KeysOf(&animation, "r_elbow_y") = {{0, -1.5, {}, kCubic}, {5, -1.0, {}, kCubic},
-                                     {15, -0.4, {}, kCubic}, {30, -0.2, {}, kCubic}};
+  KeysOf(&animation, "r_shoulder_y") = {
+      {0, -0.2, {}, kCubic}, {5, -1.2, {}, kCubic}, {15, 0.3, {}, kLinear}, {30, 0.0, {}, kCubic}};
+  KeysOf(&animation, "r_elbow_y") = {
+      {0, -1.5, {}, kCubic}, {5, -1.0, {}, kCubic}, {15, -0.4, {}, kCubic}, {30, -0.2, {}, kCubic}};
   KeysOf(&animation, "l_shoulder_y") = {{0, 0.5, {}, kCubic}, {30, -0.5, {}, kCubic}};
   AddRegion(&animation, "right", first, last, {"r_shoulder"}, 0.8);
   KeyTheRest(&animation);
   return animation;
 }
 
-double RateOf(const Animation& animation, const MotionRates& rates, const char* joint) {
+double RateOf(const Animation& animation, const MotionLimit& rates, const char* joint) {
   return rates.qd[JointOf(animation, joint).value()];
 }
 
 void ExpectContinuous(const MotionFrame& frame) {
+  EXPECT_LE((frame.before.q - frame.after.q).cwiseAbs().maxCoeff(), 1e-9) << frame.frame;
+  EXPECT_LE((frame.before.X_WR.p - frame.after.X_WR.p).norm(), 1e-9) << frame.frame;
   EXPECT_LE((frame.before.qd - frame.after.qd).cwiseAbs().maxCoeff(), 1e-9) << frame.frame;
   EXPECT_LE((frame.before.root_v - frame.after.root_v).norm(), 1e-9) << frame.frame;
   EXPECT_LE((frame.before.root_w - frame.after.root_w).norm(), 1e-9) << frame.frame;
@@ -92,8 +94,8 @@ TEST(Region, KeysInsideAndAtItsEndChangeNothing) {
 TEST(Region, HandsOverToATouchingOne) {
   Animation animation = RightArmSwings(5, 10);
   AddRegion(&animation, "after", 10, 15, {"r_shoulder"}, 0.8);
-  KeysOf(&animation, "r_shoulder_y").insert(KeysOf(&animation, "r_shoulder_y").begin() + 2,
-                                            Key{10, 0.7, 5.0, kCubic});
+  KeysOf(&animation, "r_shoulder_y")
+      .insert(KeysOf(&animation, "r_shoulder_y").begin() + 2, Key{10, 0.7, 5.0, kCubic});
   const Motion two = BakeOrFail(animation), one = BakeOrFail(RightArmSwings(5, 15));
   for (int f = 0; f <= 30; ++f) EXPECT_TRUE(IsSame(two.frames[f], one.frames[f])) << f;
 }
@@ -137,7 +139,7 @@ TEST(Region, FrictionIsAFactorPerThirtiethOfASecondAtAnyStep) {
 }
 
 TEST(Region, TakesAsManyStepsAsTheFrameTimeNeeds) {
-  const std::pair<double, int> cases[] = {{1.0 / 30.0, 1}, {0.1, 1}, {1.0 / 60.0, 2},
+  const std::pair<double, int> cases[] = {{1.0 / 30.0, 1}, {0.1, 1},   {1.0 / 60.0, 2},
                                           {1.0 / 45.0, 2}, {0.013, 3}, {1.0 / 300.0, 10}};
   for (const auto& [step, per_frame] : cases) {
     Animation animation = RightArmSwings(5, 15);
@@ -186,7 +188,8 @@ TEST(Region, WithoutAKeyAfterItIsWarnedAbout) {
   const Motion motion = BakeOrFail(animation);
   int count = 0;
   for (const Warning& warning : motion.warnings) {
-    count += warning.message.find("\"r_shoulder_y\" has no key after frame 15") != warning.message.npos;
+    count +=
+        warning.message.find("\"r_shoulder_y\" has no key after frame 15") != warning.message.npos;
   }
   EXPECT_EQ(count, 1);
 }

@@ -209,8 +209,7 @@ struct Moving {
   }
 };
 
-std::vector<Jet> SolvedAt(Rig& rig, const Moving& moving, const HoldTarget& target,
-                          const Jet& t) {
+std::vector<Jet> SolvedAt(Rig& rig, const Moving& moving, const HoldTarget& target, const Jet& t) {
   std::vector<Jet> q = moving.KeyedAt(t);
   EXPECT_TRUE(rig.solver.Solve(moving.RootAt(t), target, &q).reached);
   return q;
@@ -228,7 +227,8 @@ void ExpectExactRates(Rig* rig, const Moving& moving, const HoldTarget& target) 
   };
   const auto acceleration = [&](double h) -> VecX {
     return (PositionsAt(*rig, moving, target, h) - 2.0 * at +
-            PositionsAt(*rig, moving, target, -h)) / (h * h);
+            PositionsAt(*rig, moving, target, -h)) /
+           (h * h);
   };
   const VecX d = (4.0 * rate(5e-4) - rate(1e-3)) / 3.0;
   const VecX dd = (4.0 * acceleration(1e-3) - acceleration(2e-3)) / 3.0;

@@ -100,8 +100,11 @@ TEST(CurveTrack, HoldStaysUntilTheNextKeyAndJumpsThere) {
 }
 
 TEST(CurveTrack, AutomaticTangentsAreContinuousFlatAtExtremesAndAtTheLastKey) {
-  const Keys keys = {{0.0, 0.0, {}, kCubic}, {4.0, 1.0, {}, kCubic}, {6.0, 1.5, {}, kCubic},
-                     {9.0, 0.2, {}, kCubic}, {12.0, 0.9, {}, kCubic}};
+  const Keys keys = {{0.0, 0.0, {}, kCubic},
+                     {4.0, 1.0, {}, kCubic},
+                     {6.0, 1.5, {}, kCubic},
+                     {9.0, 0.2, {}, kCubic},
+                     {12.0, 0.9, {}, kCubic}};
   CurveTrack track = Track(keys);
   for (const Key& key : keys) ExpectContinuous(&track, key.frame);
   EXPECT_GT(track.At(4.0).rate, 0.0);
@@ -179,7 +182,9 @@ TEST(CurveTrack, StaysWhereItResumedAfterTheLastKey) {
 }
 
 TEST(CurveTrack, ResumingForgetsKeysUpToThereAndWhatWasPlanned) {
-  const Keys keys = {{0.0, 0.0, {}, kCubic}, {5.0, 1.0, {}, kCubic}, {8.0, 2.0, {}, kCubic},
+  const Keys keys = {{0.0, 0.0, {}, kCubic},
+                     {5.0, 1.0, {}, kCubic},
+                     {8.0, 2.0, {}, kCubic},
                      {12.0, 0.0, {}, kCubic}};
   CurveTrack track = Track(keys);
   track.At(20.0);
@@ -199,8 +204,11 @@ TEST(CurveTrack, GoesIntoATakeoverOnAParabola) {
 }
 
 TEST(CurveTrack, KeysBeyondATakeoverDoNotMatter) {
-  Keys keys = {{0.0, 0.0, {}, kCubic}, {5.0, 1.0, {}, kCubic}, {9.0, 0.5, {}, kCubic},
-               {15.0, 0.2, {}, kLinear}, {20.0, 0.7, {}, kCubic}};
+  Keys keys = {{0.0, 0.0, {}, kCubic},
+               {5.0, 1.0, {}, kCubic},
+               {9.0, 0.5, {}, kCubic},
+               {15.0, 0.2, {}, kLinear},
+               {20.0, 0.7, {}, kCubic}};
   CurveTrack track = Track(keys, {5.0});
   Keys other = keys;
   other[2].value = 77.0;

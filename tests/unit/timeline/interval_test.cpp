@@ -14,9 +14,7 @@ void ExpectSample(const CurveSample& sample, double value, double rate, double a
   EXPECT_NEAR(sample.acceleration, acceleration, 1e-11);
 }
 
-TEST(Interval, HoldStays) {
-  ExpectSample(Interval::Hold(0.7).At(123.0), 0.7, 0.0, 0.0);
-}
+TEST(Interval, HoldStays) { ExpectSample(Interval::Hold(0.7).At(123.0), 0.7, 0.0, 0.0); }
 
 TEST(Interval, LinearRunsAtTheSlope) {
   const Interval interval = Interval::Linear(1.0, 2.5, 0.5);

@@ -7,8 +7,8 @@
 
 namespace hazumi {
 
-inline MotionRates RatesOf(const FigureMotion& motion) {
-  return {motion.qd, motion.root.w, motion.root.v};
+inline MotionLimit LimitOf(const FigureMotion& motion) {
+  return {motion.q, motion.qd, motion.X_WR, motion.root.w, motion.root.v};
 }
 
 // The root's pose as a function of time: its orientation from the angles' curves, its position from
