@@ -10,11 +10,16 @@ namespace {
 
 int Run(const hazumi::Options& options) {
   switch (options.task) {
-    case hazumi::Task::kRender: return hazumi::RunRender(options);
-    case hazumi::Task::kBake: return hazumi::RunBake(options);
-    case hazumi::Task::kCheck: return hazumi::RunCheck(options);
-    case hazumi::Task::kInfo: return hazumi::RunInfo(options);
-    case hazumi::Task::kNone: break;
+    case hazumi::Task::kRender:
+      return hazumi::RunRender(options);
+    case hazumi::Task::kBake:
+      return hazumi::RunBake(options);
+    case hazumi::Task::kCheck:
+      return hazumi::RunCheck(options);
+    case hazumi::Task::kInfo:
+      return hazumi::RunInfo(options);
+    case hazumi::Task::kNone:
+      break;
   }
   return hazumi::kExitUsage;
 }

@@ -36,8 +36,8 @@ int RunCheck(const Options& options) {
   for (const std::string& file : options.files) {
     const Result<BakedProject> baked = LoadAndBake(file, options);
     if (options.json) {
-      const auto line = AnswerAsJson(file, baked).dump(
-          -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      const auto line = AnswerAsJson(file, baked)
+                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
       std::printf("%s\n", line.c_str());
     } else if (baked.ok()) {
       PrintWarnings(file, baked.value().warnings);

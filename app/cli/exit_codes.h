@@ -17,11 +17,14 @@ enum ExitCode {
 
 inline ExitCode ExitCodeOf(const Error& error) {
   switch (error.code) {
-    case ErrorCode::kNoInput: return kExitNoInput;
-    case ErrorCode::kCannotWrite: return kExitCannotWrite;
+    case ErrorCode::kNoInput:
+      return kExitNoInput;
+    case ErrorCode::kCannotWrite:
+      return kExitCannotWrite;
     case ErrorCode::kSyntax:
     case ErrorCode::kSchema:
-    case ErrorCode::kSemantics: return kExitBadData;
+    case ErrorCode::kSemantics:
+      return kExitBadData;
   }
   return kExitFailed;
 }

@@ -12,9 +12,12 @@ using Json = nlohmann::ordered_json;
 
 const char* NameOf(PlacementKind kind) {
   switch (kind) {
-    case PlacementKind::kKeyed: return "keyed";
-    case PlacementKind::kPinned: return "pinned";
-    case PlacementKind::kGravity: return "gravity";
+    case PlacementKind::kKeyed:
+      return "keyed";
+    case PlacementKind::kPinned:
+      return "pinned";
+    case PlacementKind::kGravity:
+      return "gravity";
   }
   return "";
 }
@@ -52,13 +55,15 @@ Json InfoAsJson(const BakedProject& baked) {
   return {{"name", baked.project.name},
           {"frames", {animation.first_frame, animation.last_frame}},
           {"fps", animation.rate.frames_per_second()},
-          {"solver", {{"method", NameOf(animation.solver.method)},
-                      {"step_s", animation.solver.step},
-                      {"version", animation.solver.version}}},
-          {"figure", {{"name", figure.name()},
-                      {"joints", figure.num_joints()},
-                      {"links", figure.links().size()},
-                      {"mass_kg", figure.total_mass()}}},
+          {"solver",
+           {{"method", NameOf(animation.solver.method)},
+            {"step_s", animation.solver.step},
+            {"version", animation.solver.version}}},
+          {"figure",
+           {{"name", figure.name()},
+            {"joints", figure.num_joints()},
+            {"links", figure.links().size()},
+            {"mass_kg", figure.total_mass()}}},
           {"regions", RegionsAsJson(baked)},
           {"events", EventsAsJson(baked.motion)}};
 }

@@ -66,8 +66,8 @@ std::optional<CameraChoice> ParseCamera(const std::string& text) {
   Vec3 &e = camera.eye, &t = camera.target;
   const int got = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf", &e.x(), &e.y(), &e.z(),
                               &t.x(), &t.y(), &t.z(), &camera.vertical_fov_deg);
-  const bool sane = (e - t).norm() > 1e-6 && camera.vertical_fov_deg > 0.1 &&
-                    camera.vertical_fov_deg < 170.0;
+  const bool sane =
+      (e - t).norm() > 1e-6 && camera.vertical_fov_deg > 0.1 && camera.vertical_fov_deg < 170.0;
   if (got < 6 || !sane) return std::nullopt;
   return camera;
 }
@@ -82,8 +82,9 @@ void Declare(CLI::App* app, RawOptions* raw, Options* options) {
   app->set_version_flag("--version", std::string("hazumi ") + kVersion);
   app->footer(kFooter);
   auto* tasks = app->add_option_group("Tasks", "One of these");
-  tasks->add_option("--render", raw->render,
-                    "Draw frames to OUT: a folder, or a pattern with #### for the frame number")
+  tasks
+      ->add_option("--render", raw->render,
+                   "Draw frames to OUT: a folder, or a pattern with #### for the frame number")
       ->type_name("OUT");
   tasks->add_option("--bake", raw->bake, "Write the motion to OUT: .json or .csv, - for JSON")
       ->type_name("OUT");

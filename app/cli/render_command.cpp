@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/version.h"
+#include "engine/bake/bake.h"
 #include "engine/base/text.h"
 #include "render/motion/framing.h"
 #include "render/motion/motion_scene.h"
@@ -57,6 +58,13 @@ Result<std::vector<int>> ChosenFrames(const Motion& motion, const Options& optio
                "none of the frames asked for is in the project"};
 }
 
+// At so many frames a second that paths are smooth.
+Result<Motion> PathMotion(const BakedProject& baked, bool wanted) {
+  if (!wanted) return Motion();
+  const FrameRate rate = baked.motion.rate;
+  return Bake(baked.animation, {FrameRate{rate.num * 4, rate.den}});
+}
+
 int RenderBaked(const BakedProject& baked, const Options& options) {
   const Result<std::vector<int>> chosen = ChosenFrames(baked.motion, options);
   if (!chosen.ok()) return Complain(chosen.error());
@@ -67,7 +75,10 @@ int RenderBaked(const BakedProject& baked, const Options& options) {
 
   const render::Overlays overlays{options.ghosts, options.paths, options.marks, options.tint,
                                   options.frame_number};
-  render::MotionScene scenes(baked.animation, baked.motion, CameraFor(baked, options), overlays);
+  const Result<Motion> path_motion = PathMotion(baked, options.paths);
+  if (!path_motion.ok()) return Complain(path_motion.error());
+  render::MotionScene scenes(baked.animation, baked.motion, path_motion.value(),
+                             CameraFor(baked, options), overlays);
   Progress progress("render", static_cast<int>(frames.size()));
   render::Sequence sequence;
   sequence.frame_count = static_cast<int>(frames.size());

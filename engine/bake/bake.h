@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/base/result.h"
 #include "engine/bake/motion.h"
+#include "engine/base/result.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

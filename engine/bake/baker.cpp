@@ -110,8 +110,8 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) {
     return CannotGoOn("regions", "cannot go on after frame " + FormatNumber(now_.frame) +
-                                     ": joint \"" + figure_.joint(failure->joint).name + "\": " +
-                                     failure->cause);
+                                     ": joint \"" + figure_.joint(failure->joint).name +
+                                     "\": " + failure->cause);
   }
   for (const int r : driver_->active()) {
     RegionReport& report = motion_.regions[r];

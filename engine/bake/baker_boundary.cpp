@@ -192,9 +192,8 @@ void Baker::WarnOfVelocityJump(int frame) {
   constexpr double kJump = 1e-3;  // [m/s]
   const double jump = (now_.root.v - before_.root_v).norm();
   if (frame == animation_.first_frame || jump <= kJump) return;
-  AddWarning("placements", "the root's velocity jumps by " + FormatNumber(jump) +
-                               " m/s at frame " + std::to_string(frame) +
-                               ", where the placement changes");
+  AddWarning("placements", "the root's velocity jumps by " + FormatNumber(jump) + " m/s at frame " +
+                               std::to_string(frame) + ", where the placement changes");
 }
 
 }  // namespace hazumi

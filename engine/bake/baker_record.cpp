@@ -15,12 +15,18 @@ constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
 
 const char* NameOf(EventKind kind) {
   switch (kind) {
-    case EventKind::kTakeOff: return "take_off";
-    case EventKind::kApex: return "apex";
-    case EventKind::kLanding: return "landing";
-    case EventKind::kPinChange: return "pin_change";
-    case EventKind::kStop: return "stop";
-    case EventKind::kRelease: return "release";
+    case EventKind::kTakeOff:
+      return "take_off";
+    case EventKind::kApex:
+      return "apex";
+    case EventKind::kLanding:
+      return "landing";
+    case EventKind::kPinChange:
+      return "pin_change";
+    case EventKind::kStop:
+      return "stop";
+    case EventKind::kRelease:
+      return "release";
   }
   return "";
 }

@@ -14,10 +14,10 @@ namespace hazumi {
 
 // The figure's motion on one side of an instant.
 struct MotionLimit {
-  VecX q, qd;                   // by JointIndex [rad, rad/s]
-  Pose X_WR;                    // root in the world [m]
-  Vec3 root_w = Vec3::Zero();   // angular velocity of the root, world axes [rad/s]
-  Vec3 root_v = Vec3::Zero();   // velocity of the root's origin [m/s]
+  VecX q, qd;                  // by JointIndex [rad, rad/s]
+  Pose X_WR;                   // root in the world [m]
+  Vec3 root_w = Vec3::Zero();  // angular velocity of the root, world axes [rad/s]
+  Vec3 root_v = Vec3::Zero();  // velocity of the root's origin [m/s]
 };
 
 // Where a held object is.
@@ -27,9 +27,9 @@ struct ObjectPose {
 };
 
 struct MotionFrame {
-  int frame = 0;  // in frames of Motion::rate
-  VecX q;         // by JointIndex [rad]; as in `after`
-  Pose X_WR;      // root in the world [m]; as in `after`
+  int frame = 0;              // in frames of Motion::rate
+  VecX q;                     // by JointIndex [rad]; as in `after`
+  Pose X_WR;                  // root in the world [m]; as in `after`
   MotionLimit before, after;  // limits from the left and from the right
   Vec3 com = Vec3::Zero();    // of the figure with what it holds, world [m]
   std::optional<GroupIndex> pinned;
@@ -50,11 +50,11 @@ struct MotionEvent {
 struct RegionReport {
   std::string name;
   Method method;
-  double step = 0.0;         // [s]
+  double step = 0.0;  // [s]
   int steps = 0;
-  int evaluations = 0;       // of the equations of motion
-  int solves = 0;            // of them for accelerations: more where stops were hit
-  double microseconds = 0.0; // differs from run to run; no part of the motion
+  int evaluations = 0;        // of the equations of motion
+  int solves = 0;             // of them for accelerations: more where stops were hit
+  double microseconds = 0.0;  // differs from run to run; no part of the motion
   int free_joints = 0;
   int all_joints = 0;
 };

@@ -61,8 +61,7 @@ bool RegionDriver::is_free(JointIndex j) const {
 
 std::optional<RegionDriver::Failure> RegionDriver::Advance(const FigureMotion& from,
                                                            const RootHold& hold, double dt,
-                                                           DynamicsWorkspace* ws, VecX* q,
-                                                           VecX* qd,
+                                                           DynamicsWorkspace* ws, VecX* q, VecX* qd,
                                                            std::vector<JointIndex>* stops) {
   system_.Evaluate({from.X_WR, from.root, from.q, from.qd, from.qdd}, hold.coupling, hold.pin,
                    animation_.gravity, ws);

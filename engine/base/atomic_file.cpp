@@ -67,8 +67,8 @@ std::string TemporaryName(const std::string& target, const void* unique) {
 }
 
 // False: errno says why.
-bool WriteTemporary(const std::string& temporary, const std::string& target,
-                    std::string_view bytes, WriteMode mode) {
+bool WriteTemporary(const std::string& temporary, const std::string& target, std::string_view bytes,
+                    WriteMode mode) {
   OpenFile file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
   if (!file.is_open()) return false;
   struct stat old;

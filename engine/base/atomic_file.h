@@ -10,9 +10,9 @@ namespace hazumi {
 // kDurable also waits until the bytes are on the disk: for what a person would miss.
 enum class WriteMode { kFast, kDurable };
 
-// Writes a file all or nothing: a temporary file in the same folder takes its name once it is whole.
-// On failure the old file stays as it was and nothing is left behind. An existing file keeps its
-// permissions; a symbolic link is followed. Returns 0, or errno.
+// Writes a file all or nothing: a temporary file in the same folder takes its name once it is
+// whole. On failure the old file stays as it was and nothing is left behind. An existing file keeps
+// its permissions; a symbolic link is followed. Returns 0, or errno.
 int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode);
 
 // The same, with an Error (kCannotWrite) that names file and reason.

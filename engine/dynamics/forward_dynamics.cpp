@@ -118,12 +118,9 @@ std::optional<SingularInertia> GatherArticulated(const Figure& figure, const Vec
 
 }  // namespace
 
-std::optional<SingularInertia> ForwardDynamicsByArticulatedBodies(const Figure& figure,
-                                                                  const RootMotion& root,
-                                                                  const VecX& qd, const VecX& tau,
-                                                                  const EndForces* ends,
-                                                                  DynamicsWorkspace* ws,
-                                                                  VecX* qdd) {
+std::optional<SingularInertia> ForwardDynamicsByArticulatedBodies(
+    const Figure& figure, const RootMotion& root, const VecX& qd, const VecX& tau,
+    const EndForces* ends, DynamicsWorkspace* ws, VecX* qdd) {
   // Seen from a frame that moves along with the root at this instant, the root's velocity is zero.
   Vec6 v_root, a_root;
   v_root << root.w, Vec3::Zero();

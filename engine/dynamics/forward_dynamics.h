@@ -14,7 +14,8 @@ struct SingularInertia {
   JointIndex joint;  // the first joint whose pivot is not positive
 };
 
-// H qdd = T - B [Arai (2)], with H by unit accelerations and a dense Cholesky factorisation: O(N^3).
+// H qdd = T - B [Arai (2)], with H by unit accelerations and a dense Cholesky factorisation:
+// O(N^3).
 std::optional<SingularInertia> ForwardDynamicsDense(const Figure& figure, const RootMotion& root,
                                                     const VecX& qd, const VecX& tau,
                                                     const EndForces* ends, DynamicsWorkspace* ws,

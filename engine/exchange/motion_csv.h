@@ -7,8 +7,8 @@
 
 namespace hazumi {
 
-// A motion as a table, one row a frame: frame, time [s], root position [m] and quaternion (w x y z),
-// CoM [m], pinned joint (or nothing), then angle [degrees] and rate [degrees/s] of every joint.
+// A motion as a table, one row a frame: frame, time [s], root position [m] and quaternion (w x y
+// z), CoM [m], pinned joint (or nothing), then angle [degrees] and rate [degrees/s] of every joint.
 std::string MotionToCsv(const Animation& animation, const Motion& motion);
 
 }  // namespace hazumi

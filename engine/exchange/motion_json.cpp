@@ -97,8 +97,8 @@ class FrameWriter {
     std::string text = "[";
     for (size_t i = 0; i < frame.objects.size(); ++i) {
       const ObjectPose& object = frame.objects[i];
-      text += (i ? ", {" : "{") + std::string("\"name\": ") +
-              Quote(animation_.held_objects[i].name);
+      text +=
+          (i ? ", {" : "{") + std::string("\"name\": ") + Quote(animation_.held_objects[i].name);
       text += ", \"position\": " + Numbers(object.X_WO.p);
       text += ", \"quaternion_wxyz\": " + QuaternionText(Eigen::Quaterniond(object.X_WO.R));
       text += std::string(", \"held\": ") + (object.held ? "true" : "false") + "}";
@@ -140,14 +140,14 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
                          const MotionJsonOptions& options) {
   const SolverSettings& solver = animation.solver;
   std::string text = "{\n  \"format\": \"hazumi-motion\", \"version\": 1,\n";
-  text += "  \"fps\": " + FormatNumber(motion.rate.frames_per_second()) + ", \"fps_num\": " +
-          std::to_string(motion.rate.num) + ", \"fps_den\": " + std::to_string(motion.rate.den);
+  text += "  \"fps\": " + FormatNumber(motion.rate.frames_per_second()) +
+          ", \"fps_num\": " + std::to_string(motion.rate.num) +
+          ", \"fps_den\": " + std::to_string(motion.rate.den);
   text += ",\n  \"solver\": {\"method\": " + Quote(NameOf(solver.method)) +
           ", \"step_s\": " + FormatNumber(solver.step) +
           ", \"version\": " + std::to_string(solver.version) + "}";
-  text += ",\n  \"joints\": " + List(animation.figure->joints(), [](const Joint& joint) {
-            return Quote(joint.name);
-          });
+  text += ",\n  \"joints\": " +
+          List(animation.figure->joints(), [](const Joint& joint) { return Quote(joint.name); });
   text += ",\n  \"joint_groups\": " + List(animation.figure->joints(), [&](const Joint& joint) {
             return Quote(animation.figure->group(joint.group).name);
           });

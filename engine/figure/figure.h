@@ -17,10 +17,10 @@ namespace hazumi {
 // through its origin and turns with the body beyond the hinge.
 struct Joint {
   std::string name;
-  JointIndex parent;           // invalid: the root body
+  JointIndex parent;  // invalid: the root body
   GroupIndex group;
-  Pose X_PJ;                   // J in the parent's frame at angle zero (Arai 2.1: M_c)
-  Vec3 axis = Vec3::UnitZ();   // unit vector, the same in J at any angle
+  Pose X_PJ;                  // J in the parent's frame at angle zero (Arai 2.1: M_c)
+  Vec3 axis = Vec3::UnitZ();  // unit vector, the same in J at any angle
   double lower = 0.0, upper = 0.0, rest = 0.0;  // [rad]
   JointIndex subtree_end;      // joints [this, subtree_end) are this one and everything beyond
   bool parallel_frame = true;  // X_PJ.R is the identity

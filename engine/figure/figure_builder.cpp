@@ -144,8 +144,8 @@ class FigureAssembler {
     if (figure_.groups_.size() == spec_.joints.size()) return std::nullopt;
     for (size_t i = 0; i < spec_.joints.size(); ++i) {
       if (figure_.FindGroup(spec_.joints[i].name)) continue;
-      return Wrong(At("joints", i) + ".parent", "\"" + spec_.joints[i].name +
-                                                    "\" is its own ancestor: the parents form a loop");
+      return Wrong(At("joints", i) + ".parent",
+                   "\"" + spec_.joints[i].name + "\" is its own ancestor: the parents form a loop");
     }
     return std::nullopt;
   }
@@ -199,7 +199,7 @@ class FigureAssembler {
   }
 
   const FigureSpec& spec_;
-  std::map<std::string, std::string> names_;  // name -> where it was given
+  std::map<std::string, std::string> names_;                       // name -> where it was given
   std::map<std::string, std::vector<const JointSpec*>> children_;  // by the parent's name
   Figure figure_;
 };

@@ -44,9 +44,9 @@ struct HingeSpec {
 // One to three concentric hinges. The first is next to the parent; the links hang on the last.
 struct JointSpec {
   std::string name;
-  std::string parent;  // a joint's name, or the root's
-  Vec3 offset = Vec3::Zero();          // in the parent's frame [m]
-  Mat3 orientation = Mat3::Identity(); // of the joint's frame in the parent's, all angles zero
+  std::string parent;                   // a joint's name, or the root's
+  Vec3 offset = Vec3::Zero();           // in the parent's frame [m]
+  Mat3 orientation = Mat3::Identity();  // of the joint's frame in the parent's, all angles zero
   std::vector<HingeSpec> hinges;
   std::vector<LinkSpec> links;
 };

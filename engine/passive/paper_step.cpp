@@ -37,8 +37,8 @@ PaperStepStatus PaperStep::Advance(const PaperStepInput& input, double dt, VecX*
 bool PaperStep::Solve(const PaperStepInput& input) {
   ++solves_;
   tau_.setZero();
-  failed_joint_ = SolveMixed(*input.M, *input.b, corrected_, scratch_matrix_, scratch_vector_,
-                             qdd_, tau_);
+  failed_joint_ =
+      SolveMixed(*input.M, *input.b, corrected_, scratch_matrix_, scratch_vector_, qdd_, tau_);
   return failed_joint_ < 0;
 }
 

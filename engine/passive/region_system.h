@@ -52,8 +52,7 @@ class RegionSystem {
 
  private:
   void ComputeInertia(DynamicsWorkspace* ws);
-  void ComputeBias(const PassiveState& state, const Vec3& root_acceleration,
-                   DynamicsWorkspace* ws);
+  void ComputeBias(const PassiveState& state, const Vec3& root_acceleration, DynamicsWorkspace* ws);
   void ProjectOnPin(JointIndex pin, const DynamicsWorkspace& ws);
   void EliminateRoot();
 
@@ -61,10 +60,10 @@ class RegionSystem {
   std::vector<JointIndex> free_;
   MatX M_;
   VecX b_;
-  Eigen::Matrix3Xd H_root_;  // 3 x k: force on the root for unit accelerations [kg m]
-  Eigen::Matrix3Xd J_;       // 3 x k: pin's Jacobian [m]
+  Eigen::Matrix3Xd H_root_;     // 3 x k: force on the root for unit accelerations [kg m]
+  Eigen::Matrix3Xd J_;          // 3 x k: pin's Jacobian [m]
   Vec3 f_root_ = Vec3::Zero();  // force on the root at y'' = 0 [N]
-  VecX prescribed_qdd_;      // scratch, N
+  VecX prescribed_qdd_;         // scratch, N
 };
 
 }  // namespace hazumi

@@ -42,6 +42,13 @@ struct Eigen::NumTraits<hazumi::Jet> : Eigen::NumTraits<double> {
   using Real = hazumi::Jet;
   using NonInteger = hazumi::Jet;
   using Nested = hazumi::Jet;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 3,
-         AddCost = 3, MulCost = 9 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 3,
+    AddCost = 3,
+    MulCost = 9
+  };
 };

@@ -26,7 +26,8 @@ RigidInertia SolidCylinder(const Vec3& from, const Vec3& to, double radius, doub
   const double about_axis = 0.5 * mass * radius * radius;
   const double across = mass * (3.0 * radius * radius + length * length) / 12.0;
   const Mat3 along_axis = axis * axis.transpose();
-  return {mass, 0.5 * (from + to), about_axis * along_axis + across * (Mat3::Identity() - along_axis)};
+  return {mass, 0.5 * (from + to),
+          about_axis * along_axis + across * (Mat3::Identity() - along_axis)};
 }
 
 RigidInertia SolidSphere(const Vec3& centre, double radius, double mass) {

@@ -23,7 +23,7 @@ struct DynamicsRegion {
   std::vector<JointIndex> joints;  // ascending, no duplicates
   std::vector<double> friction;    // one for each of `joints`: factor in [0, 1] per 1/30 s
   Method method = Method::kPaper;
-  std::optional<double> step;      // [s]; not given: the animation's
+  std::optional<double> step;  // [s]; not given: the animation's
 };
 
 }  // namespace hazumi

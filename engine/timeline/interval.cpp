@@ -46,8 +46,7 @@ double AutomaticRate(double t_left, double v_left, double t, double v, double t_
   const double before = (v - v_left) / (t - t_left);
   const double after = (v_right - v) / (t_right - t);
   if (before * after <= 0.0) return 0.0;
-  const double parabola =
-      (before * (t_right - t) + after * (t - t_left)) / (t_right - t_left);
+  const double parabola = (before * (t_right - t) + after * (t - t_left)) / (t_right - t_left);
   const double limit = 3.0 * std::min(std::abs(before), std::abs(after));
   return std::clamp(parabola, -limit, limit);
 }

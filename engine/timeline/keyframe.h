@@ -7,7 +7,7 @@ namespace hazumi {
 
 // How a curve runs from a key to the next one.
 enum class Interpolation {
-  kHold,       // stays at the key's value
+  kHold,  // stays at the key's value
   kLinear,
   kQuadratic,  // Arai 2.5 (1): from value and rate to the next value
   kCubic,      // Arai 2.5 (1), (3): from value and rate to the next value and rate

@@ -12,8 +12,8 @@ namespace hazumi {
 // Something that stands in the world and can be touched.
 struct SceneObject {
   std::string name;
-  Obstacle shape;      // world frame [m]
-  std::string color;   // "#rrggbb", sRGB
+  Obstacle shape;     // world frame [m]
+  std::string color;  // "#rrggbb", sRGB
 };
 
 struct SphereShape {
@@ -27,11 +27,11 @@ struct BoxShape {
 struct HeldObject {
   std::string name;
   std::variant<SphereShape, BoxShape> shape;
-  double mass = 0.0;                   // [kg], part of the holder's body while held
+  double mass = 0.0;  // [kg], part of the holder's body while held
   GroupIndex holder;
-  Vec3 offset = Vec3::Zero();          // its centre in the holder's frame [m]
-  std::optional<int> release_frame;    // none: never let go
-  std::string color;                   // "#rrggbb", sRGB
+  Vec3 offset = Vec3::Zero();        // its centre in the holder's frame [m]
+  std::optional<int> release_frame;  // none: never let go
+  std::string color;                 // "#rrggbb", sRGB
 };
 
 }  // namespace hazumi

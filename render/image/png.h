@@ -21,7 +21,7 @@ struct PngText {
 // gives equal bytes. Fails (kCannotWrite) on a picture without pixels or a bad key.
 Result<std::vector<std::uint8_t>> EncodePng(const Image& image, const std::vector<PngText>& texts);
 
-// Encodes and writes atomically (see atomic_file.h).
+// Encodes and writes atomically (engine/base/atomic_file.h).
 Result<Done> WritePng(const std::filesystem::path& path, const Image& image,
                       const std::vector<PngText>& texts);
 

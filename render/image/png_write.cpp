@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <csetjmp>
 
-#include "render/image/atomic_file.h"
+#include "engine/base/atomic_file.h"
 #include "render/image/png.h"
 
 namespace hazumi::render {
@@ -107,7 +107,10 @@ Result<std::vector<std::uint8_t>> EncodePng(const Image& image, const std::vecto
 Result<Done> WritePng(const std::filesystem::path& path, const Image& image,
                       const std::vector<PngText>& texts) {
   Result<std::vector<std::uint8_t>> bytes = EncodePng(image, texts);
-  if (bytes.ok()) return WriteFileAtomically(path, bytes.value());
+  if (bytes.ok()) {
+    const auto* data = reinterpret_cast<const char*>(bytes.value().data());
+    return WriteFileAtomically(path.string(), {data, bytes.value().size()});
+  }
   Error error = bytes.error();
   error.file = path.string();
   return error;

@@ -39,10 +39,11 @@ SrgbColor EndColor(size_t i) {
 
 }  // namespace
 
-MotionScene::MotionScene(const Animation& animation, const Motion& motion, const Camera& camera,
-                         const Overlays& overlays)
+MotionScene::MotionScene(const Animation& animation, const Motion& motion,
+                         const Motion& path_motion, const Camera& camera, const Overlays& overlays)
     : animation_(animation),
       motion_(motion),
+      path_motion_(path_motion),
       camera_(camera),
       overlays_(overlays),
       ws_(*animation.figure) {
@@ -57,7 +58,7 @@ Scene MotionScene::At(int index) {
   AddFigure(frame, 1.0f, overlays_.region_tint, &scene);
   AddHeldObjects(frame, 1.0f, &scene);
   if (overlays_.ghost_every > 0) AddGhosts(index, &scene);
-  if (overlays_.paths) AddPaths(index, &scene);
+  if (overlays_.paths) AddPaths(frame.com, &scene);
   if (overlays_.contact_marks) AddContactMark(frame, &scene);
   if (overlays_.frame_number) {
     scene.captions.push_back({"F" + std::to_string(frame.frame), Corner::kTopLeft, 20.0});
@@ -112,7 +113,7 @@ void MotionScene::CollectPaths() {
   const Figure& figure = *animation_.figure;
   const std::vector<JointIndex> ends = EndJoints(figure);
   end_paths_.resize(ends.size());
-  for (const MotionFrame& frame : motion_.frames) {
+  for (const MotionFrame& frame : path_motion_.frames) {
     ComputePositions(figure, frame.X_WR, frame.q, &ws_);
     for (size_t i = 0; i < ends.size(); ++i) {
       const BodyScratch& body = ws_.body(ends[i]);
@@ -121,16 +122,17 @@ void MotionScene::CollectPaths() {
   }
 }
 
-void MotionScene::AddPaths(int index, Scene* scene) const {
-  std::vector<Vec3> com, on_ground;
-  for (const MotionFrame& frame : motion_.frames) {
-    com.push_back(frame.com);
-    on_ground.emplace_back(frame.com.x(), frame.com.y(), GroundHeight(frame.com) + kLift);
+void MotionScene::AddPaths(const Vec3& com, Scene* scene) const {
+  const auto below = [this](const Vec3& p) { return Vec3(p.x(), p.y(), GroundHeight(p) + kLift); };
+  std::vector<Vec3> path, on_ground;
+  for (const MotionFrame& frame : path_motion_.frames) {
+    path.push_back(frame.com);
+    on_ground.push_back(below(frame.com));
   }
-  scene->polylines.push_back({com, 2.5, kComPath, 0.0, true});
+  scene->polylines.push_back({path, 2.5, kComPath, 0.0, true});
   scene->polylines.push_back({on_ground, 2.0, kComPath, 0.03, false});
-  scene->markers.push_back({MarkerShape::kCenterOfMass, com[index], 0.035, kComPath, 2.0, true});
-  scene->markers.push_back({MarkerShape::kCross, on_ground[index], 0.05, kComPath, 2.0, false});
+  scene->markers.push_back({MarkerShape::kCenterOfMass, com, 0.035, kComPath, 2.0, true});
+  scene->markers.push_back({MarkerShape::kCross, below(com), 0.05, kComPath, 2.0, false});
   for (size_t i = 0; i < end_paths_.size(); ++i) {
     scene->polylines.push_back({end_paths_[i], 1.5, EndColor(i), 0.0, false});
   }

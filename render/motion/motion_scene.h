@@ -13,18 +13,19 @@ namespace hazumi::render {
 
 // What is drawn beside the figure and its scene.
 struct Overlays {
-  int ghost_every = 0;        // a translucent figure every so many frames; 0: none
-  bool paths = false;         // of the CoM, its projection on the ground, and every limb's end
+  int ghost_every = 0;         // a translucent figure every so many frames; 0: none
+  bool paths = false;          // of the CoM, its projection on the ground, and every limb's end
   bool contact_marks = false;  // a ring at the pinned joint
-  bool region_tint = false;   // joints moved by a dynamics region
+  bool region_tint = false;    // joints moved by a dynamics region
   bool frame_number = false;
 };
 
-// Makes the draw list of each frame of a motion. Animation and motion must outlive it.
+// Makes the draw list of each frame of a motion. Animation and motions must outlive it.
 class MotionScene {
  public:
-  MotionScene(const Animation& animation, const Motion& motion, const Camera& camera,
-              const Overlays& overlays);
+  // `path_motion`: the same motion at as many frames a second as the paths shall have points.
+  MotionScene(const Animation& animation, const Motion& motion, const Motion& path_motion,
+              const Camera& camera, const Overlays& overlays);
 
   // `index` counts the motion's frames from 0.
   Scene At(int index);
@@ -35,13 +36,14 @@ class MotionScene {
   void AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color, Scene* scene) const;
   void AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const;
   void AddGhosts(int index, Scene* scene);
-  void AddPaths(int index, Scene* scene) const;
+  void AddPaths(const Vec3& com, Scene* scene) const;
   void AddContactMark(const MotionFrame& frame, Scene* scene);
   void CollectPaths();
   double GroundHeight(const Vec3& below) const;
 
   const Animation& animation_;
   const Motion& motion_;
+  const Motion& path_motion_;
   Camera camera_;
   Overlays overlays_;
   DynamicsWorkspace ws_;

@@ -69,8 +69,7 @@ std::optional<double> TopBelow(const SceneObject& object, const Vec3& point) {
   const auto* box = std::get_if<Box>(&object.shape);
   if (box == nullptr || box->X_WB.R(2, 2) < kLevel) return std::nullopt;
   const Vec3 local = box->X_WB.Inverse() * point;
-  const bool above = local.z() >= box->half_size.z() &&
-                     std::abs(local.x()) <= box->half_size.x() &&
+  const bool above = local.z() >= box->half_size.z() && std::abs(local.x()) <= box->half_size.x() &&
                      std::abs(local.y()) <= box->half_size.y();
   if (!above) return std::nullopt;
   return box->X_WB.p.z() + box->half_size.z();

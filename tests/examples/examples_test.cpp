@@ -22,9 +22,7 @@ Compiled Load(const std::string& name) {
   return std::move(compiled).value();
 }
 
-Motion BakeExample(const std::string& name) {
-  return Bake(Load(name).animation).value();
-}
+Motion BakeExample(const std::string& name) { return Bake(Load(name).animation).value(); }
 
 double LargestJump(const MotionLimit& before, const MotionLimit& after) {
   return std::max({(before.q - after.q).cwiseAbs().maxCoeff(),
@@ -73,8 +71,8 @@ TEST(Throw, TheBallFliesOnAParabolaFromTheVelocityOfTheHand) {
 }
 
 TEST(Examples, CompileAndBakeWithoutAWarning) {
-  for (const auto& entry : fs::directory_iterator(std::string(HAZUMI_SOURCE_DIR) +
-                                                  "/assets/examples")) {
+  for (const auto& entry :
+       fs::directory_iterator(std::string(HAZUMI_SOURCE_DIR) + "/assets/examples")) {
     if (entry.path().extension() != ".kfa") continue;
     const Compiled compiled = Load(entry.path().stem().string());
     for (const Warning& warning : compiled.warnings) ADD_FAILURE() << warning.message;
