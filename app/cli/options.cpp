@@ -1,6 +1,7 @@
 #include "app/cli/options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 
 #include "app/cli/exit_codes.h"
@@ -54,7 +55,7 @@ std::optional<FrameRate> ParseRate(const std::string& text) {
   if (std::sscanf(text.c_str(), "%lf%n", &fps, &used) != 1 || used != size) return std::nullopt;
   if (!(fps >= 0.001 && fps <= 100000.0)) return std::nullopt;
   rate.den = fps == static_cast<int>(fps) ? 1 : 1000;
-  rate.num = static_cast<int>(fps * rate.den + 0.5);
+  rate.num = static_cast<int>(std::lround(fps * rate.den));
   return rate;
 }
 

@@ -14,7 +14,7 @@ class TypedIndex {
 
   constexpr int value() const { return value_; }
   constexpr bool is_valid() const { return value_ >= 0; }
-  constexpr auto operator<=>(const TypedIndex&) const = default;
+  constexpr auto operator<=>(const TypedIndex&) const = default;  // NOLINT(modernize-use-nullptr)
 
  private:
   int value_ = -1;
