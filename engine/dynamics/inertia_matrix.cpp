@@ -1,7 +1,5 @@
 #include "engine/dynamics/inertia_matrix.h"
 
-#include "engine/spatial/pose.h"
-
 namespace hazumi {
 
 namespace {
@@ -12,6 +10,36 @@ void SetUnitAccelerationForce(const RigidInertia& inertia, const Vec3& alpha, co
   const Vec3 a_com = alpha.cross(body->p - origin + body->c);
   body->f = inertia.mass * a_com;
   body->n = body->R * (inertia.I_com * (body->R.transpose() * alpha)) + body->c.cross(body->f);
+}
+
+// Every body's own inertia, about the root's origin, as the start of its composite.
+void StartComposites(const Figure& figure, DynamicsWorkspace* ws) {
+  const Vec3 o = ws->bodies[0].p;
+  for (int i = 0; i < figure.num_joints(); ++i) {
+    const BodyScratch& body = ws->bodies[i + 1];
+    const RigidInertia& inertia = figure.body(JointIndex(i));
+    DynamicsWorkspace::Composite& own = ws->composites[i];
+    own = {0.0, Vec3::Zero(), Mat3::Zero(), (body.p - o).cross(body.axis)};
+    if (figure.joints()[i].massless) continue;
+    const Vec3 com = body.p + body.c - o;
+    own.mass = inertia.mass;
+    own.h = inertia.mass * com;
+    own.I_o = body.R * inertia.I_com * body.R.transpose() + PointInertia(inertia.mass, com);
+  }
+}
+
+// The chain from joint i to the root transmits the force and moment that i's body asks for.
+void TransmitToRoot(const Figure& figure, JointIndex i, DynamicsWorkspace* ws) {
+  const Vec3 f = ws->body(i).f;
+  Vec3 n = ws->body(i).n;
+  Vec3 p = ws->body(i).p;
+  for (JointIndex j = i; j.is_valid(); j = figure.joint(j).parent) {
+    const BodyScratch& body = ws->body(j);
+    n += (p - body.p).cross(f);
+    p = body.p;
+    ws->tau[j.value()] = body.axis.dot(n);
+  }
+  ws->bodies[0].f = f;
 }
 
 }  // namespace
@@ -33,16 +61,7 @@ void UnitAccelerationTorques(const Figure& figure, JointIndex i, DynamicsWorkspa
     parent.f += body.f;
     parent.n += body.n + (body.p - parent.p).cross(body.f);
   }
-  const Vec3 f = ws->body(i).f;
-  Vec3 n = ws->body(i).n;
-  Vec3 p = origin;
-  for (JointIndex j = i; j.is_valid(); j = figure.joint(j).parent) {
-    const BodyScratch& body = ws->body(j);
-    n += (p - body.p).cross(f);
-    p = body.p;
-    ws->tau[j.value()] = body.axis.dot(n);
-  }
-  ws->bodies[0].f = f;
+  TransmitToRoot(figure, i, ws);
 }
 
 void InertiaMatrixByUnitAccelerations(const Figure& figure, DynamicsWorkspace* ws, MatX* H) {
@@ -58,18 +77,7 @@ void InertiaMatrixByUnitAccelerations(const Figure& figure, DynamicsWorkspace* w
 //   f = m v + axis x h,   n = I_o axis + h x v;   H_ij = axis_j . n + v_j . f
 // for every j between the root and i.
 void InertiaMatrixByCompositeBodies(const Figure& figure, DynamicsWorkspace* ws, MatX* H) {
-  const Vec3 o = ws->bodies[0].p;
-  for (int i = 0; i < figure.num_joints(); ++i) {
-    const BodyScratch& body = ws->bodies[i + 1];
-    const RigidInertia& inertia = figure.body(JointIndex(i));
-    DynamicsWorkspace::Composite& own = ws->composites[i];
-    own = {0.0, Vec3::Zero(), Mat3::Zero(), (body.p - o).cross(body.axis)};
-    if (figure.joints()[i].massless) continue;
-    const Vec3 com = body.p + body.c - o;
-    own.mass = inertia.mass;
-    own.h = inertia.mass * com;
-    own.I_o = body.R * inertia.I_com * body.R.transpose() + PointInertia(inertia.mass, com);
-  }
+  StartComposites(figure, ws);
   H->setZero();
   for (int i = figure.num_joints() - 1; i >= 0; --i) {
     const DynamicsWorkspace::Composite& own = ws->composites[i];

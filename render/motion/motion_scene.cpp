@@ -22,6 +22,17 @@ SrgbColor Mix(const SrgbColor& a, const SrgbColor& b, float share_of_b) {
   return {r * a.r + s * b.r, r * a.g + s * b.g, r * a.b + s * b.b, a.a};
 }
 
+// What a link without looks looks like: its capsule.
+std::vector<Look> LooksOf(const Link& link) {
+  if (!link.looks.empty()) return link.looks;
+  Look capsule;
+  capsule.from = link.capsule.a;
+  capsule.to = link.capsule.b;
+  capsule.radius_from = capsule.radius_to = link.capsule.radius;
+  capsule.color = "#c8a27a";
+  return {capsule};
+}
+
 // The far end of the body on an end joint: the tip of its longest capsule.
 Vec3 TipOf(const Figure& figure, JointIndex end) {
   Vec3 tip = Vec3::Zero();
@@ -76,7 +87,7 @@ void MotionScene::AddFigure(const MotionFrame& frame, float alpha, bool tint, Sc
   for (const Link& link : animation_.figure->links()) {
     const BodyScratch& body = ws_.body(link.joint);
     const bool tinted = tint && link.joint.is_valid() && frame.in_region[link.joint.value()];
-    for (const Look& look : link.looks) {
+    for (const Look& look : LooksOf(link)) {
       SrgbColor color = ColorFromText(look.color);
       if (tinted) color = Mix(color, kRegionAccent, 0.45f);
       color.a = alpha;
