@@ -5,6 +5,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal.h"
 
 namespace {
 
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
     const hazumi::ParsedCommandLine parsed = hazumi::ParseCommandLine(argc, argv);
     return parsed.options ? Run(*parsed.options) : parsed.exit_code;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "hazumi: failed: %s\n", error.what());
+    hazumi::PrintLine(stderr, "hazumi: failed: %s", error.what());
     return hazumi::kExitFailed;
   }
 }

@@ -3,6 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/terminal.h"
 
 namespace hazumi {
 
@@ -35,13 +36,15 @@ int RunCheck(const Options& options) {
   int exit_code = kExitOk;
   for (const std::string& file : options.files) {
     const Result<BakedProject> baked = LoadAndBake(file, options);
+    if (!baked.ok() && baked.error().code == ErrorCode::kInterrupted)
+      return Complain(baked.error());
     if (options.json) {
       const auto line = AnswerAsJson(file, baked)
                             .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
       std::printf("%s\n", line.c_str());
     } else if (baked.ok()) {
       PrintWarnings(file, baked.value().warnings);
-      std::printf("%s: ok\n", file.c_str());
+      PrintLine(stdout, "%s: ok", file.c_str());
     }
     if (baked.ok()) continue;
     const int code = options.json ? ExitCodeOf(baked.error()) : Complain(baked.error());

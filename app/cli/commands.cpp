@@ -1,16 +1,20 @@
 #include "app/cli/commands.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
+#include "engine/base/text.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 
 namespace hazumi {
 
 int Complain(const Error& error) {
-  std::fprintf(stderr, "hazumi: %s\n", error.ToString().c_str());
+  PrintLine(stderr, "hazumi: %s", error.ToString().c_str());
   return ExitCodeOf(error);
 }
 
@@ -33,7 +37,20 @@ void ApplySolverOptions(const Options& options, Project* project) {
   }
 }
 
+// A project has a million frames at most, and so has what is made of it.
+std::optional<Error> CheckLength(const Animation& animation, const Options& options) {
+  constexpr double kMostFrames = 1e6;
+  if (!options.rate) return std::nullopt;
+  const double seconds = animation.rate.SecondsAt(animation.last_frame - animation.first_frame);
+  const double frames = std::floor(options.rate->FrameAt(seconds)) + 1.0;
+  if (frames <= kMostFrames) return std::nullopt;
+  return Error{ErrorCode::kSemantics, "", "--fps",
+               FormatNumber(frames) + " output frames; 1000000 are the most, choose a lower rate"};
+}
+
 }  // namespace
+
+Error InterruptedError() { return {ErrorCode::kInterrupted, "", "", "interrupted"}; }
 
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options) {
   Result<Project> project = LoadProject(file);
@@ -41,7 +58,9 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   ApplySolverOptions(options, &project.value());
   Result<Compiled> compiled = CompileAnimation(project.value());
   if (!compiled.ok()) return InFile(compiled.error(), file);
-  Result<Motion> motion = Bake(compiled.value().animation, {options.rate});
+  if (auto error = CheckLength(compiled.value().animation, options)) return InFile(*error, file);
+  Result<Motion> motion = Bake(compiled.value().animation, {options.rate, &Interrupted()});
+  if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
   std::vector<Warning> warnings = compiled.value().warnings;
   const std::vector<Warning>& baked = motion.value().warnings;
@@ -52,20 +71,9 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
 
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) {
-    std::fprintf(stderr, "hazumi: %s: %s: warning: %s\n", file.c_str(), warning.place.c_str(),
-                 warning.message.c_str());
+    PrintLine(stderr, "hazumi: %s: %s: warning: %s", file.c_str(), warning.place.c_str(),
+              warning.message.c_str());
   }
-}
-
-std::string EventTable(const Motion& motion) {
-  std::string text;
-  for (const MotionEvent& event : motion.events) {
-    char line[160];
-    std::snprintf(line, sizeof line, "%-10s  frame %4d  %10.6f s  %s\n", NameOf(event.kind),
-                  event.frame, event.time, event.joint.c_str());
-    text += line;
-  }
-  return text;
 }
 
 }  // namespace hazumi

@@ -22,10 +22,11 @@ struct BakedProject {
   Motion motion;
   std::vector<Warning> warnings;  // of compiling and of baking
 };
+// Errors: also kInterrupted.
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
 // Prints the warnings to standard error.
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings);
-// "take_off  frame 6  0.200000 s  r_ankle", a line an event.
-std::string EventTable(const Motion& motion);
+// For a bake that the user broke off.
+Error InterruptedError();
 
 }  // namespace hazumi

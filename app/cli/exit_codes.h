@@ -19,6 +19,10 @@ inline ExitCode ExitCodeOf(const Error& error) {
   switch (error.code) {
     case ErrorCode::kNoInput:
       return kExitNoInput;
+    case ErrorCode::kFailed:
+      return kExitFailed;
+    case ErrorCode::kInterrupted:
+      return kExitInterrupted;
     case ErrorCode::kCannotWrite:
       return kExitCannotWrite;
     case ErrorCode::kSyntax:

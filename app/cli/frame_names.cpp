@@ -1,14 +1,38 @@
 #include "app/cli/frame_names.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <iterator>
 
 namespace hazumi {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Of the last # in the file's name; npos if there is none.
+size_t LastMark(const std::string& output) {
+  const size_t slash = output.rfind('/');
+  const size_t last = output.rfind('#');
+  const bool in_folder = slash != std::string::npos && last != std::string::npos && last < slash;
+  return in_folder ? std::string::npos : last;
+}
+
+}  // namespace
+
+bool IsOnePicture(const std::string& output) {
+  if (LastMark(output) != std::string::npos) return false;
+  std::string suffix = fs::path(output).extension().string();
+  for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr const char* kSuffixes[] = {".png", ".jpg",  ".jpeg", ".bmp",  ".gif", ".tga",
+                                       ".tif", ".tiff", ".ppm",  ".webp", ".exr"};
+  return std::find(std::begin(kSuffixes), std::end(kSuffixes), suffix) != std::end(kSuffixes);
+}
+
 Result<FrameNames> FrameNames::Create(const std::string& output) {
   FrameNames names;
-  const size_t last = output.rfind('#');
+  const size_t last = LastMark(output);
   if (last == std::string::npos) {
     names.before_ = (fs::path(output) / "frame_").string();
     names.after_ = ".png";

@@ -6,6 +6,9 @@
 
 namespace hazumi {
 
+// A picture's name in which no frame number has a place: "out/pic.png".
+bool IsOnePicture(const std::string& output);
+
 // Names of the pictures of a sequence: in a folder (frame_0000.png), or a pattern in whose last run
 // of #### the frame number stands.
 class FrameNames {

@@ -3,24 +3,13 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/terminal.h"
 
 namespace hazumi {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* NameOf(PlacementKind kind) {
-  switch (kind) {
-    case PlacementKind::kKeyed:
-      return "keyed";
-    case PlacementKind::kPinned:
-      return "pinned";
-    case PlacementKind::kGravity:
-      return "gravity";
-  }
-  return "";
-}
 
 Json RegionsAsJson(const BakedProject& baked) {
   Json list = Json::array();
@@ -72,38 +61,45 @@ void PrintRegions(const BakedProject& baked) {
   for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
     const DynamicsRegion& region = baked.animation.regions[i];
     const RegionReport& report = baked.motion.regions[i];
-    std::printf("region     %s: F%d-F%d, %zu of %d joints, %s at %g s: %d steps, %.0f us\n",
-                region.name.c_str(), region.first_frame, region.last_frame, region.joints.size(),
-                report.all_joints, NameOf(region.method), report.step, report.steps,
-                report.microseconds);
+    PrintLine(stdout, "region     %s: F%d-F%d, %zu of %d joints, %s at %g s: %d steps, %.0f us",
+              region.name.c_str(), region.first_frame, region.last_frame, region.joints.size(),
+              report.all_joints, NameOf(region.method), report.step, report.steps,
+              report.microseconds);
   }
 }
 
 void PrintPlacements(const Animation& animation) {
   for (const PlacementSpan& span : animation.placements) {
-    std::printf("placement  F%d-F%d: %s%s%s\n", span.first_frame, span.last_frame,
-                NameOf(span.kind), span.pin ? " " : "",
-                span.pin ? animation.figure->group(*span.pin).name.c_str() : "");
+    PrintLine(stdout, "placement  F%d-F%d: %s%s%s", span.first_frame, span.last_frame,
+              NameOf(span.kind), span.pin ? " " : "",
+              span.pin ? animation.figure->group(*span.pin).name.c_str() : "");
   }
   for (const IkHold& hold : animation.holds) {
-    std::printf("hold       F%d-F%d: %s\n", hold.first_frame, hold.last_frame,
-                animation.figure->group(hold.joint).name.c_str());
+    PrintLine(stdout, "hold       F%d-F%d: %s", hold.first_frame, hold.last_frame,
+              animation.figure->group(hold.joint).name.c_str());
+  }
+}
+
+void PrintEvents(const Motion& motion) {
+  for (const MotionEvent& event : motion.events) {
+    PrintLine(stdout, "%-10s  frame %4d  %10.6f s  %s", NameOf(event.kind), event.frame, event.time,
+              event.joint.c_str());
   }
 }
 
 void Print(const BakedProject& baked) {
   const Animation& animation = baked.animation;
   const Figure& figure = *animation.figure;
-  std::printf("%s\n", baked.project.name.c_str());
-  std::printf("frames     F%d-F%d at %g fps\n", animation.first_frame, animation.last_frame,
-              animation.rate.frames_per_second());
-  std::printf("figure     %s: %d joints, %zu links, %g kg\n", figure.name().c_str(),
-              figure.num_joints(), figure.links().size(), figure.total_mass());
-  std::printf("solver     %s at %g s, version %d\n", NameOf(animation.solver.method),
-              animation.solver.step, animation.solver.version);
+  PrintLine(stdout, "%s", baked.project.name.c_str());
+  PrintLine(stdout, "frames     F%d-F%d at %g fps", animation.first_frame, animation.last_frame,
+            animation.rate.frames_per_second());
+  PrintLine(stdout, "figure     %s: %d joints, %zu links, %g kg", figure.name().c_str(),
+            figure.num_joints(), figure.links().size(), figure.total_mass());
+  PrintLine(stdout, "solver     %s at %g s, version %d", NameOf(animation.solver.method),
+            animation.solver.step, animation.solver.version);
   PrintRegions(baked);
   PrintPlacements(animation);
-  std::printf("%s", EventTable(baked.motion).c_str());
+  PrintEvents(baked.motion);
 }
 
 }  // namespace
@@ -112,7 +108,8 @@ int RunInfo(const Options& options) {
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
   if (options.json) {
-    std::printf("%s\n", InfoAsJson(baked.value()).dump(2).c_str());
+    const auto text = InfoAsJson(baked.value()).dump(2, ' ', false, Json::error_handler_t::replace);
+    std::printf("%s\n", text.c_str());
     return kExitOk;
   }
   PrintWarnings(options.files[0], baked.value().warnings);

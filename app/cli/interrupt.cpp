@@ -11,11 +11,14 @@ std::atomic<bool>& Interrupted() {
 
 void CatchInterrupts() {
   Interrupted();  // constructed before any signal
-  for (const int signal : {SIGINT, SIGTERM}) {
-    std::signal(signal, [](int number) {
-      Interrupted() = true;
-      std::signal(number, SIG_DFL);
-    });
+  struct sigaction action = {};
+  action.sa_handler = [](int) { Interrupted() = true; };
+  action.sa_flags = SA_RESETHAND;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction inherited = {};
+    sigaction(signal, nullptr, &inherited);
+    if (inherited.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
 }
 

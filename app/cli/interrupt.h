@@ -4,7 +4,8 @@
 
 namespace hazumi {
 
-// Set when the user presses Ctrl+C or the program is asked to end. A second time ends it at once.
+// Set when the user presses Ctrl+C, closes the terminal, or asks the program to end. A second time
+// ends it at once. A signal that the parent ignores (nohup, a job in the background) stays ignored.
 std::atomic<bool>& Interrupted();
 void CatchInterrupts();
 

@@ -1,176 +1,226 @@
 #include "app/cli/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
+#include <limits>
+#include <span>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/frame_names.h"
+#include "app/cli/help_text.h"
+#include "app/cli/option_values.h"
+#include "app/cli/terminal.h"
 #include "app/cli/version.h"
+#include "engine/project/did_you_mean.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr const char* kFooter = R"(
-Exit codes: 0 ok, 1 failed, 2 usage, 65 bad data, 66 no input, 73 cannot write, 130 interrupted.
-Results go to standard output, progress to standard error.
+using UsageError = CLI::ValidationError;
 
-  hazumi --render out/throw throw.kfa            frames out/throw/frame_0000.png ...
-  hazumi --render out/t_####.png --frames 5..15 --size 640x360 throw.kfa
-  hazumi --bake motion.json jump.kfa             angles, positions, events; - for standard output
-  hazumi --check *.kfa)";
+enum TaskBits : unsigned { kRender = 1, kBake = 2, kCheck = 4, kInfo = 8, kAll = 15 };
 
-std::optional<FrameRange> ParseRange(const std::string& text) {
-  FrameRange range;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%d..%d%n", &range.first, &range.last, &used) == 2 &&
-      used == static_cast<int>(text.size())) {
-    return range;
-  }
-  if (std::sscanf(text.c_str(), "%d%n", &range.first, &used) == 1 &&
-      used == static_cast<int>(text.size())) {
-    range.last = range.first;
-    return range;
-  }
-  return std::nullopt;
-}
-
-bool ParseSize(const std::string& text, int* width, int* height) {
-  int used = 0;
-  return std::sscanf(text.c_str(), "%dx%d%n", width, height, &used) == 2 &&
-         used == static_cast<int>(text.size()) && *width >= 16 && *height >= 16 &&
-         *width <= 16384 && *height <= 16384;
-}
-
-// "30", "29.97" or "30000/1001".
-std::optional<FrameRate> ParseRate(const std::string& text) {
-  FrameRate rate;
-  int used = 0;
-  const int size = static_cast<int>(text.size());
-  if (std::sscanf(text.c_str(), "%d/%d%n", &rate.num, &rate.den, &used) == 2 && used == size &&
-      rate.num > 0 && rate.den > 0) {
-    return rate;
-  }
-  double fps = 0.0;
-  if (std::sscanf(text.c_str(), "%lf%n", &fps, &used) != 1 || used != size) return std::nullopt;
-  if (!(fps >= 0.001 && fps <= 100000.0)) return std::nullopt;
-  rate.den = fps == static_cast<int>(fps) ? 1 : 1000;
-  rate.num = static_cast<int>(std::lround(fps * rate.den));
-  return rate;
-}
-
-std::optional<CameraChoice> ParseCamera(const std::string& text) {
-  for (const char* side : {"front", "back", "left", "right", "top", "three-quarter"}) {
-    if (text == side) return CameraChoice{side};
-  }
-  CameraChoice camera;
-  Vec3 &e = camera.eye, &t = camera.target;
-  const int got = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf", &e.x(), &e.y(), &e.z(),
-                              &t.x(), &t.y(), &t.z(), &camera.vertical_fov_deg);
-  const bool sane =
-      (e - t).norm() > 1e-6 && camera.vertical_fov_deg > 0.1 && camera.vertical_fov_deg < 170.0;
-  if (got < 6 || !sane) return std::nullopt;
-  return camera;
-}
-
-// The texts of options that need more than CLI11's own conversions.
-struct RawOptions {
-  std::string render, bake, frames, size, camera, fps, method;
-  bool check = false, info = false, no_shadow = false;
+// An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
+// option's says what to do about a value that cannot be read.
+struct OptionRule {
+  const char* name;
+  unsigned tasks;
+  const char* remedy;
+  bool (*read)(const std::string& text, Options* options);
 };
 
-void Declare(CLI::App* app, RawOptions* raw, Options* options) {
-  app->set_version_flag("--version", std::string("hazumi ") + kVersion);
-  app->footer(kFooter);
-  auto* tasks = app->add_option_group("Tasks", "One of these");
-  tasks
-      ->add_option("--render", raw->render,
-                   "Draw frames to OUT: a folder, or a pattern with #### for the frame number")
-      ->type_name("OUT");
-  tasks->add_option("--bake", raw->bake, "Write the motion to OUT: .json or .csv, - for JSON")
-      ->type_name("OUT");
-  tasks->add_flag("--check", raw->check, "Say of each file whether it can be animated");
-  tasks->add_flag("--info", raw->info, "Say what is in the file");
-  tasks->require_option(1);
-  app->add_option("FILE", options->files, "Project (.kfa)")->required();
-
-  auto* draw = app->add_option_group("Drawing");
-  draw->add_option("--frames", raw->frames, "Only these frames")->type_name("A..B");
-  draw->add_option("--size", raw->size, "Picture size in pixels [1280x720]")->type_name("WxH");
-  draw->add_option("--samples", options->samples, "Samples a pixel: 1 or 4 [4]")
-      ->check(CLI::IsMember({1, 4}));
-  draw->add_option("--camera", raw->camera,
-                   "front, back, left, right, top, three-quarter, or ex,ey,ez,tx,ty,tz[,fov]")
-      ->type_name("VIEW");
-  draw->add_option("--threads", options->threads, "1, or 2: one draws, one writes [2]")
-      ->check(CLI::Range(1, 2));
-  draw->add_option("--ghosts", options->ghosts, "A translucent figure every N frames")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N");
-  draw->add_flag("--paths", options->paths, "Draw the paths of CoM, hands and feet");
-  draw->add_flag("--marks", options->marks, "Draw a ring at the pinned joint");
-  draw->add_flag("--tint", options->tint, "Tint the joints that a dynamics region moves");
-  draw->add_flag("--frame-number", options->frame_number, "Draw the frame number");
-  draw->add_flag("--no-shadow", raw->no_shadow, "Draw no shadow");
-
-  auto* solve = app->add_option_group("Motion");
-  solve->add_option("--method", raw->method, "Instead of the file's: paper")
-      ->check(CLI::IsMember({"paper"}));
-  solve->add_option("--step", options->step_s, "Solver step in seconds, instead of the file's")
-      ->check(CLI::Range(1e-6, 10.0))
-      ->type_name("S");
-  solve->add_option("--fps", raw->fps, "Frames a second of the output; the motion is the same")
-      ->type_name("N[/D]");
-  solve->add_flag("--timings", options->timings, "Bake: also write how long each region took");
-  app->add_flag("--json", options->json, "Check and info: answer in JSON");
+template <typename Value, typename Field>
+bool Keep(const std::optional<Value>& value, Field* field) {
+  if (value) *field = *value;
+  return value.has_value();
 }
 
-void Require(bool good, const std::string& option, const std::string& wanted) {
-  if (!good) throw CLI::ValidationError(option, "wants " + wanted);
+bool KeepInt(const std::string& text, int least, int most, int* field) {
+  const auto number = ReadInt(text);
+  return number && *number >= least && *number <= most && Keep(number, field);
 }
 
-void Interpret(const RawOptions& raw, Options* options) {
-  options->task = !raw.render.empty() ? Task::kRender
-                  : !raw.bake.empty() ? Task::kBake
-                  : raw.check         ? Task::kCheck
-                  : raw.info          ? Task::kInfo
-                                      : Task::kNone;
-  options->output = raw.render.empty() ? raw.bake : raw.render;
-  Require(options->task != Task::kNone, "OUT", "a name");
-  Require(options->task == Task::kCheck || options->files.size() == 1, "FILE",
-          "one file; only --check takes several");
-  options->shadow = !raw.no_shadow;
-  if (!raw.method.empty()) options->method = Method::kPaper;
-  if (!raw.frames.empty()) {
-    options->frames = ParseRange(raw.frames);
-    Require(options->frames && options->frames->first <= options->frames->last, "--frames",
-            "a frame, or A..B with A <= B");
+bool ReadStep(const std::string& text, Options* options) {
+  constexpr double kShortest = 1e-6, kLongest = 1.0;  // as in files [s]
+  const auto step = ReadFinite(text);
+  return step && *step >= kShortest && *step <= kLongest && Keep(step, &options->step_s);
+}
+
+bool ReadMethod(const std::string& text, Options* options) {
+  options->method = Method::kPaper;
+  return text == NameOf(Method::kPaper);
+}
+
+bool ReadPictures(const std::string& text, Options* options) {
+  options->task = Task::kRender;
+  options->output = text;
+  return !text.empty() && !IsOnePicture(text);
+}
+
+bool ReadMotionFile(const std::string& text, Options* options) {
+  options->task = Task::kBake;
+  options->output = text;
+  return text == "-" || text.ends_with(".json") || text.ends_with(".csv");
+}
+
+template <bool Options::*kField, bool kValue = true>
+bool Set(const std::string&, Options* options) {
+  options->*kField = kValue;
+  return true;
+}
+
+template <Task kTask>
+bool Choose(const std::string&, Options* options) {
+  options->task = kTask;
+  return true;
+}
+
+constexpr OptionRule kTasks[] = {
+    {"--render", kRender, "put #### where the frame number goes, or name a folder", ReadPictures},
+    {"--bake", kBake, "the name must end in .json or .csv, or be -", ReadMotionFile},
+    {"--check", kCheck, nullptr, Choose<Task::kCheck>},
+    {"--info", kInfo, nullptr, Choose<Task::kInfo>},
+};
+
+constexpr OptionRule kRules[] = {
+    {"--frames", kRender, "give a frame, or A..B with A <= B",
+     [](const std::string& text, Options* o) { return Keep(ReadRange(text), &o->frames); }},
+    {"--size", kRender, "give WxH, each from 16 to 16384",
+     [](const std::string& text, Options* o) { return Keep(ReadSize(text), &o->size); }},
+    {"--samples", kRender, "give 1 or 4",
+     [](const std::string& text, Options* o) {
+       return KeepInt(text, 1, 4, &o->samples) && (o->samples == 1 || o->samples == 4);
+     }},
+    {"--camera", kRender,
+     "give front, back, left, right, top, three-quarter, or EX,EY,EZ,TX,TY,TZ[,FOV]",
+     [](const std::string& text, Options* o) { return Keep(ReadCamera(text), &o->camera); }},
+    {"--threads", kRender, "give a whole number from 1",
+     [](const std::string& text, Options* o) {
+       return KeepInt(text, 1, std::numeric_limits<int>::max(), &o->threads);
+     }},
+    {"--ghosts", kRender, "give a whole number from 1 to 1000000",
+     [](const std::string& text, Options* o) { return KeepInt(text, 1, 1000000, &o->ghosts); }},
+    {"--paths", kRender, nullptr, Set<&Options::paths>},
+    {"--marks", kRender, nullptr, Set<&Options::marks>},
+    {"--tint", kRender, nullptr, Set<&Options::tint>},
+    {"--frame-number", kRender, nullptr, Set<&Options::frame_number>},
+    {"--no-shadow", kRender, nullptr, Set<&Options::shadow, false>},
+    {"--method", kAll, "the methods are: paper", ReadMethod},
+    {"--step", kAll, "give seconds from 0.000001 to 1", ReadStep},
+    {"--fps", kRender | kBake | kInfo,
+     "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
+     [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
+    {"--timings", kBake, nullptr, Set<&Options::timings>},
+    {"--json", kCheck | kInfo, nullptr, Set<&Options::json>},
+};
+
+// "--check and --info"
+std::string TaskNames(unsigned tasks) {
+  std::string text;
+  for (const OptionRule& task : kTasks) {
+    if (!(task.tasks & tasks)) continue;
+    tasks &= ~task.tasks;
+    text += (text.empty() ? "" : tasks ? ", " : " and ") + std::string(task.name);
   }
-  Require(raw.size.empty() || ParseSize(raw.size, &options->width, &options->height), "--size",
-          "WxH, each from 16 to 16384");
-  if (!raw.camera.empty()) {
-    options->camera = ParseCamera(raw.camera);
-    Require(options->camera.has_value(), "--camera",
-            "front, back, left, right, top, three-quarter, or ex,ey,ez,tx,ty,tz[,fov]");
+  return text;
+}
+
+void RefuseUnknown(const CLI::App& app) {
+  std::vector<std::string> known = {"--help", "--version"};
+  for (const OptionRule& rule : kTasks) known.push_back(rule.name);
+  for (const OptionRule& rule : kRules) known.push_back(rule.name);
+  for (const std::string& argument : app.remaining()) {
+    const std::string name = argument.substr(0, argument.find('='));
+    const auto nearest = Nearest(name, known);
+    throw UsageError("unknown option " + name +
+                     (nearest ? "; did you mean " + *nearest + "?" : ""));
   }
-  if (raw.fps.empty()) return;
-  options->rate = ParseRate(raw.fps);
-  Require(options->rate.has_value(), "--fps", "a positive number or fraction");
+}
+
+void Declare(std::span<const OptionRule> rules, CLI::App* app) {
+  for (const OptionRule& rule : rules) {
+    if (rule.remedy) {
+      app->add_option(rule.name)->expected(1)->type_name("value");
+    } else {
+      app->add_flag(rule.name)->disable_flag_override();
+    }
+  }
+}
+
+void Read(const CLI::App& app, const OptionRule& rule, Options* options) {
+  if (app.count(rule.name) == 0) return;
+  const std::string text = rule.remedy ? app[rule.name]->as<std::string>() : "";
+  if (rule.read(text, options)) return;
+  throw UsageError(std::string(rule.name) + " " + text + ": " + rule.remedy);
+}
+
+// The task that is asked for, read.
+const OptionRule& ReadTask(const CLI::App& app, Options* options) {
+  const OptionRule* chosen = nullptr;
+  for (const OptionRule& task : kTasks) {
+    if (app.count(task.name) == 0) continue;
+    if (chosen) {
+      throw UsageError(std::string(chosen->name) + " and " + task.name + ": one task at a time");
+    }
+    chosen = &task;
+  }
+  if (!chosen) throw UsageError("no task; the tasks are " + TaskNames(kAll));
+  Read(app, *chosen, options);
+  return *chosen;
+}
+
+void ReadOptions(const CLI::App& app, Options* options) {
+  RefuseUnknown(app);
+  const OptionRule& task = ReadTask(app, options);
+  for (const OptionRule& rule : kRules) {
+    if (app.count(rule.name) != 0 && !(rule.tasks & task.tasks)) {
+      throw UsageError(std::string(rule.name) + " belongs to " + TaskNames(rule.tasks) +
+                       ", not to " + task.name);
+    }
+    Read(app, rule, options);
+  }
+  if (options->files.empty()) throw UsageError("no FILE; name a project (.kfa)");
+  if (options->task != Task::kCheck && options->files.size() > 1) {
+    throw UsageError(std::string(task.name) + " takes one FILE; only --check takes several");
+  }
+}
+
+// CLI11's own: "--size: 1 required value missing", "--fps: At Most 1 required but received 2".
+std::string Explain(const CLI::ParseError& error) {
+  std::string text = error.what();
+  const std::string name = text.substr(0, text.find(':'));
+  if (text.ends_with("missing")) return name + " wants a value";
+  if (text.find("received") != std::string::npos) return name + " is given twice";
+  if (text.ends_with("flag override"))
+    return "--" + text.substr(0, text.find(' ')) + " takes no value";
+  return text;
 }
 
 }  // namespace
 
+// CLI11 only tells options, values and files apart: what they mean is in the rules above.
 ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
-  CLI::App app("Hazumi: keyframe animation with regions that swing by their own inertia", "hazumi");
-  RawOptions raw;
+  CLI::App app("", "hazumi");
   Options options;
-  Declare(&app, &raw, &options);
+  app.allow_extras();
+  app.set_version_flag("--version", std::string("hazumi ") + kVersion);
+  Declare(kTasks, &app);
+  Declare(kRules, &app);
+  app.add_option("FILE", options.files);
   try {
     app.parse(argc, argv);
-    Interpret(raw, &options);
+    ReadOptions(app, &options);
+  } catch (const CLI::CallForHelp&) {
+    std::fputs(kHelpText, stdout);
+    return {std::nullopt, kExitOk};
+  } catch (const CLI::CallForVersion& version) {
+    PrintLine(stdout, "%s", version.what());
+    return {std::nullopt, kExitOk};
+  } catch (const UsageError& error) {
+    return {std::nullopt, ComplainOfUsage(error.what())};
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return {std::nullopt, code == 0 ? kExitOk : kExitUsage};
+    return {std::nullopt, ComplainOfUsage(Explain(error))};
   }
   return {options, kExitOk};
 }

@@ -16,6 +16,10 @@ struct FrameRange {
   int first = 0, last = 0;  // inclusive
 };
 
+struct PictureSize {
+  int width = 1280, height = 720;
+};
+
 // A view that replaces the project's camera: a named side, or eye, target and field of view.
 struct CameraChoice {
   std::string side;  // front, back, left, right, top, three-quarter; empty: as below
@@ -30,11 +34,11 @@ struct Options {
   std::vector<std::string> files;  // --check takes several, the others one
 
   std::optional<FrameRange> frames;
-  int width = 1280, height = 720;
+  PictureSize size;
   int samples = 4;
   std::optional<CameraChoice> camera;
-  int threads = 2;
-  int ghosts = 0;  // one every so many frames; 0: none
+  int threads = 2;  // any number from 1; two at most are used
+  int ghosts = 0;   // one every so many frames; 0: none
   bool paths = false;
   bool marks = false;
   bool tint = false;

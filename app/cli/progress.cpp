@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/cli/terminal.h"
+
 namespace hazumi {
 
 Progress::Progress(std::string what, int total)
@@ -12,7 +14,7 @@ Progress::Progress(std::string what, int total)
 
 void Progress::Report(int done, const std::string& detail) {
   if (!on_terminal_) {
-    std::fprintf(stderr, "%s %d/%d %s\n", what_.c_str(), done, total_, detail.c_str());
+    PrintLine(stderr, "%s %d/%d %s", what_.c_str(), done, total_, detail.c_str());
     return;
   }
   constexpr int kWidth = 40;

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/frame_names.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/terminal.h"
 #include "app/cli/version.h"
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
@@ -18,7 +21,7 @@ namespace hazumi {
 namespace {
 
 render::Camera CameraFor(const BakedProject& baked, const Options& options) {
-  const double aspect = static_cast<double>(options.width) / options.height;
+  const double aspect = static_cast<double>(options.size.width) / options.size.height;
   render::Camera camera;
   if (options.camera && options.camera->side.empty()) {
     camera.eye = options.camera->eye;
@@ -35,68 +38,105 @@ render::Camera CameraFor(const BakedProject& baked, const Options& options) {
   return camera;
 }
 
+std::string WithoutControls(std::string text) {
+  std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  return text;
+}
+
+std::string Text(const FrameRange& range) {
+  if (range.first == range.last) return std::to_string(range.first);
+  return std::to_string(range.first) + ".." + std::to_string(range.last);
+}
+
 // No dates, so that equal input gives equal bytes.
 std::vector<render::PngText> Metadata(const BakedProject& baked, int frame) {
   const SolverSettings& solver = baked.animation.solver;
   return {{"Software", std::string("Hazumi ") + kVersion},
-          {"Project", baked.project.name},
+          {"Project", WithoutControls(baked.project.name)},
           {"Frame", std::to_string(frame)},
           {"Solver", std::string(NameOf(solver.method)) + " " + FormatNumber(solver.step) +
                          " s, version " + std::to_string(solver.version)}};
 }
 
-// Indices of the motion's frames that are asked for.
-Result<std::vector<int>> ChosenFrames(const Motion& motion, const Options& options) {
-  std::vector<int> chosen;
-  for (size_t i = 0; i < motion.frames.size(); ++i) {
-    const int frame = motion.frames[i].frame;
-    if (options.frames && (frame < options.frames->first || frame > options.frames->last)) continue;
-    chosen.push_back(static_cast<int>(i));
+// The output frames asked for, as far as the motion has them.
+std::optional<FrameRange> ChosenFrames(const Motion& motion, const Options& options) {
+  if (motion.frames.empty()) {  // at an --fps so low that all fall outside
+    ComplainOfUsage("--fps: no output frame lies within " + options.files[0]);
+    return std::nullopt;
   }
-  if (!chosen.empty()) return chosen;
-  return Error{ErrorCode::kSemantics, options.files[0], "frames",
-               "none of the frames asked for is in the project"};
+  const FrameRange all{motion.frames.front().frame, motion.frames.back().frame};
+  const FrameRange asked = options.frames.value_or(all);
+  const FrameRange chosen{std::max(asked.first, all.first), std::min(asked.last, all.last)};
+  const std::string has =
+      "--frames " + Text(asked) + ": " + options.files[0] + " has frames " + Text(all);
+  if (chosen.first > chosen.last) {
+    ComplainOfUsage(has);
+    return std::nullopt;
+  }
+  if (chosen.first != asked.first || chosen.last != asked.last) {
+    PrintLine(stderr, "hazumi: warning: %s; drawing %s", has.c_str(), Text(chosen).c_str());
+  }
+  return chosen;
 }
 
 // At so many frames a second that paths are smooth.
 Result<Motion> PathMotion(const BakedProject& baked, bool wanted) {
   if (!wanted) return Motion();
-  const FrameRate rate = baked.motion.rate;
-  return Bake(baked.animation, {FrameRate{rate.num * 4, rate.den}});
+  FrameRate rate = baked.motion.rate;
+  if (rate.num <= std::numeric_limits<int>::max() / 4) rate.num *= 4;
+  return Bake(baked.animation, {rate, &Interrupted()});
 }
 
-int RenderBaked(const BakedProject& baked, const Options& options) {
-  const Result<std::vector<int>> chosen = ChosenFrames(baked.motion, options);
-  if (!chosen.ok()) return Complain(chosen.error());
-  const Result<FrameNames> names = FrameNames::Create(options.output);
-  if (!names.ok()) return Complain(names.error());
-  const std::vector<int>& frames = chosen.value();
-  const auto number = [&](int i) { return baked.motion.frames[frames[i]].frame; };
-
-  const render::Overlays overlays{options.ghosts, options.paths, options.marks, options.tint,
-                                  options.frame_number};
-  const Result<Motion> path_motion = PathMotion(baked, options.paths);
-  if (!path_motion.ok()) return Complain(path_motion.error());
-  render::MotionScene scenes(baked.animation, baked.motion, path_motion.value(),
-                             CameraFor(baked, options), overlays);
-  Progress progress("render", static_cast<int>(frames.size()));
-  render::Sequence sequence;
-  sequence.frame_count = static_cast<int>(frames.size());
-  sequence.scene = [&](int i) { return scenes.At(frames[i]); };
-  sequence.path = [&](int i) { return std::filesystem::path(names.value().Of(number(i))); };
-  sequence.metadata = [&](int i) { return Metadata(baked, number(i)); };
-  sequence.progress = [&](int done) { progress.Report(done, names.value().Of(number(done - 1))); };
-  sequence.cancel = &Interrupted();
+render::SequenceOptions SettingsFrom(const Options& options) {
   render::SequenceOptions settings;
-  settings.width = options.width;
-  settings.height = options.height;
+  settings.width = options.size.width;
+  settings.height = options.size.height;
   settings.renderer.samples = options.samples;
   settings.renderer.shadow = options.shadow;
-  settings.threads = options.threads;
-  const Result<int> written = RenderSequence(settings, sequence);
-  progress.Finish();
+  settings.threads = std::min(options.threads, 2);
+  return settings;
+}
+
+// What the callbacks of a sequence need.
+struct Pictures {
+  const BakedProject& baked;
+  FrameRange frames;
+  FrameNames names;
+  render::MotionScene scenes;
+  Progress progress;
+
+  int count() const { return frames.last - frames.first + 1; }
+  // A motion has all frames from its first to its last.
+  int MotionIndex(int i) const { return frames.first + i - baked.motion.frames.front().frame; }
+  std::string Name(int i) const { return names.Of(frames.first + i); }
+};
+
+render::Sequence SequenceOf(Pictures* pictures) {
+  render::Sequence sequence;
+  sequence.frame_count = pictures->count();
+  sequence.scene = [=](int i) { return pictures->scenes.At(pictures->MotionIndex(i)); };
+  sequence.path = [=](int i) { return std::filesystem::path(pictures->Name(i)); };
+  sequence.metadata = [=](int i) { return Metadata(pictures->baked, pictures->frames.first + i); };
+  sequence.progress = [=](int done) { pictures->progress.Report(done, pictures->Name(done - 1)); };
+  sequence.cancel = &Interrupted();
+  return sequence;
+}
+
+int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  const Result<Motion> path_motion = PathMotion(baked, options.paths);
+  if (!path_motion.ok()) return Complain(path_motion.error());
+  const Result<FrameNames> names = FrameNames::Create(options.output);
+  if (!names.ok()) return Complain(names.error());
+  const render::Overlays overlays{options.ghosts, options.paths, options.marks, options.tint,
+                                  options.frame_number};
+  Pictures pictures{baked, frames, names.value(),
+                    render::MotionScene(baked.animation, baked.motion, path_motion.value(),
+                                        CameraFor(baked, options), overlays),
+                    Progress("render", frames.last - frames.first + 1)};
+  const Result<int> written = RenderSequence(SettingsFrom(options), SequenceOf(&pictures));
+  pictures.progress.Finish();
   if (!written.ok()) return Complain(written.error());
-  return written.value() == sequence.frame_count ? kExitOk : kExitInterrupted;
+  return Interrupted() ? Complain(InterruptedError()) : kExitOk;
 }
 
 }  // namespace
@@ -105,7 +145,8 @@ int RunRender(const Options& options) {
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
   PrintWarnings(options.files[0], baked.value().warnings);
-  return RenderBaked(baked.value(), options);
+  const std::optional<FrameRange> frames = ChosenFrames(baked.value().motion, options);
+  return frames ? RenderBaked(baked.value(), *frames, options) : kExitUsage;
 }
 
 }  // namespace hazumi

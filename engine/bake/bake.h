@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "engine/bake/motion.h"
@@ -12,6 +13,8 @@ struct BakeOptions {
   // Frames a second of the result; the animation's own if not given. The motion is the same: the
   // steps of the solver lie on the animation's frames, other instants are found between them.
   std::optional<FrameRate> output_rate;
+  // Set by another thread or a signal: the bake ends within a step (ErrorCode::kInterrupted).
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 // Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)

@@ -39,6 +39,7 @@ Error CannotGoOn(std::string place, std::string message) {
 
 Baker::Baker(const Animation& animation, const BakeOptions& options)
     : animation_(animation),
+      cancel_(options.cancel),
       figure_(WithHeldObjects(animation)),
       ws_(figure_),
       curves_(animation),
@@ -78,6 +79,7 @@ Baker::Failure Baker::AdvanceFrame(int frame) {
   const double wanted = animation_.rate.seconds_per_frame() / step;
   const int steps = std::max(1, static_cast<int>(std::ceil(wanted * (1.0 - 1e-12))));
   for (int i = 0; i < steps; ++i) {
+    if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     const double from = frame + static_cast<double>(i) / steps;
     const double to = i + 1 == steps ? frame + 1.0 : frame + (i + 1.0) / steps;
     if (auto error = Step(from, to, i + 1 == steps)) return error;
@@ -109,9 +111,9 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
       driver_->Advance(now_, root_hold(), seconds, &ws_, &next->q, &next->qd, &stops);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) {
-    return CannotGoOn("regions", "cannot go on after frame " + FormatNumber(now_.frame) +
-                                     ": joint \"" + figure_.joint(failure->joint).name +
-                                     "\": " + failure->cause);
+    return CannotGoOn(RegionPlace(failure->joint),
+                      "cannot go on after frame " + FormatShort(now_.frame) + ": joint \"" +
+                          figure_.joint(failure->joint).name + "\": " + failure->cause);
   }
   for (const int r : driver_->active()) {
     RegionReport& report = motion_.regions[r];
@@ -148,14 +150,25 @@ Baker::Failure Baker::StepPlacement(double frame_from, double seconds, Side side
   return std::nullopt;
 }
 
+// "regions[1]", where it is known which: the one that moves the joint, or the only active one.
+std::string Baker::RegionPlace(std::optional<JointIndex> joint) const {
+  std::vector<int> candidates = driver_->active();
+  std::erase_if(candidates, [&](int r) {
+    const auto& joints = animation_.regions[r].joints;
+    return joint && !std::binary_search(joints.begin(), joints.end(), *joint);
+  });
+  if (candidates.size() != 1) return "regions";
+  return "regions[" + std::to_string(candidates[0]) + "]";
+}
+
 // A landing stops the root's fall; the free joints feel the blow. [METHOD 2, "kicks"]
 Baker::Failure Baker::FinishLanding() {
   if (!gravity_ || !gravity_->has_landed()) return std::nullopt;
   const JointIndex pin = figure_.group(*gravity_->pin()).first;
   if (driver_ && !driver_->ApplyLanding(now_, pin, &ws_, &now_.qd)) {
-    return CannotGoOn("regions", "cannot go on after the landing at frame " +
-                                     FormatNumber(now_.frame) +
-                                     ": a joint in a region moves no mass");
+    return CannotGoOn(RegionPlace(std::nullopt), "cannot go on after the landing at frame " +
+                                                     FormatShort(now_.frame) +
+                                                     ": a joint in a region moves no mass");
   }
   gravity_->Place(&ws_, &now_);
   return std::nullopt;
@@ -192,8 +205,8 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
     if (!solution.reached) {
       return CannotGoOn("holds[" + std::to_string(index) + "]",
                         "\"" + figure_.group(active.hold->joint).name +
-                            "\" is out of reach at frame " + FormatNumber(frame) + ": " +
-                            FormatNumber(std::round(solution.distance * 1e4) / 1e4) +
+                            "\" is out of reach at frame " + FormatShort(frame) + ": " +
+                            FormatShort(solution.distance) +
                             " m short; move the root nearer or shorten the hold");
     }
     for (const JointIndex j : active.solver.joints()) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/bake/bake.h"
@@ -40,10 +42,12 @@ class Baker {
   bool BeginPlacement(int frame, bool was_keyed);
   void TakeKeyedVelocity(int frame);
   void RebuildDriver(int frame);
+  void ReportStep(int region, int frame);
   bool HasRegionFrom(int frame, JointIndex j) const;
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
+  std::string PlacementPlace(int frame) const;
 
   // Between frames (baker.cpp).
   Failure AdvanceFrame(int frame);
@@ -51,6 +55,8 @@ class Baker {
   Failure StepRegions(double seconds, FigureMotion* next);
   Failure StepPlacement(double frame_from, double seconds, Side side, FigureMotion* next);
   Failure FinishLanding();
+  bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+  std::string RegionPlace(std::optional<JointIndex> joint) const;
   Failure Evaluate(double frame, Side side, FigureMotion* motion);
   void PlaceRoot(double frame, Side side, FigureMotion* motion);
   Failure SolveHolds(double frame, Side side, FigureMotion* motion);
@@ -70,6 +76,7 @@ class Baker {
   double Seconds(double frames) const { return animation_.rate.SecondsAt(frames); }
 
   const Animation& animation_;
+  const std::atomic<bool>* cancel_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;

@@ -138,7 +138,20 @@ void Baker::RebuildDriver(int frame) {
     }
   }
   driver_.reset();
-  if (!active.empty()) driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);
+  if (active.empty()) return;
+  driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);
+  for (const int r : active) ReportStep(r, frame);
+}
+
+// Regions that are active together are one system and take the smallest of their steps.
+void Baker::ReportStep(int region, int frame) {
+  double& step = motion_.regions[region].step;
+  if (driver_->step() >= step) return;
+  AddWarning("regions[" + std::to_string(region) + "]",
+             "takes the step of another region that is active from frame " + std::to_string(frame) +
+                 " on: " + FormatNumber(driver_->step()) + " s instead of " + FormatNumber(step) +
+                 " s");
+  step = driver_->step();
 }
 
 bool Baker::BeginHolds(int frame) {
@@ -188,12 +201,25 @@ void Baker::TakeKeyedVelocity(int frame) {
   }
 }
 
+// The placement that begins at the frame, else the one that ends there.
+std::string Baker::PlacementPlace(int frame) const {
+  const auto& spans = animation_.placements;
+  auto span = std::find_if(spans.begin(), spans.end(),
+                           [&](const PlacementSpan& s) { return s.first_frame == frame; });
+  if (span == spans.end()) {
+    span = std::find_if(spans.begin(), spans.end(),
+                        [&](const PlacementSpan& s) { return s.last_frame == frame; });
+  }
+  return "placements[" + std::to_string(span - spans.begin()) + "]";
+}
+
 void Baker::WarnOfVelocityJump(int frame) {
   constexpr double kJump = 1e-3;  // [m/s]
   const double jump = (now_.root.v - before_.root_v).norm();
   if (frame == animation_.first_frame || jump <= kJump) return;
-  AddWarning("placements", "the root's velocity jumps by " + FormatNumber(jump) + " m/s at frame " +
-                               std::to_string(frame) + ", where the placement changes");
+  AddWarning(PlacementPlace(frame), "the root's velocity jumps by " + FormatShort(jump) +
+                                        " m/s at frame " + std::to_string(frame) +
+                                        ", where the placement changes");
 }
 
 }  // namespace hazumi

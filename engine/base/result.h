@@ -16,6 +16,8 @@ enum class ErrorCode {
   kSemantics,    // well formed, but it cannot be animated: overlap, out of reach, closed loop
   kNoInput,      // the file is not there or cannot be read
   kCannotWrite,  // the output cannot be written
+  kFailed,       // something the program needs is missing or gives up: a library, a driver
+  kInterrupted,  // the user asked to stop
 };
 
 // `place` is a path such as `regions[1].joints[3]` inside `file`; either may be empty.

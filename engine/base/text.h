@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 namespace hazumi {
@@ -11,6 +13,18 @@ inline std::string FormatNumber(double value) {
   if (value == 0.0) return "0";
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return std::string(buffer.data(), end);
+}
+
+// For messages: three significant digits, and never fewer than stand before the point.
+inline std::string FormatShort(double value) {
+  const double magnitude = std::abs(value);
+  if (!(magnitude >= 1e-300 && magnitude < 1e15)) return FormatNumber(value);
+  const int digits = std::max(3, 1 + static_cast<int>(std::floor(std::log10(magnitude))));
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::general, digits)
+                       .ptr;
   return std::string(buffer.data(), end);
 }
 

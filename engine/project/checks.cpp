@@ -50,7 +50,8 @@ constexpr CheckText kTexts[] = {
 
     {Check::kUnknownParent, kSchema, "no joint {} to hang on; {}"},
     {Check::kTooManyJoints, kSchema, "{} joints; a figure has 1000 at most"},
-    {Check::kFigureUnreadable, kNoInput, "the figure {} {}"},
+    {Check::kFigureUnreadable, kNoInput,
+     "the figure {} {}; looked for as {}; paths are relative to the project file"},
 
     {Check::kBadFrameRate, kSchema, "must lie between 0.1 and 10000 frames a second, is {}/{}"},
     {Check::kFramesReversed, kSchema, "the last frame {} is before the first, {}"},
@@ -111,6 +112,7 @@ constexpr CheckText kTexts[] = {
      "region {} drives {}, which the hold of {} ({}) needs in frames {} to {}; end one where the "
      "other begins, or take the joint out of the region"},
 
+    {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
     {Check::kNothingToLandOn, kSemantics,
      "gravity without objects in the scene: there is nothing to land on"},

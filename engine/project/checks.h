@@ -83,6 +83,7 @@ enum class Check {
   kLoopWithPin,
   kRegionInHold,
   // Warnings
+  kUnknownField,
   kFixedLeftOut,
   kNothingToLandOn,
   kKeyOutsideLimits,

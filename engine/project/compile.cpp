@@ -44,13 +44,17 @@ Error InFigure(Error error) {
   return error;
 }
 
-double Degrees(double radians) { return std::round(radians / kRadiansPerDegree * 1e6) / 1e6; }
+double RoundedDegrees(double radians) {
+  return std::round(radians / kRadiansPerDegree * 1e6) / 1e6;
+}
 
 // Builds the animation from a project whose values and names have been checked.
 class Compiler {
  public:
   Compiler(const Project& project, Figure figure)
-      : project_(project), figure_(std::make_shared<const Figure>(std::move(figure))) {}
+      : project_(project),
+        figure_(std::make_shared<const Figure>(std::move(figure))),
+        warnings_(project.read.warnings) {}
 
   Result<Compiled> Compile() {
     FirstError errors;
@@ -113,8 +117,8 @@ class Compiler {
     Warn("joints." + joint.name + ".keys[" + std::to_string(first) + "].angle_deg",
          Check::kKeyOutsideLimits,
          {NumberText(curve.value.keys[static_cast<size_t>(first)].value),
-          NumberText(Degrees(joint.lower)), NumberText(Degrees(joint.upper)), Quoted(joint.name),
-          std::to_string(count)});
+          NumberText(RoundedDegrees(joint.lower)), NumberText(RoundedDegrees(joint.upper)),
+          Quoted(joint.name), std::to_string(count)});
   }
 
   void AddScene() {

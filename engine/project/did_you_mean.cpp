@@ -1,6 +1,8 @@
 #include "engine/project/did_you_mean.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 
 #include "engine/project/checks.h"
 
@@ -43,12 +45,24 @@ std::optional<std::string> Nearest(std::string_view name,
   int least = FarthestSlip(name) + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > kLongestName) continue;
+    // No distance is less than the difference in length.
+    if (std::abs(std::ssize(candidate) - std::ssize(name)) >= least) continue;
     const int distance = EditDistance(name, candidate);
     if (distance >= least) continue;
     least = distance;
     nearest = candidate;
   }
   return nearest;
+}
+
+std::optional<std::string> NearestField(std::string_view name,
+                                        const std::vector<std::string>& candidates) {
+  if (auto nearest = Nearest(name, candidates)) return nearest;
+  if (name.empty()) return std::nullopt;
+  for (const std::string& candidate : candidates) {
+    if (candidate.starts_with(name) && candidate[name.size()] == '_') return candidate;
+  }
+  return std::nullopt;
 }
 
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates) {

@@ -17,6 +17,10 @@ int EditDistance(std::string_view a, std::string_view b);
 std::optional<std::string> Nearest(std::string_view name,
                                    const std::vector<std::string>& candidates);
 
+// As Nearest, or else the candidate that only goes on after the name's end: "step" for "step_s".
+std::optional<std::string> NearestField(std::string_view name,
+                                        const std::vector<std::string>& candidates);
+
 // What to do about a wrong name: `did you mean "x"?`, else `use one of "x", "y"`.
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Internal. The words that files use for enumerators.
+// Internal. The words that files use for enumerators. Those that the timeline names itself are its
+// own; a new enumerator needs a line here all the same, so that files can say it.
 
 #include <span>
 #include <string>
@@ -26,7 +27,7 @@ struct EnumNames;
 template <>
 struct EnumNames<Method> {
   static constexpr const char* kWhat = "method";
-  static constexpr EnumName<Method> kNames[] = {{Method::kPaper, "paper"}};
+  static constexpr EnumName<Method> kNames[] = {{Method::kPaper, NameOf(Method::kPaper)}};
 };
 
 template <>
@@ -41,9 +42,10 @@ struct EnumNames<Interpolation> {
 template <>
 struct EnumNames<PlacementKind> {
   static constexpr const char* kWhat = "placement kind";
-  static constexpr EnumName<PlacementKind> kNames[] = {{PlacementKind::kKeyed, "keyed"},
-                                                       {PlacementKind::kPinned, "pinned"},
-                                                       {PlacementKind::kGravity, "gravity"}};
+  static constexpr EnumName<PlacementKind> kNames[] = {
+      {PlacementKind::kKeyed, NameOf(PlacementKind::kKeyed)},
+      {PlacementKind::kPinned, NameOf(PlacementKind::kPinned)},
+      {PlacementKind::kGravity, NameOf(PlacementKind::kGravity)}};
 };
 
 template <>

@@ -11,6 +11,14 @@ namespace hazumi {
 namespace {
 
 constexpr double kLargestNumber = 1e9;
+// Against hostile files: looked at in one object, and kept of a file.
+constexpr size_t kMostUnknownFields = 100;
+constexpr size_t kMostWarnings = 100;
+
+// Fields that people and programs add on purpose.
+bool IsRemark(std::string_view name) {
+  return name.starts_with("x_") || name.starts_with("notes") || name.starts_with("comment");
+}
 
 const char* KindOf(const Json& json) {
   if (json.is_object()) return "an object";
@@ -74,6 +82,19 @@ ExtraFields FieldReader::Unknown() const {
     unknown.push_back({item.key(), CompactJson(item.value())});
   }
   return unknown;
+}
+
+void FieldReader::WarnAboutSlips(const ExtraFields& unknown) const {
+  const size_t count = std::min(unknown.size(), kMostUnknownFields);
+  for (size_t i = 0; i < count; ++i) {
+    if (!site_.warnings || site_.warnings->size() >= kMostWarnings) return;
+    if (IsRemark(unknown[i].name)) continue;
+    const auto meant = NearestField(unknown[i].name, known_);
+    if (!meant) continue;
+    // The whole file has no place: there the field itself is named.
+    const Site& site = site_.place.empty() ? site_.Field(unknown[i].name) : site_;
+    site.Warn(Check::kUnknownField, {Quoted(unknown[i].name), Quoted(*meant)});
+  }
 }
 
 bool FieldReader::ExpectOneOf(const std::vector<std::string>& names) {

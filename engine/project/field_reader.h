@@ -38,6 +38,8 @@ class FieldReader {
   Site At(const std::string& name) const { return site_.Field(name); }
   const Site& site() const { return site_; }
   ExtraFields Unknown() const;  // the fields not asked for so far
+  // Warns of those among them that are probably misspelled.
+  void WarnAboutSlips(const ExtraFields& unknown) const;
 
   template <typename T>
   void Required(const char* name, T& value) {

@@ -147,6 +147,8 @@ static void Describe(FieldReader& in, MirrorSpec& mirror) {
 }
 
 static void Describe(FieldReader& in, FigureSpec& spec) {
+  in.Literal("format", "");
+  in.Literal("version", 1);
   in.Optional("name", spec.name);
   in.Nested("root", spec, [](FieldReader& root, FigureSpec& figure) {
     root.Required("name", figure.root_name);

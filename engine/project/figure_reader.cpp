@@ -5,17 +5,18 @@
 
 namespace hazumi {
 
-Result<FigureSpec> LoadFigure(const std::string& path) {
+Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings) {
   const Result<std::string> text = ReadTextFile(path);
   if (!text.ok()) return text.error();
-  return ParseFigure(text.value(), path);
+  return ParseFigure(text.value(), path, warnings);
 }
 
-Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name) {
+Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name,
+                               std::vector<Warning>* warnings) {
   FirstError errors;
   const std::optional<Json> json = ParseJson(text, &errors);
   if (!json) return errors.In(file_name);
-  FigureSpec spec = ReadFigure(*json, {"", &errors});
+  FigureSpec spec = ReadFigure(*json, {"", &errors, warnings});
   if (!errors.ok()) return errors.In(file_name);
   return spec;
 }

@@ -2,16 +2,20 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/result.h"
+#include "engine/base/warning.h"
 #include "engine/figure/figure_spec.h"
 
 namespace hazumi {
 
 // Reads a figure file. What it returns has been tried with BuildFigure. Errors as of LoadProject.
-Result<FigureSpec> LoadFigure(const std::string& path);
+// `warnings` takes what is odd.
+Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings = nullptr);
 
 // The same from text. `file_name` is named in errors.
-Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name);
+Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name,
+                               std::vector<Warning>* warnings = nullptr);
 
 }  // namespace hazumi

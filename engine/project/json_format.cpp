@@ -1,5 +1,5 @@
+#include "engine/base/utf8.h"
 #include "engine/project/json.h"
-#include "engine/project/utf8.h"
 
 namespace hazumi {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "engine/base/utf8.h"
 #include "engine/project/json.h"
-#include "engine/project/utf8.h"
 
 namespace hazumi {
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/base/warning.h"
 #include "engine/project/extra_fields.h"
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
@@ -110,6 +111,12 @@ struct ProjectHold {
   bool operator==(const ProjectHold&) const = default;
 };
 
+// What was odd about the file. No part of the document: never written, and always equal.
+struct ReadReport {
+  std::vector<Warning> warnings;
+  bool operator==(const ReadReport&) const { return true; }
+};
+
 struct Project {
   std::string name;
   ProjectRate fps;
@@ -125,6 +132,7 @@ struct Project {
   std::vector<ProjectHeldObject> held_objects;
   std::optional<ProjectCamera> camera;
   ExtraFields extra;
+  ReadReport read;
   bool operator==(const Project&) const = default;
 };
 

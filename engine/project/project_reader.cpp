@@ -15,17 +15,28 @@ namespace hazumi {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 // A file that cannot be read is an error of the project, which names the wrong file.
 Error InProject(Error error, const std::string& reference) {
   if (error.code != ErrorCode::kNoInput) return error;
-  return MakeError(Check::kFigureUnreadable, "figure.file", {Quoted(reference), error.message});
+  std::error_code failed;
+  const fs::path full = fs::absolute(error.file, failed);
+  return MakeError(Check::kFigureUnreadable, "figure.file",
+                   {Quoted(reference), error.message, failed ? error.file : full.string()});
 }
 
-void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, FirstError* errors) {
-  const auto folder = std::filesystem::path(project_file).parent_path();
-  Result<FigureSpec> spec = LoadFigure((folder / figure->file).lexically_normal().string());
-  if (!spec.ok()) return errors->Report(InProject(spec.error(), figure->file));
+void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, const Site& site) {
+  const fs::path folder = fs::path(project_file).parent_path();
+  std::vector<Warning> warnings;
+  Result<FigureSpec> spec =
+      LoadFigure((folder / figure->file).lexically_normal().string(), &warnings);
+  if (!spec.ok()) return site.errors->Report(InProject(spec.error(), figure->file));
   figure->spec = std::move(spec).value();
+  for (const Warning& warning : warnings) {
+    const std::string place = warning.place.empty() ? "figure" : "figure." + warning.place;
+    site.warnings->push_back({place, warning.message});
+  }
 }
 
 void CheckProject(const Project& project, FirstError* errors) {
@@ -37,11 +48,11 @@ void CheckProject(const Project& project, FirstError* errors) {
 
 Project ReadProject(const Json& json, const std::string& file_name, FirstError* errors) {
   Project project;
-  const Site site{"", errors};
+  const Site site{"", errors, &project.read.warnings};
   if (!ExpectFormat(json, kProjectFormat, Check::kNotAProject, site)) return project;
   ReadValue(json, site, project);
   if (errors->ok() && !project.figure.file.empty()) {
-    ReadFigureFile(&project.figure, file_name, errors);
+    ReadFigureFile(&project.figure, file_name, site);
   }
   if (errors->ok()) CheckProject(project, errors);
   return project;

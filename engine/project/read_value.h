@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/project/did_you_mean.h"
@@ -50,7 +51,9 @@ template <typename T, typename Fields>
 void ReadObject(const Json& json, const Site& site, T& value, Fields fields) {
   FieldReader in(json, site);
   fields(in, value);
-  if constexpr (requires { value.extra; }) value.extra = in.Unknown();
+  ExtraFields unknown = in.Unknown();
+  in.WarnAboutSlips(unknown);
+  if constexpr (requires { value.extra; }) value.extra = std::move(unknown);
 }
 
 template <typename T, typename Fields>

@@ -11,7 +11,13 @@ namespace hazumi {
 enum class Method {
   kPaper,  // the passive step of Arai 2.4
 };
-inline const char* NameOf(Method) { return "paper"; }
+constexpr const char* NameOf(Method method) {
+  switch (method) {
+    case Method::kPaper:
+      return "paper";
+  }
+  return "";
+}
 
 // Frames x joints in which the joints swing by their own inertia (Arai 2.5).
 // Half open: the region drives its joints from `first_frame` up to and including the moment of

@@ -13,6 +13,17 @@ enum class PlacementKind {
   kPinned,   // a joint stays where it is (Arai 3.1)
   kGravity,  // gravity and contact (Arai 3.2)
 };
+constexpr const char* NameOf(PlacementKind kind) {
+  switch (kind) {
+    case PlacementKind::kKeyed:
+      return "keyed";
+    case PlacementKind::kPinned:
+      return "pinned";
+    case PlacementKind::kGravity:
+      return "gravity";
+  }
+  return "";
+}
 
 struct PlacementSpan {
   PlacementKind kind = PlacementKind::kKeyed;

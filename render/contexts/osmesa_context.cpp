@@ -29,7 +29,7 @@ bool Find(void* handle, const char* name, Function& function) {
 }
 
 Error CannotLoad(const std::string& reason) {
-  return {ErrorCode::kNoInput, kLibraryName, "",
+  return {ErrorCode::kFailed, kLibraryName, "",
           "cannot draw without a screen: " + reason + "; install the Debian package libosmesa6"};
 }
 

@@ -12,7 +12,7 @@ namespace hazumi::render {
 // when first needed and never linked, since it and libGL export the same names.
 class OsmesaContext {
  public:
-  // Fails (kNoInput) when libOSMesa.so.8 is missing, naming the package to install.
+  // Fails (kFailed) when libOSMesa.so.8 is missing, naming the package to install.
   static Result<OsmesaContext> Create();
   ~OsmesaContext();
   OsmesaContext(OsmesaContext&& other) noexcept;

@@ -18,7 +18,7 @@ Result<GlFunctions> LoadGlFunctions(GlProcLoader loader) {
   HAZUMI_GL_FUNCTIONS(HAZUMI_GL_LOAD)
 #undef HAZUMI_GL_LOAD
   if (missing == nullptr) return gl;
-  return Error{ErrorCode::kNoInput, "", "OpenGL",
+  return Error{ErrorCode::kFailed, "", "OpenGL",
                std::string("this driver lacks ") + missing + "; OpenGL 3.3 or newer is needed"};
 }
 

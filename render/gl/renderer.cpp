@@ -28,7 +28,7 @@ Result<Renderer> Renderer::Create(GlProcLoader loader, const RendererOptions& op
 
 Result<Done> Renderer::Draw(const Scene& scene, PictureSize size, unsigned framebuffer) {
   if (!state_->drawer.Resize(size)) {
-    return Error{ErrorCode::kNoInput, "", "OpenGL",
+    return Error{ErrorCode::kFailed, "", "OpenGL",
                  "the driver cannot make a picture of " + std::to_string(size.width) + " x " +
                      std::to_string(size.height) + " pixels; choose a smaller size"};
   }

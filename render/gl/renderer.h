@@ -19,7 +19,7 @@ struct RendererOptions {
 // OSMesa. Make, use and destroy it with the same context current.
 class Renderer {
  public:
-  // Fails (kNoInput) when the context lacks a function.
+  // Fails (kFailed) when the context lacks a function.
   static Result<Renderer> Create(GlProcLoader loader, const RendererOptions& options);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -27,7 +27,7 @@ class Renderer {
 
   // Draws into `framebuffer` (0: the context's own), which has this size. Ends without waiting:
   // call Finish() before reading what a context drew to memory.
-  // Fails (kNoInput) when the driver has no memory for a picture of this size.
+  // Fails (kFailed) when the driver has no memory for a picture of this size.
   Result<Done> Draw(const Scene& scene, PictureSize size, unsigned framebuffer = 0);
   void Finish();
 

@@ -10,7 +10,7 @@ bool MakeCurrent(OsmesaContext& context, Image& image) {
 }
 
 Error Refused(const Image& image) {
-  return {ErrorCode::kNoInput, "", "OSMesa",
+  return {ErrorCode::kFailed, "", "OSMesa",
           "Mesa refuses a picture of " + std::to_string(image.width) + " x " +
               std::to_string(image.height) + " pixels; choose another size"};
 }

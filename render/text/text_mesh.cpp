@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/utf8.h"
 #include "render/text/glyphs.h"
-#include "render/text/utf8.h"
 
 namespace hazumi::render {
 namespace {

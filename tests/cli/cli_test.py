@@ -24,6 +24,13 @@ def run(*arguments, **more):
     return subprocess.run(command, capture_output=True, text=True, timeout=120, **more)
 
 
+def start(*arguments, inherited=signal.SIG_DFL, **more):
+    """Starts without the signals that the test's own parent may ignore, or with them ignored."""
+    return subprocess.Popen([HAZUMI, *map(str, arguments)], text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            preexec_fn=lambda: signal.signal(signal.SIGINT, inherited), **more)
+
+
 class CommandLine(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-cli-"))
@@ -35,6 +42,12 @@ class CommandLine(unittest.TestCase):
     def files(self):
         return sorted(p.name for p in self.folder.rglob("*") if p.is_file())
 
+    def project(self):
+        """The throw, to be changed and written anywhere."""
+        project = json.loads(THROW.read_text())
+        project["figure"] = {"file": str(ROOT / "assets" / "figures" / "human.json")}
+        return project
+
     def test_help_and_version_go_to_standard_output(self):
         for option in ("--help", "--version"):
             done = run(option)
@@ -44,16 +57,93 @@ class CommandLine(unittest.TestCase):
     def test_wrong_usage_exits_with_2_and_prints_no_result(self):
         for wrong in ([], ["--bogus"], ["--render"], ["--check"], ["--bake", "x.json"],
                       ["--bake", "x.txt", THROW], ["--bake", "-", THROW, JUMP],
-                      ["--render", "o", "--bake", "-", THROW], ["--bake", "-", "--step", "0", THROW],
+                      ["--render", "o", "--bake", "-", THROW],
+                      ["--bake", "-", "--step", "0", THROW],
                       ["--bake", "-", "--fps", "zero", THROW],
                       ["--bake", "-", "--method", "magic", THROW],
                       ["--render", "o", "--frames", "9..3", THROW],
+                      ["--render", "o", "--frames", "0..99999999999", THROW],
+                      ["--render", "o", "--frames", "3..", THROW],
+                      ["--render", "o", "--frames", "40..50", THROW],
                       ["--render", "o", "--size", "0x9", THROW],
+                      ["--render", "o", "--size", "64x48x", THROW],
+                      ["--render", "o", "--samples", "2", THROW],
+                      ["--render", "o", "--threads", "0", THROW],
+                      ["--render", "o", "--camera", "1,2,3,4,5,6,nan", THROW],
+                      ["--render", "o", "--camera", "1,2,3,4,5,6,30,8", THROW],
+                      ["--render", "", THROW], ["--render", "o/pic.png", THROW],
+                      ["--render", "o/pic.JPG", THROW], ["--check", "--json=no", THROW],
+                      ["--bake", "-", "--step", "2", THROW], ["--bake", "-", "--step", "1x", THROW],
+                      ["--bake", "-", "--fps", "0.05", THROW],
+                      ["--bake", "-", "--fps", "20000", THROW],
+                      ["--bake", "-", "--fps", "1/20", THROW],
+                      ["--bake", "-", "--fps", "30/0", THROW],
+                      ["--bake", "-", "--fps", "99999999999/1", THROW],
+                      ["--bake", "-", "--fps", "30", "--fps", "60", THROW],
                       ["--render", "o", "--camera", "sideways", THROW]):
             done = run(*wrong, cwd=self.folder)
             self.assertEqual((done.returncode, done.stdout), (2, ""), wrong)
-            self.assertNotEqual(done.stderr, "", wrong)
-        self.assertEqual(self.files(), [])
+            self.assertTrue(done.stderr.startswith("hazumi: "), (wrong, done.stderr))
+            self.assertTrue(done.stderr.endswith("\nsee hazumi --help\n"), (wrong, done.stderr))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_wrong_usage_says_what_to_do(self):
+        for wrong, message in (
+                (["--chekc", THROW], "unknown option --chekc; did you mean --check?"),
+                (["--check", "--frmaes=3", THROW],
+                 "unknown option --frmaes; did you mean --frames?"),
+                (["--check", "-x", THROW], "unknown option -x"),
+                (["--render", "out/pic.png", THROW], "put #### where the frame number goes"),
+                (["--render", "o", "--frames", "40..50", THROW], "has frames 0..30"),
+                (["--bake", "-", "--ghosts", "3", THROW], "--ghosts belongs to --render"),
+                (["--bake", "-", "--json", THROW], "--json belongs to --check and --info"),
+                (["--render", "o", "--timings", THROW], "--timings belongs to --bake"),
+                (["--check", "--info", THROW], "--check and --info: one task at a time"),
+                (["--check", "--json=no", THROW], "--json takes no value"),
+                (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
+                (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
+                ([], "no task; the tasks are --render, --bake, --check and --info"),
+                (["--info"], "no FILE"),
+                (["--info", THROW, JUMP], "only --check takes several")):
+            done = run(*wrong, cwd=self.folder)
+            self.assertEqual(done.returncode, 2, wrong)
+            self.assertIn(message, done.stderr.splitlines()[0])
+
+    def test_help_fits_a_terminal_and_names_every_option(self):
+        lines = run("--help").stdout.splitlines()
+        self.assertLessEqual(max(map(len, lines)), 80)
+        for option in ("render", "bake", "check", "info", "frames", "size", "samples", "camera",
+                       "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
+                       "method", "step", "fps", "timings", "json"):
+            self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
+
+    def test_frames_partly_outside_are_clipped_with_a_warning(self):
+        done = run("--render", self.folder / "a", "--size", "64x48", "--frames", "29..50", THROW)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("has frames 0..30; drawing 29..30", done.stderr)
+        self.assertEqual(self.files(), ["frame_0029.png", "frame_0030.png"])
+
+    def test_more_than_a_million_output_frames_are_refused(self):
+        project = self.project()
+        project["frames"]["last"] = 5000
+        long = self.folder / "long.kfa"
+        long.write_text(json.dumps(project))
+        done = run("--bake", "-", "--fps", "10000", long)
+        self.assertEqual((done.returncode, done.stdout), (65, ""))
+        self.assertIn("output frames", done.stderr)
+
+    def test_a_name_cannot_steer_the_terminal(self):
+        project = self.project()
+        project["name"] = "red \x1b[31m\x9b"
+        red = self.folder / "red\x1b[31m.kfa"
+        red.write_text(json.dumps(project))
+        for done in (run("--info", red), run("--check", red),
+                     run("--check", self.folder / "no\x1b.kfa")):
+            self.assertNotRegex(done.stdout + done.stderr, "[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+            self.assertIn("\\x1b", done.stdout + done.stderr)
+        run("--render", self.folder, "--size", "64x48", "--frames", "0", red)
+        data = (self.folder / "frame_0000.png").read_bytes()
+        self.assertIn(b"red [31m", data)
 
     def test_a_missing_file_exits_with_66_and_names_it(self):
         for task in (["--check"], ["--info"], ["--bake", "-"], ["--render", self.folder / "o"]):
@@ -62,8 +152,7 @@ class CommandLine(unittest.TestCase):
             self.assertIn("nowhere.kfa", done.stderr)
 
     def test_bad_data_exits_with_65_and_names_the_place(self):
-        project = json.loads(THROW.read_text())
-        project["figure"] = {"file": str(ROOT / "assets" / "figures" / "human.json")}
+        project = self.project()
         project["regions"][0]["joints"].append("r_wirst")
         bad = self.folder / "bad.kfa"
         bad.write_text(json.dumps(project))
@@ -125,17 +214,16 @@ class CommandLine(unittest.TestCase):
                                         "frame_0005.png"])
 
     def test_equal_input_gives_equal_pictures_with_any_number_of_threads(self):
-        for threads in ("1", "2"):
+        for threads in ("1", "16"):
             run("--render", self.folder / threads, "--size", "160x90", "--frames", "4..8",
                 "--threads", threads, "--paths", "--marks", "--tint", "--ghosts", "10", THROW)
         for name in (f"frame_{i:04}.png" for i in range(4, 9)):
             self.assertEqual((self.folder / "1" / name).read_bytes(),
-                             (self.folder / "2" / name).read_bytes())
+                             (self.folder / "16" / name).read_bytes())
 
     def test_an_interrupted_render_exits_with_130_and_leaves_whole_pictures(self):
         out = self.folder / "frames"
-        process = subprocess.Popen([HAZUMI, "--render", out, "--size", "640x360", JUMP],
-                                   stderr=subprocess.PIPE, text=True)
+        process = start("--render", out, "--size", "640x360", JUMP)
         process.stderr.readline()
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
@@ -144,6 +232,35 @@ class CommandLine(unittest.TestCase):
             data = (out / name).read_bytes()
             self.assertTrue(name.endswith(".png") and data.endswith(b"IEND\xaeB`\x82"), name)
         self.assertLess(len(self.files()), 31)
+
+    def test_an_interrupted_bake_or_check_exits_with_130_and_leaves_nothing(self):
+        for task in (["--bake", self.folder / "m.json"], ["--check"], ["--info"],
+                     ["--render", self.folder / "pictures"]):
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                process = start(*task, "--step", "0.000002", THROW)
+                time.sleep(0.3)
+                process.send_signal(number)
+                out, complaint = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, out), (130, ""), (task, number))
+                self.assertEqual(complaint, "hazumi: interrupted\n")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_an_interrupt_ends_a_bake_that_nobody_reads(self):
+        process = start("--bake", "-", "--fps", "3000", THROW)
+        process.stdout.read(1)
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=20), 130)
+        process.stdout.close()
+        process.stderr.close()
+
+    def test_an_ignored_interrupt_stays_ignored(self):
+        process = start("--render", self.folder, "--size", "64x48", "--frames", "3..6", THROW,
+                        inherited=signal.SIG_IGN)
+        process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual((process.returncode, len(self.files())), (0, 4))
 
     def test_every_broken_json_is_bad_data_with_a_place(self):
         if not SHARED_JSON.is_dir():

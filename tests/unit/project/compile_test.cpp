@@ -84,6 +84,13 @@ TEST(CompileAnimation, SpansMayTouch) {
   EXPECT_EQ(CompileGood(changes).animation.regions[1].joints.size(), 1u);
 }
 
+TEST(CompileAnimation, PutsTheWarningsOfReadingFirst) {
+  const Compiled compiled = CompileGood({{"/regions/0/step", "0.01"}});
+  ASSERT_EQ(compiled.warnings.size(), 2u);
+  EXPECT_EQ(compiled.warnings[0].place, "regions[0]");
+  EXPECT_EQ(compiled.warnings[1].place, "regions[0].joints");
+}
+
 TEST(CompileAnimation, AnEmptyProjectRests) {
   const Changes changes = {{"/scene", ""},        {"/root", ""},       {"/joints", ""},
                            {"/regions", ""},      {"/placements", ""}, {"/holds", ""},

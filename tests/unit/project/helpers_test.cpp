@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "engine/base/utf8.h"
 #include "engine/project/did_you_mean.h"
 #include "engine/project/json.h"
-#include "engine/project/utf8.h"
 
 namespace hazumi {
 namespace {
@@ -20,6 +20,13 @@ TEST(Suggestion, NamesTheNearestElseTheChoices) {
   EXPECT_EQ(Suggestion(std::string(100000, 'x'), {"hold"}), "use one of \"hold\"");
 }
 
+TEST(NearestField, AlsoTakesANameWithoutItsUnit) {
+  EXPECT_EQ(NearestField("gravity", {"objects", "gravity_m_s2"}), "gravity_m_s2");
+  EXPECT_EQ(NearestField("regoins", {"root", "regions"}), "regions");
+  EXPECT_EQ(NearestField("grav", {"objects", "gravity_m_s2"}), std::nullopt);
+  EXPECT_EQ(NearestField("", {"_s"}), std::nullopt);
+}
+
 TEST(Utf8, RefusesOverlongSurrogateAndTooHigh) {
   EXPECT_EQ(FindInvalidUtf8("a\xC3\xA9\xE5\xBC\xBE\xF0\x9F\x98\x80"), std::string::npos);
   for (const char* bad : {"\xC0\xAF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80",
@@ -30,6 +37,11 @@ TEST(Utf8, RefusesOverlongSurrogateAndTooHigh) {
                       "b"),
             "a\xEF\xBF\xBD"
             "b");
+}
+
+TEST(Utf8, DecodesEveryLengthAndReplacesWhatIsMalformed) {
+  EXPECT_EQ(DecodeUtf8("a\xC3\xA9\xE5\xBC\xBE\xF0\x9F\x98\x80"), U"a\u00e9\u5f3e\U0001f600");
+  EXPECT_EQ(DecodeUtf8("\xED\xA0\x80"), U"\ufffd\ufffd\ufffd");
 }
 
 TEST(FormatJson, BreaksOnlyWhatDoesNotFit) {

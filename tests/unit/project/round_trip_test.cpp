@@ -69,6 +69,24 @@ TEST(RoundTrip, UnknownFieldsSurviveAtEveryLevel) {
   EXPECT_EQ(WriteProject(ParseGood(saved)), text);
 }
 
+TEST(RoundTrip, AMisspelledFieldSurvivesAndItsWarningIsNotWritten) {
+  const Json document = Changed(SampleProject(), {{"/regions/0/step", "0.02"}});
+  const Project project = ParseGood(document);
+  ASSERT_EQ(project.read.warnings.size(), 1u);
+  EXPECT_EQ(Json::parse(WriteProject(project))["regions"][0], document["regions"][0]);
+  Project unwarned = project;
+  unwarned.read.warnings.clear();
+  EXPECT_TRUE(unwarned == project);
+  EXPECT_EQ(WriteProject(unwarned), WriteProject(project));
+}
+
+TEST(RoundTrip, AHostileFileGetsAHundredWarnings) {
+  Json document = SampleProject();
+  Json& keys = document["joints"]["r_knee"]["keys"] = Json::array();
+  for (int i = 0; i < 500; ++i) keys.push_back({{"frame", i}, {"angle_deg", 1}, {"rate", 1}});
+  EXPECT_EQ(ParseGood(document).read.warnings.size(), 100u);
+}
+
 TEST(RoundTrip, ReadsBackEveryNumberExactly) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> mantissa(-1.0, 1.0);

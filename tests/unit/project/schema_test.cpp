@@ -87,6 +87,7 @@ TEST(Schema, ShippedExamplesAreValidLoadAndCompile) {
     EXPECT_EQ(Complaint("kfa.schema.json", Load(file)), "") << file;
     const Result<Project> project = LoadProject(file);
     ASSERT_TRUE(project.ok()) << project.error().ToString();
+    EXPECT_TRUE(project.value().read.warnings.empty()) << file;
     const Result<Compiled> compiled = CompileAnimation(project.value());
     EXPECT_TRUE(compiled.ok()) << file << compiled.error().ToString();
     EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(WriteProject(project.value()))), "");

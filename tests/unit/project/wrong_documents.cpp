@@ -14,6 +14,20 @@ const std::string kPinWrist = R"([{"kind": "pinned", "joint": "l_wrist", "first_
 const std::string kFall = R"([{"kind": "gravity", "first_frame": 0, "last_frame": 5}])";
 const std::string kHoldWrist = R"([{"joint": "r_wrist", "first_frame": 2, "last_frame": 8}])";
 
+// A slip in the figure's own file.
+std::string DoubtFigureFile() {
+  const TemporaryFolder folder;
+  const Json figure = Changed(SampleProject()["figure"], {{"/joints/0/link", "[]"}});
+  WriteFile(folder / "doll.json", figure.dump());
+  WriteFile(folder / "a.kfa",
+            Changed(SampleProject(), {{"/figure", R"({"file": "doll.json"})"}}).dump());
+  const Result<Project> project = LoadProject(folder / "a.kfa");
+  if (!project.ok()) return Complaint(project);
+  if (project.value().read.warnings.empty()) return "no complaint";
+  const Warning& warning = project.value().read.warnings.front();
+  return warning.place + ": " + warning.message;
+}
+
 std::vector<WrongProject> WrongValues() {
   return {
       {Check::kBadFrameRate, Read("/fps/num", "0"),
@@ -176,6 +190,39 @@ std::vector<WrongProject> Contradictions() {
   };
 }
 
+std::vector<WrongProject> Misspellings() {
+  return {
+      {Check::kUnknownField, Doubt("/joints/r_knee/keys/2/interpolaton", "\"hold\""),
+       "joints.r_knee.keys[2]: unknown field \"interpolaton\"; did you mean \"interpolation\"?"},
+      {Check::kUnknownField, Doubt("/joints/r_knee/keys/1/rate_deg", "30"),
+       "joints.r_knee.keys[1]: unknown field \"rate_deg\"; did you mean \"rate_deg_s\"?"},
+      {Check::kUnknownField, Doubt("/root/z/keys/0/rate", "1"),
+       "root.z.keys[0]: unknown field \"rate\"; did you mean \"rate_m_s\"?"},
+      {Check::kUnknownField, Doubt("/regions/0/step", "0.01"),
+       "regions[0]: unknown field \"step\"; did you mean \"step_s\"?"},
+      {Check::kUnknownField, Doubt("/regions/1/frction", "{}"),
+       "regions[1]: unknown field \"frction\"; did you mean \"friction\"?"},
+      {Check::kUnknownField, Doubt("/solver/step", "0.01"),
+       "solver: unknown field \"step\"; did you mean \"step_s\"?"},
+      {Check::kUnknownField, Doubt("/regoins", "[]"),
+       "regoins: unknown field \"regoins\"; did you mean \"regions\"?"},
+      {Check::kUnknownField, Doubt("/scene/gravity", "1.6"),
+       "scene: unknown field \"gravity\"; did you mean \"gravity_m_s2\"?"},
+      {Check::kUnknownField, Doubt("/figure/joints/0/hinges/0/rest", "5"),
+       "figure.joints[0].hinges[0]: unknown field \"rest\"; did you mean \"rest_deg\"?"},
+      {Check::kUnknownField, DoubtFigureFile,
+       "figure.joints[0]: unknown field \"link\"; did you mean \"links\"?"},
+      // Not every unknown field is a slip.
+      {Check::kNumChecks,
+       Doubt({{"/x_regions", "1"},
+              {"/regions/0/note", "1"},
+              {"/regions/0/notes", "1"},
+              {"/regions/0/comment_1", "1"},
+              {"/joints/r_knee/keys/0/locked", "true"}}),
+       ""},
+  };
+}
+
 std::vector<WrongProject> Warnings() {
   return {
       {Check::kFixedLeftOut, Warn({}),
@@ -195,7 +242,7 @@ std::vector<WrongProject> Warnings() {
 
 std::vector<WrongProject> WrongDocuments() {
   std::vector<WrongProject> all = WrongValues();
-  for (const auto& list : {WrongNames(), Contradictions(), Warnings()}) {
+  for (const auto& list : {WrongNames(), Contradictions(), Misspellings(), Warnings()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

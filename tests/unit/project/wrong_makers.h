@@ -61,6 +61,18 @@ inline Say Spoilt(std::function<void(Project&)> spoil) {
   };
 }
 
+// The sample with one thing changed: all that is odd about reading it.
+inline Say Doubt(Changes changes) {
+  return [changes] {
+    std::string text;
+    for (const Warning& warning : ParseGood(Changed(SampleProject(), changes)).read.warnings) {
+      text += (text.empty() ? "" : "\n") + warning.place + ": " + warning.message;
+    }
+    return text;
+  };
+}
+inline Say Doubt(std::string pointer, std::string value) { return Doubt({{pointer, value}}); }
+
 // The last warning.
 inline Say Warn(Changes changes) {
   return [changes] {

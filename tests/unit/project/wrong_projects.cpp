@@ -68,7 +68,10 @@ std::vector<WrongProject> WrongFiles() {
       {Check::kFieldTwice, Text(R"({"joints": {"r_knee": 1, "r_knee": 2}})"),
        "joints.r_knee: the field \"r_knee\" is given twice; keep one of them"},
       {Check::kFigureUnreadable, Read("/figure", R"({"file": "missing.json"})"),
-       "figure.file: the figure \"missing.json\" cannot be read: No such file or directory"},
+       "figure.file: the figure \"missing.json\" cannot be read: No such file or directory; looked "
+       "for as " +
+           (std::filesystem::current_path() / "missing.json").string() +
+           "; paths are relative to the project file"},
       {Check::kNotAFigure, LoadWithWrongFigureFile,
        "not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
       {Check::kCannotWrite, SaveTo("missing/a.kfa"),

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "engine/base/utf8.h"
 #include "render/mesh/ground_occlusion.h"
 #include "render/mesh/mark_mesh.h"
 #include "render/scene/bounds.h"
 #include "render/text/text_mesh.h"
-#include "render/text/utf8.h"
 
 namespace hazumi::render {
 namespace {

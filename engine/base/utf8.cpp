@@ -1,6 +1,4 @@
-#include "engine/project/utf8.h"
-
-#include <cstdint>
+#include "engine/base/utf8.h"
 
 namespace hazumi {
 
@@ -38,6 +36,17 @@ size_t SequenceLength(std::string_view text) {
   return length;
 }
 
+// `sequence` is one well-formed sequence.
+char32_t CodePoint(std::string_view sequence) {
+  const auto lead = static_cast<unsigned char>(sequence[0]);
+  if (sequence.size() == 1) return lead;
+  char32_t code = lead & (0x7Fu >> sequence.size());
+  for (const char c : sequence.substr(1)) {
+    code = (code << 6) | (static_cast<unsigned char>(c) & 0x3Fu);
+  }
+  return code;
+}
+
 }  // namespace
 
 size_t FindInvalidUtf8(std::string_view text) {
@@ -56,6 +65,16 @@ std::string ValidUtf8(std::string_view text) {
     text.remove_prefix(bad + 1);
   }
   return valid.append(text);
+}
+
+std::u32string DecodeUtf8(std::string_view text) {
+  std::u32string codes;
+  while (!text.empty()) {
+    const size_t length = SequenceLength(text);
+    codes.push_back(length == 0 ? U'\uFFFD' : CodePoint(text.substr(0, length)));
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return codes;
 }
 
 }  // namespace hazumi

@@ -1,0 +1,64 @@
+#include "app/cli/help_text.h"
+
+namespace hazumi {
+
+const char* const kHelpText =
+    R"(Hazumi: keyframe animation with regions that swing by their own inertia
+
+  hazumi --render OUT [options] FILE
+  hazumi --bake OUT [options] FILE
+  hazumi --check [options] FILE...
+  hazumi --info [options] FILE
+
+FILE is a project (.kfa).
+
+Tasks
+  --render OUT      draw frames as PNG pictures; OUT is a folder, or a name with
+                    #### where the frame number goes
+  --bake OUT        write the motion: OUT ends in .json or .csv; - is standard
+                    output, as JSON
+  --check           say of each file whether it can be animated, and if not, why
+  --info            say what is in the file, and its events
+  --help, --version
+
+Drawing, with --render
+  --frames A..B     only these frames, or one: N               (default: all)
+                    --frames counts output frames when --fps is given
+  --size WxH        picture size in pixels, 16 to 16384        (1280x720)
+  --camera VIEW     front, back, left, right, top, three-quarter, or
+                    EX,EY,EZ,TX,TY,TZ[,FOV]: eye and target in metres, angle
+                    in degrees                  (the file's, or three-quarter)
+  --samples N       samples a pixel, 1 or 4                    (4)
+  --threads N       at most 2 are used: one draws, one writes  (2)
+  --ghosts N        a translucent figure every N frames        (none)
+  --paths           draw the paths of centre of mass, hands, feet and head
+  --marks           draw a ring at the pinned joint
+  --tint            tint the joints that a dynamics region moves
+  --frame-number    draw the frame number
+  --no-shadow       draw no shadow
+
+Motion, with any task
+  --method M        instead of the file's: paper
+  --step S          solver step in seconds, 0.000001 to 1, instead of the file's
+
+Output
+  --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
+                    30000/1001; the motion is the same         (the file's)
+                    with --render, --bake, --info
+  --timings         with --bake: reports carry microseconds, off by default so
+                    that two bakes are equal bytes
+  --json            with --check, --info: answer in JSON
+
+Results go to standard output, progress and complaints to standard error.
+Exit codes: 0 ok, 1 failed, 2 usage, 65 bad data, 66 no input, 73 cannot write,
+130 interrupted.
+
+Examples
+  hazumi --render out/throw throw.kfa        out/throw/frame_0000.png and so on
+  hazumi --render out/t_####.png --frames 5..15 --size 640x360 throw.kfa
+  hazumi --bake motion.json --fps 60 jump.kfa
+  hazumi --bake - jump.kfa | less
+  hazumi --check *.kfa
+)";
+
+}  // namespace hazumi

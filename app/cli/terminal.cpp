@@ -1,0 +1,65 @@
+#include "app/cli/terminal.h"
+
+#include <algorithm>
+#include <cstdarg>
+
+#include "app/cli/exit_codes.h"
+#include "engine/base/utf8.h"
+
+namespace hazumi {
+
+namespace {
+
+void AppendEscaped(char c, std::string* out) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  *out += {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+}
+
+// Of valid UTF-8. The control characters are U+0000 to U+001F, U+007F and U+0080 to U+009F.
+void AppendWithoutControls(std::string_view text, std::string* out) {
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool two_bytes = byte == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (two_bytes) AppendEscaped(text[i++], out);
+    if (two_bytes || byte < 0x20 || byte == 0x7F) {
+      AppendEscaped(text[i], out);
+    } else {
+      *out += text[i];
+    }
+  }
+}
+
+}  // namespace
+
+std::string Printable(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const size_t num_valid = std::min(FindInvalidUtf8(text), text.size());
+    AppendWithoutControls(text.substr(0, num_valid), &out);
+    text.remove_prefix(num_valid);
+    if (text.empty()) break;
+    AppendEscaped(text[0], &out);
+    text.remove_prefix(1);
+  }
+  return out;
+}
+
+void PrintLine(std::FILE* stream, const char* format, ...) {
+  va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  std::string text(std::max(0, std::vsnprintf(nullptr, 0, format, arguments)), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  va_end(arguments);
+  std::fprintf(stream, "%s\n", Printable(text).c_str());
+}
+
+int ComplainOfUsage(const std::string& message) {
+  PrintLine(stderr, "hazumi: %s", message.c_str());
+  PrintLine(stderr, "see hazumi --help");
+  return kExitUsage;
+}
+
+}  // namespace hazumi
