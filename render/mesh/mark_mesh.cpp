@@ -83,10 +83,11 @@ MarkMeshes BuildMarks(const Scene& scene, const Projector& projector) {
   Pen below(projector, meshes.hidden_by_solids), above(projector, meshes.on_top);
   const Mat4 view = ViewMatrix(scene.camera);
   for (const Marker& m : scene.markers) {
-    if (m.shape == MarkerShape::kCenterOfMass)
+    if (m.shape == MarkerShape::kCenterOfMass) {
       DrawCenterOfMass(m, view, above);
-    else
+    } else {
       DrawFlatMarker(m, m.on_top ? above : below);
+    }
   }
   for (const Polyline& line : scene.polylines) DrawPolyline(line, line.on_top ? above : below);
   return meshes;
