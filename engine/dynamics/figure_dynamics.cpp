@@ -35,7 +35,7 @@ LaneKernels KernelsFor(Instructions instructions, int width) {
 std::vector<int> EndBodies(const Figure& figure, const LanePlan& plan) {
   std::vector<int> ends;
   for (int b = 0; b < static_cast<int>(plan.bodies.size()); ++b) {
-    if (IsEndJoint(figure, plan.bodies[b].last)) ends.push_back(b);
+    if (IsEndJoint(figure, plan.bodies[b].last())) ends.push_back(b);
   }
   return ends;
 }
@@ -68,32 +68,30 @@ std::optional<SingularInertia> FigureDynamics::ForwardDynamics(
 
 void FigureDynamics::SetRoot(const Pose& X_WR, const RootMotion& root,
                              FigureScratch* scratch) const {
-  const Mat3 R_BW = (X_WR.R * plan_.R_RB).transpose();
   double* at = scratch->data() + plan_.root_state();
   for (const Vec3* x : {&root.w, &root.alpha, &root.a}) {
-    const Vec3 x_B = R_BW * *x;
-    for (int i = 0; i < 3; ++i, at += plan_.width) std::fill_n(at, plan_.width, x_B[i]);
+    const Vec3 x_R = X_WR.R.transpose() * *x;
+    for (int i = 0; i < 3; ++i, at += plan_.width) std::fill_n(at, plan_.width, x_R[i]);
   }
 }
 
-// F X(s1 q1) Y(s2 q2) Z(s3 q3)
+// F T1 T2 T3
 Mat3 FigureDynamics::RotationFromParent(const LaneBody& body, const double* scratch) const {
   Mat3 R = body.F;
-  for (int k = 0; k < 3; ++k) {
-    if (!body.hinge[k].is_valid()) continue;
-    const int w = plan_.width, cell = plan_.joint_cell[body.hinge[k].value()];
+  for (const LaneHinge& hinge : body.hinges) {
+    const int w = plan_.width, cell = plan_.joint_cell[hinge.joint.value()];
     const double* row = scratch + plan_.row(cell / w) + cell % w;
-    R = R * AxisRotation<double>(Vec3::Unit(k), row[LaneRow::kSine * w], row[LaneRow::kCosine * w]);
+    R = R * AxisRotation<double>(Vec3::Unit(hinge.axis), row[LaneRow::kSine * w],
+                                 row[LaneRow::kCosine * w]);
   }
   return R;
 }
 
 void FigureDynamics::SubtractEndForces(const Pose& X_WR, const EndForces& ends,
                                        FigureScratch* scratch) const {
-  const Mat3 R_WR = X_WR.R * plan_.R_RB;
   for (size_t b = 0; b < plan_.bodies.size(); ++b) {
     const LaneBody& body = plan_.bodies[b];
-    const Mat3& R_WP = body.parent < 0 ? R_WR : scratch->R_WB[body.parent];
+    const Mat3& R_WP = body.parent < 0 ? X_WR.R : scratch->R_WB[body.parent];
     scratch->R_WB[b] = R_WP * RotationFromParent(body, scratch->data());
   }
   for (size_t e = 0; e < end_bodies_.size(); ++e) {
@@ -109,19 +107,21 @@ void FigureDynamics::SubtractEndForces(const Pose& X_WR, const EndForces& ends,
   }
 }
 
+bool FigureDynamics::IsSmall(JointIndex joint, const double* scratch) const {
+  const int w = plan_.width, cell = plan_.joint_cell[joint.value()];
+  int64_t bits = 0;
+  std::memcpy(&bits, scratch + plan_.row(cell / w) + LaneRow::kSmall * w + cell % w, sizeof bits);
+  return bits != 0;
+}
+
 // The joint nearest the tips whose pivot is too small: those inwards of it may only follow.
 SingularInertia FigureDynamics::FindSingular(const double* scratch) const {
   SingularInertia found;
   int found_step = -1;
   for (const LaneBody& body : plan_.bodies) {
-    for (int k = 0; k < 3; ++k) {
-      if (!body.hinge[k].is_valid() || body.step < found_step) continue;
-      const int field = LaneState::kPivot + (k + 1) * LaneState::kPivotFields - 1;
-      int64_t bits = 0;
-      std::memcpy(&bits, scratch + plan_.state(body.step) + field * plan_.width + body.lane,
-                  sizeof bits);
-      if (bits == 0) continue;
-      found = {body.hinge[k]};
+    for (const LaneHinge& hinge : body.hinges) {
+      if (body.step < found_step || !IsSmall(hinge.joint, scratch)) continue;
+      found = {hinge.joint};
       found_step = body.step;
     }
   }

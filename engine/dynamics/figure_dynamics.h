@@ -51,6 +51,7 @@ class FigureDynamics {
   void SetRoot(const Pose& X_WR, const RootMotion& root, FigureScratch* scratch) const;
   void SubtractEndForces(const Pose& X_WR, const EndForces& ends, FigureScratch* scratch) const;
   Mat3 RotationFromParent(const LaneBody& body, const double* scratch) const;
+  bool IsSmall(JointIndex joint, const double* scratch) const;
   SingularInertia FindSingular(const double* scratch) const;
 
   LanePlan plan_;

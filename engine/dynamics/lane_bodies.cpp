@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/base/assert.h"
+
 // Hinges about b1, b2, b3 (in the frame J of the last, all angles zero) with constant turns between
-// them are one constant turn followed by turns about the b; with E = R_JB the axes chosen for B,
-//   R_PB = E_P^T (X_PJ1.R ... X_J2J3.R) E  X(s1 q1) Y(s2 q2) Z(s3 q3).
+// them are one constant turn followed by turns about the b. With E = R_JB the axes chosen for B,
+//   R_PB = E_P^T (X_PJ1.R X_J1J2.R X_J2J3.R) E  T1 T2 T3,
+// each T a turn about E^T b, which E makes a unit vector.
 
 namespace hazumi {
 
@@ -61,40 +64,23 @@ std::vector<Chain> FindChains(const Figure& figure) {
   return chains;
 }
 
-// The slot whose unit vector lies along `axis`, with its direction, or no slot.
-struct SlotAxis {
-  int slot = -1;
-  double sign = 1.0;
-};
-SlotAxis FindSlot(const Vec3& axis) {
-  SlotAxis found;
-  const double length = axis.cwiseAbs().maxCoeff(&found.slot);
-  found.sign = axis[found.slot] < 0.0 ? -1.0 : 1.0;
-  const Vec3 rest = axis - found.sign * Vec3::Unit(found.slot);
-  if (length < 0.5 || rest.cwiseAbs().maxCoeff() > kRounding) found.slot = -1;
-  return found;
-}
-
-// Tries to use the parent's axes, so that F is the identity: the hinges must lie along them in
-// ascending order.
-bool TakeParentsAxes(const Chain& chain, const Mat3& R_PB, LaneBody* body) {
-  const Mat3 R_BJ = R_PB.transpose() * chain.R_PJ;
-  std::array<SlotAxis, 3> slots;
-  int before = -1;
+// Gives the body its hinges if, with these axes, each lies along one.
+bool TakeAxes(const Chain& chain, const Mat3& R_JB, LaneBody* body) {
+  body->R_JB = R_JB;
+  body->hinges.clear();
   for (size_t h = 0; h < chain.axes.size(); ++h) {
-    slots[h] = FindSlot(R_BJ * chain.axes[h]);
-    if (slots[h].slot <= before) return false;
-    before = slots[h].slot;
+    const Vec3 axis = R_JB.transpose() * chain.axes[h];
+    LaneHinge hinge{chain.hinges[h]};
+    axis.cwiseAbs().maxCoeff(&hinge.axis);
+    hinge.sign = axis[hinge.axis] < 0.0 ? -1.0 : 1.0;
+    const Vec3 rest = axis - hinge.sign * Vec3::Unit(hinge.axis);
+    if (rest.cwiseAbs().maxCoeff() > kRounding) return false;
+    body->hinges.push_back(hinge);
   }
-  for (size_t h = 0; h < chain.axes.size(); ++h) {
-    body->hinge[slots[h].slot] = chain.hinges[h];
-    body->sign[slots[h].slot] = slots[h].sign;
-  }
-  body->R_JB = R_BJ.transpose();
   return true;
 }
 
-// Axes of its own: the hinges in slots 0, 1, 2.
+// Axes that suit the hinges whatever the parent's.
 Mat3 OwnAxes(const Chain& chain) {
   Mat3 E;
   E.col(0) = chain.axes[0];
@@ -104,14 +90,6 @@ Mat3 OwnAxes(const Chain& chain) {
   return E;
 }
 
-void TakeOwnAxes(const Chain& chain, LaneBody* body) {
-  body->R_JB = OwnAxes(chain);
-  for (size_t h = 0; h < chain.axes.size(); ++h) {
-    body->hinge[h] = chain.hinges[h];
-    body->sign[h] = chain.axes[h].dot(body->R_JB.col(static_cast<int>(h))) < 0.0 ? -1.0 : 1.0;
-  }
-}
-
 RigidInertia Turned(const RigidInertia& inertia, const Mat3& R_JB) {
   return {inertia.mass, R_JB.transpose() * inertia.com, R_JB.transpose() * inertia.I_com * R_JB};
 }
@@ -119,27 +97,25 @@ RigidInertia Turned(const RigidInertia& inertia, const Mat3& R_JB) {
 // `R_PB`: the parent's own R_JB.
 LaneBody BodyOf(const Figure& figure, const Chain& chain, const Mat3& R_PB) {
   LaneBody body;
-  if (!TakeParentsAxes(chain, R_PB, &body)) {
-    TakeOwnAxes(chain, &body);
+  if (!TakeAxes(chain, chain.R_PJ.transpose() * R_PB, &body)) {
+    HAZUMI_DEMAND(TakeAxes(chain, OwnAxes(chain), &body));
     body.F = R_PB.transpose() * chain.R_PJ * body.R_JB;
   }
-  body.last = chain.hinges.back();
   body.p_PB = R_PB.transpose() * figure.joint(chain.hinges.front()).X_PJ.p;
-  body.inertia = Turned(figure.body(body.last), body.R_JB);
+  body.inertia = Turned(figure.body(body.last()), body.R_JB);
   return body;
 }
 
 }  // namespace
 
-std::vector<LaneBody> MergeConcentricHinges(const Figure& figure, Mat3* R_RB) {
+std::vector<LaneBody> MergeConcentricHinges(const Figure& figure) {
   const std::vector<Chain> chains = FindChains(figure);
   std::vector<LaneBody> bodies;
   std::vector<int> body_of(figure.num_joints(), -1);  // by its last hinge
   for (const Chain& chain : chains) {
-    // The root takes the axes that suit its first child.
-    if (bodies.empty()) *R_RB = chain.R_PJ * OwnAxes(chain);
     const int parent = chain.parent.is_valid() ? body_of[chain.parent.value()] : -1;
-    bodies.push_back(BodyOf(figure, chain, parent < 0 ? *R_RB : bodies[parent].R_JB));
+    bodies.push_back(
+        BodyOf(figure, chain, parent < 0 ? Mat3(Mat3::Identity()) : bodies[parent].R_JB));
     bodies.back().parent = parent;
     body_of[chain.hinges.back().value()] = static_cast<int>(bodies.size()) - 1;
   }

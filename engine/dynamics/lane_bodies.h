@@ -6,9 +6,8 @@
 
 namespace hazumi {
 
-// The bodies of a figure as the plan wants them, parents first, steps and lanes left open. Writes
-// the axes for the root's motion to R_RB.
-std::vector<LaneBody> MergeConcentricHinges(const Figure& figure, Mat3* R_RB);
+// The bodies of a figure as the plan wants them, parents first, steps and lanes left open.
+std::vector<LaneBody> MergeConcentricHinges(const Figure& figure);
 
 // Gives every body a step and a lane, `width` lanes a step, longest chains first. Returns the
 // number of steps.

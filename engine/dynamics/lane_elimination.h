@@ -22,70 +22,116 @@ struct ArticulatedBody {
 // A pivot below this part of the trace of J is nothing but rounding.
 constexpr double kSmallestPivot = 1e-14;
 
-// The fields of a pivot: (tau - n0_k)/D, J_kI/D, J_kJ/D, H_k./D, and bits: set where D is too
-// small. kAtRoot: the body's parent does not answer, so that H, M and f are not needed.
-template <int K, int W, bool kAtRoot, typename V>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Bits Eliminate(const StepView<W>& view,
-                                                       ArticulatedBody<V>* A) {
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const V used = Load<W>(view.constants + (LaneConstants::kUsed + K) * W);
-  const V kept = 1.0 - used;
-  const V tau = Load<W>(view.row(K) + LaneRow::kGiven * W);
-  const V trace = A->J.d[0] + A->J.d[1] + A->J.d[2];
-  const V D = A->J.d[K] * used + kept;
-  const auto small = ~Greater<W>(D, kSmallestPivot * used * trace);
-  const V inverse = used / D;
-  const V ki = A->J.o[J], kj = A->J.o[I];
-  const V gi = inverse * ki, gj = inverse * kj;
-  const V u = used * (tau - A->n.e[K]), k = inverse * u;
-  double* pivot = view.pivot(K);
-  Store<W>(pivot, k);
-  Store<W>(pivot + W, gi);
-  Store<W>(pivot + 2 * W, gj);
-  Store<W>(pivot + 6 * W, SameBits<V>(small));
-  A->n.e[K] += u;
-  A->n.e[I] += ki * k;
-  A->n.e[J] += kj * k;
-  A->J.d[I] -= gi * ki;
-  A->J.d[J] -= gj * kj;
-  A->J.o[K] -= gi * kj;
-  A->J.o[J] = kept * ki;
-  A->J.o[I] = kept * kj;
-  A->J.d[K] *= kept;
-  if constexpr (!kAtRoot) {
+// Axis of no hinge.
+constexpr int kNone = -1;
+
+// One elimination, of the hinge about e_K, and the turn to the axes before it. With one lane every
+// turn is a hinge of the one body, so that row K is zero after it; and if the hinge beyond it lay
+// along e_P, so is row P from before. With more lanes some may sit the turn out: `used` is 0 there,
+// the pivot 1, and nothing changes. At the root H, M and f are not needed: it does not answer.
+template <int K, int P, int W, bool kAtRoot>
+struct Elimination {
+  using V = typename LanesOf<W>::Real;
+  using Bits = typename LanesOf<W>::Bits;
+  static constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+  static constexpr bool kAlone = W == 1;
+  static constexpr bool kHasI = P != I, kHasJ = P != J;
+
+  // Returns where the pivot is too small.
+  static HAZUMI_LANE_INLINE Bits Run(V used, double* row, ArticulatedBody<V>* A) {
+    const V D = kAlone ? A->J.d[K] : A->J.d[K] * used + (1.0 - used);
+    const V trace = A->J.d[0] + A->J.d[1] + A->J.d[2];
+    const Bits small =
+        ~Greater<W>(D, (kAlone ? kSmallestPivot * trace : kSmallestPivot * used * trace));
+    Store<W>(row + LaneRow::kSmall * W, SameBits<V>(small));
+    const V inverse = (kAlone ? 1.0 + V{} : used) / D;
+    const V tau = Load<W>(row + LaneRow::kGiven * W);
+    const V u = kAlone ? tau - A->n.e[K] : used * (tau - A->n.e[K]);
+    Reduce(used, inverse, u, row + LaneRow::kPivot * W, A);
+    TurnBack(LoadTurn<W>(row), A);
+    return small;
+  }
+
+ private:
+  // The fields of a pivot: (tau - n0_k)/D, J_kI/D, J_kJ/D, H_k./D.
+  static HAZUMI_LANE_INLINE void Reduce(V used, V inverse, V u, double* pivot,
+                                        ArticulatedBody<V>* A) {
+    const V zero = {}, kept = 1.0 - used, k = inverse * u;
+    const V ki = kHasI ? A->J.o[J] : zero, kj = kHasJ ? A->J.o[I] : zero;
+    const V gi = kHasI ? inverse * ki : zero, gj = kHasJ ? inverse * kj : zero;
+    Store<W>(pivot, k);
+    Store<W>(pivot + W, gi);
+    Store<W>(pivot + 2 * W, gj);
+    A->n.e[K] += u;
+    if (kHasI) A->n.e[I] += ki * k;
+    if (kHasJ) A->n.e[J] += kj * k;
+    if (kHasI) A->J.d[I] -= gi * ki;
+    if (kHasJ) A->J.d[J] -= gj * kj;
+    if (kHasI && kHasJ) A->J.o[K] -= gi * kj;
+    A->J.o[J] = kAlone ? zero : kept * ki;
+    A->J.o[I] = kAlone ? zero : kept * kj;
+    A->J.d[K] = kAlone ? zero : kept * A->J.d[K];
+    if (kAtRoot) return;
     const Triple<V> h = A->H.row[K], g = Scaled(inverse, h);
     StoreTriple<W>(pivot + 3 * W, g);
     for (int c = 0; c < 3; ++c) {
       A->f.e[c] += h.e[c] * k;
-      A->H.row[I].e[c] -= gi * h.e[c];
-      A->H.row[J].e[c] -= gj * h.e[c];
-      A->H.row[K].e[c] = kept * h.e[c];
+      if (kHasI) A->H.row[I].e[c] -= gi * h.e[c];
+      if (kHasJ) A->H.row[J].e[c] -= gj * h.e[c];
+      A->H.row[K].e[c] = kAlone ? zero : kept * h.e[c];
       A->M.d[c] -= g.e[c] * h.e[c];
       A->M.o[c] -= g.e[(c + 1) % 3] * h.e[(c + 2) % 3];
     }
   }
-  return small;
-}
 
-template <int K, bool kAtRoot, typename V>
-HAZUMI_LANE_INLINE void TurnInwards(const Turn<V>& turn, ArticulatedBody<V>* A) {
-  Inwards<K>(turn, &A->n);
-  Inwards<K>(turn, &A->J);
-  if constexpr (!kAtRoot) {
+  static HAZUMI_LANE_INLINE void TurnBack(const Turn<V>& turn, ArticulatedBody<V>* A) {
+    Inwards<K>(turn, &A->n);
+    if constexpr (kAlone && P != kNone) {
+      // Of J only one number is left, and of H one row.
+      constexpr int Q = P == I ? J : I;
+      const V to_i = Q == I ? turn.c : -turn.s, to_j = Q == I ? turn.s : turn.c;
+      const V left = A->J.d[Q], part = to_i * left;
+      A->J.d[I] = to_i * part;
+      A->J.d[J] = to_j * (to_j * left);
+      A->J.o[K] = to_j * part;
+      if (kAtRoot) return;
+      Triple<V> row = A->H.row[Q];
+      Inwards<K>(turn, &row);
+      A->H.row[I] = Scaled(to_i, row);
+      A->H.row[J] = Scaled(to_j, row);
+    } else {
+      Inwards<K>(turn, &A->J);
+      if (kAtRoot) return;
+      Inwards<K>(turn, &A->H);
+    }
     Inwards<K>(turn, &A->f);
-    Inwards<K>(turn, &A->H);
     Inwards<K>(turn, &A->M);
   }
-}
+};
 
-template <int K, int W, bool kAtRoot, typename V>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Bits EliminateSlot(const StepView<W>& view,
-                                                           ArticulatedBody<V>* A) {
-  if ((view.step.slots >> K & 1) == 0) return typename LanesOf<W>::Bits{};
-  const auto small = Eliminate<K, W, kAtRoot>(view, A);
-  TurnInwards<K, kAtRoot>(view.turn(K), A);
-  return small;
-}
+// Visits the turns of a step from the body inwards.
+template <int W, bool kAtRoot>
+struct EliminationAcross {
+  using V = typename LanesOf<W>::Real;
+  const LanePlan& plan;
+  ArticulatedBody<V> A;
+  typename LanesOf<W>::Bits small = {};
+  int before = kNone;
+
+  template <int K>
+  HAZUMI_LANE_INLINE void At(double* row, int r) {
+    const V sign = Load<W>(plan.row_sign.data() + r * W), used = sign * sign;
+    constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+    if (W == 1 && before == I) {
+      small |= Elimination < K, W == 1 ? I : kNone, W, kAtRoot > ::Run(used, row, &A);
+    } else if (W == 1 && before == J) {
+      small |= Elimination < K, W == 1 ? J : kNone, W, kAtRoot > ::Run(used, row, &A);
+    } else {
+      small |= Elimination<K, kNone, W, kAtRoot>::Run(used, row, &A);
+    }
+    before = K;
+  }
+};
 
 // About another origin, from which the present one is at r; with a = a' - r x alpha
 //   H' = H + r x M,  J' = J + (r x H^T)^T + r x H'^T,  n' = n + r x f.
@@ -116,7 +162,7 @@ HAZUMI_LANE_INLINE void TurnInwards(const Square<V>& F, ArticulatedBody<V>* A) {
 }
 
 // The body's own inertia, [h]x and m 1 for H and M, with what hangs on it.
-template <int W, bool kAtRoot, typename V>
+template <int W, typename V>
 HAZUMI_LANE_INLINE ArticulatedBody<V> Gather(const LanePlan& plan, const StepView<W>& view,
                                              const double* scratch) {
   const Symmetric<V> I_o = LoadSymmetric<W>(view.constants + LaneConstants::kInertia * W);
@@ -141,11 +187,13 @@ HAZUMI_LANE_INLINE typename LanesOf<W>::Bits EliminateStep(const LanePlan& plan,
                                                            const StepView<W>& view,
                                                            double* scratch) {
   using V = typename LanesOf<W>::Real;
-  ArticulatedBody<V> A = Gather<W, kAtRoot, V>(plan, view, scratch);
-  auto small = EliminateSlot<2, W, kAtRoot>(view, &A);
-  small |= EliminateSlot<1, W, kAtRoot>(view, &A);
-  small |= EliminateSlot<0, W, kAtRoot>(view, &A);
+  double* rows = scratch + plan.row(0);
+  EliminationAcross<W, kAtRoot> across{plan, Gather<W, V>(plan, view, scratch)};
+  for (int r = view.step.end_row - 1; r >= view.step.first_row; --r) {
+    VisitRow<W>(plan, r, rows, &across);
+  }
   if constexpr (!kAtRoot) {
+    ArticulatedBody<V>& A = across.A;
     if (view.step.turned) TurnInwards(view.F(), &A);
     if (view.step.shifted) Shift(view.origin(), &A);
     const V* fields = reinterpret_cast<const V*>(&A);
@@ -153,47 +201,60 @@ HAZUMI_LANE_INLINE typename LanesOf<W>::Bits EliminateStep(const LanePlan& plan,
       Store<W>(view.field(LaneState::kLoad + f), fields[f]);
     }
   }
-  return small;
+  return across.small;
 }
 
-// Outwards again: qdd of one slot from the response before it. What alpha is beyond the hinge does
+// Outwards again: qdd of a hinge from the response before it. What alpha is beyond the hinge does
 // not depend on what it was about the hinge, and is not reckoned by way of it: hinges that almost
 // line up have huge opposite accelerations.
-template <int K, int W, bool kAtRoot, typename V>
-HAZUMI_LANE_INLINE void Respond(const StepView<W>& view, Triple<V>* alpha, Triple<V>* a) {
-  if ((view.step.slots >> K & 1) == 0) return;
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const Turn<V> turn = view.turn(K);
-  Outwards<K>(turn, alpha);
-  if (!kAtRoot) Outwards<K>(turn, a);
-  const double* pivot = view.pivot(K);
-  const V used = Load<W>(view.constants + (LaneConstants::kUsed + K) * W), kept = 1.0 - used;
-  V beyond =
-      Load<W>(pivot) - Load<W>(pivot + W) * alpha->e[I] - Load<W>(pivot + 2 * W) * alpha->e[J];
-  if (!kAtRoot) beyond -= Dot(LoadTriple<W>(pivot + 3 * W), *a);
-  Store<W>(view.row(K) + LaneRow::kGiven * W, beyond - used * alpha->e[K]);
-  alpha->e[K] = beyond + kept * alpha->e[K];
-}
-
 template <int W, bool kAtRoot>
-HAZUMI_LANE_INLINE void RespondStep(const StepView<W>& view, const double* scratch) {
+struct ResponseAcross {
   using V = typename LanesOf<W>::Real;
-  V parent[6] = {};
-  if (!kAtRoot) FetchFields<W, 6>(scratch, view.step.parent, LaneState::kResponse, parent);
-  Triple<V> alpha = {{parent[0], parent[1], parent[2]}}, a = {{parent[3], parent[4], parent[5]}};
-  if (!kAtRoot) {
-    if (view.step.shifted) a = a + Cross(alpha, view.origin());
-    if (view.step.turned) {
-      const Square<V> F = view.F();
-      alpha = TransposeTimes(F, alpha);
-      a = TransposeTimes(F, a);
+  const LanePlan& plan;
+  Triple<V> alpha, a;
+
+  template <int K>
+  HAZUMI_LANE_INLINE void At(double* row, int r) {
+    constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+    const auto turn = LoadTurn<W>(row);
+    Outwards<K>(turn, &alpha);
+    if (!kAtRoot) Outwards<K>(turn, &a);
+    const double* pivot = row + LaneRow::kPivot * W;
+    V beyond =
+        Load<W>(pivot) - Load<W>(pivot + W) * alpha.e[I] - Load<W>(pivot + 2 * W) * alpha.e[J];
+    if (!kAtRoot) beyond -= Dot(LoadTriple<W>(pivot + 3 * W), a);
+    const V before = alpha.e[K];
+    if (W == 1) {
+      Store<W>(row + LaneRow::kGiven * W, beyond - before);
+      alpha.e[K] = beyond;
+    } else {
+      const V sign = Load<W>(plan.row_sign.data() + r * W), used = sign * sign;
+      Store<W>(row + LaneRow::kGiven * W, beyond - used * before);
+      alpha.e[K] = beyond + (1.0 - used) * before;
     }
   }
-  Respond<0, W, kAtRoot>(view, &alpha, &a);
-  Respond<1, W, kAtRoot>(view, &alpha, &a);
-  Respond<2, W, kAtRoot>(view, &alpha, &a);
-  StoreTriple<W>(view.field(LaneState::kResponse), alpha);
-  StoreTriple<W>(view.field(LaneState::kResponse + 3), a);
+};
+
+template <int W, bool kAtRoot>
+HAZUMI_LANE_INLINE void RespondStep(const LanePlan& plan, const StepView<W>& view,
+                                    double* scratch) {
+  using V = typename LanesOf<W>::Real;
+  double* rows = scratch + plan.row(0);
+  V parent[6] = {};
+  if (!kAtRoot) FetchFields<W, 6>(scratch, view.step.parent, LaneState::kResponse, parent);
+  ResponseAcross<W, kAtRoot> across{
+      plan, {{parent[0], parent[1], parent[2]}}, {{parent[3], parent[4], parent[5]}}};
+  if (!kAtRoot) {
+    if (view.step.shifted) across.a = across.a + Cross(across.alpha, view.origin());
+    if (view.step.turned) {
+      const Square<V> F = view.F();
+      across.alpha = TransposeTimes(F, across.alpha);
+      across.a = TransposeTimes(F, across.a);
+    }
+  }
+  for (int r = view.step.first_row; r < view.step.end_row; ++r) VisitRow<W>(plan, r, rows, &across);
+  StoreTriple<W>(view.field(LaneState::kResponse), across.alpha);
+  StoreTriple<W>(view.field(LaneState::kResponse + 3), across.a);
 }
 
 template <int W>
@@ -209,7 +270,11 @@ bool Accelerations(const LanePlan& plan, const double* tau, double* qdd, double*
   if (AnySet<W>(small)) return false;
   for (int s = 0; s < steps; ++s) {
     const StepView<W> view(plan, s, scratch);
-    view.step.at_root ? RespondStep<W, true>(view, scratch) : RespondStep<W, false>(view, scratch);
+    if (view.step.at_root) {
+      RespondStep<W, true>(plan, view, scratch);
+    } else {
+      RespondStep<W, false>(plan, view, scratch);
+    }
   }
   GetGiven<W>(plan, scratch, qdd);
   return true;

@@ -1,6 +1,6 @@
 #include "engine/dynamics/lane_plan.h"
 
-#include <algorithm>
+#include <string>
 
 #include "engine/dynamics/lane_bodies.h"
 
@@ -33,27 +33,44 @@ void ChooseWidth(LanePlan* plan) {
   }
 }
 
-void SetRows(const LanePlan& plan, const std::array<int, kMaxLanes>& lanes, LaneStep* step) {
-  for (int l = 0; l < plan.width; ++l) {
-    if (lanes[l] < 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      if (plan.bodies[lanes[l]].hinge[k].is_valid()) step->slots |= 1 << k;
+// A shortest sequence of axes that contains the hinges of every lane in their order. `left` is what
+// each lane has still to come, one letter an axis.
+std::string CommonTurns(const std::array<std::string, kMaxLanes>& left) {
+  std::string best;
+  bool any = false;
+  for (const char axis : {'0', '1', '2'}) {
+    std::array<std::string, kMaxLanes> rest = left;
+    for (std::string& lane : rest) {
+      if (!lane.empty() && lane[0] == axis) lane.erase(0, 1);
     }
+    if (rest == left) continue;
+    const std::string turns = axis + CommonTurns(rest);
+    if (!any || turns.size() < best.size()) best = turns;
+    any = true;
   }
+  return best;
 }
 
 void AddRows(const std::array<int, kMaxLanes>& lanes, LaneStep* step, LanePlan* plan) {
-  step->first_row = plan->num_rows();
-  SetRows(*plan, lanes, step);
-  for (int k = 0; k < 3; ++k) {
-    if ((step->slots >> k & 1) == 0) continue;
-    for (int l = 0; l < plan->width; ++l) {
-      const LaneBody* body = lanes[l] < 0 ? nullptr : &plan->bodies[lanes[l]];
-      const bool used = body != nullptr && body->hinge[k].is_valid();
-      if (used) plan->joint_cell[body->hinge[k].value()] = static_cast<int>(plan->row_joint.size());
-      plan->row_joint.push_back(used ? body->hinge[k].value() : 0);
+  std::array<std::string, kMaxLanes> left;
+  for (int l = 0; l < plan->width; ++l) {
+    if (lanes[l] < 0) continue;
+    for (const LaneHinge& hinge : plan->bodies[lanes[l]].hinges) {
+      left[l] += static_cast<char>('0' + hinge.axis);
     }
   }
+  step->first_row = plan->num_rows();
+  std::array<size_t, kMaxLanes> next = {};  // hinge of each lane
+  for (const char turn : CommonTurns(left)) {
+    plan->row_axis.push_back(turn - '0');
+    for (int l = 0; l < plan->width; ++l) {
+      const bool used = next[l] < left[l].size() && left[l][next[l]] == turn;
+      const int joint = used ? plan->bodies[lanes[l]].hinges[next[l]++].joint.value() : 0;
+      if (used) plan->joint_cell[joint] = static_cast<int>(plan->row_joint.size());
+      plan->row_joint.push_back(joint);
+    }
+  }
+  step->end_row = plan->num_rows();
 }
 
 void SetFlags(const LanePlan& plan, const std::array<int, kMaxLanes>& lanes, LaneStep* step) {
@@ -157,9 +174,8 @@ void SetChildren(const Occupants& occupants, LanePlan* plan) {
 LaneArray RowSigns(const LanePlan& plan) {
   LaneArray signs(plan.row_joint.size());
   for (const LaneBody& body : plan.bodies) {
-    for (int k = 0; k < 3; ++k) {
-      if (!body.hinge[k].is_valid()) continue;
-      signs.data()[plan.joint_cell[body.hinge[k].value()]] = body.sign[k];
+    for (const LaneHinge& hinge : body.hinges) {
+      signs.data()[plan.joint_cell[hinge.joint.value()]] = hinge.sign;
     }
   }
   return signs;
@@ -184,14 +200,13 @@ void WriteConstants(const LaneBody& body, int width, double* at) {
     put(LaneConstants::kMoment + i, inertia.mass * inertia.com[i]);
     put(LaneConstants::kInertia + i, I_o(i, i));
     put(LaneConstants::kInertia + 3 + i, I_o((i + 1) % 3, (i + 2) % 3));
-    put(LaneConstants::kUsed + i, body.hinge[i].is_valid() ? 1.0 : 0.0);
   }
 }
 
 }  // namespace
 
 LanePlan::LanePlan(const Figure& figure)
-    : bodies(MergeConcentricHinges(figure, &R_RB)), joint_cell(figure.num_joints()) {
+    : bodies(MergeConcentricHinges(figure)), joint_cell(figure.num_joints()) {
   ChooseWidth(this);
   const Occupants occupants = FindOccupants(*this, static_cast<int>(steps.size()));
   constants = LaneArray(steps.size() * LaneConstants::kFields * width);

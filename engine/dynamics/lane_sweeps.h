@@ -42,8 +42,7 @@ struct StepView {
   StepView(const LanePlan& plan, int s, double* scratch)
       : step(plan.steps[s]),
         constants(plan.constants.data() + s * LaneConstants::kFields * W),
-        state(scratch + plan.state(s)),
-        rows(scratch + plan.row(step.first_row)) {}
+        state(scratch + plan.state(s)) {}
 
   Triple<typename LanesOf<W>::Real> origin() const {
     return LoadTriple<W>(constants + LaneConstants::kOrigin * W);
@@ -52,23 +51,29 @@ struct StepView {
     return LoadSquare<W>(constants + LaneConstants::kF * W);
   }
   double* field(int f) const { return state + f * W; }
-  double* pivot(int slot) const {
-    return field(LaneState::kPivot + slot * LaneState::kPivotFields);
-  }
-  // Of a slot that is used.
-  double* row(int slot) const {
-    return rows + __builtin_popcount(step.slots & ((1 << slot) - 1)) * LaneRow::kFields * W;
-  }
-  Turn<typename LanesOf<W>::Real> turn(int slot) const {
-    const double* at = row(slot);
-    return {Load<W>(at + LaneRow::kCosine * W), Load<W>(at + LaneRow::kSine * W)};
-  }
-
   const LaneStep& step;
   const double* constants;
   double* state;
-  double* rows;
 };
+
+template <int W>
+HAZUMI_LANE_INLINE Turn<typename LanesOf<W>::Real> LoadTurn(const double* row) {
+  return {Load<W>(row + LaneRow::kCosine * W), Load<W>(row + LaneRow::kSine * W)};
+}
+
+// Calls the visitor's At<K>(row, entries), K the axis of the turn.
+template <int W, typename Visitor>
+HAZUMI_LANE_INLINE void VisitRow(const LanePlan& plan, int r, double* rows, Visitor* visitor) {
+  double* row = rows + r * LaneRow::kFields * W;
+  switch (plan.row_axis[r]) {
+    case 0:
+      return visitor->template At<0>(row, r);
+    case 1:
+      return visitor->template At<1>(row, r);
+    default:
+      return visitor->template At<2>(row, r);
+  }
+}
 
 // Joint values in the order of rows, with the sign of each hinge.
 template <int W>
@@ -145,21 +150,24 @@ struct LaneMotion {
 
 // Across a hinge: into the axes beyond it, and its own rate and acceleration on top:
 //   w += e qd,  alpha += e qdd + w x e qd.
-template <int K, int W, bool kAccelerations, typename V>
-HAZUMI_LANE_INLINE void CrossHinge(const StepView<W>& view, LaneMotion<V>* m) {
-  if ((view.step.slots >> K & 1) == 0) return;
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const Turn<V> turn = view.turn(K);
-  Outwards<K>(turn, &m->w);
-  Outwards<K>(turn, &m->alpha);
-  Outwards<K>(turn, &m->a);
-  const double* row = view.row(K);
-  const V rate = Load<W>(row + LaneRow::kRate * W);
-  m->alpha.e[I] += m->w.e[J] * rate;
-  m->alpha.e[J] -= m->w.e[I] * rate;
-  m->w.e[K] += rate;
-  if (kAccelerations) m->alpha.e[K] += Load<W>(row + LaneRow::kGiven * W);
-}
+template <int W, bool kAccelerations>
+struct MotionAcross {
+  LaneMotion<typename LanesOf<W>::Real> m;
+
+  template <int K>
+  HAZUMI_LANE_INLINE void At(const double* row, int) {
+    constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+    const auto turn = LoadTurn<W>(row);
+    Outwards<K>(turn, &m.w);
+    Outwards<K>(turn, &m.alpha);
+    Outwards<K>(turn, &m.a);
+    const auto rate = Load<W>(row + LaneRow::kRate * W);
+    m.alpha.e[I] += m.w.e[J] * rate;
+    m.alpha.e[J] -= m.w.e[I] * rate;
+    m.w.e[K] += rate;
+    if (kAccelerations) m.alpha.e[K] += Load<W>(row + LaneRow::kGiven * W);
+  }
+};
 
 // a + alpha x r + w x (w x r)
 template <typename V>
@@ -184,22 +192,23 @@ HAZUMI_LANE_INLINE void StoreOwnForce(const StepView<W>& view, const LaneMotion<
 template <int W, bool kAccelerations>
 void MoveBodies(const LanePlan& plan, double* scratch) {
   using V = typename LanesOf<W>::Real;
+  double* rows = scratch + plan.row(0);
   const int steps = static_cast<int>(plan.steps.size());
   for (int s = 0; s < steps; ++s) {
     const StepView<W> view(plan, s, scratch);
     V parent[9];
     FetchFields<W, 9>(scratch, view.step.parent, LaneState::kMotion, parent);
-    LaneMotion<V> m = {{{parent[0], parent[1], parent[2]}},
-                       {{parent[3], parent[4], parent[5]}},
-                       {{parent[6], parent[7], parent[8]}}};
+    MotionAcross<W, kAccelerations> across = {{{{parent[0], parent[1], parent[2]}},
+                                               {{parent[3], parent[4], parent[5]}},
+                                               {{parent[6], parent[7], parent[8]}}}};
+    LaneMotion<V>& m = across.m;
     if (view.step.shifted) m.a = AccelerationAt(m, view.origin());
     if (view.step.turned) {
       const Square<V> F = view.F();
       m = {TransposeTimes(F, m.w), TransposeTimes(F, m.alpha), TransposeTimes(F, m.a)};
     }
-    CrossHinge<0, W, kAccelerations>(view, &m);
-    CrossHinge<1, W, kAccelerations>(view, &m);
-    CrossHinge<2, W, kAccelerations>(view, &m);
+    for (int r = view.step.first_row; r < view.step.end_row; ++r)
+      VisitRow<W>(plan, r, rows, &across);
     StoreTriple<W>(view.field(LaneState::kMotion), m.w);
     StoreTriple<W>(view.field(LaneState::kMotion + 3), m.alpha);
     StoreTriple<W>(view.field(LaneState::kMotion + 6), m.a);
@@ -220,37 +229,42 @@ void Start(const LanePlan& plan, const double* q, const double* qd, const double
 }
 
 // Back across a hinge: its torque is the moment about it.
-template <int K, int W, typename V>
-HAZUMI_LANE_INLINE void CrossHingeBack(const StepView<W>& view, Triple<V>* n, Triple<V>* f) {
-  if ((view.step.slots >> K & 1) == 0) return;
-  Store<W>(view.row(K) + LaneRow::kGiven * W, n->e[K]);
-  const Turn<V> turn = view.turn(K);
-  Inwards<K>(turn, n);
-  Inwards<K>(turn, f);
-}
+template <int W>
+struct ForceAcross {
+  Triple<typename LanesOf<W>::Real> n, f;
+
+  template <int K>
+  HAZUMI_LANE_INLINE void At(double* row, int) {
+    Store<W>(row + LaneRow::kGiven * W, n.e[K]);
+    const auto turn = LoadTurn<W>(row);
+    Inwards<K>(turn, &n);
+    Inwards<K>(turn, &f);
+  }
+};
 
 // Inwards: what every body passes on to its parent, and torques on the way.
 template <int W>
 void Torques(const LanePlan& plan, double* tau, double* scratch) {
   using V = typename LanesOf<W>::Real;
+  double* rows = scratch + plan.row(0);
   for (int s = static_cast<int>(plan.steps.size()) - 1; s >= 0; --s) {
     const StepView<W> view(plan, s, scratch);
     V load[LaneState::kForceFields];
     LoadFields<W, LaneState::kForceFields>(view.field(LaneState::kLoad), load);
     AddChildren<W, LaneState::kForceFields>(plan, view.step, scratch, load);
-    Triple<V> n = {{load[0], load[1], load[2]}}, f = {{load[3], load[4], load[5]}};
-    CrossHingeBack<2>(view, &n, &f);
-    CrossHingeBack<1>(view, &n, &f);
-    CrossHingeBack<0>(view, &n, &f);
+    ForceAcross<W> across = {{{load[0], load[1], load[2]}}, {{load[3], load[4], load[5]}}};
+    for (int r = view.step.end_row - 1; r >= view.step.first_row; --r) {
+      VisitRow<W>(plan, r, rows, &across);
+    }
     if (view.step.at_root) continue;
     if (view.step.turned) {
       const Square<V> F = view.F();
-      n = F * n;
-      f = F * f;
+      across.n = F * across.n;
+      across.f = F * across.f;
     }
-    if (view.step.shifted) n = n + Cross(view.origin(), f);
-    StoreTriple<W>(view.field(LaneState::kLoad), n);
-    StoreTriple<W>(view.field(LaneState::kLoad + 3), f);
+    if (view.step.shifted) across.n = across.n + Cross(view.origin(), across.f);
+    StoreTriple<W>(view.field(LaneState::kLoad), across.n);
+    StoreTriple<W>(view.field(LaneState::kLoad + 3), across.f);
   }
   GetGiven<W>(plan, scratch, tau);
 }
