@@ -113,6 +113,8 @@ struct Elimination {
 template <int W, bool kAtRoot>
 struct EliminationAcross {
   using V = typename LanesOf<W>::Real;
+  explicit EliminationAcross(const LanePlan& of) : plan(of) {}
+
   const LanePlan& plan;
   ArticulatedBody<V> A;
   typename LanesOf<W>::Bits small = {};
@@ -163,23 +165,19 @@ HAZUMI_LANE_INLINE void TurnInwards(const Square<V>& F, ArticulatedBody<V>* A) {
 
 // The body's own inertia, [h]x and m 1 for H and M, with what hangs on it.
 template <int W, typename V>
-HAZUMI_LANE_INLINE ArticulatedBody<V> Gather(const LanePlan& plan, const StepView<W>& view,
-                                             const double* scratch) {
-  const Symmetric<V> I_o = LoadSymmetric<W>(view.constants + LaneConstants::kInertia * W);
+HAZUMI_LANE_INLINE void Gather(const LanePlan& plan, const StepView<W>& view, const double* scratch,
+                               ArticulatedBody<V>* A) {
   const Triple<V> h = LoadTriple<W>(view.constants + LaneConstants::kMoment * W);
   const V mass = Load<W>(view.constants + LaneConstants::kMass * W), zero = {};
-  const Triple<V> n = LoadTriple<W>(view.field(LaneState::kLoad));
-  const Triple<V> f = LoadTriple<W>(view.field(LaneState::kLoad + 3));
-  ArticulatedBody<V> A = {
-      n,
-      f,
-      I_o,
-      {{{{zero, -h.e[2], h.e[1]}}, {{h.e[2], zero, -h.e[0]}}, {{-h.e[1], h.e[0], zero}}}},
-      {{mass, mass, mass}, {zero, zero, zero}}};
-  static_assert(sizeof A == LaneState::kLoadFields * sizeof(V));
-  V* fields = reinterpret_cast<V*>(&A);
-  AddChildren<W, LaneState::kLoadFields>(plan, view.step, scratch, fields);
-  return A;
+  A->n = LoadTriple<W>(view.field(LaneState::kLoad));
+  A->f = LoadTriple<W>(view.field(LaneState::kLoad + 3));
+  A->J = LoadSymmetric<W>(view.constants + LaneConstants::kInertia * W);
+  A->H.row[0] = {{zero, -h.e[2], h.e[1]}};
+  A->H.row[1] = {{h.e[2], zero, -h.e[0]}};
+  A->H.row[2] = {{-h.e[1], h.e[0], zero}};
+  A->M = {{mass, mass, mass}, {zero, zero, zero}};
+  static_assert(sizeof *A == LaneState::kLoadFields * sizeof(V));
+  AddChildren<W, LaneState::kLoadFields>(plan, view.step, scratch, reinterpret_cast<V*>(A));
 }
 
 template <int W, bool kAtRoot>
@@ -188,7 +186,8 @@ HAZUMI_LANE_INLINE typename LanesOf<W>::Bits EliminateStep(const LanePlan& plan,
                                                            double* scratch) {
   using V = typename LanesOf<W>::Real;
   double* rows = scratch + plan.row(0);
-  EliminationAcross<W, kAtRoot> across{plan, Gather<W, V>(plan, view, scratch)};
+  EliminationAcross<W, kAtRoot> across(plan);
+  Gather<W>(plan, view, scratch, &across.A);
   for (int r = view.step.end_row - 1; r >= view.step.first_row; --r) {
     VisitRow<W>(plan, r, rows, &across);
   }

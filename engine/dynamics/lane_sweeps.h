@@ -30,9 +30,13 @@ template <int W, int N>
 HAZUMI_LANE_INLINE void AddChildren(const LanePlan& plan, const LaneStep& step,
                                     const double* scratch, typename LanesOf<W>::Real* load) {
   for (int child = step.first_child; child < step.end_child; ++child) {
-    typename LanesOf<W>::Real more[N];
-    FetchFields<W, N>(scratch, plan.children[child], 0, more);
-    for (int f = 0; f < N; ++f) load[f] += more[f];
+    const LaneSource& source = plan.children[child];
+    if (W == 1 || source.contiguous) {
+      const double* at = scratch + source.from[0];
+      for (int f = 0; f < N; ++f) load[f] += Load<W>(at + f * W);
+    } else {
+      for (int f = 0; f < N; ++f) load[f] += Fetch<W>(scratch, source, f);
+    }
   }
 }
 
