@@ -79,8 +79,8 @@ void FigureDynamics::SetRoot(const Pose& X_WR, const RootMotion& root,
 Mat3 FigureDynamics::RotationFromParent(const LaneBody& body, const double* scratch) const {
   Mat3 R = body.F;
   for (const LaneHinge& hinge : body.hinges) {
-    const int w = plan_.width, cell = plan_.joint_cell[hinge.joint.value()];
-    const double* row = scratch + plan_.row(cell / w) + cell % w;
+    const int w = plan_.width;
+    const double* row = scratch + plan_.joint_at[hinge.joint.value()];
     R = R * AxisRotation<double>(Vec3::Unit(hinge.axis), row[LaneRow::kSine * w],
                                  row[LaneRow::kCosine * w]);
   }
@@ -108,9 +108,9 @@ void FigureDynamics::SubtractEndForces(const Pose& X_WR, const EndForces& ends,
 }
 
 bool FigureDynamics::IsSmall(JointIndex joint, const double* scratch) const {
-  const int w = plan_.width, cell = plan_.joint_cell[joint.value()];
+  const double* row = scratch + plan_.joint_at[joint.value()];
   int64_t bits = 0;
-  std::memcpy(&bits, scratch + plan_.row(cell / w) + LaneRow::kSmall * w + cell % w, sizeof bits);
+  std::memcpy(&bits, row + LaneRow::kSmall * plan_.width, sizeof bits);
   return bits != 0;
 }
 

@@ -1,60 +1,6 @@
-// Vectors and matrices whose every entry is `W` numbers, one a lane.
-//
-// The text of lane_algebra, lane_trig, lane_sweeps and lane_elimination, each with those before it,
-// is compiled once for every instruction set: a file of kernels includes the last of them inside a
-// namespace of its own. So there is no #pragma once, and nothing here includes other headers.
-//
-// W = 1 is a plain double; W = 4 a vector of the compiler. Without fused multiply-add, a lane gives
-// the same bits with every instruction set.
+#include "engine/dynamics/lane_numbers.h"
 
-#define HAZUMI_LANE_INLINE inline __attribute__((always_inline))
-
-template <int W>
-struct LanesOf {
-  typedef double Real __attribute__((vector_size(8 * W)));
-  typedef int64_t Bits __attribute__((vector_size(8 * W)));
-  typedef double Memory __attribute__((vector_size(8 * W), may_alias));
-};
-template <>
-struct LanesOf<1> {
-  using Real = double;
-  using Bits = int64_t;
-  using Memory = double;
-};
-
-template <int W>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Real Load(const double* at) {
-  return *reinterpret_cast<const typename LanesOf<W>::Memory*>(at);
-}
-template <int W>
-HAZUMI_LANE_INLINE void Store(double* at, typename LanesOf<W>::Real value) {
-  *reinterpret_cast<typename LanesOf<W>::Memory*>(at) = value;
-}
-
-// All bits of a lane set where a > b.
-template <int W>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Bits Greater(typename LanesOf<W>::Real a,
-                                                     typename LanesOf<W>::Real b) {
-  if constexpr (W == 1) {
-    return -static_cast<int64_t>(a > b);
-  } else {
-    return a > b;
-  }
-}
-
-template <typename To, typename From>
-HAZUMI_LANE_INLINE To SameBits(From from) {
-  return __builtin_bit_cast(To, from);
-}
-
-template <int W>
-HAZUMI_LANE_INLINE bool AnySet(typename LanesOf<W>::Bits bits) {
-  if constexpr (W == 1) {
-    return bits != 0;
-  } else {
-    return (bits[0] | bits[1] | bits[2] | bits[3]) != 0;
-  }
-}
+// Vectors and matrices whose every entry is one number a lane.
 
 template <typename V>
 struct Triple {

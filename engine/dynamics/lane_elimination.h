@@ -42,9 +42,9 @@ struct Elimination {
     const V D = kAlone ? A->J.d[K] : A->J.d[K] * used + (1.0 - used);
     const V trace = A->J.d[0] + A->J.d[1] + A->J.d[2];
     const Bits small =
-        ~Greater<W>(D, (kAlone ? kSmallestPivot * trace : kSmallestPivot * used * trace));
+        ~Greater(D, (kAlone ? kSmallestPivot * trace : kSmallestPivot * used * trace));
     Store<W>(row + LaneRow::kSmall * W, SameBits<V>(small));
-    const V inverse = (kAlone ? 1.0 + V{} : used) / D;
+    const V inverse = used / D;
     const V tau = Load<W>(row + LaneRow::kGiven * W);
     const V u = kAlone ? tau - A->n.e[K] : used * (tau - A->n.e[K]);
     Reduce(used, inverse, u, row + LaneRow::kPivot * W, A);
@@ -266,7 +266,10 @@ bool Accelerations(const LanePlan& plan, const double* tau, double* qdd, double*
     small |= view.step.at_root ? EliminateStep<W, true>(plan, view, scratch)
                                : EliminateStep<W, false>(plan, view, scratch);
   }
-  if (AnySet<W>(small)) return false;
+  if (AnySet(small)) {
+    LeaveLanes();
+    return false;
+  }
   for (int s = 0; s < steps; ++s) {
     const StepView<W> view(plan, s, scratch);
     if (view.step.at_root) {
@@ -276,5 +279,6 @@ bool Accelerations(const LanePlan& plan, const double* tau, double* qdd, double*
     }
   }
   GetGiven<W>(plan, scratch, qdd);
+  LeaveLanes();
   return true;
 }

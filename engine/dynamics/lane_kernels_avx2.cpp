@@ -7,8 +7,8 @@
 
 #if defined(__x86_64__)
 #pragma GCC target("avx2")
+#define HAZUMI_VECTORS_OF_FOUR
 #endif
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace hazumi {
 

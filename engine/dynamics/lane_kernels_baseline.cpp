@@ -4,8 +4,6 @@
 
 // The sweeps for any processor.
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors wider than a register stay inside this file
-
 namespace hazumi {
 
 namespace {

@@ -62,12 +62,15 @@ void AddRows(const std::array<int, kMaxLanes>& lanes, LaneStep* step, LanePlan* 
   step->first_row = plan->num_rows();
   std::array<size_t, kMaxLanes> next = {};  // hinge of each lane
   for (const char turn : CommonTurns(left)) {
+    const int row = plan->row(plan->num_rows());
     plan->row_axis.push_back(turn - '0');
     for (int l = 0; l < plan->width; ++l) {
       const bool used = next[l] < left[l].size() && left[l][next[l]] == turn;
-      const int joint = used ? plan->bodies[lanes[l]].hinges[next[l]++].joint.value() : 0;
-      if (used) plan->joint_cell[joint] = static_cast<int>(plan->row_joint.size());
-      plan->row_joint.push_back(joint);
+      const LaneHinge hinge = used ? plan->bodies[lanes[l]].hinges[next[l]++] : LaneHinge{};
+      plan->row_joint.push_back(used ? hinge.joint.value() : 0);
+      if (!used) continue;
+      plan->joint_at[hinge.joint.value()] = row + l;
+      plan->joint_sign[hinge.joint.value()] = hinge.sign;
     }
   }
   step->end_row = plan->num_rows();
@@ -170,13 +173,13 @@ void SetChildren(const Occupants& occupants, LanePlan* plan) {
   }
 }
 
-// The sign of each entry of the rows.
+// The sign of each entry of the rows, 0 where the lane sits the turn out.
 LaneArray RowSigns(const LanePlan& plan) {
   LaneArray signs(plan.row_joint.size());
-  for (const LaneBody& body : plan.bodies) {
-    for (const LaneHinge& hinge : body.hinges) {
-      signs.data()[plan.joint_cell[hinge.joint.value()]] = hinge.sign;
-    }
+  for (size_t i = 0; i < plan.row_joint.size(); ++i) {
+    const int r = static_cast<int>(i) / plan.width, l = static_cast<int>(i) % plan.width;
+    const int joint = plan.row_joint[i];
+    if (plan.joint_at[joint] == plan.row(r) + l) signs.data()[i] = plan.joint_sign[joint];
   }
   return signs;
 }
@@ -206,7 +209,9 @@ void WriteConstants(const LaneBody& body, int width, double* at) {
 }  // namespace
 
 LanePlan::LanePlan(const Figure& figure)
-    : bodies(MergeConcentricHinges(figure)), joint_cell(figure.num_joints()) {
+    : bodies(MergeConcentricHinges(figure)),
+      joint_at(figure.num_joints()),
+      joint_sign(figure.num_joints()) {
   ChooseWidth(this);
   const Occupants occupants = FindOccupants(*this, static_cast<int>(steps.size()));
   constants = LaneArray(steps.size() * LaneConstants::kFields * width);

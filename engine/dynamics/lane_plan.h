@@ -108,8 +108,10 @@ struct LanePlan {
   // One entry a row and lane: whose hinge it is and its sign, 0 and 0 where it sits out.
   std::vector<int> row_joint;
   LaneArray row_sign;
-  std::vector<int> joint_cell;  // by joint: its entry
-  LaneArray constants;          // steps x LaneConstants::kFields x width
+  // By joint: where its row is in the scratch array, in its lane, and its sign.
+  std::vector<int> joint_at;
+  std::vector<double> joint_sign;
+  LaneArray constants;  // steps x LaneConstants::kFields x width
 
   int num_rows() const { return static_cast<int>(row_axis.size()); }
   // The scratch array: states of the root and the steps, an empty load, rows.

@@ -2,19 +2,7 @@
 
 // The sweeps of LaneKernels: motion, forces, torques.
 
-// Numbers of each lane from wherever its source is, `field` fields on.
-template <int W>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Real Fetch(const double* scratch, const LaneSource& source,
-                                                   int field) {
-  const double* at = scratch + field * W;
-  if constexpr (W == 1) {
-    return at[source.from[0]];
-  } else {
-    const int* from = source.from.data();
-    return typename LanesOf<W>::Real{at[from[0]], at[from[1]], at[from[2]], at[from[3]]};
-  }
-}
-
+// N fields of whichever lanes the source names, from `field` on.
 template <int W, int N>
 HAZUMI_LANE_INLINE void FetchFields(const double* scratch, const LaneSource& source, int field,
                                     typename LanesOf<W>::Real* fields) {
@@ -22,7 +10,7 @@ HAZUMI_LANE_INLINE void FetchFields(const double* scratch, const LaneSource& sou
     LoadFields<W, N>(scratch + source.from[0] + field * W, fields);
     return;
   }
-  for (int f = 0; f < N; ++f) fields[f] = Fetch<W>(scratch, source, field + f);
+  for (int f = 0; f < N; ++f) fields[f] = Collect<W>(scratch + (field + f) * W, source.from.data());
 }
 
 // Adds what the children ask for to the first N fields of a load.
@@ -35,7 +23,7 @@ HAZUMI_LANE_INLINE void AddChildren(const LanePlan& plan, const LaneStep& step,
       const double* at = scratch + source.from[0];
       for (int f = 0; f < N; ++f) load[f] += Load<W>(at + f * W);
     } else {
-      for (int f = 0; f < N; ++f) load[f] += Fetch<W>(scratch, source, f);
+      for (int f = 0; f < N; ++f) load[f] += Collect<W>(scratch + f * W, source.from.data());
     }
   }
 }
@@ -83,14 +71,7 @@ HAZUMI_LANE_INLINE void VisitRow(const LanePlan& plan, int r, double* rows, Visi
 template <int W>
 HAZUMI_LANE_INLINE typename LanesOf<W>::Real OfJoints(const LanePlan& plan, int r,
                                                       const double* values) {
-  const int* joint = plan.row_joint.data() + r * W;
-  const typename LanesOf<W>::Real sign = Load<W>(plan.row_sign.data() + r * W);
-  if constexpr (W == 1) {
-    return sign * values[*joint];
-  } else {
-    return sign * typename LanesOf<W>::Real{values[joint[0]], values[joint[1]], values[joint[2]],
-                                            values[joint[3]]};
-  }
+  return Load<W>(plan.row_sign.data() + r * W) * Collect<W>(values, plan.row_joint.data() + r * W);
 }
 
 template <int W>
@@ -104,13 +85,10 @@ void SetGiven(const LanePlan& plan, const double* values, double* scratch) {
 
 template <int W>
 void GetGiven(const LanePlan& plan, const double* scratch, double* values) {
-  const double* rows = scratch + plan.row(0) + LaneRow::kGiven * W;
-  const double* sign = plan.row_sign.data();
-  const int n = static_cast<int>(plan.joint_cell.size());
-  for (int j = 0; j < n; ++j) {
-    const int cell = plan.joint_cell[j];
-    values[j] = sign[cell] * rows[cell / W * (LaneRow::kFields * W) + cell % W];
-  }
+  const int n = static_cast<int>(plan.joint_at.size());
+  const int* at = plan.joint_at.data();
+  const double *sign = plan.joint_sign.data(), *given = scratch + LaneRow::kGiven * W;
+  for (int j = 0; j < n; ++j) values[j] = sign[j] * given[at[j]];
 }
 
 // The angles that are too large for the polynomials.
@@ -143,7 +121,7 @@ void SetTurns(const LanePlan& plan, const double* q, const double* qd, double* s
     Store<W>(row + LaneRow::kCosine * W, cosine);
     Store<W>(row + LaneRow::kRate * W, OfJoints<W>(plan, r, qd));
   }
-  if (AnySet<W>(large)) SetLargeTurns<W>(plan, q, scratch);
+  if (AnySet(large)) SetLargeTurns<W>(plan, q, scratch);
 }
 
 // Motion of a body, in its own axes: w, alpha, and a of its origin.
@@ -230,6 +208,7 @@ void Start(const LanePlan& plan, const double* q, const double* qd, const double
     SetGiven<W>(plan, qdd, scratch);
     MoveBodies<W, true>(plan, scratch);
   }
+  LeaveLanes();
 }
 
 // Back across a hinge: its torque is the moment about it.
@@ -271,4 +250,5 @@ void Torques(const LanePlan& plan, double* tau, double* scratch) {
     StoreTriple<W>(view.field(LaneState::kLoad + 3), across.f);
   }
   GetGiven<W>(plan, scratch, tau);
+  LeaveLanes();
 }

@@ -61,5 +61,5 @@ HAZUMI_LANE_INLINE void SineAndCosine(typename LanesOf<W>::Real x, typename Lane
 template <int W>
 HAZUMI_LANE_INLINE typename LanesOf<W>::Bits IsLarge(typename LanesOf<W>::Real x) {
   const typename LanesOf<W>::Real zero = {};
-  return ~(Greater<W>(x, zero - kLargestAngle) & Greater<W>(zero + kLargestAngle, x));
+  return ~(Greater(x, zero - kLargestAngle) & Greater(zero + kLargestAngle, x));
 }
