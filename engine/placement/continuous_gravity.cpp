@@ -1,0 +1,198 @@
+#include "engine/placement/continuous_gravity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/placement/root_placement.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr double kDeeper = 1e-9;     // [m]
+constexpr double kSameTime = 1e-10;  // [s]
+
+// Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
+template <typename Function>
+double Root(double t0, double f0, double t1, double f1, Function&& f) {
+  f0 = std::min(f0, 0.0);
+  for (int i = 0; i < 100 && t1 - t0 > kSameTime; ++i) {
+    double t = i % 3 == 2 || f1 == f0 ? 0.5 * (t0 + t1) : (t0 * f1 - t1 * f0) / (f1 - f0);
+    if (!(t > t0 && t < t1)) t = 0.5 * (t0 + t1);
+    const double value = f(t);
+    (value > 0.0 ? t1 : t0) = t;
+    (value > 0.0 ? f1 : f0) = value;
+  }
+  return t1;
+}
+
+}  // namespace
+
+ContinuousGravity::ContinuousGravity(const Figure& figure, const std::vector<SceneObject>& scene,
+                                     const PlacementSpan& span, double gravity)
+    : figure_(figure), scene_(scene), span_(span), g_(0.0, 0.0, -gravity) {}
+
+void ContinuousGravity::PinAt(std::optional<GroupIndex> named, const Contact& contact,
+                              const DynamicsWorkspace& ws) {
+  pin_ = named ? *named : NearestGroup(figure_, ws, contact.point);
+  pin_W_ = ws.body(pin_joint()).p;
+  normal_ = contact.normal;
+}
+
+void ContinuousGravity::Fly(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+  start_ = t;
+  com_ = CenterOfMass(figure_, *ws);
+  com_v_ = CenterOfMassVelocity(figure_, *ws);
+}
+
+void ContinuousGravity::Start(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  Fly(t, motion, ws);
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+  allowed_ = 0.0;
+  if (contact && contact->clearance <= kTouching) PinAt(span_.pin, *contact, *ws);
+}
+
+void ContinuousGravity::MassesChanged(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  if (!pin_) Fly(t, motion, ws);
+}
+
+void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
+  if (pin_) return PinRoot(figure_, pin_joint(), pin_W_, ws, motion);
+  const double s = t - start_;
+  PlaceCenterOfMass(figure_, com_ + com_v_ * s + 0.5 * g_ * s * s, com_v_ + g_ * s, ws, motion);
+}
+
+FigureMotion ContinuousGravity::PlacedAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+  FigureMotion motion;
+  pose(t, &motion);
+  Place(t, ws, &motion);
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  return motion;
+}
+
+double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+  PlacedAt(t, pose, ws);
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+  return contact ? contact->clearance : kFree;
+}
+
+std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
+                                                          DynamicsWorkspace* ws) {
+  if (pin_) return FindTakeOff(t0, t1, pose, ws);
+  std::optional<GravityEvent> first = FindLanding(t0, t1, pose, ws);
+  const double apex = g_.z() < 0.0 ? start_ + com_v_.z() / -g_.z() : kFree;
+  if (apex > t0 && apex <= (first ? first->time : t1)) {
+    return GravityEvent{GravityEvent::Kind::kApex, apex};
+  }
+  return first;
+}
+
+// How much faster than freely the pinned CoM would have to fall, along the ground's normal: the
+// pin's normal force for each kilogram, negated. By differences of the CoM's velocity within
+// [t0, t1].
+double ContinuousGravity::Lift(double t, double t0, double t1, const Pose& pose,
+                               DynamicsWorkspace* ws) const {
+  const double h = std::min(1e-5, (t1 - t0) / 4.0);
+  const double middle = std::clamp(t, t0 + h, t1 - h);
+  const auto velocity = [&](double s) {
+    const FigureMotion motion = PlacedAt(s, pose, ws);
+    ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+    return CenterOfMassVelocity(figure_, *ws).dot(normal_);
+  };
+  const double v0 = velocity(middle - h), v1 = velocity(middle), v2 = velocity(middle + h);
+  const double acceleration = (v2 - v0) / (2.0 * h) + (v2 - 2.0 * v1 + v0) / (h * h) * (t - middle);
+  return g_.dot(normal_) - acceleration;
+}
+
+std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
+                                                           DynamicsWorkspace* ws) const {
+  constexpr int kLooks = 4;
+  const auto lift = [&](double t) { return Lift(t, t0, t1, pose, ws); };
+  const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
+  double before = t0, lift_before = lift(t0), lost_before = lost(t0);
+  const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
+  if (lift_before > 0.0 || lost_before > 0.0) return take_off(t0);
+  for (int look = 1; look <= kLooks; ++look) {
+    const double t = look == kLooks ? t1 : t0 + (t1 - t0) * look / kLooks;
+    const double lift_now = lift(t), lost_now = lost(t);
+    double first = kFree;
+    if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, lift);
+    if (lost_now > 0.0) first = std::min(first, Root(before, lost_before, t, lost_now, lost));
+    if (first < kFree) return take_off(first);
+    before = t;
+    lift_before = lift_now;
+    lost_before = lost_now;
+  }
+  return std::nullopt;
+}
+
+// No point of the figure is faster than this during [t0, t1] [m/s]: the fastest of a few looks and
+// a third more.
+double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
+                                     DynamicsWorkspace* ws) const {
+  constexpr int kLooks = 4;
+  double fastest = 0.0;
+  for (int look = 0; look <= kLooks; ++look) {
+    const FigureMotion motion = PlacedAt(t0 + (t1 - t0) * look / kLooks, pose, ws);
+    ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+    for (const Link& link : figure_.links()) {
+      const BodyScratch& body = ws->body(link.joint);
+      for (const Vec3& end : {link.capsule.a, link.capsule.b}) {
+        const double speed = (body.v + body.w.cross(body.R * end)).norm();
+        fastest = std::max(fastest, speed + body.w.norm() * link.capsule.radius);
+      }
+    }
+  }
+  return 1.33 * fastest + 1e-3;
+}
+
+// Conservative advancement: from a time with clearance c nothing is touched for c / speed seconds.
+// Touching within kTouching, as just after take-off, it goes on in short steps.
+std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1, const Pose& pose,
+                                                           DynamicsWorkspace* ws) {
+  const auto depth = [&](double t) { return allowed_ - ClearanceAt(t, pose, ws); };
+  const double speed = SpeedBound(t0, t1, pose, ws);
+  double t = t0, gap = -depth(t0);
+  bool is_leaving = true;
+  while (t < t1) {
+    const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
+    const double next = std::min(t1, t + std::max(gap / speed, least));
+    const double next_gap = -depth(next);
+    if (next_gap < -kDeeper) {
+      const auto deeper = [&](double s) { return depth(s); };
+      return GravityEvent{GravityEvent::Kind::kLanding, Root(t, -gap, next, -next_gap, deeper)};
+    }
+    is_leaving = next_gap > gap;
+    t = next;
+    gap = next_gap;
+    // What was deep at take-off counts as ground only until it has come up.
+    const double raised = std::min(0.0, allowed_ + gap);
+    if (raised > allowed_) {
+      gap -= raised - allowed_;
+      allowed_ = raised;
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 ContinuousGravity::Happen(const GravityEvent& event, const FigureMotion& motion,
+                               DynamicsWorkspace* ws) {
+  if (event.kind == GravityEvent::Kind::kApex) return Vec3::Zero();
+  if (event.kind == GravityEvent::Kind::kTakeOff) {
+    Fly(event.time, motion, ws);
+    const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+    allowed_ = contact ? std::min(0.0, contact->clearance) : 0.0;
+    pin_.reset();
+    return Vec3::Zero();
+  }
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+  PinAt(span_.landing_pin, *NearestContact(figure_, scene_, *ws), *ws);
+  return ws->body(pin_joint()).v;
+}
+
+}  // namespace hazumi
