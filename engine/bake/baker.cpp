@@ -37,36 +37,54 @@ Error CannotGoOn(std::string place, std::string message) {
 
 }  // namespace
 
-Baker::Baker(const Animation& animation, const BakeOptions& options)
+Baker::Baker(const Animation& animation, const BakeOptions& options, std::vector<double> sharpness)
     : animation_(animation),
       cancel_(options.cancel),
       figure_(WithHeldObjects(animation)),
       ws_(figure_),
       curves_(animation),
       key_frames_(AllKeyFrames(animation)),
-      free_(figure_.num_joints(), 0) {
+      free_(figure_.num_joints(), 0),
+      sharpness_(std::move(sharpness)),
+      has_twin_(figure_.num_joints() + kRootAngles, 0) {
   motion_.rate = options.output_rate.value_or(animation.rate);
   for (const HeldObject& object : animation.held_objects) {
     objects_.emplace_back(figure_, object, animation.gravity);
   }
   for (const DynamicsRegion& region : animation.regions) {
-    motion_.regions.push_back({region.name, region.method,
-                               region.step.value_or(animation.solver.step), 0, 0, 0, 0.0,
-                               static_cast<int>(region.joints.size()), figure_.num_joints()});
+    RegionReport report;
+    report.name = region.name;
+    report.method = region.method;
+    report.step = region.step.value_or(animation.solver.step);
+    report.tolerance = region.tolerance.value_or(animation.solver.tolerance);
+    report.free_joints = static_cast<int>(region.joints.size());
+    report.all_joints = figure_.num_joints();
+    motion_.regions.push_back(std::move(report));
   }
   const VecX zero = VecX::Zero(figure_.num_joints());
   now_.q = now_.qd = now_.qdd = zero;
+  driven_.angles.resize(figure_.num_joints() + kRootAngles);
+  twin_.q = twin_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
+  root_.q = root_.qd = VecX::Zero(kRootAngles);
 }
 
 Result<Motion> Baker::Run() {
   if (auto error = Evaluate(animation_.first_frame, Side::kBefore, &now_)) return *error;
   before_ = LimitOf(now_);
-  for (int frame = animation_.first_frame;; ++frame) {
+  for (int frame = animation_.first_frame;;) {
     if (auto error = CrossFrame(frame)) return *error;
     RecordIfOutput();
     if (frame == animation_.last_frame) break;
-    if (auto error = AdvanceFrame(frame)) return *error;
+    if (IsExact(frame)) {
+      const Result<int> next = AdvanceExact(frame);
+      if (!next.ok()) return next.error();
+      frame = next.value();
+    } else {
+      if (auto error = AdvanceFrame(frame)) return *error;
+      ++frame;
+    }
   }
+  if (exact_) TakeReports();
   std::stable_sort(motion_.events.begin(), motion_.events.end(),
                    [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
   return std::move(motion_);
@@ -111,9 +129,7 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
       driver_->Advance(now_, root_hold(), seconds, &ws_, &next->q, &next->qd, &stops);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) {
-    return CannotGoOn(RegionPlace(failure->joint),
-                      "cannot go on after frame " + FormatShort(now_.frame) + ": joint \"" +
-                          figure_.joint(failure->joint).name + "\": " + failure->cause);
+    return CannotGoOnAfter(now_.frame, failure->joint, failure->cause);
   }
   for (const int r : driver_->active()) {
     RegionReport& report = motion_.regions[r];
@@ -150,9 +166,17 @@ Baker::Failure Baker::StepPlacement(double frame_from, double seconds, Side side
   return std::nullopt;
 }
 
+// An invalid joint is the root.
+Error Baker::CannotGoOnAfter(double frame, JointIndex joint, const std::string& cause) const {
+  const std::string who = joint.is_valid() ? "joint \"" + figure_.joint(joint).name + "\""
+                                           : "root \"" + figure_.root_name() + "\"";
+  return CannotGoOn(RegionPlace(joint.is_valid() ? std::optional(joint) : std::nullopt),
+                    "cannot go on after frame " + FormatShort(frame) + ": " + who + ": " + cause);
+}
+
 // "regions[1]", where it is known which: the one that moves the joint, or the only active one.
 std::string Baker::RegionPlace(std::optional<JointIndex> joint) const {
-  std::vector<int> candidates = driver_->active();
+  std::vector<int> candidates = driver_ ? driver_->active() : exact_->active();
   std::erase_if(candidates, [&](int r) {
     const auto& joints = animation_.regions[r].joints;
     return joint && !std::binary_search(joints.begin(), joints.end(), *joint);
@@ -177,13 +201,15 @@ Baker::Failure Baker::FinishLanding() {
 Baker::Failure Baker::Evaluate(double frame, Side side, FigureMotion* motion) {
   motion->frame = frame;
   curves_.SampleJoints(frame, side, free_, motion);
-  curves_.SampleRootOrientation(frame, side, motion);
+  TurnRoot(frame, side, motion);
   PlaceRoot(frame, side, motion);
   return SolveHolds(frame, side, motion);
 }
 
 void Baker::PlaceRoot(double frame, Side side, FigureMotion* motion) {
-  if (gravity_) {
+  if (fall_) {
+    fall_->Place(Seconds(frame), &ws_, motion);
+  } else if (gravity_) {
     gravity_->Place(&ws_, motion);
   } else if (span_ && span_->kind == PlacementKind::kPinned) {
     PinRoot(figure_, figure_.group(*span_->pin).first, pin_W_, &ws_, motion);
@@ -218,6 +244,28 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
   return std::nullopt;
 }
 
+namespace {
+
+// Bakes again, with finer steps, where the estimate says that a region misses its tolerance.
+Result<Motion> BakeWithinTolerance(const Animation& animation, const BakeOptions& options) {
+  constexpr int kTries = 4;
+  std::vector<double> sharpness(animation.regions.size(), 1.0);
+  for (int i = 0;; ++i) {
+    Result<Motion> motion = Baker(animation, options, sharpness).Run();
+    if (!motion.ok() || i == kTries) return motion;
+    bool missed = false;
+    for (size_t r = 0; r < sharpness.size(); ++r) {
+      const RegionReport& report = motion.value().regions[r];
+      if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
+      sharpness[r] *= 3.0 * report.error_estimate / report.tolerance;
+      missed = true;
+    }
+    if (!missed) return motion;
+  }
+}
+
+}  // namespace
+
 Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
   const auto falls = [](const PlacementSpan& span) { return span.kind == PlacementKind::kGravity; };
   const auto& spans = animation.placements;
@@ -226,7 +274,7 @@ Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
     return CannotGoOn("placements[" + std::to_string(span - spans.begin()) + "]",
                       "the figure has no joint that could be pinned where it lands; give it one");
   }
-  return Baker(animation, options).Run();
+  return BakeWithinTolerance(animation, options);
 }
 
 }  // namespace hazumi

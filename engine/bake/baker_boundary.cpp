@@ -17,6 +17,7 @@ Baker::Failure Baker::CrossFrame(int frame) {
   const bool begun = BeginRegions(frame) | BeginHolds(frame);
   const bool placed = BeginPlacement(frame, was_keyed);
   if (ended || begun) RebuildDriver(frame);
+  exact_begun_ &= !ended && !unplaced && !released && !begun && !placed;
   const bool key_here = std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
   if (!ended && !unplaced && !released && !begun && !placed && !key_here) return std::nullopt;
   if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
@@ -35,6 +36,7 @@ bool Baker::EndRegions(int frame) {
     const DynamicsRegion& region = animation_.regions[r];
     if (!Ends(region.last_frame, frame)) continue;
     any = true;
+    if (region.root) EndRoot(frame);
     for (const JointIndex j : region.joints) {
       free_[j.value()] = 0;
       curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()]);
@@ -42,6 +44,26 @@ bool Baker::EndRegions(int frame) {
     }
   }
   return any;
+}
+
+// The root's curves go on from the angles that the region left.
+void Baker::EndRoot(int frame) {
+  root_free_ = false;
+  for (int i = 0; i < kRootAngles; ++i) {
+    curves_.root(kRootAngleZ + i).Resume(frame, root_.q[i], root_.qd[i]);
+  }
+}
+
+void Baker::BeginRoot(int frame) {
+  if (root_free_) return;
+  root_free_ = true;
+  const bool is_first = frame == animation_.first_frame;
+  const RootAngles angles = curves_.RootAnglesAt(frame, is_first ? Side::kAfter : Side::kBefore);
+  for (int i = 0; i < kRootAngles; ++i) {
+    const Key* key = curves_.root(kRootAngleZ + i).KeyAt(frame);
+    root_.q[i] = angles.angle[i];
+    root_.qd[i] = key && key->rate ? *key->rate : angles.rate[i];
+  }
 }
 
 bool Baker::HasRegionFrom(int frame, JointIndex j) const {
@@ -81,6 +103,7 @@ bool Baker::EndPlacement(int frame) {
     }
   }
   gravity_.reset();
+  fall_.reset();
   span_ = nullptr;
   return true;
 }
@@ -104,6 +127,7 @@ bool Baker::ReleaseObjects(int frame) {
     figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
   }
   if (gravity_) gravity_->MassesChanged(now_, &ws_);
+  if (fall_) fall_->MassesChanged(Seconds(frame), now_, &ws_);
   return true;
 }
 
@@ -112,8 +136,10 @@ bool Baker::BeginRegions(int frame) {
   for (const DynamicsRegion& region : animation_.regions) {
     if (region.first_frame != frame) continue;
     any = true;
+    if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) {
-      const bool handed_over = driver_ && driver_->is_free(j);
+      const bool handed_over =
+          (driver_ && driver_->is_free(j)) || (exact_ && exact_->is_free(j.value()));
       StartFreeJoint(j, frame, handed_over);
     }
   }
@@ -138,7 +164,15 @@ void Baker::RebuildDriver(int frame) {
     }
   }
   driver_.reset();
+  if (exact_) TakeReports();
+  exact_.reset();
   if (active.empty()) return;
+  if (IsExact(frame)) {
+    double sharpness = 1.0;
+    for (const int r : active) sharpness = std::max(sharpness, sharpness_[r]);
+    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness);
+    return;
+  }
   driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);
   for (const int r : active) ReportStep(r, frame);
 }
@@ -177,8 +211,13 @@ bool Baker::BeginPlacement(int frame, bool was_keyed) {
     }
     if (span.kind == PlacementKind::kGravity) {
       if (was_keyed) TakeKeyedVelocity(frame);
-      gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
-      gravity_->Start(now_, &ws_);
+      if (animation_.solver.method == Method::kExact) {
+        fall_.emplace(figure_, animation_.scene, span, animation_.gravity);
+        fall_->Start(Seconds(frame), now_, &ws_);
+      } else {
+        gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
+        gravity_->Start(now_, &ws_);
+      }
     }
     AddPinEvent(frame);
     return true;
@@ -192,7 +231,7 @@ bool Baker::BeginPlacement(int frame, bool was_keyed) {
 void Baker::TakeKeyedVelocity(int frame) {
   if (frame == animation_.first_frame) {
     curves_.SampleJoints(frame, Side::kAfter, free_, &now_);
-    curves_.SampleRootOrientation(frame, Side::kAfter, &now_);
+    TurnRoot(frame, Side::kAfter, &now_);
     curves_.SampleRootPosition(frame, Side::kAfter, &now_);
   }
   for (int i = 0; i < 3; ++i) {

@@ -111,12 +111,14 @@ void Baker::AddWarning(const std::string& place, const std::string& message) {
 
 std::optional<GroupIndex> Baker::pinned() const {
   if (gravity_) return gravity_->pin();
+  if (fall_) return fall_->pin();
   if (span_ && span_->kind == PlacementKind::kPinned) return span_->pin;
   return std::nullopt;
 }
 
 RootHold Baker::root_hold() const {
   if (gravity_ && !gravity_->pin()) return {RootCoupling::kFlight, JointIndex()};
+  if (fall_ && !fall_->pin()) return {RootCoupling::kFlight, JointIndex()};
   if (const auto pin = pinned()) return {RootCoupling::kPinned, figure_.group(*pin).first};
   return {RootCoupling::kPrescribed, JointIndex()};
 }

@@ -46,6 +46,13 @@ CurveSample CurveTrack::At(double frame) {
   return Evaluate(segments_[i], frame);
 }
 
+CurveTrack::Piece CurveTrack::PieceAt(double frame) {
+  PlanUpTo(frame);
+  size_t i = segments_.size() - 1;
+  while (segments_[i].first_frame > frame) --i;
+  return segments_[i];
+}
+
 CurveSample CurveTrack::Before(double frame) {
   PlanUpTo(frame);
   size_t i = segments_.size() - 1;

@@ -1,0 +1,256 @@
+#include "engine/bake/exact_driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hazumi {
+
+namespace {
+
+// A step's error is a small part of what is allowed at the end, since errors grow on the way.
+constexpr double kStepShare = 0.1;
+constexpr double kTwinCoarseness = 20.0;
+// The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
+constexpr double kEstimateShare = 0.3;
+
+// Friction is a factor per 1/30 s. [METHOD 2]
+double FrictionRate(double factor) { return -30.0 * std::log(factor); }
+
+std::string CauseOf(ExactFailure::Cause cause) {
+  if (cause == ExactFailure::Cause::kTooManyEvaluations) {
+    return "it takes too many evaluations; ask for less accuracy";
+  }
+  return "its motion changes faster than any step can follow; ask for less accuracy, more friction "
+         "or lower rates";
+}
+
+VecX Gather(const std::vector<FreeHinge>& hinges, const VecX& all) {
+  VecX some(hinges.size());
+  for (size_t i = 0; i < hinges.size(); ++i) some[i] = all[hinges[i].coordinate];
+  return some;
+}
+
+}  // namespace
+
+ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
+                         double sharpness)
+    : animation_(animation),
+      figure_(figure),
+      active_(std::move(active)),
+      sharpness_(sharpness),
+      region_of_(figure.num_joints() + kRootAngles, -1),
+      friction_(figure.num_joints() + kRootAngles, 1.0),
+      estimates_(active_.size(), 0.0) {
+  for (size_t a = 0; a < active_.size(); ++a) {
+    const DynamicsRegion& region = animation.regions[active_[a]];
+    for (size_t i = 0; i < region.joints.size(); ++i) {
+      region_of_[region.joints[i].value()] = static_cast<int>(a);
+      friction_[region.joints[i].value()] = region.friction[i];
+    }
+    if (!region.root) continue;
+    for (int i = 0; i < kRootAngles; ++i) {
+      region_of_[figure.num_joints() + i] = static_cast<int>(a);
+    }
+  }
+}
+
+// A joint whose friction is 0 is frozen: no unknown. [METHOD 2]
+ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold& hold,
+                                     const DrivenMotion& driven) const {
+  ModelRequest request;
+  request.angles = state.q;
+  request.coupling = hold.coupling;
+  request.pin = hold.pin;
+  const int n = figure_.num_joints();
+  for (Coordinate c = 0; c < n + kRootAngles; ++c) {
+    Role role = driven.angles[c].degree > 0 ? Role::kDriven : Role::kConstant;
+    if (is_free(c)) role = friction_[c] > 0.0 ? Role::kFree : Role::kConstant;
+    request.roles.push_back(role);
+  }
+  const auto root = request.roles.begin() + n;
+  if (std::find(root, request.roles.end(), Role::kDriven) != request.roles.end()) {
+    std::fill(root, request.roles.end(), Role::kDriven);
+  }
+  return request;
+}
+
+ExactDriver::Group ExactDriver::MakeGroup(const RegionModel& model) const {
+  VecX friction(model.num_free), lower(model.num_free), upper(model.num_free);
+  Group group;
+  group.step_tolerance = std::numeric_limits<double>::infinity();
+  int i = 0;
+  for (const ModelNode& node : model.nodes) {
+    for (int h = 0; h < node.num_hinges && node.role == Role::kFree; ++h, ++i) {
+      const Coordinate c = node.hinges[h].coordinate;
+      const bool is_joint = c < figure_.num_joints();
+      friction[i] = FrictionRate(friction_[c]);
+      lower[i] = is_joint ? figure_.joints()[c].lower : -std::numeric_limits<double>::infinity();
+      upper[i] = is_joint ? figure_.joints()[c].upper : std::numeric_limits<double>::infinity();
+      const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
+      group.step_tolerance =
+          std::min(group.step_tolerance, region.tolerance.value_or(animation_.solver.tolerance));
+    }
+  }
+  group.step_tolerance *= kStepShare / sharpness_;
+  group.main = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
+  group.twin = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
+  group.main->solver.SetTolerance(group.step_tolerance);
+  group.twin->solver.SetTolerance(kTwinCoarseness * group.step_tolerance);
+  return group;
+}
+
+template <typename Action>
+void ExactDriver::ForEachRun(Action&& action) {
+  for (Group& group : groups_) {
+    action(group.main.get());
+    action(group.twin.get());
+  }
+}
+
+void ExactDriver::StartRun(Run* run, double t, const RotationState& state) const {
+  run->solver.Start(t, Gather(run->dynamics.hinges(), state.q),
+                    Gather(run->dynamics.hinges(), state.qd));
+}
+
+void ExactDriver::CountFinished() {
+  ForEachRun([this](Run* run) { finished_evaluations_ += run->dynamics.evaluations(); });
+  for (const Group& group : groups_) finished_steps_ += group.main->solver.steps();
+}
+
+void ExactDriver::Begin(double t, const RotationState& state, const RotationState& twin,
+                        const RootHold& hold, const DrivenMotion& driven) {
+  CountFinished();
+  hold_ = hold;
+  const ModelRequest request = RequestFor(state, hold, driven);
+  roles_ = request.roles;
+  angles_ = request.angles;
+  groups_.clear();
+  for (const RegionModel& model : CompileRegionModels(figure_, request)) {
+    groups_.push_back(MakeGroup(model));
+    Group& group = groups_.back();
+    group.main->dynamics.SetDriven(&driven);
+    group.twin->dynamics.SetDriven(&driven);
+    StartRun(group.main.get(), t, state);
+    StartRun(group.twin.get(), t, twin);
+  }
+}
+
+void ExactDriver::Drive(const RotationState& state, const DrivenMotion& driven) {
+  const ModelRequest request = RequestFor(state, hold_, driven);
+  bool same = request.roles == roles_;
+  for (size_t c = 0; c < roles_.size() && same; ++c) {
+    same = roles_[c] != Role::kConstant || request.angles[c] == angles_[c];
+  }
+  if (!same) {
+    const double t = time();
+    RotationState main = state, twin = state;
+    Sample(t, &main);
+    SampleTwin(t, &twin);
+    return Begin(t, main, twin, hold_, driven);
+  }
+  ForEachRun([&](Run* run) {
+    run->dynamics.SetDriven(&driven);
+    run->solver.Restart();
+  });
+}
+
+void ExactDriver::FeelPin(const Vec3& v_pin) {
+  ForEachRun([&](Run* run) { run->solver.FeelPin(v_pin); });
+}
+
+std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
+  std::optional<Failure> failure;
+  ForEachRun([&](Run* run) {
+    while (!failure && run->solver.time() <= t && run->solver.time() < end) {
+      const std::optional<ExactFailure> stuck = run->solver.Advance(end);
+      if (!stuck) continue;
+      const Coordinate c = run->dynamics.hinges()[stuck->hinge].coordinate;
+      const bool is_joint = c < figure_.num_joints();
+      failure = Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(stuck->cause)};
+    }
+  });
+  return failure;
+}
+
+double ExactDriver::time() const {
+  double time = std::numeric_limits<double>::infinity();
+  for (const Group& group : groups_) {
+    time = std::min({time, group.main->solver.time(), group.twin->solver.time()});
+  }
+  return time;
+}
+
+void ExactDriver::Sample(double t, RotationState* state) {
+  for (Group& group : groups_) {
+    group.main->solver.Sample(t, &q_, &qd_);
+    const auto& hinges = group.main->dynamics.hinges();
+    for (size_t i = 0; i < hinges.size(); ++i) {
+      state->q[hinges[i].coordinate] = q_[i];
+      state->qd[hinges[i].coordinate] = qd_[i];
+    }
+  }
+}
+
+void ExactDriver::SampleTwin(double t, RotationState* state) {
+  for (Group& group : groups_) {
+    group.twin->solver.Sample(t, &q_, &qd_);
+    const auto& hinges = group.twin->dynamics.hinges();
+    for (size_t i = 0; i < hinges.size(); ++i) {
+      state->q[hinges[i].coordinate] = q_[i];
+      state->qd[hinges[i].coordinate] = qd_[i];
+    }
+  }
+}
+
+std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
+  std::vector<Hit> hits;
+  for (Group& group : groups_) {
+    for (const StopHit& hit : group.main->solver.TakeHits()) {
+      hits.push_back({hit.time, group.main->dynamics.hinges()[hit.hinge].coordinate});
+    }
+    group.twin->solver.TakeHits();
+  }
+  return hits;
+}
+
+void ExactDriver::Estimate(double t) {
+  for (Group& group : groups_) {
+    const auto& hinges = group.main->dynamics.hinges();
+    group.main->solver.Sample(t, &q_, &qd_);
+    group.twin->solver.Sample(t, &q_twin_, &qd_twin_);
+    group.main->dynamics.Distances(q_, q_twin_, &distances_);
+    for (size_t i = 0; i < hinges.size(); ++i) {
+      double& estimate = estimates_[region_of_[hinges[i].coordinate]];
+      estimate = std::max({estimate, group.step_tolerance, kEstimateShare * distances_[i]});
+    }
+  }
+}
+
+long ExactDriver::evaluations() const {
+  long sum = finished_evaluations_;
+  for (const Group& group : groups_) {
+    sum += group.main->dynamics.evaluations() + group.twin->dynamics.evaluations();
+  }
+  return sum;
+}
+
+long ExactDriver::steps() const {
+  long sum = finished_steps_;
+  for (const Group& group : groups_) sum += group.main->solver.steps();
+  return sum;
+}
+
+std::vector<int> ExactDriver::group_sizes() const {
+  std::vector<int> sizes;
+  for (const Group& group : groups_) sizes.push_back(group.main->dynamics.num_hinges());
+  return sizes;
+}
+
+int ExactDriver::num_bodies() const {
+  int sum = 0;
+  for (const Group& group : groups_) sum += group.main->dynamics.model().num_bodies;
+  return sum;
+}
+
+}  // namespace hazumi

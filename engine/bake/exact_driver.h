@@ -1,0 +1,107 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/region_driver.h"
+#include "engine/passive/exact_solver.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// All rotations of a figure, by Coordinate: N hinges, then the root's about z, y, x.
+struct RotationState {
+  VecX q, qd;  // [rad, rad/s]
+};
+
+// Moves the joints of all exact regions that are active at one time, in continuous time. Each group
+// of joints that feel each other takes its own steps. Beside every group runs a twin with a coarser
+// tolerance: how far they get apart tells how far the solution may be off.
+class ExactDriver {
+ public:
+  // `active`: indices of Animation::regions. `figure` must outlive the driver. `sharpness`: divides
+  // the tolerances of single steps.
+  ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
+              double sharpness);
+
+  const std::vector<int>& active() const { return active_; }
+  bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
+  // Free in name, but with friction 0: it keeps its angle.
+  bool is_frozen(Coordinate c) const { return friction_[c] == 0.0; }
+
+  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` must
+  // outlive its use. Twins go on from `twin` where a coordinate was free before.
+  void Begin(double t, const RotationState& state, const RotationState& twin, const RootHold& hold,
+             const DrivenMotion& driven);
+  // Goes on with new curves.
+  void Drive(const RotationState& state, const DrivenMotion& driven);
+  // A pin that moved with v_pin was stopped at the time where the driver began.
+  void FeelPin(const Vec3& v_pin);
+
+  struct Failure {
+    JointIndex joint;
+    std::string cause;
+  };
+  // Steps every group that has not got beyond t, at most to `end`.
+  std::optional<Failure> Advance(double t, double end);
+  // How far all groups have got [s].
+  double time() const;
+  // The free coordinates at a time between the last two values of time().
+  void Sample(double t, RotationState* state);
+  // The twins' at time().
+  void SampleTwin(double t, RotationState* state);
+
+  struct Hit {
+    double time;
+    Coordinate coordinate;
+  };
+  std::vector<Hit> TakeHits();
+
+  // Compares with the twins at time t and keeps the largest estimate of each active region.
+  void Estimate(double t);
+  // By index in active() [rad].
+  const std::vector<double>& estimates() const { return estimates_; }
+  long evaluations() const;
+  long steps() const;
+  std::vector<int> group_sizes() const;
+  int num_bodies() const;
+
+ private:
+  struct Run {
+    RegionDynamics dynamics;
+    ExactSolver solver;
+    Run(const RegionModel& model, const VecX& friction, double gravity, const VecX& lower,
+        const VecX& upper)
+        : dynamics(model, friction, gravity), solver(&dynamics, lower, upper) {}
+  };
+  struct Group {
+    std::unique_ptr<Run> main, twin;
+    double step_tolerance = 0.0;
+  };
+
+  ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
+                          const DrivenMotion& driven) const;
+  Group MakeGroup(const RegionModel& model) const;
+  void StartRun(Run* run, double t, const RotationState& state) const;
+  void CountFinished();
+  template <typename Action>
+  void ForEachRun(Action&& action);
+
+  const Animation& animation_;
+  const Figure& figure_;
+  std::vector<int> active_;
+  double sharpness_;
+  std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
+  std::vector<double> friction_;  // by Coordinate: factor
+  RootHold hold_;
+  std::vector<Role> roles_;  // of the models, by Coordinate
+  VecX angles_;              // where constant [rad]
+  std::vector<Group> groups_;
+  std::vector<double> estimates_;
+  long finished_evaluations_ = 0, finished_steps_ = 0;
+  VecX q_, qd_, q_twin_, qd_twin_, distances_;  // scratch
+};
+
+}  // namespace hazumi
