@@ -13,5 +13,6 @@ std::vector<Question> RandomQuestions(const Figure& figure, int count);
 // timing a wrong model would be worthless. Of the forward dynamics, whose answer may be
 // ill-conditioned, the torques that our inverse dynamics gives for it.
 void DemandAgreement(const NamedMaker& maker, const Figure& figure);
+void DemandForwardAgreement(const NamedMaker& maker, const Figure& figure);
 
 }  // namespace hazumi::bench

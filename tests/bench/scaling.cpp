@@ -24,7 +24,7 @@ struct Method {
 const std::vector<Method> kMethods = {{{"hazumi_paper_way", MakeHazumiPaperWay}, 500, 500},
                                       {{"hazumi_composite", MakeHazumiComposite}, 1000, 1000},
                                       {{"hazumi_articulated", MakeHazumi}, 10000, 10000},
-                                      {{"mujoco", MakeMujoco}, 500, 2000},
+                                      {{"mujoco", MakeMujoco}, 90, 2000},
                                       {{"simbody", MakeSimbody}, 10000, 10000},
                                       {{"bullet", MakeBullet}, 10000, 10000},
                                       {{"dart", MakeDart}, 1000, 1000}};
@@ -62,7 +62,7 @@ void PrintFigure(const Figure& figure, const char* shape, int Method::*largest, 
 
 void PrintScaling(int rounds) {
   std::puts("method,shape,joints,microseconds");
-  for (const int joints : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}) {
+  for (const int joints : {1, 2, 5, 10, 20, 50, 90, 200, 500, 1000, 2000, 5000, 10000}) {
     PrintFigure(Chain(joints), "chain", &Method::largest_chain, rounds);
     PrintFigure(BinaryTree(joints), "tree", &Method::largest_tree, rounds);
   }

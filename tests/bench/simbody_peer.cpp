@@ -136,12 +136,9 @@ std::unique_ptr<Subject> MakeSimbodyWithBalls(const Figure& figure) {
 std::vector<SwingMethod> SimbodyMethods(const Figure& arm) {
   const auto hinges = std::make_shared<SimbodyFigure>(arm, Threes::kHinges);
   const auto ball = std::make_shared<SimbodyFigure>(arm, Threes::kBall);
-  return {Method("simbody_merson", SimbodyIntegrator::kMerson, 12, hinges),
+  return {Method("simbody_merson", SimbodyIntegrator::kMerson, 11, hinges),
           Method("simbody_fehlberg", SimbodyIntegrator::kFehlberg, 12, hinges),
-          Method("simbody_rk3", SimbodyIntegrator::kRungeKutta3, 8, hinges),
-          Method("simbody_cpodes", SimbodyIntegrator::kCPodes, 12, hinges),
-          Method("simbody_verlet", SimbodyIntegrator::kVerlet, 5, hinges),
-          Method("simbody_merson_ball", SimbodyIntegrator::kMerson, 12, ball)};
+          Method("simbody_merson_ball", SimbodyIntegrator::kMerson, 11, ball)};
 }
 
 }  // namespace hazumi::bench

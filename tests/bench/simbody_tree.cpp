@@ -146,21 +146,15 @@ void SimbodyTree::System::Integrate(double accuracy, double seconds) {
   integrator.setFinalTime(seconds);
   integrator.initialize(state);
   while (integrator.getTime() < seconds) integrator.stepTo(seconds);
-  end = integrator.getState();
+  end = integrator.getState();  // a copy forgets what was realized
+  multibody.realize(end, SimTK::Stage::Position);
 }
 
 void SimbodyTree::Integrate(SimbodyIntegrator integrator, double accuracy, double seconds) {
-  switch (integrator) {
-    case SimbodyIntegrator::kMerson:
-      return system_->Integrate<SimTK::RungeKuttaMersonIntegrator>(accuracy, seconds);
-    case SimbodyIntegrator::kFehlberg:
-      return system_->Integrate<SimTK::RungeKuttaFeldbergIntegrator>(accuracy, seconds);
-    case SimbodyIntegrator::kRungeKutta3:
-      return system_->Integrate<SimTK::RungeKutta3Integrator>(accuracy, seconds);
-    case SimbodyIntegrator::kVerlet:
-      return system_->Integrate<SimTK::VerletIntegrator>(accuracy, seconds);
-    case SimbodyIntegrator::kCPodes:
-      return system_->Integrate<SimTK::CPodesIntegrator>(accuracy, seconds);
+  if (integrator == SimbodyIntegrator::kMerson) {
+    system_->Integrate<SimTK::RungeKuttaMersonIntegrator>(accuracy, seconds);
+  } else {
+    system_->Integrate<SimTK::RungeKuttaFeldbergIntegrator>(accuracy, seconds);
   }
 }
 

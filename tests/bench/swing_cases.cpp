@@ -36,7 +36,7 @@ SwingCase FromArmCase(const test::ArmCase& from, const char* name) {
   c.friction = from.friction;
   c.lower = from.lower_deg * kDegree;
   c.upper = from.upper_deg * kDegree;
-  MeasureAngles(from.converged_deg * kDegree, 1e-8 * kDegree, &c);
+  MeasureAngles(from.converged_deg * kDegree, 5e-9, &c);
   return c;
 }
 
@@ -62,7 +62,7 @@ SwingCase WithStops() {
 SwingCase NearGimbal() {
   SwingCase c = FromArmCase(test::NearGimbal(), "near_gimbal");
   c.singular = true;
-  c.reference_error = 1e-6 * kDegree;
+  c.reference_error = 1e-8;
   const Figure arm = test::Arm7();
   const BallJoint shoulder(arm, arm.groups()[0]);
   const Eigen::Quaterniond turn(0.711424127, 0.614374034, 0.071752579, -0.333574317);

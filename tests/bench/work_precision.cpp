@@ -36,16 +36,14 @@ std::vector<SwingMethod> AllMethods(const Figure& arm) {
 }
 
 void DemandThatPeersAgree(const Figure& arm) {
-  for (const NamedMaker& peer : std::vector<NamedMaker>{{"mujoco", MakeMujoco},
-                                                        {"simbody", MakeSimbody},
-                                                        {"bullet", MakeBullet},
-                                                        {"dart", MakeDart},
-                                                        {"mujoco_ball", MakeMujocoWithBalls},
-                                                        {"simbody_ball", MakeSimbodyWithBalls},
-                                                        {"bullet_ball", MakeBulletWithBalls},
-                                                        {"dart_ball", MakeDartWithBalls}}) {
-    DemandAgreement(peer, arm);
-  }
+  DemandAgreement({"mujoco", MakeMujoco}, arm);
+  DemandAgreement({"simbody", MakeSimbody}, arm);
+  DemandAgreement({"bullet", MakeBullet}, arm);
+  DemandAgreement({"dart", MakeDart}, arm);
+  DemandForwardAgreement({"mujoco_ball", MakeMujocoWithBalls}, arm);
+  DemandForwardAgreement({"simbody_ball", MakeSimbodyWithBalls}, arm);
+  DemandForwardAgreement({"bullet_ball", MakeBulletWithBalls}, arm);
+  DemandForwardAgreement({"dart_ball", MakeDartWithBalls}, arm);
 }
 
 void PrintCase(const SwingCase& c, const std::vector<SwingMethod>& methods, int rounds) {
