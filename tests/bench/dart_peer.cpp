@@ -24,6 +24,21 @@ Eigen::Isometry3d Frame(const Mat3& R, const Vec3& p) {
   return T;
 }
 
+// A body about to be added, by a joint of a kind that is still open.
+struct NewBody {
+  dd::Skeleton* skeleton;
+  dd::BodyNode* parent;
+  dd::Joint::Properties frames;
+  dd::BodyNode::Properties body;
+
+  template <typename JointType, typename Space, typename... Own>
+  dd::BodyNode* With(const Own&... own) const {
+    const typename dd::GenericJoint<Space>::Properties generic(frames);
+    const typename JointType::Properties joint(generic, own...);
+    return skeleton->createJointAndBodyNodePair<JointType>(parent, joint, body).second;
+  }
+};
+
 class DartFigure {
  public:
   DartFigure(const Figure& figure, Threes threes);
@@ -40,7 +55,7 @@ class DartFigure {
 
  private:
   dd::BodyNode* Add(const Figure& figure, const JointGroup& group, Threes threes);
-  dd::BodyNode* AddBall(dd::BodyNode* parent, const Joint& first, const dd::BodyNode::Properties&);
+  NewBody Describe(const Figure& figure, const JointGroup& group, Threes threes) const;
 
   dd::SkeletonPtr skeleton_ = dd::Skeleton::create("figure");
   std::vector<dd::BodyNode*> body_of_joint_;
@@ -57,53 +72,35 @@ DartFigure::DartFigure(const Figure& figure, Threes threes)
   }
 }
 
-template <typename JointType>
-dd::BodyNode* AddBody(dd::Skeleton* skeleton, dd::BodyNode* parent,
-                      const typename JointType::Properties& joint,
-                      const dd::BodyNode::Properties& body) {
-  return skeleton->createJointAndBodyNodePair<JointType>(parent, joint, body).second;
-}
-
 dd::BodyNode* DartFigure::Add(const Figure& figure, const JointGroup& group, Threes threes) {
-  const Joint& first = figure.joint(group.first);
-  dd::BodyNode* parent = nullptr;
-  if (first.parent.is_valid()) parent = body_of_joint_[first.parent.value()];
-  const RigidInertia& inertia = figure.body(group.last());
-  dd::BodyNode::Properties body;
-  body.mName = group.name;
-  body.mInertia = dd::Inertia(inertia.mass, inertia.com, inertia.I_com);
-  dd::Joint::Properties frames;
-  frames.mName = group.name;
-  const Mat3 hinges = HingeFrame(figure, group);
-  frames.mT_ParentBodyToJoint = Frame(first.X_PJ.R * hinges, first.X_PJ.p);
-  frames.mT_ChildBodyToJoint = Frame(hinges, Vec3::Zero());
-  dd::Skeleton* skeleton = skeleton_.get();
+  using dart::math::R1Space, dart::math::R2Space, dart::math::R3Space, dart::math::SO3Space;
+  const NewBody added = Describe(figure, group, threes);
   if (group.size == 1) {
-    return AddBody<dd::RevoluteJoint>(
-        skeleton, parent,
-        {dd::GenericJoint<dart::math::R1Space>::Properties(frames), {Vec3::UnitZ()}}, body);
+    const dd::detail::RevoluteJointUniqueProperties axis(Vec3::UnitZ());
+    return added.With<dd::RevoluteJoint, R1Space>(axis);
   }
   if (group.size == 2) {
-    return AddBody<dd::UniversalJoint>(
-        skeleton, parent,
-        {dd::GenericJoint<dart::math::R2Space>::Properties(frames), {Vec3::UnitX(), Vec3::UnitY()}},
-        body);
+    const dd::detail::UniversalJointUniqueProperties axes(Vec3::UnitX(), Vec3::UnitY());
+    return added.With<dd::UniversalJoint, R2Space>(axes);
   }
-  if (threes == Threes::kBall) return AddBall(parent, first, body);
-  return AddBody<dd::EulerJoint>(
-      skeleton, parent,
-      {dd::GenericJoint<dart::math::R3Space>::Properties(frames), {dd::EulerJoint::AxisOrder::XYZ}},
-      body);
+  if (threes == Threes::kBall) return added.With<dd::BallJoint, SO3Space>();
+  const dd::detail::EulerJointUniqueProperties order(dd::EulerJoint::AxisOrder::XYZ);
+  return added.With<dd::EulerJoint, R3Space>(order);
 }
 
-dd::BodyNode* DartFigure::AddBall(dd::BodyNode* parent, const Joint& first,
-                                  const dd::BodyNode::Properties& body) {
-  dd::Joint::Properties frames;
-  frames.mName = body.mName;
-  frames.mT_ParentBodyToJoint = Frame(first.X_PJ.R, first.X_PJ.p);
-  return AddBody<dd::BallJoint>(
-      skeleton_.get(), parent,
-      dd::BallJoint::Properties(dd::GenericJoint<dart::math::SO3Space>::Properties(frames)), body);
+NewBody DartFigure::Describe(const Figure& figure, const JointGroup& group, Threes threes) const {
+  const Joint& first = figure.joint(group.first);
+  const RigidInertia& inertia = figure.body(group.last());
+  NewBody added;
+  added.skeleton = skeleton_.get();
+  added.parent = first.parent.is_valid() ? body_of_joint_[first.parent.value()] : nullptr;
+  added.body.mName = added.frames.mName = group.name;
+  added.body.mInertia = dd::Inertia(inertia.mass, inertia.com, inertia.I_com);
+  Mat3 R_JF = Mat3::Identity();
+  if (threes == Threes::kHinges || group.size < 3) R_JF = HingeFrame(figure, group);
+  added.frames.mT_ParentBodyToJoint = Frame(first.X_PJ.R * R_JF, first.X_PJ.p);
+  added.frames.mT_ChildBodyToJoint = Frame(R_JF, Vec3::Zero());
+  return added;
 }
 
 void DartFigure::SetState(const VecX& q, const VecX& qd) {

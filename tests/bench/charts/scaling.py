@@ -66,7 +66,7 @@ def draw(comment, rows, folder):
     """A panel for each shape."""
     shapes = [shape for shape in in_order(row["shape"] for row in rows) if shape in PANELS]
     figure, panels = plt.subplots(1, len(shapes), figsize=(8, 4.6), sharey=True, sharex=True)
-    figure.subplots_adjust(left=0.09, right=0.815, top=0.815, bottom=0.13, wspace=0.62)
+    figure.subplots_adjust(left=0.09, right=0.815, top=0.815, bottom=0.13, wspace=0.68)
     labels = [draw_panel(axes, rows, shape) for axes, shape in zip(panels, shapes)]
     panels[0].set_ylabel("one forward dynamics")
     for axes, own in zip(panels, labels):
