@@ -12,8 +12,9 @@ def draw_panel(axes, bars):
     most = max(us for _, us in bars)
     axes.barh(heights, [us for _, us in bars], height=0.62, color=style.VERMILION)
     for height, (_, us) in zip(heights, bars):
-        axes.text(us + 0.015 * most, height, f"{us:,.3g} µs  (×{us / bars[0][1]:.2g})",
-                  va="center", fontsize=7.5)
+        ratio = style.two_digits(us / bars[0][1])
+        axes.text(us + 0.015 * most, height, f"{us:,.0f} µs  (×{ratio})", va="center",
+                  fontsize=7.5)
     axes.set_yticks(heights, [level for level, _ in bars])
     axes.set(xlabel="bake of the whole motion [µs]", xlim=(0, 1.45 * most))
     axes.tick_params(axis="y", length=0)
@@ -34,7 +35,8 @@ def draw(comment, rows, folder):
         bars = [(row["level"], float(row["microseconds"])) for row in rows if row["case"] == case]
         draw_panel(axes, bars)
         axes.set_title(case, loc="left", fontweight="bold")
-        spans.append(f"{case} ×{max(us for _, us in bars) / min(us for _, us in bars):.2g}")
+        span = max(us for _, us in bars) / min(us for _, us in bars)
+        spans.append(f"{case} ×{style.two_digits(span)}")
     style.headline(figure, f"From the least to the most that is modelled: {', '.join(spans)}",
                    "Time of the whole bake at each level of modelling; in brackets the ratio to "
                    "the first.")

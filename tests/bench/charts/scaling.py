@@ -58,8 +58,10 @@ def finding(rows):
     peers = {method: line[top] for method, line in lines.items()
              if style.family(method) != "hazumi" and top in line}
     peer = min(peers, key=peers.get)
-    return (f"A chain of {most} joints: {paper[most] / ours[most]:.0f}× less time than the paper's "
-            f"way; of {top:,}: {peers[peer] / ours[top]:.1f}× less than {style.look(peer)[0]}")
+    over_paper = style.two_digits(paper[most] / ours[most])
+    over_peer = style.two_digits(peers[peer] / ours[top])
+    return (f"A chain of {most} joints: {over_paper}× less time than the paper's way; of {top:,}: "
+            f"{over_peer}× less than {style.look(peer)[0]}")
 
 
 def draw(comment, rows, folder):

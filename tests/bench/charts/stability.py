@@ -69,7 +69,8 @@ def finding(rows, methods):
     last, first = ranking[0], ranking[-1]
     small, large = median_step(rows, last), median_step(rows, first)
     if small > 0:
-        return (f"{style.look(first)[0]} stays stable at steps {large / small:.2g}× those of "
+        return (f"{style.look(first)[0]} stays stable at steps "
+                f"{style.two_digits(large / small)}× those of "
                 f"{style.in_sentence(last)} (median)")
     return (f"{style.look(first)[0]} is stable at {large:.2g} s (median); "
             f"{style.in_sentence(last)} at no step tried")

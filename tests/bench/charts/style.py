@@ -105,7 +105,7 @@ def spread(positions, gap, low, high):
 
 
 def label_right(axes, labels, gap=0.052, size=8):
-    """Writes (text, colour, x, y of its line's end) in the right margin, with leaders to the ends."""
+    """Writes (text, colour, x, y of its line's end) in the right margin, with leaders."""
     to_axes = axes.transData + axes.transAxes.inverted()
     ends = [to_axes.transform((x, y)) for _, _, x, y in labels]
     heights = spread([end[1] for end in ends], gap, 0.0, 1.0)
@@ -114,6 +114,11 @@ def label_right(axes, labels, gap=0.052, size=8):
                   color=colour, linewidth=0.5, alpha=0.7, clip_on=False, zorder=1.5)
         axes.text(1.037, height, text, transform=axes.transAxes, color=colour, va="center",
                   fontsize=size, fontweight="bold" if text.startswith("Hazumi") else "normal")
+
+
+def two_digits(value):
+    """The value rounded to two digits, without an exponent."""
+    return f"{float(f'{value:.2g}'):g}"
 
 
 def duration(microseconds, _=None):

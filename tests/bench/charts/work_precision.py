@@ -19,7 +19,7 @@ WORST = 3.0  # rad; beyond, a method has failed
 
 
 def points(rows, case):
-    """subject -> [(microseconds, error)] of a case, coarse to fine; failures have infinite error."""
+    """subject -> [(microseconds, error)] of a case, coarse to fine; failures are infinite."""
     lines = {}
     for row in rows:
         if row["case"] == case and row["subject"] != "reference":
@@ -29,7 +29,7 @@ def points(rows, case):
 
 
 def time_to(line, target):
-    """Microseconds for an error of `target`, interpolated in logarithms; infinite if out of reach."""
+    """Microseconds for an error of `target`, by logarithms; infinite if out of reach."""
     for (t0, e0), (t1, e1) in zip(line, line[1:]):
         if e0 >= target >= e1 > 0 and math.isfinite(e0):
             part = math.log(e0 / target) / math.log(e0 / e1) if e0 > e1 else 0.0
@@ -50,10 +50,11 @@ def finding(lines):
     if not ranking:
         error, time, subject = min((line[-1][1], line[-1][0], subject)
                                    for subject, line in lines.items())
-        return f"{style.look(subject)[0]}: still wrong by {error:.1g} rad after {style.duration(time)}"
+        return (f"{style.look(subject)[0]}: still wrong by {error:.1g} rad after "
+                f"{style.duration(time)}")
     title = f"To 10⁻⁶ rad: {ranking[0][1]} {style.duration(ranking[0][0])}"
     for time, name in ranking[1:3]:
-        title += f", {name} {style.duration(time)} (×{time / ranking[0][0]:.2g})"
+        title += f", {name} {style.duration(time)} (×{style.two_digits(time / ranking[0][0])})"
     return title
 
 
