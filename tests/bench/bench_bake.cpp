@@ -26,6 +26,7 @@ void BM_LoadAndCompile(benchmark::State& state, const std::string& name) {
   for (auto _ : state) benchmark::DoNotOptimize(Load(name).joint_keys.data());
 }
 BENCHMARK_CAPTURE(BM_LoadAndCompile, throw, "throw")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_LoadAndCompile, jump, "jump")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace hazumi
