@@ -70,8 +70,8 @@ class Baker {
   double FrameOf(double seconds, double from, double to) const;
   Failure AdvanceRegions(double t, double last);
   std::optional<GravityEvent> FirstGravityEvent(double t, double next, double to);
-  Failure BeginExact(double frame, const Vec3& v_pin);
-  Failure Happen(const GravityEvent& event);
+  Failure BeginExact(double frame, double to, const Vec3& v_pin);
+  Failure Happen(const GravityEvent& event, double to);
   void RecordUpTo(double from, double to, double end);
   void FinishExact(int frame);
   RotationState StateAt(double frame);

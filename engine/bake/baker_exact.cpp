@@ -62,7 +62,7 @@ Result<int> Baker::AdvanceExact(int frame) {
     if (exact_ && !holds_.empty()) {
       if (auto error = FitHolds(from, to)) return *error;
     }
-    if (auto error = BeginExact(from, Vec3::Zero())) return *error;
+    if (auto error = BeginExact(from, to, Vec3::Zero())) return *error;
     if (auto error = AdvancePiece(from, to, end)) return *error;
     if (to < end) {
       FigureMotion motion;
@@ -164,11 +164,11 @@ RotationState Baker::StateAt(double frame) {
   return state;
 }
 
-Baker::Failure Baker::BeginExact(double frame, const Vec3& v_pin) {
+Baker::Failure Baker::BeginExact(double frame, double to, const Vec3& v_pin) {
   if (!exact_) return std::nullopt;
   const RotationState state = StateAt(frame);
   if (exact_begun_ && v_pin.isZero(0.0)) {
-    exact_->Drive(state, driven_);
+    exact_->Drive(Seconds(to), state, driven_);
     return std::nullopt;
   }
   RotationState twin = state;
@@ -180,7 +180,7 @@ Baker::Failure Baker::BeginExact(double frame, const Vec3& v_pin) {
       twin.qd[c] = twin_.qd[c];
     }
   }
-  exact_->Begin(Seconds(frame), state, twin, root_hold(), driven_);
+  exact_->Begin(Seconds(frame), Seconds(to), state, twin, root_hold(), driven_);
   if (!v_pin.isZero(0.0)) exact_->FeelPin(v_pin);
   exact_begun_ = true;
   return std::nullopt;
@@ -239,7 +239,7 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
     if (!event) continue;
     const double frame = FrameOf(t, from, to);
     if (auto error = PoseAt(frame, t >= last ? Side::kBefore : Side::kAfter, &now_)) return error;
-    if (auto error = Happen(*event)) return error;
+    if (auto error = Happen(*event, to)) return error;
   }
   return std::nullopt;
 }
@@ -275,7 +275,7 @@ std::optional<GravityEvent> Baker::FirstGravityEvent(double t, double next, doub
   return fall_->FirstEvent(t, next, pose, &ws_);
 }
 
-Baker::Failure Baker::Happen(const GravityEvent& event) {
+Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
   const double frame = now_.frame;
   const std::optional<GroupIndex> pin_before = fall_->pin();
   const Vec3 v_pin = fall_->Happen(event, now_, &ws_);
@@ -297,7 +297,7 @@ Baker::Failure Baker::Happen(const GravityEvent& event) {
       has_twin_[c] = exact_->is_free(static_cast<int>(c));
     exact_begun_ = false;
   }
-  return BeginExact(frame, v_pin);
+  return BeginExact(frame, to, v_pin);
 }
 
 // Output frames after `from` up to and including `to`, but for `end`.

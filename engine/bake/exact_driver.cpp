@@ -118,7 +118,13 @@ void ExactDriver::CountFinished() {
   for (const Group& group : groups_) finished_steps_ += group.main->solver.steps();
 }
 
-void ExactDriver::Begin(double t, const RotationState& state, const RotationState& twin,
+void ExactDriver::DriveGroup(Group* group, double t, double end, const DrivenMotion& driven) {
+  group->main->dynamics.SetDriven(&driven, t, end);
+  group->twin->dynamics.SetDriven(&driven, t, end);
+  group->twin->dynamics.ShareAttachment(group->main->dynamics);
+}
+
+void ExactDriver::Begin(double t, double end, const RotationState& state, const RotationState& twin,
                         const RootHold& hold, const DrivenMotion& driven) {
   CountFinished();
   hold_ = hold;
@@ -129,30 +135,27 @@ void ExactDriver::Begin(double t, const RotationState& state, const RotationStat
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
     groups_.push_back(MakeGroup(model));
     Group& group = groups_.back();
-    group.main->dynamics.SetDriven(&driven);
-    group.twin->dynamics.SetDriven(&driven);
+    DriveGroup(&group, t, end, driven);
     StartRun(group.main.get(), t, state);
     StartRun(group.twin.get(), t, twin);
   }
 }
 
-void ExactDriver::Drive(const RotationState& state, const DrivenMotion& driven) {
+void ExactDriver::Drive(double end, const RotationState& state, const DrivenMotion& driven) {
   const ModelRequest request = RequestFor(state, hold_, driven);
   bool same = request.roles == roles_;
   for (size_t c = 0; c < roles_.size() && same; ++c) {
     same = roles_[c] != Role::kConstant || request.angles[c] == angles_[c];
   }
+  const double t = time();
   if (!same) {
-    const double t = time();
     RotationState main = state, twin = state;
     Sample(t, &main);
     SampleTwin(t, &twin);
-    return Begin(t, main, twin, hold_, driven);
+    return Begin(t, end, main, twin, hold_, driven);
   }
-  ForEachRun([&](Run* run) {
-    run->dynamics.SetDriven(&driven);
-    run->solver.Restart();
-  });
+  for (Group& group : groups_) DriveGroup(&group, t, end, driven);
+  ForEachRun([](Run* run) { run->solver.Restart(); });
 }
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {
@@ -219,7 +222,7 @@ void ExactDriver::Estimate(double t) {
     const auto& hinges = group.main->dynamics.hinges();
     group.main->solver.Sample(t, &q_, &qd_);
     group.twin->solver.Sample(t, &q_twin_, &qd_twin_);
-    group.main->dynamics.Distances(q_, q_twin_, &distances_);
+    group.main->dynamics.layout().Distances(q_, q_twin_, &distances_);
     for (size_t i = 0; i < hinges.size(); ++i) {
       double& estimate = estimates_[region_of_[hinges[i].coordinate]];
       estimate = std::max({estimate, group.step_tolerance, kEstimateShare * distances_[i]});

@@ -31,12 +31,13 @@ class ExactDriver {
   // Free in name, but with friction 0: it keeps its angle.
   bool is_frozen(Coordinate c) const { return friction_[c] == 0.0; }
 
-  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` must
-  // outlive its use. Twins go on from `twin` where a coordinate was free before.
-  void Begin(double t, const RotationState& state, const RotationState& twin, const RootHold& hold,
-             const DrivenMotion& driven);
+  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
+  // smooth up to `end` and must outlive its use. Twins go on from `twin` where a coordinate was
+  // free before.
+  void Begin(double t, double end, const RotationState& state, const RotationState& twin,
+             const RootHold& hold, const DrivenMotion& driven);
   // Goes on with new curves.
-  void Drive(const RotationState& state, const DrivenMotion& driven);
+  void Drive(double end, const RotationState& state, const DrivenMotion& driven);
   // A pin that moved with v_pin was stopped at the time where the driver began.
   void FeelPin(const Vec3& v_pin);
 
@@ -83,6 +84,7 @@ class ExactDriver {
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
+  static void DriveGroup(Group* group, double t, double end, const DrivenMotion& driven);
   Group MakeGroup(const RegionModel& model) const;
   void StartRun(Run* run, double t, const RotationState& state) const;
   void CountFinished();

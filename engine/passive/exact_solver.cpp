@@ -33,6 +33,8 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
     any_limits_ |= std::isfinite(lower_[i]) || std::isfinite(upper_[i]);
   }
   recent_.reserve(256);
+  suspects_.reserve(n);
+  out_.reserve(n);
 }
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
@@ -120,10 +122,10 @@ void ExactSolver::Settle() {
 // Lays the state out anew after locks or curves changed.
 void ExactSolver::Relock() {
   dynamics_->SetLocked(locked_, q_);
-  const int size = dynamics_->state_size();
+  const int size = dynamics_->layout().state_size();
   y_.resize(size);
   scale_.resize(size);
-  dynamics_->Pack(q_, qd_, y_.data());
+  dynamics_->layout().Pack(q_, qd_, y_.data());
   step_.Resize(size);
   SetScale();
   const auto field = [this](double t, const double* y, double* dy) {
@@ -133,9 +135,9 @@ void ExactSolver::Relock() {
 }
 
 void ExactSolver::SetScale() {
-  const int positions = dynamics_->num_positions();
+  const int positions = dynamics_->layout().num_positions();
   for (int i = 0; i < static_cast<int>(scale_.size()); ++i) {
-    scale_[i] = i < positions ? (dynamics_->is_quaternion(i) ? 0.5 : 1.0) * tolerance_
+    scale_[i] = i < positions ? (dynamics_->layout().is_quaternion(i) ? 0.5 : 1.0) * tolerance_
                               : kRateScale * tolerance_;
   }
 }
@@ -144,8 +146,8 @@ void ExactSolver::SetScale() {
 double ExactSolver::FirstStep(double end) const {
   const double* dy = step_.end_derivative();
   double speed = 1.0;
-  const int positions = dynamics_->num_positions();
-  for (int i = 0; i < dynamics_->state_size(); ++i) {
+  const int positions = dynamics_->layout().num_positions();
+  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
     const double size = std::abs(dy[i]);
     speed = std::max(speed, i < positions ? size : std::sqrt(size));
   }
@@ -162,7 +164,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   time_ = step_.end_time();
   if (std::abs(time_ - end) < kSameTime) time_ = end;
   sample_q_ = q_;
-  dynamics_->Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
+  dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
   if (!any_limits_) return std::nullopt;
   TightenStops();
   const std::optional<double> hit = FindHit();
@@ -228,7 +230,7 @@ void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? q_start_ : q_;  // nearby, to pick the branch
   qd->resize(q->size());
-  dynamics_->Unpack(y_.data(), lower_now_, upper_now_, q, qd);
+  dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, q, qd);
 }
 
 std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
@@ -244,63 +246,71 @@ double ExactSolver::Outside(int hinge, const VecX& q) const {
   return std::max(lower_now_[hinge] - q[hinge], q[hinge] - upper_now_[hinge]);
 }
 
-// Could any hinge have been outside during the step? Twice the way that the rates at its ends
-// account for.
-bool ExactSolver::MayHit() const {
+// Which nodes' hinges could have been outside during the step: those that come nearer to a stop
+// than twice the way that the rates at its ends account for.
+bool ExactSolver::FindSuspects() {
   const double h = step_.end_time() - step_.start_time();
+  suspects_.clear();
+  const std::vector<FreeHinge>& hinges = dynamics_->hinges();
   for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
     if (locked_[i]) continue;
-    const double reach = 2.0 * std::max({std::abs(qd_[i]) * h, std::abs(qd_start_[i]) * h,
-                                         std::abs(q_[i] - q_start_[i])}) +
-                         kTouch;
-    if (Outside(i, q_) > -reach || Outside(i, q_start_) > -reach) return true;
+    const double way =
+        std::max({std::abs(qd_[i]) * h, std::abs(qd_start_[i]) * h, std::abs(q_[i] - q_start_[i])});
+    const double reach = 2.0 * way + kTouch;
+    if (Outside(i, q_) <= -reach && Outside(i, q_start_) <= -reach) continue;
+    if (suspects_.empty() || suspects_.back() != hinges[i].node) {
+      suspects_.push_back(hinges[i].node);
+    }
   }
-  return false;
+  return !suspects_.empty();
+}
+
+// The suspects' angles at t, from the nearer end of the step.
+void ExactSolver::SampleSuspects(double t) {
+  step_.At(t, y_.data());
+  sample_q_ = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
+  for (const int node : suspects_) {
+    dynamics_->layout().UnpackAngles(node, y_.data(), lower_now_, upper_now_, &sample_q_);
+  }
 }
 
 // The first time in the step at which a hinge goes out.
 std::optional<double> ExactSolver::FindHit() {
-  if (!MayHit()) return std::nullopt;
-  constexpr int kLooks = 8;
+  if (!FindSuspects()) return std::nullopt;
+  MakeDense();
+  constexpr int kLooks = 6;
   const double start = step_.start_time(), h = step_.end_time() - start;
   std::optional<double> first;
   for (int look = 1; look <= kLooks && !first; ++look) {
     const double before = start + h * (look - 1) / kLooks;
     const double t = look == kLooks ? time_ : start + h * look / kLooks;
-    Sample(t, &sample_q_, &sample_qd_);
+    SampleSuspects(t);
+    out_.clear();
     for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      if (locked_[i] || Outside(i, sample_q_) <= kTouch) continue;
+      if (!locked_[i] && Outside(i, sample_q_) > kTouch) out_.push_back(i);
+    }
+    for (const int i : out_) {
       const double crossing = CrossingTime(before, t, i);
       if (!first || crossing < *first) first = crossing;
     }
-    if (first) break;
   }
   return first;
 }
 
 // Bisection and secants between a time at which the hinge is inside and one at which it is outside.
 double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
-  VecX& q = sample_q_;
-  const VecX keep = q;
   const auto out = [&](double t) {
-    Sample(t, &q, &sample_qd_);
-    return Outside(hinge, q);
+    SampleSuspects(t);
+    return Outside(hinge, sample_q_);
   };
-  double a = inside, b = outside, fa = out(a), fb = out(b);
-  if (fa > 0.0) fa = -kTouch;
+  double a = inside, b = outside, fa = std::min(out(a), -kTouch), fb = out(b);
   for (int i = 0; i < 60 && b - a > 1e-14 && fb > 1e-14; ++i) {
     double t = i % 3 == 2 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
     if (!(t > a && t < b)) t = 0.5 * (a + b);
     const double f = out(t);
-    if (f > 0.0) {
-      b = t;
-      fb = f;
-    } else {
-      a = t;
-      fa = f;
-    }
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
   }
-  q = keep;
   return b;
 }
 
@@ -320,7 +330,7 @@ double ExactSolver::Pull(double t) {
 std::optional<double> ExactSolver::FindRelease() {
   const double start = step_.start_time(), h = step_.end_time() - start;
   constexpr int kLooks = 2;
-  double a = start, fa = std::min(Pull(a), 0.0);
+  double a = start, fa = -1e-12;  // it holds at the start
   for (int look = 1; look <= kLooks; ++look) {
     double b = look == kLooks ? step_.end_time() : start + h * look / kLooks;
     double fb = Pull(b);

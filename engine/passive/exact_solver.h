@@ -70,7 +70,8 @@ class ExactSolver {
   bool Step(double end, std::optional<ExactFailure>* failure);
   std::optional<double> FindHit();
   std::optional<double> FindRelease();
-  bool MayHit() const;
+  bool FindSuspects();
+  void SampleSuspects(double t);
   double Outside(int hinge, const VecX& q) const;
   double CrossingTime(double inside, double outside, int hinge);
   double Pull(double t);
@@ -91,6 +92,7 @@ class ExactSolver {
   std::vector<char> locked_, sticks_;
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
+  std::vector<int> suspects_, out_;                    // nodes, hinges
   std::vector<StopHit> hits_;
   std::vector<double> recent_;  // times of events, for telling chatter
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
