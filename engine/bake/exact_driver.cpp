@@ -9,10 +9,10 @@ namespace hazumi {
 namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
-constexpr double kStepShare = 0.1;
-constexpr double kTwinCoarseness = 20.0;
+constexpr double kStepShare = 0.15;
+constexpr double kTwinCoarseness = 40.0;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
-constexpr double kEstimateShare = 0.3;
+constexpr double kEstimateShare = 0.2;
 
 // Friction is a factor per 1/30 s. [METHOD 2]
 double FrictionRate(double factor) { return -30.0 * std::log(factor); }

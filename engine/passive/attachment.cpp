@@ -10,7 +10,7 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-constexpr int kN = 10;
+constexpr int kN = 14;
 
 // For samples f at the Chebyshev points of the first kind: `to_chebyshev` f are the coefficients of
 // the interpolating Chebyshev series, `to_powers` f those of its powers.
@@ -58,7 +58,7 @@ void Attachment::Take(const Frame& frame, int i, Samples* samples) {
 }
 
 bool Attachment::SetFit(const Samples& samples, Fit* fit) {
-  constexpr double kRounding = 2e-13;
+  constexpr double kRounding = 1e-12;
   using Matrix = Eigen::Matrix<double, kPoints, kValues, Eigen::RowMajor>;
   const Eigen::Map<const Matrix> f(samples[0].data());
   Eigen::Map<Matrix> c(fit->c[0].data());

@@ -40,7 +40,7 @@ class Attachment {
   }
 
  private:
-  static constexpr int kPoints = 10;
+  static constexpr int kPoints = 14;
   static constexpr int kValues = 14;         // quaternion, w, alpha, a, and one to fill up
   static constexpr double kLongest = 0.15;   // [s]
   static constexpr double kShortest = 1e-4;  // [s]
