@@ -83,12 +83,11 @@ double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorksp
 std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
                                                           DynamicsWorkspace* ws) {
   if (pin_) return FindTakeOff(t0, t1, pose, ws);
-  std::optional<GravityEvent> first = FindLanding(t0, t1, pose, ws);
   const double apex = g_.z() < 0.0 ? start_ + com_v_.z() / -g_.z() : kFree;
-  if (apex > t0 && apex <= (first ? first->time : t1)) {
-    return GravityEvent{GravityEvent::Kind::kApex, apex};
-  }
-  return first;
+  const bool has_apex = apex > t0 && apex <= t1;
+  const auto landing = FindLanding(t0, has_apex ? apex : t1, pose, ws);
+  if (landing || !has_apex) return landing;
+  return GravityEvent{GravityEvent::Kind::kApex, apex};
 }
 
 // How much faster than freely the pinned CoM would have to fall, along the ground's normal: the
