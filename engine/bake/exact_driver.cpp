@@ -10,6 +10,8 @@ namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
 constexpr double kStepShare = 0.15;
+// Finer than this a step's error is rounding, and steps would shrink without end [rad].
+constexpr double kFinestStep = 1e-15;
 constexpr double kTwinCoarseness = 40.0;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
@@ -92,7 +94,7 @@ ExactDriver::Group ExactDriver::MakeGroup(const RegionModel& model) const {
           std::min(group.step_tolerance, region.tolerance.value_or(animation_.solver.tolerance));
     }
   }
-  group.step_tolerance *= kStepShare / sharpness_;
+  group.step_tolerance = std::max(kFinestStep, group.step_tolerance * kStepShare / sharpness_);
   group.main = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
   group.twin = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
   group.main->solver.SetTolerance(group.step_tolerance);
