@@ -79,7 +79,9 @@ Figure FreeArm7WithShoulderXyz() {
   return Build(spec);
 }
 
-Figure Chain(int links) {
+namespace {
+
+FigureSpec ChainSpec(int links) {
   FigureSpec spec = OnBase("chain");
   const Vec3 down(0.0, 0.0, -1.0 / links);
   for (int i = 0; i < links; ++i) {
@@ -88,6 +90,16 @@ Figure Chain(int links) {
                                 i == 0 ? Vec3(Vec3::Zero()) : down, {HingeAboutY(-kFar, kFar)},
                                 Rod("l" + std::to_string(i), 1.0 / links, down, 0.002)));
   }
+  return spec;
+}
+
+}  // namespace
+
+Figure Chain(int links) { return Build(ChainSpec(links)); }
+
+Figure RodWithin(double lower, double upper) {
+  FigureSpec spec = ChainSpec(1);
+  SetLimits(VecX::Constant(1, lower), VecX::Constant(1, upper), &spec);
   return Build(spec);
 }
 

@@ -17,6 +17,9 @@ Figure FreeArm7WithShoulderXyz();
 // `links` equal rods in a row, hinged about y, 1 m and 1 kg in all, hanging down at zero.
 Figure Chain(int links);
 
+// One such rod of 1 m with stops.
+Figure RodWithin(double lower, double upper);
+
 // A rod of `length` without thickness, 1 kg, on three hinges y x z; hanging down at zero, so that
 // the z hinge turns it about itself.
 Figure ThinRod(double length);

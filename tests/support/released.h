@@ -19,7 +19,7 @@ void SetStep(Animation* animation, double seconds);
 bool IsFinite(const Motion& motion);
 // True if a failed bake says which joint, after which frame, and why.
 bool SaysJointFrameAndCause(const Error& error);
-// Bakes, and demands one of the two.
+// Bakes, and demands one of the two within ten seconds.
 Result<Motion> BakeSoundly(const Animation& animation);
 // Bakes, and demands finite frames. Empty if there are none.
 Motion BakeFinite(const Animation& animation);
