@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "engine/bake/limits.h"
 #include "engine/base/text.h"
@@ -246,21 +248,37 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
 
 namespace {
 
-// Bakes again, with finer steps, where the estimate says that a region misses its tolerance.
+void WarnOfError(const RegionReport& report, size_t region, Motion* motion) {
+  motion->warnings.push_back(
+      {"regions[" + std::to_string(region) + "]",
+       "its angles may be off by " + FormatShort(report.error_estimate * 180.0 / std::numbers::pi) +
+           " degrees, more than its tolerance: the motion is so sensitive that finer steps do not "
+           "help"});
+}
+
+// Bakes again, with finer steps, where the estimate says that a region misses its tolerance, as
+// long as that helps.
 Result<Motion> BakeWithinTolerance(const Animation& animation, const BakeOptions& options) {
-  constexpr int kTries = 4;
+  constexpr double kFinest = 1e6;
   std::vector<double> sharpness(animation.regions.size(), 1.0);
-  for (int i = 0;; ++i) {
+  std::vector<double> before(animation.regions.size(), std::numeric_limits<double>::infinity());
+  for (;;) {
     Result<Motion> motion = Baker(animation, options, sharpness).Run();
-    if (!motion.ok() || i == kTries) return motion;
-    bool missed = false;
+    if (!motion.ok()) return motion;
+    bool again = false;
     for (size_t r = 0; r < sharpness.size(); ++r) {
       const RegionReport& report = motion.value().regions[r];
       if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
-      sharpness[r] *= 3.0 * report.error_estimate / report.tolerance;
-      missed = true;
+      const double finer = sharpness[r] * 3.0 * report.error_estimate / report.tolerance;
+      if (finer > kFinest || report.error_estimate > 0.3 * before[r]) {
+        WarnOfError(report, r, &motion.value());
+        continue;
+      }
+      before[r] = report.error_estimate;
+      sharpness[r] = finer;
+      again = true;
     }
-    if (!missed) return motion;
+    if (!again) return motion;
   }
 }
 

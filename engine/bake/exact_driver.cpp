@@ -57,7 +57,12 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
   }
 }
 
-// A joint whose friction is 0 is frozen: no unknown. [METHOD 2]
+// A joint whose friction is 0 is frozen [METHOD 2], as is one without room between its stops.
+bool ExactDriver::is_frozen(Coordinate c) const {
+  if (c >= figure_.num_joints()) return false;
+  return friction_[c] == 0.0 || figure_.joints()[c].is_fixed();
+}
+
 ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold& hold,
                                      const DrivenMotion& driven) const {
   ModelRequest request;
@@ -67,7 +72,7 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   const int n = figure_.num_joints();
   for (Coordinate c = 0; c < n + kRootAngles; ++c) {
     Role role = driven.angles[c].degree > 0 ? Role::kDriven : Role::kConstant;
-    if (is_free(c)) role = friction_[c] > 0.0 ? Role::kFree : Role::kConstant;
+    if (is_free(c)) role = is_frozen(c) ? Role::kConstant : Role::kFree;
     request.roles.push_back(role);
   }
   const auto root = request.roles.begin() + n;

@@ -28,8 +28,8 @@ class ExactDriver {
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
-  // Free in name, but with friction 0: it keeps its angle.
-  bool is_frozen(Coordinate c) const { return friction_[c] == 0.0; }
+  // Free in name only: it keeps its angle.
+  bool is_frozen(Coordinate c) const;
 
   // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
   // smooth up to `end` and must outlive its use. Twins go on from `twin` where a coordinate was

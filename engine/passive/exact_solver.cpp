@@ -23,10 +23,13 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   const int n = dynamics->num_hinges();
   lower_now_ = lower_;
   upper_now_ = upper_;
-  for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_}) x->setZero(n);
+  for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
+                  &before_q_, &before_qd_})
+    x->setZero(n);
   side_.assign(n, 0);
   locked_.assign(n, 0);
   sticks_.assign(n, 0);
+  fixed_.assign(n, 0);
   stops_.Resize(n);
   blow_.setZero(n);
   for (int i = 0; i < n; ++i) {
@@ -34,7 +37,6 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   }
   recent_.reserve(256);
   suspects_.reserve(n);
-  out_.reserve(n);
 }
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
@@ -85,6 +87,13 @@ int ExactSolver::FindSides(bool with_blow) {
     sticks_[i] = 0;
     if (q_[i] >= upper_now_[i] - touch_) side_[i] = 1;
     if (q_[i] <= lower_now_[i] + touch_) side_[i] = -1;
+    fixed_[i] = upper_now_[i] - lower_now_[i] <= 2.0 * kTouch;
+    if (fixed_[i]) {
+      side_[i] = 1;
+      sticks_[i] = 1;
+      moving += qd_[i] != 0.0;
+      continue;
+    }
     const double out = side_[i] * qd_[i];
     if (out < -touch_rate() && !with_blow) side_[i] = 0;
     if (side_[i] == 0) continue;
@@ -115,7 +124,7 @@ void ExactSolver::Settle() {
   }
   if (!any) return;
   dynamics_->AssembleHinges(time_, q_, qd_);
-  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, &locked_);
+  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
   any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
 }
 
@@ -213,7 +222,8 @@ bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
     const bool too_small = h < kLeastStep;
     if (!too_small && dynamics_->evaluations() < kMostEvaluations) continue;
     using Cause = ExactFailure::Cause;
-    *failure = {0, too_small ? Cause::kStepTooSmall : Cause::kTooManyEvaluations};
+    *failure = {dynamics_->layout().HingeOf(step_.worst_component()),
+                too_small ? Cause::kStepTooSmall : Cause::kTooManyEvaluations};
     return false;
   }
 }
@@ -265,12 +275,12 @@ bool ExactSolver::FindSuspects() {
   return !suspects_.empty();
 }
 
-// The suspects' angles at t, from the nearer end of the step.
-void ExactSolver::SampleSuspects(double t) {
+// The suspects' angles and rates at t, from the nearer end of the step.
+void ExactSolver::SampleSuspects(double t, VecX* q, VecX* qd) {
   step_.At(t, y_.data());
-  sample_q_ = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
+  *q = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
   for (const int node : suspects_) {
-    dynamics_->layout().UnpackAngles(node, y_.data(), lower_now_, upper_now_, &sample_q_);
+    dynamics_->layout().UnpackNode(node, y_.data(), lower_now_, upper_now_, q, qd);
   }
 }
 
@@ -281,27 +291,61 @@ std::optional<double> ExactSolver::FindHit() {
   constexpr int kLooks = 6;
   const double start = step_.start_time(), h = step_.end_time() - start;
   std::optional<double> first;
+  look_q_ = q_start_;
+  look_qd_ = qd_start_;
   for (int look = 1; look <= kLooks && !first; ++look) {
     const double before = start + h * (look - 1) / kLooks;
     const double t = look == kLooks ? time_ : start + h * look / kLooks;
-    SampleSuspects(t);
-    out_.clear();
+    before_q_.swap(look_q_);
+    before_qd_.swap(look_qd_);
+    look_qd_ = before_qd_;
+    SampleSuspects(t, &look_q_, &look_qd_);
     for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      if (!locked_[i] && Outside(i, sample_q_) > kTouch) out_.push_back(i);
-    }
-    for (const int i : out_) {
-      const double crossing = CrossingTime(before, t, i);
-      if (!first || crossing < *first) first = crossing;
+      for (const int side : {-1, 1}) {
+        const std::optional<double> crossing = FindCrossing(i, side, before, t);
+        if (crossing && (!first || *crossing < *first)) first = crossing;
+      }
     }
   }
   return first;
 }
 
+// How far a hinge is beyond one of its stops [rad]; negative inside.
+double ExactSolver::Beyond(int hinge, int side, double q) const {
+  return side > 0 ? q - upper_now_[hinge] : lower_now_[hinge] - q;
+}
+
+// When a hinge goes out between two looks: it is outside at the second one, or was in between,
+// having turned back.
+std::optional<double> ExactSolver::FindCrossing(int hinge, int side, double before, double t) {
+  if (locked_[hinge]) return std::nullopt;
+  const double f0 = Beyond(hinge, side, before_q_[hinge]), f1 = Beyond(hinge, side, look_q_[hinge]);
+  if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
+  double g0 = side * before_qd_[hinge], g1 = side * look_qd_[hinge];
+  const double h = t - before;
+  if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
+    return std::nullopt;
+  }
+  double a = before, b = t;
+  for (int i = 0; i < 8; ++i) {  // secants on the rate, to the top of the swing
+    const double top =
+        std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
+    SampleSuspects(top, &sample_q_, &sample_qd_);
+    if (Beyond(hinge, side, sample_q_[hinge]) > kTouch) {
+      return CrossingTime(hinge, side, before, top);
+    }
+    const double g = side * sample_qd_[hinge];
+    (g > 0.0 ? a : b) = top;
+    (g > 0.0 ? g0 : g1) = g;
+  }
+  return std::nullopt;
+}
+
 // Bisection and secants between a time at which the hinge is inside and one at which it is outside.
-double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
+double ExactSolver::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
-    SampleSuspects(t);
-    return Outside(hinge, sample_q_);
+    SampleSuspects(t, &sample_q_, &sample_qd_);
+    return Beyond(hinge, side, sample_q_[hinge]);
   };
   double a = inside, b = outside, fa = std::min(out(a), -kTouch), fb = out(b);
   for (int i = 0; i < 60 && b - a > 1e-14 && fb > 1e-14; ++i) {
@@ -321,13 +365,13 @@ double ExactSolver::Pull(double t) {
   stops_.Solve(dynamics_->M(), dynamics_->b(), locked_);
   double most = -std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < locked_.size(); ++i) {
-    if (locked_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
+    if (locked_[i] && !fixed_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
   }
   return most;
 }
 
-// The first time in the step at which a stop would have to pull, looked for in the middle and at the
-// end. What is late by t leaves an error of the order of t^3, so a microsecond is early enough.
+// The first time in the step at which a stop would have to pull, looked for in the middle and at
+// the end. What is late by t leaves an error of the order of t^3, so a microsecond is early enough.
 std::optional<double> ExactSolver::FindRelease() {
   constexpr double kEarlyEnough = 1e-6;  // [s]
   const double start = step_.start_time(), end = step_.end_time();

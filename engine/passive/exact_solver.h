@@ -71,9 +71,11 @@ class ExactSolver {
   std::optional<double> FindHit();
   std::optional<double> FindRelease();
   bool FindSuspects();
-  void SampleSuspects(double t);
+  void SampleSuspects(double t, VecX* q, VecX* qd);
   double Outside(int hinge, const VecX& q) const;
-  double CrossingTime(double inside, double outside, int hinge);
+  double Beyond(int hinge, int side, double q) const;
+  std::optional<double> FindCrossing(int hinge, int side, double before, double t);
+  double CrossingTime(int hinge, int side, double inside, double outside);
   double Pull(double t);
   void MakeDense();
   void TightenStops();
@@ -86,10 +88,12 @@ class ExactSolver {
   double time_ = 0.0, next_h_ = 0.0;
   VecX q_, qd_;              // at time_
   VecX q_start_, qd_start_;  // at the start of the step
+  VecX look_q_, look_qd_, before_q_, before_qd_;
   VecX sample_q_, sample_qd_, y_, scale_, blow_;
   StopSolver stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
   std::vector<char> locked_, sticks_;
+  std::vector<char> fixed_;  // no room between the stops
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   std::vector<int> suspects_, out_;                    // nodes, hinges

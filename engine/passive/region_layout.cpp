@@ -81,40 +81,37 @@ void RegionLayout::Pack(const VecX& q, const VecX& qd, double* y) const {
 
 void RegionLayout::Unpack(const double* y, const VecX& lower, const VecX& upper, VecX* q,
                           VecX* qd) const {
-  for (size_t i = 0; i < nodes_.size(); ++i) {
-    const Node& own = nodes_[i];
-    const double* position = y + own.position;
-    const double* velocity = y + num_positions_ + own.dof;
-    const int first = own.first_hinge;
-    if (const HingeTriple* ball = triple(static_cast<int>(i))) {
-      const Vec3 near = q->segment<3>(first);
-      const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near,
-                                       lower.segment<3>(first), upper.segment<3>(first));
-      q->segment<3>(first) = angles;
-      qd->segment<3>(first) = ball->Rates(angles, Eigen::Map<const Vec3>(velocity));
-    } else if (own.kind == NodeKind::kHinges) {
-      for (int h = 0; h < num_hinges_of_[i]; ++h) {
-        (*q)[first + h] = own.locked[h] ? own.angle[h] : *position++;
-        (*qd)[first + h] = own.locked[h] ? 0.0 : *velocity++;
-      }
-    }
-  }
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) UnpackNode(i, y, lower, upper, q, qd);
 }
 
-void RegionLayout::UnpackAngles(int node, const double* y, const VecX& lower, const VecX& upper,
-                                VecX* q) const {
+void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, const VecX& upper,
+                              VecX* q, VecX* qd) const {
   const Node& own = nodes_[node];
   const double* position = y + own.position;
+  const double* velocity = y + num_positions_ + own.dof;
   const int first = own.first_hinge;
   if (const HingeTriple* ball = triple(node)) {
     const Vec3 near = q->segment<3>(first);
-    q->segment<3>(first) = ball->Angles(RotationOfQuaternion(position), near,
-                                        lower.segment<3>(first), upper.segment<3>(first));
+    const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, lower.segment<3>(first),
+                                     upper.segment<3>(first));
+    q->segment<3>(first) = angles;
+    qd->segment<3>(first) = ball->Rates(angles, Eigen::Map<const Vec3>(velocity));
     return;
   }
   for (int h = 0; h < num_hinges_of_[node]; ++h) {
     (*q)[first + h] = own.locked[h] ? own.angle[h] : *position++;
+    (*qd)[first + h] = own.locked[h] ? 0.0 : *velocity++;
   }
+}
+
+int RegionLayout::HingeOf(int component) const {
+  int hinge = 0;
+  const bool is_position = component < num_positions_;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const int first = is_position ? nodes_[i].position : num_positions_ + nodes_[i].dof;
+    if (num_hinges_of_[i] > 0 && first <= component) hinge = nodes_[i].first_hinge;
+  }
+  return hinge;
 }
 
 void RegionLayout::Distances(const VecX& q, const VecX& other, VecX* distances) const {

@@ -54,8 +54,11 @@ class RegionLayout {
   // `upper`: limits, as HingeTriple::Angles.
   void Unpack(const double* y, const VecX& lower, const VecX& upper, VecX* q, VecX* qd) const;
 
-  // The angles of one node's hinges alone.
-  void UnpackAngles(int node, const double* y, const VecX& lower, const VecX& upper, VecX* q) const;
+  // The same of one node's hinges alone.
+  void UnpackNode(int node, const double* y, const VecX& lower, const VecX& upper, VecX* q,
+                  VecX* qd) const;
+  // The first free hinge of the node that a component of the state belongs to.
+  int HingeOf(int component) const;
 
   // By free hinge: how far two poses are apart [rad]; for the hinges of a ball joint, the angle
   // between the two orientations.

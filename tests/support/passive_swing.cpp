@@ -70,7 +70,7 @@ Course SwingExactly(const Release& release, double tolerance, long most_steps) {
   const DrivenMotion still{std::vector<DrivenCurve>(n + kRootAngles), {}};
   const VecX rates = VecX::Constant(n, -30.0 * std::log(release.friction));
   RegionDynamics dynamics(WholeFigure(release.figure), rates, release.gravity);
-  dynamics.SetDriven(&still);
+  dynamics.SetDriven(&still, 0.0, release.seconds);
   VecX lower, upper;
   SetLimits(release.figure, &lower, &upper);
   ExactSolver solver(&dynamics, lower, upper);
