@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLongest = 0.1, kShortest = 1e-5;  // steps tried [s]
-constexpr int kCells = 7;                           // a side of a slice
 
 struct Start {
   const Figure& arm;
@@ -90,36 +89,36 @@ void PrintCell(const char* slice, double x, double y, const Start& start) {
   std::fflush(stdout);
 }
 
-double Between(double first, double last, int i) {
-  return first * std::pow(last / first, static_cast<double>(i) / (kCells - 1));
+constexpr double kSpeeds[] = {1, 2, 5, 10, 20, 50, 100};  // of the fastest hinge [rad/s]
+constexpr double kMassRatios[] = {1, 0.2, 0.05, 0.01, 0.002, 5e-4, 1e-4};
+constexpr double kDistances_deg[] = {60, 10, 1, 0.1, 0.01, 1e-3, 1e-4};
+
+VecX RatesAt(double speed, const test::ArmCase& c) {
+  return c.start_rate * (speed / c.start_rate.cwiseAbs().maxCoeff());
 }
 
-// The free swing of the arm cases, its fastest hinge at `speed` [rad/s].
+// The free swing of the arm cases.
 void PrintMassRatios() {
   const test::ArmCase c = test::FreeSwing();
-  for (int i = 0; i < kCells; ++i) {
-    const double ratio = Between(1.0, 1e-4, i);
+  for (const double ratio : kMassRatios) {
     const Figure arm = test::FreeArm7(ratio);
-    for (int k = 0; k < kCells; ++k) {
-      const double speed = Between(1.0, 100.0, k);
-      const VecX rates = c.start_rate * (speed / c.start_rate.cwiseAbs().maxCoeff());
-      PrintCell("speed x mass ratio", speed, ratio, {arm, c.start_deg * kDegree, rates});
+    for (const double speed : kSpeeds) {
+      PrintCell("speed x mass ratio", speed, ratio,
+                {arm, c.start_deg * kDegree, RatesAt(speed, c)});
     }
   }
 }
 
-// The swing near the gimbal lock, from so many degrees away.
+// The swing near the gimbal lock, from other distances.
 void PrintPoleDistances() {
   const test::ArmCase c = test::NearGimbal();
   const Figure arm = test::FreeArm7();
-  for (int i = 0; i < kCells; ++i) {
-    const double distance_deg = Between(1e-4, 60.0, i);
+  for (const double distance_deg : kDistances_deg) {
     VecX q = c.start_deg * kDegree;
     q[1] = (90.0 - distance_deg) * kDegree;
-    for (int k = 0; k < kCells; ++k) {
-      const double speed = Between(1.0, 100.0, k);
-      const VecX rates = c.start_rate * (speed / c.start_rate.cwiseAbs().maxCoeff());
-      PrintCell("speed x distance from the singular pose", speed, distance_deg, {arm, q, rates});
+    for (const double speed : kSpeeds) {
+      PrintCell("speed x distance from the singular pose", speed, distance_deg,
+                {arm, q, RatesAt(speed, c)});
     }
   }
 }
