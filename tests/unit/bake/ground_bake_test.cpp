@@ -159,5 +159,55 @@ TEST(ContinuousGround, StandsWhileItsLegStretchesSlowly) {
   }
 }
 
+// A human that turns about the vertical falls on its feet and then down, arms and root free.
+Animation Fall() {
+  Animation animation = Exact(Human());
+  animation.solver.tolerance = 1e-9;
+  DynamicsRegion& region = AddRegion(&animation, "arms", 0, 30, {"r_shoulder", "l_shoulder"});
+  region.root = true;
+  region.method = Method::kExact;
+  KeysOf(&animation, "r_shoulder_x") = {{0, -0.6, 3.0, kCubic}};
+  KeysOf(&animation, "l_elbow_y") = {{0, -1.0, 2.0, kCubic}};
+  KeysOf(&animation, "r_knee") = {{0, 0.6, {}, kCubic}};
+  animation.root_keys[kRootZ] = {{0, 1.2, 0.0, kCubic}};
+  animation.root_keys[kRootAngleZ] = {{0, 0.0, 2.0, kCubic}};
+  animation.root_keys[kRootAngleY] = {{0, 0.05, 0.3, kCubic}};
+  AddFloor(&animation);
+  AddGravity(&animation, 0, 30);
+  return animation;
+}
+
+// The ground's force acts at the pin, gravity along the vertical.
+TEST(ContinuousGround, ALandingKeepsTheMomentumAboutTheVerticalThroughThePinAndTakesEnergy) {
+  const Animation animation = Fall();
+  const Motion motion = BakeOrFail(animation);
+  const auto landings = EventsOf(motion, EventKind::kLanding);
+  ASSERT_GE(landings.size(), 1u);
+  const int f = landings[0].frame;
+  ASSERT_TRUE(motion.frames[f].pinned.has_value());
+  const Vec3 pin = OriginOf(animation, motion.frames[f], landings[0].joint.c_str());
+  const auto about_pin = [&](const MotionFrame& frame) {
+    const Momentum m = MomentumOf(*animation.figure, frame.after);
+    return (m.L + m.mass * (m.com - pin).cross(m.com_v)).z();
+  };
+  const auto energy = [&](const MotionFrame& frame) {
+    const Momentum m = MomentumOf(*animation.figure, frame.after);
+    return m.kinetic + m.potential(kG);
+  };
+  const double before = about_pin(motion.frames[0]);
+  for (int i = 0; i <= f; ++i) {
+    EXPECT_NEAR(about_pin(motion.frames[i]), before, 1e-7 * std::abs(before)) << i;
+  }
+  EXPECT_NEAR(energy(motion.frames[f - 1]), energy(motion.frames[0]), 1e-6);
+  EXPECT_LT(energy(motion.frames[f]), energy(motion.frames[0]) - 1.0);
+}
+
+// Pinned at a joint while another point of the figure touches, it may leave and touch at once.
+TEST(ContinuousGround, TakeOffsAndLandingsDoNotFollowEachOtherWithoutEnd) {
+  const Motion motion = BakeOrFail(Fall());
+  EXPECT_EQ(motion.frames.size(), 31u);
+  EXPECT_LT(EventsOf(motion, EventKind::kLanding).size(), 30u * 6u);
+}
+
 }  // namespace
 }  // namespace hazumi::test
