@@ -13,6 +13,10 @@ namespace {
 constexpr double kFree = std::numeric_limits<double>::infinity();
 constexpr double kDeeper = 1e-9;     // [m]
 constexpr double kSameTime = 1e-10;  // [s]
+// More landings than this in one window, and the pin holds on for one, even if it has to pull: the
+// joint that is pinned is not the point that touches, so what lifts off may go deeper at once.
+constexpr int kMostLandings = 4;
+constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
 template <typename Function>
@@ -112,11 +116,13 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   constexpr int kLooks = 4;
   const auto lift = [&](double t) { return Lift(t, t0, t1, pose, ws); };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
-  double before = t0, lift_before = lift(t0), lost_before = lost(t0);
+  const double from = std::max(t0, hold_until_);
+  if (from >= t1) return std::nullopt;
+  double before = from, lift_before = lift(from), lost_before = lost(from);
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
-  if (lift_before > 0.0 || lost_before > 0.0) return take_off(t0);
+  if (lift_before > 0.0 || lost_before > 0.0) return take_off(from);
   for (int look = 1; look <= kLooks; ++look) {
-    const double t = look == kLooks ? t1 : t0 + (t1 - t0) * look / kLooks;
+    const double t = look == kLooks ? t1 : from + (t1 - from) * look / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kFree;
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, lift);
@@ -191,6 +197,9 @@ Vec3 ContinuousGravity::Happen(const GravityEvent& event, const FigureMotion& mo
   ComputePositions(figure_, motion.X_WR, motion.q, ws);
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
   PinAt(span_.landing_pin, *NearestContact(figure_, scene_, *ws), *ws);
+  std::erase_if(landings_, [&](double t) { return t < event.time - kChatterWindow; });
+  landings_.push_back(event.time);
+  if (landings_.size() > kMostLandings) hold_until_ = event.time + kChatterWindow;
   return ws->body(pin_joint()).v;
 }
 

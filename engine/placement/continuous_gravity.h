@@ -66,6 +66,8 @@ class ContinuousGravity {
   Vec3 normal_ = Vec3::UnitZ();                     // of the ground that the figure stands on
   double start_ = 0.0;                              // of the flight [s]
   Vec3 com_ = Vec3::Zero(), com_v_ = Vec3::Zero();  // then
+  std::vector<double> landings_;                    // times of the last ones [s]
+  double hold_until_ = -1e300;                      // no take-off before [s]
   double allowed_ = 0.0;  // clearance that does not count as landing, from a deep take-off [m]
 };
 
