@@ -42,6 +42,7 @@ Error CannotGoOn(std::string place, std::string message) {
 Baker::Baker(const Animation& animation, const BakeOptions& options, std::vector<double> sharpness)
     : animation_(animation),
       cancel_(options.cancel),
+      energy_(options.energy),
       figure_(WithHeldObjects(animation)),
       ws_(figure_),
       curves_(animation),

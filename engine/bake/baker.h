@@ -107,6 +107,7 @@ class Baker {
 
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
+  bool energy_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;

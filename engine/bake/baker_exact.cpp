@@ -234,6 +234,7 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
     }
     const std::optional<GravityEvent> event = FirstGravityEvent(t, next, to);
     if (event) next = event->time;
+    if (exact_ && energy_) exact_->Account(next, event.has_value() && event->is_change());
     RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end);
     t = next;
     if (!event) continue;
@@ -334,6 +335,7 @@ void Baker::TakeReports() {
     report.evaluations += static_cast<int>(exact_->evaluations());
     report.groups = exact_->group_sizes();
     report.bodies = exact_->num_bodies();
+    report.energy = exact_->energy();
     report.error_estimate = std::max(report.error_estimate, exact_->estimates()[a]);
   }
 }

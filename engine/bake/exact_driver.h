@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/bake/motion.h"
 #include "engine/bake/region_driver.h"
 #include "engine/passive/exact_solver.h"
 #include "engine/timeline/animation.h"
@@ -54,6 +55,12 @@ class ExactDriver {
   // The twins' at time().
   void SampleTwin(double t, RotationState* state);
 
+  // Adds up energies and work to t, which all groups have reached; an account is kept from the
+  // first call on. `is_cut`: the driver begins anew at t.
+  void Account(double t, bool is_cut);
+  // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
+  std::optional<EnergyBalance> energy() const;
+
   struct Hit {
     double time;
     Coordinate coordinate;
@@ -80,6 +87,9 @@ class ExactDriver {
   struct Group {
     std::unique_ptr<Run> main, twin;
     double step_tolerance = 0.0;
+    double accounted = 0.0;              // up to this time [s]
+    double stored = 0.0, kinetic = 0.0;  // energy there [J]
+    bool is_accounted = false;
   };
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
@@ -102,6 +112,11 @@ class ExactDriver {
   VecX angles_;              // where constant [rad]
   std::vector<Group> groups_;
   std::vector<double> estimates_;
+  void AddWork(Group* group, double t);
+
+  EnergyBalance energy_;
+  std::optional<RootCoupling> accounted_coupling_;
+  bool has_energy_ = true;
   long finished_evaluations_ = 0, finished_steps_ = 0;
   VecX q_, qd_, q_twin_, qd_twin_, distances_;  // scratch
 };

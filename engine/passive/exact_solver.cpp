@@ -243,6 +243,12 @@ void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
   dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, q, qd);
 }
 
+EnergyFlow ExactSolver::Energy(double t) {
+  MakeDense();
+  step_.At(t, y_.data());
+  return dynamics_->MeasureEnergy(t, y_.data());
+}
+
 std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
 
 // A hinge that started outside has its own stop from when it is inside.

@@ -54,6 +54,9 @@ class ExactSolver {
   // At `time`, before impacts.
   const VecX& q() const { return q_; }
   const VecX& qd() const { return qd_; }
+  // Energy and powers at t in [step_start, time], from the left.
+  EnergyFlow Energy(double t);
+
   // Hits since the last call.
   std::vector<StopHit> TakeHits();
   long steps() const { return steps_; }

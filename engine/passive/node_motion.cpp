@@ -143,6 +143,23 @@ void NodeKinematics::TurnBall(const RegionLayout::Node& layout, const double* po
   own->w += w;
 }
 
+void NodeKinematics::Accelerate(const RegionLayout& layout, const double* x, int first) {
+  dalpha_.assign(size(), V3());
+  da_.assign(size(), V3());
+  for (int i = first; i < size(); ++i) {
+    NodeMotion& own = motion_[i];
+    const int parent = nodes_[i].parent;
+    if (parent >= 0) {
+      dalpha_[i] = dalpha_[parent];
+      da_[i] = da_[parent] + Cross(dalpha_[parent], own.r);
+    }
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) dalpha_[i] += x[where.dof + k] * own.axis[k];
+    own.alpha += dalpha_[i];
+    own.a += da_[i];
+  }
+}
+
 void NodeKinematics::SetOwnForces(const V3& base) {
   for (int i = 0; i < size(); ++i) {
     const Node& node = nodes_[i];

@@ -36,6 +36,8 @@ class NodeKinematics {
   // Nodes [first, last) from their parents on. `positions`, `velocities`: of the free joints.
   void Move(const RegionLayout& layout, const DrivenMotion& driven, double t,
             const double* positions, const double* velocities, int first, int last);
+  // After Move: adds what accelerations x of the free joints do to the nodes from `first` on.
+  void Accelerate(const RegionLayout& layout, const double* x, int first);
   // Forces and inertias of the dynamic nodes themselves, everything being accelerated by `base`
   // [m/s^2] on top.
   void SetOwnForces(const small::V3& base);
@@ -63,6 +65,7 @@ class NodeKinematics {
   void TurnBall(const RegionLayout::Node& layout, const double* positions, const double* velocities,
                 NodeMotion* own) const;
 
+  std::vector<small::V3> dalpha_, da_;  // scratch
   small::M3 R_root_;
   std::vector<Node> nodes_;
   std::vector<NodeMotion> motion_;

@@ -40,11 +40,14 @@ void RegionDynamics::SetDriven(const DrivenMotion* driven, double start, double 
   if (first_moved_ == 0) return;
   attachment_->Begin(start, end);
   is_carrier_still_ = IsCarrierStill();
-  if (!is_carrier_still_) return;
-  // Where it is, it stays: the nodes that move it are placed once.
-  kinematics_.Move(layout_, *driven_, start, nullptr, nullptr, 0, first_moved_);
+  if (is_carrier_still_) PlaceStillCarrier(start);
+}
+
+// Where it is, it stays: the nodes that move it are placed once.
+void RegionDynamics::PlaceStillCarrier(double t) {
+  kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
   NodeMotion& carrier = kinematics_.motion()[model_.nodes[first_moved_].parent];
-  carrier.a += BaseAcceleration(start);
+  carrier.a += BaseAcceleration(t);
 }
 
 bool RegionDynamics::IsCarrierStill() const {

@@ -14,6 +14,15 @@ namespace hazumi {
 //   M(q) x = -b(q, v, t),   v' = x - C v
 // with v the velocities of a RegionLayout and C the friction rates: friction is a rule for
 // accelerations, not a torque. World axes throughout; points from the root's origin.
+// Energy of the bodies that a model moves, and the power that flows into it. Where the root flies,
+// as seen from the centre of mass; else potential energy counts from the height of the world's
+// origin, or of the pin.
+struct EnergyFlow {
+  double kinetic = 0.0, potential = 0.0;  // [J]
+  double friction = 0.0;                  // [W], negative where it is lost
+  double keyed = 0.0;                     // [W], by driven joints and the motion of the attachment
+};
+
 class RegionDynamics {
  public:
   // `friction`: by free hinge, rates [1/s]. `gravity`: along -z [m/s^2].
@@ -46,6 +55,9 @@ class RegionDynamics {
   // that a pin, which moved with v_pin [m/s], stands still. [METHOD 2, "kicks"]
   void PinBlow(const Vec3& v_pin, VecX* blow) const;
 
+  // At time t in state y. Each power is found from the forces in the joints, not from the others.
+  EnergyFlow MeasureEnergy(double t, const double* y);
+
   long evaluations() const { return evaluations_; }
 
  private:
@@ -53,6 +65,7 @@ class RegionDynamics {
   void Move(double t, const RegionLayout& layout, const double* positions,
             const double* velocities);
   bool IsCarrierStill() const;
+  void PlaceStillCarrier(double t);
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
   void Assemble(const RegionLayout& layout);
@@ -64,6 +77,9 @@ class RegionDynamics {
   void Damp(const double* y, double* x);
   void DampBall(int node, const double* quaternion, const double* w, double* damping) const;
   void AnswerDamping();
+  void MoveWith(double t, const double* y, const double* x);
+  small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
+  void SumForces();
 
   RegionModel model_;
   RegionLayout layout_, hinge_layout_;

@@ -13,6 +13,8 @@ namespace hazumi {
 struct GravityEvent {
   enum class Kind { kTakeOff, kApex, kLanding } kind;
   double time;  // [s]
+  // Other than an apex, which changes nothing.
+  bool is_change() const { return kind != Kind::kApex; }
 };
 
 // Placement by gravity and contact [Arai 3.2] in continuous time [METHOD 2]: while the figure
