@@ -13,10 +13,10 @@ struct BakeOptions {
   // Frames a second of the result; the animation's own if not given. The motion is the same: the
   // steps of the solver lie on the animation's frames, other instants are found between them.
   std::optional<FrameRate> output_rate;
-  // Account for the energy of exact regions in their reports. Costs about a third more.
-  bool energy = false;
   // Set by another thread or a signal: the bake ends within a step (ErrorCode::kInterrupted).
   const std::atomic<bool>* cancel = nullptr;
+  // Account for the energy of exact regions in their reports; takes about as long again.
+  bool energy = false;
 };
 
 // Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)
