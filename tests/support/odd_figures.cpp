@@ -1,5 +1,7 @@
 #include "tests/support/odd_figures.h"
 
+#include <numbers>
+
 #include "tests/support/figures.h"
 
 namespace hazumi::test {
@@ -100,6 +102,12 @@ Figure Chain(int links) { return Build(ChainSpec(links)); }
 Figure RodWithin(double lower, double upper) {
   FigureSpec spec = ChainSpec(1);
   SetLimits(VecX::Constant(1, lower), VecX::Constant(1, upper), &spec);
+  return Build(spec);
+}
+
+Figure RodsOnAStop() {
+  FigureSpec spec = ChainSpec(2);
+  SetLimits(VecX::Constant(2, -kFar), Eigen::Vector2d(-0.5 * std::numbers::pi, kFar), &spec);
   return Build(spec);
 }
 

@@ -20,6 +20,10 @@ Figure Chain(int links);
 // One such rod of 1 m with stops.
 Figure RodWithin(double lower, double upper);
 
+// Two such rods of 0.5 m each, the first with its upper stop at -pi/2, where it points to +x: there
+// its weight presses it on the stop.
+Figure RodsOnAStop();
+
 // A rod of `length` without thickness, 1 kg, on three hinges y x z; hanging down at zero, so that
 // the z hinge turns it about itself.
 Figure ThinRod(double length);
