@@ -125,6 +125,7 @@ void ExactSolver::Settle() {
   if (!any) return;
   dynamics_->AssembleHinges(time_, q_, qd_);
   stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
+  pull_before_ = StrongestPull();
   any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
 }
 
@@ -369,6 +370,10 @@ double ExactSolver::Pull(double t) {
   Sample(t, &sample_q_, &sample_qd_);
   dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
   stops_.Solve(dynamics_->M(), dynamics_->b(), locked_);
+  return StrongestPull();
+}
+
+double ExactSolver::StrongestPull() const {
   double most = -std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < locked_.size(); ++i) {
     if (locked_[i] && !fixed_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
@@ -376,20 +381,28 @@ double ExactSolver::Pull(double t) {
   return most;
 }
 
-// The first time in the step at which a stop would have to pull, looked for in the middle and at
-// the end. What is late by t leaves an error of the order of t^3, so a microsecond is early enough.
+// The first time in the step at which a stop would have to pull: looked for in the middle, at the
+// end and at the top of the parabola through what was found there and at the start.
 std::optional<double> ExactSolver::FindRelease() {
-  constexpr double kEarlyEnough = 1e-6;  // [s]
-  const double start = step_.start_time(), end = step_.end_time();
-  const double middle = 0.5 * (start + end);
-  double a = start, b = middle, fb = Pull(middle);
-  if (fb <= 0.0) {
-    a = middle;
-    b = end;
-    fb = Pull(end);
-    if (fb <= 0.0) return std::nullopt;
+  const double a = step_.start_time(), b = step_.end_time(), m = 0.5 * (a + b);
+  const double fa = std::min(pull_before_, 0.0), fm = Pull(m), fb = Pull(b);
+  pull_before_ = fb;
+  if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
+  const double bend = fa - 2.0 * fm + fb;
+  const double top = bend < 0.0 ? m + 0.25 * (b - a) * (fa - fb) / bend : a;
+  if (top > a && top < b) {
+    const double f = Pull(top);
+    if (f > 0.0) return top < m ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
   }
-  for (double fa = std::min(Pull(a), 0.0); b - a > kEarlyEnough;) {
+  if (fb > 0.0) return ReleaseTime(m, fm, b, fb);
+  return std::nullopt;
+}
+
+// When a stop starts to have to pull: not at a, but at b. What is late by t leaves an error of the
+// order of t^3, so a microsecond is early enough.
+double ExactSolver::ReleaseTime(double a, double fa, double b, double fb) {
+  constexpr double kEarlyEnough = 1e-6;  // [s]
+  while (b - a > kEarlyEnough) {
     const double secant = fb > fa ? (a * fb - b * fa) / (fb - fa) : 0.5 * (a + b);
     const double margin = 0.05 * (b - a);
     const double t = std::clamp(secant, a + margin, b - margin);

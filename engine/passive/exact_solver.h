@@ -80,6 +80,8 @@ class ExactSolver {
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
   double CrossingTime(int hinge, int side, double inside, double outside);
   double Pull(double t);
+  double StrongestPull() const;
+  double ReleaseTime(double a, double fa, double b, double fb);
   void MakeDense();
   void TightenStops();
 
@@ -102,6 +104,7 @@ class ExactSolver {
   std::vector<int> suspects_, out_;                    // nodes, hinges
   std::vector<StopHit> hits_;
   std::vector<double> recent_;  // times of events, for telling chatter
+  double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
   bool has_event_ = false;
   long steps_ = 0;
