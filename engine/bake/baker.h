@@ -52,6 +52,9 @@ class Baker {
   void BeginRoot(int frame);
   void EndRoot(int frame);
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
+  void ResumeAfterRegion(int frame, size_t region);
+  double Overshoot(int frame, JointIndex j);
+  void LimitTangent(int frame, JointIndex j);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
   std::string PlacementPlace(int frame) const;

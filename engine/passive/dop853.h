@@ -119,7 +119,8 @@ class Dop853 {
   // stage_ := y + h sum of kA[kRow] k
   template <int kRow>
   void Combine(const double* y, double h) {
-    Combine<kRow>(y, h, std::make_integer_sequence < int, kRow<15 ? kRow : 15>());
+    constexpr int kColumns = std::min(kRow, 15);
+    Combine<kRow>(y, h, std::make_integer_sequence<int, kColumns>());
   }
   template <int kRow, int... kColumns>
   void Combine(const double* y, double h, std::integer_sequence<int, kColumns...>) {

@@ -34,13 +34,26 @@ double Highest(const Animation& animation, const Motion& motion) {
   return highest;
 }
 
-// What a bake does today: the curve leaves the stops, and nothing is said.
-TEST(BothMethods, LetTheCubicAfterARegionOvershootTheStop) {
+TEST(BothMethods, SayThatTheCubicAfterARegionOvershootsTheStop) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
     const Animation animation = HandedOverNearItsStop(method);
     const Motion motion = BakeFinite(animation);
     EXPECT_NEAR(motion.frames[2].q[1], 0.45, 1e-9) << NameOf(method);
     EXPECT_GT(Highest(animation, motion), 1.0) << NameOf(method);
+    ASSERT_EQ(motion.warnings.size(), 1u) << NameOf(method);
+    EXPECT_EQ(motion.warnings[0].place, "regions[0]");
+    EXPECT_NE(motion.warnings[0].message.find("\"left\" goes"), std::string::npos);
+    EXPECT_NE(motion.warnings[0].message.find("limit_tangents"), std::string::npos);
+  }
+}
+
+TEST(BothMethods, StayInsideAfterARegionWithLimitedTangents) {
+  for (const Method method : {Method::kExact, Method::kPaper}) {
+    Animation animation = HandedOverNearItsStop(method);
+    animation.regions[0].limit_tangents = true;
+    const Motion motion = BakeFinite(animation);
+    EXPECT_LE(Highest(animation, motion), 0.5 + 1e-9) << NameOf(method);
+    EXPECT_GT(Highest(animation, motion), 0.49) << NameOf(method);
     EXPECT_TRUE(motion.warnings.empty()) << NameOf(method);
   }
 }
