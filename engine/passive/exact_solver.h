@@ -75,6 +75,7 @@ class ExactSolver {
   double CrossingTime(double inside, double outside, int hinge);
   double Pull(double t);
   void MakeDense();
+  void WidenStops();
   void TightenStops();
 
   RegionDynamics* dynamics_;
