@@ -176,14 +176,15 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   sample_q_ = q_;
   dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
   if (!any_limits_) return std::nullopt;
-  TightenStops();
   const std::optional<double> hit = FindHit();
   const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
-  if (!hit && !release) return std::nullopt;
-  const bool is_hit = hit && (!release || *hit <= *release);
-  Sample(is_hit ? *hit : *release, &q_, &qd_);
-  time_ = is_hit ? *hit : *release;
-  has_event_ = true;
+  if (hit || release) {
+    const bool is_hit = hit && (!release || *hit <= *release);
+    Sample(is_hit ? *hit : *release, &q_, &qd_);
+    time_ = is_hit ? *hit : *release;
+    has_event_ = true;
+  }
+  TightenStops();
   return std::nullopt;
 }
 
@@ -197,6 +198,7 @@ void ExactSolver::MakeEventHappen() {
   recent_.push_back(time_);
   const int excess = std::max(0, static_cast<int>(recent_.size()) - kChatter);
   touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
+  WidenStops();
   ResolveStops(Vec3::Zero());
   Relock();
 }
@@ -251,6 +253,17 @@ EnergyFlow ExactSolver::Energy(double t) {
 }
 
 std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
+
+// Where a ball joint passes a pole its outer hinges' angles jump, perhaps beyond their stops: such
+// a hinge has a stop where it is until it has come inside.
+void ExactSolver::WidenStops() {
+  constexpr double kJump = 10.0 * kTouch;
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    if (Outside(i, q_) <= kJump) continue;
+    lower_now_[i] = std::min(lower_now_[i], q_[i]);
+    upper_now_[i] = std::max(upper_now_[i], q_[i]);
+  }
+}
 
 // A hinge that started outside has its own stop from when it is inside.
 void ExactSolver::TightenStops() {

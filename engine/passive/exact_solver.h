@@ -83,6 +83,7 @@ class ExactSolver {
   double StrongestPull() const;
   double ReleaseTime(double a, double fa, double b, double fb);
   void MakeDense();
+  void WidenStops();
   void TightenStops();
 
   RegionDynamics* dynamics_;

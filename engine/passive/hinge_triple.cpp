@@ -1,8 +1,8 @@
 #include "engine/passive/hinge_triple.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 // With g = q2 + beta, u = R a3 and v = R^T a1:
 //   u = cos g a1 + sin g (cos q1 (a2 x a1) + sin q1 a2)
@@ -22,11 +22,8 @@ double Nearest(double angle, double to) {
   return angle + kTurn * std::round((to - angle) / kTurn);
 }
 
-// How far q is from `near`, and much more so outside the limits.
-double Cost(const Vec3& q, const Vec3& near, const Vec3& lower, const Vec3& upper) {
-  constexpr double kSlack = 1e-6, kOutside = 100.0;
-  const Vec3 outside = (lower - q).cwiseMax(q - upper);
-  return (q - near).lpNorm<1>() + kOutside * std::max(0.0, outside.maxCoeff() - kSlack);
+bool IsInside(const Vec3& q, const Vec3& lower, const Vec3& upper) {
+  return (q.array() >= lower.array()).all() && (q.array() <= upper.array()).all();
 }
 
 }  // namespace
@@ -69,7 +66,11 @@ Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
     q[i] = Nearest(q[i], near[i]);
     other[i] = Nearest(other[i], near[i]);
   }
-  return Cost(q, near, lower, upper) <= Cost(other, near, lower, upper) ? q : other;
+  if ((other - near).lpNorm<1>() < (q - near).lpNorm<1>()) std::swap(q, other);
+  const bool passed_pole = std::sin(near[1] + beta_) * std::sin(q[1] + beta_) <= 0.0;
+  const bool turns_back =
+      passed_pole && !IsInside(q, lower, upper) && IsInside(other, lower, upper);
+  return turns_back ? other : q;
 }
 
 Mat3 HingeTriple::AxesInBody(const Vec3& q) const {

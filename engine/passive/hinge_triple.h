@@ -18,8 +18,9 @@ class HingeTriple {
 
   // The angles of R [rad]. Two triples give the same R, each modulo whole turns: the one nearer to
   // `near` is taken, so that a motion straight through a pole goes on with the middle hinge and
-  // does not flip the outer ones, unless that leaves [lower, upper] and the other does not. At a
-  // pole itself, where only a sum or difference of the outer angles is left, the first one stays.
+  // does not flip the outer ones, unless that leaves [lower, upper] and the other does not. Away
+  // from a pole limits have no say: the angles go on beyond them, for others to find. At a pole
+  // itself, where only a sum or difference of the outer angles is left, the first one stays.
   Vec3 Angles(const Mat3& R, const Vec3& near, const Vec3& lower, const Vec3& upper) const;
 
   // Columns: the axes at angles q, in the turned body's frame.
