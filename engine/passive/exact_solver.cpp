@@ -9,6 +9,7 @@ namespace hazumi {
 
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTouch = 1e-10;      // at a stop [rad]
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSameTime = 1e-13;   // [s]
@@ -176,12 +177,11 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   sample_q_ = q_;
   dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
   if (!any_limits_) return std::nullopt;
-  const std::optional<double> hit = FindHit();
-  const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
-  if (hit || release) {
-    const bool is_hit = hit && (!release || *hit <= *release);
-    Sample(is_hit ? *hit : *release, &q_, &qd_);
-    time_ = is_hit ? *hit : *release;
+  double event = FindHit().value_or(kNever);
+  if (any_locked_) event = std::min(event, FindRelease().value_or(kNever));
+  if (event < kNever) {
+    Sample(event, &q_, &qd_);
+    time_ = event;
     has_event_ = true;
   }
   TightenStops();
