@@ -19,8 +19,9 @@ Baker::Failure Baker::CrossFrame(int frame) {
   const bool placed = BeginPlacement(frame, was_keyed);
   if (ended || begun) RebuildDriver(frame);
   exact_begun_ &= !ended && !unplaced && !released && !begun && !placed;
-  const bool key_here = std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
-  if (!ended && !unplaced && !released && !begun && !placed && !key_here) return std::nullopt;
+  if (!ended && !unplaced && !released && !begun && !placed && !HasKeyAt(frame)) {
+    return std::nullopt;
+  }
   if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
   if (placed || unplaced) WarnOfVelocityJump(frame);
   return std::nullopt;
@@ -182,12 +183,7 @@ bool Baker::ReleaseObjects(int frame) {
     any = true;
   }
   if (!any) return false;
-  figure_ = *animation_.figure;
-  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
-    const HeldObject& object = animation_.held_objects[i];
-    if (!objects_[i].is_held()) continue;
-    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
-  }
+  LoadFigure();
   if (gravity_) gravity_->MassesChanged(now_, &ws_);
   if (fall_) fall_->MassesChanged(Seconds(frame), now_, &ws_);
   return true;
@@ -195,9 +191,12 @@ bool Baker::ReleaseObjects(int frame) {
 
 bool Baker::BeginRegions(int frame) {
   bool any = false;
-  for (const DynamicsRegion& region : animation_.regions) {
+  for (size_t r = 0; r < animation_.regions.size(); ++r) {
+    const DynamicsRegion& region = animation_.regions[r];
     if (region.first_frame != frame) continue;
     any = true;
+    begun_.push_back(static_cast<int>(r));
+    motion_->regions[r] = EmptyReport(region);
     if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) {
       const bool handed_over =
@@ -228,11 +227,12 @@ void Baker::RebuildDriver(int frame) {
   driver_.reset();
   if (exact_) TakeReports();
   exact_.reset();
+  if (active.empty()) std::fill(has_twin_.begin(), has_twin_.end(), 0);
   if (active.empty()) return;
   if (IsExact(frame)) {
     double sharpness = 1.0;
-    for (const int r : active) sharpness = std::max(sharpness, sharpness_[r]);
-    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness);
+    for (const int r : active) sharpness = std::max(sharpness, refinements_[r].sharpness);
+    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness, *known_);
     return;
   }
   driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);
@@ -241,7 +241,7 @@ void Baker::RebuildDriver(int frame) {
 
 // Regions that are active together are one system and take the smallest of their steps.
 void Baker::ReportStep(int region, int frame) {
-  double& step = motion_.regions[region].step;
+  double& step = motion_->regions[region].step;
   if (driver_->step() >= step) return;
   AddWarning("regions[" + std::to_string(region) + "]",
              "takes the step of another region that is active from frame " + std::to_string(frame) +

@@ -1,7 +1,6 @@
 // Continuous time: from a frame to the next at which regions, holds, placement or curves change.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -37,23 +36,6 @@ bool Baker::IsExact(int frame) const {
   return animation_.solver.method == Method::kExact;
 }
 
-// True if something begins or ends at the frame, or a key lies on it.
-bool Baker::ChangesAt(int frame) const {
-  const auto is_edge = [frame](const auto& span) {
-    return span.first_frame == frame || span.last_frame == frame;
-  };
-  const auto is_released = [frame](const HeldObject& object) {
-    return object.release_frame == frame;
-  };
-  const auto any = [](const auto& list, const auto& test) {
-    return std::any_of(list.begin(), list.end(), test);
-  };
-  return frame == animation_.last_frame || any(animation_.regions, is_edge) ||
-         any(animation_.placements, is_edge) || any(animation_.holds, is_edge) ||
-         any(animation_.held_objects, is_released) ||
-         std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
-}
-
 Result<int> Baker::AdvanceExact(int frame) {
   int end = frame + 1;
   while (!ChangesAt(end)) ++end;
@@ -71,7 +53,7 @@ Result<int> Baker::AdvanceExact(int frame) {
     }
     from = to;
   }
-  FinishExact(end);
+  if (auto error = FinishExact(end)) return *error;
   return end;
 }
 
@@ -235,7 +217,7 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
     const std::optional<GravityEvent> event = FirstGravityEvent(t, next, to);
     if (event) next = event->time;
     if (exact_ && energy_) exact_->Account(next, event.has_value() && event->is_change());
-    RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end);
+    if (auto error = RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end)) return error;
     t = next;
     if (!event) continue;
     const double frame = FrameOf(t, from, to);
@@ -252,12 +234,7 @@ double Baker::FrameOf(double seconds, double from, double to) const {
 }
 
 Baker::Failure Baker::AdvanceRegions(double t, double last) {
-  const auto start = std::chrono::steady_clock::now();
   const auto failure = exact_->Advance(t, last);
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-  for (const int r : exact_->active()) {
-    motion_.regions[r].microseconds += spent.count() / static_cast<double>(exact_->active().size());
-  }
   for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
     AddEvent(EventKind::kStop, animation_.rate.FrameAt(hit.time),
              figure_.joints()[hit.coordinate].name);
@@ -302,37 +279,42 @@ Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
 }
 
 // Output frames after `from` up to and including `to`, but for `end`.
-void Baker::RecordUpTo(double from, double to, double end) {
+Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
   const double per_frame = OutputFramesPerFrame();
   const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
   for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
     const double frame = output / per_frame;
-    if (frame > end - kSameFrame) return;
+    if (frame > end - kSameFrame) break;
     FigureMotion motion;
-    if (PoseAt(frame, Side::kAfter, &motion)) return;
+    if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (exact_) exact_->Estimate(Seconds(frame));
     Record(output, motion, LimitOf(motion), pinned());
   }
+  return std::nullopt;
 }
 
-void Baker::FinishExact(int frame) {
+Baker::Failure Baker::FinishExact(int frame) {
   FigureMotion motion;
-  (void)PoseAt(frame, Side::kBefore, &motion);
+  if (auto error = PoseAt(frame, Side::kBefore, &motion)) return error;
   now_ = std::move(motion);
   now_.frame = frame;
   before_ = LimitOf(now_);
-  if (!exact_) return;
+  if (!exact_) return std::nullopt;
   exact_->Estimate(Seconds(frame));
   exact_->SampleTwin(Seconds(frame), &twin_);
   for (size_t c = 0; c < has_twin_.size(); ++c) has_twin_[c] = exact_->is_free(static_cast<int>(c));
+  return std::nullopt;
 }
 
 // What the driver did, for the reports of its regions.
 void Baker::TakeReports() {
+  const GroupLogs logs = exact_->logs();
+  stretch_->logs.insert(stretch_->logs.end(), logs.begin(), logs.end());
   for (size_t a = 0; a < exact_->active().size(); ++a) {
-    RegionReport& report = motion_.regions[exact_->active()[a]];
+    RegionReport& report = motion_->regions[exact_->active()[a]];
     report.steps += static_cast<int>(exact_->steps());
     report.evaluations += static_cast<int>(exact_->evaluations());
+    report.microseconds += exact_->microseconds() / static_cast<double>(exact_->active().size());
     report.groups = exact_->group_sizes();
     report.bodies = exact_->num_bodies();
     report.energy = exact_->energy();
