@@ -61,7 +61,8 @@ void Baker::RegionsChanged() {
 
 void Baker::FindEdges() {
   const auto mark = [this](int frame) {
-    if (animation_.first_frame <= frame && frame <= animation_.last_frame) is_edge_[Index(frame)] = 1;
+    if (animation_.first_frame <= frame && frame <= animation_.last_frame)
+      is_edge_[Index(frame)] = 1;
   };
   const auto mark_ends = [&](const auto& spans) {
     for (const auto& span : spans) {
@@ -81,7 +82,8 @@ void Baker::FindEdges() {
 
 void Baker::CountKeys(const Keys& keys, int by) {
   for (const Key& key : keys) {
-    const bool is_inside = animation_.first_frame <= key.frame && key.frame <= animation_.last_frame;
+    const bool is_inside =
+        animation_.first_frame <= key.frame && key.frame <= animation_.last_frame;
     if (!is_inside || key.frame != std::floor(key.frame)) continue;
     num_keys_[Index(static_cast<int>(key.frame))] += by;
   }

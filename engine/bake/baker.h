@@ -25,8 +25,8 @@ class Baker {
 
   // The animation's first frame.
   Result<Checkpoint> Begin();
-  // Bakes from stretch->start up to the next checkpoint, which is returned unless the animation ends
-  // before. Regions are not solved anew where one of the logs in `known` tells what they do.
+  // Bakes from stretch->start up to the next checkpoint, which is returned unless the animation
+  // ends before. Regions are not solved anew where one of the logs in `known` tells what they do.
   Result<std::optional<Checkpoint>> BakeStretch(const GroupLogs& known, Stretch* stretch);
 
   // A curve of the animation is about to change its keys, or has changed them.

@@ -20,8 +20,8 @@ class CurveSet {
   CurveTrack& joint(JointIndex j) { return joints_[j.value()]; }
   CurveTrack& root(int curve) { return root_[curve]; }
 
-  // The pieces of all curves that lead to a frame, and to go on from them: of the joints, then of the
-  // root.
+  // The pieces of all curves that lead to a frame, and to go on from them: of the joints, then of
+  // the root.
   std::vector<CurveTrack::Piece> PiecesBefore(double frame);
   void Restart(const std::vector<CurveTrack::Piece>& pieces);
 

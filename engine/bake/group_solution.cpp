@@ -32,8 +32,7 @@ void Append(const RigidInertia& body, std::vector<double>* numbers) {
 }  // namespace
 
 GroupSolution::Run::Run(const GroupTask& task, double step_tolerance)
-    : dynamics(task.model, task.friction, task.gravity),
-      solver(&dynamics, task.lower, task.upper) {
+    : dynamics(task.model, task.friction, task.gravity), solver(&dynamics, task.lower, task.upper) {
   solver.SetTolerance(step_tolerance);
 }
 
@@ -219,9 +218,7 @@ void GroupSolution::ExecuteDrive(const double* arguments) {
   for (Run* run : pair_->runs()) run->solver.Restart();
 }
 
-void GroupSolution::FeelPin(const Vec3& v_pin) {
-  Ask({kFeelPin, v_pin.x(), v_pin.y(), v_pin.z()});
-}
+void GroupSolution::FeelPin(const Vec3& v_pin) { Ask({kFeelPin, v_pin.x(), v_pin.y(), v_pin.z()}); }
 
 std::optional<ExactFailure> GroupSolution::Advance(double t, double end) {
   const auto is_beyond = [&](double time) { return time > t || time >= end; };

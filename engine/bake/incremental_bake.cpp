@@ -152,7 +152,8 @@ void IncrementalBake::Join(std::optional<Checkpoint> next) {
       after->second.is_stale = true;
     }
   }
-  const auto stale = std::find_if(after, parts_.end(), [](const auto& p) { return p.second.is_stale; });
+  const auto stale =
+      std::find_if(after, parts_.end(), [](const auto& p) { return p.second.is_stale; });
   fresh_until_ = stale == parts_.end() ? animation_.last_frame + 1 : stale->first;
 }
 

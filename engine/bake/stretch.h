@@ -35,8 +35,8 @@ struct Checkpoint {
   bool operator==(const Checkpoint&) const = default;
 };
 
-// A part of a bake: from a checkpoint up to the next, or to the end. It depends on its beginning and
-// on the animation, on nothing else.
+// A part of a bake: from a checkpoint up to the next, or to the end. It depends on its beginning
+// and on the animation, on nothing else.
 struct Stretch {
   Checkpoint start;
   std::vector<MotionEvent> events;

@@ -67,7 +67,8 @@ void ContinuousGravity::MassesChanged(double t, const FigureMotion& motion, Dyna
 void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
   if (state_.pin) return PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
   const double s = t - state_.start;
-  PlaceCenterOfMass(figure_, state_.com + state_.com_v * s + 0.5 * g_ * s * s, state_.com_v + g_ * s, ws, motion);
+  PlaceCenterOfMass(figure_, state_.com + state_.com_v * s + 0.5 * g_ * s * s,
+                    state_.com_v + g_ * s, ws, motion);
 }
 
 FigureMotion ContinuousGravity::PlacedAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {

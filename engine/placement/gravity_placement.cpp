@@ -117,7 +117,8 @@ void GravityPlacement::Place(DynamicsWorkspace* ws, FigureMotion* motion,
     PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
   } else {
     const double t = -seconds_before_end;
-    PlaceCenterOfMass(figure_, state_.com + state_.com_v * t + 0.5 * g_ * t * t, state_.com_v + g_ * t, ws, motion);
+    PlaceCenterOfMass(figure_, state_.com + state_.com_v * t + 0.5 * g_ * t * t,
+                      state_.com_v + g_ * t, ws, motion);
   }
 }
 

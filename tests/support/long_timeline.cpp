@@ -11,7 +11,7 @@ namespace hazumi::test {
 
 namespace {
 
-constexpr int kKeyStep = 10;      // frames
+constexpr int kKeyStep = 10;       // frames
 constexpr int kRegionLength = 10;  // frames
 
 // Every hinge but those of the feet sways a little, each in its own time.
@@ -22,7 +22,8 @@ void KeyJoints(int num_frames, Animation* animation) {
     const double size = 0.1 * (joint.upper - joint.lower);
     for (int frame = 0; frame <= num_frames; frame += kKeyStep) {
       const double angle = joint.rest + size * std::sin(0.07 * (frame + 13 * j));
-      animation->joint_keys[j].push_back({double(frame), std::clamp(angle, joint.lower, joint.upper), {}, Interpolation::kCubic});
+      animation->joint_keys[j].push_back(
+          {double(frame), std::clamp(angle, joint.lower, joint.upper), {}, Interpolation::kCubic});
     }
   }
 }

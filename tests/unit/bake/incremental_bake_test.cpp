@@ -109,7 +109,9 @@ void ExpectEditsAreSame(Animation animation, int edits, uint64_t seed) {
   }
 }
 
-TEST(IncrementalBake, OfTheThrowIsSameAsBakingAnew) { ExpectEditsAreSame(Example("throw"), 200, 1); }
+TEST(IncrementalBake, OfTheThrowIsSameAsBakingAnew) {
+  ExpectEditsAreSame(Example("throw"), 200, 1);
+}
 
 TEST(IncrementalBake, OfTheJumpIsSameAsBakingAnew) { ExpectEditsAreSame(Example("jump"), 200, 2); }
 
