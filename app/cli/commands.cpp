@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -25,15 +26,35 @@ Error InFile(Error error, const std::string& file) {
   return error;
 }
 
-// --method and --step go before what the file and its regions say.
+// --method, --step and --tolerance go before what the file and its regions say.
 void ApplySolverOptions(const Options& options, Project* project) {
-  if (options.method) {
-    project->solver.method = *options.method;
-    for (ProjectRegion& region : project->regions) region.method.reset();
+  ProjectSolver& solver = project->solver;
+  solver.method = options.method.value_or(solver.method);
+  if (options.step_s) solver.step_s = options.step_s;
+  if (options.tolerance_deg) solver.tolerance_deg = options.tolerance_deg;
+  for (ProjectRegion& region : project->regions) {
+    if (options.method) region.method.reset();
+    if (options.step_s) region.step_s.reset();
+    if (options.tolerance_deg) region.tolerance_deg.reset();
   }
-  if (options.step_s) {
-    project->solver.step_s = *options.step_s;
-    for (ProjectRegion& region : project->regions) region.step_s.reset();
+}
+
+bool Uses(const Animation& animation, Method method) {
+  return animation.solver.method == method ||
+         std::any_of(animation.regions.begin(), animation.regions.end(),
+                     [&](const DynamicsRegion& region) { return region.method == method; });
+}
+
+// Of options that only the method not used would heed.
+void WarnAboutSolverOptions(const Options& options, const Animation& animation,
+                            std::vector<Warning>* warnings) {
+  if (options.step_s && !Uses(animation, Method::kPaper)) {
+    warnings->push_back(
+        {"--step", "has no effect: everything is solved by method exact; use --tolerance"});
+  }
+  if (options.tolerance_deg && !Uses(animation, Method::kExact)) {
+    warnings->push_back(
+        {"--tolerance", "has no effect: everything is solved by method paper; use --step"});
   }
 }
 
@@ -59,10 +80,12 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   Result<Compiled> compiled = CompileAnimation(project.value());
   if (!compiled.ok()) return InFile(compiled.error(), file);
   if (auto error = CheckLength(compiled.value().animation, options)) return InFile(*error, file);
-  Result<Motion> motion = Bake(compiled.value().animation, {options.rate, &Interrupted()});
+  Result<Motion> motion =
+      Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
   std::vector<Warning> warnings = compiled.value().warnings;
+  WarnAboutSolverOptions(options, compiled.value().animation, &warnings);
   const std::vector<Warning>& baked = motion.value().warnings;
   warnings.insert(warnings.end(), baked.begin(), baked.end());
   return BakedProject{std::move(project).value(), std::move(compiled.value().animation),

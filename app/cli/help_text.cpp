@@ -37,9 +37,11 @@ Drawing, with --render
   --frame-number    draw the frame number
   --no-shadow       draw no shadow
 
-Motion, with any task
-  --method M        instead of the file's: paper
-  --step S          solver step in seconds, 0.000001 to 1, instead of the file's
+Motion, with any task, instead of what the file and its regions say
+  --method M        exact, or paper: the steps of the published method
+  --tolerance DEG   of method exact: greatest error of an angle in a region, in
+                    degrees, 1e-10 to 5
+  --step S          of method paper: its step in seconds, 0.000001 to 1
 
 Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or

@@ -3,7 +3,10 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
+#include "engine/exchange/motion_json.h"
+#include "engine/exchange/units.h"
 
 namespace hazumi {
 
@@ -11,18 +14,48 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// By the names that --bake uses.
+void AddExact(const RegionReport& report, Json* region) {
+  (*region)["tolerance_deg"] = StatedDegrees(report.tolerance);
+  (*region)["groups"] = report.groups;
+  (*region)["bodies"] = report.bodies;
+  (*region)["error_estimate_deg"] = Degrees(report.error_estimate);
+}
+
+Json EnergyAsJson(const EnergyBalance& energy) {
+  Json json;
+  for (const auto& [name, joules] : TermsOf(energy)) json[name] = joules;
+  return json;
+}
+
+Json RegionAsJson(const DynamicsRegion& region, const RegionReport& report) {
+  Json json = {{"name", region.name},
+               {"first_frame", region.first_frame},
+               {"last_frame", region.last_frame},
+               {"joints", region.joints.size()},
+               {"root", region.root},
+               {"method", NameOf(region.method)},
+               {"steps", report.steps},
+               {"evaluations", report.evaluations},
+               {"microseconds", report.microseconds}};
+  if (region.method == Method::kExact) AddExact(report, &json);
+  if (region.method == Method::kPaper) json["step_s"] = report.step;
+  if (report.energy) json["energy_j"] = EnergyAsJson(*report.energy);
+  return json;
+}
+
+Json SolverAsJson(const SolverSettings& solver) {
+  Json json = {{"method", NameOf(solver.method)}};
+  if (solver.method == Method::kExact) json["tolerance_deg"] = StatedDegrees(solver.tolerance);
+  if (solver.method == Method::kPaper) json["step_s"] = solver.step;
+  json["version"] = solver.version;
+  return json;
+}
+
 Json RegionsAsJson(const BakedProject& baked) {
   Json list = Json::array();
   for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
-    const DynamicsRegion& region = baked.animation.regions[i];
-    const RegionReport& report = baked.motion.regions[i];
-    list.push_back({{"name", region.name},
-                    {"first_frame", region.first_frame},
-                    {"last_frame", region.last_frame},
-                    {"joints", region.joints.size()},
-                    {"method", NameOf(region.method)},
-                    {"steps", report.steps},
-                    {"microseconds", report.microseconds}});
+    list.push_back(RegionAsJson(baked.animation.regions[i], baked.motion.regions[i]));
   }
   return list;
 }
@@ -44,10 +77,7 @@ Json InfoAsJson(const BakedProject& baked) {
   return {{"name", baked.project.name},
           {"frames", {animation.first_frame, animation.last_frame}},
           {"fps", animation.rate.frames_per_second()},
-          {"solver",
-           {{"method", NameOf(animation.solver.method)},
-            {"step_s", animation.solver.step},
-            {"version", animation.solver.version}}},
+          {"solver", SolverAsJson(animation.solver)},
           {"figure",
            {{"name", figure.name()},
             {"joints", figure.num_joints()},
@@ -61,10 +91,12 @@ void PrintRegions(const BakedProject& baked) {
   for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
     const DynamicsRegion& region = baked.animation.regions[i];
     const RegionReport& report = baked.motion.regions[i];
-    PrintLine(stdout, "region     %s: F%d-F%d, %zu of %d joints, %s at %g s: %d steps, %.0f us",
-              region.name.c_str(), region.first_frame, region.last_frame, region.joints.size(),
-              report.all_joints, NameOf(region.method), report.step, report.steps,
-              report.microseconds);
+    PrintLine(stdout, "region     %s: F%d-F%d, %s", region.name.c_str(), region.first_frame,
+              region.last_frame,
+              FinenessText(report.method, report.step, report.tolerance).c_str());
+    for (const std::string& line : LinesOf(report, region.root)) {
+      PrintLine(stdout, "           %s", line.c_str());
+    }
   }
 }
 
@@ -95,8 +127,9 @@ void Print(const BakedProject& baked) {
             animation.rate.frames_per_second());
   PrintLine(stdout, "figure     %s: %d joints, %zu links, %g kg", figure.name().c_str(),
             figure.num_joints(), figure.links().size(), figure.total_mass());
-  PrintLine(stdout, "solver     %s at %g s, version %d", NameOf(animation.solver.method),
-            animation.solver.step, animation.solver.version);
+  const SolverSettings& solver = animation.solver;
+  PrintLine(stdout, "solver     %s, version %d",
+            FinenessText(solver.method, solver.step, solver.tolerance).c_str(), solver.version);
   PrintRegions(baked);
   PrintPlacements(animation);
   PrintEvents(baked.motion);

@@ -47,9 +47,18 @@ bool ReadStep(const std::string& text, Options* options) {
   return step && *step >= kShortest && *step <= kLongest && Keep(step, &options->step_s);
 }
 
+bool ReadTolerance(const std::string& text, Options* options) {
+  constexpr double kFinest = 1e-10, kCoarsest = 5.0;  // as in files [deg]
+  const auto tolerance = ReadFinite(text);
+  return tolerance && *tolerance >= kFinest && *tolerance <= kCoarsest &&
+         Keep(tolerance, &options->tolerance_deg);
+}
+
 bool ReadMethod(const std::string& text, Options* options) {
-  options->method = Method::kPaper;
-  return text == NameOf(Method::kPaper);
+  for (const Method method : {Method::kExact, Method::kPaper}) {
+    if (text == NameOf(method)) options->method = method;
+  }
+  return options->method.has_value();
 }
 
 bool ReadPictures(const std::string& text, Options* options) {
@@ -106,8 +115,9 @@ constexpr OptionRule kRules[] = {
     {"--tint", kRender, nullptr, Set<&Options::tint>},
     {"--frame-number", kRender, nullptr, Set<&Options::frame_number>},
     {"--no-shadow", kRender, nullptr, Set<&Options::shadow, false>},
-    {"--method", kAll, "the methods are: paper", ReadMethod},
+    {"--method", kAll, "the methods are: exact, paper", ReadMethod},
     {"--step", kAll, "give seconds from 0.000001 to 1", ReadStep},
+    {"--tolerance", kAll, "give degrees from 1e-10 to 5", ReadTolerance},
     {"--fps", kRender | kBake | kInfo,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},

@@ -47,6 +47,7 @@ struct Options {
 
   std::optional<Method> method;
   std::optional<double> step_s;
+  std::optional<double> tolerance_deg;
   std::optional<FrameRate> rate;
   bool timings = false;
   bool json = false;

@@ -8,6 +8,7 @@
 #include "app/cli/frame_names.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
 #include "app/cli/version.h"
 #include "engine/bake/bake.h"
@@ -54,8 +55,8 @@ std::vector<render::PngText> Metadata(const BakedProject& baked, int frame) {
   return {{"Software", std::string("Hazumi ") + kVersion},
           {"Project", WithoutControls(baked.project.name)},
           {"Frame", std::to_string(frame)},
-          {"Solver", std::string(NameOf(solver.method)) + " " + FormatNumber(solver.step) +
-                         " s, version " + std::to_string(solver.version)}};
+          {"Solver", FinenessText(solver.method, solver.step, solver.tolerance) + ", version " +
+                         std::to_string(solver.version)}};
 }
 
 // The output frames asked for, as far as the motion has them.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "engine/bake/limits.h"
 #include "engine/base/text.h"
@@ -11,25 +13,7 @@ namespace hazumi {
 
 namespace {
 
-Figure WithHeldObjects(const Animation& animation) {
-  Figure figure = *animation.figure;
-  for (const HeldObject& object : animation.held_objects) {
-    figure = figure.WithLoad(figure.group(object.holder).last(), InertiaOf(object));
-  }
-  return figure;
-}
-
-std::vector<double> AllKeyFrames(const Animation& animation) {
-  std::vector<double> frames;
-  const auto add = [&frames](const Keys& keys) {
-    for (const Key& key : keys) frames.push_back(key.frame);
-  };
-  for (const Keys& keys : animation.joint_keys) add(keys);
-  for (const Keys& keys : animation.root_keys) add(keys);
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-  return frames;
-}
+constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
 
 Error CannotGoOn(std::string place, std::string message) {
   return {ErrorCode::kSemantics, "", std::move(place), std::move(message)};
@@ -37,39 +21,222 @@ Error CannotGoOn(std::string place, std::string message) {
 
 }  // namespace
 
-Baker::Baker(const Animation& animation, const BakeOptions& options)
+Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion)
     : animation_(animation),
       cancel_(options.cancel),
-      figure_(WithHeldObjects(animation)),
+      energy_(options.energy),
+      refine_(options.refine),
+      figure_(*animation.figure),
       ws_(figure_),
       curves_(animation),
-      key_frames_(AllKeyFrames(animation)),
-      free_(figure_.num_joints(), 0) {
-  motion_.rate = options.output_rate.value_or(animation.rate);
-  for (const HeldObject& object : animation.held_objects) {
-    objects_.emplace_back(figure_, object, animation.gravity);
-  }
-  for (const DynamicsRegion& region : animation.regions) {
-    motion_.regions.push_back({region.name, region.method,
-                               region.step.value_or(animation.solver.step), 0, 0, 0, 0.0,
-                               static_cast<int>(region.joints.size()), figure_.num_joints()});
-  }
-  const VecX zero = VecX::Zero(figure_.num_joints());
-  now_.q = now_.qd = now_.qdd = zero;
+      free_(figure_.num_joints(), 0),
+      refinements_(animation.regions.size()),
+      has_twin_(figure_.num_joints() + kRootAngles, 0),
+      motion_(motion) {
+  motion_->rate = options.output_rate.value_or(animation.rate);
+  PrepareMotion();
+  FindEdges();
+  num_keys_.assign(is_edge_.size(), 0);
+  for (const Keys& keys : animation_.joint_keys) CountKeys(keys, 1);
+  for (const Keys& keys : animation_.root_keys) CountKeys(keys, 1);
+  driven_.angles.resize(figure_.num_joints() + kRootAngles);
+  twin_.q = twin_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
+  root_.q = root_.qd = VecX::Zero(kRootAngles);
 }
 
-Result<Motion> Baker::Run() {
+// The figure with what it holds.
+void Baker::LoadFigure() {
+  figure_ = *animation_.figure;
+  for (size_t i = 0; i < objects_.size(); ++i) {
+    const HeldObject& object = animation_.held_objects[i];
+    if (!objects_[i].is_held()) continue;
+    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
+  }
+}
+
+void Baker::RegionsChanged() {
+  curves_ = CurveSet(animation_);
+  FindEdges();
+}
+
+void Baker::FindEdges() {
+  const auto mark = [this](int frame) {
+    if (animation_.first_frame <= frame && frame <= animation_.last_frame)
+      is_edge_[Index(frame)] = 1;
+  };
+  const auto mark_ends = [&](const auto& spans) {
+    for (const auto& span : spans) {
+      mark(span.first_frame);
+      mark(span.last_frame);
+    }
+  };
+  is_edge_.assign(Index(animation_.last_frame) + 1, 0);
+  mark(animation_.last_frame);
+  mark_ends(animation_.regions);
+  mark_ends(animation_.placements);
+  mark_ends(animation_.holds);
+  for (const HeldObject& object : animation_.held_objects) {
+    if (object.release_frame) mark(*object.release_frame);
+  }
+}
+
+void Baker::CountKeys(const Keys& keys, int by) {
+  for (const Key& key : keys) {
+    const bool is_inside =
+        animation_.first_frame <= key.frame && key.frame <= animation_.last_frame;
+    if (!is_inside || key.frame != std::floor(key.frame)) continue;
+    num_keys_[Index(static_cast<int>(key.frame))] += by;
+  }
+}
+
+// Room for all frames, and reports of regions that did nothing yet.
+void Baker::PrepareMotion() {
+  const double per_frame = OutputFramesPerFrame();
+  first_output_ = static_cast<int>(std::ceil(animation_.first_frame * per_frame - kSameFrame));
+  const int last = static_cast<int>(std::floor(animation_.last_frame * per_frame + kSameFrame));
+  motion_->frames.resize(std::max(0, last - first_output_ + 1));
+  motion_->regions.clear();
+  for (const DynamicsRegion& region : animation_.regions) {
+    motion_->regions.push_back(EmptyReport(region));
+  }
+}
+
+RegionReport Baker::EmptyReport(const DynamicsRegion& region) const {
+  RegionReport report;
+  report.name = region.name;
+  report.method = region.method;
+  report.step = region.step.value_or(animation_.solver.step);
+  report.tolerance = region.tolerance.value_or(animation_.solver.tolerance);
+  report.free_joints = static_cast<int>(region.joints.size());
+  report.all_joints = figure_.num_joints();
+  return report;
+}
+
+Result<Checkpoint> Baker::Begin() {
+  curves_ = CurveSet(animation_);
+  Checkpoint nothing;
+  nothing.now.q = nothing.now.qd = nothing.now.qdd = VecX::Zero(figure_.num_joints());
+  nothing.pieces = curves_.PiecesBefore(animation_.first_frame);
+  for (const HeldObject& object : animation_.held_objects) {
+    nothing.objects.emplace_back(figure_, object, animation_.gravity);
+  }
+  Restore(nothing);
   if (auto error = Evaluate(animation_.first_frame, Side::kBefore, &now_)) return *error;
   before_ = LimitOf(now_);
-  for (int frame = animation_.first_frame;; ++frame) {
+  return Save(animation_.first_frame);
+}
+
+Checkpoint Baker::Save(int frame) {
+  Checkpoint checkpoint;
+  checkpoint.frame = frame;
+  checkpoint.now = now_;
+  checkpoint.before = before_;
+  checkpoint.pieces = curves_.PiecesBefore(frame);
+  if (span_) checkpoint.span = span_ - animation_.placements.data();
+  checkpoint.pin_W = pin_W_;
+  if (gravity_) checkpoint.gravity = gravity_->state();
+  if (fall_) checkpoint.fall = fall_->state();
+  for (const ActiveHold& active : holds_) {
+    const size_t index = active.hold - animation_.holds.data();
+    checkpoint.holds.push_back({index, active.target});
+  }
+  checkpoint.objects = objects_;
+  return checkpoint;
+}
+
+void Baker::Restore(const Checkpoint& checkpoint) {
+  now_ = checkpoint.now;
+  before_ = checkpoint.before;
+  curves_.Restart(checkpoint.pieces);
+  std::fill(free_.begin(), free_.end(), 0);
+  std::fill(has_twin_.begin(), has_twin_.end(), 0);
+  root_free_ = exact_begun_ = false;
+  driver_.reset();
+  exact_.reset();
+  if (objects_ != checkpoint.objects) {
+    objects_ = checkpoint.objects;
+    LoadFigure();
+  }
+  span_ = checkpoint.span ? &animation_.placements[*checkpoint.span] : nullptr;
+  pin_W_ = checkpoint.pin_W;
+  gravity_.reset();
+  fall_.reset();
+  if (checkpoint.gravity) {
+    gravity_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
+    gravity_->Resume(*checkpoint.gravity);
+  }
+  if (checkpoint.fall) {
+    fall_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
+    fall_->Resume(*checkpoint.fall);
+  }
+  holds_.clear();
+  for (const Checkpoint::Hold& held : checkpoint.holds) {
+    const IkHold& hold = animation_.holds[held.index];
+    holds_.push_back({&hold, HoldSolver(figure_, hold.joint, hold.hold_orientation), held.target});
+  }
+}
+
+Result<std::optional<Checkpoint>> Baker::BakeStretch(const GroupLogs& known, Stretch* stretch) {
+  known_ = &known;
+  stretch_ = stretch;
+  std::fill(refinements_.begin(), refinements_.end(), Refinement());
+  int frame;
+  do {
+    stretch->events.clear();
+    stretch->warnings.clear();
+    stretch->logs.clear();
+    begun_.clear();
+    Restore(stretch->start);
+    const Result<int> end = AdvanceToCheckpoint(stretch->start.frame);
+    if (!end.ok()) return end.error();
+    frame = end.value();
+  } while (refine_ && Sharpen());
+  if (frame > animation_.last_frame) return std::optional<Checkpoint>();
+  return std::optional(Save(frame));
+}
+
+// Up to a frame where something changes while no region is active, or beyond the last frame.
+Result<int> Baker::AdvanceToCheckpoint(int frame) {
+  for (;;) {
     if (auto error = CrossFrame(frame)) return *error;
     RecordIfOutput();
     if (frame == animation_.last_frame) break;
-    if (auto error = AdvanceFrame(frame)) return *error;
+    if (IsExact(frame)) {
+      const Result<int> next = AdvanceExact(frame);
+      if (!next.ok()) return next.error();
+      frame = next.value();
+    } else {
+      if (auto error = AdvanceFrame(frame)) return *error;
+      ++frame;
+    }
+    if (!driver_ && !exact_ && ChangesAt(frame)) return frame;
   }
-  std::stable_sort(motion_.events.begin(), motion_.events.end(),
-                   [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
-  return std::move(motion_);
+  if (exact_) TakeReports();
+  return animation_.last_frame + 1;
+}
+
+// Asks for finer steps where the estimate says that a region misses its tolerance, as long as that
+// helps. False if there is nothing to ask for.
+bool Baker::Sharpen() {
+  constexpr double kFinest = 1e6;
+  bool any = false;
+  for (const int r : begun_) {
+    const RegionReport& report = motion_->regions[r];
+    Refinement& refinement = refinements_[r];
+    if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
+    const double finer = refinement.sharpness * 3.0 * report.error_estimate / report.tolerance;
+    if (finer > kFinest || report.error_estimate > 0.3 * refinement.last_estimate) {
+      AddWarning("regions[" + std::to_string(r) + "]",
+                 "its angles may be off by " +
+                     FormatShort(report.error_estimate * 180.0 / std::numbers::pi) +
+                     " degrees, more than its tolerance: the motion is so sensitive that finer "
+                     "steps do not help");
+      continue;
+    }
+    refinement = {finer, report.error_estimate};
+    any = true;
+  }
+  return any;
 }
 
 // ceil(frame time / step) equal steps; a frame that is a whole number of steps but for rounding
@@ -111,12 +278,10 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
       driver_->Advance(now_, root_hold(), seconds, &ws_, &next->q, &next->qd, &stops);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) {
-    return CannotGoOn(RegionPlace(failure->joint),
-                      "cannot go on after frame " + FormatShort(now_.frame) + ": joint \"" +
-                          figure_.joint(failure->joint).name + "\": " + failure->cause);
+    return CannotGoOnAfter(now_.frame, failure->joint, failure->cause);
   }
   for (const int r : driver_->active()) {
-    RegionReport& report = motion_.regions[r];
+    RegionReport& report = motion_->regions[r];
     ++report.steps;
     ++report.evaluations;
     report.solves += driver_->solves_of_last_step();
@@ -150,9 +315,17 @@ Baker::Failure Baker::StepPlacement(double frame_from, double seconds, Side side
   return std::nullopt;
 }
 
+// An invalid joint is the root.
+Error Baker::CannotGoOnAfter(double frame, JointIndex joint, const std::string& cause) const {
+  const std::string who = joint.is_valid() ? "joint \"" + figure_.joint(joint).name + "\""
+                                           : "root \"" + figure_.root_name() + "\"";
+  return CannotGoOn(RegionPlace(joint.is_valid() ? std::optional(joint) : std::nullopt),
+                    "cannot go on after frame " + FormatShort(frame) + ": " + who + ": " + cause);
+}
+
 // "regions[1]", where it is known which: the one that moves the joint, or the only active one.
 std::string Baker::RegionPlace(std::optional<JointIndex> joint) const {
-  std::vector<int> candidates = driver_->active();
+  std::vector<int> candidates = driver_ ? driver_->active() : exact_->active();
   std::erase_if(candidates, [&](int r) {
     const auto& joints = animation_.regions[r].joints;
     return joint && !std::binary_search(joints.begin(), joints.end(), *joint);
@@ -177,13 +350,15 @@ Baker::Failure Baker::FinishLanding() {
 Baker::Failure Baker::Evaluate(double frame, Side side, FigureMotion* motion) {
   motion->frame = frame;
   curves_.SampleJoints(frame, side, free_, motion);
-  curves_.SampleRootOrientation(frame, side, motion);
+  TurnRoot(frame, side, motion);
   PlaceRoot(frame, side, motion);
   return SolveHolds(frame, side, motion);
 }
 
 void Baker::PlaceRoot(double frame, Side side, FigureMotion* motion) {
-  if (gravity_) {
+  if (fall_) {
+    fall_->Place(Seconds(frame), &ws_, motion);
+  } else if (gravity_) {
     gravity_->Place(&ws_, motion);
   } else if (span_ && span_->kind == PlacementKind::kPinned) {
     PinRoot(figure_, figure_.group(*span_->pin).first, pin_W_, &ws_, motion);
@@ -226,7 +401,21 @@ Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
     return CannotGoOn("placements[" + std::to_string(span - spans.begin()) + "]",
                       "the figure has no joint that could be pinned where it lands; give it one");
   }
-  return Baker(animation, options).Run();
+  Motion motion;
+  Baker baker(animation, options, &motion);
+  Result<Checkpoint> first = baker.Begin();
+  if (!first.ok()) return first.error();
+  Stretch stretch;
+  stretch.start = std::move(first.value());
+  for (;;) {
+    Result<std::optional<Checkpoint>> next = baker.BakeStretch({}, &stretch);
+    if (!next.ok()) return next.error();
+    stretch.AppendTo(&motion);
+    if (!next.value()) break;
+    stretch.start = std::move(*next.value());
+  }
+  SortByTime(&motion.events);
+  return motion;
 }
 
 }  // namespace hazumi

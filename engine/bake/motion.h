@@ -18,6 +18,7 @@ struct MotionLimit {
   Pose X_WR;                   // root in the world [m]
   Vec3 root_w = Vec3::Zero();  // angular velocity of the root, world axes [rad/s]
   Vec3 root_v = Vec3::Zero();  // velocity of the root's origin [m/s]
+  bool operator==(const MotionLimit&) const = default;
 };
 
 // Where a held object is.
@@ -47,17 +48,39 @@ struct MotionEvent {
   std::string joint;  // pinned, stopped or letting go; empty if none
 };
 
+// Energy of the bodies that a region's model moves, and where it went [J].
+struct EnergyBalance {
+  double kinetic_start = 0.0, kinetic_end = 0.0;
+  double potential_start = 0.0, potential_end = 0.0;
+  double friction = 0.0;  // work of friction on the figure: negative where it is lost
+  double stops = 0.0;     // of impacts on stops and on the ground
+  double keyed = 0.0;     // of the keyed joints and the placement
+  // What is left unexplained: 0 but for the error of the solution.
+  double residual() const {
+    return kinetic_end + potential_end - kinetic_start - potential_start - friction - stops - keyed;
+  }
+};
+
 struct RegionReport {
   std::string name;
   Method method;
-  double step = 0.0;  // [s]
+  double step = 0.0;       // kPaper [s]
+  double tolerance = 0.0;  // kExact [rad]
   int steps = 0;
   int evaluations = 0;        // of the equations of motion
   int solves = 0;             // of them for accelerations: more where stops were hit
   double microseconds = 0.0;  // differs from run to run; no part of the motion
   int free_joints = 0;
   int all_joints = 0;
+  // kExact. What was modelled: free hinges of each group solved by itself, and bodies in all.
+  std::vector<int> groups;
+  int bodies = 0;
+  double error_estimate = 0.0;  // of the angles, the largest at any frame [rad]
+  std::optional<EnergyBalance> energy;
 };
+
+// Puts events in order of time; events at one time stay as they are.
+void SortByTime(std::vector<MotionEvent>* events);
 
 // The result of a bake: the figure at every frame.
 struct Motion {

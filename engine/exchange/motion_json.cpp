@@ -1,5 +1,9 @@
 #include "engine/exchange/motion_json.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/text.h"
@@ -38,6 +42,11 @@ std::string Lines(const Items& items, TextOf text_of) {
 template <typename Vector>
 std::string Numbers(const Vector& values) {
   return List(values, FormatNumber);
+}
+
+// JSON has no infinite numbers.
+std::string NumberOrNull(double value) {
+  return std::isfinite(value) ? FormatNumber(value) : "null";
 }
 
 std::string InDegrees(const VecX& radians) {
@@ -118,16 +127,39 @@ std::string EventText(const MotionEvent& event) {
          ", \"joint\": " + (event.joint.empty() ? "null" : Quote(event.joint)) + "}";
 }
 
+// What the motion is as fine as: the field that the method heeds.
+std::string FinenessText(Method method, double step, double tolerance) {
+  std::string text = "\"method\": " + Quote(NameOf(method));
+  if (method == Method::kPaper) return text + ", \"step_s\": " + FormatNumber(step);
+  return text + ", \"tolerance_deg\": " + FormatNumber(StatedDegrees(tolerance));
+}
+
+std::string ModelText(const RegionReport& region) {
+  return ", \"groups\": " + List(region.groups, [](int size) { return std::to_string(size); }) +
+         ", \"bodies\": " + std::to_string(region.bodies) +
+         ", \"error_estimate_deg\": " + NumberOrNull(Degrees(region.error_estimate));
+}
+
+std::string EnergyText(const EnergyBalance& energy) {
+  std::string text;
+  for (const auto& [name, joules] : TermsOf(energy)) {
+    text += (text.empty() ? "" : ", ") + Quote(name) + ": " + NumberOrNull(joules);
+  }
+  return ", \"energy_j\": {" + text + "}";
+}
+
 std::string RegionText(const RegionReport& region, bool timings) {
   std::string text = "{\"name\": " + Quote(region.name);
-  text += ", \"method\": " + Quote(NameOf(region.method));
-  text += ", \"step_s\": " + FormatNumber(region.step);
+  text += ", " + FinenessText(region.method, region.step, region.tolerance);
   text += ", \"steps\": " + std::to_string(region.steps);
   text += ", \"evaluations\": " + std::to_string(region.evaluations);
   text += ", \"solves\": " + std::to_string(region.solves);
   if (timings) text += ", \"microseconds\": " + FormatNumber(region.microseconds);
   text += ", \"free_joints\": " + std::to_string(region.free_joints);
-  return text + ", \"all_joints\": " + std::to_string(region.all_joints) + "}";
+  text += ", \"all_joints\": " + std::to_string(region.all_joints);
+  if (region.method == Method::kExact) text += ModelText(region);
+  if (region.energy) text += EnergyText(*region.energy);
+  return text + "}";
 }
 
 std::string WarningText(const Warning& warning) {
@@ -136,6 +168,28 @@ std::string WarningText(const Warning& warning) {
 
 }  // namespace
 
+double StatedDegrees(double radians) {
+  constexpr int kDigits = 12;
+  char text[32];
+  const auto end = std::to_chars(std::begin(text), std::end(text), Degrees(radians),
+                                 std::chars_format::general, kDigits)
+                       .ptr;
+  double degrees = 0.0;
+  std::from_chars(text, end, degrees);
+  return degrees;
+}
+
+std::array<std::pair<const char*, double>, 8> TermsOf(const EnergyBalance& energy) {
+  return {{{"kinetic_start", energy.kinetic_start},
+           {"kinetic_end", energy.kinetic_end},
+           {"potential_start", energy.potential_start},
+           {"potential_end", energy.potential_end},
+           {"friction", energy.friction},
+           {"stops", energy.stops},
+           {"keyed", energy.keyed},
+           {"residual", energy.residual()}}};
+}
+
 std::string MotionToJson(const Animation& animation, const Motion& motion,
                          const MotionJsonOptions& options) {
   const SolverSettings& solver = animation.solver;
@@ -143,8 +197,7 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
   text += "  \"fps\": " + FormatNumber(motion.rate.frames_per_second()) +
           ", \"fps_num\": " + std::to_string(motion.rate.num) +
           ", \"fps_den\": " + std::to_string(motion.rate.den);
-  text += ",\n  \"solver\": {\"method\": " + Quote(NameOf(solver.method)) +
-          ", \"step_s\": " + FormatNumber(solver.step) +
+  text += ",\n  \"solver\": {" + FinenessText(solver.method, solver.step, solver.tolerance) +
           ", \"version\": " + std::to_string(solver.version) + "}";
   text += ",\n  \"joints\": " +
           List(animation.figure->joints(), [](const Joint& joint) { return Quote(joint.name); });

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "engine/bake/motion.h"
 #include "engine/timeline/animation.h"
@@ -18,5 +19,12 @@ struct MotionJsonOptions {
 // w x y z. The fields are listed in README.md beside this file.
 std::string MotionToJson(const Animation& animation, const Motion& motion,
                          const MotionJsonOptions& options = {});
+
+// Of an angle that somebody stated in degrees: without what the way to radians and back changes in
+// the last digits.
+double StatedDegrees(double radians);
+
+// Every term of the balance and what it leaves unexplained, by its name in JSON [J].
+std::array<std::pair<const char*, double>, 8> TermsOf(const EnergyBalance& energy);
 
 }  // namespace hazumi

@@ -59,6 +59,7 @@ constexpr CheckText kTexts[] = {
     {Check::kNewerSolver, kSchema,
      "made for version {} of the solver, this Hazumi has 1; please update it"},
     {Check::kStepRange, kSchema, "must lie between 0.000001 and 1 s, is {}"},
+    {Check::kToleranceRange, kSchema, "must lie between 1e-10 and 5 degrees, is {}"},
     {Check::kNotFinite, kSchema, "must be a finite number"},
     {Check::kKeyOrder, kSchema, "frame {} comes after frame {}; write keys in order of frames"},
     {Check::kKeyTwice, kSchema, "a second key on frame {}; keep one of them"},
@@ -72,10 +73,12 @@ constexpr CheckText kTexts[] = {
     {Check::kUnknownJoint, kSchema, "no joint {}; {}"},
     {Check::kKeysOnGroup, kSchema, "{} has {} hinges; key each by its name: {}"},
     {Check::kRootInRegion, kSchema,
-     "{} is the root, which no region can drive: in the paper's method it stays keyed; "
-     "name joints beyond it"},
+     "{} is the root, which method \"paper\" leaves to its keys; choose method \"exact\" for this "
+     "region, or name joints beyond the root"},
     {Check::kRootNotAJoint, kSchema,
      "{} is the root, not a joint; name a joint (the root's own keys stand under \"root\")"},
+    {Check::kFrictionOnRoot, kSchema,
+     "{} is the root: friction acts in joints, and the root has none; remove it"},
     {Check::kFrictionNotInRegion, kSchema,
      "{} is not in this region; add it to the region's joints or remove its friction"},
 
@@ -84,7 +87,13 @@ constexpr CheckText kTexts[] = {
     {Check::kReleaseOutside, kSemantics, "frame {} is not within the project's frames {} to {}"},
     {Check::kRegionsOverlap, kSemantics,
      "regions {} and {} both drive {} in frames {} to {}; end one where the other begins, or take "
-     "the joint out of one"},
+     "it out of one"},
+    {Check::kMethodsDiffer, kSemantics,
+     "regions {} and {} share frames {} to {}, but one has method {} and the other {}; give them "
+     "the same, or end one where the other begins"},
+    {Check::kMethodInGravity, kSemantics,
+     "region {} has method {}, but in frames {} to {} gravity places the figure ({}) by the "
+     "solver's method {}; leave out the region's, or end one where the other begins"},
     {Check::kRegionAllFixed, kSemantics,
      "every joint of region {} is fixed by equal limits, so nothing can swing; name others"},
     {Check::kPlacementsOverlap, kSemantics,
@@ -111,6 +120,9 @@ constexpr CheckText kTexts[] = {
     {Check::kRegionInHold, kSemantics,
      "region {} drives {}, which the hold of {} ({}) needs in frames {} to {}; end one where the "
      "other begins, or take the joint out of the region"},
+    {Check::kRootInHold, kSemantics,
+     "region {} swings the root, which the hold of {} ({}) needs in frames {} to {}; end the hold "
+     "before the region begins, or leave the root out of the region"},
 
     {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},

@@ -87,7 +87,10 @@ class Compiler {
     animation_.rate = {project_.fps.num, project_.fps.den};
     animation_.first_frame = project_.frames.first;
     animation_.last_frame = project_.frames.last;
-    animation_.solver = {project_.solver.method, project_.solver.step_s, project_.solver.version};
+    const ProjectSolver& solver = project_.solver;
+    animation_.solver = {solver.method, solver.step_s.value_or(kDefaultStep),
+                         solver.tolerance_deg.value_or(kDefaultToleranceDeg) * kRadiansPerDegree,
+                         solver.version};
     animation_.gravity = project_.scene.gravity_m_s2;
   }
 
@@ -142,6 +145,9 @@ class Compiler {
     region.last_frame = source.last_frame;
     region.method = source.method.value_or(project_.solver.method);
     region.step = source.step_s;
+    region.limit_tangents = source.limit_tangents;
+    if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kRadiansPerDegree;
+    region.root = DrivesRoot(source, *figure_);
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
     const std::vector<double> factors = FrictionFactors(source.friction);
     for (JointIndex j : region.joints) region.friction.push_back(factors[j.value()]);

@@ -126,17 +126,46 @@ class AnimationChecker {
 
   void CheckRegion(size_t i) {
     const DynamicsRegion& region = animation_.regions[i];
-    errors_->Require(!region.joints.empty(), Check::kRegionAllFixed, At("regions", i) + ".joints",
-                     {Quoted(region.name)});
-    for (size_t k = 0; k < i; ++k) {
-      const DynamicsRegion& other = animation_.regions[k];
-      const Span both = Common(SpanOf(region), SpanOf(other));
-      const auto joint = FirstOf(Common(driven_[i], driven_[k]));
-      if (both.is_empty() || !joint) continue;
-      errors_->Report(Check::kRegionsOverlap, At("regions", i),
-                      {Quoted(other.name), Quoted(region.name), Quoted(figure_.joint(*joint).name),
-                       Text(both.first), Text(both.last)});
+    errors_->Require(region.root || !region.joints.empty(), Check::kRegionAllFixed,
+                     At("regions", i) + ".joints", {Quoted(region.name)});
+    for (size_t k = 0; k < i; ++k) CheckRegions(i, k);
+    for (size_t k = 0; k < animation_.placements.size(); ++k) CheckMethodInGravity(i, k);
+  }
+
+  // Regions may share frames but nothing that they drive, and are then solved together.
+  void CheckRegions(size_t i, size_t k) {
+    const DynamicsRegion &region = animation_.regions[i], &other = animation_.regions[k];
+    const Span both = Common(SpanOf(region), SpanOf(other));
+    if (both.is_empty()) return;
+    if (const auto shared = SharedBy(i, k)) {
+      errors_->Report(
+          Check::kRegionsOverlap, At("regions", i),
+          {Quoted(other.name), Quoted(region.name), *shared, Text(both.first), Text(both.last)});
     }
+    errors_->Require(region.method == other.method, Check::kMethodsDiffer, At("regions", i),
+                     {Quoted(other.name), Quoted(region.name), Text(both.first), Text(both.last),
+                      Quoted(hazumi::NameOf(other.method)), Quoted(hazumi::NameOf(region.method))});
+  }
+
+  // What both regions drive, for a message.
+  std::optional<std::string> SharedBy(size_t i, size_t k) const {
+    if (const auto joint = FirstOf(Common(driven_[i], driven_[k]))) {
+      return Quoted(figure_.joint(*joint).name);
+    }
+    if (animation_.regions[i].root && animation_.regions[k].root) return "the root";
+    return std::nullopt;
+  }
+
+  // The fall and what swings in it depend on each other, so they are solved together.
+  void CheckMethodInGravity(size_t i, size_t k) {
+    const DynamicsRegion& region = animation_.regions[i];
+    const PlacementSpan& placement = animation_.placements[k];
+    const Span both = Common(SpanOf(region), SpanOf(placement));
+    const Method method = animation_.solver.method;
+    if (placement.kind != PlacementKind::kGravity || both.is_empty()) return;
+    errors_->Require(region.method == method, Check::kMethodInGravity, At("regions", i),
+                     {Quoted(region.name), Quoted(hazumi::NameOf(region.method)), Text(both.first),
+                      Text(both.last), At("placements", k), Quoted(hazumi::NameOf(method))});
   }
 
   // A region that drives one of the joints during the span.
@@ -175,11 +204,22 @@ class AnimationChecker {
   // No region drives what the hold needs. Comes after the closed loops, whose message says more.
   void CheckFree(size_t i) {
     const IkHold& hold = animation_.holds[i];
+    for (const DynamicsRegion& region : animation_.regions) CheckRootFree(i, region);
     const auto driver = FindDriver(needed_[i], SpanOf(hold));
     if (!driver) return;
     errors_->Report(Check::kRegionInHold, At("holds", i),
                     {driver->region, driver->joint, Quoted(NameOf(hold.joint)), At("holds", i),
                      Text(driver->span.first), Text(driver->span.last)});
+  }
+
+  // A hold is solved from where the root is.
+  void CheckRootFree(size_t i, const DynamicsRegion& region) {
+    const IkHold& hold = animation_.holds[i];
+    const Span both = Common(SpanOf(region), SpanOf(hold));
+    if (!region.root || both.is_empty()) return;
+    errors_->Report(Check::kRootInHold, At("holds", i),
+                    {Quoted(region.name), Quoted(NameOf(hold.joint)), At("holds", i),
+                     Text(both.first), Text(both.last)});
   }
 
   void CheckPair(size_t i, size_t k) {

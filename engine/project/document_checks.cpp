@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSlowestRate = 0.1, kFastestRate = 1e4;     // frames per second
 constexpr double kShortestStep = 1e-6, kLongestStep = 1.0;   // [s]
+constexpr double kFinest = 1e-10, kCoarsest = 5.0;           // tolerances [deg]
 constexpr double kNarrowestView = 1.0, kWidestView = 179.0;  // [deg]
 constexpr long kMostFrames = 1'000'000;
 constexpr int kSolverVersion = 1;
@@ -28,9 +29,17 @@ void CheckTime(const Project& project, const Site& site) {
                        {std::to_string(last - first + 1)});
 }
 
-void CheckStep(double step_s, const Site& site) {
-  if (step_s >= kShortestStep && step_s <= kLongestStep) return;
-  site.Report(Check::kStepRange, {NumberText(step_s)});
+// How finely the solver or a region is solved.
+template <typename Settings>
+void CheckFineness(const Settings& settings, const Site& site) {
+  const double step = settings.step_s.value_or(kDefaultStep);
+  if (!(step >= kShortestStep && step <= kLongestStep)) {
+    site.Field("step_s").Report(Check::kStepRange, {NumberText(step)});
+  }
+  const double tolerance = settings.tolerance_deg.value_or(kDefaultToleranceDeg);
+  if (!(tolerance >= kFinest && tolerance <= kCoarsest)) {
+    site.Field("tolerance_deg").Report(Check::kToleranceRange, {NumberText(tolerance)});
+  }
 }
 
 void CheckSolver(const ProjectSolver& solver, const Site& site) {
@@ -38,7 +47,7 @@ void CheckSolver(const ProjectSolver& solver, const Site& site) {
   if (solver.version > kSolverVersion) {
     site.Field("version").Report(Check::kNewerSolver, {std::to_string(solver.version)});
   }
-  CheckStep(solver.step_s, site.Field("step_s"));
+  CheckFineness(solver, site);
 }
 
 void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& site) {
@@ -94,7 +103,7 @@ void CheckRegion(const ProjectRegion& region, const Site& site) {
   CheckSpan(region.first_frame, region.last_frame, site);
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
   CheckFriction(region.friction, site.Field("friction"));
-  if (region.step_s) CheckStep(*region.step_s, site.Field("step_s"));
+  CheckFineness(region, site);
 }
 
 // Names of one list: none empty, none twice.

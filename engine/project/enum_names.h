@@ -27,7 +27,8 @@ struct EnumNames;
 template <>
 struct EnumNames<Method> {
   static constexpr const char* kWhat = "method";
-  static constexpr EnumName<Method> kNames[] = {{Method::kPaper, NameOf(Method::kPaper)}};
+  static constexpr EnumName<Method> kNames[] = {{Method::kExact, NameOf(Method::kExact)},
+                                                {Method::kPaper, NameOf(Method::kPaper)}};
 };
 
 template <>

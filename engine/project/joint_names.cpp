@@ -9,10 +9,6 @@ namespace hazumi {
 
 namespace {
 
-bool IsRoot(const std::string& name, const Figure& figure) {
-  return name == "root" || name == figure.root_name();
-}
-
 // Groups first: they are fewer and what is meant most often.
 std::vector<std::string> AllNames(const Figure& figure) {
   std::vector<std::string> names;
@@ -23,7 +19,7 @@ std::vector<std::string> AllNames(const Figure& figure) {
 
 bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site) {
   if (FindJoints(figure, name)) return true;
-  if (IsRoot(name, figure)) {
+  if (MeansRoot(name, figure)) {
     site.Report(Check::kRootNotAJoint, {Quoted(name)});
   } else {
     site.Report(Check::kUnknownJoint, {Quoted(name), Suggestion(name, AllNames(figure))});
@@ -43,6 +39,7 @@ void CheckKeyed(const std::string& name, const Figure& figure, const Site& site)
 
 void CheckInRegion(const std::string& name, const Figure& figure, const std::vector<bool>& region,
                    const Site& site) {
+  if (MeansRoot(name, figure)) return site.Report(Check::kFrictionOnRoot, {Quoted(name)});
   if (!ExpectJoint(name, figure, site)) return;
   const MeantJoints meant = *FindJoints(figure, name);
   const auto begin = region.begin();
@@ -52,14 +49,16 @@ void CheckInRegion(const std::string& name, const Figure& figure, const std::vec
   }
 }
 
-void CheckRegionNames(const ProjectRegion& region, const Figure& figure, const Site& site) {
+void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& figure,
+                      const Site& site) {
   for (size_t i = 0; i < region.joints.size(); ++i) {
     const std::string& name = region.joints[i].name;
     const Site place = site.Field("joints").Item(i);
-    if (IsRoot(name, figure) && !FindJoints(figure, name)) {
-      return place.Report(Check::kRootInRegion, {Quoted(name)});
+    if (MeansRoot(name, figure)) {
+      if (method == Method::kPaper) return place.Report(Check::kRootInRegion, {Quoted(name)});
+    } else if (!ExpectJoint(name, figure, place)) {
+      return;
     }
-    if (!ExpectJoint(name, figure, place)) return;
   }
   const std::vector<bool> joints = JointsOf(region, figure);
   for (const auto& factor : region.friction.joints) {
@@ -91,9 +90,20 @@ std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& n
   return MeantJoints{*j, JointIndex(j->value() + 1), figure.joint(*j).group};
 }
 
+bool MeansRoot(const std::string& name, const Figure& figure) {
+  return (name == "root" || name == figure.root_name()) && !FindJoints(figure, name);
+}
+
+bool DrivesRoot(const ProjectRegion& region, const Figure& figure) {
+  return std::any_of(region.joints.begin(), region.joints.end(),
+                     [&](const JointRef& ref) { return MeansRoot(ref.name, figure); });
+}
+
 std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure) {
   std::vector<bool> joints(figure.joints().size());
   for (const JointRef& ref : region.joints) {
+    // Everything lies beyond the root.
+    if (ref.beyond && MeansRoot(ref.name, figure)) joints.assign(joints.size(), true);
     const auto meant = FindJoints(figure, ref.name);
     if (!meant) continue;
     const JointIndex end = ref.beyond ? figure.joint(meant->first).subtree_end : meant->end;
@@ -108,7 +118,9 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
     CheckKeyed(joint.name, figure, site.Field("joints").Field(joint.name));
   }
   for (size_t i = 0; i < project.regions.size(); ++i) {
-    CheckRegionNames(project.regions[i], figure, site.Field("regions").Item(i));
+    const ProjectRegion& region = project.regions[i];
+    CheckRegionNames(region, region.method.value_or(project.solver.method), figure,
+                     site.Field("regions").Item(i));
   }
   for (size_t i = 0; i < project.placements.size(); ++i) {
     CheckPlacementNames(project.placements[i], figure, site.Field("placements").Item(i));

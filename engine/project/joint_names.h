@@ -21,6 +21,12 @@ struct MeantJoints {
 // A group goes before a hinge of the same name: it then has this hinge only.
 std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& name);
 
+// True if the name means the root: its own name, or "root", unless a joint is called so.
+bool MeansRoot(const std::string& name, const Figure& figure);
+
+// True if the region drives the root's orientation.
+bool DrivesRoot(const ProjectRegion& region, const Figure& figure);
+
 // The joints of a region by index: true if it drives them. Unknown names are left out.
 std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure);
 

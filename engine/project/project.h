@@ -29,9 +29,15 @@ struct ProjectFrames {
   bool operator==(const ProjectFrames&) const = default;
 };
 
+// What holds where the file states neither.
+inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
+inline constexpr double kDefaultToleranceDeg = 0.01;
+
+// Both numbers are kept whatever the method, so that trying the other one loses nothing.
 struct ProjectSolver {
-  Method method = Method::kPaper;
-  double step_s = 1.0 / 30.0;
+  Method method = Method::kExact;
+  std::optional<double> step_s;         // kPaper
+  std::optional<double> tolerance_deg;  // kExact: greatest error of an angle in a region
   int version = 1;
   ExtraFields extra;
   bool operator==(const ProjectSolver&) const = default;
@@ -67,7 +73,8 @@ struct Named {
   bool operator==(const Named&) const = default;
 };
 
-// Joints of a region: a hinge, a group (all its hinges), or either with everything beyond it.
+// Joints of a region: a hinge, a group (all its hinges), the root (its orientation), or any of them
+// with everything beyond it.
 struct JointRef {
   std::string name;
   bool beyond = false;
@@ -88,8 +95,10 @@ struct ProjectRegion {
   int first_frame = 0, last_frame = 0;  // half open
   std::vector<JointRef> joints;
   ProjectFriction friction;
-  std::optional<Method> method;  // not given: the project's
-  std::optional<double> step_s;  // not given: the project's
+  // Not given: the project's.
+  std::optional<Method> method;
+  std::optional<double> step_s, tolerance_deg;
+  bool limit_tangents = false;
   ExtraFields extra;
   bool operator==(const ProjectRegion&) const = default;
 };

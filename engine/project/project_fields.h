@@ -46,7 +46,8 @@ void Describe(Ar& ar, Ref<Ar, ProjectFrames> frames) {
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectSolver> solver) {
   ar.Required("method", solver.method);
-  ar.Required("step_s", solver.step_s);
+  ar.Optional("step_s", solver.step_s);
+  ar.Optional("tolerance_deg", solver.tolerance_deg);
   ar.Required("version", solver.version);
 }
 
@@ -83,6 +84,8 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
   ar.Stated("friction", region.friction);
   ar.Optional("method", region.method);
   ar.Optional("step_s", region.step_s);
+  ar.Optional("tolerance_deg", region.tolerance_deg);
+  ar.Optional("limit_tangents", region.limit_tangents);
 }
 
 template <typename Ar>

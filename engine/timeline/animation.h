@@ -16,8 +16,10 @@ namespace hazumi {
 // The solver a file asks for; stated in every file, so that later defaults change no motion.
 struct SolverSettings {
   Method method = Method::kPaper;
-  double step = 1.0 / 30.0;  // [s]
+  double step = 1.0 / 30.0;     // kPaper [s]
+  double tolerance = 1.745e-4;  // kExact: greatest error of an angle in a region [rad]
   int version = 1;
+  bool operator==(const SolverSettings&) const = default;
 };
 
 // Numbers of the root's curves: position [m], then the hinge angles of R = Rz Ry Rx [rad].

@@ -29,6 +29,18 @@ class CurveTrack {
   CurveSample At(double frame);
   // The limit from the left, if something lies there; else as At.
   CurveSample Before(double frame);
+  // The polynomial that runs through `frame`, or begins there: from first_frame (-infinity before
+  // the first key) to last_frame.
+  struct Piece {
+    double first_frame, last_frame;
+    Interval interval;
+    bool operator==(const Piece&) const = default;
+  };
+  Piece PieceAt(double frame);
+  // The polynomial that leads to `frame`.
+  Piece PieceBefore(double frame);
+  // Goes on from a piece, as if it had got there by itself.
+  void Restart(const Piece& piece) { segments_ = {piece}; }
   // The key that lies exactly on `frame`, or null.
   const Key* KeyAt(double frame) const;
   bool HasKeyAfter(double frame) const;
@@ -39,10 +51,7 @@ class CurveTrack {
   void Resume(double frame, double value, double rate, bool as_keyed = false);
 
  private:
-  struct Segment {
-    double first_frame, last_frame;
-    Interval interval;
-  };
+  using Segment = Piece;
 
   void PlanUpTo(double frame);
   void Append(double frame, double value, double rate, Interpolation kind);

@@ -10,11 +10,14 @@ namespace hazumi {
 
 enum class Method {
   kPaper,  // the passive step of Arai 2.4
+  kExact,  // its meaning in continuous time, with the error under control [METHOD 2]
 };
 constexpr const char* NameOf(Method method) {
   switch (method) {
     case Method::kPaper:
       return "paper";
+    case Method::kExact:
+      return "exact";
   }
   return "";
 }
@@ -28,8 +31,13 @@ struct DynamicsRegion {
   int last_frame = 0;
   std::vector<JointIndex> joints;  // ascending, no duplicates
   std::vector<double> friction;    // one for each of `joints`: factor in [0, 1] per 1/30 s
+  bool root = false;               // kExact: the root's orientation too
   Method method = Method::kPaper;
-  std::optional<double> step;  // [s]; not given: the animation's
+  std::optional<double> step;       // kPaper [s]; not given: the animation's
+  std::optional<double> tolerance;  // kExact [rad]; not given: the animation's
+  // The curves after the region start no faster than they can without leaving the joint limits.
+  bool limit_tangents = false;
+  bool operator==(const DynamicsRegion&) const = default;
 };
 
 }  // namespace hazumi

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace hazumi {
 
 // A curve's value and its first and second time derivatives (per second).
@@ -19,6 +21,9 @@ class Interval {
   static Interval Cubic(double v1, double r1, double v2, double r2, double duration);
 
   CurveSample At(double seconds) const;
+  // c[i] goes with the power i of the seconds.
+  std::array<double, 4> coefficients() const { return {c0_, c1_, c2_, c3_}; }
+  bool operator==(const Interval&) const = default;
 
  private:
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0;

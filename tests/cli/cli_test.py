@@ -61,6 +61,9 @@ class CommandLine(unittest.TestCase):
                       ["--bake", "-", "--step", "0", THROW],
                       ["--bake", "-", "--fps", "zero", THROW],
                       ["--bake", "-", "--method", "magic", THROW],
+                      ["--bake", "-", "--tolerance", "0", THROW],
+                      ["--bake", "-", "--tolerance", "6", THROW],
+                      ["--bake", "-", "--tolerance", "nan", THROW],
                       ["--render", "o", "--frames", "9..3", THROW],
                       ["--render", "o", "--frames", "0..99999999999", THROW],
                       ["--render", "o", "--frames", "3..", THROW],
@@ -98,6 +101,10 @@ class CommandLine(unittest.TestCase):
                 (["--bake", "-", "--ghosts", "3", THROW], "--ghosts belongs to --render"),
                 (["--bake", "-", "--json", THROW], "--json belongs to --check and --info"),
                 (["--render", "o", "--timings", THROW], "--timings belongs to --bake"),
+                (["--check", "--method", "magic", THROW],
+                 "--method magic: the methods are: exact, paper"),
+                (["--check", "--tolerance", "9", THROW],
+                 "--tolerance 9: give degrees from 1e-10 to 5"),
                 (["--check", "--info", THROW], "--check and --info: one task at a time"),
                 (["--check", "--json=no", THROW], "--json takes no value"),
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
@@ -114,8 +121,42 @@ class CommandLine(unittest.TestCase):
         self.assertLessEqual(max(map(len, lines)), 80)
         for option in ("render", "bake", "check", "info", "frames", "size", "samples", "camera",
                        "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
-                       "method", "step", "fps", "timings", "json"):
+                       "method", "tolerance", "step", "fps", "timings", "json"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
+
+    def test_method_and_step_go_before_what_the_file_says(self):
+        project = self.project()
+        project["solver"] = {"method": "exact", "tolerance_deg": 0.5, "version": 1}
+        for region in project["regions"]:
+            region.update(method="exact", step_s=0.5)
+        exact = self.folder / "exact.kfa"
+        exact.write_text(json.dumps(project))
+        done = run("--info", "--json", "--method", "paper", "--step", "0.01", exact)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        info = json.loads(done.stdout)
+        self.assertEqual(info["solver"], {"method": "paper", "step_s": 0.01, "version": 1})
+        self.assertEqual({(r["method"], r["step_s"]) for r in info["regions"]}, {("paper", 0.01)})
+
+    def test_a_number_that_no_method_heeds_is_warned_about(self):
+        step, tolerance = ["--step", "0.02"], ["--tolerance", "0.1"]
+        for method, vain, other, heeded in (("paper", tolerance, "--step", step),
+                                            ("exact", step, "--tolerance", tolerance)):
+            done = run("--check", "--method", method, *vain, THROW)
+            self.assertEqual((done.returncode, done.stdout), (0, f"{THROW}: ok\n"))
+            self.assertIn(f"{vain[0]}: warning: has no effect: everything is solved by method "
+                          f"{method}; use {other}", done.stderr)
+            self.assertNotIn("no effect",
+                             run("--check", "--method", method, *heeded, THROW).stderr)
+
+    def test_the_root_in_a_region_needs_method_exact(self):
+        project = self.project()
+        project["regions"][0]["joints"].append("pelvis")
+        swung = self.folder / "swung.kfa"
+        swung.write_text(json.dumps(project))
+        done = run("--check", "--method", "paper", swung)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn('regions[0].joints[2]: "pelvis" is the root, which method "paper"',
+                      done.stderr)
 
     def test_frames_partly_outside_are_clipped_with_a_warning(self):
         done = run("--render", self.folder / "a", "--size", "64x48", "--frames", "29..50", THROW)
@@ -237,7 +278,7 @@ class CommandLine(unittest.TestCase):
         for task in (["--bake", self.folder / "m.json"], ["--check"], ["--info"],
                      ["--render", self.folder / "pictures"]):
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-                process = start(*task, "--step", "0.000002", THROW)
+                process = start(*task, "--method", "paper", "--step", "0.000002", THROW)
                 time.sleep(0.3)
                 process.send_signal(number)
                 out, complaint = process.communicate(timeout=60)

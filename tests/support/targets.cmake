@@ -4,7 +4,8 @@ include_guard(GLOBAL)
 set(_support ${CMAKE_CURRENT_LIST_DIR})
 
 add_library(hazumi_test_support STATIC ${_support}/arm7_cases.cpp ${_support}/figures.cpp
-            ${_support}/path.cpp ${_support}/random.cpp ${_support}/random_tree.cpp)
+            ${_support}/multipliers.cpp ${_support}/path.cpp ${_support}/random.cpp
+            ${_support}/random_tree.cpp)
 target_link_libraries(hazumi_test_support PUBLIC hazumi_engine PRIVATE hazumi_flags)
 
 find_library(MUJOCO_LIBRARY mujoco)

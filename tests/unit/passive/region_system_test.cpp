@@ -5,11 +5,11 @@
 #include "engine/passive/region_system.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
 #include "tests/support/compare.h"
+#include "tests/support/multipliers.h"
 #include "tests/support/sample.h"
 
 namespace hazumi::test {
@@ -52,48 +52,17 @@ struct Region {
   JointIndex pin;
 };
 
-// Find x with M x - C^T f = rhs and C x = c.
-struct Bordered {
-  MatX M;
-  VecX rhs;
-  MatX C;
-  VecX c;
-
-  void Add(const MatX& rows, const VecX& values) {
-    const auto old = C.rows();
-    C.conservativeResize(old + rows.rows(), M.cols());
-    c.conservativeResize(old + rows.rows());
-    C.bottomRows(rows.rows()) = rows;
-    c.tail(rows.rows()) = values;
-  }
-
-  VecX Solve() const {
-    const auto n = M.rows(), k = C.rows();
-    MatX A = MatX::Zero(n + k, n + k);
-    A.topLeftCorner(n, n) = M;
-    A.topRightCorner(n, k) = -C.transpose();
-    A.bottomLeftCorner(k, n) = C;
-    VecX right(n + k);
-    right << rhs, c;
-    return A.partialPivLu().solve(right).head(n);
-  }
-};
-
 // All coordinates that are prescribed keep the given values.
-void Prescribe(const Region& region, bool translation, const VecX& values, Bordered* system) {
+void Prescribe(const Region& region, bool translation, const VecX& values, Multipliers* system) {
   std::vector<char> is_given(values.size(), 1);
   if (!translation) std::fill_n(is_given.begin(), 3, 0);
   for (const JointIndex j : region.free) is_given[MujocoFigure::kRootDof + j.value()] = 0;
-  for (int i = 0; i < values.size(); ++i) {
-    if (is_given[i]) {
-      system->Add(VecX::Unit(values.size(), i).transpose(), VecX::Constant(1, values[i]));
-    }
-  }
+  system->Prescribe(is_given, values);
 }
 
 VecX ExpectedAccelerations(Region& region, RootCoupling coupling) {
   MujocoFigure& mujoco = region.sample.mujoco;
-  Bordered system{mujoco.InertiaMatrix(), -mujoco.Bias(), {}, {}};
+  Multipliers system{mujoco.InertiaMatrix(), -mujoco.Bias(), {}, {}};
   Prescribe(region, coupling == RootCoupling::kPrescribed, region.sample.Join(region.sample.qdd),
             &system);
   if (coupling == RootCoupling::kPinned) {
@@ -142,7 +111,7 @@ TEST(RegionSystem, RatesAfterPinningAgreeWithTheImpulseOfMultipliers) {
     const VecX before =
         MujocoFigure::Join(sample.moving_root.v, sample.moving_root.rate, sample.qd);
     const MatX M = mujoco.InertiaMatrix();
-    Bordered impulse{M, M * before, {}, {}};
+    Multipliers impulse{M, M * before, {}, {}};
     Prescribe(region, false, before, &impulse);
     impulse.Add(mujoco.OriginJacobian(region.pin), Vec3::Zero());
     DynamicsWorkspace ws(sample.figure);

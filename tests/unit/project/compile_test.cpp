@@ -56,6 +56,55 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
   EXPECT_EQ(compiled.warnings[0].place, "regions[0].joints");
 }
 
+TEST(CompileAnimation, TakesStepAndToleranceFromTheRegionElseTheSolverElseTheDefault) {
+  const Animation stated = CompileGood({{"/solver/tolerance_deg", "0.2"}}).animation;
+  EXPECT_DOUBLE_EQ(stated.solver.tolerance, 0.2 * kDegree);
+  EXPECT_DOUBLE_EQ(*stated.regions[0].tolerance, 0.5 * kDegree);
+  EXPECT_FALSE(stated.regions[1].tolerance.has_value());
+  const Animation bare = CompileGood({{"/solver/step_s", ""}}).animation;
+  EXPECT_EQ(bare.solver.step, 1.0 / 30.0);
+  EXPECT_DOUBLE_EQ(bare.solver.tolerance, 0.01 * kDegree);
+}
+
+// One region of method exact with these joints.
+Animation CompileExact(const std::string& joints) {
+  const std::string region = R"({"name": "r", "first_frame": 5, "last_frame": 9, "joints": )";
+  return CompileGood({{"/solver/method", "\"exact\""}, {"/regions", "[" + region + joints + "}]"}})
+      .animation;
+}
+
+TEST(CompileAnimation, ARegionMayNameTheRoot) {
+  const Animation named = CompileExact(R"(["r_elbow", "pelvis"])");
+  EXPECT_TRUE(named.regions[0].root);
+  EXPECT_EQ(JointNames(named, named.regions[0]), std::vector<std::string>{"r_elbow"});
+  const Animation alone = CompileExact(R"(["root"])");
+  EXPECT_TRUE(alone.regions[0].root);
+  EXPECT_TRUE(alone.regions[0].joints.empty());
+  EXPECT_FALSE(CompileExact(R"(["waist"])").regions[0].root);
+}
+
+TEST(CompileAnimation, BeyondTheRootIsEveryJointThatCanMove) {
+  const Animation animation = CompileExact(R"([{"beyond": "root"}])");
+  const DynamicsRegion& region = animation.regions[0];
+  EXPECT_TRUE(region.root);
+  size_t movable = 0;
+  for (const Joint& joint : animation.figure->joints()) movable += joint.is_fixed() ? 0 : 1;
+  EXPECT_EQ(region.joints.size(), movable);
+  EXPECT_EQ(region.friction, std::vector<double>(movable, 1.0));
+}
+
+TEST(CompileAnimation, FrictionMayFreezeAWholeRegion) {
+  const Changes frozen = {{"/regions/1/friction/default", "0"}};
+  EXPECT_EQ(CompileGood(frozen).animation.regions[1].friction, std::vector<double>{0.0});
+}
+
+TEST(CompileAnimation, RegionsOfBothMethodsMayTouch) {
+  const Changes changes = {{"/solver/method", "\"exact\""}, {"/regions/1/method", "\"exact\""}};
+  const Animation animation = CompileGood(changes).animation;
+  EXPECT_EQ(animation.regions[0].method, Method::kPaper);
+  EXPECT_EQ(animation.regions[1].method, Method::kExact);
+}
+
 TEST(CompileAnimation, SortsPlacementsAndResolvesPins) {
   const Animation animation = CompileGood().animation;
   ASSERT_EQ(animation.placements.size(), 3u);

@@ -57,6 +57,24 @@ TEST(RoundTrip, KeepsWhatTheFileSays) {
   EXPECT_EQ(after["joints"], before["joints"]);
 }
 
+TEST(RoundTrip, TheSolverIsWrittenAsItWasStated) {
+  for (const char* solver :
+       {R"({"method": "exact", "version": 1})", R"({"method": "paper", "version": 1})",
+        R"({"method": "exact", "tolerance_deg": 0.01, "version": 1})",
+        R"({"method": "exact", "step_s": 0.02, "version": 1})",
+        R"({"method": "paper", "step_s": 0.03333333333333333,
+                                 "tolerance_deg": 1e-10, "version": 1})"}) {
+    const Json document = Changed(SampleProject(), {{"/solver", solver}});
+    const Json saved = Json::parse(WriteProject(ParseGood(document)));
+    EXPECT_EQ(saved["solver"].dump(), document["solver"].dump());
+  }
+}
+
+TEST(RoundTrip, ANewDocumentIsExact) {
+  const Json saved = Json::parse(WriteProject(Project()));
+  EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":1})");
+}
+
 TEST(RoundTrip, UnknownFieldsSurviveAtEveryLevel) {
   Json document = SampleProject();
   const int added = AddUnknownFields(&document);

@@ -58,8 +58,22 @@ TEST(Schema, TheSampleIsValid) {
   EXPECT_EQ(Complaint("figure.schema.json", sample["figure"]), "");
 }
 
+TEST(Schema, TakesBothMethodsWithAndWithoutTheirNumbers) {
+  for (const char* solver :
+       {R"({"method": "exact", "version": 1})", R"({"method": "paper", "version": 1})",
+        R"({"method": "exact", "tolerance_deg": 1e-10, "version": 1})"}) {
+    const std::string text = Changed(SampleProject(), {{"/solver", solver}}).dump();
+    EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(text)), "") << solver;
+  }
+}
+
 TEST(Schema, FindsMistakes) {
   const Changes mistakes = {{"/solver", ""},
+                            {"/solver/method", ""},
+                            {"/solver/version", ""},
+                            {"/solver/method", "\"magic\""},
+                            {"/solver/tolerance_deg", "6"},
+                            {"/regions/0/tolerance_deg", "0"},
                             {"/regions/0/friction/default", "1.5"},
                             {"/joints/r_knee/keys/0/interpolation", "\"cubik\""},
                             {"/scene/objects/0/color", "\"red\""},

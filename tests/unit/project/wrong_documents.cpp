@@ -13,6 +13,11 @@ const std::string kPinWrist = R"([{"kind": "pinned", "joint": "l_wrist", "first_
                                    "last_frame": 5}])";
 const std::string kFall = R"([{"kind": "gravity", "first_frame": 0, "last_frame": 5}])";
 const std::string kHoldWrist = R"([{"joint": "r_wrist", "first_frame": 2, "last_frame": 8}])";
+// Regions that swing the root.
+const std::string kTumble = R"({"name": "tumble", "first_frame": 5, "last_frame": 10,
+                                "joints": ["pelvis", "r_elbow"], "method": "exact"})";
+const std::string kRoll = R"({"name": "roll", "first_frame": 8, "last_frame": 12,
+                              "joints": ["root"], "method": "exact"})";
 
 // A slip in the figure's own file.
 std::string DoubtFigureFile() {
@@ -46,6 +51,13 @@ std::vector<WrongProject> WrongValues() {
        "solver.step_s: must lie between 0.000001 and 1 s, is 0"},
       {Check::kStepRange, Read("/regions/0/step_s", "1e-9"),
        "regions[0].step_s: must lie between 0.000001 and 1 s, is 1e-09"},
+      {Check::kToleranceRange, Read("/solver/tolerance_deg", "6"),
+       "solver.tolerance_deg: must lie between 1e-10 and 5 degrees, is 6"},
+      {Check::kToleranceRange, Read("/regions/0/tolerance_deg", "0"),
+       "regions[0].tolerance_deg: must lie between 1e-10 and 5 degrees, is 0"},
+      {Check::kToleranceRange,
+       Spoilt([](Project& p) { p.regions[1].tolerance_deg = std::nan(""); }),
+       "regions[1].tolerance_deg: must lie between 1e-10 and 5 degrees, is nan"},
       {Check::kNotFinite,
        Spoilt([](Project& p) { p.joints[0].value.keys[0].value = std::nan(""); }),
        "joints.r_knee.keys[0].angle_deg: must be a finite number"},
@@ -109,17 +121,28 @@ std::vector<WrongProject> WrongNames() {
        "joints.r_wrist: \"r_wrist\" has 2 hinges; key each by its name: \"r_wrist_flexion\", "
        "\"r_wrist_deviation\""},
       {Check::kRootInRegion, Read("/regions/0/joints/0", "\"root\""),
-       "regions[0].joints[0]: \"root\" is the root, which no region can drive: in the paper's "
-       "method it stays keyed; name joints beyond it"},
+       "regions[0].joints[0]: \"root\" is the root, which method \"paper\" leaves to its keys; "
+       "choose method \"exact\" for this region, or name joints beyond the root"},
       {Check::kRootInRegion, Read("/regions/0/joints/2/beyond", "\"pelvis\""),
-       "regions[0].joints[2]: \"pelvis\" is the root, which no region can drive: in the paper's "
-       "method it stays keyed; name joints beyond it"},
+       "regions[0].joints[2]: \"pelvis\" is the root, which method \"paper\" leaves to its keys; "
+       "choose method \"exact\" for this region, or name joints beyond the root"},
+      {Check::kRootInRegion, Read("/regions/1/joints/0", "\"pelvis\""),
+       "regions[1].joints[0]: \"pelvis\" is the root, which method \"paper\" leaves to its keys; "
+       "choose method \"exact\" for this region, or name joints beyond the root"},
       {Check::kRootNotAJoint, Read("/placements/1/joint", "\"pelvis\""),
        "placements[1].joint: \"pelvis\" is the root, not a joint; name a joint (the root's own "
        "keys stand under \"root\")"},
       {Check::kRootNotAJoint, Read("/joints/root", R"({"keys": []})"),
        "joints.root: \"root\" is the root, not a joint; name a joint (the root's own keys stand "
        "under \"root\")"},
+      {Check::kFrictionOnRoot,
+       Read({{"/regions/0", kTumble},
+             {"/regions/0/friction", R"({"default": 1, "joints": {"pelvis": 0.5}})"}}),
+       "regions[0].friction.joints.pelvis: \"pelvis\" is the root: friction acts in joints, and "
+       "the root has none; remove it"},
+      {Check::kFrictionOnRoot, Read("/regions/1/friction/joints", R"({"root": 0.5})"),
+       "regions[1].friction.joints.root: \"root\" is the root: friction acts in joints, and the "
+       "root has none; remove it"},
       {Check::kFrictionNotInRegion, Read("/regions/1/friction/joints", R"({"r_ankle": 0.5})"),
        "regions[1].friction.joints.r_ankle: \"r_ankle\" is not in this region; add it to the "
        "region's joints or remove its friction"},
@@ -140,7 +163,18 @@ std::vector<WrongProject> Contradictions() {
        Compile(
            {{"/regions/1/first_frame", "14"}, {"/regions/1/joints", R"(["r_knee", "l_elbow"])"}}),
        "regions[1]: regions \"arm\" and \"leg\" both drive \"l_elbow\" in frames 14 to 15; end one "
-       "where the other begins, or take the joint out of one"},
+       "where the other begins, or take it out of one"},
+      {Check::kRegionsOverlap, Compile({{"/regions", "[" + kTumble + ", " + kRoll + "]"}}),
+       "regions[1]: regions \"tumble\" and \"roll\" both drive the root in frames 8 to 10; end one "
+       "where the other begins, or take it out of one"},
+      {Check::kMethodsDiffer,
+       Compile({{"/regions/1/first_frame", "14"}, {"/regions/1/method", "\"exact\""}}),
+       "regions[1]: regions \"arm\" and \"leg\" share frames 14 to 15, but one has method "
+       "\"paper\" and the other \"exact\"; give them the same, or end one where the other begins"},
+      {Check::kMethodInGravity, Compile({{"/regions/1/method", "\"exact\""}}),
+       "regions[1]: region \"leg\" has method \"exact\", but in frames 15 to 20 gravity places the "
+       "figure (placements[0]) by the solver's method \"paper\"; leave out the region's, or end "
+       "one where the other begins"},
       {Check::kRegionAllFixed, Compile({{"/regions/1/joints", R"(["r_shoulder_twist"])"}}),
        "regions[1].joints: every joint of region \"leg\" is fixed by equal limits, so nothing can "
        "swing; name others"},
@@ -178,6 +212,11 @@ std::vector<WrongProject> Contradictions() {
       {Check::kRegionInHold, Compile({{"/regions/1/first_frame", "3"}}),
        "holds[0]: region \"leg\" drives \"r_knee\", which the hold of \"r_ankle\" (holds[0]) needs "
        "in frames 3 to 5; end one where the other begins, or take the joint out of the region"},
+      {Check::kRootInHold,
+       Compile({{"/regions", "[" + kTumble + "]"}, {"/regions/0/first_frame", "4"}}),
+       "holds[0]: region \"tumble\" swings the root, which the hold of \"r_ankle\" (holds[0]) "
+       "needs in frames 4 to 5; end the hold before the region begins, or leave the root out of "
+       "the region"},
       // Documents that no file could give are checked all the same.
       {Check::kUnknownJoint, Spoilt([](Project& p) { p.holds[0].joint = "nose"; }),
        "holds[0].joint: no joint \"nose\"; use one of \"waist\", \"r_shoulder\", \"r_elbow\", "
@@ -204,6 +243,8 @@ std::vector<WrongProject> Misspellings() {
        "regions[1]: unknown field \"frction\"; did you mean \"friction\"?"},
       {Check::kUnknownField, Doubt("/solver/step", "0.01"),
        "solver: unknown field \"step\"; did you mean \"step_s\"?"},
+      {Check::kUnknownField, Doubt("/regions/1/tolerance", "0.1"),
+       "regions[1]: unknown field \"tolerance\"; did you mean \"tolerance_deg\"?"},
       {Check::kUnknownField, Doubt("/regoins", "[]"),
        "regoins: unknown field \"regoins\"; did you mean \"regions\"?"},
       {Check::kUnknownField, Doubt("/scene/gravity", "1.6"),

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/group_solution.h"
+#include "engine/bake/motion.h"
+#include "engine/bake/region_driver.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// Moves the joints of all exact regions that are active at one time, in continuous time. Each group
+// of joints that feel each other takes its own steps.
+class ExactDriver {
+ public:
+  // `active`: indices of Animation::regions. `figure` and `known`, the logs of earlier bakes, must
+  // outlive the driver. `sharpness`: divides the tolerances of single steps.
+  ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
+              double sharpness, const GroupLogs& known);
+
+  const std::vector<int>& active() const { return active_; }
+  bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
+  // Free in name only: it keeps its angle.
+  bool is_frozen(Coordinate c) const;
+
+  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
+  // smooth up to `end`. Twins go on from `twin` where a coordinate was free before.
+  void Begin(double t, double end, const RotationState& state, const RotationState& twin,
+             const RootHold& hold, const DrivenMotion& driven);
+  // Goes on with new curves.
+  void Drive(double end, const RotationState& state, const DrivenMotion& driven);
+  // A pin that moved with v_pin was stopped at the time where the driver began.
+  void FeelPin(const Vec3& v_pin);
+
+  struct Failure {
+    JointIndex joint;
+    std::string cause;
+  };
+  // Steps every group that has not got beyond t, at most to `end`.
+  std::optional<Failure> Advance(double t, double end);
+  // How far all groups have got [s].
+  double time() const;
+  // The free coordinates at a time between the last two values of time().
+  void Sample(double t, RotationState* state);
+  // The twins' at time().
+  void SampleTwin(double t, RotationState* state);
+
+  // Adds up energies and work to t, which all groups have reached; an account is kept from the
+  // first call on. `is_cut`: the driver begins anew at t.
+  void Account(double t, bool is_cut);
+  // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
+  std::optional<EnergyBalance> energy() const;
+
+  struct Hit {
+    double time;
+    Coordinate coordinate;
+  };
+  std::vector<Hit> TakeHits();
+
+  // Compares with the twins at time t and keeps the largest estimate of each active region.
+  void Estimate(double t);
+  // By index in active() [rad].
+  const std::vector<double>& estimates() const { return estimates_; }
+  long evaluations() const;
+  long steps() const;
+  std::vector<int> group_sizes() const;
+  int num_bodies() const;
+  // It took to solve all groups [us], whenever that was.
+  double microseconds() const;
+  // Of all groups since the first Begin.
+  GroupLogs logs() const;
+
+ private:
+  struct Group {
+    GroupSolution solution;
+    double accounted = 0.0;              // up to this time [s]
+    double stored = 0.0, kinetic = 0.0;  // energy there [J]
+    bool is_accounted = false;
+  };
+
+  ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
+                          const DrivenMotion& driven) const;
+  GroupTask TaskFor(const RegionModel& model) const;
+  void FinishGroups();
+
+  const Animation& animation_;
+  const Figure& figure_;
+  std::vector<int> active_;
+  double sharpness_;
+  const GroupLogs& known_;
+  GroupLogs finished_;
+  std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
+  std::vector<double> friction_;  // by Coordinate: factor
+  RootHold hold_;
+  std::vector<Role> roles_;  // of the models, by Coordinate
+  VecX angles_;              // where constant [rad]
+  std::vector<Group> groups_;
+  std::vector<double> estimates_;
+  void AddWork(Group* group, double t);
+
+  EnergyBalance energy_;
+  std::optional<RootCoupling> accounted_coupling_;
+  bool has_energy_ = true;
+  long finished_evaluations_ = 0, finished_steps_ = 0;
+  double finished_microseconds_ = 0.0;
+};
+
+}  // namespace hazumi

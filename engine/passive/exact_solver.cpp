@@ -1,0 +1,429 @@
+#include "engine/passive/exact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kTouch = 1e-10;      // at a stop [rad]
+constexpr double kLeastStep = 1e-12;  // [s]
+constexpr double kSameTime = 1e-13;   // [s]
+constexpr long kMostEvaluations = 20'000'000;
+constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
+constexpr int kChatter = 24;                   // events in the window before stops become sticky
+
+}  // namespace
+
+ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
+    : dynamics_(dynamics), lower_(std::move(lower)), upper_(std::move(upper)) {
+  const int n = dynamics->num_hinges();
+  lower_now_ = lower_;
+  upper_now_ = upper_;
+  for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
+                  &before_q_, &before_qd_})
+    x->setZero(n);
+  side_.assign(n, 0);
+  locked_.assign(n, 0);
+  sticks_.assign(n, 0);
+  fixed_.assign(n, 0);
+  stops_.Resize(n);
+  blow_.setZero(n);
+  for (int i = 0; i < n; ++i) {
+    any_limits_ |= std::isfinite(lower_[i]) || std::isfinite(upper_[i]);
+  }
+  recent_.reserve(256);
+  suspects_.reserve(n);
+}
+
+void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
+  time_ = t;
+  q_ = q;
+  qd_ = qd;
+  lower_now_ = lower_.cwiseMin(q);
+  upper_now_ = upper_.cwiseMax(q);
+  touch_ = kTouch;
+  has_event_ = false;
+  recent_.clear();
+  next_h_ = 0.0;
+  std::fill(locked_.begin(), locked_.end(), 0);
+  ResolveStops(Vec3::Zero());
+  Relock();
+}
+
+void ExactSolver::Restart() {
+  has_event_ = false;
+  ResolveStops(Vec3::Zero());
+  Relock();
+}
+
+void ExactSolver::FeelPin(const Vec3& v_pin) {
+  has_event_ = false;
+  ResolveStops(v_pin);
+  Relock();
+}
+
+// Which stops hold which hinges from time_ on, after the impact of those that go out and of a pin
+// that was stopped.
+void ExactSolver::ResolveStops(const Vec3& v_pin) {
+  const bool with_blow = !v_pin.isZero(0.0);
+  const int outward = any_limits_ ? FindSides(with_blow) : 0;
+  if (with_blow || outward > 0) {
+    dynamics_->AssembleHinges(time_, q_, qd_);
+    dynamics_->PinBlow(v_pin, &blow_);
+    Collide(blow_);
+  }
+  Settle();
+}
+
+// The hinges at a stop, but for those on their way in. Returns how many are not at rest there.
+int ExactSolver::FindSides(bool with_blow) {
+  int moving = 0;
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    side_[i] = 0;
+    sticks_[i] = 0;
+    if (q_[i] >= upper_now_[i] - touch_) side_[i] = 1;
+    if (q_[i] <= lower_now_[i] + touch_) side_[i] = -1;
+    fixed_[i] = upper_now_[i] - lower_now_[i] <= 2.0 * kTouch;
+    if (fixed_[i]) {
+      side_[i] = 1;
+      sticks_[i] = 1;
+      moving += qd_[i] != 0.0;
+      continue;
+    }
+    const double out = side_[i] * qd_[i];
+    if (out < -touch_rate() && !with_blow) side_[i] = 0;
+    if (side_[i] == 0) continue;
+    sticks_[i] = out < 0.0 && out >= -touch_rate();
+    moving += out != 0.0;
+    if (out > touch_rate()) hits_.push_back({time_, i});
+  }
+  return moving;
+}
+
+void ExactSolver::Collide(const VecX& blow) {
+  stops_.Impact(dynamics_->M(), blow, side_, sticks_, &qd_);
+  for (size_t i = 0; i < side_.size(); ++i) {
+    if (side_[i] * qd_[i] < -touch_rate()) side_[i] = 0;  // pushed off
+  }
+}
+
+// Locks the hinges at rest that their stops go on holding.
+void ExactSolver::Settle() {
+  any_locked_ = false;
+  std::fill(locked_.begin(), locked_.end(), 0);
+  bool any = false;
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    if (side_[i] == 0) continue;
+    any = true;
+    qd_[i] = 0.0;
+    q_[i] = side_[i] > 0 ? upper_now_[i] : lower_now_[i];
+  }
+  if (!any) return;
+  dynamics_->AssembleHinges(time_, q_, qd_);
+  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
+  pull_before_ = StrongestPull();
+  any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
+}
+
+// Lays the state out anew after locks or curves changed.
+void ExactSolver::Relock() {
+  dynamics_->SetLocked(locked_, q_);
+  const int size = dynamics_->layout().state_size();
+  y_.resize(size);
+  scale_.resize(size);
+  dynamics_->layout().Pack(q_, qd_, y_.data());
+  step_.Resize(size);
+  SetScale();
+  const auto field = [this](double t, const double* y, double* dy) {
+    dynamics_->Derivative(t, y, dy);
+  };
+  step_.Start(time_, y_.data(), field);
+}
+
+void ExactSolver::SetScale() {
+  const int positions = dynamics_->layout().num_positions();
+  for (int i = 0; i < static_cast<int>(scale_.size()); ++i) {
+    scale_[i] = i < positions ? (dynamics_->layout().is_quaternion(i) ? 0.5 : 1.0) * tolerance_
+                              : kRateScale * tolerance_;
+  }
+}
+
+// From how fast the motion is: a step of order 8 covers about this much of a turn.
+double ExactSolver::FirstStep(double end) const {
+  const double* dy = step_.end_derivative();
+  double speed = 1.0;
+  const int positions = dynamics_->layout().num_positions();
+  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
+    const double size = std::abs(dy[i]);
+    speed = std::max(speed, i < positions ? size : std::sqrt(size));
+  }
+  return std::min(end - time_, 1.5 * std::pow(tolerance_, 0.125) / speed);
+}
+
+std::optional<ExactFailure> ExactSolver::Advance(double end) {
+  if (has_event_) MakeEventHappen();
+  q_start_ = q_;
+  qd_start_ = qd_;
+  std::optional<ExactFailure> failure;
+  if (!Step(end, &failure)) return failure;
+  ++steps_;
+  time_ = step_.end_time();
+  if (std::abs(time_ - end) < kSameTime) time_ = end;
+  sample_q_ = q_;
+  dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
+  if (!any_limits_) return std::nullopt;
+  double event = FindHit().value_or(kNever);
+  if (any_locked_) event = std::min(event, FindRelease().value_or(kNever));
+  if (event < kNever) {
+    Sample(event, &q_, &qd_);
+    time_ = event;
+    has_event_ = true;
+  }
+  TightenStops();
+  return std::nullopt;
+}
+
+// A stop was hit or lets go at time_. Where that happens again and again stops become sticky, so
+// that joints that press on their stops in turn come to rest instead of chattering.
+void ExactSolver::MakeEventHappen() {
+  has_event_ = false;
+  while (!recent_.empty() && recent_.front() < time_ - kChatterWindow) {
+    recent_.erase(recent_.begin());
+  }
+  recent_.push_back(time_);
+  const int excess = std::max(0, static_cast<int>(recent_.size()) - kChatter);
+  touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
+  WidenStops();
+  ResolveStops(Vec3::Zero());
+  Relock();
+}
+
+// One accepted step. False with `failure` set if there is none.
+bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
+  const auto field = [this](double t, const double* y, double* dy) {
+    dynamics_->Derivative(t, y, dy);
+  };
+  double h = next_h_ > 0.0 ? next_h_ : FirstStep(end);
+  for (;;) {
+    const double rest = end - time_;
+    // Equal steps to the end rather than a tiny last one.
+    const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
+    const double error = step_.Try(use, scale_.data(), field);
+    const double grow = 0.9 * std::pow(std::max(error, 1e-10), -0.125);
+    if (error <= 1.0) {
+      step_.Accept(field);
+      next_h_ = std::max(h * 0.5, use * std::clamp(grow, 0.333, 6.0));
+      if (use < h) next_h_ = std::max(next_h_, std::min(h, use * grow));
+      return true;
+    }
+    h = use * (std::isfinite(error) ? std::clamp(grow, 0.1, 0.9) : 0.1);
+    const bool too_small = h < kLeastStep;
+    if (!too_small && dynamics_->evaluations() < kMostEvaluations) continue;
+    using Cause = ExactFailure::Cause;
+    *failure = {dynamics_->layout().HingeOf(step_.worst_component()),
+                too_small ? Cause::kStepTooSmall : Cause::kTooManyEvaluations};
+    return false;
+  }
+}
+
+void ExactSolver::MakeDense() {
+  step_.MakeDense(
+      [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); });
+}
+
+void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
+  MakeDense();
+  step_.At(t, y_.data());
+  const double length = step_.end_time() - step_.start_time();
+  const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
+  *q = s < 0.5 ? q_start_ : q_;  // nearby, to pick the branch
+  qd->resize(q->size());
+  dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, q, qd);
+}
+
+EnergyFlow ExactSolver::Energy(double t) {
+  MakeDense();
+  step_.At(t, y_.data());
+  return dynamics_->MeasureEnergy(t, y_.data());
+}
+
+std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
+
+// Where a ball joint passes a pole its outer hinges' angles jump, perhaps beyond their stops: such
+// a hinge has a stop where it is until it has come inside.
+void ExactSolver::WidenStops() {
+  constexpr double kJump = 10.0 * kTouch;
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    if (Outside(i, q_) <= kJump) continue;
+    lower_now_[i] = std::min(lower_now_[i], q_[i]);
+    upper_now_[i] = std::max(upper_now_[i], q_[i]);
+  }
+}
+
+// A hinge that started outside has its own stop from when it is inside.
+void ExactSolver::TightenStops() {
+  lower_now_ = lower_.cwiseMin(lower_now_.cwiseMax(q_));
+  upper_now_ = upper_.cwiseMax(upper_now_.cwiseMin(q_));
+}
+
+// How far beyond its stops a hinge is [rad]; negative inside.
+double ExactSolver::Outside(int hinge, const VecX& q) const {
+  return std::max(lower_now_[hinge] - q[hinge], q[hinge] - upper_now_[hinge]);
+}
+
+// Which nodes' hinges could have been outside during the step: those that come nearer to a stop
+// than twice the way that the rates at its ends account for.
+bool ExactSolver::FindSuspects() {
+  const double h = step_.end_time() - step_.start_time();
+  suspects_.clear();
+  const std::vector<FreeHinge>& hinges = dynamics_->hinges();
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    if (locked_[i]) continue;
+    const double way =
+        std::max({std::abs(qd_[i]) * h, std::abs(qd_start_[i]) * h, std::abs(q_[i] - q_start_[i])});
+    const double reach = 2.0 * way + kTouch;
+    if (Outside(i, q_) <= -reach && Outside(i, q_start_) <= -reach) continue;
+    if (suspects_.empty() || suspects_.back() != hinges[i].node) {
+      suspects_.push_back(hinges[i].node);
+    }
+  }
+  return !suspects_.empty();
+}
+
+// The suspects' angles and rates at t, from the nearer end of the step.
+void ExactSolver::SampleSuspects(double t, VecX* q, VecX* qd) {
+  step_.At(t, y_.data());
+  *q = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
+  for (const int node : suspects_) {
+    dynamics_->layout().UnpackNode(node, y_.data(), lower_now_, upper_now_, q, qd);
+  }
+}
+
+// The first time in the step at which a hinge goes out.
+std::optional<double> ExactSolver::FindHit() {
+  if (!FindSuspects()) return std::nullopt;
+  MakeDense();
+  constexpr int kLooks = 6;
+  const double start = step_.start_time(), h = step_.end_time() - start;
+  std::optional<double> first;
+  look_q_ = q_start_;
+  look_qd_ = qd_start_;
+  for (int look = 1; look <= kLooks && !first; ++look) {
+    const double before = start + h * (look - 1) / kLooks;
+    const double t = look == kLooks ? time_ : start + h * look / kLooks;
+    before_q_.swap(look_q_);
+    before_qd_.swap(look_qd_);
+    look_qd_ = before_qd_;
+    SampleSuspects(t, &look_q_, &look_qd_);
+    for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+      for (const int side : {-1, 1}) {
+        const std::optional<double> crossing = FindCrossing(i, side, before, t);
+        if (crossing && (!first || *crossing < *first)) first = crossing;
+      }
+    }
+  }
+  return first;
+}
+
+// How far a hinge is beyond one of its stops [rad]; negative inside.
+double ExactSolver::Beyond(int hinge, int side, double q) const {
+  return side > 0 ? q - upper_now_[hinge] : lower_now_[hinge] - q;
+}
+
+// When a hinge goes out between two looks: it is outside at the second one, or was in between,
+// having turned back.
+std::optional<double> ExactSolver::FindCrossing(int hinge, int side, double before, double t) {
+  if (locked_[hinge]) return std::nullopt;
+  const double f0 = Beyond(hinge, side, before_q_[hinge]), f1 = Beyond(hinge, side, look_q_[hinge]);
+  if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
+  double g0 = side * before_qd_[hinge], g1 = side * look_qd_[hinge];
+  const double h = t - before;
+  if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
+    return std::nullopt;
+  }
+  double a = before, b = t;
+  for (int i = 0; i < 8; ++i) {  // secants on the rate, to the top of the swing
+    const double top =
+        std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
+    SampleSuspects(top, &sample_q_, &sample_qd_);
+    if (Beyond(hinge, side, sample_q_[hinge]) > kTouch) {
+      return CrossingTime(hinge, side, before, top);
+    }
+    const double g = side * sample_qd_[hinge];
+    (g > 0.0 ? a : b) = top;
+    (g > 0.0 ? g0 : g1) = g;
+  }
+  return std::nullopt;
+}
+
+// Bisection and secants between a time at which the hinge is inside and one at which it is outside.
+double ExactSolver::CrossingTime(int hinge, int side, double inside, double outside) {
+  const auto out = [&](double t) {
+    SampleSuspects(t, &sample_q_, &sample_qd_);
+    return Beyond(hinge, side, sample_q_[hinge]);
+  };
+  double a = inside, b = outside, fa = std::min(out(a), -kTouch), fb = out(b);
+  for (int i = 0; i < 60 && b - a > 1e-14 && fb > 1e-14; ++i) {
+    double t = i % 3 == 2 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+    if (!(t > a && t < b)) t = 0.5 * (a + b);
+    const double f = out(t);
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
+  }
+  return b;
+}
+
+// The strongest pull that a stop would have to give at t to hold its hinge [N m].
+double ExactSolver::Pull(double t) {
+  Sample(t, &sample_q_, &sample_qd_);
+  dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
+  stops_.Solve(dynamics_->M(), dynamics_->b(), locked_);
+  return StrongestPull();
+}
+
+double ExactSolver::StrongestPull() const {
+  double most = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < locked_.size(); ++i) {
+    if (locked_[i] && !fixed_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
+  }
+  return most;
+}
+
+// The first time in the step at which a stop would have to pull: looked for in the middle, at the
+// end and at the top of the parabola through what was found there and at the start.
+std::optional<double> ExactSolver::FindRelease() {
+  const double a = step_.start_time(), b = step_.end_time(), m = 0.5 * (a + b);
+  const double fa = std::min(pull_before_, 0.0), fm = Pull(m), fb = Pull(b);
+  pull_before_ = fb;
+  if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
+  const double bend = fa - 2.0 * fm + fb;
+  const double top = bend < 0.0 ? m + 0.25 * (b - a) * (fa - fb) / bend : a;
+  if (top > a && top < b) {
+    const double f = Pull(top);
+    if (f > 0.0) return top < m ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
+  }
+  if (fb > 0.0) return ReleaseTime(m, fm, b, fb);
+  return std::nullopt;
+}
+
+// When a stop starts to have to pull: not at a, but at b. What is late by t leaves an error of the
+// order of t^3, so a microsecond is early enough.
+double ExactSolver::ReleaseTime(double a, double fa, double b, double fb) {
+  constexpr double kEarlyEnough = 1e-6;  // [s]
+  while (b - a > kEarlyEnough) {
+    const double secant = fb > fa ? (a * fb - b * fa) / (fb - fa) : 0.5 * (a + b);
+    const double margin = 0.05 * (b - a);
+    const double t = std::clamp(secant, a + margin, b - margin);
+    const double f = Pull(t);
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
+  }
+  return b;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/passive/dop853.h"
+#include "engine/passive/region_dynamics.h"
+#include "engine/passive/stops.h"
+
+namespace hazumi {
+
+// A hinge that reached a stop.
+struct StopHit {
+  double time;  // [s]
+  int hinge;    // free hinge
+};
+
+// Why a solver cannot go on.
+struct ExactFailure {
+  int hinge;
+  enum class Cause { kStepTooSmall, kTooManyEvaluations } cause;
+};
+
+// The passive motion of one group of free joints in continuous time [METHOD 2], with its error
+// under control: steps of order 8 whose size follows the error, ball joints as quaternions, stops
+// found inside the steps, hit inelastically and let go when they would have to pull.
+//
+// Between Advance and the next one the solver is "in" the accepted step: Sample looks inside it.
+class ExactSolver {
+ public:
+  // `dynamics` must outlive the solver. `lower`, `upper`: stops by free hinge [rad].
+  ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper);
+
+  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
+  void SetTolerance(double radians) { tolerance_ = radians; }
+  static constexpr double kRateScale = 20.0;  // [1/s]
+
+  // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
+  // stop where it is until it has come inside.
+  void Start(double t, const VecX& q, const VecX& qd);
+  // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
+  void Restart();
+  // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the blow.
+  void FeelPin(const Vec3& v_pin);
+
+  // One step, at most to `end`; it ends early where a stop is hit or lets go, which happens at the
+  // beginning of the next step.
+  std::optional<ExactFailure> Advance(double end);
+
+  double step_start() const { return step_.start_time(); }
+  double time() const { return time_; }
+  // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
+  void Sample(double t, VecX* q, VecX* qd);
+  // At `time`, before impacts.
+  const VecX& q() const { return q_; }
+  const VecX& qd() const { return qd_; }
+  // Energy and powers at t in [step_start, time], from the left.
+  EnergyFlow Energy(double t);
+
+  // Hits since the last call.
+  std::vector<StopHit> TakeHits();
+  long steps() const { return steps_; }
+
+ private:
+  void MakeEventHappen();
+  void ResolveStops(const Vec3& v_pin);
+  int FindSides(bool with_blow);
+  void Collide(const VecX& blow);
+  void Settle();
+  void Relock();
+  void SetScale();
+  double FirstStep(double end) const;
+  bool Step(double end, std::optional<ExactFailure>* failure);
+  std::optional<double> FindHit();
+  std::optional<double> FindRelease();
+  bool FindSuspects();
+  void SampleSuspects(double t, VecX* q, VecX* qd);
+  double Outside(int hinge, const VecX& q) const;
+  double Beyond(int hinge, int side, double q) const;
+  std::optional<double> FindCrossing(int hinge, int side, double before, double t);
+  double CrossingTime(int hinge, int side, double inside, double outside);
+  double Pull(double t);
+  double StrongestPull() const;
+  double ReleaseTime(double a, double fa, double b, double fb);
+  void MakeDense();
+  void WidenStops();
+  void TightenStops();
+
+  RegionDynamics* dynamics_;
+  VecX lower_, upper_;          // as given
+  VecX lower_now_, upper_now_;  // widened to where the hinge started
+  double tolerance_ = 1e-6;
+  Dop853 step_;
+  double time_ = 0.0, next_h_ = 0.0;
+  VecX q_, qd_;              // at time_
+  VecX q_start_, qd_start_;  // at the start of the step
+  VecX look_q_, look_qd_, before_q_, before_qd_;
+  VecX sample_q_, sample_qd_, y_, scale_, blow_;
+  StopSolver stops_;
+  std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
+  std::vector<char> locked_, sticks_;
+  std::vector<char> fixed_;  // no room between the stops
+  bool any_limits_ = false, any_locked_ = false;
+  double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
+  std::vector<int> suspects_, out_;                    // nodes, hinges
+  std::vector<StopHit> hits_;
+  std::vector<double> recent_;  // times of events, for telling chatter
+  double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
+  double touch_ = 0.0;          // how near a stop counts as at it [rad]
+  bool has_event_ = false;
+  long steps_ = 0;
+};
+
+}  // namespace hazumi

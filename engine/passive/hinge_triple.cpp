@@ -1,0 +1,96 @@
+#include "engine/passive/hinge_triple.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+// With g = q2 + beta, u = R a3 and v = R^T a1:
+//   u = cos g a1 + sin g (cos q1 (a2 x a1) + sin q1 a2)
+//   v = cos g a3 + sin g (cos q3 (a3 x a2) + sin q3 a2)
+// so that all three follow, up to the sign of sin g: (q1 + pi, -g, q3 + pi) is the same rotation.
+
+namespace hazumi {
+
+namespace {
+
+Mat3 Rot(const Vec3& axis, double angle) {
+  return AxisRotation<double>(axis, std::sin(angle), std::cos(angle));
+}
+
+double Nearest(double angle, double to) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  return angle + kTurn * std::round((to - angle) / kTurn);
+}
+
+bool IsInside(const Vec3& q, const Vec3& lower, const Vec3& upper) {
+  return (q.array() >= lower.array()).all() && (q.array() <= upper.array()).all();
+}
+
+}  // namespace
+
+bool HingeTriple::Fits(const Vec3& a1, const Vec3& a2, const Vec3& a3) {
+  constexpr double kRightAngle = 1e-9;
+  return std::abs(a1.dot(a2)) < kRightAngle && std::abs(a2.dot(a3)) < kRightAngle;
+}
+
+HingeTriple::HingeTriple(const Vec3& a1, const Vec3& a2, const Vec3& a3)
+    : a1_(a1),
+      a2_(a2),
+      a3_(a3),
+      b1_(a2.cross(a1)),
+      b3_(a3.cross(a2)),
+      beta_(std::atan2(a2.cross(a1).dot(a3), a1.dot(a3))) {}
+
+Mat3 HingeTriple::Rotation(const Vec3& q) const {
+  return Rot(a1_, q[0]) * Rot(a2_, q[1]) * Rot(a3_, q[2]);
+}
+
+// Near a pole q1 and q3 are lost one by one: q1 stays where it was, and q3 is what is left of R.
+Vec3 HingeTriple::AtPole(const Mat3& R, const Vec3& near, double g) const {
+  Vec3 q(near[0], g - beta_, 0.0);
+  const Vec3 turned = Rot(a2_, q[1]).transpose() * (Rot(a1_, q[0]).transpose() * (R * a2_));
+  q[2] = std::atan2(turned.dot(a3_.cross(a2_)), turned.dot(a2_));
+  return q;
+}
+
+Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
+                         const Vec3& upper) const {
+  constexpr double kAtPole = 1e-9;
+  const Vec3 u = R * a3_, v = R.transpose() * a1_;
+  const double sine = std::hypot(u.dot(a2_), u.dot(b1_));
+  const double g = std::atan2(sine, u.dot(a1_));
+  Vec3 q(std::atan2(u.dot(a2_), u.dot(b1_)), g - beta_, std::atan2(v.dot(a2_), v.dot(b3_)));
+  if (sine < kAtPole) q = AtPole(R, near, g);
+  Vec3 other(q[0] + std::numbers::pi, -g - beta_, q[2] + std::numbers::pi);
+  for (int i = 0; i < 3; ++i) {
+    q[i] = Nearest(q[i], near[i]);
+    other[i] = Nearest(other[i], near[i]);
+  }
+  if ((other - near).lpNorm<1>() < (q - near).lpNorm<1>()) std::swap(q, other);
+  const bool passed_pole = std::sin(near[1] + beta_) * std::sin(q[1] + beta_) <= 0.0;
+  const bool turns_back =
+      passed_pole && !IsInside(q, lower, upper) && IsInside(other, lower, upper);
+  return turns_back ? other : q;
+}
+
+Mat3 HingeTriple::AxesInBody(const Vec3& q) const {
+  const double s = std::sin(q[2]), c = std::cos(q[2]), g = q[1] + beta_;
+  Mat3 axes;
+  axes.col(0) = std::cos(g) * a3_ + std::sin(g) * (c * b3_ + s * a2_);
+  axes.col(1) = c * a2_ - s * b3_;
+  axes.col(2) = a3_;
+  return axes;
+}
+
+Vec3 HingeTriple::Rates(const Vec3& q, const Vec3& w) const {
+  constexpr double kSingular = 1e-9;
+  const Mat3 A = AxesInBody(q);
+  const Vec3 a1 = A.col(0), a2 = A.col(1), a3 = A.col(2);
+  const double det = a1.dot(a2.cross(a3));
+  if (std::abs(det) < kSingular) return {0.0, w.dot(a2), w.dot(a3)};
+  return Vec3(w.dot(a2.cross(a3)), w.dot(a3.cross(a1)), w.dot(a1.cross(a2))) / det;
+}
+
+double HingeTriple::FromPole(double q2) const { return std::asin(std::abs(std::sin(q2 + beta_))); }
+
+}  // namespace hazumi

@@ -1,0 +1,291 @@
+#include "engine/passive/region_dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/passive/semidefinite.h"
+
+// The dense way: with the composite body beyond node i (m, h = m c, I about its origin) every free
+// direction e of it needs, per unit acceleration,
+//   f = e x h,  n = I e;   M(e', e) = e' . n about the origin of e', for e' between i and the root
+//   b(e) = e . n_i, n_i what everything beyond asks for with the free accelerations zero
+// [Luh, Walker, Paul 1980] for b, composite rigid bodies [Featherstone 2008, 6.2] for M.
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
+    : model_(std::move(model)),
+      layout_(model_, /*balls=*/true),
+      hinge_layout_(model_, /*balls=*/false),
+      kinematics_(model_),
+      articulated_(model_),
+      attachment_(std::make_shared<Attachment>()),
+      friction_(std::move(friction)),
+      gravity_(gravity) {
+  while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
+  has_friction_ = !friction_.isZero(0.0);
+  const int k = num_hinges();
+  for (VecX* x : {&b_, &x_, &damping_}) x->setZero(k);
+  M_.setZero(k, k);
+  L_.setZero(k, k);
+  F_.setZero(3, k);
+  J_.setZero(3, k);
+}
+
+void RegionDynamics::SetDriven(const DrivenMotion* driven, double start, double end) {
+  driven_ = driven;
+  if (first_moved_ == 0) return;
+  attachment_->Begin(start, end);
+  is_carrier_still_ = IsCarrierStill();
+  if (is_carrier_still_) PlaceStillCarrier(start);
+}
+
+// Where it is, it stays: the nodes that move it are placed once.
+void RegionDynamics::PlaceStillCarrier(double t) {
+  kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
+  NodeMotion& carrier = kinematics_.motion()[model_.nodes[first_moved_].parent];
+  carrier.a += BaseAcceleration(t);
+}
+
+bool RegionDynamics::IsCarrierStill() const {
+  for (int i = 0; i < first_moved_; ++i) {
+    if (model_.nodes[i].role == Role::kDriven) return false;
+  }
+  const auto& root = driven_->root_position;
+  const auto accelerates = [](const DrivenCurve& curve) { return curve.degree > 1; };
+  return model_.coupling == RootCoupling::kPinned ||
+         std::none_of(root.begin(), root.end(), accelerates);
+}
+
+// A pinned root that answers couples every joint with the pin: only the dense way is written for
+// that, and for friction that the root of a flying figure has to answer.
+bool RegionDynamics::UsesArticulatedBodies() const {
+  if (!model_.root_answers) return true;
+  return model_.coupling == RootCoupling::kFlight &&
+         !(has_friction_ && model_.nodes[0].role == Role::kFree);
+}
+
+void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
+                          const double* velocities) {
+  const int count = kinematics_.size();
+  if (first_moved_ == 0) {
+    kinematics_.Move(layout, *driven_, t, positions, velocities, 0, count);
+    kinematics_.SetOwnForces(BaseAcceleration(t));
+    return;
+  }
+  if (!is_carrier_still_) MoveCarrier(t);
+  kinematics_.Move(layout, *driven_, t, positions, velocities, first_moved_, count);
+  kinematics_.SetOwnForces(V3());
+}
+
+void RegionDynamics::MoveCarrier(double t) {
+  const int carrier = model_.nodes[first_moved_].parent;
+  const auto chain = [&](double time) {
+    kinematics_.Move(layout_, *driven_, time, nullptr, nullptr, 0, first_moved_);
+    const NodeMotion& own = kinematics_.motion()[carrier];
+    return Attachment::Frame{own.R, own.w, own.alpha, own.a + BaseAcceleration(time)};
+  };
+  const Attachment::Frame frame = attachment_->At(t, chain);
+  NodeMotion& own = kinematics_.motion()[carrier];
+  own.R = frame.R;
+  own.w = frame.w;
+  own.alpha = frame.alpha;
+  own.a = frame.a;
+}
+
+// What every point of the figure has on top of its motion about the root: the root's acceleration
+// minus gravity. In flight the figure falls freely, so it feels neither.
+V3 RegionDynamics::BaseAcceleration(double t) const {
+  const V3 up(0.0, 0.0, gravity_);
+  if (model_.coupling == RootCoupling::kFlight) return {};
+  if (model_.coupling == RootCoupling::kPinned) {
+    const NodeMotion& pin = kinematics_.motion()[model_.pin_node];
+    const V3 r = pin.R * V3(model_.p_pin);
+    return up - (pin.a + Cross(pin.alpha, r) + Cross(pin.w, Cross(pin.w, r)));
+  }
+  const auto& root = driven_->root_position;
+  return up + V3(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd);
+}
+
+void RegionDynamics::Assemble(const RegionLayout& layout) {
+  for (int i = 0; i < layout.num_dofs(); ++i) std::fill_n(&M_(0, i), layout.num_dofs(), 0.0);
+  for (int i = kinematics_.size() - 1; i >= 0; --i) {
+    if (!model_.nodes[i].is_dynamic) continue;
+    const RegionLayout::Node& where = layout.node(i);
+    const NodeMotion& own = kinematics_.motion()[i];
+    for (int k = 0; k < where.num_dofs; ++k) {
+      AssembleColumn(layout, i, where.dof + k, own.axis[k]);
+      b_[where.dof + k] = Dot(own.axis[k], own.n);
+    }
+    PassToParent(i);
+  }
+  if (model_.root_answers) Couple(layout);
+}
+
+void RegionDynamics::AssembleColumn(const RegionLayout& layout, int node, int dof, const V3& axis) {
+  const auto& motion = kinematics_.motion();
+  const V3 f = Cross(axis, motion[node].h);
+  V3 n = motion[node].I * axis;
+  F_.col(dof) << f.x, f.y, f.z;
+  for (int i = node;; i = model_.nodes[i].parent) {
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) {
+      M_(where.dof + k, dof) = M_(dof, where.dof + k) = Dot(motion[i].axis[k], n);
+    }
+    const int parent = model_.nodes[i].parent;
+    if (parent < 0 || !model_.nodes[parent].is_dynamic) return;
+    n += Cross(motion[i].r, f);
+  }
+}
+
+void RegionDynamics::PassToParent(int node) {
+  const int parent = model_.nodes[node].parent;
+  if (parent < 0 || !model_.nodes[parent].is_dynamic) return;
+  const NodeMotion& own = kinematics_.motion()[node];
+  NodeMotion& to = kinematics_.motion()[parent];
+  const V3 &r = own.r, &h = own.h;
+  const V3 g = h + own.m * r;  // of the composite about the parent's origin
+  const double d = Dot(r, h) + Dot(r, g);
+  to.f += own.f;
+  to.n += own.n + Cross(r, own.f);
+  to.m += own.m;
+  to.h += g;
+  to.I += own.I;
+  to.I += S3{d - r.x * h.x - g.x * r.x, -r.x * h.y - g.x * r.y, -r.x * h.z - g.x * r.z,
+             d - r.y * h.y - g.y * r.y, -r.y * h.z - g.y * r.z, d - r.z * h.z - g.z * r.z};
+}
+
+// Eliminates the root's translation, as RegionSystem does.
+void RegionDynamics::Couple(const RegionLayout& layout) {
+  if (model_.coupling == RootCoupling::kPinned) return ProjectOnPin(layout);
+  const Vec3 f_root = kinematics_.motion()[0].f.eigen();
+  for (int j = 0; j < layout.num_dofs(); ++j) {
+    const Vec3 column = F_.col(j) / model_.mass;
+    for (int i = 0; i < layout.num_dofs(); ++i) M_(i, j) -= F_.col(i).dot(column);
+    b_[j] -= column.dot(f_root);
+  }
+}
+
+void RegionDynamics::ProjectOnPin(const RegionLayout& layout) {
+  const auto& motion = kinematics_.motion();
+  const Vec3 f_root = motion[0].f.eigen();
+  const NodeMotion& pin = motion[model_.pin_node];
+  const V3 p_pin = pin.p + pin.R * V3(model_.p_pin);
+  J_.leftCols(layout.num_dofs()).setZero();
+  for (int i = model_.pin_node; i >= 0; i = model_.nodes[i].parent) {
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) {
+      J_.col(where.dof + k) = Cross(motion[i].axis[k], p_pin - motion[i].p).eigen();
+    }
+  }
+  for (int j = 0; j < layout.num_dofs(); ++j) {
+    const Vec3 push = model_.mass * J_.col(j) - F_.col(j);
+    for (int i = 0; i < layout.num_dofs(); ++i) {
+      M_(i, j) += J_.col(i).dot(push) - F_.col(i).dot(J_.col(j));
+    }
+    b_[j] -= J_.col(j).dot(f_root);
+  }
+}
+
+void RegionDynamics::SolveDense(double* x) {
+  const int k = layout_.num_dofs();
+  Assemble(layout_);
+  for (int j = 0; j < k; ++j) std::copy_n(&M_(0, j), k, &L_(0, j));
+  FactorSemidefinite(L_.topLeftCorner(k, k));
+  Eigen::Map<VecX> solution(x, k);
+  solution = -b_.head(k);
+  SolveSemidefinite(L_.topLeftCorner(k, k), solution);
+}
+
+void RegionDynamics::Derivative(double t, const double* y, double* dy) {
+  ++evaluations_;
+  const double* velocities = y + layout_.num_positions();
+  double* x = dy + layout_.num_positions();
+  Move(t, layout_, y, velocities);
+  if (UsesArticulatedBodies()) {
+    articulated_.Solve(layout_, kinematics_.motion(), model_.root_answers, x);
+  } else {
+    SolveDense(x);
+  }
+  if (has_friction_) Damp(y, x);
+  for (const RegionLayout::Node& own : layout_.nodes()) {
+    if (own.kind == RegionLayout::NodeKind::kHinges) {
+      std::copy_n(velocities + own.dof, own.num_dofs, dy + own.position);
+    }
+    if (own.kind != RegionLayout::NodeKind::kBall) continue;
+    // q' = q (0, w) / 2
+    const double* q = y + own.position;
+    const double* w = velocities + own.dof;
+    double* qd = dy + own.position;
+    qd[0] = 0.5 * (-q[1] * w[0] - q[2] * w[1] - q[3] * w[2]);
+    qd[1] = 0.5 * (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]);
+    qd[2] = 0.5 * (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]);
+    qd[3] = 0.5 * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
+  }
+}
+
+void RegionDynamics::Damp(const double* y, double* x) {
+  const int k = layout_.num_dofs();
+  for (int i = 0; i < static_cast<int>(model_.nodes.size()); ++i) {
+    const RegionLayout::Node& own = layout_.node(i);
+    const double* v = y + layout_.num_positions() + own.dof;
+    double* damping = damping_.data() + own.dof;
+    if (own.kind == RegionLayout::NodeKind::kBall) DampBall(i, y + own.position, v, damping);
+    if (own.kind != RegionLayout::NodeKind::kHinges) continue;
+    for (int h = 0, free = 0; free < own.num_dofs; ++h) {
+      if (own.locked[h]) continue;
+      damping[free] = -friction_[own.first_hinge + h] * v[free];
+      ++free;
+    }
+  }
+  if (model_.root_answers && model_.nodes[0].role == Role::kFree) AnswerDamping();
+  for (int i = 0; i < k; ++i) x[i] += damping_[i];
+}
+
+// Equal factors: -c w. Unequal ones act on the hinges, but near the pole, where the hinges' rates
+// have no bound, on the ball as their geometric mean. [METHOD 2]
+void RegionDynamics::DampBall(int node, const double* quaternion, const double* w,
+                              double* damping) const {
+  constexpr double kFar = 10.0 * std::numbers::pi / 180.0;
+  const Vec3 c = friction_.segment<3>(layout_.node(node).first_hinge);
+  const Eigen::Map<const Vec3> w_B(w);
+  Eigen::Map<Vec3> sum(damping);
+  const double mean = c.mean();
+  sum = -mean * w_B;
+  if (c[0] == c[1] && c[1] == c[2]) return;
+  const HingeTriple& triple = *layout_.triple(node);
+  const Vec3 ever = Vec3::Constant(1e9);
+  const Vec3 q = triple.Angles(RotationOfQuaternion(quaternion), Vec3::Zero(), -ever, ever);
+  const double s = std::min(1.0, triple.FromPole(q[1]) / kFar);
+  const double weight = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+  if (weight == 0.0) return;
+  const Vec3 rates = triple.Rates(q, w_B);
+  sum -= weight * (triple.AxesInBody(q) * Vec3((c.array() - mean) * rates.array()));
+}
+
+// Friction inside the figure leaves its angular momentum alone: the root is solved again.
+void RegionDynamics::AnswerDamping() {
+  if (layout_.node(0).num_dofs == 0) return;
+  Vec3 answer = Vec3::Zero();
+  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M_.block<3, 1>(0, j) * damping_[j];
+  const Mat3 M_rr = M_.topLeftCorner<3, 3>();
+  damping_.head<3>() = M_rr.ldlt().solve(answer);
+}
+
+void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {
+  ++evaluations_;
+  Move(t, hinge_layout_, q.data(), qd.data());
+  Assemble(hinge_layout_);
+}
+
+// With Du = -v_pin - J Dy for the root:  H Dy + F^T Du = 0 along what keeps the pin still.
+void RegionDynamics::PinBlow(const Vec3& v_pin, VecX* blow) const {
+  for (int i = 0; i < num_hinges(); ++i) {
+    (*blow)[i] = (F_.col(i) - model_.mass * J_.col(i)).dot(v_pin);
+  }
+}
+
+}  // namespace hazumi

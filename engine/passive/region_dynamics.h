@@ -1,0 +1,101 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/attachment.h"
+#include "engine/passive/node_motion.h"
+#include "engine/passive/region_layout.h"
+
+namespace hazumi {
+
+// The equations of motion of a region model in continuous time [METHOD 2]:
+//   M(q) x = -b(q, v, t),   v' = x - C v
+// with v the velocities of a RegionLayout and C the friction rates: friction is a rule for
+// accelerations, not a torque. World axes throughout; points from the root's origin.
+// Energy of the bodies that a model moves, and the power that flows into it. Where the root flies,
+// as seen from the centre of mass; else potential energy counts from the height of the world's
+// origin, or of the pin.
+struct EnergyFlow {
+  double kinetic = 0.0, potential = 0.0;  // [J]
+  double friction = 0.0;                  // [W], negative where it is lost
+  double keyed = 0.0;                     // [W], by driven joints and the motion of the attachment
+};
+
+class RegionDynamics {
+ public:
+  // `friction`: by free hinge, rates [1/s]. `gravity`: along -z [m/s^2].
+  RegionDynamics(RegionModel model, VecX friction, double gravity);
+
+  const RegionModel& model() const { return model_; }
+  const RegionLayout& layout() const { return layout_; }
+  const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
+  int num_hinges() const { return layout_.num_hinges(); }
+
+  // The curves must outlive their use, and move smoothly from `start` to `end` [s].
+  void SetDriven(const DrivenMotion* driven, double start, double end);
+  // Uses the attachment of another that is driven in the same way; call after SetDriven.
+  void ShareAttachment(const RegionDynamics& other) { attachment_ = other.attachment_; }
+  // Locks some free hinges at these angles [rad]; by free hinge.
+  void SetLocked(const std::vector<char>& locked, const VecX& angles) {
+    layout_.SetLocked(locked, angles);
+  }
+
+  // dy/dt at time t [s]. Counts as one evaluation.
+  void Derivative(double t, const double* y, double* dy);
+
+  // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what stops
+  // press and what impacts do. Counts as one evaluation.
+  void AssembleHinges(double t, const VecX& q, const VecX& qd);
+  const MatX& M() const { return M_; }
+  const VecX& b() const { return b_; }
+
+  // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
+  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 2, "kicks"]
+  void PinBlow(const Vec3& v_pin, VecX* blow) const;
+
+  // At time t in state y. Each power is found from the forces in the joints, not from the others.
+  EnergyFlow MeasureEnergy(double t, const double* y);
+
+  long evaluations() const { return evaluations_; }
+
+ private:
+  bool UsesArticulatedBodies() const;
+  void Move(double t, const RegionLayout& layout, const double* positions,
+            const double* velocities);
+  bool IsCarrierStill() const;
+  void PlaceStillCarrier(double t);
+  void MoveCarrier(double t);
+  small::V3 BaseAcceleration(double t) const;
+  void Assemble(const RegionLayout& layout);
+  void AssembleColumn(const RegionLayout& layout, int node, int dof, const small::V3& axis);
+  void PassToParent(int node);
+  void Couple(const RegionLayout& layout);
+  void ProjectOnPin(const RegionLayout& layout);
+  void SolveDense(double* x);
+  void Damp(const double* y, double* x);
+  void DampBall(int node, const double* quaternion, const double* w, double* damping) const;
+  void AnswerDamping();
+  void MoveWith(double t, const double* y, const double* x);
+  small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
+  void SumForces();
+
+  RegionModel model_;
+  RegionLayout layout_, hinge_layout_;
+  NodeKinematics kinematics_;
+  ArticulatedBodies articulated_;
+  std::shared_ptr<Attachment> attachment_;
+  int first_moved_ = 0;  // the nodes before it are there only to move the attachment
+  bool is_carrier_still_ = false;
+  VecX friction_;
+  bool has_friction_ = false;
+  double gravity_;
+  const DrivenMotion* driven_ = nullptr;
+  MatX M_, L_;
+  VecX b_, x_, damping_;
+  Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
+  long evaluations_ = 0;
+};
+
+}  // namespace hazumi

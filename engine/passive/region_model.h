@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/figure/figure.h"
+#include "engine/passive/region_system.h"
+
+namespace hazumi {
+
+// A rotation that a curve, a region or nobody moves: the figure's N hinges, by JointIndex, followed
+// by the root's hinges about z, y and x.
+using Coordinate = int;
+constexpr int kRootAngles = 3;
+
+enum class Role : char {
+  kConstant,  // keeps its angle
+  kDriven,    // moves as a curve says
+  kFree,      // moves by its inertia
+};
+
+// What a stretch of time asks of the figure.
+struct ModelRequest {
+  std::vector<Role> roles;  // by Coordinate, N + 3; the root's three have one role
+  VecX angles;              // [rad], by Coordinate; read where constant
+  RootCoupling coupling = RootCoupling::kPrescribed;
+  JointIndex pin;  // kPinned: the joint whose origin stays
+};
+
+// One of the concentric hinges of a node.
+struct NodeHinge {
+  Coordinate coordinate;
+  Vec3 axis;     // unit, in the node's frame at angle zero of all hinges of the node
+  int cardinal;  // 0, 1, 2: the axis is +x, +y, +z; 3: something else
+};
+
+// Rigid body on up to three concentric hinges, all free or all driven. Its frame is parallel to its
+// parent's where all its hinges are at zero.
+struct ModelNode {
+  int parent = -1;          // -1: the root's translation
+  Vec3 p_P = Vec3::Zero();  // its origin in the parent's frame [m]
+  Role role = Role::kConstant;
+  int num_hinges = 0;
+  std::array<NodeHinge, 3> hinges;
+  bool is_ball = false;     // free, and its hinges are a HingeTriple
+  bool is_dynamic = false;  // at or beyond a free node, or every node where the root answers
+  RigidInertia body;        // about its frame; massless if not dynamic
+};
+
+// The least model of one group of free joints that feel each other [METHOD 4]: links that move
+// rigidly together are one body, concentric hinges one rotation, and what lies outside is there
+// only as the chain that moves the attachment.
+struct RegionModel {
+  std::vector<ModelNode> nodes;    // parents first; node 0 is the root body
+  Mat3 R_root = Mat3::Identity();  // orientation of node 0 at angles zero, or where it is constant
+  RootCoupling coupling = RootCoupling::kPrescribed;
+  int pin_node = -1;          // kPinned: the pin's origin is fixed to this node
+  Vec3 p_pin = Vec3::Zero();  // in its frame [m]
+  // True if the root's translation depends on the free joints.
+  bool root_answers = false;
+  double mass = 0.0;   // of all dynamic nodes [kg]
+  int num_free = 0;    // free hinges
+  int num_bodies = 0;  // dynamic nodes with mass
+};
+
+// One model for each group, in order of their first joint. The root is prescribed where no free
+// joint lies between it and the pin; else, and in flight, all free joints are one group.
+std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRequest& request);
+
+}  // namespace hazumi

@@ -1,0 +1,58 @@
+#include "engine/passive/semidefinite.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi {
+
+namespace {
+
+// What rounding leaves of a pivot that is zero: of its diagonal, and of the largest.
+constexpr double kLost = 1e-13, kLostOfAll = 1e-17;
+
+}  // namespace
+
+int FactorSemidefinite(Eigen::Ref<MatX> A) {
+  const Eigen::Index n = A.rows();
+  int lost = 0;
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < n; ++k) largest = std::max(largest, A(k, k));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double diagonal = A(k, k);
+    double* column = &A(0, k);
+    for (Eigen::Index j = 0; j < k; ++j) {
+      const double factor = A(k, j);
+      if (factor == 0.0) continue;
+      const double* other = &A(0, j);
+      for (Eigen::Index i = k; i < n; ++i) column[i] -= factor * other[i];
+    }
+    if (column[k] > std::max(kLost * diagonal, kLostOfAll * largest)) {
+      const double root = std::sqrt(column[k]);
+      const double inverse = 1.0 / root;
+      column[k] = root;
+      for (Eigen::Index i = k + 1; i < n; ++i) column[i] *= inverse;
+    } else {
+      for (Eigen::Index i = k; i < n; ++i) column[i] = 0.0;
+      ++lost;
+    }
+  }
+  return lost;
+}
+
+void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
+  const Eigen::Index n = L.rows();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double* column = L.data() + k * L.outerStride();
+    x[k] = column[k] > 0.0 ? x[k] / column[k] : 0.0;
+    for (Eigen::Index i = k + 1; i < n; ++i) x[i] -= column[i] * x[k];
+  }
+  for (Eigen::Index k = n - 1; k >= 0; --k) {
+    const double* column = L.data() + k * L.outerStride();
+    if (column[k] <= 0.0) continue;
+    double sum = x[k];
+    for (Eigen::Index i = k + 1; i < n; ++i) sum -= column[i] * x[i];
+    x[k] = sum / column[k];
+  }
+}
+
+}  // namespace hazumi

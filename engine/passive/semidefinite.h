@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+// Replaces the lower triangle of the symmetric positive semidefinite matrix A by L with A = L L^T.
+// A coordinate that moves no mass of its own (its pivot is lost to rounding) gets an empty column.
+// Returns how many there are. Allocates nothing.
+int FactorSemidefinite(Eigen::Ref<MatX> A);
+// x := a solution of A x = b with b = x on entry, for A as FactorSemidefinite left it: coordinates
+// that move no mass get 0.
+void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
+
+}  // namespace hazumi

@@ -1,0 +1,90 @@
+#include "engine/passive/stops.h"
+
+#include <algorithm>
+
+#include "engine/passive/semidefinite.h"
+
+namespace hazumi {
+
+void StopSolver::Resize(int size) {
+  A_.resize(size, size);
+  for (VecX* x : {&x_, &T_, &right_, &given_, &reached_, &against_}) x->resize(size);
+  zero_ = VecX::Zero(size);
+  free_.reserve(size);
+  held_.assign(size, 0);
+}
+
+void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
+                            const std::vector<char>& held) {
+  const int n = static_cast<int>(b.size());
+  free_.clear();
+  for (int i = 0; i < n; ++i) {
+    if (!held[i]) free_.push_back(i);
+  }
+  const int k = static_cast<int>(free_.size());
+  for (int r = 0; r < k; ++r) {
+    const int i = free_[r];
+    double right = -b[i];
+    for (int j = 0; j < n; ++j) {
+      if (held[j]) right -= M(i, j) * given[j];
+    }
+    right_[r] = right;
+    for (int c = 0; c <= r; ++c) A_(r, c) = M(i, free_[c]);
+  }
+  FactorSemidefinite(A_.topLeftCorner(k, k));
+  SolveSemidefinite(A_.topLeftCorner(k, k), right_.head(k));
+  x_ = given;
+  for (int r = 0; r < k; ++r) x_[free_[r]] = right_[r];
+  for (int i = 0; i < n; ++i) T_[i] = held[i] ? b[i] + M.row(i).dot(x_) : 0.0;
+}
+
+void StopSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held) {
+  SolveMixed(M, b, zero_, held);
+}
+
+// The first hinge at a stop that is held but would have to be pulled, or is not held and goes out.
+int StopSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
+                           const std::vector<char>& fixed, const std::vector<char>& held) const {
+  constexpr double kRounding = 1e-12;
+  const double scale_T = T_.lpNorm<Eigen::Infinity>();
+  const double scale_x = reached.lpNorm<Eigen::Infinity>();
+  for (int i = 0; i < static_cast<int>(side.size()); ++i) {
+    if (side[i] == 0 || fixed[i]) continue;
+    if (held[i] ? side[i] * T_[i] > kRounding * scale_T
+                : side[i] * reached[i] > kRounding * scale_x) {
+      return i;
+    }
+  }
+  return -1;
+}
+
+void StopSolver::Impact(const MatX& M, const VecX& blow, const std::vector<int>& side,
+                        const std::vector<char>& sticks, VecX* v) {
+  const int n = static_cast<int>(v->size());
+  against_ = -blow;
+  given_ = -*v;
+  for (int i = 0; i < n; ++i) held_[i] = side[i] != 0 && (sticks[i] || side[i] * (*v)[i] >= 0.0);
+  for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
+    SolveMixed(M, against_, given_, held_);
+    // A hinge that is not held takes what the others give it.
+    reached_ = *v + x_;
+    const int wrong = FirstWrong(side, reached_, sticks, held_);
+    if (wrong < 0) break;
+    held_[wrong] = !held_[wrong];
+  }
+  for (int i = 0; i < n; ++i) (*v)[i] = held_[i] ? 0.0 : (*v)[i] + x_[i];
+}
+
+void StopSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
+                      const std::vector<char>& fixed, std::vector<char>* held) {
+  const int n = static_cast<int>(b.size());
+  for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
+  for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
+    SolveMixed(M, b, zero_, *held);
+    const int wrong = FirstWrong(side, x_, fixed, *held);
+    if (wrong < 0) break;
+    (*held)[wrong] = !(*held)[wrong];
+  }
+}
+
+}  // namespace hazumi

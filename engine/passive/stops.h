@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+// Joint stops that are pressed, hit or let go together. M, b: the equations of motion in the free
+// hinges' coordinates, M x = T - b. `side`, by hinge: +1 at its upper stop, -1 at its lower one, 0
+// at none. A stop pushes inwards only; what it does not hold moves inwards or stays.
+// [METHOD 2, "limits"]
+//
+// Both problems have one solution, since M is positive definite; it is found by principal pivots on
+// the first hinge that is wrong [Murty 1974]. Calls allocate nothing once Resize was called.
+class StopSolver {
+ public:
+  void Resize(int size);
+
+  // An inelastic impact of everything that is at a stop, with a blow from elsewhere [N m s]:
+  // changes the rates v [rad/s] so that
+  //   M dv = blow + p,  side p <= 0,  side v <= 0,  p v = 0.
+  // Hinges with `sticks` set come to rest even if that takes a pull.
+  void Impact(const MatX& M, const VecX& blow, const std::vector<int>& side,
+              const std::vector<char>& sticks, VecX* v);
+
+  // Which hinges at rest at a stop stay there: sets `held` from
+  //   M x + b = T,  side T <= 0,  side x <= 0,  T x = 0.
+  // Hinges with `fixed` set stay, whichever way they press.
+  void Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
+            const std::vector<char>& fixed, std::vector<char>* held);
+
+  // With the hinges `held` kept still: x of the others, and what the stops must give [N m].
+  void Solve(const MatX& M, const VecX& b, const std::vector<char>& held);
+  const VecX& x() const { return x_; }
+  const VecX& T() const { return T_; }
+
+ private:
+  // Fills x_ and T_: x = given where held, T = 0 elsewhere.
+  void SolveMixed(const MatX& M, const VecX& b, const VecX& given, const std::vector<char>& held);
+  int FirstWrong(const std::vector<int>& side, const VecX& reached, const std::vector<char>& fixed,
+                 const std::vector<char>& held) const;
+
+  MatX A_;
+  VecX x_, T_, right_, given_, zero_, reached_, against_;
+  std::vector<int> free_;
+  std::vector<char> held_;
+};
+
+}  // namespace hazumi

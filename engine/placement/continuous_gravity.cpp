@@ -1,0 +1,207 @@
+#include "engine/placement/continuous_gravity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/placement/root_placement.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr double kDeeper = 1e-9;     // [m]
+constexpr double kSameTime = 1e-10;  // [s]
+// More landings than this in one window, and the pin holds on for one, even if it has to pull: the
+// joint that is pinned is not the point that touches, so what lifts off may go deeper at once.
+constexpr int kMostLandings = 4;
+constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
+
+// Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
+template <typename Function>
+double Root(double t0, double f0, double t1, double f1, Function&& f) {
+  f0 = std::min(f0, 0.0);
+  for (int i = 0; i < 100 && t1 - t0 > kSameTime; ++i) {
+    double t = i % 3 == 2 || f1 == f0 ? 0.5 * (t0 + t1) : (t0 * f1 - t1 * f0) / (f1 - f0);
+    if (!(t > t0 && t < t1)) t = 0.5 * (t0 + t1);
+    const double value = f(t);
+    (value > 0.0 ? t1 : t0) = t;
+    (value > 0.0 ? f1 : f0) = value;
+  }
+  return t1;
+}
+
+}  // namespace
+
+ContinuousGravity::ContinuousGravity(const Figure& figure, const std::vector<SceneObject>& scene,
+                                     const PlacementSpan& span, double gravity)
+    : figure_(figure), scene_(scene), span_(span), g_(0.0, 0.0, -gravity) {}
+
+void ContinuousGravity::PinAt(std::optional<GroupIndex> named, const Contact& contact,
+                              const DynamicsWorkspace& ws) {
+  state_.pin = named ? *named : NearestGroup(figure_, ws, contact.point);
+  state_.pin_W = ws.body(pin_joint()).p;
+  state_.normal = contact.normal;
+}
+
+void ContinuousGravity::Fly(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+  state_.start = t;
+  state_.com = CenterOfMass(figure_, *ws);
+  state_.com_v = CenterOfMassVelocity(figure_, *ws);
+}
+
+void ContinuousGravity::Start(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  Fly(t, motion, ws);
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+  state_.allowed = 0.0;
+  if (contact && contact->clearance <= kTouching) PinAt(span_.pin, *contact, *ws);
+}
+
+void ContinuousGravity::MassesChanged(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  if (!state_.pin) Fly(t, motion, ws);
+}
+
+void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
+  if (state_.pin) return PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
+  const double s = t - state_.start;
+  PlaceCenterOfMass(figure_, state_.com + state_.com_v * s + 0.5 * g_ * s * s,
+                    state_.com_v + g_ * s, ws, motion);
+}
+
+FigureMotion ContinuousGravity::PlacedAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+  FigureMotion motion;
+  pose(t, &motion);
+  Place(t, ws, &motion);
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  return motion;
+}
+
+double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+  PlacedAt(t, pose, ws);
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+  return contact ? contact->clearance : kFree;
+}
+
+std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
+                                                          DynamicsWorkspace* ws) {
+  if (state_.pin) return FindTakeOff(t0, t1, pose, ws);
+  const double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kFree;
+  const bool has_apex = apex > t0 && apex <= t1;
+  const auto landing = FindLanding(t0, has_apex ? apex : t1, pose, ws);
+  if (landing || !has_apex) return landing;
+  return GravityEvent{GravityEvent::Kind::kApex, apex};
+}
+
+// How much faster than freely the pinned CoM would have to fall, along the ground's normal: the
+// pin's normal force for each kilogram, negated. By differences of the CoM's velocity within
+// [t0, t1].
+double ContinuousGravity::Lift(double t, double t0, double t1, const Pose& pose,
+                               DynamicsWorkspace* ws) const {
+  const double h = std::min(1e-5, (t1 - t0) / 4.0);
+  const double middle = std::clamp(t, t0 + h, t1 - h);
+  const auto velocity = [&](double s) {
+    const FigureMotion motion = PlacedAt(s, pose, ws);
+    ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+    return CenterOfMassVelocity(figure_, *ws).dot(state_.normal);
+  };
+  const double v0 = velocity(middle - h), v1 = velocity(middle), v2 = velocity(middle + h);
+  const double acceleration = (v2 - v0) / (2.0 * h) + (v2 - 2.0 * v1 + v0) / (h * h) * (t - middle);
+  return g_.dot(state_.normal) - acceleration;
+}
+
+std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
+                                                           DynamicsWorkspace* ws) const {
+  constexpr int kLooks = 4;
+  const auto lift = [&](double t) { return Lift(t, t0, t1, pose, ws); };
+  const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
+  const double from = std::max(t0, state_.hold_until);
+  if (from >= t1) return std::nullopt;
+  double before = from, lift_before = lift(from), lost_before = lost(from);
+  const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
+  if (lift_before > 0.0 || lost_before > 0.0) return take_off(from);
+  for (int look = 1; look <= kLooks; ++look) {
+    const double t = look == kLooks ? t1 : from + (t1 - from) * look / kLooks;
+    const double lift_now = lift(t), lost_now = lost(t);
+    double first = kFree;
+    if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, lift);
+    if (lost_now > 0.0) first = std::min(first, Root(before, lost_before, t, lost_now, lost));
+    if (first < kFree) return take_off(first);
+    before = t;
+    lift_before = lift_now;
+    lost_before = lost_now;
+  }
+  return std::nullopt;
+}
+
+// No point of the figure is faster than this during [t0, t1] [m/s]: the fastest of a few looks and
+// a third more.
+double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
+                                     DynamicsWorkspace* ws) const {
+  constexpr int kLooks = 4;
+  double fastest = 0.0;
+  for (int look = 0; look <= kLooks; ++look) {
+    const FigureMotion motion = PlacedAt(t0 + (t1 - t0) * look / kLooks, pose, ws);
+    ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+    for (const Link& link : figure_.links()) {
+      const BodyScratch& body = ws->body(link.joint);
+      for (const Vec3& end : {link.capsule.a, link.capsule.b}) {
+        const double speed = (body.v + body.w.cross(body.R * end)).norm();
+        fastest = std::max(fastest, speed + body.w.norm() * link.capsule.radius);
+      }
+    }
+  }
+  return 1.33 * fastest + 1e-3;
+}
+
+// Conservative advancement: from a time with clearance c nothing is touched for c / speed seconds.
+// Touching within kTouching, as just after take-off, it goes on in short steps.
+std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1, const Pose& pose,
+                                                           DynamicsWorkspace* ws) {
+  const auto depth = [&](double t) { return state_.allowed - ClearanceAt(t, pose, ws); };
+  const double speed = SpeedBound(t0, t1, pose, ws);
+  double t = t0, gap = -depth(t0);
+  bool is_leaving = true;
+  while (t < t1) {
+    const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
+    const double next = std::min(t1, t + std::max(gap / speed, least));
+    const double next_gap = -depth(next);
+    if (next_gap < -kDeeper) {
+      const auto deeper = [&](double s) { return depth(s); };
+      return GravityEvent{GravityEvent::Kind::kLanding, Root(t, -gap, next, -next_gap, deeper)};
+    }
+    is_leaving = next_gap > gap;
+    t = next;
+    gap = next_gap;
+    // What was deep at take-off counts as ground only until it has come up.
+    const double raised = std::min(0.0, state_.allowed + gap);
+    if (raised > state_.allowed) {
+      gap -= raised - state_.allowed;
+      state_.allowed = raised;
+    }
+  }
+  return std::nullopt;
+}
+
+Vec3 ContinuousGravity::Happen(const GravityEvent& event, const FigureMotion& motion,
+                               DynamicsWorkspace* ws) {
+  if (event.kind == GravityEvent::Kind::kApex) return Vec3::Zero();
+  if (event.kind == GravityEvent::Kind::kTakeOff) {
+    Fly(event.time, motion, ws);
+    const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+    state_.allowed = contact ? std::min(0.0, contact->clearance) : 0.0;
+    state_.pin.reset();
+    return Vec3::Zero();
+  }
+  ComputePositions(figure_, motion.X_WR, motion.q, ws);
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+  PinAt(span_.landing_pin, *NearestContact(figure_, scene_, *ws), *ws);
+  std::erase_if(state_.landings, [&](double t) { return t < event.time - kChatterWindow; });
+  state_.landings.push_back(event.time);
+  if (state_.landings.size() > kMostLandings) state_.hold_until = event.time + kChatterWindow;
+  return ws->body(pin_joint()).v;
+}
+
+}  // namespace hazumi

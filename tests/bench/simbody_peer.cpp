@@ -1,0 +1,144 @@
+// The figure in Simbody: one mobilizer a group, Pin, Universal, and Gimbal or Ball.
+
+#include "tests/bench/peer_joints.h"
+#include "tests/bench/simbody_tree.h"
+#include "tests/bench/subject.h"
+#include "tests/bench/swing_method.h"
+
+namespace hazumi::bench {
+
+namespace {
+
+SimbodyTree::Mobilizer MobilizerOf(const JointGroup& group, Threes threes) {
+  if (group.size == 1) return SimbodyTree::Mobilizer::kPin;
+  if (group.size == 2) return SimbodyTree::Mobilizer::kUniversal;
+  return threes == Threes::kBall ? SimbodyTree::Mobilizer::kBall : SimbodyTree::Mobilizer::kGimbal;
+}
+
+// A body for each group.
+std::vector<SimbodyTree::Body> Bodies(const Figure& figure, Threes threes) {
+  std::vector<SimbodyTree::Body> bodies;
+  for (const JointGroup& group : figure.groups()) {
+    const Joint& first = figure.joint(group.first);
+    const int parent = first.parent.is_valid() ? figure.joint(first.parent).group.value() : -1;
+    bodies.push_back({parent, MobilizerOf(group, threes), first.X_PJ.R, first.X_PJ.p,
+                      HingeFrame(figure, group), figure.body(group.last())});
+  }
+  return bodies;
+}
+
+// SimbodyTree in the figure's coordinates.
+class SimbodyFigure {
+ public:
+  SimbodyFigure(const Figure& figure, Threes threes)
+      : tree_(Bodies(figure, threes), kGravity), signs_(CoordinateSigns(figure, threes)) {
+    if (threes == Threes::kBall) balls_ = BallJoints(figure);
+    for (const BallJoint& ball : balls_) {
+      body_of_ball_.push_back(figure.joints()[ball.first()].group.value());
+    }
+  }
+
+  SimbodyTree& tree() { return tree_; }
+  const VecX& signs() const { return signs_; }
+  const std::vector<BallJoint>& balls() const { return balls_; }
+
+  void SetState(const VecX& q, const VecX& qd) {
+    q_ = signs_.cwiseProduct(q);
+    u_ = signs_.cwiseProduct(qd);
+    tree_.SetState(q_, u_);
+    for (size_t i = 0; i < balls_.size(); ++i) {
+      tree_.SetBall(body_of_ball_[i], balls_[i].Rotation(q), balls_[i].AngularVelocity(q, qd));
+    }
+  }
+  VecX EndAngles() const {
+    VecX q = signs_.cwiseProduct(tree_.EndCoordinates());
+    for (size_t i = 0; i < balls_.size(); ++i) {
+      balls_[i].SetHingeAngles(tree_.EndRotation(body_of_ball_[i]), &q);
+    }
+    return q;
+  }
+
+ private:
+  SimbodyTree tree_;
+  VecX signs_, q_, u_;
+  std::vector<BallJoint> balls_;
+  std::vector<int> body_of_ball_;
+};
+
+class Simbody : public Subject {
+ public:
+  Simbody(const Figure& figure, Threes threes)
+      : figure_(figure, threes), zero_(VecX::Zero(figure.num_joints())) {}
+
+  bool InverseDynamics(const Question& at, VecX* tau) override {
+    figure_.SetState(at.q, at.qd);
+    in_ = figure_.signs().cwiseProduct(at.qdd);
+    figure_.tree().InverseDynamics(in_, tau);
+    tau->array() *= figure_.signs().array();
+    return true;
+  }
+  bool Bias(const Question& at, VecX* b) override {
+    figure_.SetState(at.q, at.qd);
+    figure_.tree().InverseDynamics(zero_, b);
+    b->array() *= figure_.signs().array();
+    return true;
+  }
+  bool InertiaMatrix(const Question& at, MatX* H) override {
+    figure_.SetState(at.q, at.qd);
+    figure_.tree().ComputeMassMatrix();
+    if (H == nullptr) return true;
+    const auto signs = figure_.signs().asDiagonal();
+    *H = signs * figure_.tree().MassMatrix() * signs;
+    return true;
+  }
+  bool ForwardDynamics(const Question& at, VecX* qdd) override {
+    in_ = figure_.signs().cwiseProduct(at.tau);
+    for (const BallJoint& ball : figure_.balls()) {
+      in_.segment<3>(ball.first()) = ball.Moment(at.q, at.tau);
+    }
+    figure_.SetState(at.q, at.qd);
+    figure_.tree().SetForces(in_);
+    figure_.tree().ForwardDynamics(qdd);
+    qdd->array() *= figure_.signs().array();
+    for (const BallJoint& ball : figure_.balls()) {
+      const Vec3 alpha = qdd->segment<3>(ball.first());
+      ball.SetHingeAccelerations(at.q, at.qd, alpha, qdd);
+    }
+    return true;
+  }
+
+ private:
+  SimbodyFigure figure_;
+  VecX zero_, in_;
+};
+
+SwingMethod Method(const char* name, SimbodyIntegrator integrator, int settings,
+                   const std::shared_ptr<SimbodyFigure>& figure) {
+  return {name, "accuracy", GeometricSettings(1e-1, 0.1, settings),
+          figure->balls().empty() ? FreeWithHinges : FreeNearSingularity,
+          [figure, integrator](const SwingCase& c, double accuracy) {
+            figure->SetState(c.q, c.qd);
+            figure->tree().Integrate(integrator, accuracy, c.seconds);
+            return figure->EndAngles();
+          }};
+}
+
+}  // namespace
+
+std::unique_ptr<Subject> MakeSimbody(const Figure& figure) {
+  return std::make_unique<Simbody>(figure, Threes::kHinges);
+}
+
+std::unique_ptr<Subject> MakeSimbodyWithBalls(const Figure& figure) {
+  return std::make_unique<Simbody>(figure, Threes::kBall);
+}
+
+std::vector<SwingMethod> SimbodyMethods(const Figure& arm) {
+  const auto hinges = std::make_shared<SimbodyFigure>(arm, Threes::kHinges);
+  const auto ball = std::make_shared<SimbodyFigure>(arm, Threes::kBall);
+  return {Method("simbody_merson", SimbodyIntegrator::kMerson, 11, hinges),
+          Method("simbody_fehlberg", SimbodyIntegrator::kFehlberg, 12, hinges),
+          Method("simbody_merson_ball", SimbodyIntegrator::kMerson, 11, ball)};
+}
+
+}  // namespace hazumi::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace hazumi::bench {
+
+// Each prints one table of comma-separated values to the standard output. Every entry is the least
+// of `rounds` alternating rounds over everything that the table compares.
+
+// Calls of the dynamics: subject, model, call, microseconds, ratio to MuJoCo.
+void PrintCalls(int rounds);
+// Swings of the arm: subject, case, setting, microseconds, error of the end in rad.
+void PrintWorkPrecision(int rounds);
+// Forward dynamics of growing figures: method, shape, joints, microseconds.
+void PrintScaling(int rounds);
+// Steps that survive: slice, method, its two coordinates, largest step in s, empty if none did.
+void PrintStability(int rounds);
+
+}  // namespace hazumi::bench

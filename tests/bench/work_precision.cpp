@@ -1,0 +1,79 @@
+#include <cmath>
+#include <cstdio>
+
+#include "tests/bench/questions.h"
+#include "tests/bench/stopwatch.h"
+#include "tests/bench/swing_cases.h"
+#include "tests/bench/swing_method.h"
+#include "tests/bench/tables.h"
+#include "tests/support/figures.h"
+
+namespace hazumi::bench {
+
+std::vector<double> GeometricSettings(double first, double ratio, int count) {
+  std::vector<double> settings;
+  for (int i = 0; i < count; ++i) settings.push_back(first * std::pow(ratio, i));
+  return settings;
+}
+
+namespace {
+
+constexpr double kBatchSeconds = 0.0005;
+
+struct Timed {
+  const SwingMethod* method;
+  double setting;
+  LeastTime time;
+};
+
+std::vector<SwingMethod> AllMethods(const Figure& arm) {
+  std::vector<SwingMethod> all;
+  for (const auto& methods : {HazumiMethods(arm), MujocoMethods(arm), SimbodyMethods(arm),
+                              BulletMethods(arm), DartMethods(arm)}) {
+    all.insert(all.end(), methods.begin(), methods.end());
+  }
+  return all;
+}
+
+void DemandThatPeersAgree(const Figure& arm) {
+  DemandAgreement({"mujoco", MakeMujoco}, arm);
+  DemandAgreement({"simbody", MakeSimbody}, arm);
+  DemandAgreement({"bullet", MakeBullet}, arm);
+  DemandAgreement({"dart", MakeDart}, arm);
+  DemandForwardAgreement({"mujoco_ball", MakeMujocoWithBalls}, arm);
+  DemandForwardAgreement({"simbody_ball", MakeSimbodyWithBalls}, arm);
+  DemandForwardAgreement({"bullet_ball", MakeBulletWithBalls}, arm);
+  DemandForwardAgreement({"dart_ball", MakeDartWithBalls}, arm);
+}
+
+void PrintCase(const SwingCase& c, const std::vector<SwingMethod>& methods, int rounds) {
+  std::vector<Timed> all;
+  for (const SwingMethod& method : methods) {
+    if (!method.handles(c)) continue;
+    for (const double setting : method.settings) all.push_back({&method, setting, {}});
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (Timed& timed : all) {
+      timed.time.Round(kBatchSeconds,
+                       [&](long) { KeepAlive(timed.method->run(c, timed.setting)); });
+    }
+  }
+  for (const Timed& timed : all) {
+    std::printf("%s,%s,%s=%.5g,%.4g,%.3g\n", timed.method->name.c_str(), c.name.c_str(),
+                timed.method->unit.c_str(), timed.setting, timed.time.microseconds(),
+                c.error(timed.method->run(c, timed.setting)));
+  }
+  std::printf("reference,%s,,,%.2g\n", c.name.c_str(), c.reference_error);
+}
+
+}  // namespace
+
+void PrintWorkPrecision(int rounds) {
+  const Figure arm = test::Arm7();
+  DemandThatPeersAgree(arm);
+  const std::vector<SwingMethod> methods = AllMethods(arm);
+  std::puts("subject,case,setting,microseconds,error_rad");
+  for (const SwingCase& c : SwingCases()) PrintCase(c, methods, rounds);
+}
+
+}  // namespace hazumi::bench
