@@ -13,5 +13,7 @@ void PrintWorkPrecision(int rounds);
 void PrintScaling(int rounds);
 // Steps that survive: slice, method, its two coordinates, largest step in s, empty if none did.
 void PrintStability(int rounds);
+// All evaluations of an example's bake: case, level of modelling, microseconds.
+void PrintModelling(int rounds);
 
 }  // namespace hazumi::bench
