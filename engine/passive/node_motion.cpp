@@ -14,8 +14,9 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 namespace {
 
 // R := R Rot(axis, angle), by its sine and cosine. About a coordinate axis only two columns change.
-HAZUMI_INLINE void Turn(const NodeHinge& hinge, double s, double c, M3* R) {
+HAZUMI_INLINE void Turn(const NodeHinge& hinge, double sine, double c, M3* R) {
   const M3 was = *R;
+  const double s = hinge.sign * sine;
   switch (hinge.cardinal) {
     case 0:
       R->b = c * was.b + s * was.c;
@@ -37,11 +38,11 @@ HAZUMI_INLINE void Turn(const NodeHinge& hinge, double s, double c, M3* R) {
 HAZUMI_INLINE V3 AxisOf(const NodeHinge& hinge, const V3& axis, const M3& R) {
   switch (hinge.cardinal) {
     case 0:
-      return R.a;
+      return hinge.sign * R.a;
     case 1:
-      return R.b;
+      return hinge.sign * R.b;
     case 2:
-      return R.c;
+      return hinge.sign * R.c;
     default:
       return R * axis;
   }
