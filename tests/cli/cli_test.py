@@ -109,7 +109,7 @@ class CommandLine(unittest.TestCase):
                 (["--check", "--json=no", THROW], "--json takes no value"),
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
                 (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
-                ([], "no task; the tasks are --render, --bake, --check and --info"),
+                ([], "no task; the tasks are --render, --bake, --check, --info, --run and --operators"),
                 (["--info"], "no FILE"),
                 (["--info", THROW, JUMP], "only --check takes several")):
             done = run(*wrong, cwd=self.folder)
