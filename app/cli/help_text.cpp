@@ -22,7 +22,7 @@ Tasks
   --info            say what is in the file, and its events
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
                     operators, such as
-                    {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 40};
+                    {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
                     nothing is saved unless it says "file.save"
   --operators       list the operators and their parameters
   --help, --version
