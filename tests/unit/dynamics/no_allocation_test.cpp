@@ -73,12 +73,6 @@ TEST_F(NoAllocation, InTheInertiaMatrices) {
   });
 }
 
-TEST_F(NoAllocation, InForwardDynamicsByArticulatedBodies) {
-  ExpectNone([&] {
-    (void)ForwardDynamicsByArticulatedBodies(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_);
-  });
-}
-
 TEST_F(NoAllocation, InDenseForwardDynamics) {
   ExpectNone([&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
 }
