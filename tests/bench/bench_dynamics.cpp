@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
     table.print(std::atoi(argv[2]));
     return 0;
   }
-  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability|modelling ROUNDS\n", argv[0]);
+  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability|modelling ROUNDS\n",
+               argv[0]);
   return 2;
 }

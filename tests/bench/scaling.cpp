@@ -97,6 +97,7 @@ void PrintScaling(int rounds) {
   }
   std::puts("method,shape,joints,microseconds");
   for (const Contest& contest : all) contest.Print();
+  PrintRegionScaling(rounds);
 }
 
 }  // namespace hazumi::bench
