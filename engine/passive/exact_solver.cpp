@@ -75,19 +75,22 @@ void ExactSolver::ResolveStops(const Vec3& v_pin) {
   Settle();
 }
 
-// The hinges at a stop, but for those on their way in. Returns how many are not at rest there.
+// The hinges at a stop; those on their way in only where a blow or another hinge's impact may send
+// them out. Returns how many are not at rest there.
 int ExactSolver::FindSides(bool with_blow) {
   int moving = 0;
+  bool is_struck = with_blow;
   for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
     side_[i] = 0;
-    sticks_[i] = 0;
     if (q_[i] >= upper_now_[i] - touch_) side_[i] = 1;
     if (q_[i] <= lower_now_[i] + touch_) side_[i] = -1;
+    is_struck |= side_[i] * qd_[i] > touch_rate();
+  }
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
     const double out = side_[i] * qd_[i];
-    if (out < -touch_rate() && !with_blow) side_[i] = 0;
-    if (side_[i] == 0) continue;
-    sticks_[i] = out < 0.0 && out >= -touch_rate();
-    moving += out != 0.0;
+    if (out < -touch_rate() && !is_struck) side_[i] = 0;
+    sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -touch_rate();
+    moving += side_[i] != 0 && out != 0.0;
     if (out > touch_rate()) hits_.push_back({time_, i});
   }
   return moving;
