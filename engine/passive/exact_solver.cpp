@@ -23,7 +23,10 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   const int n = dynamics->num_hinges();
   lower_now_ = lower_;
   upper_now_ = upper_;
-  for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_}) x->setZero(n);
+  for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
+                  &peak_q_, &peak_qd_}) {
+    x->setZero(n);
+  }
   side_.assign(n, 0);
   locked_.assign(n, 0);
   sticks_.assign(n, 0);
@@ -280,27 +283,56 @@ std::optional<double> ExactSolver::FindHit() {
   constexpr int kLooks = 8;
   const double start = step_.start_time(), h = step_.end_time() - start;
   std::optional<double> first;
+  look_q_ = q_start_;
+  look_qd_ = qd_start_;
   for (int look = 1; look <= kLooks && !first; ++look) {
     const double before = start + h * (look - 1) / kLooks;
     const double t = look == kLooks ? time_ : start + h * look / kLooks;
     Sample(t, &sample_q_, &sample_qd_);
     for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      if (locked_[i] || Outside(i, sample_q_) <= kTouch) continue;
-      const double crossing = CrossingTime(before, t, i);
+      if (locked_[i]) continue;
+      const bool is_out = Outside(i, sample_q_) > kTouch;
+      const std::optional<double> out = is_out ? t : FindPeak(before, t, i);
+      if (!out) continue;
+      const double crossing = CrossingTime(before, *out, i);
       if (!first || crossing < *first) first = crossing;
     }
-    if (first) break;
+    look_q_.swap(sample_q_);
+    look_qd_.swap(sample_qd_);
   }
   return first;
 }
 
+// A time between two looks, the last and the one before, at which a hinge is outside that is inside
+// at both: it went out and came back.
+std::optional<double> ExactSolver::FindPeak(double before, double t, int hinge) {
+  for (const int side : {1, -1}) {
+    const double stop = side > 0 ? upper_now_[hinge] : lower_now_[hinge];
+    double a = before, b = t, va = side * look_qd_[hinge], vb = side * sample_qd_[hinge];
+    if (!(va > 0.0 && vb < 0.0)) continue;
+    const double most = 2.0 * (b - a) * std::min(va, -vb);
+    if (std::max(side * (look_q_[hinge] - stop), side * (sample_q_[hinge] - stop)) + most <
+        kTouch) {
+      continue;
+    }
+    for (int i = 0; i < 40 && (b - a) * std::max(va, -vb) > 0.1 * kTouch; ++i) {
+      double middle = i % 3 == 2 ? 0.5 * (a + b) : (b * va - a * vb) / (va - vb);
+      if (!(middle > a && middle < b)) middle = 0.5 * (a + b);
+      Sample(middle, &peak_q_, &peak_qd_);
+      if (side * (peak_q_[hinge] - stop) > kTouch) return middle;
+      const double v = side * peak_qd_[hinge];
+      (v > 0.0 ? a : b) = middle;
+      (v > 0.0 ? va : vb) = v;
+    }
+  }
+  return std::nullopt;
+}
+
 // Bisection and secants between a time at which the hinge is inside and one at which it is outside.
 double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
-  VecX& q = sample_q_;
-  const VecX keep = q;
   const auto out = [&](double t) {
-    Sample(t, &q, &sample_qd_);
-    return Outside(hinge, q);
+    Sample(t, &peak_q_, &peak_qd_);
+    return Outside(hinge, peak_q_);
   };
   double a = inside, b = outside, fa = out(a), fb = out(b);
   if (fa > 0.0) fa = -kTouch;
@@ -316,7 +348,6 @@ double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
       fa = f;
     }
   }
-  q = keep;
   return b;
 }
 

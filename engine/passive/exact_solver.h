@@ -69,6 +69,7 @@ class ExactSolver {
   double FirstStep(double end) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
   std::optional<double> FindHit();
+  std::optional<double> FindPeak(double before, double t, int hinge);
   std::optional<double> FindRelease();
   bool MayHit() const;
   double Outside(int hinge, const VecX& q) const;
@@ -84,8 +85,9 @@ class ExactSolver {
   double tolerance_ = 1e-6;
   Dop853 step_;
   double time_ = 0.0, next_h_ = 0.0;
-  VecX q_, qd_;              // at time_
-  VecX q_start_, qd_start_;  // at the start of the step
+  VecX q_, qd_;                               // at time_
+  VecX q_start_, qd_start_;                   // at the start of the step
+  VecX look_q_, look_qd_, peak_q_, peak_qd_;  // scratch of FindHit
   VecX sample_q_, sample_qd_, y_, scale_, blow_;
   StopSolver stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
