@@ -329,10 +329,11 @@ std::optional<double> ExactSolver::FindPeak(double before, double t, int hinge) 
 }
 
 // Bisection and secants between a time at which the hinge is inside and one at which it is outside.
+// Half of kTouch counts as inside, so that a hinge that leaves its stop has not crossed it.
 double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
   const auto out = [&](double t) {
     Sample(t, &peak_q_, &peak_qd_);
-    return Outside(hinge, peak_q_);
+    return Outside(hinge, peak_q_) - 0.5 * kTouch;
   };
   double a = inside, b = outside, fa = out(a), fb = out(b);
   if (fa > 0.0) fa = -kTouch;
@@ -351,7 +352,7 @@ double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
   return b;
 }
 
-// The strongest pull that a stop would have to give at t to hold its hinge [N m].
+// The strongest pull that a stop would have to give at t to hold its hinge, beyond rounding [N m].
 double ExactSolver::Pull(double t) {
   Sample(t, &sample_q_, &sample_qd_);
   dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
@@ -360,7 +361,8 @@ double ExactSolver::Pull(double t) {
   for (size_t i = 0; i < locked_.size(); ++i) {
     if (locked_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
   }
-  return most;
+  // More than what StopSolver::Rest overlooks, so that what is found here is let go there.
+  return most - 1e-11 * stops_.T().lpNorm<Eigen::Infinity>();
 }
 
 // The first time in the step at which a stop would have to pull, looked for at a few places.
