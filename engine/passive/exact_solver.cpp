@@ -352,7 +352,7 @@ double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
   return b;
 }
 
-// The strongest pull that a stop would have to give at t to hold its hinge, beyond rounding [N m].
+// The strongest pull that a stop would have to give at t to hold its hinge [N m].
 double ExactSolver::Pull(double t) {
   Sample(t, &sample_q_, &sample_qd_);
   dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
@@ -361,8 +361,8 @@ double ExactSolver::Pull(double t) {
   for (size_t i = 0; i < locked_.size(); ++i) {
     if (locked_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
   }
-  // More than what StopSolver::Rest overlooks, so that what is found here is let go there.
-  return most - 1e-11 * stops_.T().lpNorm<Eigen::Infinity>();
+  // Beyond rounding, so that what is found to pull here does so for StopSolver::Rest too.
+  return most - 1e-10 * dynamics_->b().lpNorm<Eigen::Infinity>();
 }
 
 // The first time in the step at which a stop would have to pull, looked for at a few places.
