@@ -80,7 +80,8 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   Result<Compiled> compiled = CompileAnimation(project.value());
   if (!compiled.ok()) return InFile(compiled.error(), file);
   if (auto error = CheckLength(compiled.value().animation, options)) return InFile(*error, file);
-  Result<Motion> motion = Bake(compiled.value().animation, {options.rate, &Interrupted()});
+  Result<Motion> motion =
+      Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
   std::vector<Warning> warnings = compiled.value().warnings;

@@ -15,6 +15,10 @@ struct BakeOptions {
   std::optional<FrameRate> output_rate;
   // Set by another thread or a signal: the bake ends within a step (ErrorCode::kInterrupted).
   const std::atomic<bool>* cancel = nullptr;
+  // Account for the energy of exact regions in their reports; takes about as long again.
+  bool energy = false;
+  // Solve exact regions again, with finer steps, where their error estimates miss their tolerances.
+  bool refine = true;
 };
 
 // Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)

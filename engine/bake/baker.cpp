@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "engine/bake/limits.h"
 #include "engine/base/text.h"
@@ -11,25 +13,7 @@ namespace hazumi {
 
 namespace {
 
-Figure WithHeldObjects(const Animation& animation) {
-  Figure figure = *animation.figure;
-  for (const HeldObject& object : animation.held_objects) {
-    figure = figure.WithLoad(figure.group(object.holder).last(), InertiaOf(object));
-  }
-  return figure;
-}
-
-std::vector<double> AllKeyFrames(const Animation& animation) {
-  std::vector<double> frames;
-  const auto add = [&frames](const Keys& keys) {
-    for (const Key& key : keys) frames.push_back(key.frame);
-  };
-  for (const Keys& keys : animation.joint_keys) add(keys);
-  for (const Keys& keys : animation.root_keys) add(keys);
-  std::sort(frames.begin(), frames.end());
-  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-  return frames;
-}
+constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
 
 Error CannotGoOn(std::string place, std::string message) {
   return {ErrorCode::kSemantics, "", std::move(place), std::move(message)};
@@ -37,41 +21,183 @@ Error CannotGoOn(std::string place, std::string message) {
 
 }  // namespace
 
-Baker::Baker(const Animation& animation, const BakeOptions& options, std::vector<double> sharpness)
+Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion)
     : animation_(animation),
       cancel_(options.cancel),
-      figure_(WithHeldObjects(animation)),
+      energy_(options.energy),
+      refine_(options.refine),
+      figure_(*animation.figure),
       ws_(figure_),
       curves_(animation),
-      key_frames_(AllKeyFrames(animation)),
       free_(figure_.num_joints(), 0),
-      sharpness_(std::move(sharpness)),
-      has_twin_(figure_.num_joints() + kRootAngles, 0) {
-  motion_.rate = options.output_rate.value_or(animation.rate);
-  for (const HeldObject& object : animation.held_objects) {
-    objects_.emplace_back(figure_, object, animation.gravity);
-  }
-  for (const DynamicsRegion& region : animation.regions) {
-    RegionReport report;
-    report.name = region.name;
-    report.method = region.method;
-    report.step = region.step.value_or(animation.solver.step);
-    report.tolerance = region.tolerance.value_or(animation.solver.tolerance);
-    report.free_joints = static_cast<int>(region.joints.size());
-    report.all_joints = figure_.num_joints();
-    motion_.regions.push_back(std::move(report));
-  }
-  const VecX zero = VecX::Zero(figure_.num_joints());
-  now_.q = now_.qd = now_.qdd = zero;
+      refinements_(animation.regions.size()),
+      has_twin_(figure_.num_joints() + kRootAngles, 0),
+      motion_(motion) {
+  motion_->rate = options.output_rate.value_or(animation.rate);
+  PrepareMotion();
+  FindEdges();
+  num_keys_.assign(is_edge_.size(), 0);
+  for (const Keys& keys : animation_.joint_keys) CountKeys(keys, 1);
+  for (const Keys& keys : animation_.root_keys) CountKeys(keys, 1);
   driven_.angles.resize(figure_.num_joints() + kRootAngles);
   twin_.q = twin_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
   root_.q = root_.qd = VecX::Zero(kRootAngles);
 }
 
-Result<Motion> Baker::Run() {
+// The figure with what it holds.
+void Baker::LoadFigure() {
+  figure_ = *animation_.figure;
+  for (size_t i = 0; i < objects_.size(); ++i) {
+    const HeldObject& object = animation_.held_objects[i];
+    if (!objects_[i].is_held()) continue;
+    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
+  }
+}
+
+void Baker::RegionsChanged() {
+  curves_ = CurveSet(animation_);
+  FindEdges();
+}
+
+void Baker::FindEdges() {
+  const auto mark = [this](int frame) {
+    if (animation_.first_frame <= frame && frame <= animation_.last_frame)
+      is_edge_[Index(frame)] = 1;
+  };
+  const auto mark_ends = [&](const auto& spans) {
+    for (const auto& span : spans) {
+      mark(span.first_frame);
+      mark(span.last_frame);
+    }
+  };
+  is_edge_.assign(Index(animation_.last_frame) + 1, 0);
+  mark(animation_.last_frame);
+  mark_ends(animation_.regions);
+  mark_ends(animation_.placements);
+  mark_ends(animation_.holds);
+  for (const HeldObject& object : animation_.held_objects) {
+    if (object.release_frame) mark(*object.release_frame);
+  }
+}
+
+void Baker::CountKeys(const Keys& keys, int by) {
+  for (const Key& key : keys) {
+    const bool is_inside =
+        animation_.first_frame <= key.frame && key.frame <= animation_.last_frame;
+    if (!is_inside || key.frame != std::floor(key.frame)) continue;
+    num_keys_[Index(static_cast<int>(key.frame))] += by;
+  }
+}
+
+// Room for all frames, and reports of regions that did nothing yet.
+void Baker::PrepareMotion() {
+  const double per_frame = OutputFramesPerFrame();
+  first_output_ = static_cast<int>(std::ceil(animation_.first_frame * per_frame - kSameFrame));
+  const int last = static_cast<int>(std::floor(animation_.last_frame * per_frame + kSameFrame));
+  motion_->frames.resize(std::max(0, last - first_output_ + 1));
+  motion_->regions.clear();
+  for (const DynamicsRegion& region : animation_.regions) {
+    motion_->regions.push_back(EmptyReport(region));
+  }
+}
+
+RegionReport Baker::EmptyReport(const DynamicsRegion& region) const {
+  RegionReport report;
+  report.name = region.name;
+  report.method = region.method;
+  report.step = region.step.value_or(animation_.solver.step);
+  report.tolerance = region.tolerance.value_or(animation_.solver.tolerance);
+  report.free_joints = static_cast<int>(region.joints.size());
+  report.all_joints = figure_.num_joints();
+  return report;
+}
+
+Result<Checkpoint> Baker::Begin() {
+  curves_ = CurveSet(animation_);
+  Checkpoint nothing;
+  nothing.now.q = nothing.now.qd = nothing.now.qdd = VecX::Zero(figure_.num_joints());
+  nothing.pieces = curves_.PiecesBefore(animation_.first_frame);
+  for (const HeldObject& object : animation_.held_objects) {
+    nothing.objects.emplace_back(figure_, object, animation_.gravity);
+  }
+  Restore(nothing);
   if (auto error = Evaluate(animation_.first_frame, Side::kBefore, &now_)) return *error;
   before_ = LimitOf(now_);
-  for (int frame = animation_.first_frame;;) {
+  return Save(animation_.first_frame);
+}
+
+Checkpoint Baker::Save(int frame) {
+  Checkpoint checkpoint;
+  checkpoint.frame = frame;
+  checkpoint.now = now_;
+  checkpoint.before = before_;
+  checkpoint.pieces = curves_.PiecesBefore(frame);
+  if (span_) checkpoint.span = span_ - animation_.placements.data();
+  checkpoint.pin_W = pin_W_;
+  if (gravity_) checkpoint.gravity = gravity_->state();
+  if (fall_) checkpoint.fall = fall_->state();
+  for (const ActiveHold& active : holds_) {
+    const size_t index = active.hold - animation_.holds.data();
+    checkpoint.holds.push_back({index, active.target});
+  }
+  checkpoint.objects = objects_;
+  return checkpoint;
+}
+
+void Baker::Restore(const Checkpoint& checkpoint) {
+  now_ = checkpoint.now;
+  before_ = checkpoint.before;
+  curves_.Restart(checkpoint.pieces);
+  std::fill(free_.begin(), free_.end(), 0);
+  std::fill(has_twin_.begin(), has_twin_.end(), 0);
+  root_free_ = exact_begun_ = false;
+  driver_.reset();
+  exact_.reset();
+  if (objects_ != checkpoint.objects) {
+    objects_ = checkpoint.objects;
+    LoadFigure();
+  }
+  span_ = checkpoint.span ? &animation_.placements[*checkpoint.span] : nullptr;
+  pin_W_ = checkpoint.pin_W;
+  gravity_.reset();
+  fall_.reset();
+  if (checkpoint.gravity) {
+    gravity_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
+    gravity_->Resume(*checkpoint.gravity);
+  }
+  if (checkpoint.fall) {
+    fall_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
+    fall_->Resume(*checkpoint.fall);
+  }
+  holds_.clear();
+  for (const Checkpoint::Hold& held : checkpoint.holds) {
+    const IkHold& hold = animation_.holds[held.index];
+    holds_.push_back({&hold, HoldSolver(figure_, hold.joint, hold.hold_orientation), held.target});
+  }
+}
+
+Result<std::optional<Checkpoint>> Baker::BakeStretch(const GroupLogs& known, Stretch* stretch) {
+  known_ = &known;
+  stretch_ = stretch;
+  std::fill(refinements_.begin(), refinements_.end(), Refinement());
+  int frame;
+  do {
+    stretch->events.clear();
+    stretch->warnings.clear();
+    stretch->logs.clear();
+    begun_.clear();
+    Restore(stretch->start);
+    const Result<int> end = AdvanceToCheckpoint(stretch->start.frame);
+    if (!end.ok()) return end.error();
+    frame = end.value();
+  } while (refine_ && Sharpen());
+  if (frame > animation_.last_frame) return std::optional<Checkpoint>();
+  return std::optional(Save(frame));
+}
+
+// Up to a frame where something changes while no region is active, or beyond the last frame.
+Result<int> Baker::AdvanceToCheckpoint(int frame) {
+  for (;;) {
     if (auto error = CrossFrame(frame)) return *error;
     RecordIfOutput();
     if (frame == animation_.last_frame) break;
@@ -83,11 +209,34 @@ Result<Motion> Baker::Run() {
       if (auto error = AdvanceFrame(frame)) return *error;
       ++frame;
     }
+    if (!driver_ && !exact_ && ChangesAt(frame)) return frame;
   }
   if (exact_) TakeReports();
-  std::stable_sort(motion_.events.begin(), motion_.events.end(),
-                   [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
-  return std::move(motion_);
+  return animation_.last_frame + 1;
+}
+
+// Asks for finer steps where the estimate says that a region misses its tolerance, as long as that
+// helps. False if there is nothing to ask for.
+bool Baker::Sharpen() {
+  constexpr double kFinest = 1e6;
+  bool any = false;
+  for (const int r : begun_) {
+    const RegionReport& report = motion_->regions[r];
+    Refinement& refinement = refinements_[r];
+    if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
+    const double finer = refinement.sharpness * 3.0 * report.error_estimate / report.tolerance;
+    if (finer > kFinest || report.error_estimate > 0.3 * refinement.last_estimate) {
+      AddWarning("regions[" + std::to_string(r) + "]",
+                 "its angles may be off by " +
+                     FormatShort(report.error_estimate * 180.0 / std::numbers::pi) +
+                     " degrees, more than its tolerance: the motion is so sensitive that finer "
+                     "steps do not help");
+      continue;
+    }
+    refinement = {finer, report.error_estimate};
+    any = true;
+  }
+  return any;
 }
 
 // ceil(frame time / step) equal steps; a frame that is a whole number of steps but for rounding
@@ -132,7 +281,7 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
     return CannotGoOnAfter(now_.frame, failure->joint, failure->cause);
   }
   for (const int r : driver_->active()) {
-    RegionReport& report = motion_.regions[r];
+    RegionReport& report = motion_->regions[r];
     ++report.steps;
     ++report.evaluations;
     report.solves += driver_->solves_of_last_step();
@@ -244,28 +393,6 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
   return std::nullopt;
 }
 
-namespace {
-
-// Bakes again, with finer steps, where the estimate says that a region misses its tolerance.
-Result<Motion> BakeWithinTolerance(const Animation& animation, const BakeOptions& options) {
-  constexpr int kTries = 4;
-  std::vector<double> sharpness(animation.regions.size(), 1.0);
-  for (int i = 0;; ++i) {
-    Result<Motion> motion = Baker(animation, options, sharpness).Run();
-    if (!motion.ok() || i == kTries) return motion;
-    bool missed = false;
-    for (size_t r = 0; r < sharpness.size(); ++r) {
-      const RegionReport& report = motion.value().regions[r];
-      if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
-      sharpness[r] *= 3.0 * report.error_estimate / report.tolerance;
-      missed = true;
-    }
-    if (!missed) return motion;
-  }
-}
-
-}  // namespace
-
 Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
   const auto falls = [](const PlacementSpan& span) { return span.kind == PlacementKind::kGravity; };
   const auto& spans = animation.placements;
@@ -274,7 +401,21 @@ Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
     return CannotGoOn("placements[" + std::to_string(span - spans.begin()) + "]",
                       "the figure has no joint that could be pinned where it lands; give it one");
   }
-  return BakeWithinTolerance(animation, options);
+  Motion motion;
+  Baker baker(animation, options, &motion);
+  Result<Checkpoint> first = baker.Begin();
+  if (!first.ok()) return first.error();
+  Stretch stretch;
+  stretch.start = std::move(first.value());
+  for (;;) {
+    Result<std::optional<Checkpoint>> next = baker.BakeStretch({}, &stretch);
+    if (!next.ok()) return next.error();
+    stretch.AppendTo(&motion);
+    if (!next.value()) break;
+    stretch.start = std::move(*next.value());
+  }
+  SortByTime(&motion.events);
+  return motion;
 }
 
 }  // namespace hazumi

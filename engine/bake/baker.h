@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,23 +10,30 @@
 #include "engine/bake/bake.h"
 #include "engine/bake/curve_set.h"
 #include "engine/bake/exact_driver.h"
-#include "engine/bake/object_flight.h"
 #include "engine/bake/region_driver.h"
-#include "engine/placement/continuous_gravity.h"
-#include "engine/placement/gravity_placement.h"
-#include "engine/placement/hold_solver.h"
+#include "engine/bake/stretch.h"
 
 namespace hazumi {
 
-// Walks through an animation from its first frame to its last. Between two frames the same regions,
-// holds and placement are active; they change at frames only. What is to be done by the paper's
-// method takes equal steps within each frame; the rest goes in continuous time from one change to
-// the next.
+// Walks through an animation, stretch by stretch. Between two frames the same regions, holds and
+// placement are active; they change at frames only. What is to be done by the paper's method takes
+// equal steps within each frame; the rest goes in continuous time from one change to the next.
 class Baker {
  public:
-  // `sharpness`, by region: how much finer than usual the steps of an exact region are to be.
-  Baker(const Animation& animation, const BakeOptions& options, std::vector<double> sharpness);
-  Result<Motion> Run();
+  // The motion that it fills: its frames and the reports of its regions.
+  Baker(const Animation& animation, const BakeOptions& options, Motion* motion);
+
+  // The animation's first frame.
+  Result<Checkpoint> Begin();
+  // Bakes from stretch->start up to the next checkpoint, which is returned unless the animation
+  // ends before. Regions are not solved anew where one of the logs in `known` tells what they do.
+  Result<std::optional<Checkpoint>> BakeStretch(const GroupLogs& known, Stretch* stretch);
+
+  // A curve of the animation is about to change its keys, or has changed them.
+  void RemoveKeys(const Keys& keys) { CountKeys(keys, -1); }
+  void AddKeys(const Keys& keys) { CountKeys(keys, 1); }
+  // Regions of the animation have changed, but not their number.
+  void RegionsChanged();
 
  private:
   struct ActiveHold {
@@ -34,6 +42,17 @@ class Baker {
     HoldTarget target;
   };
   using Failure = std::optional<Error>;
+
+  // Stretches (baker.cpp).
+  void PrepareMotion();
+  void FindEdges();
+  void CountKeys(const Keys& keys, int by);
+  Checkpoint Save(int frame);
+  void Restore(const Checkpoint& checkpoint);
+  void LoadFigure();
+  Result<int> AdvanceToCheckpoint(int frame);
+  bool Sharpen();
+  RegionReport EmptyReport(const DynamicsRegion& region) const;
 
   // At a frame: what ends, what begins (baker_boundary.cpp).
   Failure CrossFrame(int frame);
@@ -52,11 +71,17 @@ class Baker {
   void BeginRoot(int frame);
   void EndRoot(int frame);
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
+  void ResumeAfterRegion(int frame, size_t region);
+  double Overshoot(int frame, JointIndex j);
+  void LimitTangent(int frame, JointIndex j);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
   std::string PlacementPlace(int frame) const;
 
-  bool ChangesAt(int frame) const;
+  // If something begins or ends at the frame, or a key lies on it.
+  bool ChangesAt(int frame) const { return is_edge_[Index(frame)] || HasKeyAt(frame); }
+  bool HasKeyAt(int frame) const { return num_keys_[Index(frame)] > 0; }
+  int Index(int frame) const { return frame - animation_.first_frame; }
   bool IsExact(int frame) const;
 
   // In continuous time from a frame to the next at which something changes (baker_exact.cpp).
@@ -70,10 +95,10 @@ class Baker {
   double FrameOf(double seconds, double from, double to) const;
   Failure AdvanceRegions(double t, double last);
   std::optional<GravityEvent> FirstGravityEvent(double t, double next, double to);
-  Failure BeginExact(double frame, const Vec3& v_pin);
-  Failure Happen(const GravityEvent& event);
-  void RecordUpTo(double from, double to, double end);
-  void FinishExact(int frame);
+  Failure BeginExact(double frame, double to, const Vec3& v_pin);
+  Failure Happen(const GravityEvent& event, double to);
+  Failure RecordUpTo(double from, double to, double end);
+  Failure FinishExact(int frame);
   RotationState StateAt(double frame);
   void TurnRoot(double frame, Side side, FigureMotion* motion);
   void TakeReports();
@@ -107,17 +132,24 @@ class Baker {
 
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
+  bool energy_, refine_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;
-  std::vector<double> key_frames_;
+  std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
+  std::vector<int> num_keys_;  // by Index(frame)
 
   FigureMotion now_;
   MotionLimit before_;                    // from the left at now_.frame
   std::vector<char> free_;                // by JointIndex: driven by a region
   std::unique_ptr<RegionDriver> driver_;  // of the paper's regions
   std::unique_ptr<ExactDriver> exact_;    // of exact ones; never both
-  std::vector<double> sharpness_;         // by region
+  struct Refinement {
+    double sharpness = 1.0;  // how much finer than usual the steps are
+    double last_estimate = std::numeric_limits<double>::infinity();  // with the one before [rad]
+  };
+  std::vector<Refinement> refinements_;  // by region
+  std::vector<int> begun_;               // regions in this stretch
   DrivenMotion driven_;
   RotationState twin_;  // of exact_'s twins, by Coordinate
   std::vector<char> has_twin_;
@@ -130,7 +162,10 @@ class Baker {
   std::optional<GravityPlacement> gravity_;  // the paper's
   std::optional<ContinuousGravity> fall_;    // in continuous time
   std::vector<ObjectFlight> objects_;
-  Motion motion_;
+  int first_output_ = 0;  // frame of the output
+  Motion* motion_;
+  Stretch* stretch_ = nullptr;
+  const GroupLogs* known_ = nullptr;
 };
 
 }  // namespace hazumi

@@ -1,7 +1,6 @@
 // Continuous time: from a frame to the next at which regions, holds, placement or curves change.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -37,23 +36,6 @@ bool Baker::IsExact(int frame) const {
   return animation_.solver.method == Method::kExact;
 }
 
-// True if something begins or ends at the frame, or a key lies on it.
-bool Baker::ChangesAt(int frame) const {
-  const auto is_edge = [frame](const auto& span) {
-    return span.first_frame == frame || span.last_frame == frame;
-  };
-  const auto is_released = [frame](const HeldObject& object) {
-    return object.release_frame == frame;
-  };
-  const auto any = [](const auto& list, const auto& test) {
-    return std::any_of(list.begin(), list.end(), test);
-  };
-  return frame == animation_.last_frame || any(animation_.regions, is_edge) ||
-         any(animation_.placements, is_edge) || any(animation_.holds, is_edge) ||
-         any(animation_.held_objects, is_released) ||
-         std::binary_search(key_frames_.begin(), key_frames_.end(), frame);
-}
-
 Result<int> Baker::AdvanceExact(int frame) {
   int end = frame + 1;
   while (!ChangesAt(end)) ++end;
@@ -62,7 +44,7 @@ Result<int> Baker::AdvanceExact(int frame) {
     if (exact_ && !holds_.empty()) {
       if (auto error = FitHolds(from, to)) return *error;
     }
-    if (auto error = BeginExact(from, Vec3::Zero())) return *error;
+    if (auto error = BeginExact(from, to, Vec3::Zero())) return *error;
     if (auto error = AdvancePiece(from, to, end)) return *error;
     if (to < end) {
       FigureMotion motion;
@@ -71,7 +53,7 @@ Result<int> Baker::AdvanceExact(int frame) {
     }
     from = to;
   }
-  FinishExact(end);
+  if (auto error = FinishExact(end)) return *error;
   return end;
 }
 
@@ -164,11 +146,11 @@ RotationState Baker::StateAt(double frame) {
   return state;
 }
 
-Baker::Failure Baker::BeginExact(double frame, const Vec3& v_pin) {
+Baker::Failure Baker::BeginExact(double frame, double to, const Vec3& v_pin) {
   if (!exact_) return std::nullopt;
   const RotationState state = StateAt(frame);
   if (exact_begun_ && v_pin.isZero(0.0)) {
-    exact_->Drive(state, driven_);
+    exact_->Drive(Seconds(to), state, driven_);
     return std::nullopt;
   }
   RotationState twin = state;
@@ -180,7 +162,7 @@ Baker::Failure Baker::BeginExact(double frame, const Vec3& v_pin) {
       twin.qd[c] = twin_.qd[c];
     }
   }
-  exact_->Begin(Seconds(frame), state, twin, root_hold(), driven_);
+  exact_->Begin(Seconds(frame), Seconds(to), state, twin, root_hold(), driven_);
   if (!v_pin.isZero(0.0)) exact_->FeelPin(v_pin);
   exact_begun_ = true;
   return std::nullopt;
@@ -234,12 +216,13 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
     }
     const std::optional<GravityEvent> event = FirstGravityEvent(t, next, to);
     if (event) next = event->time;
-    RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end);
+    if (exact_ && energy_) exact_->Account(next, event.has_value() && event->is_change());
+    if (auto error = RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end)) return error;
     t = next;
     if (!event) continue;
     const double frame = FrameOf(t, from, to);
     if (auto error = PoseAt(frame, t >= last ? Side::kBefore : Side::kAfter, &now_)) return error;
-    if (auto error = Happen(*event)) return error;
+    if (auto error = Happen(*event, to)) return error;
   }
   return std::nullopt;
 }
@@ -251,12 +234,7 @@ double Baker::FrameOf(double seconds, double from, double to) const {
 }
 
 Baker::Failure Baker::AdvanceRegions(double t, double last) {
-  const auto start = std::chrono::steady_clock::now();
   const auto failure = exact_->Advance(t, last);
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-  for (const int r : exact_->active()) {
-    motion_.regions[r].microseconds += spent.count() / static_cast<double>(exact_->active().size());
-  }
   for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
     AddEvent(EventKind::kStop, animation_.rate.FrameAt(hit.time),
              figure_.joints()[hit.coordinate].name);
@@ -275,7 +253,7 @@ std::optional<GravityEvent> Baker::FirstGravityEvent(double t, double next, doub
   return fall_->FirstEvent(t, next, pose, &ws_);
 }
 
-Baker::Failure Baker::Happen(const GravityEvent& event) {
+Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
   const double frame = now_.frame;
   const std::optional<GroupIndex> pin_before = fall_->pin();
   const Vec3 v_pin = fall_->Happen(event, now_, &ws_);
@@ -297,43 +275,49 @@ Baker::Failure Baker::Happen(const GravityEvent& event) {
       has_twin_[c] = exact_->is_free(static_cast<int>(c));
     exact_begun_ = false;
   }
-  return BeginExact(frame, v_pin);
+  return BeginExact(frame, to, v_pin);
 }
 
 // Output frames after `from` up to and including `to`, but for `end`.
-void Baker::RecordUpTo(double from, double to, double end) {
+Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
   const double per_frame = OutputFramesPerFrame();
   const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
   for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
     const double frame = output / per_frame;
-    if (frame > end - kSameFrame) return;
+    if (frame > end - kSameFrame) break;
     FigureMotion motion;
-    if (PoseAt(frame, Side::kAfter, &motion)) return;
+    if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (exact_) exact_->Estimate(Seconds(frame));
     Record(output, motion, LimitOf(motion), pinned());
   }
+  return std::nullopt;
 }
 
-void Baker::FinishExact(int frame) {
+Baker::Failure Baker::FinishExact(int frame) {
   FigureMotion motion;
-  (void)PoseAt(frame, Side::kBefore, &motion);
+  if (auto error = PoseAt(frame, Side::kBefore, &motion)) return error;
   now_ = std::move(motion);
   now_.frame = frame;
   before_ = LimitOf(now_);
-  if (!exact_) return;
+  if (!exact_) return std::nullopt;
   exact_->Estimate(Seconds(frame));
   exact_->SampleTwin(Seconds(frame), &twin_);
   for (size_t c = 0; c < has_twin_.size(); ++c) has_twin_[c] = exact_->is_free(static_cast<int>(c));
+  return std::nullopt;
 }
 
 // What the driver did, for the reports of its regions.
 void Baker::TakeReports() {
+  const GroupLogs logs = exact_->logs();
+  stretch_->logs.insert(stretch_->logs.end(), logs.begin(), logs.end());
   for (size_t a = 0; a < exact_->active().size(); ++a) {
-    RegionReport& report = motion_.regions[exact_->active()[a]];
+    RegionReport& report = motion_->regions[exact_->active()[a]];
     report.steps += static_cast<int>(exact_->steps());
     report.evaluations += static_cast<int>(exact_->evaluations());
+    report.microseconds += exact_->microseconds() / static_cast<double>(exact_->active().size());
     report.groups = exact_->group_sizes();
     report.bodies = exact_->num_bodies();
+    report.energy = exact_->energy();
     report.error_estimate = std::max(report.error_estimate, exact_->estimates()[a]);
   }
 }

@@ -1,5 +1,6 @@
 // What is kept of a bake.
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/bake/baker.h"
@@ -31,10 +32,15 @@ const char* NameOf(EventKind kind) {
   return "";
 }
 
+void SortByTime(std::vector<MotionEvent>* events) {
+  std::stable_sort(events->begin(), events->end(),
+                   [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
+}
+
 void Baker::Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
                    std::optional<GroupIndex> pinned) {
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
-  MotionFrame frame;
+  MotionFrame& frame = motion_->frames[output_frame - first_output_];
   frame.frame = output_frame;
   frame.q = motion.q;
   frame.X_WR = motion.X_WR;
@@ -42,16 +48,16 @@ void Baker::Record(int output_frame, const FigureMotion& motion, const MotionLim
   frame.after = LimitOf(motion);
   frame.com = CenterOfMass(figure_, ws_);
   frame.pinned = pinned;
+  frame.objects.clear();
   for (const ObjectFlight& object : objects_) {
     frame.objects.push_back(object.At(ws_, Seconds(motion.frame)));
   }
   frame.in_region = free_;
-  motion_.frames.push_back(std::move(frame));
 }
 
 double Baker::OutputFramesPerFrame() const {
-  return static_cast<double>(animation_.rate.den) * motion_.rate.num /
-         (static_cast<double>(animation_.rate.num) * motion_.rate.den);
+  return static_cast<double>(animation_.rate.den) * motion_->rate.num /
+         (static_cast<double>(animation_.rate.num) * motion_->rate.den);
 }
 
 // The end of a step that coincides with an output frame: the same bits at any output rate.
@@ -96,9 +102,9 @@ void Baker::SetBetween(const FigureMotion& from, const FigureMotion& to, FigureM
 
 void Baker::AddEvent(EventKind kind, double frame, const std::string& joint) {
   const double seconds = Seconds(frame);
-  const double output = motion_.rate.FrameAt(seconds);
+  const double output = motion_->rate.FrameAt(seconds);
   const double rounded = kind == EventKind::kApex ? std::round(output) : std::ceil(output - 1e-9);
-  motion_.events.push_back({kind, seconds, static_cast<int>(rounded), joint});
+  stretch_->events.push_back({kind, seconds, static_cast<int>(rounded), joint});
 }
 
 void Baker::AddPinEvent(int frame) {
@@ -106,7 +112,7 @@ void Baker::AddPinEvent(int frame) {
 }
 
 void Baker::AddWarning(const std::string& place, const std::string& message) {
-  motion_.warnings.push_back({place, message});
+  stretch_->warnings.push_back({place, message});
 }
 
 std::optional<GroupIndex> Baker::pinned() const {

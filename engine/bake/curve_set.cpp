@@ -39,6 +39,20 @@ CurveSet::CurveSet(const Animation& animation) {
   }
 }
 
+std::vector<CurveTrack::Piece> CurveSet::PiecesBefore(double frame) {
+  std::vector<CurveTrack::Piece> pieces;
+  pieces.reserve(joints_.size() + root_.size());
+  for (CurveTrack& track : joints_) pieces.push_back(track.PieceBefore(frame));
+  for (CurveTrack& track : root_) pieces.push_back(track.PieceBefore(frame));
+  return pieces;
+}
+
+void CurveSet::Restart(const std::vector<CurveTrack::Piece>& pieces) {
+  size_t i = 0;
+  for (CurveTrack& track : joints_) track.Restart(pieces[i++]);
+  for (CurveTrack& track : root_) track.Restart(pieces[i++]);
+}
+
 void CurveSet::SampleJoints(double frame, Side side, const std::vector<char>& skip,
                             FigureMotion* motion) {
   for (size_t j = 0; j < joints_.size(); ++j) {

@@ -20,6 +20,11 @@ class CurveSet {
   CurveTrack& joint(JointIndex j) { return joints_[j.value()]; }
   CurveTrack& root(int curve) { return root_[curve]; }
 
+  // The pieces of all curves that lead to a frame, and to go on from them: of the joints, then of
+  // the root.
+  std::vector<CurveTrack::Piece> PiecesBefore(double frame);
+  void Restart(const std::vector<CurveTrack::Piece>& pieces);
+
   // Joint angles, rates and accelerations; entries with skip[j] set are left alone.
   void SampleJoints(double frame, Side side, const std::vector<char>& skip, FigureMotion* motion);
   // Orientation of the root and its rates.

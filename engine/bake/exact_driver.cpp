@@ -9,12 +9,11 @@ namespace hazumi {
 namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
-constexpr double kStepShare = 0.1;
+constexpr double kStepShare = 0.15;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
-constexpr double kTwinCoarseness = 20.0;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
-constexpr double kEstimateShare = 0.3;
+constexpr double kEstimateShare = 0.2;
 
 // Friction is a factor per 1/30 s. [METHOD 2]
 double FrictionRate(double factor) { return -30.0 * std::log(factor); }
@@ -27,20 +26,15 @@ std::string CauseOf(ExactFailure::Cause cause) {
          "or lower rates";
 }
 
-VecX Gather(const std::vector<FreeHinge>& hinges, const VecX& all) {
-  VecX some(hinges.size());
-  for (size_t i = 0; i < hinges.size(); ++i) some[i] = all[hinges[i].coordinate];
-  return some;
-}
-
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness)
+                         double sharpness, const GroupLogs& known)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
       sharpness_(sharpness),
+      known_(known),
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
       estimates_(active_.size(), 0.0) {
@@ -57,7 +51,12 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
   }
 }
 
-// A joint whose friction is 0 is frozen: no unknown. [METHOD 2]
+// A joint whose friction is 0 is frozen [METHOD 2], as is one without room between its stops.
+bool ExactDriver::is_frozen(Coordinate c) const {
+  if (c >= figure_.num_joints()) return false;
+  return friction_[c] == 0.0 || figure_.joints()[c].is_fixed();
+}
+
 ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold& hold,
                                      const DrivenMotion& driven) const {
   ModelRequest request;
@@ -67,7 +66,7 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   const int n = figure_.num_joints();
   for (Coordinate c = 0; c < n + kRootAngles; ++c) {
     Role role = driven.angles[c].degree > 0 ? Role::kDriven : Role::kConstant;
-    if (is_free(c)) role = friction_[c] > 0.0 ? Role::kFree : Role::kConstant;
+    if (is_free(c)) role = is_frozen(c) ? Role::kConstant : Role::kFree;
     request.roles.push_back(role);
   }
   const auto root = request.roles.begin() + n;
@@ -77,181 +76,202 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-ExactDriver::Group ExactDriver::MakeGroup(const RegionModel& model) const {
-  VecX friction(model.num_free), lower(model.num_free), upper(model.num_free);
-  Group group;
-  group.step_tolerance = std::numeric_limits<double>::infinity();
+GroupTask ExactDriver::TaskFor(const RegionModel& model) const {
+  const int k = model.num_free;
+  GroupTask task{model, VecX(k), VecX(k), VecX(k), animation_.gravity, 0.0};
+  double tolerance = std::numeric_limits<double>::infinity();
   int i = 0;
   for (const ModelNode& node : model.nodes) {
     for (int h = 0; h < node.num_hinges && node.role == Role::kFree; ++h, ++i) {
       const Coordinate c = node.hinges[h].coordinate;
       const bool is_joint = c < figure_.num_joints();
-      friction[i] = FrictionRate(friction_[c]);
-      lower[i] = is_joint ? figure_.joints()[c].lower : -std::numeric_limits<double>::infinity();
-      upper[i] = is_joint ? figure_.joints()[c].upper : std::numeric_limits<double>::infinity();
+      task.friction[i] = FrictionRate(friction_[c]);
+      task.lower[i] =
+          is_joint ? figure_.joints()[c].lower : -std::numeric_limits<double>::infinity();
+      task.upper[i] =
+          is_joint ? figure_.joints()[c].upper : std::numeric_limits<double>::infinity();
       const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
-      group.step_tolerance =
-          std::min(group.step_tolerance, region.tolerance.value_or(animation_.solver.tolerance));
+      tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
     }
   }
-  group.step_tolerance = std::max(kFinestStep, group.step_tolerance * kStepShare / sharpness_);
-  group.main = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
-  group.twin = std::make_unique<Run>(model, friction, animation_.gravity, lower, upper);
-  group.main->solver.SetTolerance(group.step_tolerance);
-  group.twin->solver.SetTolerance(kTwinCoarseness * group.step_tolerance);
-  return group;
+  task.step_tolerance = std::max(kFinestStep, tolerance * kStepShare / sharpness_);
+  return task;
 }
 
-template <typename Action>
-void ExactDriver::ForEachRun(Action&& action) {
-  for (Group& group : groups_) {
-    action(group.main.get());
-    action(group.twin.get());
-  }
+void ExactDriver::FinishGroups() {
+  finished_evaluations_ = evaluations();
+  finished_steps_ = steps();
+  finished_microseconds_ = microseconds();
+  finished_ = logs();
 }
 
-void ExactDriver::StartRun(Run* run, double t, const RotationState& state) const {
-  run->solver.Start(t, Gather(run->dynamics.hinges(), state.q),
-                    Gather(run->dynamics.hinges(), state.qd));
-}
-
-void ExactDriver::CountFinished() {
-  ForEachRun([this](Run* run) { finished_evaluations_ += run->dynamics.evaluations(); });
-  for (const Group& group : groups_) finished_steps_ += group.main->solver.steps();
-}
-
-void ExactDriver::Begin(double t, const RotationState& state, const RotationState& twin,
+void ExactDriver::Begin(double t, double end, const RotationState& state, const RotationState& twin,
                         const RootHold& hold, const DrivenMotion& driven) {
-  CountFinished();
+  FinishGroups();
   hold_ = hold;
   const ModelRequest request = RequestFor(state, hold, driven);
   roles_ = request.roles;
   angles_ = request.angles;
-  groups_.clear();
+  std::vector<Group> before;
+  before.swap(groups_);
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
-    groups_.push_back(MakeGroup(model));
-    Group& group = groups_.back();
-    group.main->dynamics.SetDriven(&driven);
-    group.twin->dynamics.SetDriven(&driven);
-    StartRun(group.main.get(), t, state);
-    StartRun(group.twin.get(), t, twin);
+    groups_.push_back({GroupSolution(TaskFor(model), figure_.num_joints() + kRootAngles)});
+    groups_.back().solution.Begin(t, end, state, twin, driven, known_);
+  }
+  if (before.size() != groups_.size()) return;
+  for (size_t g = 0; g < before.size(); ++g) {
+    groups_[g].stored = before[g].stored;
+    groups_[g].kinetic = before[g].kinetic;
+    groups_[g].is_accounted = before[g].is_accounted;
   }
 }
 
-void ExactDriver::Drive(const RotationState& state, const DrivenMotion& driven) {
+void ExactDriver::Drive(double end, const RotationState& state, const DrivenMotion& driven) {
   const ModelRequest request = RequestFor(state, hold_, driven);
   bool same = request.roles == roles_;
   for (size_t c = 0; c < roles_.size() && same; ++c) {
     same = roles_[c] != Role::kConstant || request.angles[c] == angles_[c];
   }
+  const double t = time();
   if (!same) {
-    const double t = time();
     RotationState main = state, twin = state;
     Sample(t, &main);
     SampleTwin(t, &twin);
-    return Begin(t, main, twin, hold_, driven);
+    return Begin(t, end, main, twin, hold_, driven);
   }
-  ForEachRun([&](Run* run) {
-    run->dynamics.SetDriven(&driven);
-    run->solver.Restart();
-  });
+  for (Group& group : groups_) group.solution.Drive(t, end, driven);
 }
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {
-  ForEachRun([&](Run* run) { run->solver.FeelPin(v_pin); });
+  for (Group& group : groups_) group.solution.FeelPin(v_pin);
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
-  std::optional<Failure> failure;
-  ForEachRun([&](Run* run) {
-    while (!failure && run->solver.time() <= t && run->solver.time() < end) {
-      const std::optional<ExactFailure> stuck = run->solver.Advance(end);
-      if (!stuck) continue;
-      const Coordinate c = run->dynamics.hinges()[stuck->hinge].coordinate;
-      const bool is_joint = c < figure_.num_joints();
-      failure = Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(stuck->cause)};
+  for (Group& group : groups_) {
+    const std::optional<ExactFailure> stuck = group.solution.Advance(t, end);
+    if (!stuck) continue;
+    const Coordinate c = group.solution.hinges()[stuck->hinge].coordinate;
+    const bool is_joint = c < figure_.num_joints();
+    return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(stuck->cause)};
+  }
+  return std::nullopt;
+}
+
+void ExactDriver::Account(double t, bool is_cut) {
+  if (accounted_coupling_ && *accounted_coupling_ != hold_.coupling) has_energy_ = false;
+  accounted_coupling_ = hold_.coupling;
+  for (Group& group : groups_) {
+    // A group takes its next step only once all have reached the end of the present one.
+    if (is_cut || group.solution.main_time() <= t) AddWork(&group, t);
+  }
+}
+
+// Powers over the step so far by Gauss's formula of order 8. What the energy jumped by since the
+// step before went into stops.
+void ExactDriver::AddWork(Group* group, double t) {
+  constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
+  constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
+  GroupSolution& solution = group->solution;
+  const double start = std::max(group->accounted, solution.step_start());
+  const double middle = 0.5 * (start + t), half = 0.5 * (t - start);
+  if (half <= 0.0) return;
+  const EnergyFlow first = solution.Energy(start), last = solution.Energy(t);
+  if (group->is_accounted) {
+    energy_.stops += first.kinetic + first.potential - group->stored;
+  } else {
+    energy_.kinetic_start += first.kinetic;
+    energy_.potential_start += first.potential;
+  }
+  for (const double side : {-1.0, 1.0}) {
+    for (int i = 0; i < 2; ++i) {
+      const EnergyFlow flow = solution.Energy(middle + side * kNode[i] * half);
+      energy_.friction += half * kWeight[i] * flow.friction;
+      energy_.keyed += half * kWeight[i] * flow.keyed;
     }
-  });
-  return failure;
+  }
+  energy_.kinetic_end += last.kinetic - (group->is_accounted ? group->kinetic : 0.0);
+  energy_.potential_end +=
+      last.potential - (group->is_accounted ? group->stored - group->kinetic : 0.0);
+  group->accounted = t;
+  group->stored = last.kinetic + last.potential;
+  group->kinetic = last.kinetic;
+  group->is_accounted = true;
+}
+
+std::optional<EnergyBalance> ExactDriver::energy() const {
+  if (!accounted_coupling_ || !has_energy_) return std::nullopt;
+  return energy_;
 }
 
 double ExactDriver::time() const {
   double time = std::numeric_limits<double>::infinity();
-  for (const Group& group : groups_) {
-    time = std::min({time, group.main->solver.time(), group.twin->solver.time()});
-  }
+  for (const Group& group : groups_) time = std::min(time, group.solution.time());
   return time;
 }
 
 void ExactDriver::Sample(double t, RotationState* state) {
-  for (Group& group : groups_) {
-    group.main->solver.Sample(t, &q_, &qd_);
-    const auto& hinges = group.main->dynamics.hinges();
-    for (size_t i = 0; i < hinges.size(); ++i) {
-      state->q[hinges[i].coordinate] = q_[i];
-      state->qd[hinges[i].coordinate] = qd_[i];
-    }
-  }
+  for (Group& group : groups_) group.solution.Sample(t, state);
 }
 
 void ExactDriver::SampleTwin(double t, RotationState* state) {
-  for (Group& group : groups_) {
-    group.twin->solver.Sample(t, &q_, &qd_);
-    const auto& hinges = group.twin->dynamics.hinges();
-    for (size_t i = 0; i < hinges.size(); ++i) {
-      state->q[hinges[i].coordinate] = q_[i];
-      state->qd[hinges[i].coordinate] = qd_[i];
-    }
-  }
+  for (Group& group : groups_) group.solution.SampleTwin(t, state);
 }
 
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
   std::vector<Hit> hits;
   for (Group& group : groups_) {
-    for (const StopHit& hit : group.main->solver.TakeHits()) {
-      hits.push_back({hit.time, group.main->dynamics.hinges()[hit.hinge].coordinate});
+    for (const StopHit& hit : group.solution.TakeHits()) {
+      hits.push_back({hit.time, group.solution.hinges()[hit.hinge].coordinate});
     }
-    group.twin->solver.TakeHits();
   }
   return hits;
 }
 
 void ExactDriver::Estimate(double t) {
   for (Group& group : groups_) {
-    const auto& hinges = group.main->dynamics.hinges();
-    group.main->solver.Sample(t, &q_, &qd_);
-    group.twin->solver.Sample(t, &q_twin_, &qd_twin_);
-    group.main->dynamics.Distances(q_, q_twin_, &distances_);
+    const auto& hinges = group.solution.hinges();
+    const VecX distances = group.solution.Distances(t);
     for (size_t i = 0; i < hinges.size(); ++i) {
       double& estimate = estimates_[region_of_[hinges[i].coordinate]];
-      estimate = std::max({estimate, group.step_tolerance, kEstimateShare * distances_[i]});
+      estimate =
+          std::max({estimate, group.solution.step_tolerance(), kEstimateShare * distances[i]});
     }
   }
 }
 
 long ExactDriver::evaluations() const {
   long sum = finished_evaluations_;
-  for (const Group& group : groups_) {
-    sum += group.main->dynamics.evaluations() + group.twin->dynamics.evaluations();
-  }
+  for (const Group& group : groups_) sum += group.solution.evaluations();
   return sum;
 }
 
 long ExactDriver::steps() const {
   long sum = finished_steps_;
-  for (const Group& group : groups_) sum += group.main->solver.steps();
+  for (const Group& group : groups_) sum += group.solution.steps();
   return sum;
+}
+
+double ExactDriver::microseconds() const {
+  double sum = finished_microseconds_;
+  for (const Group& group : groups_) sum += group.solution.microseconds();
+  return sum;
+}
+
+GroupLogs ExactDriver::logs() const {
+  GroupLogs logs = finished_;
+  for (const Group& group : groups_) logs.push_back(group.solution.log());
+  return logs;
 }
 
 std::vector<int> ExactDriver::group_sizes() const {
   std::vector<int> sizes;
-  for (const Group& group : groups_) sizes.push_back(group.main->dynamics.num_hinges());
+  for (const Group& group : groups_) sizes.push_back(group.solution.model().num_free);
   return sizes;
 }
 
 int ExactDriver::num_bodies() const {
   int sum = 0;
-  for (const Group& group : groups_) sum += group.main->dynamics.model().num_bodies;
+  for (const Group& group : groups_) sum += group.solution.model().num_bodies;
   return sum;
 }
 

@@ -5,38 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "engine/bake/group_solution.h"
+#include "engine/bake/motion.h"
 #include "engine/bake/region_driver.h"
-#include "engine/passive/exact_solver.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
 
-// All rotations of a figure, by Coordinate: N hinges, then the root's about z, y, x.
-struct RotationState {
-  VecX q, qd;  // [rad, rad/s]
-};
-
 // Moves the joints of all exact regions that are active at one time, in continuous time. Each group
-// of joints that feel each other takes its own steps. Beside every group runs a twin with a coarser
-// tolerance: how far they get apart tells how far the solution may be off.
+// of joints that feel each other takes its own steps.
 class ExactDriver {
  public:
-  // `active`: indices of Animation::regions. `figure` must outlive the driver. `sharpness`: divides
-  // the tolerances of single steps.
+  // `active`: indices of Animation::regions. `figure` and `known`, the logs of earlier bakes, must
+  // outlive the driver. `sharpness`: divides the tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness);
+              double sharpness, const GroupLogs& known);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
-  // Free in name, but with friction 0: it keeps its angle.
-  bool is_frozen(Coordinate c) const { return friction_[c] == 0.0; }
+  // Free in name only: it keeps its angle.
+  bool is_frozen(Coordinate c) const;
 
-  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` must
-  // outlive its use. Twins go on from `twin` where a coordinate was free before.
-  void Begin(double t, const RotationState& state, const RotationState& twin, const RootHold& hold,
-             const DrivenMotion& driven);
+  // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
+  // smooth up to `end`. Twins go on from `twin` where a coordinate was free before.
+  void Begin(double t, double end, const RotationState& state, const RotationState& twin,
+             const RootHold& hold, const DrivenMotion& driven);
   // Goes on with new curves.
-  void Drive(const RotationState& state, const DrivenMotion& driven);
+  void Drive(double end, const RotationState& state, const DrivenMotion& driven);
   // A pin that moved with v_pin was stopped at the time where the driver began.
   void FeelPin(const Vec3& v_pin);
 
@@ -53,6 +48,12 @@ class ExactDriver {
   // The twins' at time().
   void SampleTwin(double t, RotationState* state);
 
+  // Adds up energies and work to t, which all groups have reached; an account is kept from the
+  // first call on. `is_cut`: the driver begins anew at t.
+  void Account(double t, bool is_cut);
+  // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
+  std::optional<EnergyBalance> energy() const;
+
   struct Hit {
     double time;
     Coordinate coordinate;
@@ -67,32 +68,30 @@ class ExactDriver {
   long steps() const;
   std::vector<int> group_sizes() const;
   int num_bodies() const;
+  // It took to solve all groups [us], whenever that was.
+  double microseconds() const;
+  // Of all groups since the first Begin.
+  GroupLogs logs() const;
 
  private:
-  struct Run {
-    RegionDynamics dynamics;
-    ExactSolver solver;
-    Run(const RegionModel& model, const VecX& friction, double gravity, const VecX& lower,
-        const VecX& upper)
-        : dynamics(model, friction, gravity), solver(&dynamics, lower, upper) {}
-  };
   struct Group {
-    std::unique_ptr<Run> main, twin;
-    double step_tolerance = 0.0;
+    GroupSolution solution;
+    double accounted = 0.0;              // up to this time [s]
+    double stored = 0.0, kinetic = 0.0;  // energy there [J]
+    bool is_accounted = false;
   };
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
-  Group MakeGroup(const RegionModel& model) const;
-  void StartRun(Run* run, double t, const RotationState& state) const;
-  void CountFinished();
-  template <typename Action>
-  void ForEachRun(Action&& action);
+  GroupTask TaskFor(const RegionModel& model) const;
+  void FinishGroups();
 
   const Animation& animation_;
   const Figure& figure_;
   std::vector<int> active_;
   double sharpness_;
+  const GroupLogs& known_;
+  GroupLogs finished_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
   RootHold hold_;
@@ -100,8 +99,13 @@ class ExactDriver {
   VecX angles_;              // where constant [rad]
   std::vector<Group> groups_;
   std::vector<double> estimates_;
+  void AddWork(Group* group, double t);
+
+  EnergyBalance energy_;
+  std::optional<RootCoupling> accounted_coupling_;
+  bool has_energy_ = true;
   long finished_evaluations_ = 0, finished_steps_ = 0;
-  VecX q_, qd_, q_twin_, qd_twin_, distances_;  // scratch
+  double finished_microseconds_ = 0.0;
 };
 
 }  // namespace hazumi

@@ -18,6 +18,7 @@ struct MotionLimit {
   Pose X_WR;                   // root in the world [m]
   Vec3 root_w = Vec3::Zero();  // angular velocity of the root, world axes [rad/s]
   Vec3 root_v = Vec3::Zero();  // velocity of the root's origin [m/s]
+  bool operator==(const MotionLimit&) const = default;
 };
 
 // Where a held object is.
@@ -77,6 +78,9 @@ struct RegionReport {
   double error_estimate = 0.0;  // of the angles, the largest at any frame [rad]
   std::optional<EnergyBalance> energy;
 };
+
+// Puts events in order of time; events at one time stay as they are.
+void SortByTime(std::vector<MotionEvent>* events);
 
 // The result of a bake: the figure at every frame.
 struct Motion {

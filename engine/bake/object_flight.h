@@ -21,12 +21,14 @@ class ObjectFlight {
   bool is_held() const { return !flight_; }
   // While held the workspace must hold the figure's positions at that time.
   ObjectPose At(const DynamicsWorkspace& ws, double seconds) const;
+  bool operator==(const ObjectFlight&) const = default;
 
  private:
   struct Flight {
     double start = 0.0;  // [s]
     Pose X_WO;
     Vec3 v = Vec3::Zero(), w = Vec3::Zero();
+    bool operator==(const Flight&) const = default;
   };
   JointIndex holder_;
   Vec3 offset_;

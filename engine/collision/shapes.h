@@ -12,6 +12,7 @@ namespace hazumi {
 struct Capsule {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   double radius = 0.0;
+  bool operator==(const Capsule&) const = default;
 };
 
 // The solid half-space {x : normal . x <= offset}, in W. `normal` is a unit vector and points out
@@ -19,6 +20,7 @@ struct Capsule {
 struct Plane {
   Vec3 normal = Vec3::UnitZ();
   double offset = 0.0;
+  bool operator==(const Plane&) const = default;
 };
 
 // A solid box centred on B's origin with edges along B's axes. half_size >= 0, in metres; a zero
@@ -26,6 +28,7 @@ struct Plane {
 struct Box {
   Pose X_WB;
   Vec3 half_size = Vec3::Zero();
+  bool operator==(const Box&) const = default;
 };
 
 using Obstacle = std::variant<Plane, Box, Capsule>;

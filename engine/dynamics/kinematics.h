@@ -12,6 +12,7 @@ struct RootMotion {
   Vec3 v = Vec3::Zero();      // velocity [m/s]
   Vec3 alpha = Vec3::Zero();  // angular acceleration [rad/s^2]
   Vec3 a = Vec3::Zero();      // acceleration [m/s^2]
+  bool operator==(const RootMotion&) const = default;
 };
 
 // Places every body: fills R, p, axis, c. q: N angles [rad]. [Arai 2.1]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "engine/passive/dop853_tableau.h"
@@ -40,11 +41,8 @@ class Dop853 {
     trial_h_ = h;
     const double t = t0_ + h_;
     std::copy_n(k(12), n_, k(0));
-    for (int s = 1; s < 12; ++s) {
-      Combine(y1_.data(), h, kA[s], s, stage_.data());
-      field(t + kC[s] * h, stage_.data(), k(s));
-    }
-    Combine(y1_.data(), h, kA[12], 12, stage_.data());
+    Stages(h, t, field, std::make_integer_sequence<int, 11>());
+    Combine<12>(y1_.data(), h);
     return Error(h, scale);
   }
 
@@ -73,10 +71,7 @@ class Dop853 {
     using namespace dop853;
     if (has_dense_) return;
     has_dense_ = true;
-    for (int s = 13; s < 16; ++s) {
-      Combine(y0_.data(), h_, kA[s], s, stage_.data());
-      field(t0_ + kC[s] * h_, stage_.data(), k(s));
-    }
+    DenseStages(field, std::make_integer_sequence<int, 3>());
     for (int i = 0; i < n_; ++i) {
       const double change = y1_[i] - y0_[i];
       const double bend = h_ * k(0)[i] - change;
@@ -121,9 +116,38 @@ class Dop853 {
     for (int i = 0; i < n_; ++i) sum[i] += factor * x[i];
   }
 
-  void Combine(const double* y, double h, const double* a, int count, double* out) {
-    std::copy_n(y, n_, out);
-    for (int s = 0; s < count; ++s) Add(h * a[s], k(s), out);
+  // stage_ := y + h sum of kA[kRow] k
+  template <int kRow>
+  void Combine(const double* y, double h) {
+    constexpr int kColumns = std::min(kRow, 15);
+    Combine<kRow>(y, h, std::make_integer_sequence<int, kColumns>());
+  }
+  template <int kRow, int... kColumns>
+  void Combine(const double* y, double h, std::integer_sequence<int, kColumns...>) {
+    const double* const base = k_.data();
+    double* const out = stage_.data();
+    const int n = n_;
+    for (int i = 0; i < n; ++i) {
+      double sum = 0.0;
+      ((dop853::kA[kRow][kColumns] != 0.0
+            ? void(sum += dop853::kA[kRow][kColumns] * base[kColumns * n + i])
+            : void()),
+       ...);
+      out[i] = y[i] + h * sum;
+    }
+  }
+
+  template <typename Field, int... kStage>
+  void Stages(double h, double t, Field& field, std::integer_sequence<int, kStage...>) {
+    ((Combine<kStage + 1>(y1_.data(), h),
+      field(t + dop853::kC[kStage + 1] * h, stage_.data(), k(kStage + 1))),
+     ...);
+  }
+  template <typename Field, int... kStage>
+  void DenseStages(Field& field, std::integer_sequence<int, kStage...>) {
+    ((Combine<kStage + 13>(y0_.data(), h_),
+      field(t0_ + dop853::kC[kStage + 13] * h_, stage_.data(), k(kStage + 13))),
+     ...);
   }
 
   double Error(double h, const double* scale) {

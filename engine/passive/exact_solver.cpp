@@ -9,6 +9,7 @@ namespace hazumi {
 
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTouch = 1e-10;      // at a stop [rad]
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSameTime = 1e-13;   // [s]
@@ -24,18 +25,19 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   lower_now_ = lower_;
   upper_now_ = upper_;
   for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
-                  &peak_q_, &peak_qd_}) {
+                  &before_q_, &before_qd_})
     x->setZero(n);
-  }
   side_.assign(n, 0);
   locked_.assign(n, 0);
   sticks_.assign(n, 0);
+  fixed_.assign(n, 0);
   stops_.Resize(n);
   blow_.setZero(n);
   for (int i = 0; i < n; ++i) {
     any_limits_ |= std::isfinite(lower_[i]) || std::isfinite(upper_[i]);
   }
   recent_.reserve(256);
+  suspects_.reserve(n);
 }
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
@@ -87,9 +89,16 @@ int ExactSolver::FindSides(bool with_blow) {
     side_[i] = 0;
     if (q_[i] >= upper_now_[i] - touch_) side_[i] = 1;
     if (q_[i] <= lower_now_[i] + touch_) side_[i] = -1;
-    is_struck |= side_[i] * qd_[i] > touch_rate();
+    fixed_[i] = upper_now_[i] - lower_now_[i] <= 2.0 * kTouch;
+    if (fixed_[i]) side_[i] = 1;
+    is_struck |= fixed_[i] ? qd_[i] != 0.0 : side_[i] * qd_[i] > touch_rate();
   }
   for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    if (fixed_[i]) {
+      sticks_[i] = 1;
+      moving += qd_[i] != 0.0;
+      continue;
+    }
     const double out = side_[i] * qd_[i];
     if (out < -touch_rate() && !is_struck) side_[i] = 0;
     sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -touch_rate();
@@ -119,17 +128,18 @@ void ExactSolver::Settle() {
   }
   if (!any) return;
   dynamics_->AssembleHinges(time_, q_, qd_);
-  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, &locked_);
+  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
+  pull_before_ = StrongestPull();
   any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
 }
 
 // Lays the state out anew after locks or curves changed.
 void ExactSolver::Relock() {
   dynamics_->SetLocked(locked_, q_);
-  const int size = dynamics_->state_size();
+  const int size = dynamics_->layout().state_size();
   y_.resize(size);
   scale_.resize(size);
-  dynamics_->Pack(q_, qd_, y_.data());
+  dynamics_->layout().Pack(q_, qd_, y_.data());
   step_.Resize(size);
   SetScale();
   const auto field = [this](double t, const double* y, double* dy) {
@@ -139,9 +149,9 @@ void ExactSolver::Relock() {
 }
 
 void ExactSolver::SetScale() {
-  const int positions = dynamics_->num_positions();
+  const int positions = dynamics_->layout().num_positions();
   for (int i = 0; i < static_cast<int>(scale_.size()); ++i) {
-    scale_[i] = i < positions ? (dynamics_->is_quaternion(i) ? 0.5 : 1.0) * tolerance_
+    scale_[i] = i < positions ? (dynamics_->layout().is_quaternion(i) ? 0.5 : 1.0) * tolerance_
                               : kRateScale * tolerance_;
   }
 }
@@ -150,8 +160,8 @@ void ExactSolver::SetScale() {
 double ExactSolver::FirstStep(double end) const {
   const double* dy = step_.end_derivative();
   double speed = 1.0;
-  const int positions = dynamics_->num_positions();
-  for (int i = 0; i < dynamics_->state_size(); ++i) {
+  const int positions = dynamics_->layout().num_positions();
+  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
     const double size = std::abs(dy[i]);
     speed = std::max(speed, i < positions ? size : std::sqrt(size));
   }
@@ -168,14 +178,13 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   time_ = step_.end_time();
   if (std::abs(time_ - end) < kSameTime) time_ = end;
   sample_q_ = q_;
-  dynamics_->Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
+  dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
   if (!any_limits_) return std::nullopt;
-  const std::optional<double> hit = FindHit();
-  const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
-  if (hit || release) {
-    const bool is_hit = hit && (!release || *hit <= *release);
-    Sample(is_hit ? *hit : *release, &q_, &qd_);
-    time_ = is_hit ? *hit : *release;
+  double event = FindHit().value_or(kNever);
+  if (any_locked_) event = std::min(event, FindRelease().value_or(kNever));
+  if (event < kNever) {
+    Sample(event, &q_, &qd_);
+    time_ = event;
     has_event_ = true;
   }
   TightenStops();
@@ -219,7 +228,8 @@ bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
     const bool too_small = h < kLeastStep;
     if (!too_small && dynamics_->evaluations() < kMostEvaluations) continue;
     using Cause = ExactFailure::Cause;
-    *failure = {0, too_small ? Cause::kStepTooSmall : Cause::kTooManyEvaluations};
+    *failure = {dynamics_->layout().HingeOf(step_.worst_component()),
+                too_small ? Cause::kStepTooSmall : Cause::kTooManyEvaluations};
     return false;
   }
 }
@@ -236,7 +246,13 @@ void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? q_start_ : q_;  // nearby, to pick the branch
   qd->resize(q->size());
-  dynamics_->Unpack(y_.data(), lower_now_, upper_now_, q, qd);
+  dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, q, qd);
+}
+
+EnergyFlow ExactSolver::Energy(double t) {
+  MakeDense();
+  step_.At(t, y_.data());
+  return dynamics_->MeasureEnergy(t, y_.data());
 }
 
 std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
@@ -263,24 +279,39 @@ double ExactSolver::Outside(int hinge, const VecX& q) const {
   return std::max(lower_now_[hinge] - q[hinge], q[hinge] - upper_now_[hinge]);
 }
 
-// Could any hinge have been outside during the step? Twice the way that the rates at its ends
-// account for.
-bool ExactSolver::MayHit() const {
+// Which nodes' hinges could have been outside during the step: those that come nearer to a stop
+// than twice the way that the rates at its ends account for.
+bool ExactSolver::FindSuspects() {
   const double h = step_.end_time() - step_.start_time();
+  suspects_.clear();
+  const std::vector<FreeHinge>& hinges = dynamics_->hinges();
   for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
     if (locked_[i]) continue;
-    const double reach = 2.0 * std::max({std::abs(qd_[i]) * h, std::abs(qd_start_[i]) * h,
-                                         std::abs(q_[i] - q_start_[i])}) +
-                         kTouch;
-    if (Outside(i, q_) > -reach || Outside(i, q_start_) > -reach) return true;
+    const double way =
+        std::max({std::abs(qd_[i]) * h, std::abs(qd_start_[i]) * h, std::abs(q_[i] - q_start_[i])});
+    const double reach = 2.0 * way + kTouch;
+    if (Outside(i, q_) <= -reach && Outside(i, q_start_) <= -reach) continue;
+    if (suspects_.empty() || suspects_.back() != hinges[i].node) {
+      suspects_.push_back(hinges[i].node);
+    }
   }
-  return false;
+  return !suspects_.empty();
+}
+
+// The suspects' angles and rates at t, from the nearer end of the step.
+void ExactSolver::SampleSuspects(double t, VecX* q, VecX* qd) {
+  step_.At(t, y_.data());
+  *q = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
+  for (const int node : suspects_) {
+    dynamics_->layout().UnpackNode(node, y_.data(), lower_now_, upper_now_, q, qd);
+  }
 }
 
 // The first time in the step at which a hinge goes out.
 std::optional<double> ExactSolver::FindHit() {
-  if (!MayHit()) return std::nullopt;
-  constexpr int kLooks = 8;
+  if (!FindSuspects()) return std::nullopt;
+  MakeDense();
+  constexpr int kLooks = 6;
   const double start = step_.start_time(), h = step_.end_time() - start;
   std::optional<double> first;
   look_q_ = q_start_;
@@ -288,66 +319,65 @@ std::optional<double> ExactSolver::FindHit() {
   for (int look = 1; look <= kLooks && !first; ++look) {
     const double before = start + h * (look - 1) / kLooks;
     const double t = look == kLooks ? time_ : start + h * look / kLooks;
-    Sample(t, &sample_q_, &sample_qd_);
+    before_q_.swap(look_q_);
+    before_qd_.swap(look_qd_);
+    look_qd_ = before_qd_;
+    SampleSuspects(t, &look_q_, &look_qd_);
     for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      if (locked_[i]) continue;
-      const bool is_out = Outside(i, sample_q_) > kTouch;
-      const std::optional<double> out = is_out ? t : FindPeak(before, t, i);
-      if (!out) continue;
-      const double crossing = CrossingTime(before, *out, i);
-      if (!first || crossing < *first) first = crossing;
+      for (const int side : {-1, 1}) {
+        const std::optional<double> crossing = FindCrossing(i, side, before, t);
+        if (crossing && (!first || *crossing < *first)) first = crossing;
+      }
     }
-    look_q_.swap(sample_q_);
-    look_qd_.swap(sample_qd_);
   }
   return first;
 }
 
-// A time between two looks, the last and the one before, at which a hinge is outside that is inside
-// at both: it went out and came back.
-std::optional<double> ExactSolver::FindPeak(double before, double t, int hinge) {
-  for (const int side : {1, -1}) {
-    const double stop = side > 0 ? upper_now_[hinge] : lower_now_[hinge];
-    double a = before, b = t, va = side * look_qd_[hinge], vb = side * sample_qd_[hinge];
-    if (!(va > 0.0 && vb < 0.0)) continue;
-    const double most = 2.0 * (b - a) * std::min(va, -vb);
-    if (std::max(side * (look_q_[hinge] - stop), side * (sample_q_[hinge] - stop)) + most <
-        kTouch) {
-      continue;
+// How far a hinge is beyond one of its stops [rad]; negative inside.
+double ExactSolver::Beyond(int hinge, int side, double q) const {
+  return side > 0 ? q - upper_now_[hinge] : lower_now_[hinge] - q;
+}
+
+// When a hinge goes out between two looks: it is outside at the second one, or was in between,
+// having turned back.
+std::optional<double> ExactSolver::FindCrossing(int hinge, int side, double before, double t) {
+  if (locked_[hinge]) return std::nullopt;
+  const double f0 = Beyond(hinge, side, before_q_[hinge]), f1 = Beyond(hinge, side, look_q_[hinge]);
+  if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
+  double g0 = side * before_qd_[hinge], g1 = side * look_qd_[hinge];
+  const double h = t - before;
+  if (g0 <= 0.0 || g1 >= 0.0 || std::max(f0, f1) + h * std::max(g0, -g1) <= 0.0) {
+    return std::nullopt;
+  }
+  double a = before, b = t;
+  for (int i = 0; i < 8; ++i) {  // secants on the rate, to the top of the swing
+    const double top =
+        std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
+    SampleSuspects(top, &sample_q_, &sample_qd_);
+    if (Beyond(hinge, side, sample_q_[hinge]) > kTouch) {
+      return CrossingTime(hinge, side, before, top);
     }
-    for (int i = 0; i < 40 && (b - a) * std::max(va, -vb) > 0.1 * kTouch; ++i) {
-      double middle = i % 3 == 2 ? 0.5 * (a + b) : (b * va - a * vb) / (va - vb);
-      if (!(middle > a && middle < b)) middle = 0.5 * (a + b);
-      Sample(middle, &peak_q_, &peak_qd_);
-      if (side * (peak_q_[hinge] - stop) > kTouch) return middle;
-      const double v = side * peak_qd_[hinge];
-      (v > 0.0 ? a : b) = middle;
-      (v > 0.0 ? va : vb) = v;
-    }
+    const double g = side * sample_qd_[hinge];
+    (g > 0.0 ? a : b) = top;
+    (g > 0.0 ? g0 : g1) = g;
   }
   return std::nullopt;
 }
 
 // Bisection and secants between a time at which the hinge is inside and one at which it is outside.
 // Half of kTouch counts as inside, so that a hinge that leaves its stop has not crossed it.
-double ExactSolver::CrossingTime(double inside, double outside, int hinge) {
+double ExactSolver::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
-    Sample(t, &peak_q_, &peak_qd_);
-    return Outside(hinge, peak_q_) - 0.5 * kTouch;
+    SampleSuspects(t, &sample_q_, &sample_qd_);
+    return Beyond(hinge, side, sample_q_[hinge]) - 0.5 * kTouch;
   };
-  double a = inside, b = outside, fa = out(a), fb = out(b);
-  if (fa > 0.0) fa = -kTouch;
+  double a = inside, b = outside, fa = std::min(out(a), -kTouch), fb = out(b);
   for (int i = 0; i < 60 && b - a > 1e-14 && fb > 1e-14; ++i) {
     double t = i % 3 == 2 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
     if (!(t > a && t < b)) t = 0.5 * (a + b);
     const double f = out(t);
-    if (f > 0.0) {
-      b = t;
-      fb = f;
-    } else {
-      a = t;
-      fa = f;
-    }
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
   }
   return b;
 }
@@ -357,37 +387,47 @@ double ExactSolver::Pull(double t) {
   Sample(t, &sample_q_, &sample_qd_);
   dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
   stops_.Solve(dynamics_->M(), dynamics_->b(), locked_);
-  double most = -std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < locked_.size(); ++i) {
-    if (locked_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
-  }
-  // Beyond rounding, so that what is found to pull here does so for StopSolver::Rest too.
-  return most - 1e-10 * dynamics_->b().lpNorm<Eigen::Infinity>();
+  return StrongestPull();
 }
 
-// The first time in the step at which a stop would have to pull, looked for at a few places.
-std::optional<double> ExactSolver::FindRelease() {
-  const double start = step_.start_time(), h = step_.end_time() - start;
-  constexpr int kLooks = 2;
-  double a = start, fa = std::min(Pull(a), 0.0);
-  for (int look = 1; look <= kLooks; ++look) {
-    double b = look == kLooks ? step_.end_time() : start + h * look / kLooks;
-    double fb = Pull(b);
-    if (fb <= 0.0) {
-      a = b;
-      fa = fb;
-      continue;
-    }
-    for (int i = 0; i < 40 && b - a > 1e-9; ++i) {
-      double t = i % 3 == 2 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
-      if (!(t > a && t < b)) t = 0.5 * (a + b);
-      const double f = Pull(t);
-      (f > 0.0 ? b : a) = t;
-      (f > 0.0 ? fb : fa) = f;
-    }
-    return b;
+double ExactSolver::StrongestPull() const {
+  double most = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < locked_.size(); ++i) {
+    if (locked_[i] && !fixed_[i]) most = std::max(most, side_[i] * stops_.T()[i]);
   }
+  return most;
+}
+
+// The first time in the step at which a stop would have to pull: looked for in the middle, at the
+// end and at the top of the parabola through what was found there and at the start.
+std::optional<double> ExactSolver::FindRelease() {
+  const double a = step_.start_time(), b = step_.end_time(), m = 0.5 * (a + b);
+  const double fa = std::min(pull_before_, 0.0), fm = Pull(m), fb = Pull(b);
+  pull_before_ = fb;
+  if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
+  const double bend = fa - 2.0 * fm + fb;
+  const double top = bend < 0.0 ? m + 0.25 * (b - a) * (fa - fb) / bend : a;
+  if (top > a && top < b) {
+    const double f = Pull(top);
+    if (f > 0.0) return top < m ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
+  }
+  if (fb > 0.0) return ReleaseTime(m, fm, b, fb);
   return std::nullopt;
+}
+
+// When a stop starts to have to pull: not at a, but at b. What is late by t leaves an error of the
+// order of t^3, so a microsecond is early enough.
+double ExactSolver::ReleaseTime(double a, double fa, double b, double fb) {
+  constexpr double kEarlyEnough = 1e-6;  // [s]
+  while (b - a > kEarlyEnough) {
+    const double secant = fb > fa ? (a * fb - b * fa) / (fb - fa) : 0.5 * (a + b);
+    const double margin = 0.05 * (b - a);
+    const double t = std::clamp(secant, a + margin, b - margin);
+    const double f = Pull(t);
+    (f > 0.0 ? b : a) = t;
+    (f > 0.0 ? fb : fa) = f;
+  }
+  return b;
 }
 
 }  // namespace hazumi

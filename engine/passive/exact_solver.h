@@ -54,6 +54,9 @@ class ExactSolver {
   // At `time`, before impacts.
   const VecX& q() const { return q_; }
   const VecX& qd() const { return qd_; }
+  // Energy and powers at t in [step_start, time], from the left.
+  EnergyFlow Energy(double t);
+
   // Hits since the last call.
   std::vector<StopHit> TakeHits();
   long steps() const { return steps_; }
@@ -69,12 +72,16 @@ class ExactSolver {
   double FirstStep(double end) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
   std::optional<double> FindHit();
-  std::optional<double> FindPeak(double before, double t, int hinge);
   std::optional<double> FindRelease();
-  bool MayHit() const;
+  bool FindSuspects();
+  void SampleSuspects(double t, VecX* q, VecX* qd);
   double Outside(int hinge, const VecX& q) const;
-  double CrossingTime(double inside, double outside, int hinge);
+  double Beyond(int hinge, int side, double q) const;
+  std::optional<double> FindCrossing(int hinge, int side, double before, double t);
+  double CrossingTime(int hinge, int side, double inside, double outside);
   double Pull(double t);
+  double StrongestPull() const;
+  double ReleaseTime(double a, double fa, double b, double fb);
   void MakeDense();
   void WidenStops();
   void TightenStops();
@@ -85,17 +92,20 @@ class ExactSolver {
   double tolerance_ = 1e-6;
   Dop853 step_;
   double time_ = 0.0, next_h_ = 0.0;
-  VecX q_, qd_;                               // at time_
-  VecX q_start_, qd_start_;                   // at the start of the step
-  VecX look_q_, look_qd_, peak_q_, peak_qd_;  // scratch of FindHit
+  VecX q_, qd_;              // at time_
+  VecX q_start_, qd_start_;  // at the start of the step
+  VecX look_q_, look_qd_, before_q_, before_qd_;
   VecX sample_q_, sample_qd_, y_, scale_, blow_;
   StopSolver stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
   std::vector<char> locked_, sticks_;
+  std::vector<char> fixed_;  // no room between the stops
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
+  std::vector<int> suspects_, out_;                    // nodes, hinges
   std::vector<StopHit> hits_;
   std::vector<double> recent_;  // times of events, for telling chatter
+  double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
   bool has_event_ = false;
   long steps_ = 0;

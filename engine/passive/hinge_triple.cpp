@@ -4,9 +4,10 @@
 #include <numbers>
 #include <utility>
 
-// With g = q2 + beta and u = R a3:
+// With g = q2 + beta, u = R a3 and v = R^T a1:
 //   u = cos g a1 + sin g (cos q1 (a2 x a1) + sin q1 a2)
-// so that g and q1 follow from u, up to the sign of sin g, and q3 from what is left of R.
+//   v = cos g a3 + sin g (cos q3 (a3 x a2) + sin q3 a2)
+// so that all three follow, up to the sign of sin g: (q1 + pi, -g, q3 + pi) is the same rotation.
 
 namespace hazumi {
 
@@ -33,29 +34,38 @@ bool HingeTriple::Fits(const Vec3& a1, const Vec3& a2, const Vec3& a3) {
 }
 
 HingeTriple::HingeTriple(const Vec3& a1, const Vec3& a2, const Vec3& a3)
-    : a1_(a1), a2_(a2), a3_(a3), beta_(std::atan2(a2.cross(a1).dot(a3), a1.dot(a3))) {}
+    : a1_(a1),
+      a2_(a2),
+      a3_(a3),
+      b1_(a2.cross(a1)),
+      b3_(a3.cross(a2)),
+      beta_(std::atan2(a2.cross(a1).dot(a3), a1.dot(a3))) {}
 
 Mat3 HingeTriple::Rotation(const Vec3& q) const {
   return Rot(a1_, q[0]) * Rot(a2_, q[1]) * Rot(a3_, q[2]);
 }
 
-Vec3 HingeTriple::Branch(const Mat3& R, const Vec3& near, double side) const {
-  constexpr double kAtPole = 1e-12;
-  const Vec3 u = R * a3_;
-  const Vec3 c = a2_.cross(a1_);
-  const double sine = std::hypot(u.dot(a2_), u.dot(c));
-  Vec3 q;
-  q[0] = sine < kAtPole ? near[0] : std::atan2(side * u.dot(a2_), side * u.dot(c));
-  q[1] = std::atan2(side * sine, u.dot(a1_)) - beta_;
+// Near a pole q1 and q3 are lost one by one: q1 stays where it was, and q3 is what is left of R.
+Vec3 HingeTriple::AtPole(const Mat3& R, const Vec3& near, double g) const {
+  Vec3 q(near[0], g - beta_, 0.0);
   const Vec3 turned = Rot(a2_, q[1]).transpose() * (Rot(a1_, q[0]).transpose() * (R * a2_));
   q[2] = std::atan2(turned.dot(a3_.cross(a2_)), turned.dot(a2_));
-  for (int i = 0; i < 3; ++i) q[i] = Nearest(q[i], near[i]);
   return q;
 }
 
 Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
                          const Vec3& upper) const {
-  Vec3 q = Branch(R, near, 1.0), other = Branch(R, near, -1.0);
+  constexpr double kAtPole = 1e-9;
+  const Vec3 u = R * a3_, v = R.transpose() * a1_;
+  const double sine = std::hypot(u.dot(a2_), u.dot(b1_));
+  const double g = std::atan2(sine, u.dot(a1_));
+  Vec3 q(std::atan2(u.dot(a2_), u.dot(b1_)), g - beta_, std::atan2(v.dot(a2_), v.dot(b3_)));
+  if (sine < kAtPole) q = AtPole(R, near, g);
+  Vec3 other(q[0] + std::numbers::pi, -g - beta_, q[2] + std::numbers::pi);
+  for (int i = 0; i < 3; ++i) {
+    q[i] = Nearest(q[i], near[i]);
+    other[i] = Nearest(other[i], near[i]);
+  }
   if ((other - near).lpNorm<1>() < (q - near).lpNorm<1>()) std::swap(q, other);
   const bool passed_pole = std::sin(near[1] + beta_) * std::sin(q[1] + beta_) <= 0.0;
   const bool turns_back =
@@ -64,11 +74,11 @@ Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
 }
 
 Mat3 HingeTriple::AxesInBody(const Vec3& q) const {
-  const Mat3 R3 = Rot(a3_, -q[2]);
+  const double s = std::sin(q[2]), c = std::cos(q[2]), g = q[1] + beta_;
   Mat3 axes;
+  axes.col(0) = std::cos(g) * a3_ + std::sin(g) * (c * b3_ + s * a2_);
+  axes.col(1) = c * a2_ - s * b3_;
   axes.col(2) = a3_;
-  axes.col(1) = R3 * a2_;
-  axes.col(0) = R3 * (Rot(a2_, -q[1]) * a1_);
   return axes;
 }
 

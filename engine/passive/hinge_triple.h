@@ -33,10 +33,11 @@ class HingeTriple {
   double FromPole(double q2) const;
 
  private:
-  Vec3 Branch(const Mat3& R, const Vec3& near, double side) const;
+  Vec3 AtPole(const Mat3& R, const Vec3& near, double g) const;
 
   Vec3 a1_, a2_, a3_;
-  double beta_;  // Rot(a2, beta) a1 = a3
+  Vec3 b1_, b3_;  // a2 x a1, a3 x a2
+  double beta_;   // Rot(a2, beta) a1 = a3
 };
 
 }  // namespace hazumi

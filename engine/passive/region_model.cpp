@@ -133,7 +133,7 @@ bool RootAnswers(const RegionModel& model) {
   return false;
 }
 
-// The nodes at or beyond `top` as a model of their own, with the chains that move them.
+// The nodes at or beyond `top` as a model of their own, after the chains that move them.
 RegionModel Extract(const RegionModel& whole, int top) {
   const int n = static_cast<int>(whole.nodes.size());
   std::vector<char> kept(n, 0), dynamic(n, 0);
@@ -147,14 +147,16 @@ RegionModel Extract(const RegionModel& whole, int top) {
   RegionModel part = whole;
   part.nodes.clear();
   std::vector<int> renamed(n, -1);
-  for (int i = 0; i < n; ++i) {
-    if (!kept[i]) continue;
-    renamed[i] = static_cast<int>(part.nodes.size());
-    part.nodes.push_back(whole.nodes[i]);
-    ModelNode& node = part.nodes.back();
-    node.parent = node.parent < 0 ? -1 : renamed[node.parent];
-    node.is_dynamic = dynamic[i];
-    if (!dynamic[i]) node.body = RigidInertia();
+  for (const bool of_group : {false, true}) {
+    for (int i = 0; i < n; ++i) {
+      if (!kept[i] || (dynamic[i] != 0) != of_group) continue;
+      renamed[i] = static_cast<int>(part.nodes.size());
+      part.nodes.push_back(whole.nodes[i]);
+      ModelNode& node = part.nodes.back();
+      node.parent = node.parent < 0 ? -1 : renamed[node.parent];
+      node.is_dynamic = of_group;
+      if (!of_group) node.body = RigidInertia();
+    }
   }
   if (whole.pin_node >= 0) part.pin_node = renamed[whole.pin_node];
   return part;

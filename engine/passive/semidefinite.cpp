@@ -1,18 +1,22 @@
 #include "engine/passive/semidefinite.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kLost = 1e-13;  // of the diagonal: what rounding leaves of a pivot that is zero
+// What rounding leaves of a pivot that is zero: of its diagonal, and of the largest.
+constexpr double kLost = 1e-13, kLostOfAll = 1e-17;
 
 }  // namespace
 
 int FactorSemidefinite(Eigen::Ref<MatX> A) {
   const Eigen::Index n = A.rows();
   int lost = 0;
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < n; ++k) largest = std::max(largest, A(k, k));
   for (Eigen::Index k = 0; k < n; ++k) {
     const double diagonal = A(k, k);
     double* column = &A(0, k);
@@ -22,7 +26,7 @@ int FactorSemidefinite(Eigen::Ref<MatX> A) {
       const double* other = &A(0, j);
       for (Eigen::Index i = k; i < n; ++i) column[i] -= factor * other[i];
     }
-    if (column[k] > kLost * diagonal) {
+    if (column[k] > std::max(kLost * diagonal, kLostOfAll * largest)) {
       const double root = std::sqrt(column[k]);
       const double inverse = 1.0 / root;
       column[k] = root;

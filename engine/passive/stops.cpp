@@ -12,7 +12,6 @@ void StopSolver::Resize(int size) {
   zero_ = VecX::Zero(size);
   free_.reserve(size);
   held_.assign(size, 0);
-  none_.assign(size, 0);
 }
 
 void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
@@ -77,12 +76,12 @@ void StopSolver::Impact(const MatX& M, const VecX& blow, const std::vector<int>&
 }
 
 void StopSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
-                      std::vector<char>* held) {
+                      const std::vector<char>& fixed, std::vector<char>* held) {
   const int n = static_cast<int>(b.size());
   for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
     SolveMixed(M, b, zero_, *held);
-    const int wrong = FirstWrong(side, x_, none_, *held);
+    const int wrong = FirstWrong(side, x_, fixed, *held);
     if (wrong < 0) break;
     (*held)[wrong] = !(*held)[wrong];
   }

@@ -26,7 +26,9 @@ class StopSolver {
 
   // Which hinges at rest at a stop stay there: sets `held` from
   //   M x + b = T,  side T <= 0,  side x <= 0,  T x = 0.
-  void Rest(const MatX& M, const VecX& b, const std::vector<int>& side, std::vector<char>* held);
+  // Hinges with `fixed` set stay, whichever way they press.
+  void Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
+            const std::vector<char>& fixed, std::vector<char>* held);
 
   // With the hinges `held` kept still: x of the others, and what the stops must give [N m].
   void Solve(const MatX& M, const VecX& b, const std::vector<char>& held);
@@ -42,7 +44,7 @@ class StopSolver {
   MatX A_;
   VecX x_, T_, right_, given_, zero_, reached_, against_;
   std::vector<int> free_;
-  std::vector<char> held_, none_;
+  std::vector<char> held_;
 };
 
 }  // namespace hazumi

@@ -40,34 +40,35 @@ ContinuousGravity::ContinuousGravity(const Figure& figure, const std::vector<Sce
 
 void ContinuousGravity::PinAt(std::optional<GroupIndex> named, const Contact& contact,
                               const DynamicsWorkspace& ws) {
-  pin_ = named ? *named : NearestGroup(figure_, ws, contact.point);
-  pin_W_ = ws.body(pin_joint()).p;
-  normal_ = contact.normal;
+  state_.pin = named ? *named : NearestGroup(figure_, ws, contact.point);
+  state_.pin_W = ws.body(pin_joint()).p;
+  state_.normal = contact.normal;
 }
 
 void ContinuousGravity::Fly(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
   ComputePositions(figure_, motion.X_WR, motion.q, ws);
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
-  start_ = t;
-  com_ = CenterOfMass(figure_, *ws);
-  com_v_ = CenterOfMassVelocity(figure_, *ws);
+  state_.start = t;
+  state_.com = CenterOfMass(figure_, *ws);
+  state_.com_v = CenterOfMassVelocity(figure_, *ws);
 }
 
 void ContinuousGravity::Start(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
   Fly(t, motion, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  allowed_ = 0.0;
+  state_.allowed = 0.0;
   if (contact && contact->clearance <= kTouching) PinAt(span_.pin, *contact, *ws);
 }
 
 void ContinuousGravity::MassesChanged(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
-  if (!pin_) Fly(t, motion, ws);
+  if (!state_.pin) Fly(t, motion, ws);
 }
 
 void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
-  if (pin_) return PinRoot(figure_, pin_joint(), pin_W_, ws, motion);
-  const double s = t - start_;
-  PlaceCenterOfMass(figure_, com_ + com_v_ * s + 0.5 * g_ * s * s, com_v_ + g_ * s, ws, motion);
+  if (state_.pin) return PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
+  const double s = t - state_.start;
+  PlaceCenterOfMass(figure_, state_.com + state_.com_v * s + 0.5 * g_ * s * s,
+                    state_.com_v + g_ * s, ws, motion);
 }
 
 FigureMotion ContinuousGravity::PlacedAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
@@ -86,13 +87,12 @@ double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorksp
 
 std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
                                                           DynamicsWorkspace* ws) {
-  if (pin_) return FindTakeOff(t0, t1, pose, ws);
-  std::optional<GravityEvent> first = FindLanding(t0, t1, pose, ws);
-  const double apex = g_.z() < 0.0 ? start_ + com_v_.z() / -g_.z() : kFree;
-  if (apex > t0 && apex <= (first ? first->time : t1)) {
-    return GravityEvent{GravityEvent::Kind::kApex, apex};
-  }
-  return first;
+  if (state_.pin) return FindTakeOff(t0, t1, pose, ws);
+  const double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kFree;
+  const bool has_apex = apex > t0 && apex <= t1;
+  const auto landing = FindLanding(t0, has_apex ? apex : t1, pose, ws);
+  if (landing || !has_apex) return landing;
+  return GravityEvent{GravityEvent::Kind::kApex, apex};
 }
 
 // How much faster than freely the pinned CoM would have to fall, along the ground's normal: the
@@ -105,11 +105,11 @@ double ContinuousGravity::Lift(double t, double t0, double t1, const Pose& pose,
   const auto velocity = [&](double s) {
     const FigureMotion motion = PlacedAt(s, pose, ws);
     ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
-    return CenterOfMassVelocity(figure_, *ws).dot(normal_);
+    return CenterOfMassVelocity(figure_, *ws).dot(state_.normal);
   };
   const double v0 = velocity(middle - h), v1 = velocity(middle), v2 = velocity(middle + h);
   const double acceleration = (v2 - v0) / (2.0 * h) + (v2 - 2.0 * v1 + v0) / (h * h) * (t - middle);
-  return g_.dot(normal_) - acceleration;
+  return g_.dot(state_.normal) - acceleration;
 }
 
 std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
@@ -117,7 +117,7 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   constexpr int kLooks = 4;
   const auto lift = [&](double t) { return Lift(t, t0, t1, pose, ws); };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
-  const double from = std::max(t0, hold_until_);
+  const double from = std::max(t0, state_.hold_until);
   if (from >= t1) return std::nullopt;
   double before = from, lift_before = lift(from), lost_before = lost(from);
   const auto take_off = [](double t) { return GravityEvent{GravityEvent::Kind::kTakeOff, t}; };
@@ -160,7 +160,7 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
 // Touching within kTouching, as just after take-off, it goes on in short steps.
 std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1, const Pose& pose,
                                                            DynamicsWorkspace* ws) {
-  const auto depth = [&](double t) { return allowed_ - ClearanceAt(t, pose, ws); };
+  const auto depth = [&](double t) { return state_.allowed - ClearanceAt(t, pose, ws); };
   const double speed = SpeedBound(t0, t1, pose, ws);
   double t = t0, gap = -depth(t0);
   bool is_leaving = true;
@@ -176,10 +176,10 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     t = next;
     gap = next_gap;
     // What was deep at take-off counts as ground only until it has come up.
-    const double raised = std::min(0.0, allowed_ + gap);
-    if (raised > allowed_) {
-      gap -= raised - allowed_;
-      allowed_ = raised;
+    const double raised = std::min(0.0, state_.allowed + gap);
+    if (raised > state_.allowed) {
+      gap -= raised - state_.allowed;
+      state_.allowed = raised;
     }
   }
   return std::nullopt;
@@ -191,16 +191,16 @@ Vec3 ContinuousGravity::Happen(const GravityEvent& event, const FigureMotion& mo
   if (event.kind == GravityEvent::Kind::kTakeOff) {
     Fly(event.time, motion, ws);
     const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-    allowed_ = contact ? std::min(0.0, contact->clearance) : 0.0;
-    pin_.reset();
+    state_.allowed = contact ? std::min(0.0, contact->clearance) : 0.0;
+    state_.pin.reset();
     return Vec3::Zero();
   }
   ComputePositions(figure_, motion.X_WR, motion.q, ws);
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
   PinAt(span_.landing_pin, *NearestContact(figure_, scene_, *ws), *ws);
-  std::erase_if(landings_, [&](double t) { return t < event.time - kChatterWindow; });
-  landings_.push_back(event.time);
-  if (landings_.size() > kMostLandings) hold_until_ = event.time + kChatterWindow;
+  std::erase_if(state_.landings, [&](double t) { return t < event.time - kChatterWindow; });
+  state_.landings.push_back(event.time);
+  if (state_.landings.size() > kMostLandings) state_.hold_until = event.time + kChatterWindow;
   return ws->body(pin_joint()).v;
 }
 

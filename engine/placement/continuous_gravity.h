@@ -13,6 +13,8 @@ namespace hazumi {
 struct GravityEvent {
   enum class Kind { kTakeOff, kApex, kLanding } kind;
   double time;  // [s]
+  // Other than an apex, which changes nothing.
+  bool is_change() const { return kind != Kind::kApex; }
 };
 
 // Placement by gravity and contact [Arai 3.2] in continuous time [METHOD 2]: while the figure
@@ -42,10 +44,25 @@ class ContinuousGravity {
   // Places the root of `motion`.
   void Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const;
 
-  std::optional<GroupIndex> pin() const { return pin_; }
+  std::optional<GroupIndex> pin() const { return state_.pin; }
+
+  // All that changes on the way.
+  struct State {
+    std::optional<GroupIndex> pin;
+    Vec3 pin_W = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ();                    // of the ground that the figure stands on
+    double start = 0.0;                             // of the flight [s]
+    Vec3 com = Vec3::Zero(), com_v = Vec3::Zero();  // then
+    std::vector<double> landings;                   // times of the last ones [s]
+    double hold_until = -1e300;                     // no take-off before [s]
+    double allowed = 0.0;  // clearance that does not count as landing, from a deep take-off [m]
+    bool operator==(const State&) const = default;
+  };
+  const State& state() const { return state_; }
+  void Resume(const State& state) { state_ = state; }
 
  private:
-  JointIndex pin_joint() const { return figure_.group(*pin_).first; }
+  JointIndex pin_joint() const { return figure_.group(*state_.pin).first; }
   void PinAt(std::optional<GroupIndex> named, const Contact& contact, const DynamicsWorkspace& ws);
   void Fly(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
   FigureMotion PlacedAt(double t, const Pose& pose, DynamicsWorkspace* ws) const;
@@ -61,14 +78,7 @@ class ContinuousGravity {
   const std::vector<SceneObject>& scene_;
   const PlacementSpan& span_;
   Vec3 g_;
-  std::optional<GroupIndex> pin_;
-  Vec3 pin_W_ = Vec3::Zero();
-  Vec3 normal_ = Vec3::UnitZ();                     // of the ground that the figure stands on
-  double start_ = 0.0;                              // of the flight [s]
-  Vec3 com_ = Vec3::Zero(), com_v_ = Vec3::Zero();  // then
-  std::vector<double> landings_;                    // times of the last ones [s]
-  double hold_until_ = -1e300;                      // no take-off before [s]
-  double allowed_ = 0.0;  // clearance that does not count as landing, from a deep take-off [m]
+  State state_;
 };
 
 }  // namespace hazumi

@@ -31,68 +31,68 @@ GravityPlacement::GravityPlacement(const Figure& figure, const std::vector<Scene
 // Expects the workspace to hold the figure where the contact was found.
 void GravityPlacement::PinAt(std::optional<GroupIndex> named, const Vec3& contact,
                              const DynamicsWorkspace& ws) {
-  pin_ = named ? *named : NearestGroup(figure_, ws, contact);
-  pin_W_ = ws.body(pin_joint()).p;
+  state_.pin = named ? *named : NearestGroup(figure_, ws, contact);
+  state_.pin_W = ws.body(pin_joint()).p;
 }
 
 void GravityPlacement::TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws) {
   ComputePositions(figure_, motion.X_WR, motion.q, ws);
   ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
-  com_ = CenterOfMass(figure_, *ws);
-  com_v_ = CenterOfMassVelocity(figure_, *ws);
+  state_.com = CenterOfMass(figure_, *ws);
+  state_.com_v = CenterOfMassVelocity(figure_, *ws);
 }
 
 // While pinned every step takes it anew, but for the velocity that a landing left.
 void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws) {
-  if (!pin_) TakeCenterOfMass(motion, ws);
+  if (!state_.pin) TakeCenterOfMass(motion, ws);
 }
 
 void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) {
   TakeCenterOfMass(motion, ws);
   const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  clearance_ = contact ? contact->clearance : kFree;
-  if (clearance_ <= kTouching) PinAt(span_.pin, contact->point, *ws);
+  state_.clearance = contact ? contact->clearance : kFree;
+  if (state_.clearance <= kTouching) PinAt(span_.pin, contact->point, *ws);
 }
 
 void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws,
                                FigureMotion* to) {
   events_.clear();
-  const bool was_pinned = pin_.has_value();
+  const bool was_pinned = state_.pin.has_value();
   if (was_pinned) MeasurePinned(from, ws);
-  const bool touches = was_pinned && clearance_ <= kTouching;
-  just_landed_ = false;
-  const Vec3 com = com_, velocity = com_v_;
+  const bool touches = was_pinned && state_.clearance <= kTouching;
+  state_.just_landed = false;
+  const Vec3 com = state_.com, velocity = state_.com_v;
   const Vec3 path = velocity * dt + 0.5 * g_ * dt * dt;
   PlaceCenterOfMass(figure_, com + path, velocity + g_ * dt, ws, to);
   const double clearance = ClearanceAt(*ws, to->X_WR.p);
   if (touches && !Leaves(*ws, to->X_WR.p, clearance)) {  // (3)
-    PinRoot(figure_, pin_joint(), pin_W_, ws, to);
+    PinRoot(figure_, pin_joint(), state_.pin_W, ws, to);
     return;
   }
   if (was_pinned) events_.push_back({EventKind::kTakeOff, 0.0});
-  pin_.reset();
+  state_.pin.reset();
   Fly(com + path, dt);  // (4), (5)
   // A figure that took off from a hair inside the ground is stopped only if it goes deeper.
-  const bool is_deeper = clearance <= std::min(clearance_, 0.0) + kRounding;
-  clearance_ = clearance;
+  const bool is_deeper = clearance <= std::min(state_.clearance, 0.0) + kRounding;
+  state_.clearance = clearance;
   const bool is_stopped = is_deeper || (clearance > 0.0 && PassesThrough(*ws, *to, path));
   if (!touches && is_stopped) Land(path, velocity, dt, ws, to);  // (6)
 }
 
 // Takes the CoM of a pinned figure and its clearance.
 void GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws) {
-  const Vec3 before_landing = com_v_;
+  const Vec3 before_landing = state_.com_v;
   TakeCenterOfMass(motion, ws);
   // After a landing: the velocity that the contact took away, or the figure would hop.
-  if (just_landed_) com_v_ = before_landing;
-  clearance_ = ClearanceAt(*ws, Vec3::Zero());
+  if (state_.just_landed) state_.com_v = before_landing;
+  state_.clearance = ClearanceAt(*ws, Vec3::Zero());
 }
 
 // Whether a standing figure gets free with its tentative root at p: higher than its pin would have
 // it, so that a hair above or inside the ground is as good as on it, and not through the ground.
 // The workspace, here and below, holds the figure with its root at the origin.
 bool GravityPlacement::Leaves(const DynamicsWorkspace& ws, const Vec3& p, double clearance) const {
-  const Vec3 pinned = pin_W_ - ws.body(pin_joint()).p;
+  const Vec3 pinned = state_.pin_W - ws.body(pin_joint()).p;
   const Contact contact = *NearestContact(figure_, scene_, ws, pinned);
   return clearance > std::max(contact.clearance, -kTouching) + kRounding &&
          contact.normal.dot(p - pinned) > 0.0;
@@ -113,20 +113,21 @@ bool GravityPlacement::PassesThrough(const DynamicsWorkspace& ws, const FigureMo
 
 void GravityPlacement::Place(DynamicsWorkspace* ws, FigureMotion* motion,
                              double seconds_before_end) const {
-  if (pin_) {
-    PinRoot(figure_, pin_joint(), pin_W_, ws, motion);
+  if (state_.pin) {
+    PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
   } else {
     const double t = -seconds_before_end;
-    PlaceCenterOfMass(figure_, com_ + com_v_ * t + 0.5 * g_ * t * t, com_v_ + g_ * t, ws, motion);
+    PlaceCenterOfMass(figure_, state_.com + state_.com_v * t + 0.5 * g_ * t * t,
+                      state_.com_v + g_ * t, ws, motion);
   }
 }
 
 // The tentative pose is the next one.
 void GravityPlacement::Fly(const Vec3& com, double dt) {
-  const Vec3 velocity = com_v_;
-  com_ = com;
-  com_v_ += g_ * dt;
-  if (velocity.z() > 0.0 && com_v_.z() <= 0.0) {
+  const Vec3 velocity = state_.com_v;
+  state_.com = com;
+  state_.com_v += g_ * dt;
+  if (velocity.z() > 0.0 && state_.com_v.z() <= 0.0) {
     events_.push_back({EventKind::kApex, velocity.z() / -g_.z()});
   }
 }
@@ -142,11 +143,11 @@ void GravityPlacement::Land(const Vec3& path, const Vec3& velocity, double dt,
   const double seconds =
       std::clamp(SecondsUntilRisen(s * path.z(), velocity.z(), -g_.z(), s * dt), 0.0, dt);
   std::erase_if(events_, [&](const Event& event) { return event.seconds_into_step > seconds; });
-  com_ = CenterOfMass(figure_, *ws) + shift;
-  PlaceCenterOfMass(figure_, com_, velocity + g_ * dt, ws, to);
+  state_.com = CenterOfMass(figure_, *ws) + shift;
+  PlaceCenterOfMass(figure_, state_.com, velocity + g_ * dt, ws, to);
   ComputePositions(figure_, to->X_WR, to->q, ws);
   PinAt(span_.landing_pin, NearestContact(figure_, scene_, *ws)->point, *ws);
-  just_landed_ = true;
+  state_.just_landed = true;
   events_.push_back({EventKind::kLanding, seconds});
 }
 

@@ -45,13 +45,25 @@ class GravityPlacement {
   // What happened in the last step. A landing comes last.
   const std::vector<Event>& events() const { return events_; }
   // The joint pinned from the end of the last step on, if any, and where.
-  std::optional<GroupIndex> pin() const { return pin_; }
-  const Vec3& pin_position() const { return pin_W_; }
+  std::optional<GroupIndex> pin() const { return state_.pin; }
+  const Vec3& pin_position() const { return state_.pin_W; }
   // True if the last step ended with a landing.
-  bool has_landed() const { return just_landed_; }
+  bool has_landed() const { return state_.just_landed; }
+
+  // All that changes from step to step.
+  struct State {
+    std::optional<GroupIndex> pin;
+    Vec3 pin_W = Vec3::Zero();
+    Vec3 com = Vec3::Zero(), com_v = Vec3::Zero();  // in flight, and just after a landing
+    double clearance = 0.0;                         // at the start of the step [m]
+    bool just_landed = false;
+    bool operator==(const State&) const = default;
+  };
+  const State& state() const { return state_; }
+  void Resume(const State& state) { state_ = state; }
 
  private:
-  JointIndex pin_joint() const { return figure_.group(*pin_).first; }
+  JointIndex pin_joint() const { return figure_.group(*state_.pin).first; }
   void PinAt(std::optional<GroupIndex> named, const Vec3& contact, const DynamicsWorkspace& ws);
   void TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws);
   void Fly(const Vec3& com, double dt);
@@ -68,11 +80,7 @@ class GravityPlacement {
   const std::vector<SceneObject>& scene_;
   const PlacementSpan& span_;
   Vec3 g_;
-  std::optional<GroupIndex> pin_;
-  Vec3 pin_W_ = Vec3::Zero();
-  Vec3 com_ = Vec3::Zero(), com_v_ = Vec3::Zero();  // in flight, and just after a landing
-  double clearance_ = 0.0;                          // at the start of the step [m]
-  bool just_landed_ = false;
+  State state_;
   std::vector<Event> events_;
 };
 

@@ -12,6 +12,7 @@ namespace hazumi {
 struct HoldTarget {
   Vec3 position = Vec3::Zero();         // of the held joint's origin in the world [m]
   Mat3 orientation = Mat3::Identity();  // of the body that the held joint sits on
+  bool operator==(const HoldTarget&) const = default;
 };
 
 struct HoldSolution {

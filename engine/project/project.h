@@ -98,6 +98,7 @@ struct ProjectRegion {
   // Not given: the project's.
   std::optional<Method> method;
   std::optional<double> step_s, tolerance_deg;
+  bool limit_tangents = false;
   ExtraFields extra;
   bool operator==(const ProjectRegion&) const = default;
 };

@@ -85,6 +85,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
   ar.Optional("method", region.method);
   ar.Optional("step_s", region.step_s);
   ar.Optional("tolerance_deg", region.tolerance_deg);
+  ar.Optional("limit_tangents", region.limit_tangents);
 }
 
 template <typename Ar>

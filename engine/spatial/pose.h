@@ -17,6 +17,7 @@ struct PoseOf {
   PoseOf operator*(const PoseOf& X_BC) const { return {R * X_BC.R, p + R * X_BC.p}; }
   Vec3Of<T> operator*(const Vec3Of<T>& p_B) const { return p + R * p_B; }
   PoseOf Inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
+  bool operator==(const PoseOf&) const = default;
 };
 
 using Pose = PoseOf<double>;

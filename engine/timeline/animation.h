@@ -19,6 +19,7 @@ struct SolverSettings {
   double step = 1.0 / 30.0;     // kPaper [s]
   double tolerance = 1.745e-4;  // kExact: greatest error of an angle in a region [rad]
   int version = 1;
+  bool operator==(const SolverSettings&) const = default;
 };
 
 // Numbers of the root's curves: position [m], then the hinge angles of R = Rz Ry Rx [rad].

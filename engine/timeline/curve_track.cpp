@@ -39,12 +39,7 @@ CurveSample CurveTrack::Evaluate(const Segment& segment, double frame) const {
   return segment.interval.At(Seconds(frame - segment.first_frame));
 }
 
-CurveSample CurveTrack::At(double frame) {
-  PlanUpTo(frame);
-  size_t i = segments_.size() - 1;
-  while (segments_[i].first_frame > frame) --i;
-  return Evaluate(segments_[i], frame);
-}
+CurveSample CurveTrack::At(double frame) { return Evaluate(PieceAt(frame), frame); }
 
 CurveTrack::Piece CurveTrack::PieceAt(double frame) {
   PlanUpTo(frame);
@@ -53,12 +48,14 @@ CurveTrack::Piece CurveTrack::PieceAt(double frame) {
   return segments_[i];
 }
 
-CurveSample CurveTrack::Before(double frame) {
+CurveTrack::Piece CurveTrack::PieceBefore(double frame) {
   PlanUpTo(frame);
   size_t i = segments_.size() - 1;
   while (segments_[i].first_frame >= frame) --i;
-  return Evaluate(segments_[i], frame);
+  return segments_[i];
 }
+
+CurveSample CurveTrack::Before(double frame) { return Evaluate(PieceBefore(frame), frame); }
 
 void CurveTrack::PlanUpTo(double frame) {
   while (segments_.back().last_frame <= frame) {

@@ -34,8 +34,13 @@ class CurveTrack {
   struct Piece {
     double first_frame, last_frame;
     Interval interval;
+    bool operator==(const Piece&) const = default;
   };
   Piece PieceAt(double frame);
+  // The polynomial that leads to `frame`.
+  Piece PieceBefore(double frame);
+  // Goes on from a piece, as if it had got there by itself.
+  void Restart(const Piece& piece) { segments_ = {piece}; }
   // The key that lies exactly on `frame`, or null.
   const Key* KeyAt(double frame) const;
   bool HasKeyAfter(double frame) const;

@@ -35,6 +35,9 @@ struct DynamicsRegion {
   Method method = Method::kPaper;
   std::optional<double> step;       // kPaper [s]; not given: the animation's
   std::optional<double> tolerance;  // kExact [rad]; not given: the animation's
+  // The curves after the region start no faster than they can without leaving the joint limits.
+  bool limit_tangents = false;
+  bool operator==(const DynamicsRegion&) const = default;
 };
 
 }  // namespace hazumi

@@ -23,6 +23,7 @@ class Interval {
   CurveSample At(double seconds) const;
   // c[i] goes with the power i of the seconds.
   std::array<double, 4> coefficients() const { return {c0_, c1_, c2_, c3_}; }
+  bool operator==(const Interval&) const = default;
 
  private:
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0;

@@ -20,6 +20,7 @@ struct Key {
   double value = 0.0;
   std::optional<double> rate;  // not given: the interval rules of interval.h
   Interpolation interpolation = Interpolation::kCubic;
+  bool operator==(const Key&) const = default;
 };
 
 // In order of frames, no two on one frame.

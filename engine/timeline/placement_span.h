@@ -34,6 +34,7 @@ struct PlacementSpan {
   std::optional<GroupIndex> pin;
   // kGravity: the joint pinned after a landing; none: the nearest to the contact.
   std::optional<GroupIndex> landing_pin;
+  bool operator==(const PlacementSpan&) const = default;
 };
 
 // Inverse kinematics: the joint stays where it was at `first_frame`, up to and including the moment
@@ -43,6 +44,7 @@ struct IkHold {
   int first_frame = 0;
   int last_frame = 0;
   bool hold_orientation = false;  // also of the body that the joint sits on
+  bool operator==(const IkHold&) const = default;
 };
 
 }  // namespace hazumi

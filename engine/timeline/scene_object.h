@@ -14,13 +14,16 @@ struct SceneObject {
   std::string name;
   Obstacle shape;     // world frame [m]
   std::string color;  // "#rrggbb", sRGB
+  bool operator==(const SceneObject&) const = default;
 };
 
 struct SphereShape {
   double radius = 0.0;  // [m]
+  bool operator==(const SphereShape&) const = default;
 };
 struct BoxShape {
   Vec3 half_size = Vec3::Zero();  // [m], along the holder's axes
+  bool operator==(const BoxShape&) const = default;
 };
 
 // Fixed to the body of a joint until it is let go; then it flies on a parabola, turning as it did.
@@ -32,6 +35,7 @@ struct HeldObject {
   Vec3 offset = Vec3::Zero();        // its centre in the holder's frame [m]
   std::optional<int> release_frame;  // none: never let go
   std::string color;                 // "#rrggbb", sRGB
+  bool operator==(const HeldObject&) const = default;
 };
 
 }  // namespace hazumi

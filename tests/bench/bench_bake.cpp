@@ -1,10 +1,13 @@
-// How long the motion of the examples takes, without starting a process or reading a file.
+// How long an animator waits for the motion, without starting a process or reading a file. Names
+// are those of the rows of edit.csv: case/what.
 
 #include <benchmark/benchmark.h>
 
-#include "engine/bake/bake.h"
+#include "engine/bake/incremental_bake.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
+#include "tests/support/animations.h"
+#include "tests/support/long_timeline.h"
 
 namespace hazumi {
 namespace {
@@ -15,18 +18,79 @@ Animation Load(const std::string& name) {
   return CompileAnimation(project.value()).value().animation;
 }
 
-void BM_Bake(benchmark::State& state, const std::string& name) {
-  const Animation animation = Load(name);
-  for (auto _ : state) benchmark::DoNotOptimize(Bake(animation).value().frames.data());
+template <typename Action>
+void Register(const std::string& name, Action action) {
+  benchmark::RegisterBenchmark(name.c_str(), action)->Unit(benchmark::kMicrosecond);
 }
-BENCHMARK_CAPTURE(BM_Bake, throw, "throw")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_Bake, jump, "jump")->Unit(benchmark::kMicrosecond);
 
-void BM_LoadAndCompile(benchmark::State& state, const std::string& name) {
-  for (auto _ : state) benchmark::DoNotOptimize(Load(name).joint_keys.data());
+void RegisterBake(const std::string& name, const Animation& animation) {
+  Register(name + "/bake", [animation](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(Bake(animation).value().frames.data());
+  });
 }
-BENCHMARK_CAPTURE(BM_LoadAndCompile, throw, "throw")->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_LoadAndCompile, jump, "jump")->Unit(benchmark::kMicrosecond);
+
+void RegisterLoad(const std::string& name) {
+  Register(name + "/load and compile", [name](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(Load(name).joint_keys.data());
+  });
+}
+
+// One key goes up and down by a hundredth of a radian; the motion is asked for up to `frame`.
+void RegisterEdit(const std::string& name, const Animation& animation, const char* joint,
+                  double key_frame, int frame, const std::string& what) {
+  Register(name + "/" + what, [=](benchmark::State& state) {
+    Animation edited = animation;
+    IncrementalBake bake(edited);
+    if (bake.Finish()) return state.SkipWithError("it cannot be baked");
+    double step = 0.01;
+    for (auto _ : state) {
+      for (Key& key : test::KeysOf(&edited, joint)) {
+        if (key.frame == key_frame) key.value += step;
+      }
+      step = -step;
+      bake.Update(edited);
+      if (bake.BakeTo(frame)) return state.SkipWithError("it cannot be baked");
+    }
+  });
+}
+
+void RegisterEdits() {
+  const Animation animation = Load("throw");
+  const auto edit = [&](const char* joint, double frame, const std::string& what) {
+    RegisterEdit("throw", animation, joint, frame, 30, what);
+  };
+  edit("neck_flexion", 5, "move a key of the neck");
+  edit("l_elbow_flexion", 30, "move a key of the left elbow after the region");
+  edit("l_elbow_flexion", 5, "move a key of the left elbow where the region begins");
+  edit("r_elbow_flexion", 5, "move a key of the right elbow where the region begins");
+  edit("chest_flexion", 15, "move a key of the chest in the region");
+}
+
+// One of the regions lies between frames 5010 and 5020; at 5100 the other foot is pinned.
+void RegisterLongEdits() {
+  const std::string name = "10000 frames and 100 regions";
+  const Animation animation = test::LongTimeline(10000, 100);
+  RegisterBake(name, animation);
+  const auto edit = [&](const char* joint, int key_frame, int frame, const std::string& what) {
+    RegisterEdit(name, animation, joint, key_frame, frame, what);
+  };
+  edit("neck_flexion", 5010, 10000, "move a key of the neck");
+  edit("l_elbow_flexion", 5010, 10000, "move a key of an elbow where a region begins");
+  edit("chest_flexion", 5020, 10000, "move a key of the chest in a region");
+  edit("l_knee", 5100, 5110, "move a key of the pinned leg and show the next frames");
+  edit("l_knee", 5100, 10000, "move a key of the pinned leg and show the last frame");
+}
 
 }  // namespace
 }  // namespace hazumi
+
+int main(int argc, char** argv) {
+  for (const char* name : {"throw", "jump"}) {
+    hazumi::RegisterBake(name, hazumi::Load(name));
+    hazumi::RegisterLoad(name);
+  }
+  hazumi::RegisterEdits();
+  hazumi::RegisterLongEdits();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -7,18 +7,20 @@
 #include "tests/bench/tables.h"
 
 int main(int argc, char** argv) {
-  using hazumi::bench::PrintCalls, hazumi::bench::PrintScaling, hazumi::bench::PrintWorkPrecision;
+  using namespace hazumi::bench;  // NOLINT: the tables
   struct Table {
     const char* name;
     void (*print)(int);
   };
-  const Table tables[] = {
-      {"calls", PrintCalls}, {"work_precision", PrintWorkPrecision}, {"scaling", PrintScaling}};
+  const Table tables[] = {{"calls", PrintCalls},
+                          {"work_precision", PrintWorkPrecision},
+                          {"scaling", PrintScaling},
+                          {"stability", PrintStability}};
   for (const Table& table : tables) {
     if (argc != 3 || std::strcmp(argv[1], table.name) != 0) continue;
     table.print(std::atoi(argv[2]));
     return 0;
   }
-  std::fprintf(stderr, "usage: %s calls|work_precision|scaling ROUNDS\n", argv[0]);
+  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability ROUNDS\n", argv[0]);
   return 2;
 }

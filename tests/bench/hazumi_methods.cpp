@@ -1,7 +1,10 @@
 // Our own ways to swing. To add one: another function here, and its name in HazumiMethods.
 
 #include <limits>
+#include <memory>
+#include <string>
 
+#include "engine/passive/exact_solver.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "tests/bench/subject.h"
@@ -52,8 +55,61 @@ SwingMethod PaperMethod(const Figure& arm) {
           [swing](const SwingCase& c, double steps) { return swing->Run(c, steps); }};
 }
 
+// The solver of exact regions, with everything it needs made once. Settings are the tolerances of
+// single steps.
+class ExactSwing {
+ public:
+  explicit ExactSwing(const Figure& figure) {
+    const int n = figure.num_joints();
+    still_.angles.resize(n + kRootAngles);
+    request_.roles.assign(n, Role::kFree);
+    request_.roles.resize(n + kRootAngles, Role::kConstant);
+    request_.angles = VecX::Zero(n + kRootAngles);
+    model_ = CompileRegionModels(figure, request_).front();
+  }
+
+  VecX Run(const SwingCase& c, double tolerance) {
+    if (!solver_ || name_ != c.name) Prepare(c);
+    solver_->SetTolerance(tolerance);
+    solver_->Start(0.0, c.q, c.qd);
+    while (solver_->time() < c.seconds) {
+      if (solver_->Advance(c.seconds)) {
+        return VecX::Constant(c.q.size(), std::numeric_limits<double>::infinity());
+      }
+    }
+    return solver_->q();
+  }
+
+ private:
+  void Prepare(const SwingCase& c) {
+    const VecX rates = -30.0 * c.friction.array().log();
+    dynamics_ = std::make_unique<RegionDynamics>(model_, rates, kGravity);
+    dynamics_->SetDriven(&still_, 0.0, c.seconds);
+    solver_ = std::make_unique<ExactSolver>(dynamics_.get(), c.lower, c.upper);
+    name_ = c.name;
+  }
+
+  ModelRequest request_;
+  RegionModel model_;
+  DrivenMotion still_;
+  std::string name_;
+  std::unique_ptr<RegionDynamics> dynamics_;
+  std::unique_ptr<ExactSolver> solver_;
+};
+
+SwingMethod ExactMethod(const Figure& arm) {
+  const auto swing = std::make_shared<ExactSwing>(arm);
+  return {"hazumi_exact",
+          "rad a step",
+          {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13},
+          [](const SwingCase&) { return true; },
+          [swing](const SwingCase& c, double tolerance) { return swing->Run(c, tolerance); }};
+}
+
 }  // namespace
 
-std::vector<SwingMethod> HazumiMethods(const Figure& arm) { return {PaperMethod(arm)}; }
+std::vector<SwingMethod> HazumiMethods(const Figure& arm) {
+  return {ExactMethod(arm), PaperMethod(arm)};
+}
 
 }  // namespace hazumi::bench

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "tests/bench/mujoco_ball_model.h"
 #include "tests/bench/peer_joints.h"
+#include "tests/bench/step_method.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 #include "tests/support/mujoco_figure.h"
@@ -162,6 +164,33 @@ SwingMethod Method(const char* name, mjtIntegrator integrator, std::vector<doubl
           }};
 }
 
+// MuJoCo starts anew, with a warning, from a state that is not finite or beyond 1e10.
+bool HasGivenUp(const mjData* data) {
+  const mjWarningStat* warning = data->warning;
+  return warning[mjWARN_BADQPOS].number + warning[mjWARN_BADQVEL].number +
+             warning[mjWARN_BADQACC].number >
+         0;
+}
+
+double EnergyAfterASecond(MujocoArm* arm, const VecX& q, const VecX& qd, int steps) {
+  arm->SetState(q, qd);
+  arm->model()->opt.timestep = 1.0 / steps;
+  for (int i = 0; i < steps && !HasGivenUp(arm->data()); ++i) mj_step(arm->model(), arm->data());
+  if (HasGivenUp(arm->data())) return std::numeric_limits<double>::quiet_NaN();
+  arm->model()->opt.enableflags |= mjENBL_ENERGY;
+  mj_forward(arm->model(), arm->data());
+  arm->model()->opt.enableflags &= ~mjENBL_ENERGY;
+  return arm->data()->energy[0] + arm->data()->energy[1];
+}
+
+StepMethod InSteps(const char* name, mjtIntegrator integrator,
+                   const std::shared_ptr<MujocoArm>& arm) {
+  return {name, [arm, integrator](const VecX& q, const VecX& qd, int steps) {
+            arm->model()->opt.integrator = integrator;
+            return EnergyAfterASecond(arm.get(), q, qd, steps);
+          }};
+}
+
 }  // namespace
 
 std::unique_ptr<Subject> MakeMujoco(const Figure& figure) {
@@ -172,12 +201,31 @@ std::unique_ptr<Subject> MakeMujocoWithBalls(const Figure& figure) {
   return std::make_unique<MujocoWithBalls>(figure);
 }
 
-std::vector<SwingMethod> MujocoMethods(const Figure& arm) {
+namespace {
+
+std::shared_ptr<MujocoArm> ArmOfHinges(const Figure& arm) {
   const test::MujocoFigure figure(arm, Pose(), Vec3(0.0, 0.0, -kGravity));
-  const auto hinges = std::make_shared<MujocoArm>(
+  return std::make_shared<MujocoArm>(
       std::shared_ptr<mjModel>(mj_copyModel(nullptr, figure.model()), mj_deleteModel),
       std::vector<BallJoint>());
-  const auto ball = std::make_shared<MujocoArm>(LoadMujocoModelWithBalls(arm), BallJoints(arm));
+}
+
+std::shared_ptr<MujocoArm> ArmOfBalls(const Figure& arm) {
+  return std::make_shared<MujocoArm>(LoadMujocoModelWithBalls(arm), BallJoints(arm));
+}
+
+}  // namespace
+
+std::vector<StepMethod> MujocoStepMethods(const Figure& arm) {
+  mju_user_warning = [](const char*) {};  // no log file of the swings that are lost
+  const auto hinges = ArmOfHinges(arm), ball = ArmOfBalls(arm);
+  return {InSteps("mujoco_euler", mjINT_EULER, hinges), InSteps("mujoco_rk4", mjINT_RK4, hinges),
+          InSteps("mujoco_euler_ball", mjINT_EULER, ball),
+          InSteps("mujoco_rk4_ball", mjINT_RK4, ball)};
+}
+
+std::vector<SwingMethod> MujocoMethods(const Figure& arm) {
+  const auto hinges = ArmOfHinges(arm), ball = ArmOfBalls(arm);
   const std::vector<double> euler = GeometricSettings(16, 4, 7);
   const std::vector<double> rk4 = GeometricSettings(8, 2, 11);
   return {Method("mujoco_euler", mjINT_EULER, euler, hinges),

@@ -11,5 +11,7 @@ void PrintCalls(int rounds);
 void PrintWorkPrecision(int rounds);
 // Forward dynamics of growing figures: method, shape, joints, microseconds.
 void PrintScaling(int rounds);
+// Steps that survive: slice, method, its two coordinates, largest step in s, empty if none did.
+void PrintStability(int rounds);
 
 }  // namespace hazumi::bench

@@ -91,13 +91,15 @@ Figure Human37() {
   return Build(spec);
 }
 
-Figure Arm7() {
+FigureSpec Arm7Spec() {
   FigureSpec spec;
   spec.name = "arm7";
   spec.root_name = "base";
   AddParts(ArmParts("r", "base", Vec3::Zero()), &spec);
-  return Build(spec);
+  return spec;
 }
+
+Figure Arm7() { return Build(Arm7Spec()); }
 
 Figure Pendulum(double mass, double radius, double length) {
   FigureSpec spec;

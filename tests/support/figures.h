@@ -15,6 +15,7 @@ Figure Human37();
 
 // The right arm of that human on a fixed root: shoulder y x z, elbow y z, wrist x y.
 Figure Arm7();
+FigureSpec Arm7Spec();  // to be changed before it is built
 
 // One hinge about y with a cylinder hanging from it.
 Figure Pendulum(double mass, double radius, double length);

@@ -22,8 +22,10 @@ VecX Multipliers::Solve() const {
   const auto n = M.rows(), k = C.rows();
   MatX A = MatX::Zero(n + k, n + k);
   A.topLeftCorner(n, n) = M;
-  A.topRightCorner(n, k) = -C.transpose();
-  A.bottomLeftCorner(k, n) = C;
+  if (k > 0) {  // C has no columns before its first row
+    A.topRightCorner(n, k) = -C.transpose();
+    A.bottomLeftCorner(k, n) = C;
+  }
   VecX right(n + k);
   right << rhs, c;
   return A.partialPivLu().solve(right).head(n);

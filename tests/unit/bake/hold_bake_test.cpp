@@ -80,6 +80,9 @@ TEST(Hold, OutOfReachIsAnErrorWithFrameAndDistance) {
   const Error error = BakeError(animation);
   EXPECT_EQ(error.code, ErrorCode::kSemantics);
   EXPECT_EQ(error.place, "holds[0]");
+  Animation continuous = animation;
+  continuous.solver.method = Method::kExact;
+  EXPECT_EQ(BakeError(continuous).ToString(), error.ToString());
   // At frame 5 the hip is 1.05 m high. The leg is 0.4 + 0.4 + sqrt(0.15^2 + 0.07^2) m long.
   animation.holds.clear();
   const Vec3 toe = OriginOf(animation, BakeOrFail(animation).frames[0], "r_toe");

@@ -57,6 +57,19 @@ TEST(Region, StartsWithTheLeftDerivativeOfTheCurveElse) {
   ExpectContinuous(motion.frames[5]);
 }
 
+// Nothing of the first region is left in the error estimate of the second.
+TEST(Region, MayFreeAJointOnceMore) {
+  Animation animation = RightArmSwings(5, 10);
+  animation.solver.method = Method::kExact;
+  AddRegion(&animation, "again", 20, 25, {"r_shoulder"}, 0.8);
+  for (DynamicsRegion& region : animation.regions) region.method = Method::kExact;
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_TRUE(motion.warnings.empty());
+  for (const RegionReport& region : motion.regions) {
+    EXPECT_LE(region.error_estimate, region.tolerance);
+  }
+}
+
 TEST(Region, StartsBetweenKeysWithTheLeftDerivativeOfTheCurve) {
   Animation keyed = RightArmSwings(3, 15);
   const Motion motion = BakeOrFail(keyed);

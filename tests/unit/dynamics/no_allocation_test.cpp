@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inertia_matrix.h"
 #include "engine/passive/paper_step.h"
@@ -79,6 +80,15 @@ TEST_F(NoAllocation, InForwardDynamicsByArticulatedBodies) {
 
 TEST_F(NoAllocation, InDenseForwardDynamics) {
   ExpectNone([&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
+}
+
+TEST_F(NoAllocation, InTheDynamicsOfAWholeFigure) {
+  const FigureDynamics dynamics(figure_);
+  FigureScratch scratch = dynamics.MakeScratch();
+  ExpectNone([&] {
+    dynamics.InverseDynamics(Pose(), root_, q_, qd_, qdd_, &ends_, &scratch, &tau_);
+    (void)dynamics.ForwardDynamics(Pose(), root_, q_, qd_, tau_, &ends_, &scratch, &qdd_);
+  });
 }
 
 std::vector<JointIndex> AllJoints(const Figure& figure) {

@@ -125,7 +125,7 @@ std::vector<RegionDynamics> ModelCase::Models(const VecX* friction) const {
   for (RegionModel& model : CompileRegionModels(sample.figure, request)) {
     RegionDynamics dynamics(model, VecX::Zero(model.num_free), kGravity);
     if (friction) dynamics = RegionDynamics(model, Gather(dynamics, *friction), kGravity);
-    dynamics.SetDriven(&driven);
+    dynamics.SetDriven(&driven, t - 0.05, t + 0.05);
     all.push_back(std::move(dynamics));
   }
   return all;
@@ -151,10 +151,10 @@ VecX HingeAccelerations(RegionDynamics* dynamics, double t, const VecX& q, const
 }
 
 VecX VelocityDerivatives(RegionDynamics* dynamics, double t, const VecX& q, const VecX& qd) {
-  VecX y(dynamics->state_size()), dy(dynamics->state_size());
-  dynamics->Pack(q, qd, y.data());
+  VecX y(dynamics->layout().state_size()), dy(dynamics->layout().state_size());
+  dynamics->layout().Pack(q, qd, y.data());
   dynamics->Derivative(t, y.data(), dy.data());
-  return dy.tail(dynamics->num_velocities());
+  return dy.tail(dynamics->layout().num_dofs());
 }
 
 // With u_i the axes in the body's frame, w = sum of u_i rate_i and u_i' = -(sum over j > i of

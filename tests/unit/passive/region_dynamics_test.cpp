@@ -139,9 +139,9 @@ TEST(RegionDynamics, FrictionSlowsHingesAndTheFreeRootAnswers) {
     const VecX q = Gather(plain, c.q), qd = Gather(plain, c.qd);
     const VecX free = VelocityDerivatives(&plain, c.t, q, qd);
     const VecX change = VelocityDerivatives(&slowed, c.t, q, qd) - free;
-    VecX y(plain.state_size());
-    plain.Pack(q, qd, y.data());
-    const VecX expected = -2.5 * y.tail(plain.num_velocities());
+    VecX y(plain.layout().state_size());
+    plain.layout().Pack(q, qd, y.data());
+    const VecX expected = -2.5 * y.tail(plain.layout().num_dofs());
     const int n = static_cast<int>(change.size()) - 3;
     EXPECT_LE((change.tail(n) - expected.tail(n)).norm(), 1e-10 * free.norm()) << "seed " << seed;
     // In hinge coordinates the same: M change has no component along the root.

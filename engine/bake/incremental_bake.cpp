@@ -1,0 +1,167 @@
+#include "engine/bake/incremental_bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+// Whether an edit goes beyond keys and the settings of regions.
+bool IsSameOtherwise(const Animation& a, const Animation& b) {
+  return a.figure == b.figure && a.rate == b.rate && a.first_frame == b.first_frame &&
+         a.last_frame == b.last_frame && a.solver == b.solver && a.gravity == b.gravity &&
+         a.regions.size() == b.regions.size() && a.placements == b.placements &&
+         a.holds == b.holds && a.held_objects == b.held_objects && a.scene == b.scene;
+}
+
+// The frame from which on a curve can differ whose keys are the same up to number `first`: the
+// tangent at the key before looks ahead to it.
+double FirstReach(const Keys& keys, size_t first) {
+  if (first == 0) return -kEver;
+  return keys[first < 2 ? 0 : first - 2].frame;
+}
+
+}  // namespace
+
+IncrementalBake::IncrementalBake(Animation animation, const BakeOptions& options)
+    : options_(options) {
+  StartAnew(animation);
+}
+
+void IncrementalBake::StartAnew(const Animation& animation) {
+  animation_ = animation;
+  baker_ = std::make_unique<Baker>(animation_, options_, &motion_);
+  for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
+  parts_.clear();
+  MakeStale({-kEver, kEver});
+}
+
+void IncrementalBake::KeepLogs(const Stretch& stretch) {
+  known_.insert(known_.end(), stretch.logs.begin(), stretch.logs.end());
+}
+
+void IncrementalBake::Update(const Animation& animation) {
+  if (!IsSameOtherwise(animation_, animation)) return StartAnew(animation);
+  Reach reach{kEver, -kEver};
+  for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
+    ChangeKeys(animation.joint_keys[j], &animation_.joint_keys[j], &reach);
+  }
+  for (size_t i = 0; i < animation.root_keys.size(); ++i) {
+    ChangeKeys(animation.root_keys[i], &animation_.root_keys[i], &reach);
+  }
+  if (animation_.regions != animation.regions) ChangeRegions(animation, &reach);
+  if (reach.first <= reach.last) MakeStale(reach);
+}
+
+void IncrementalBake::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {
+  const auto [old_first, new_first] =
+      std::mismatch(keys->begin(), keys->end(), next.begin(), next.end());
+  if (old_first == keys->end() && new_first == next.end()) return;
+  reach->Include(FirstReach(*keys, old_first - keys->begin()));
+  const auto [old_last, new_last] =
+      std::mismatch(keys->rbegin(), keys->rend(), next.rbegin(), next.rend());
+  if (old_last != keys->rend()) reach->Include(old_last->frame);
+  if (new_last != next.rend()) reach->Include(new_last->frame);
+  baker_->RemoveKeys(*keys);
+  *keys = next;
+  baker_->AddKeys(*keys);
+}
+
+void IncrementalBake::ChangeRegions(const Animation& next, Reach* reach) {
+  const auto include = [&](const DynamicsRegion& region) {
+    reach->Include(region.last_frame);
+    // The curves arrive at the first frame with other tangents.
+    for (const JointIndex j : region.joints) {
+      const Keys& keys = animation_.joint_keys[j.value()];
+      const auto is_before = [](const Key& key, double frame) { return key.frame < frame; };
+      const auto key = std::lower_bound(keys.begin(), keys.end(), region.first_frame, is_before);
+      reach->Include(key == keys.begin() ? -kEver : std::prev(key)->frame);
+    }
+  };
+  for (size_t r = 0; r < next.regions.size(); ++r) {
+    if (animation_.regions[r] == next.regions[r]) continue;
+    include(animation_.regions[r]);
+    include(next.regions[r]);
+  }
+  animation_.regions = next.regions;
+  baker_->RegionsChanged();
+}
+
+void IncrementalBake::MakeStale(const Reach& reach) {
+  error_.reset();
+  auto part = parts_.begin();
+  if (reach.first < animation_.first_frame) {
+    has_begun_ = false;
+    fresh_until_ = animation_.first_frame;
+  } else if (!parts_.empty()) {
+    part = std::prev(parts_.upper_bound(static_cast<int>(std::floor(reach.first))));
+    fresh_until_ = std::min(fresh_until_, part->first);
+  }
+  for (; part != parts_.end() && part->first <= reach.last; ++part) part->second.is_stale = true;
+}
+
+std::optional<Error> IncrementalBake::BakeTo(int frame) {
+  if (is_fresh(frame)) return std::nullopt;
+  while (!error_ && !is_fresh(frame)) {
+    std::optional<Error> error = has_begun_ ? BakeStaleStretch() : Begin();
+    if (!error) continue;
+    if (error->code == ErrorCode::kInterrupted) return error;
+    error_ = std::move(error);
+  }
+  known_.clear();
+  CollectEvents();
+  return error_;
+}
+
+std::optional<Error> IncrementalBake::Begin() {
+  Result<Checkpoint> start = baker_->Begin();
+  if (!start.ok()) return start.error();
+  parts_[animation_.first_frame].stretch.start = std::move(start.value());
+  has_begun_ = true;
+  return std::nullopt;
+}
+
+std::optional<Error> IncrementalBake::BakeStaleStretch() {
+  const auto part = parts_.find(fresh_until_);
+  KeepLogs(part->second.stretch);
+  if (const auto next = std::next(part); next != parts_.end()) KeepLogs(next->second.stretch);
+  Result<std::optional<Checkpoint>> end = baker_->BakeStretch(known_, &part->second.stretch);
+  if (!end.ok()) return end.error();
+  ++stretches_baked_;
+  part->second.is_stale = false;
+  Join(std::move(end.value()));
+  return std::nullopt;
+}
+
+// What comes next is stale unless it begins in the same way as before.
+void IncrementalBake::Join(std::optional<Checkpoint> next) {
+  auto after = parts_.upper_bound(fresh_until_);
+  while (after != parts_.end() && !(next && after->first >= next->frame)) {
+    KeepLogs(after->second.stretch);
+    after = parts_.erase(after);
+  }
+  if (next) {
+    const bool is_new = after == parts_.end() || after->first != next->frame;
+    if (is_new) after = parts_.emplace_hint(after, next->frame, Part());
+    if (is_new || after->second.stretch.start != *next) {
+      after->second.stretch.start = std::move(*next);
+      after->second.is_stale = true;
+    }
+  }
+  const auto stale =
+      std::find_if(after, parts_.end(), [](const auto& p) { return p.second.is_stale; });
+  fresh_until_ = stale == parts_.end() ? animation_.last_frame + 1 : stale->first;
+}
+
+void IncrementalBake::CollectEvents() {
+  motion_.events.clear();
+  motion_.warnings.clear();
+  for (const auto& [frame, part] : parts_) part.stretch.AppendTo(&motion_);
+  SortByTime(&motion_.events);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/bake/group_solution.h"
+#include "engine/bake/motion.h"
+#include "engine/bake/object_flight.h"
+#include "engine/placement/continuous_gravity.h"
+#include "engine/placement/gravity_placement.h"
+#include "engine/placement/hold_solver.h"
+#include "engine/timeline/curve_track.h"
+
+namespace hazumi {
+
+// All that the rest of a bake depends on besides the animation: the figure at a frame, before
+// anything there ends or begins, while no region is active.
+struct Checkpoint {
+  struct Hold {
+    size_t index;  // of Animation::holds
+    HoldTarget target;
+    bool operator==(const Hold&) const = default;
+  };
+
+  int frame = 0;
+  FigureMotion now;
+  MotionLimit before;
+  std::vector<CurveTrack::Piece> pieces;  // that lead there: of all joints, then of the root
+  std::optional<size_t> span;             // index of Animation::placements
+  Vec3 pin_W = Vec3::Zero();
+  std::optional<GravityPlacement::State> gravity;
+  std::optional<ContinuousGravity::State> fall;
+  std::vector<Hold> holds;
+  std::vector<ObjectFlight> objects;
+  bool operator==(const Checkpoint&) const = default;
+};
+
+// A part of a bake: from a checkpoint up to the next, or to the end. It depends on its beginning
+// and on the animation, on nothing else.
+struct Stretch {
+  Checkpoint start;
+  std::vector<MotionEvent> events;
+  std::vector<Warning> warnings;
+  GroupLogs logs;  // of the exact regions in it
+
+  void AppendTo(Motion* motion) const {
+    motion->events.insert(motion->events.end(), events.begin(), events.end());
+    motion->warnings.insert(motion->warnings.end(), warnings.begin(), warnings.end());
+  }
+};
+
+}  // namespace hazumi

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/dynamics/forward_dynamics.h"
+#include "engine/dynamics/inverse_dynamics.h"
+#include "engine/dynamics/lane_kernels.h"
+#include "engine/dynamics/lane_plan.h"
+
+namespace hazumi {
+
+// Instructions to compute with. Both give the same bits.
+enum class Instructions { kBaseline, kAvx2 };
+Instructions BestInstructions();  // of this machine
+
+// Scratch of FigureDynamics: one for each thread that evaluates. Debug builds fill it with NaN.
+struct FigureScratch {
+  explicit FigureScratch(const LanePlan& plan);
+
+  LaneArray array;         // as LanePlan lays it out
+  std::vector<Mat3> R_WB;  // by body, for forces on end links
+  double* data() { return array.data(); }
+};
+
+// Inverse and forward dynamics of a whole figure, from angles to torques or accelerations, O(N).
+// The figure is prepared once; an evaluation then neither allocates nor computes anything twice.
+// For what is needed of single bodies on the way see inverse_dynamics.h.
+//
+// q [rad], qd [rad/s], qdd [rad/s^2], tau [N m]: one entry a joint; results are not resized.
+// `root.a` is the acceleration of the root minus gravity. `ends` may be null.
+class FigureDynamics {
+ public:
+  explicit FigureDynamics(const Figure& figure, Instructions instructions = BestInstructions());
+
+  FigureScratch MakeScratch() const { return FigureScratch(plan_); }
+
+  // T = Dinv(q, qd, qdd, a, Kf, Kn) [Arai (1)], by Newton and Euler.
+  void InverseDynamics(const Pose& X_WR, const RootMotion& root, const VecX& q, const VecX& qd,
+                       const VecX& qdd, const EndForces* ends, FigureScratch* scratch,
+                       VecX* tau) const;
+
+  // H qdd = tau - B [Arai (2)] solved for qdd by articulated bodies. Fails when a joint moves no
+  // mass, and names it.
+  std::optional<SingularInertia> ForwardDynamics(const Pose& X_WR, const RootMotion& root,
+                                                 const VecX& q, const VecX& qd, const VecX& tau,
+                                                 const EndForces* ends, FigureScratch* scratch,
+                                                 VecX* qdd) const;
+
+ private:
+  void SetRoot(const Pose& X_WR, const RootMotion& root, FigureScratch* scratch) const;
+  void SubtractEndForces(const Pose& X_WR, const EndForces& ends, FigureScratch* scratch) const;
+  Mat3 RotationFromParent(const LaneBody& body, const double* scratch) const;
+  bool IsSmall(JointIndex joint, const double* scratch) const;
+  SingularInertia FindSingular(const double* scratch) const;
+
+  LanePlan plan_;
+  LaneKernels kernels_;
+  std::vector<int> end_bodies_;  // in the order of EndJoints
+};
+
+}  // namespace hazumi

@@ -1,0 +1,150 @@
+#include "engine/dynamics/lane_numbers.h"
+
+// Vectors and matrices whose every entry is one number a lane.
+
+template <typename V>
+struct Triple {
+  V e[3];
+};
+
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> operator+(const Triple<V>& a, const Triple<V>& b) {
+  return {{a.e[0] + b.e[0], a.e[1] + b.e[1], a.e[2] + b.e[2]}};
+}
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> Scaled(V s, const Triple<V>& a) {
+  return {{s * a.e[0], s * a.e[1], s * a.e[2]}};
+}
+template <typename V>
+HAZUMI_LANE_INLINE V Dot(const Triple<V>& a, const Triple<V>& b) {
+  return a.e[0] * b.e[0] + a.e[1] * b.e[1] + a.e[2] * b.e[2];
+}
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> Cross(const Triple<V>& a, const Triple<V>& b) {
+  return {{a.e[1] * b.e[2] - a.e[2] * b.e[1], a.e[2] * b.e[0] - a.e[0] * b.e[2],
+           a.e[0] * b.e[1] - a.e[1] * b.e[0]}};
+}
+
+// Symmetric 3 x 3: the diagonal, and o[k] the entry of the two indices other than k.
+template <typename V>
+struct Symmetric {
+  V d[3], o[3];
+  HAZUMI_LANE_INLINE V& at(int i, int j) { return i == j ? d[i] : o[3 - i - j]; }
+  HAZUMI_LANE_INLINE const V& at(int i, int j) const { return i == j ? d[i] : o[3 - i - j]; }
+};
+
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> operator*(const Symmetric<V>& S, const Triple<V>& x) {
+  return {{S.d[0] * x.e[0] + S.o[2] * x.e[1] + S.o[1] * x.e[2],
+           S.o[2] * x.e[0] + S.d[1] * x.e[1] + S.o[0] * x.e[2],
+           S.o[1] * x.e[0] + S.o[0] * x.e[1] + S.d[2] * x.e[2]}};
+}
+
+// Rows.
+template <typename V>
+struct Square {
+  Triple<V> row[3];
+};
+
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> operator*(const Square<V>& A, const Triple<V>& x) {
+  return {{Dot(A.row[0], x), Dot(A.row[1], x), Dot(A.row[2], x)}};
+}
+template <typename V>
+HAZUMI_LANE_INLINE Triple<V> TransposeTimes(const Square<V>& A, const Triple<V>& x) {
+  return Scaled(x.e[0], A.row[0]) + Scaled(x.e[1], A.row[1]) + Scaled(x.e[2], A.row[2]);
+}
+template <typename V>
+HAZUMI_LANE_INLINE Square<V> Transposed(const Square<V>& A) {
+  Square<V> T;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) T.row[i].e[j] = A.row[j].e[i];
+  }
+  return T;
+}
+
+// A turn by an angle about the axis of slot K, from its cosine and sine: from the axes of the body
+// to those before the turn, and back.
+template <typename V>
+struct Turn {
+  V c, s;
+};
+template <int K, typename V>
+HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Triple<V>* x) {
+  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+  const V a = x->e[I], b = x->e[J];
+  x->e[I] = turn.c * a - turn.s * b;
+  x->e[J] = turn.s * a + turn.c * b;
+}
+template <int K, typename V>
+HAZUMI_LANE_INLINE void Outwards(const Turn<V>& turn, Triple<V>* x) {
+  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+  const V a = x->e[I], b = x->e[J];
+  x->e[I] = turn.c * a + turn.s * b;
+  x->e[J] = turn.c * b - turn.s * a;
+}
+// S := R S R^T and A := R A R^T.
+template <int K, typename V>
+HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Symmetric<V>* S) {
+  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+  const V ii = turn.c * S->d[I] - turn.s * S->o[K], ij = turn.c * S->o[K] - turn.s * S->d[J];
+  const V ji = turn.s * S->d[I] + turn.c * S->o[K], jj = turn.s * S->o[K] + turn.c * S->d[J];
+  const V ki = S->o[J], kj = S->o[I];
+  S->d[I] = turn.c * ii - turn.s * ij;
+  S->o[K] = turn.s * ii + turn.c * ij;
+  S->d[J] = turn.s * ji + turn.c * jj;
+  S->o[J] = turn.c * ki - turn.s * kj;
+  S->o[I] = turn.s * ki + turn.c * kj;
+}
+template <int K, typename V>
+HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Square<V>* A) {
+  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
+  const Triple<V> a = A->row[I], b = A->row[J];
+  for (int i = 0; i < 3; ++i) {
+    A->row[I].e[i] = turn.c * a.e[i] - turn.s * b.e[i];
+    A->row[J].e[i] = turn.s * a.e[i] + turn.c * b.e[i];
+  }
+  for (Triple<V>& row : A->row) Inwards<K>(turn, &row);
+}
+
+// F A F^T for any A, and for a symmetric one.
+template <typename V>
+HAZUMI_LANE_INLINE Square<V> Conjugated(const Square<V>& F, const Square<V>& A) {
+  Square<V> result;
+  for (int i = 0; i < 3; ++i) result.row[i] = F * TransposeTimes(A, F.row[i]);
+  return result;
+}
+template <typename V>
+HAZUMI_LANE_INLINE Symmetric<V> Conjugated(const Square<V>& F, const Symmetric<V>& S) {
+  Symmetric<V> result;
+  for (int i = 0; i < 3; ++i) {
+    const Triple<V> row = S * F.row[i];
+    for (int j = i; j < 3; ++j) result.at(i, j) = Dot(row, F.row[j]);
+  }
+  return result;
+}
+
+// Fields that follow each other in memory, `W` numbers each.
+template <int W, int N>
+HAZUMI_LANE_INLINE void LoadFields(const double* at, typename LanesOf<W>::Real* fields) {
+  for (int f = 0; f < N; ++f) fields[f] = Load<W>(at + f * W);
+}
+template <int W, typename V = typename LanesOf<W>::Real>
+HAZUMI_LANE_INLINE Triple<V> LoadTriple(const double* at) {
+  return {{Load<W>(at), Load<W>(at + W), Load<W>(at + 2 * W)}};
+}
+template <int W, typename V = typename LanesOf<W>::Real>
+HAZUMI_LANE_INLINE void StoreTriple(double* at, const Triple<V>& x) {
+  for (int i = 0; i < 3; ++i) Store<W>(at + i * W, x.e[i]);
+}
+template <int W, typename V = typename LanesOf<W>::Real>
+HAZUMI_LANE_INLINE Square<V> LoadSquare(const double* at) {
+  return {{LoadTriple<W>(at), LoadTriple<W>(at + 3 * W), LoadTriple<W>(at + 6 * W)}};
+}
+template <int W, typename V = typename LanesOf<W>::Real>
+HAZUMI_LANE_INLINE Symmetric<V> LoadSymmetric(const double* at) {
+  Symmetric<V> S;
+  for (int i = 0; i < 3; ++i) S.d[i] = Load<W>(at + i * W);
+  for (int i = 0; i < 3; ++i) S.o[i] = Load<W>(at + (3 + i) * W);
+  return S;
+}

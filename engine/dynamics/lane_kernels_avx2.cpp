@@ -1,0 +1,24 @@
+#include <cstdint>
+
+#include "engine/dynamics/lane_kernels.h"
+
+// The same sweeps for processors with AVX2. Everything above is compiled without it, so that no
+// function of a shared header is.
+
+#if defined(__x86_64__)
+#pragma GCC target("avx2")
+#define HAZUMI_VECTORS_OF_FOUR
+#endif
+
+namespace hazumi {
+
+namespace {
+#include "engine/dynamics/lane_elimination.h"
+}  // namespace
+
+LaneKernels Avx2Kernels(int width) {
+  if (width == 1) return {Start<1>, Torques<1>, Accelerations<1>};
+  return {Start<4>, Torques<4>, Accelerations<4>};
+}
+
+}  // namespace hazumi

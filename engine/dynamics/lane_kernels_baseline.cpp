@@ -1,0 +1,26 @@
+#include <cstdint>
+
+#include "engine/dynamics/lane_kernels.h"
+
+// The sweeps for any processor.
+
+namespace hazumi {
+
+namespace {
+#include "engine/dynamics/lane_elimination.h"
+}  // namespace
+
+LaneKernels BaselineKernels(int width) {
+  if (width == 1) return {Start<1>, Torques<1>, Accelerations<1>};
+  return {Start<4>, Torques<4>, Accelerations<4>};
+}
+
+bool CpuHasAvx2() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return false;
+#endif
+}
+
+}  // namespace hazumi

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/passive/driven_curve.h"
+#include "engine/passive/region_layout.h"
+#include "engine/spatial/small.h"
+
+namespace hazumi {
+
+// What moves from outside in one smooth stretch of time. By Coordinate: read where driven.
+struct DrivenMotion {
+  std::vector<DrivenCurve> angles;
+  std::array<DrivenCurve, 3> root_position;  // read where the root's position is prescribed
+};
+
+// One node at one instant. World axes.
+struct NodeMotion {
+  small::M3 R;                    // world from node
+  small::V3 p, r;                 // its origin: from the root's, from its parent's [m]
+  small::V3 w, alpha, a;          // with the accelerations of free hinges zero
+  std::array<small::V3, 3> axis;  // of its dofs, unit
+  // What it asks of the joint that carries it, about its origin; and its inertia, about the same.
+  small::V3 f, n;
+  double m = 0.0;
+  small::V3 h;  // mass times CoM
+  small::S3 I;
+};
+
+// Places and moves the nodes of a model.
+class NodeKinematics {
+ public:
+  explicit NodeKinematics(const RegionModel& model);
+
+  // Nodes [first, last) from their parents on. `positions`, `velocities`: of the free joints.
+  void Move(const RegionLayout& layout, const DrivenMotion& driven, double t,
+            const double* positions, const double* velocities, int first, int last);
+  // After Move: adds what accelerations x of the free joints do to the nodes from `first` on.
+  void Accelerate(const RegionLayout& layout, const double* x, int first);
+  // Forces and inertias of the dynamic nodes themselves, everything being accelerated by `base`
+  // [m/s^2] on top.
+  void SetOwnForces(const small::V3& base);
+
+  std::vector<NodeMotion>& motion() { return motion_; }
+  const std::vector<NodeMotion>& motion() const { return motion_; }
+  int size() const { return static_cast<int>(motion_.size()); }
+
+ private:
+  struct Node {
+    int parent;
+    small::V3 p_P;
+    int num_hinges;
+    std::array<NodeHinge, 3> hinges;
+    std::array<small::V3, 3> axis;  // of the hinges
+    bool is_dynamic, is_massless;
+    double mass;
+    small::V3 com;
+    small::S3 I_com;
+  };
+
+  void TurnDriven(const Node& node, const DrivenMotion& driven, double t, NodeMotion* own) const;
+  void TurnHinges(const Node& node, const RegionLayout::Node& layout, const double* positions,
+                  const double* velocities, NodeMotion* own) const;
+  void TurnBall(const RegionLayout::Node& layout, const double* positions, const double* velocities,
+                NodeMotion* own) const;
+
+  std::vector<small::V3> dalpha_, da_;  // scratch
+  small::M3 R_root_;
+  std::vector<Node> nodes_;
+  std::vector<NodeMotion> motion_;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/passive/hinge_triple.h"
+#include "engine/passive/region_model.h"
+
+namespace hazumi {
+
+// A hinge that a region frees.
+struct FreeHinge {
+  Coordinate coordinate;
+  int node, slot;  // which hinge of which node
+};
+
+// How the free joints of a model make up a state y: positions, then velocities. A ball joint is a
+// quaternion (w, x, y, z) and an angular velocity in the body's frame, any other free hinge its
+// angle and rate. A locked hinge is no part of it; a ball one of whose hinges is locked goes on as
+// two hinges.
+class RegionLayout {
+ public:
+  enum class NodeKind : char { kStill, kDriven, kHinges, kBall };
+  struct Node {
+    NodeKind kind = NodeKind::kStill;
+    int position = 0;  // of its first in the positions
+    int dof = 0;       // of its first in the velocities
+    int num_dofs = 0;
+    int first_hinge = 0;            // among the free hinges
+    std::array<bool, 3> locked{};   // by hinge of the node
+    std::array<double, 3> angle{};  // of the locked ones [rad]
+  };
+
+  // Nothing locked. `balls`: without it every joint is a chain of hinges, and a state is the angles
+  // and rates of the free hinges.
+  RegionLayout(const RegionModel& model, bool balls);
+
+  void SetLocked(const std::vector<char>& locked, const VecX& angles);
+
+  const std::vector<FreeHinge>& hinges() const { return hinges_; }
+  int num_hinges() const { return static_cast<int>(hinges_.size()); }
+  const Node& node(int i) const { return nodes_[i]; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  // Null unless the node is a ball.
+  const HingeTriple* triple(int node) const;
+  int num_positions() const { return num_positions_; }
+  int num_dofs() const { return num_dofs_; }
+  int state_size() const { return num_positions_ + num_dofs_; }
+  bool is_quaternion(int position) const { return is_quaternion_[position]; }
+
+  // Angles and rates of the free hinges as a state.
+  void Pack(const VecX& q, const VecX& qd, double* y) const;
+  // And back. `q` on entry: angles nearby, which pick branch and turn of ball joints. `lower`,
+  // `upper`: limits, as HingeTriple::Angles.
+  void Unpack(const double* y, const VecX& lower, const VecX& upper, VecX* q, VecX* qd) const;
+
+  // The same of one node's hinges alone.
+  void UnpackNode(int node, const double* y, const VecX& lower, const VecX& upper, VecX* q,
+                  VecX* qd) const;
+  // The first free hinge of the node that a component of the state belongs to.
+  int HingeOf(int component) const;
+
+  // By free hinge: how far two poses are apart [rad]; for the hinges of a ball joint, the angle
+  // between the two orientations.
+  void Distances(const VecX& q, const VecX& other, VecX* distances) const;
+
+ private:
+  std::vector<int> num_hinges_of_;  // by node, free ones
+  std::vector<FreeHinge> hinges_;
+  std::vector<HingeTriple> triples_;
+  std::vector<int> triple_of_;  // by node, -1: none
+  std::vector<Node> nodes_;
+  std::vector<char> is_quaternion_;  // by position
+  int num_positions_ = 0, num_dofs_ = 0;
+};
+
+// The rotation of a quaternion (w, x, y, z) of any length but zero.
+Mat3 RotationOfQuaternion(const double* q);
+
+}  // namespace hazumi

@@ -1,0 +1,86 @@
+// The dynamics of whole figures on the human and on 200 random trees, in random states, in a random
+// field of gravity, with random forces and moments on the end links.
+
+#include "engine/dynamics/figure_dynamics.h"
+#include "tests/support/compare.h"
+#include "tests/support/sample.h"
+
+namespace hazumi::test {
+namespace {
+
+VecX Torques(const Sample& s, const VecX& qdd) {
+  const FigureDynamics dynamics(s.figure);
+  FigureScratch scratch = dynamics.MakeScratch();
+  VecX tau(s.figure.num_joints());
+  dynamics.InverseDynamics(s.moving_root.X_WR(), s.RootLessGravity(), s.q, s.qd, qdd, &s.ends,
+                           &scratch, &tau);
+  return tau;
+}
+
+VecX Accelerations(const Sample& s) {
+  const FigureDynamics dynamics(s.figure);
+  FigureScratch scratch = dynamics.MakeScratch();
+  VecX qdd(s.figure.num_joints());
+  const auto singular = dynamics.ForwardDynamics(s.moving_root.X_WR(), s.RootLessGravity(), s.q,
+                                                 s.qd, s.tau, &s.ends, &scratch, &qdd);
+  EXPECT_FALSE(singular.has_value()) << "seed " << s.seed;
+  return qdd;
+}
+
+// Calls `check(sample)` for every sample; what it returns is a relative difference.
+template <typename Check>
+void ForAllSamples(const char* claim, Root root, double tolerance, const Check& check) {
+  Worst worst(claim);
+  for (uint64_t seed = 0; seed < kSamples; ++seed) {
+    Sample sample(seed, root);
+    EXPECT_LE(worst(check(sample)), tolerance) << "seed " << seed;
+  }
+}
+
+TEST(FigureDynamics, InverseAgreesWithMujoco) {
+  ForAllSamples("figure inverse", Root::kStill, 1e-11, [](Sample& s) {
+    return RelativeDifference(Torques(s, s.qdd), s.mujoco.InverseDynamics(s.qdd, &s.ends));
+  });
+}
+
+TEST(FigureDynamics, InverseAgreesWithMujocoOnATurningAndAcceleratingRoot) {
+  ForAllSamples("figure inverse, moving root", Root::kMoving, 1e-11, [](Sample& s) {
+    const VecX all = s.mujoco.InverseDynamics(s.Join(s.qdd), &s.ends);
+    return RelativeDifference(Torques(s, s.qdd), s.JointRows(all));
+  });
+}
+
+TEST(FigureDynamics, InverseAgreesWithTheRecursionInWorldAxes) {
+  ForAllSamples("figure inverse, two routes", Root::kMoving, 1e-12, [](Sample& s) {
+    DynamicsWorkspace ws = s.Placed();
+    InverseDynamics(s.figure, s.RootLessGravity(), s.qd, s.qdd, &s.ends, &ws);
+    return RelativeDifference(Torques(s, s.qdd), ws.tau);
+  });
+}
+
+TEST(FigureDynamics, ForwardAgreesWithMujoco) {
+  ForAllSamples("figure forward", Root::kStill, 1e-10, [](Sample& s) {
+    return RelativeDifference(Accelerations(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
+  });
+}
+
+// MuJoCo has no forward dynamics on a root that is led: its inverse dynamics must give the torques.
+TEST(FigureDynamics, ForwardOnATurningAndAcceleratingRootIsUndoneByMujocosInverse) {
+  ForAllSamples("figure forward, moving root", Root::kMoving, 1e-10, [](Sample& s) {
+    const VecX all = s.mujoco.InverseDynamics(s.Join(Accelerations(s)), &s.ends);
+    return RelativeDifference(s.JointRows(all), s.tau);
+  });
+}
+
+TEST(FigureDynamics, ForwardAgreesWithTheDenseRoute) {
+  ForAllSamples("figure forward, dense", Root::kMoving, 1e-10, [](Sample& s) {
+    DynamicsWorkspace ws = s.Placed();
+    VecX qdd(s.figure.num_joints());
+    EXPECT_FALSE(
+        ForwardDynamicsDense(s.figure, s.RootLessGravity(), s.qd, s.tau, &s.ends, &ws, &qdd));
+    return RelativeDifference(Accelerations(s), qdd);
+  });
+}
+
+}  // namespace
+}  // namespace hazumi::test
