@@ -9,7 +9,6 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTouch = 1e-10;      // at a stop [rad]
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSameTime = 1e-13;   // [s]
@@ -135,6 +134,7 @@ void ExactSolver::Settle() {
 
 // Lays the state out anew after locks or curves changed.
 void ExactSolver::Relock() {
+  is_cut_ = false;
   dynamics_->SetLocked(locked_, q_);
   const int size = dynamics_->layout().state_size();
   y_.resize(size);
@@ -170,6 +170,7 @@ double ExactSolver::FirstStep(double end) const {
 
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
   if (has_event_) MakeEventHappen();
+  if (is_cut_) GoOnFromCut();
   q_start_ = q_;
   qd_start_ = qd_;
   std::optional<ExactFailure> failure;
@@ -180,12 +181,15 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   sample_q_ = q_;
   dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
   if (!any_limits_) return std::nullopt;
-  double event = FindHit().value_or(kNever);
-  if (any_locked_) event = std::min(event, FindRelease().value_or(kNever));
-  if (event < kNever) {
-    Sample(event, &q_, &qd_);
-    time_ = event;
+  has_event_ = FindHit();
+  const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
+  if (release) {
+    Sample(*release, &sample_q_, &sample_qd_);
+    q_ = sample_q_;
+    qd_ = sample_qd_;
+    time_ = *release;
     has_event_ = true;
+    is_cut_ = false;
   }
   TightenStops();
   return std::nullopt;
@@ -242,7 +246,7 @@ void ExactSolver::MakeDense() {
 void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
   MakeDense();
   step_.At(t, y_.data());
-  const double length = step_.end_time() - step_.start_time();
+  const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? q_start_ : q_;  // nearby, to pick the branch
   qd->resize(q->size());
@@ -298,39 +302,124 @@ bool ExactSolver::FindSuspects() {
   return !suspects_.empty();
 }
 
-// The suspects' angles and rates at t, from the nearer end of the step.
+// The suspects' angles and rates at t, going on from the look before.
 void ExactSolver::SampleSuspects(double t, VecX* q, VecX* qd) {
   step_.At(t, y_.data());
-  *q = t - step_.start_time() < step_.end_time() - t ? q_start_ : q_;
+  *q = before_q_;
   for (const int node : suspects_) {
     dynamics_->layout().UnpackNode(node, y_.data(), lower_now_, upper_now_, q, qd);
   }
 }
 
-// The first time in the step at which a hinge goes out.
-std::optional<double> ExactSolver::FindHit() {
-  if (!FindSuspects()) return std::nullopt;
+// Looks for the first time in the step at which a hinge goes out or a ball joint passes a pole, and
+// ends the step there. True if a hinge goes out.
+bool ExactSolver::FindHit() {
+  if (!FindSuspects()) return false;
   MakeDense();
   constexpr int kLooks = 6;
-  const double start = step_.start_time(), h = step_.end_time() - start;
-  std::optional<double> first;
+  const double start = step_.start_time(), h = step_.end_time() - start, end = time_;
   look_q_ = q_start_;
   look_qd_ = qd_start_;
-  for (int look = 1; look <= kLooks && !first; ++look) {
-    const double before = start + h * (look - 1) / kLooks;
-    const double t = look == kLooks ? time_ : start + h * look / kLooks;
+  double before = start;
+  for (int look = 1; look <= kLooks; ++look) {
+    double t = look == kLooks ? end : start + h * look / kLooks;
     before_q_.swap(look_q_);
     before_qd_.swap(look_qd_);
     look_qd_ = before_qd_;
     SampleSuspects(t, &look_q_, &look_qd_);
-    for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      for (const int side : {-1, 1}) {
-        const std::optional<double> crossing = FindCrossing(i, side, before, t);
-        if (crossing && (!first || *crossing < *first)) first = crossing;
-      }
+    const std::optional<Pole> pole = FindPole(before, t);
+    if (pole) SampleSuspects(t = pole->time, &look_q_, &look_qd_);
+    const std::optional<double> hit = FirstCrossing(before, t);
+    if (hit) SampleSuspects(*hit, &look_q_, &look_qd_);
+    if (hit || pole || look == kLooks) EndStepAt(hit.value_or(t));
+    if (hit) return true;
+    if (pole) {
+      PassPole(pole->node);
+      return false;
+    }
+    before = t;
+  }
+  return false;
+}
+
+std::optional<double> ExactSolver::FirstCrossing(double before, double t) {
+  std::optional<double> first;
+  for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+    for (const int side : {-1, 1}) {
+      const std::optional<double> crossing = FindCrossing(i, side, before, t);
+      if (crossing && (!first || *crossing < *first)) first = crossing;
     }
   }
   return first;
+}
+
+// The solution at t, where the suspects' angles are those of the last look.
+void ExactSolver::EndStepAt(double t) {
+  if (t < time_) {
+    step_.At(t, y_.data());
+    dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, &q_, &qd_);
+    time_ = t;
+  }
+  for (const int node : suspects_) {
+    for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
+      if (dynamics_->hinges()[i].node != node) continue;
+      q_[i] = look_q_[i];
+      qd_[i] = look_qd_[i];
+    }
+  }
+}
+
+// Where between two looks a ball joint is nearest to a pole, if its outer hinges whip round there.
+// Up to that time and from there on they turn by less than half a turn, whose way round is certain.
+std::optional<ExactSolver::Pole> ExactSolver::FindPole(double before, double t) {
+  constexpr double kWhip = 1.0;  // [rad]
+  std::optional<Pole> first;
+  for (const int node : suspects_) {
+    const HingeTriple* triple = dynamics_->layout().triple(node);
+    if (!triple) continue;
+    const int i = dynamics_->layout().node(node).first_hinge;
+    const Vec3 way = (look_q_ - before_q_).segment<3>(i).cwiseAbs();
+    if (std::max(way[0], way[2]) < kWhip) continue;
+    const auto approach = [&](const VecX& q, const VecX& qd) {
+      return triple->Approach(q.segment<3>(i), qd.segment<3>(i));
+    };
+    double a = before, b = t, fa = approach(before_q_, before_qd_), fb = approach(look_q_, look_qd_);
+    if (fa <= 0.0 || fb >= 0.0) continue;
+    for (int k = 0; k < 60 && b - a > kSameTime; ++k) {
+      double m = k % 3 == 2 ? 0.5 * (a + b) : (b * fa - a * fb) / (fa - fb);
+      if (!(m > a && m < b)) m = 0.5 * (a + b);
+      SampleSuspects(m, &sample_q_, &sample_qd_);
+      const double f = approach(sample_q_, sample_qd_);
+      (f > 0.0 ? a : b) = m;
+      (f > 0.0 ? fa : fb) = f;
+    }
+    if (a > before + kSameTime && (!first || a < first->time)) first = Pole{a, node};
+  }
+  return first;
+}
+
+// The step was ended where a ball joint is nearest to a pole. If it goes straight through, the outer
+// hinges stay and the middle one is on the other side from here on, unless its stops forbid it.
+void ExactSolver::PassPole(int node) {
+  constexpr double kThrough = 1e-7;  // [rad]
+  is_cut_ = true;
+  const HingeTriple& triple = *dynamics_->layout().triple(node);
+  const int i = dynamics_->layout().node(node).first_hinge;
+  if (triple.FromPole(q_[i + 1]) > kThrough) return;
+  const Vec3 through =
+      triple.ThroughPole(triple.Rotation(q_.segment<3>(i)), before_q_.segment<3>(i));
+  const bool is_free = through[1] > lower_now_[i + 1] + kThrough &&
+                       through[1] < upper_now_[i + 1] - kThrough;
+  if (is_free) q_.segment<3>(i) = through;
+}
+
+// The state goes on as it is, for next to a pole angles and rates do not tell it well.
+void ExactSolver::GoOnFromCut() {
+  is_cut_ = false;
+  step_.At(time_, y_.data());
+  step_.Start(time_, y_.data(), [this](double t, const double* y, double* dy) {
+    dynamics_->Derivative(t, y, dy);
+  });
 }
 
 // How far a hinge is beyond one of its stops [rad]; negative inside.
@@ -401,7 +490,7 @@ double ExactSolver::StrongestPull() const {
 // The first time in the step at which a stop would have to pull: looked for in the middle, at the
 // end and at the top of the parabola through what was found there and at the start.
 std::optional<double> ExactSolver::FindRelease() {
-  const double a = step_.start_time(), b = step_.end_time(), m = 0.5 * (a + b);
+  const double a = step_.start_time(), b = time_, m = 0.5 * (a + b);
   const double fa = std::min(pull_before_, 0.0), fm = Pull(m), fb = Pull(b);
   pull_before_ = fb;
   if (fm > 0.0) return ReleaseTime(a, fa, m, fm);

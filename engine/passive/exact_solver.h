@@ -62,6 +62,12 @@ class ExactSolver {
   long steps() const { return steps_; }
 
  private:
+  // Where a ball joint is nearest to a pole.
+  struct Pole {
+    double time;
+    int node;
+  };
+
   void MakeEventHappen();
   void ResolveStops(const Vec3& v_pin);
   int FindSides(bool with_blow);
@@ -71,7 +77,12 @@ class ExactSolver {
   void SetScale();
   double FirstStep(double end) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
-  std::optional<double> FindHit();
+  bool FindHit();
+  std::optional<double> FirstCrossing(double before, double t);
+  void EndStepAt(double t);
+  std::optional<Pole> FindPole(double before, double t);
+  void PassPole(int node);
+  void GoOnFromCut();
   std::optional<double> FindRelease();
   bool FindSuspects();
   void SampleSuspects(double t, VecX* q, VecX* qd);
@@ -108,6 +119,7 @@ class ExactSolver {
   double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
   bool has_event_ = false;
+  bool is_cut_ = false;  // the step was ended at time_ without an event
   long steps_ = 0;
 };
 
