@@ -24,10 +24,11 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   lower_now_ = lower_;
   upper_now_ = upper_;
   for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
-                  &before_q_, &before_qd_})
+                  &before_q_, &before_qd_, &after_q_, &after_qd_})
     x->setZero(n);
   side_.assign(n, 0);
   locked_.assign(n, 0);
+  held_after_.assign(n, 0);
   sticks_.assign(n, 0);
   fixed_.assign(n, 0);
   stops_.Resize(n);
@@ -47,6 +48,7 @@ void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
   upper_now_ = upper_.cwiseMax(q);
   touch_ = kTouch;
   has_event_ = false;
+  after_release_ = -std::numeric_limits<double>::infinity();
   recent_.clear();
   next_h_ = 0.0;
   std::fill(locked_.begin(), locked_.end(), 0);
@@ -126,7 +128,9 @@ void ExactSolver::Settle() {
     q_[i] = side_[i] > 0 ? upper_now_[i] : lower_now_[i];
   }
   if (!any) return;
-  dynamics_->AssembleHinges(time_, q_, qd_);
+  const bool lets_go = after_release_ > time_;
+  dynamics_->AssembleHinges(lets_go ? after_release_ : time_, lets_go ? after_q_ : q_,
+                            lets_go ? after_qd_ : qd_);
   stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
   pull_before_ = StrongestPull();
   any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
@@ -134,6 +138,7 @@ void ExactSolver::Settle() {
 
 // Lays the state out anew after locks or curves changed.
 void ExactSolver::Relock() {
+  after_release_ = -std::numeric_limits<double>::infinity();
   is_cut_ = false;
   dynamics_->SetLocked(locked_, q_);
   const int size = dynamics_->layout().state_size();
@@ -183,14 +188,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   if (!any_limits_) return std::nullopt;
   has_event_ = FindHit();
   const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
-  if (release) {
-    Sample(*release, &sample_q_, &sample_qd_);
-    q_ = sample_q_;
-    qd_ = sample_qd_;
-    time_ = *release;
-    has_event_ = true;
-    is_cut_ = false;
-  }
+  if (release) EndStepAtRelease(*release);
   TightenStops();
   return std::nullopt;
 }
@@ -504,11 +502,32 @@ std::optional<double> ExactSolver::FindRelease() {
   return std::nullopt;
 }
 
+// A stop lets go at t. Which one is told from a moment later: stops of a ball joint's outer hinges
+// let go at its poles, where the hinges line up and it cannot be told.
+void ExactSolver::EndStepAtRelease(double t) {
+  after_release_ = t;
+  std::vector<char>& held = held_after_;
+  for (double later = 1e-6; after_release_ < time_; later *= 10.0) {
+    after_release_ = std::min(t + later, time_);
+    Sample(after_release_, &after_q_, &after_qd_);
+    dynamics_->AssembleHinges(after_release_, after_q_, after_qd_);
+    for (size_t i = 0; i < side_.size(); ++i) side_[i] = locked_[i] ? side_[i] : 0;
+    stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &held);
+    if (held != locked_) break;
+  }
+  Sample(t, &sample_q_, &sample_qd_);
+  q_ = sample_q_;
+  qd_ = sample_qd_;
+  time_ = t;
+  has_event_ = true;
+  is_cut_ = false;
+}
+
 // When a stop starts to have to pull: not at a, but at b. What is late by t leaves an error of the
-// order of t^3, so a microsecond is early enough.
+// order of t^3, but of t at the pole of a ball joint.
 double ExactSolver::ReleaseTime(double a, double fa, double b, double fb) {
-  constexpr double kEarlyEnough = 1e-6;  // [s]
-  while (b - a > kEarlyEnough) {
+  const double early_enough = std::clamp(0.04 * tolerance_, 10.0 * kSameTime, 1e-6);  // [s]
+  while (b - a > early_enough) {
     const double secant = fb > fa ? (a * fb - b * fa) / (fb - fa) : 0.5 * (a + b);
     const double margin = 0.05 * (b - a);
     const double t = std::clamp(secant, a + margin, b - margin);

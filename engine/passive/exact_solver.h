@@ -90,6 +90,7 @@ class ExactSolver {
   double Beyond(int hinge, int side, double q) const;
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
   double CrossingTime(int hinge, int side, double inside, double outside);
+  void EndStepAtRelease(double t);
   double Pull(double t);
   double StrongestPull() const;
   double ReleaseTime(double a, double fa, double b, double fb);
@@ -107,9 +108,11 @@ class ExactSolver {
   VecX q_start_, qd_start_;  // at the start of the step
   VecX look_q_, look_qd_, before_q_, before_qd_;
   VecX sample_q_, sample_qd_, y_, scale_, blow_;
+  double after_release_ = 0.0;  // a moment after a stop lets go at time_, else long before
+  VecX after_q_, after_qd_;     // at that moment
   StopSolver stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
-  std::vector<char> locked_, sticks_;
+  std::vector<char> locked_, sticks_, held_after_;
   std::vector<char> fixed_;  // no room between the stops
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
