@@ -12,6 +12,7 @@ namespace {
 constexpr double kTouch = 1e-10;      // at a stop [rad]
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSameTime = 1e-13;   // [s]
+constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
 constexpr long kMostEvaluations = 20'000'000;
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before stops become sticky
@@ -138,6 +139,7 @@ void ExactSolver::Settle() {
 
 // Lays the state out anew after locks or curves changed.
 void ExactSolver::Relock() {
+  follows_event_ = true;
   after_release_ = -std::numeric_limits<double>::infinity();
   is_cut_ = false;
   dynamics_->SetLocked(locked_, q_);
@@ -189,6 +191,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   has_event_ = FindHit();
   const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
   if (release) EndStepAtRelease(*release);
+  follows_event_ = false;
   TightenStops();
   return std::nullopt;
 }
@@ -213,7 +216,7 @@ bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
   const auto field = [this](double t, const double* y, double* dy) {
     dynamics_->Derivative(t, y, dy);
   };
-  double h = next_h_ > 0.0 ? next_h_ : FirstStep(end);
+  double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
@@ -314,13 +317,14 @@ void ExactSolver::SampleSuspects(double t, VecX* q, VecX* qd) {
 bool ExactSolver::FindHit() {
   if (!FindSuspects()) return false;
   MakeDense();
-  constexpr int kLooks = 6;
+  constexpr int kLooks = 6, kFirstLooks = 5;  // what an event has pushed off may be back soon
   const double start = step_.start_time(), h = step_.end_time() - start, end = time_;
   look_q_ = q_start_;
   look_qd_ = qd_start_;
   double before = start;
-  for (int look = 1; look <= kLooks; ++look) {
-    double t = look == kLooks ? end : start + h * look / kLooks;
+  for (int look = follows_event_ ? 1 - kFirstLooks : 1; look <= kLooks; ++look) {
+    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
+    double t = look == kLooks ? end : start + h * share / kLooks;
     before_q_.swap(look_q_);
     before_qd_.swap(look_qd_);
     look_qd_ = before_qd_;
@@ -328,13 +332,14 @@ bool ExactSolver::FindHit() {
     const std::optional<Pole> pole = FindPole(before, t);
     if (pole) SampleSuspects(t = pole->time, &look_q_, &look_qd_);
     const std::optional<double> hit = FirstCrossing(before, t);
-    if (hit) SampleSuspects(*hit, &look_q_, &look_qd_);
-    if (hit || pole || look == kLooks) EndStepAt(hit.value_or(t));
-    if (hit) return true;
-    if (pole) {
-      PassPole(pole->node);
-      return false;
+    if (hit) SampleSuspects(t = *hit, &look_q_, &look_qd_);
+    is_cut_ = pole && !hit;
+    if (is_cut_ && GoesThrough(*pole)) {
+      t = std::min(end, t + kBeyondPole / std::abs(PoleRate(*pole)));
+      SampleSuspects(t, &look_q_, &look_qd_);
     }
+    if (hit || pole || look == kLooks) EndStepAt(t);
+    if (hit || pole) return hit.has_value();
     before = t;
   }
   return false;
@@ -381,7 +386,8 @@ std::optional<ExactSolver::Pole> ExactSolver::FindPole(double before, double t) 
     const auto approach = [&](const VecX& q, const VecX& qd) {
       return triple->Approach(q.segment<3>(i), qd.segment<3>(i));
     };
-    double a = before, b = t, fa = approach(before_q_, before_qd_), fb = approach(look_q_, look_qd_);
+    double a = before, b = t, fa = approach(before_q_, before_qd_),
+           fb = approach(look_q_, look_qd_);
     if (fa <= 0.0 || fb >= 0.0) continue;
     for (int k = 0; k < 60 && b - a > kSameTime; ++k) {
       double m = k % 3 == 2 ? 0.5 * (a + b) : (b * fa - a * fb) / (fa - fb);
@@ -396,28 +402,33 @@ std::optional<ExactSolver::Pole> ExactSolver::FindPole(double before, double t) 
   return first;
 }
 
-// The step was ended where a ball joint is nearest to a pole. If it goes straight through, the outer
-// hinges stay and the middle one is on the other side from here on, unless its stops forbid it.
-void ExactSolver::PassPole(int node) {
-  constexpr double kThrough = 1e-7;  // [rad]
-  is_cut_ = true;
-  const HingeTriple& triple = *dynamics_->layout().triple(node);
-  const int i = dynamics_->layout().node(node).first_hinge;
-  if (triple.FromPole(q_[i + 1]) > kThrough) return;
-  const Vec3 through =
-      triple.ThroughPole(triple.Rotation(q_.segment<3>(i)), before_q_.segment<3>(i));
-  const bool is_free = through[1] > lower_now_[i + 1] + kThrough &&
-                       through[1] < upper_now_[i + 1] - kThrough;
-  if (is_free) q_.segment<3>(i) = through;
+// Whether a ball joint that is nearest to a pole goes straight through. Its outer hinges stay then,
+// and the middle one, if its stops let it, is on the other side from here on, as before_q_ says.
+bool ExactSolver::GoesThrough(const Pole& pole) {
+  constexpr double kThrough = 1e-8;  // [rad]
+  const HingeTriple& triple = *dynamics_->layout().triple(pole.node);
+  const int i = dynamics_->layout().node(pole.node).first_hinge;
+  const Vec3 q = look_q_.segment<3>(i);
+  if (triple.FromPole(q[1]) > kThrough) return false;
+  const Vec3 through = triple.ThroughPole(triple.Rotation(q), before_q_.segment<3>(i));
+  if (through[1] <= lower_now_[i + 1] + kBeyondPole) return false;
+  if (through[1] >= upper_now_[i + 1] - kBeyondPole) return false;
+  before_q_ = look_q_;
+  before_q_.segment<3>(i) = through;
+  return true;
+}
+
+// Of the middle hinge [rad/s].
+double ExactSolver::PoleRate(const Pole& pole) const {
+  return look_qd_[dynamics_->layout().node(pole.node).first_hinge + 1];
 }
 
 // The state goes on as it is, for next to a pole angles and rates do not tell it well.
 void ExactSolver::GoOnFromCut() {
   is_cut_ = false;
   step_.At(time_, y_.data());
-  step_.Start(time_, y_.data(), [this](double t, const double* y, double* dy) {
-    dynamics_->Derivative(t, y, dy);
-  });
+  step_.Start(time_, y_.data(),
+              [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); });
 }
 
 // How far a hinge is beyond one of its stops [rad]; negative inside.
@@ -485,21 +496,41 @@ double ExactSolver::StrongestPull() const {
   return most;
 }
 
-// The first time in the step at which a stop would have to pull: looked for in the middle, at the
-// end and at the top of the parabola through what was found there and at the start.
+// The first time in the step at which a stop would have to pull.
 std::optional<double> ExactSolver::FindRelease() {
-  const double a = step_.start_time(), b = time_, m = 0.5 * (a + b);
-  const double fa = std::min(pull_before_, 0.0), fm = Pull(m), fb = Pull(b);
+  const double a = step_.start_time(), b = time_;
+  const double fa = std::min(pull_before_, 0.0), fb = Pull(b);
   pull_before_ = fb;
+  return FindPull(a, fa, b, fb, 4);
+}
+
+// The same between a and b: looked for in the middle, at the end and at the top of the parabola
+// through what is found there and at a; then in both halves, unless the parabola is good enough to
+// tell that there is nothing.
+std::optional<double> ExactSolver::FindPull(double a, double fa, double b, double fb,
+                                            int halvings) {
+  const double m = 0.5 * (a + b), fm = Pull(m);
   if (fm > 0.0) return ReleaseTime(a, fa, m, fm);
   const double bend = fa - 2.0 * fm + fb;
-  const double top = bend < 0.0 ? m + 0.25 * (b - a) * (fa - fb) / bend : a;
-  if (top > a && top < b) {
-    const double f = Pull(top);
-    if (f > 0.0) return top < m ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
+  const double s = bend < 0.0 ? std::clamp(0.25 * (fa - fb) / bend, -0.5, 0.5) : 0.0;
+  if (s != 0.0 && std::abs(s) < 0.5) {
+    const double top = m + s * (b - a), f = Pull(top);
+    if (f > 0.0) return s < 0.0 ? ReleaseTime(a, fa, top, f) : ReleaseTime(m, fm, top, f);
+  }
+  if (halvings > 0 && !StaysBelow(a, fa, fm, b, fb)) {
+    const std::optional<double> first = FindPull(a, fa, m, fm, halvings - 1);
+    return first ? first : FindPull(m, fm, b, fb, halvings - 1);
   }
   if (fb > 0.0) return ReleaseTime(m, fm, b, fb);
   return std::nullopt;
+}
+
+// Whether stops surely need not pull between a and b: the parabola through both ends and the middle
+// is below zero by several times what it is off by at a quarter of the way.
+bool ExactSolver::StaysBelow(double a, double fa, double fm, double b, double fb) {
+  const double quarter = 0.375 * fa + 0.75 * fm - 0.125 * fb;
+  const double off = std::abs(Pull(0.75 * a + 0.25 * b) - quarter);
+  return std::max({fa, fm, fb}) + 4.0 * off < 0.0;
 }
 
 // A stop lets go at t. Which one is told from a moment later: stops of a ball joint's outer hinges

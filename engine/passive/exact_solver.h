@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,8 @@ class ExactSolver {
   // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
   void SetTolerance(double radians) { tolerance_ = radians; }
   static constexpr double kRateScale = 20.0;  // [1/s]
+  // [s]; none unless set.
+  void SetLongestStep(double seconds) { longest_step_ = seconds; }
 
   // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
   // stop where it is until it has come inside.
@@ -81,7 +84,8 @@ class ExactSolver {
   std::optional<double> FirstCrossing(double before, double t);
   void EndStepAt(double t);
   std::optional<Pole> FindPole(double before, double t);
-  void PassPole(int node);
+  bool GoesThrough(const Pole& pole);
+  double PoleRate(const Pole& pole) const;
   void GoOnFromCut();
   std::optional<double> FindRelease();
   bool FindSuspects();
@@ -93,6 +97,8 @@ class ExactSolver {
   void EndStepAtRelease(double t);
   double Pull(double t);
   double StrongestPull() const;
+  std::optional<double> FindPull(double a, double fa, double b, double fb, int halvings);
+  bool StaysBelow(double a, double fa, double fm, double b, double fb);
   double ReleaseTime(double a, double fa, double b, double fb);
   void MakeDense();
   void WidenStops();
@@ -102,6 +108,7 @@ class ExactSolver {
   VecX lower_, upper_;          // as given
   VecX lower_now_, upper_now_;  // widened to where the hinge started
   double tolerance_ = 1e-6;
+  double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
   double time_ = 0.0, next_h_ = 0.0;
   VecX q_, qd_;              // at time_
@@ -122,7 +129,8 @@ class ExactSolver {
   double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
   bool has_event_ = false;
-  bool is_cut_ = false;  // the step was ended at time_ without an event
+  bool follows_event_ = false;  // the step begins with rates or forces that have jumped
+  bool is_cut_ = false;         // the step was ended at time_ without an event
   long steps_ = 0;
 };
 

@@ -53,9 +53,10 @@ Vec3 HingeTriple::AtPole(const Mat3& R, const Vec3& near, double g) const {
 }
 
 Vec3 HingeTriple::ThroughPole(const Mat3& R, const Vec3& before) const {
-  const double g = std::acos(std::clamp(a1_.dot(R * a3_), -1.0, 1.0));
+  const Vec3 u = R * a3_;
+  const double g = std::atan2(a1_.cross(u).norm(), a1_.dot(u));
   const double side = std::sin(before[1] + beta_) > 0.0 ? 1.0 : -1.0;
-  Vec3 q = AtPole(R, before, -side * g);
+  Vec3 q = AtPole(R, before, -side * std::max(g, kAtPole));
   for (int i : {1, 2}) q[i] = Nearest(q[i], before[i]);
   return q;
 }
