@@ -215,17 +215,19 @@ Result<int> Baker::AdvanceToCheckpoint(int frame) {
   return animation_.last_frame + 1;
 }
 
-// Asks for finer steps where the estimate says that a region misses its tolerance, as long as that
-// helps. False if there is nothing to ask for.
+// Asks for finer steps where the estimate says that a region may miss its tolerance, as long as
+// that helps. The error is at times a few times the estimate. False if there is nothing to ask for.
 bool Baker::Sharpen() {
-  constexpr double kFinest = 1e6;
+  constexpr double kFinest = 1e6, kSafely = 0.2;
   bool any = false;
   for (const int r : begun_) {
     const RegionReport& report = motion_->regions[r];
     Refinement& refinement = refinements_[r];
-    if (report.method != Method::kExact || report.error_estimate <= report.tolerance) continue;
-    const double finer = refinement.sharpness * 3.0 * report.error_estimate / report.tolerance;
+    const double safe = kSafely * report.tolerance;
+    if (report.method != Method::kExact || report.error_estimate <= safe) continue;
+    const double finer = refinement.sharpness * 3.0 * report.error_estimate / safe;
     if (finer > kFinest || report.error_estimate > 0.3 * refinement.last_estimate) {
+      if (report.error_estimate <= report.tolerance) continue;
       AddWarning("regions[" + std::to_string(r) + "]",
                  "its angles may be off by " +
                      FormatShort(report.error_estimate * 180.0 / std::numbers::pi) +

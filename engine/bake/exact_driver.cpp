@@ -9,7 +9,7 @@ namespace hazumi {
 namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
-constexpr double kStepShare = 0.15;
+constexpr double kStepShare = 0.05;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.

@@ -9,6 +9,10 @@ namespace hazumi {
 
 namespace {
 
+// Friction slows motion down by e to the power of this in a step at most: beyond it the estimate of
+// a step's error is no estimate.
+constexpr double kMostDecay = 2.0;
+
 // What a question begins with.
 enum Call { kBegin, kDrive, kFeelPin, kAdvance, kSample, kSampleTwin, kDistances, kEnergy };
 // What the answer to kAdvance begins with; hits follow, as times and hinges.
@@ -34,6 +38,8 @@ void Append(const RigidInertia& body, std::vector<double>* numbers) {
 GroupSolution::Run::Run(const GroupTask& task, double step_tolerance)
     : dynamics(task.model, task.friction, task.gravity), solver(&dynamics, task.lower, task.upper) {
   solver.SetTolerance(step_tolerance);
+  const double friction = task.friction.size() > 0 ? task.friction.maxCoeff() : 0.0;
+  if (friction > 0.0) solver.SetLongestStep(kMostDecay / friction);
 }
 
 GroupSolution::Pair::Pair(const GroupTask& task, int num_coordinates)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,8 @@ class ExactSolver {
   // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
   void SetTolerance(double radians) { tolerance_ = radians; }
   static constexpr double kRateScale = 20.0;  // [1/s]
+  // [s]; none unless set.
+  void SetLongestStep(double seconds) { longest_step_ = seconds; }
 
   // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
   // stop where it is until it has come inside.
@@ -62,6 +65,12 @@ class ExactSolver {
   long steps() const { return steps_; }
 
  private:
+  // Where a ball joint is nearest to a pole.
+  struct Pole {
+    double time;
+    int node;
+  };
+
   void MakeEventHappen();
   void ResolveStops(const Vec3& v_pin);
   int FindSides(bool with_blow);
@@ -72,7 +81,13 @@ class ExactSolver {
   double FirstStep(double end) const;
   double Growth(double error) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
-  std::optional<double> FindHit();
+  bool FindHit();
+  std::optional<double> FirstCrossing(double before, double t);
+  void EndStepAt(double t);
+  std::optional<Pole> FindPole(double before, double t);
+  bool GoesThrough(const Pole& pole);
+  double PoleRate(const Pole& pole) const;
+  void GoOnFromCut();
   std::optional<double> FindRelease();
   bool FindSuspects();
   void SampleSuspects(double t, VecX* q, VecX* qd);
@@ -80,8 +95,11 @@ class ExactSolver {
   double Beyond(int hinge, int side, double q) const;
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
   double CrossingTime(int hinge, int side, double inside, double outside);
+  void EndStepAtRelease(double t);
   double Pull(double t);
   double StrongestPull() const;
+  std::optional<double> FindPull(double a, double fa, double b, double fb, int halvings);
+  bool StaysBelow(double a, double fa, double fm, double b, double fb);
   double ReleaseTime(double a, double fa, double b, double fb);
   void MakeDense();
   void WidenStops();
@@ -91,6 +109,7 @@ class ExactSolver {
   VecX lower_, upper_;          // as given
   VecX lower_now_, upper_now_;  // widened to where the hinge started
   double tolerance_ = 1e-6;
+  double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
   double time_ = 0.0, next_h_ = 0.0;
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
@@ -98,9 +117,11 @@ class ExactSolver {
   VecX q_start_, qd_start_;  // at the start of the step
   VecX look_q_, look_qd_, before_q_, before_qd_;
   VecX sample_q_, sample_qd_, y_, scale_, blow_;
+  double after_release_ = 0.0;  // a moment after a stop lets go at time_, else long before
+  VecX after_q_, after_qd_;     // at that moment
   StopSolver stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
-  std::vector<char> locked_, sticks_;
+  std::vector<char> locked_, sticks_, held_after_;
   std::vector<char> fixed_;  // no room between the stops
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
@@ -110,6 +131,8 @@ class ExactSolver {
   double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]
   bool has_event_ = false;
+  bool follows_event_ = false;  // the step begins with rates or forces that have jumped
+  bool is_cut_ = false;         // the step was ended at time_ without an event
   long steps_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "engine/passive/hinge_triple.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -13,6 +14,8 @@ namespace hazumi {
 
 namespace {
 
+constexpr double kAtPole = 1e-9;  // sine of the distance
+
 Mat3 Rot(const Vec3& axis, double angle) {
   return AxisRotation<double>(axis, std::sin(angle), std::cos(angle));
 }
@@ -20,10 +23,6 @@ Mat3 Rot(const Vec3& axis, double angle) {
 double Nearest(double angle, double to) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   return angle + kTurn * std::round((to - angle) / kTurn);
-}
-
-bool IsInside(const Vec3& q, const Vec3& lower, const Vec3& upper) {
-  return (q.array() >= lower.array()).all() && (q.array() <= upper.array()).all();
 }
 
 }  // namespace
@@ -53,9 +52,16 @@ Vec3 HingeTriple::AtPole(const Mat3& R, const Vec3& near, double g) const {
   return q;
 }
 
-Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
-                         const Vec3& upper) const {
-  constexpr double kAtPole = 1e-9;
+Vec3 HingeTriple::ThroughPole(const Mat3& R, const Vec3& before) const {
+  const Vec3 u = R * a3_;
+  const double g = std::atan2(a1_.cross(u).norm(), a1_.dot(u));
+  const double side = std::sin(before[1] + beta_) > 0.0 ? 1.0 : -1.0;
+  Vec3 q = AtPole(R, before, -side * std::max(g, kAtPole));
+  for (int i : {1, 2}) q[i] = Nearest(q[i], before[i]);
+  return q;
+}
+
+Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, bool keeps_side) const {
   const Vec3 u = R * a3_, v = R.transpose() * a1_;
   const double sine = std::hypot(u.dot(a2_), u.dot(b1_));
   const double g = std::atan2(sine, u.dot(a1_));
@@ -66,11 +72,14 @@ Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, const Vec3& lower,
     q[i] = Nearest(q[i], near[i]);
     other[i] = Nearest(other[i], near[i]);
   }
-  if ((other - near).lpNorm<1>() < (q - near).lpNorm<1>()) std::swap(q, other);
-  const bool passed_pole = std::sin(near[1] + beta_) * std::sin(q[1] + beta_) <= 0.0;
-  const bool turns_back =
-      passed_pole && !IsInside(q, lower, upper) && IsInside(other, lower, upper);
-  return turns_back ? other : q;
+  const double side = std::sin(near[1] + beta_);
+  if (keeps_side && sine >= kAtPole && std::abs(side) >= kAtPole) return side > 0.0 ? q : other;
+  return (other - near).lpNorm<1>() < (q - near).lpNorm<1>() ? other : q;
+}
+
+// -sin g cos g g', half of how fast cos^2 g grows.
+double HingeTriple::Approach(const Vec3& q, const Vec3& qd) const {
+  return -std::sin(q[1] + beta_) * std::cos(q[1] + beta_) * qd[1];
 }
 
 Mat3 HingeTriple::AxesInBody(const Vec3& q) const {

@@ -16,12 +16,20 @@ class HingeTriple {
 
   Mat3 Rotation(const Vec3& q) const;
 
-  // The angles of R [rad]. Two triples give the same R, each modulo whole turns: the one nearer to
-  // `near` is taken, so that a motion straight through a pole goes on with the middle hinge and
-  // does not flip the outer ones, unless that leaves [lower, upper] and the other does not. Away
-  // from a pole limits have no say: the angles go on beyond them, for others to find. At a pole
-  // itself, where only a sum or difference of the outer angles is left, the first one stays.
-  Vec3 Angles(const Mat3& R, const Vec3& near, const Vec3& lower, const Vec3& upper) const;
+  // The angles of R [rad]. Two triples give the same R, each modulo whole turns, one for either
+  // side of the poles that the middle hinge can be on. The one nearer to `near` is taken, so that a
+  // motion past a pole goes on with the middle hinge and does not flip the outer ones.
+  // `keeps_side`: the one on the side of `near`, as hinges move that turn all the way; past a pole
+  // the outer ones whip round. At a pole itself, where only a sum or difference of the outer angles
+  // is left, the first one stays.
+  Vec3 Angles(const Mat3& R, const Vec3& near, bool keeps_side) const;
+
+  // The angles at a pole, or next to it, of a motion from `before` that goes straight through it,
+  // as far as that leaves the middle hinge inside its limits: it is on the other side from here on.
+  Vec3 ThroughPole(const Mat3& R, const Vec3& before) const;
+
+  // Proportional to how fast the nearer pole gets nearer: its sign changes at a pole.
+  double Approach(const Vec3& q, const Vec3& qd) const;
 
   // Columns: the axes at angles q, in the turned body's frame.
   Mat3 AxesInBody(const Vec3& q) const;

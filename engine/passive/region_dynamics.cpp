@@ -257,8 +257,7 @@ void RegionDynamics::DampBall(int node, const double* quaternion, const double* 
   sum = -mean * w_B;
   if (c[0] == c[1] && c[1] == c[2]) return;
   const HingeTriple& triple = *layout_.triple(node);
-  const Vec3 ever = Vec3::Constant(1e9);
-  const Vec3 q = triple.Angles(RotationOfQuaternion(quaternion), Vec3::Zero(), -ever, ever);
+  const Vec3 q = triple.Angles(RotationOfQuaternion(quaternion), Vec3::Zero(), false);
   const double s = std::min(1.0, triple.FromPole(q[1]) / kFar);
   const double weight = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
   if (weight == 0.0) return;

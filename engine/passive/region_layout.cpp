@@ -1,8 +1,15 @@
 #include "engine/passive/region_layout.h"
 
 #include <cmath>
+#include <limits>
 
 namespace hazumi {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Mat3 RotationOfQuaternion(const double* q) {
   const double w = q[0], x = q[1], y = q[2], z = q[3];
@@ -102,8 +109,10 @@ void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, cons
   const int first = own.first_hinge;
   if (const HingeTriple* ball = triple(node)) {
     const Vec3 near = q->segment<3>(first);
-    const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, lower.segment<3>(first),
-                                     upper.segment<3>(first));
+    const bool has_stops =
+        (lower.segment<3>(first).array() > -kNever || upper.segment<3>(first).array() < kNever)
+            .any();
+    const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, has_stops);
     q->segment<3>(first) = angles;
     qd->segment<3>(first) = ball->Rates(angles, Eigen::Map<const Vec3>(velocity));
     return;

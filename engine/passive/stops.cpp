@@ -1,6 +1,7 @@
 #include "engine/passive/stops.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/passive/semidefinite.h"
 
@@ -8,7 +9,7 @@ namespace hazumi {
 
 void StopSolver::Resize(int size) {
   A_.resize(size, size);
-  for (VecX* x : {&x_, &T_, &right_, &given_, &reached_, &against_}) x->resize(size);
+  for (VecX* x : {&x_, &T_, &right_, &given_, &size_, &reached_, &against_}) x->resize(size);
   zero_ = VecX::Zero(size);
   free_.reserve(size);
   held_.assign(size, 0);
@@ -35,7 +36,10 @@ void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
   SolveSemidefinite(A_.topLeftCorner(k, k), right_.head(k));
   x_ = given;
   for (int r = 0; r < k; ++r) x_[free_[r]] = right_[r];
-  for (int i = 0; i < n; ++i) T_[i] = held[i] ? b[i] + M.row(i).dot(x_) : 0.0;
+  for (int i = 0; i < n; ++i) {
+    T_[i] = held[i] ? b[i] + M.row(i).dot(x_) : 0.0;
+    size_[i] = held[i] ? std::abs(b[i]) + M.row(i).cwiseAbs().dot(x_.cwiseAbs()) : 0.0;
+  }
 }
 
 void StopSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held) {
@@ -50,7 +54,7 @@ int StopSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
   const double scale_x = reached.lpNorm<Eigen::Infinity>();
   for (int i = 0; i < static_cast<int>(side.size()); ++i) {
     if (side[i] == 0 || fixed[i]) continue;
-    if (held[i] ? side[i] * T_[i] > kRounding * scale_T
+    if (held[i] ? side[i] * T_[i] > kRounding * std::max(scale_T, size_[i])
                 : side[i] * reached[i] > kRounding * scale_x) {
       return i;
     }

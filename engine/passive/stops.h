@@ -42,6 +42,7 @@ class StopSolver {
                  const std::vector<char>& held) const;
 
   MatX A_;
+  VecX size_;  // of the terms that T_ is the sum of
   VecX x_, T_, right_, given_, zero_, reached_, against_;
   std::vector<int> free_;
   std::vector<char> held_;
