@@ -19,6 +19,10 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunCheck(options);
     case hazumi::Task::kInfo:
       return hazumi::RunInfo(options);
+    case hazumi::Task::kRun:
+      return hazumi::RunEdits(options);
+    case hazumi::Task::kOperators:
+      return hazumi::RunOperators();
     case hazumi::Task::kNone:
       break;
   }

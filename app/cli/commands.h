@@ -11,6 +11,8 @@ int RunRender(const Options& options);
 int RunBake(const Options& options);
 int RunCheck(const Options& options);
 int RunInfo(const Options& options);
+int RunEdits(const Options& options);
+int RunOperators();
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);

@@ -9,6 +9,7 @@ const char* const kHelpText =
   hazumi --bake OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
+  hazumi --run SCRIPT [FILE]
 
 FILE is a project (.kfa).
 
@@ -19,6 +20,11 @@ Tasks
                     output, as JSON
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
+  --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
+                    operators, such as
+                    {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
+                    nothing is saved unless it says "file.save"
+  --operators       list the operators and their parameters
   --help, --version
 
 Drawing, with --render

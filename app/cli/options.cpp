@@ -19,7 +19,16 @@ namespace {
 
 using UsageError = CLI::ValidationError;
 
-enum TaskBits : unsigned { kRender = 1, kBake = 2, kCheck = 4, kInfo = 8, kAll = 15 };
+enum TaskBits : unsigned {
+  kRender = 1,
+  kBake = 2,
+  kCheck = 4,
+  kInfo = 8,
+  kMotion = 15,  // all of those
+  kRun = 16,
+  kOperators = 32,
+  kAll = 63
+};
 
 // An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
 // option's says what to do about a value that cannot be read.
@@ -73,6 +82,12 @@ bool ReadMotionFile(const std::string& text, Options* options) {
   return text == "-" || text.ends_with(".json") || text.ends_with(".csv");
 }
 
+bool ReadScript(const std::string& text, Options* options) {
+  options->task = Task::kRun;
+  options->script = text;
+  return !text.empty();
+}
+
 template <bool Options::*kField, bool kValue = true>
 bool Set(const std::string&, Options* options) {
   options->*kField = kValue;
@@ -90,6 +105,8 @@ constexpr OptionRule kTasks[] = {
     {"--bake", kBake, "the name must end in .json or .csv, or be -", ReadMotionFile},
     {"--check", kCheck, nullptr, Choose<Task::kCheck>},
     {"--info", kInfo, nullptr, Choose<Task::kInfo>},
+    {"--run", kRun, "name a script, a JSON list of operators", ReadScript},
+    {"--operators", kOperators, nullptr, Choose<Task::kOperators>},
 };
 
 constexpr OptionRule kRules[] = {
@@ -115,9 +132,9 @@ constexpr OptionRule kRules[] = {
     {"--tint", kRender, nullptr, Set<&Options::tint>},
     {"--frame-number", kRender, nullptr, Set<&Options::frame_number>},
     {"--no-shadow", kRender, nullptr, Set<&Options::shadow, false>},
-    {"--method", kAll, "the methods are: exact, paper", ReadMethod},
-    {"--step", kAll, "give seconds from 0.000001 to 1", ReadStep},
-    {"--tolerance", kAll, "give degrees from 1e-10 to 5", ReadTolerance},
+    {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
+    {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
+    {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},
     {"--fps", kRender | kBake | kInfo,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
@@ -190,7 +207,13 @@ void ReadOptions(const CLI::App& app, Options* options) {
     }
     Read(app, rule, options);
   }
-  if (options->files.empty()) throw UsageError("no FILE; name a project (.kfa)");
+  if (task.tasks & kOperators) {
+    if (!options->files.empty()) throw UsageError("--operators takes no FILE");
+    return;
+  }
+  if (options->files.empty() && !(task.tasks & kRun)) {
+    throw UsageError("no FILE; name a project (.kfa)");
+  }
   if (options->task != Task::kCheck && options->files.size() > 1) {
     throw UsageError(std::string(task.name) + " takes one FILE; only --check takes several");
   }

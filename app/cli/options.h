@@ -10,7 +10,7 @@
 
 namespace hazumi {
 
-enum class Task { kNone, kRender, kBake, kCheck, kInfo };
+enum class Task { kNone, kRender, kBake, kCheck, kInfo, kRun, kOperators };
 
 struct FrameRange {
   int first = 0, last = 0;  // inclusive
@@ -31,7 +31,8 @@ struct CameraChoice {
 struct Options {
   Task task = Task::kNone;
   std::string output;              // of --render and --bake
-  std::vector<std::string> files;  // --check takes several, the others one
+  std::string script;              // of --run
+  std::vector<std::string> files;  // --check takes several, --run one or none, the others one
 
   std::optional<FrameRange> frames;
   PictureSize size;

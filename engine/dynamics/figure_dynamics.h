@@ -24,7 +24,7 @@ struct FigureScratch {
 };
 
 // Inverse and forward dynamics of a whole figure, from angles to torques or accelerations, O(N).
-// The figure is prepared once; an evaluation then neither allocates nor computes anything twice.
+// The figure is prepared once; an evaluation then allocates nothing.
 // For what is needed of single bodies on the way see inverse_dynamics.h.
 //
 // q [rad], qd [rad/s], qdd [rad/s^2], tau [N m]: one entry a joint; results are not resized.

@@ -5,10 +5,7 @@
 namespace hazumi {
 
 DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
-    : bodies(figure.num_joints() + 1),
-      tau(figure.num_joints()),
-      composites(figure.num_joints()),
-      articulated(figure.num_joints()) {
+    : bodies(figure.num_joints() + 1), tau(figure.num_joints()), composites(figure.num_joints()) {
 #ifndef NDEBUG
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (BodyScratch& body : bodies) {
@@ -24,11 +21,6 @@ DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
     body.h.setConstant(kNaN);
     body.I_o.setConstant(kNaN);
     body.v.setConstant(kNaN);
-  }
-  for (Articulated& body : articulated) {
-    for (Vec6* x : {&body.S, &body.v, &body.c, &body.pA, &body.U, &body.a}) x->setConstant(kNaN);
-    body.IA.setConstant(kNaN);
-    body.D = body.u = kNaN;
   }
 #endif
 }

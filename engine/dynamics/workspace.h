@@ -35,20 +35,14 @@ struct DynamicsWorkspace {
   VecX tau;  // joint torques of the last inverse dynamics [N m], by JointIndex
   MatX H;    // inertia matrix of the dense forward dynamics, sized at its first use
 
-  // Composite and articulated bodies: spatial quantities about the root's origin, world axes.
+  // Composite bodies: spatial quantities about the root's origin, world axes.
   struct Composite {
     double mass;
     Vec3 h;    // mass times CoM
     Mat3 I_o;  // about the root's origin
     Vec3 v;    // velocity of the root's origin on the body for a unit rate of its joint
   };
-  struct Articulated {
-    Vec6 S, v, c, pA, U, a;
-    Mat6 IA;
-    double D, u;
-  };
   std::vector<Composite> composites;
-  std::vector<Articulated> articulated;
 };
 
 }  // namespace hazumi

@@ -30,20 +30,21 @@ S3 CarefulInverse(const S3& D, double least) {
           i3};
 }
 
-// By cofactors, which takes one division, unless that would lose digits.
-HAZUMI_INLINE S3 Inverse(const S3& D, double size) {
+// By cofactors, which takes one division; false if that would lose digits.
+HAZUMI_INLINE bool InvertRegular(const S3& D, double size, S3* inverse) {
   const double cxx = D.yy * D.zz - D.yz * D.yz;
   const double cxy = D.xz * D.yz - D.xy * D.zz;
   const double cxz = D.xy * D.yz - D.xz * D.yy;
   const double det = D.xx * cxx + D.xy * cxy + D.xz * cxz;
-  if (!(det > 1e-9 * size * size * size)) return CarefulInverse(D, kLost * size);
+  if (!(det > 1e-9 * size * size * size)) return false;
   const double k = 1.0 / det;
-  return {k * cxx,
-          k * cxy,
-          k * cxz,
-          k * (D.xx * D.zz - D.xz * D.xz),
-          k * (D.xy * D.xz - D.xx * D.yz),
-          k * (D.xx * D.yy - D.xy * D.xy)};
+  *inverse = {k * cxx,
+              k * cxy,
+              k * cxz,
+              k * (D.xx * D.zz - D.xz * D.xz),
+              k * (D.xy * D.xz - D.xx * D.yz),
+              k * (D.xx * D.yy - D.xy * D.xy)};
+  return true;
 }
 
 // The solution of S x = v for a positive definite S.
@@ -51,19 +52,23 @@ V3 Solve3(const S3& S, const V3& v) { return CarefulInverse(S, 0.0) * v; }
 
 }  // namespace
 
-ArticulatedBodies::ArticulatedBodies(const RegionModel& model) : bodies_(model.nodes.size()) {
+ArticulatedBodies::ArticulatedBodies(const RegionModel& model)
+    : root_flies_(model.root_answers), bodies_(model.nodes.size()) {
   for (const ModelNode& node : model.nodes) {
     const bool carried = node.parent >= 0 && model.nodes[node.parent].is_dynamic;
     parents_.push_back(carried ? node.parent : -1);
+    is_base_.push_back(!carried && !root_flies_);
     is_dynamic_.push_back(node.is_dynamic);
   }
 }
 
-template <int kDofs>
+// [I; H^T] s for every direction s, D, and what the joint does while nothing carries it away. Where
+// it never is, the forces of s are not needed.
+template <int kDofs, bool kIsBase>
 HAZUMI_INLINE void ArticulatedBodies::SolveJoint(const NodeMotion& motion, Body* body) const {
   for (int k = 0; k < kDofs; ++k) {
     body->UI[k] = body->I * motion.axis[k];
-    body->UF[k] = TransposeTimes(body->H, motion.axis[k]);
+    if constexpr (!kIsBase) body->UF[k] = TransposeTimes(body->H, motion.axis[k]);
   }
   const double size = body->I.xx + body->I.yy + body->I.zz;
   const double d11 = Dot(motion.axis[0], body->UI[0]);
@@ -89,15 +94,19 @@ HAZUMI_INLINE void ArticulatedBodies::SolveJoint(const NodeMotion& motion, Body*
   }
   if constexpr (kDofs == 3) {
     const double u3 = -Dot(motion.axis[2], body->n);
-    inverse = Inverse({d11, d12, Dot(motion.axis[0], body->UI[2]), d22,
-                       Dot(motion.axis[1], body->UI[2]), Dot(motion.axis[2], body->UI[2])},
-                      size);
+    const S3 D{d11,
+               d12,
+               Dot(motion.axis[0], body->UI[2]),
+               d22,
+               Dot(motion.axis[1], body->UI[2]),
+               Dot(motion.axis[2], body->UI[2])};
+    if (!InvertRegular(D, size, &inverse)) inverse = CarefulInverse(D, kLost * size);
     body->y = inverse * V3{u1, u2, u3};
   }
 }
 
-// What is left of the body for its parent, once the joint follows freely. A ball joint passes on no
-// moment.
+// What is left of the body for its parent, once the joint follows freely. Three directions pass on
+// no moment.
 template <int kDofs>
 HAZUMI_INLINE void ArticulatedBodies::Reduce(Body* body) const {
   const double y[3] = {body->y.x, body->y.y, body->y.z};
@@ -116,97 +125,172 @@ HAZUMI_INLINE void ArticulatedBodies::Reduce(Body* body) const {
     SubtractOuter(body->I, body->UI[k], VI);
     SubtractOuter(body->H, body->UI[k], VF);
   }
-  if constexpr (kDofs == 3) body->n = V3();
 }
 
 template <int kDofs>
-HAZUMI_INLINE void ArticulatedBodies::Eliminate(int i, const NodeMotion& motion, bool root_flies) {
+HAZUMI_INLINE void ArticulatedBodies::Eliminate(int i, const NodeMotion& motion) {
   Body& body = bodies_[i];
-  if constexpr (kDofs > 0) SolveJoint<kDofs>(motion, &body);
-  const int parent = parents_[i];
-  if (parent < 0 && !root_flies) return;
-  if constexpr (kDofs > 0) Reduce<kDofs>(&body);
-  if (parent >= 0) PassToParent<kDofs == 3>(motion.r, body, &bodies_[parent]);
+  body.is_ball = false;
+  if (is_base_[i]) {
+    if constexpr (kDofs > 0) SolveJoint<kDofs, true>(motion, &body);
+    return;
+  }
+  if constexpr (kDofs > 0) {
+    SolveJoint<kDofs, false>(motion, &body);
+    Reduce<kDofs>(&body);
+  }
+  PassToParent<kDofs == 3>(i, motion.r);
+}
+
+// A ball joint needs no axes: without a moment on it the body's angular acceleration beta follows
+// from I beta + H da + n = 0, whatever carries it. Where beta is not determined, or nearly, the
+// axes have to say what stays zero.
+HAZUMI_INLINE void ArticulatedBodies::EliminateBall(int i, const NodeMotion& motion) {
+  Body& body = bodies_[i];
+  S3 inverse;
+  if (!InvertRegular(body.I, body.I.xx + body.I.yy + body.I.zz, &inverse)) {
+    return Eliminate<3>(i, motion);
+  }
+  body.is_ball = true;
+  body.y = -(inverse * body.n);
+  if (is_base_[i]) return;
+  const M3& H = body.H;
+  body.K = {inverse * H.a, inverse * H.b, inverse * H.c};
+  body.f += TransposeTimes(H, body.y);
+  S3& M = body.M;
+  M.xx -= Dot(H.a, body.K.a);
+  M.xy -= Dot(H.a, body.K.b);
+  M.xz -= Dot(H.a, body.K.c);
+  M.yy -= Dot(H.b, body.K.b);
+  M.yz -= Dot(H.b, body.K.c);
+  M.zz -= Dot(H.c, body.K.c);
+  PassToParent<true>(i, motion.r);
 }
 
 // With a_c = a_p - [r] alpha:  M, H + [r] M, I - H [r] + [r] (H + [r] M)^T about the parent's
 // origin.
 template <bool kIsFreeOfMoment>
-HAZUMI_INLINE void ArticulatedBodies::PassToParent(const V3& r, const Body& from, Body* to) const {
-  to->f += from.f;
-  to->n += from.n + Cross(r, from.f);
-  to->M += from.M;
+HAZUMI_INLINE void ArticulatedBodies::PassToParent(int i, const V3& r) {
+  if (parents_[i] < 0) return;
+  const Body& from = bodies_[i];
+  Body& to = bodies_[parents_[i]];
   const S3& M = from.M;
   M3 Hs{Cross(r, {M.xx, M.xy, M.xz}), Cross(r, {M.xy, M.yy, M.yz}), Cross(r, {M.xz, M.yz, M.zz})};
   if constexpr (!kIsFreeOfMoment) Hs += from.H;
-  to->H += Hs;
+  to.n += Cross(r, from.f);
+  if constexpr (!kIsFreeOfMoment) to.n += from.n;
+  if (!is_base_[parents_[i]]) {
+    to.f += from.f;
+    to.M += M;
+    to.H += Hs;
+  }
   // Columns of Hs [r].
   const V3 a = r.z * Hs.b - r.y * Hs.c, b = r.x * Hs.c - r.z * Hs.a, c = r.y * Hs.a - r.x * Hs.b;
   if constexpr (kIsFreeOfMoment) {
-    to->I += S3{-a.x, -b.x, -c.x, -b.y, -c.y, -c.z};
+    to.I += S3{-a.x, -b.x, -c.x, -b.y, -c.y, -c.z};
     return;
   }
   const M3& H = from.H;
   const V3 d = r.z * H.b - r.y * H.c, e = r.x * H.c - r.z * H.a, g = r.y * H.a - r.x * H.b;
-  to->I += from.I;
-  to->I += S3{-d.x - a.x, -e.x - a.y, -g.x - a.z, -e.y - b.y, -g.y - b.z, -g.z - c.z};
+  to.I += from.I;
+  to.I += S3{-d.x - a.x, -e.x - a.y, -g.x - a.z, -e.y - b.y, -g.y - b.z, -g.z - c.z};
 }
 
-void ArticulatedBodies::Accelerate(const RegionLayout::Node& layout, const NodeMotion& motion,
-                                   Body* body, double* x) const {
-  double u[3] = {0.0, 0.0, 0.0};
-  for (int k = 0; k < layout.num_dofs; ++k) {
-    u[k] = Dot(body->UI[k], body->dalpha) + Dot(body->UF[k], body->da);
+template <int kDofs>
+HAZUMI_INLINE void ArticulatedBodies::Accelerate(int i, const NodeMotion& motion, double* x) {
+  if constexpr (kDofs == 0) return;
+  Body& body = bodies_[i];
+  V3 solved = body.y;
+  if (!is_base_[i]) {
+    double u[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < kDofs; ++k) {
+      u[k] = Dot(body.UI[k], body.dalpha) + Dot(body.UF[k], body.da);
+    }
+    solved -= body.D_inverse * V3{u[0], u[1], u[2]};
   }
-  const V3 change = body->D_inverse * V3{u[0], u[1], u[2]};
-  const double solved[3] = {body->y.x - change.x, body->y.y - change.y, body->y.z - change.z};
-  for (int k = 0; k < layout.num_dofs; ++k) {
-    x[layout.dof + k] = solved[k];
-    body->dalpha += solved[k] * motion.axis[k];
+  const double entries[3] = {solved.x, solved.y, solved.z};
+  for (int k = 0; k < kDofs; ++k) {
+    x[k] = entries[k];
+    body.dalpha += entries[k] * motion.axis[k];
   }
 }
 
-void ArticulatedBodies::Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
-                              bool root_flies, double* x) {
-  const int count = static_cast<int>(bodies_.size());
-  for (int i = 0; i < count; ++i) {
+HAZUMI_INLINE void ArticulatedBodies::AccelerateBall(int i, const NodeMotion& motion, double* x) {
+  Body& body = bodies_[i];
+  const V3 beta = is_base_[i] ? body.y : body.y - body.K * body.da;
+  const V3 solved = TransposeTimes(motion.R, beta - body.dalpha);
+  x[0] = solved.x;
+  x[1] = solved.y;
+  x[2] = solved.z;
+  body.dalpha = beta;
+}
+
+HAZUMI_INLINE void ArticulatedBodies::MoveWithParent(int i, const V3& r) {
+  Body& body = bodies_[i];
+  if (parents_[i] >= 0) {
+    const Body& parent = bodies_[parents_[i]];
+    body.dalpha = parent.dalpha;
+    body.da = parent.da + Cross(parent.dalpha, r);
+  } else {
+    body.dalpha = V3();
+    body.da = root_flies_ ? -Solve3(body.M, body.f) : V3();
+  }
+}
+
+void ArticulatedBodies::Begin(const std::vector<NodeMotion>& motion) {
+  for (size_t i = 0; i < bodies_.size(); ++i) {
     if (!is_dynamic_[i]) continue;
     const NodeMotion& own = motion[i];
     Body& body = bodies_[i];
     body.I = own.I;
+    body.n = own.n;
+    if (is_base_[i]) continue;
     body.H = {{0.0, own.h.z, -own.h.y}, {-own.h.z, 0.0, own.h.x}, {own.h.y, -own.h.x, 0.0}};
     body.M = Diagonal(own.m);
-    body.n = own.n;
     body.f = own.f;
   }
+}
+
+void ArticulatedBodies::Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                              double* x) {
+  const int count = static_cast<int>(bodies_.size());
+  Begin(motion);
   for (int i = count - 1; i >= 0; --i) {
     if (!is_dynamic_[i]) continue;
+    if (layout.node(i).kind == RegionLayout::NodeKind::kBall) {
+      EliminateBall(i, motion[i]);
+      continue;
+    }
     switch (layout.node(i).num_dofs) {
       case 0:
-        Eliminate<0>(i, motion[i], root_flies);
+        Eliminate<0>(i, motion[i]);
         break;
       case 1:
-        Eliminate<1>(i, motion[i], root_flies);
+        Eliminate<1>(i, motion[i]);
         break;
       case 2:
-        Eliminate<2>(i, motion[i], root_flies);
+        Eliminate<2>(i, motion[i]);
         break;
       default:
-        Eliminate<3>(i, motion[i], root_flies);
+        Eliminate<3>(i, motion[i]);
     }
   }
   for (int i = 0; i < count; ++i) {
     if (!is_dynamic_[i]) continue;
-    Body& body = bodies_[i];
-    if (parents_[i] >= 0) {
-      const Body& parent = bodies_[parents_[i]];
-      body.dalpha = parent.dalpha;
-      body.da = parent.da + Cross(parent.dalpha, motion[i].r);
-    } else {
-      body.dalpha = V3();
-      body.da = root_flies ? -Solve3(body.M, body.f) : V3();
+    MoveWithParent(i, motion[i].r);
+    double* own = x + layout.node(i).dof;
+    switch (layout.node(i).num_dofs) {
+      case 0:
+        break;
+      case 1:
+        Accelerate<1>(i, motion[i], own);
+        break;
+      case 2:
+        Accelerate<2>(i, motion[i], own);
+        break;
+      default:
+        bodies_[i].is_ball ? AccelerateBall(i, motion[i], own) : Accelerate<3>(i, motion[i], own);
     }
-    Accelerate(layout.node(i), motion[i], &body, x);
   }
 }
 

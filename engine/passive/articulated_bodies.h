@@ -17,9 +17,8 @@ class ArticulatedBodies {
   explicit ArticulatedBodies(const RegionModel& model);
 
   // x: accelerations by dof of the layout, for nodes that move and weigh as in `motion`. A
-  // direction that moves no mass gets 0. `root_flies`: the root's translation answers freely.
-  void Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion, bool root_flies,
-             double* x);
+  // direction that moves no mass gets 0. The root's translation answers as in flight, or not.
+  void Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
 
  private:
   struct Body {
@@ -31,21 +30,30 @@ class ArticulatedBodies {
     std::array<small::V3, 3> UI, UF;
     small::S3 D_inverse;
     small::V3 y;
+    // A ball joint's: I^-1 H, and y = -I^-1 n, in world axes.
+    bool is_ball = false;
+    small::M3 K;
     small::V3 dalpha, da;
   };
 
+  void Begin(const std::vector<NodeMotion>& motion);
   template <int kDofs>
-  void Eliminate(int i, const NodeMotion& motion, bool root_flies);
-  template <int kDofs>
+  void Eliminate(int i, const NodeMotion& motion);
+  void EliminateBall(int i, const NodeMotion& motion);
+  template <int kDofs, bool kIsBase>
   void SolveJoint(const NodeMotion& motion, Body* body) const;
   template <int kDofs>
   void Reduce(Body* body) const;
   template <bool kIsFreeOfMoment>
-  void PassToParent(const small::V3& r, const Body& from, Body* to) const;
-  void Accelerate(const RegionLayout::Node& layout, const NodeMotion& motion, Body* body,
-                  double* x) const;
+  void PassToParent(int i, const small::V3& r);
+  void MoveWithParent(int i, const small::V3& r);
+  template <int kDofs>
+  void Accelerate(int i, const NodeMotion& motion, double* x);
+  void AccelerateBall(int i, const NodeMotion& motion, double* x);
 
-  std::vector<int> parents_;  // by node; -1 where nothing dynamic carries it
+  bool root_flies_;
+  std::vector<int> parents_;   // by node; -1 where nothing dynamic carries it
+  std::vector<char> is_base_;  // moves as it is told: nothing carries it, and the root does not fly
   std::vector<char> is_dynamic_;
   std::vector<Body> bodies_;
 };

@@ -76,10 +76,9 @@ const Attachment::Fit& Attachment::FitFor(double t) {
 
 Attachment::Frame Attachment::Evaluate(const Fit& fit, double t) {
   const double s = (t - fit.middle) / fit.half;
-  std::array<double, kValues> v = fit.c[kPoints - 1];
-  for (int p = kPoints - 2; p >= 0; --p) {
-    for (int k = 0; k < kValues; ++k) v[k] = v[k] * s + fit.c[p][k];
-  }
+  using Values = Eigen::Array<double, kValues, 1>;
+  Values v = Eigen::Map<const Values>(fit.c[kPoints - 1].data());
+  for (int p = kPoints - 2; p >= 0; --p) v = v * s + Eigen::Map<const Values>(fit.c[p].data());
   const double w = v[0], x = v[1], y = v[2], z = v[3];
   const double n = 2.0 / (w * w + x * x + y * y + z * z);
   const M3 R{{1.0 - n * (y * y + z * z), n * (x * y + w * z), n * (x * z - w * y)},

@@ -13,6 +13,7 @@ constexpr double kTouch = 1e-10;      // at a stop [rad]
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSameTime = 1e-13;   // [s]
 constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
+constexpr double kSafety = 0.9;       // of steps, so that few are rejected
 constexpr long kMostEvaluations = 20'000'000;
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before stops become sticky
@@ -27,6 +28,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
                   &before_q_, &before_qd_, &after_q_, &after_qd_})
     x->setZero(n);
+  for (VecX* x : {&y_, &scale_}) x->resize(2 * n + n / 3);  // the longest state, all in balls
   side_.assign(n, 0);
   locked_.assign(n, 0);
   held_after_.assign(n, 0);
@@ -144,8 +146,6 @@ void ExactSolver::Relock() {
   is_cut_ = false;
   dynamics_->SetLocked(locked_, q_);
   const int size = dynamics_->layout().state_size();
-  y_.resize(size);
-  scale_.resize(size);
   dynamics_->layout().Pack(q_, qd_, y_.data());
   step_.Resize(size);
   SetScale();
@@ -153,11 +153,12 @@ void ExactSolver::Relock() {
     dynamics_->Derivative(t, y, dy);
   };
   step_.Start(time_, y_.data(), field);
+  last_error_ = 1.0;
 }
 
 void ExactSolver::SetScale() {
   const int positions = dynamics_->layout().num_positions();
-  for (int i = 0; i < static_cast<int>(scale_.size()); ++i) {
+  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
     scale_[i] = i < positions ? (dynamics_->layout().is_quaternion(i) ? 0.5 : 1.0) * tolerance_
                               : kRateScale * tolerance_;
   }
@@ -211,6 +212,16 @@ void ExactSolver::MakeEventHappen() {
   Relock();
 }
 
+// What the step may grow by. Errors that rise from step to step go on rising: proportional and
+// integral control [Hairer, Wanner 1996, IV.2] sees that and saves most rejections, and so does
+// slow growth, unless there is next to no error.
+double ExactSolver::Growth(double error) const {
+  constexpr double kNone = 1e-5;
+  const double trend = std::pow(std::max(last_error_, 1e-4), 0.04);
+  const double grow = kSafety * std::pow(std::max(error, 1e-10), -0.1) * trend;
+  return std::clamp(grow, 0.333, error < kNone ? 6.0 : 1.5);
+}
+
 // One accepted step. False with `failure` set if there is none.
 bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
   const auto field = [this](double t, const double* y, double* dy) {
@@ -222,13 +233,15 @@ bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
     // Equal steps to the end rather than a tiny last one.
     const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
     const double error = step_.Try(use, scale_.data(), field);
-    const double grow = 0.9 * std::pow(std::max(error, 1e-10), -0.125);
     if (error <= 1.0) {
       step_.Accept(field);
-      next_h_ = std::max(h * 0.5, use * std::clamp(grow, 0.333, 6.0));
+      const double grow = Growth(error);
+      next_h_ = std::max(h * 0.5, use * grow);
       if (use < h) next_h_ = std::max(next_h_, std::min(h, use * grow));
+      last_error_ = error;
       return true;
     }
+    const double grow = kSafety * std::pow(error, -0.125);
     h = use * (std::isfinite(error) ? std::clamp(grow, 0.1, 0.9) : 0.1);
     const bool too_small = h < kLeastStep;
     if (!too_small && dynamics_->evaluations() < kMostEvaluations) continue;

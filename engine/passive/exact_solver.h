@@ -79,6 +79,7 @@ class ExactSolver {
   void Relock();
   void SetScale();
   double FirstStep(double end) const;
+  double Growth(double error) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
   bool FindHit();
   std::optional<double> FirstCrossing(double before, double t);
@@ -111,6 +112,7 @@ class ExactSolver {
   double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
   double time_ = 0.0, next_h_ = 0.0;
+  double last_error_ = 1.0;  // of the step before, in units of the tolerance
   VecX q_, qd_;              // at time_
   VecX q_start_, qd_start_;  // at the start of the step
   VecX look_q_, look_qd_, before_q_, before_qd_;

@@ -4,7 +4,8 @@
 
 // For every node i with parent p, with the accelerations of free hinges zero:
 //   outwards  R, p, w, alpha, a of the node (as kinematics.h)
-//   its body  f = m (a + alpha x c + w x (w x c)),  n = I alpha + w x I w + c x f
+//   its body  f = m a + alpha x h + w x (w x h),  n = I alpha + w x I w + h x a
+// with h = m c and I about the node's origin
 
 namespace hazumi {
 
@@ -12,10 +13,10 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// R := R Rot(axis, angle). About a coordinate axis only two columns change.
-HAZUMI_INLINE void Turn(const NodeHinge& hinge, double angle, M3* R) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  M3 was = *R;
+// R := R Rot(axis, angle), by its sine and cosine. About a coordinate axis only two columns change.
+HAZUMI_INLINE void Turn(const NodeHinge& hinge, double sine, double c, M3* R) {
+  const M3 was = *R;
+  const double s = hinge.sign * sine;
   switch (hinge.cardinal) {
     case 0:
       R->b = c * was.b + s * was.c;
@@ -37,11 +38,11 @@ HAZUMI_INLINE void Turn(const NodeHinge& hinge, double angle, M3* R) {
 HAZUMI_INLINE V3 AxisOf(const NodeHinge& hinge, const V3& axis, const M3& R) {
   switch (hinge.cardinal) {
     case 0:
-      return R.a;
+      return hinge.sign * R.a;
     case 1:
-      return R.b;
+      return hinge.sign * R.b;
     case 2:
-      return R.c;
+      return hinge.sign * R.c;
     default:
       return R * axis;
   }
@@ -58,11 +59,20 @@ HAZUMI_INLINE M3 FromQuaternion(const double* q) {
           {xz + wy, yz - wx, 1.0 - xx - yy}};
 }
 
+// R I R^T of a diagonal I, with R R^T = 1 taken out.
+HAZUMI_INLINE S3 RotatedDiagonal(const M3& R, const S3& I) {
+  const V3 a = (I.xx - I.zz) * R.a, b = (I.yy - I.zz) * R.b;
+  return {a.x * R.a.x + b.x * R.b.x + I.zz, a.x * R.a.y + b.x * R.b.y,
+          a.x * R.a.z + b.x * R.b.z,        a.y * R.a.y + b.y * R.b.y + I.zz,
+          a.y * R.a.z + b.y * R.b.z,        a.z * R.a.z + b.z * R.b.z + I.zz};
+}
+
 }  // namespace
 
 NodeKinematics::NodeKinematics(const RegionModel& model)
-    : R_root_(ToSmall(model.R_root)), motion_(model.nodes.size()) {
+    : R_root_(ToSmall(model.R_root)), motion_(model.nodes.size()), turns_(model.num_free) {
   for (const ModelNode& from : model.nodes) {
+    const S3 I = ToSymmetric(from.body.I_com + PointInertia(from.body.mass, from.body.com));
     Node node{from.parent,
               from.p_P,
               from.num_hinges,
@@ -71,8 +81,9 @@ NodeKinematics::NodeKinematics(const RegionModel& model)
               from.is_dynamic,
               from.body.is_massless(),
               from.body.mass,
-              from.body.com,
-              ToSymmetric(from.body.I_com)};
+              V3(from.body.mass * from.body.com),
+              I,
+              I.xy == 0.0 && I.xz == 0.0 && I.yz == 0.0};
     for (int h = 0; h < from.num_hinges; ++h) node.axis[h] = from.hinges[h].axis;
     nodes_.push_back(node);
   }
@@ -80,67 +91,73 @@ NodeKinematics::NodeKinematics(const RegionModel& model)
 
 void NodeKinematics::Move(const RegionLayout& layout, const DrivenMotion& driven, double t,
                           const double* positions, const double* velocities, int first, int last) {
+  if (positions != nullptr) turns_.Set(positions, layout.angles());
   for (int i = first; i < last; ++i) {
     const Node& node = nodes_[i];
     NodeMotion& own = motion_[i];
+    Frame frame{R_root_, {}, {}};
     if (node.parent < 0) {
-      own.R = R_root_;
-      own.p = own.r = own.w = own.alpha = own.a = V3();
+      own.p = own.r = own.a = V3();
     } else {
       const NodeMotion& parent = motion_[node.parent];
-      own.r = parent.R * node.p_P;
-      own.R = parent.R;
-      own.p = parent.p + own.r;
-      own.w = parent.w;
-      own.alpha = parent.alpha;
-      own.a = parent.a + Cross(parent.alpha, own.r) + Cross(parent.w, Cross(parent.w, own.r));
+      frame = {parent.R, parent.w, parent.alpha};
+      const V3 r = frame.R * node.p_P;
+      own.r = r;
+      own.p = parent.p + r;
+      own.a = parent.a + Cross(frame.alpha, r) + Cross(frame.w, Cross(frame.w, r));
     }
     using Kind = RegionLayout::NodeKind;
     const RegionLayout::Node& where = layout.node(i);
-    if (where.kind == Kind::kBall) TurnBall(where, positions, velocities, &own);
-    if (where.kind == Kind::kHinges) TurnHinges(node, where, positions, velocities, &own);
-    if (where.kind == Kind::kDriven) TurnDriven(node, driven, t, &own);
+    if (where.kind == Kind::kBall) TurnBall(where, positions, velocities, &frame, &own);
+    if (where.kind == Kind::kHinges) TurnHinges(node, where, velocities, &frame, &own);
+    if (where.kind == Kind::kDriven) TurnDriven(node, driven, t, &frame);
+    own.R = frame.R;
+    own.w = frame.w;
+    own.alpha = frame.alpha;
   }
 }
 
-void NodeKinematics::TurnDriven(const Node& node, const DrivenMotion& driven, double t,
-                                NodeMotion* own) const {
+HAZUMI_INLINE void NodeKinematics::TurnDriven(const Node& node, const DrivenMotion& driven,
+                                              double t, Frame* frame) const {
   for (int h = 0; h < node.num_hinges; ++h) {
     const Jet q = driven.angles[node.hinges[h].coordinate].At(t);
-    const V3 axis = AxisOf(node.hinges[h], node.axis[h], own->R);
-    own->alpha += q.dd * axis + q.d * Cross(own->w, axis);
-    own->w += q.d * axis;
-    Turn(node.hinges[h], q.v, &own->R);
+    const V3 axis = AxisOf(node.hinges[h], node.axis[h], frame->R);
+    frame->alpha += q.dd * axis + q.d * Cross(frame->w, axis);
+    frame->w += q.d * axis;
+    Turn(node.hinges[h], std::sin(q.v), std::cos(q.v), &frame->R);
   }
 }
 
-void NodeKinematics::TurnHinges(const Node& node, const RegionLayout::Node& layout,
-                                const double* positions, const double* velocities,
-                                NodeMotion* own) const {
+HAZUMI_INLINE void NodeKinematics::TurnHinges(const Node& node, const RegionLayout::Node& layout,
+                                              const double* velocities, Frame* frame,
+                                              NodeMotion* own) const {
   int free = 0;
   for (int h = 0; h < node.num_hinges; ++h) {
     if (layout.locked[h]) {
-      Turn(node.hinges[h], layout.angle[h], &own->R);
+      Turn(node.hinges[h], layout.sine[h], layout.cosine[h], &frame->R);
       continue;
     }
     const double rate = velocities[layout.dof + free];
-    const V3 axis = AxisOf(node.hinges[h], node.axis[h], own->R);
+    const V3 axis = AxisOf(node.hinges[h], node.axis[h], frame->R);
     own->axis[free] = axis;
-    own->alpha += rate * Cross(own->w, axis);
-    own->w += rate * axis;
-    Turn(node.hinges[h], positions[layout.position + free], &own->R);
+    frame->alpha += rate * Cross(frame->w, axis);
+    frame->w += rate * axis;
+    const int turn = layout.first_angle + free;
+    Turn(node.hinges[h], turns_.sine(turn), turns_.cosine(turn), &frame->R);
     ++free;
   }
 }
 
-void NodeKinematics::TurnBall(const RegionLayout::Node& layout, const double* positions,
-                              const double* velocities, NodeMotion* own) const {
-  own->R = own->R * FromQuaternion(positions + layout.position);
-  own->axis = {own->R.a, own->R.b, own->R.c};
+HAZUMI_INLINE void NodeKinematics::TurnBall(const RegionLayout::Node& layout,
+                                            const double* positions, const double* velocities,
+                                            Frame* frame, NodeMotion* own) {
+  const M3 R = frame->R * FromQuaternion(positions + layout.position);
+  frame->R = R;
+  own->axis = {R.a, R.b, R.c};
   const double* v = velocities + layout.dof;
-  const V3 w = v[0] * own->R.a + v[1] * own->R.b + v[2] * own->R.c;
-  own->alpha += Cross(own->w, w);
-  own->w += w;
+  const V3 w = v[0] * R.a + v[1] * R.b + v[2] * R.c;
+  frame->alpha += Cross(frame->w, w);
+  frame->w += w;
 }
 
 void NodeKinematics::Accelerate(const RegionLayout& layout, const double* x, int first) {
@@ -171,15 +188,14 @@ void NodeKinematics::SetOwnForces(const V3& base) {
       own.I = S3();
       continue;
     }
-    const V3 c = own.R * node.com;
-    const S3 I = Rotated(own.R, node.I_com);
-    const V3 wc = Cross(own.w, c);
-    own.f = node.mass * (own.a + base + Cross(own.alpha, c) + Cross(own.w, wc));
-    own.n = I * own.alpha + Cross(own.w, I * own.w) + Cross(c, own.f);
-    own.h = node.mass * c;
-    const double hc = Dot(own.h, c);
-    own.I = {I.xx + hc - own.h.x * c.x, I.xy - own.h.x * c.y, I.xz - own.h.x * c.z,
-             I.yy + hc - own.h.y * c.y, I.yz - own.h.y * c.z, I.zz + hc - own.h.z * c.z};
+    const M3 R = own.R;
+    const V3 w = own.w, alpha = own.alpha, a = own.a + base;
+    const V3 h = R * node.h;
+    const S3 I = node.is_diagonal ? RotatedDiagonal(R, node.I) : Rotated(R, node.I);
+    own.f = node.mass * a + Cross(alpha, h) + Cross(w, Cross(w, h));
+    own.n = I * alpha + Cross(w, I * w) + Cross(h, a);
+    own.h = h;
+    own.I = I;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/passive/driven_curve.h"
 #include "engine/passive/region_layout.h"
+#include "engine/passive/turns.h"
 #include "engine/spatial/small.h"
 
 namespace hazumi {
@@ -55,20 +56,27 @@ class NodeKinematics {
     std::array<small::V3, 3> axis;  // of the hinges
     bool is_dynamic, is_massless;
     double mass;
-    small::V3 com;
-    small::S3 I_com;
+    small::V3 h;  // mass times CoM, in the node's frame
+    small::S3 I;  // about its origin
+    bool is_diagonal;
+  };
+  // What the hinges of a node change, on the way outwards.
+  struct Frame {
+    small::M3 R;
+    small::V3 w, alpha;
   };
 
-  void TurnDriven(const Node& node, const DrivenMotion& driven, double t, NodeMotion* own) const;
-  void TurnHinges(const Node& node, const RegionLayout::Node& layout, const double* positions,
-                  const double* velocities, NodeMotion* own) const;
-  void TurnBall(const RegionLayout::Node& layout, const double* positions, const double* velocities,
-                NodeMotion* own) const;
+  void TurnDriven(const Node& node, const DrivenMotion& driven, double t, Frame* frame) const;
+  void TurnHinges(const Node& node, const RegionLayout::Node& layout, const double* velocities,
+                  Frame* frame, NodeMotion* own) const;
+  static void TurnBall(const RegionLayout::Node& layout, const double* positions,
+                       const double* velocities, Frame* frame, NodeMotion* own);
 
   std::vector<small::V3> dalpha_, da_;  // scratch
   small::M3 R_root_;
   std::vector<Node> nodes_;
   std::vector<NodeMotion> motion_;
+  Turns turns_;  // of the free hinges
 };
 
 }  // namespace hazumi

@@ -206,7 +206,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   double* x = dy + layout_.num_positions();
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
-    articulated_.Solve(layout_, kinematics_.motion(), model_.root_answers, x);
+    articulated_.Solve(layout_, kinematics_.motion(), x);
   } else {
     SolveDense(x);
   }

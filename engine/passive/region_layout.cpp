@@ -1,5 +1,6 @@
 #include "engine/passive/region_layout.h"
 
+#include <cmath>
 #include <limits>
 
 namespace hazumi {
@@ -37,6 +38,7 @@ RegionLayout::RegionLayout(const RegionModel& model, bool balls)
     triple_of_[i] = static_cast<int>(triples_.size());
     triples_.emplace_back(node.hinges[0].axis, node.hinges[1].axis, node.hinges[2].axis);
   }
+  angles_.reserve(num_hinges());
   SetLocked(std::vector<char>(num_hinges(), 0), VecX::Zero(num_hinges()));
 }
 
@@ -47,6 +49,7 @@ const HingeTriple* RegionLayout::triple(int node) const {
 void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles) {
   num_positions_ = num_dofs_ = 0;
   is_quaternion_.clear();
+  angles_.clear();
   for (size_t i = 0; i < nodes_.size(); ++i) {
     if (num_hinges_of_[i] == 0) continue;
     Node& own = nodes_[i];
@@ -54,6 +57,10 @@ void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles
     for (int h = 0; h < num_hinges_of_[i]; ++h) {
       own.locked[h] = locked[own.first_hinge + h];
       own.angle[h] = angles[own.first_hinge + h];
+      if (own.locked[h]) {
+        own.sine[h] = std::sin(own.angle[h]);
+        own.cosine[h] = std::cos(own.angle[h]);
+      }
       num_locked += own.locked[h];
     }
     const bool ball = triple_of_[i] >= 0 && num_locked == 0;
@@ -61,6 +68,8 @@ void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles
     own.position = num_positions_;
     own.dof = num_dofs_;
     own.num_dofs = num_hinges_of_[i] - num_locked;
+    own.first_angle = static_cast<int>(angles_.size());
+    for (int k = 0; !ball && k < own.num_dofs; ++k) angles_.push_back(num_positions_ + k);
     num_positions_ += ball ? 4 : own.num_dofs;
     num_dofs_ += own.num_dofs;
     is_quaternion_.resize(num_positions_, ball);

@@ -27,8 +27,10 @@ class RegionLayout {
     int dof = 0;       // of its first in the velocities
     int num_dofs = 0;
     int first_hinge = 0;            // among the free hinges
+    int first_angle = 0;            // in angles(), of those that are not a ball's or locked
     std::array<bool, 3> locked{};   // by hinge of the node
     std::array<double, 3> angle{};  // of the locked ones [rad]
+    std::array<double, 3> sine{}, cosine{};  // of these
   };
 
   // Nothing locked. `balls`: without it every joint is a chain of hinges, and a state is the angles
@@ -46,6 +48,8 @@ class RegionLayout {
   int num_positions() const { return num_positions_; }
   int num_dofs() const { return num_dofs_; }
   int state_size() const { return num_positions_ + num_dofs_; }
+  // Which positions are angles.
+  const std::vector<int>& angles() const { return angles_; }
   bool is_quaternion(int position) const { return is_quaternion_[position]; }
 
   // Angles and rates of the free hinges as a state.
@@ -71,6 +75,7 @@ class RegionLayout {
   std::vector<int> triple_of_;  // by node, -1: none
   std::vector<Node> nodes_;
   std::vector<char> is_quaternion_;  // by position
+  std::vector<int> angles_;
   int num_positions_ = 0, num_dofs_ = 0;
 };
 

@@ -19,11 +19,13 @@ RigidInertia Moved(const RigidInertia& body, const Pose& X) {
   return {body.mass, X * body.com, X.R * body.I_com * X.R.transpose()};
 }
 
-int CardinalOf(const Vec3& axis) {
+NodeHinge HingeAbout(const Vec3& axis, Coordinate coordinate) {
   for (int i = 0; i < 3; ++i) {
-    if (axis == Vec3::Unit(i)) return i;
+    for (const double sign : {1.0, -1.0}) {
+      if (axis == sign * Vec3::Unit(i)) return {coordinate, axis, i, sign};
+    }
   }
-  return 3;
+  return {coordinate, axis, 3, 1.0};
 }
 
 // The whole figure as one model.
@@ -56,7 +58,7 @@ class ModelCompiler {
         const double q = request_.angles[c];
         model_.R_root = model_.R_root * AxisRotation<double>(axes[i], std::sin(q), std::cos(q));
       } else {
-        root.hinges[root.num_hinges++] = {c, axes[i], CardinalOf(axes[i])};
+        root.hinges[root.num_hinges++] = HingeAbout(axes[i], c);
       }
     }
     root.body = figure_.root_body();
@@ -89,7 +91,7 @@ class ModelCompiler {
       }
       ModelNode& node = model_.nodes[seat.node];
       const Vec3 axis = seat.X_NJ.R * joint.axis;
-      node.hinges[node.num_hinges++] = {j.value(), axis, CardinalOf(axis)};
+      node.hinges[node.num_hinges++] = HingeAbout(axis, j.value());
     }
     seats_[j.value()] = seat;
     const RigidInertia& body = figure_.body(j);

@@ -31,7 +31,8 @@ struct ModelRequest {
 struct NodeHinge {
   Coordinate coordinate;
   Vec3 axis;     // unit, in the node's frame at angle zero of all hinges of the node
-  int cardinal;  // 0, 1, 2: the axis is +x, +y, +z; 3: something else
+  int cardinal;  // 0, 1, 2: the axis is x, y, z times `sign`; 3: something else
+  double sign;   // 1 or -1
 };
 
 // Rigid body on up to three concentric hinges, all free or all driven. Its frame is parallel to its

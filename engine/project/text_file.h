@@ -1,6 +1,6 @@
 #pragma once
 
-// Internal. Whole text files.
+// Whole text files.
 
 #include <string>
 #include <string_view>

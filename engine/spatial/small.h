@@ -17,6 +17,14 @@ struct V3 {
   double x = 0.0, y = 0.0, z = 0.0;
   V3() = default;
   HAZUMI_INLINE V3(double a, double b, double c) : x(a), y(b), z(c) {}
+  // Number by number: a copy in pieces of other sizes has to wait for what was just written.
+  HAZUMI_INLINE V3(const V3& v) : x(v.x), y(v.y), z(v.z) {}
+  HAZUMI_INLINE V3& operator=(const V3& v) {
+    x = v.x;
+    y = v.y;
+    z = v.z;
+    return *this;
+  }
   HAZUMI_INLINE V3(const Vec3& v) : x(v[0]), y(v[1]), z(v[2]) {}  // NOLINT: the same thing
   Vec3 eigen() const { return {x, y, z}; }
 };
@@ -35,6 +43,19 @@ HAZUMI_INLINE V3 Cross(const V3& a, const V3& b) {
 // Symmetric.
 struct S3 {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+  S3() = default;
+  HAZUMI_INLINE S3(double a, double b, double c, double d, double e, double f)
+      : xx(a), xy(b), xz(c), yy(d), yz(e), zz(f) {}
+  HAZUMI_INLINE S3(const S3& s) : S3(s.xx, s.xy, s.xz, s.yy, s.yz, s.zz) {}
+  HAZUMI_INLINE S3& operator=(const S3& s) {
+    xx = s.xx;
+    xy = s.xy;
+    xz = s.xz;
+    yy = s.yy;
+    yz = s.yz;
+    zz = s.zz;
+    return *this;
+  }
 };
 HAZUMI_INLINE S3 operator+(const S3& a, const S3& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};

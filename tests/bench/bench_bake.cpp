@@ -70,6 +70,8 @@ void RegisterEdits() {
 void RegisterLongEdits() {
   const std::string name = "10000 frames and 100 regions";
   const Animation animation = test::LongTimeline(10000, 100);
+  RegisterBake("100 frames and 1 region", test::LongTimeline(100, 1));
+  RegisterBake("1000 frames and 10 regions", test::LongTimeline(1000, 10));
   RegisterBake(name, animation);
   const auto edit = [&](const char* joint, int key_frame, int frame, const std::string& what) {
     RegisterEdit(name, animation, joint, key_frame, frame, what);

@@ -15,12 +15,14 @@ int main(int argc, char** argv) {
   const Table tables[] = {{"calls", PrintCalls},
                           {"work_precision", PrintWorkPrecision},
                           {"scaling", PrintScaling},
-                          {"stability", PrintStability}};
+                          {"stability", PrintStability},
+                          {"modelling", PrintModelling}};
   for (const Table& table : tables) {
     if (argc != 3 || std::strcmp(argv[1], table.name) != 0) continue;
     table.print(std::atoi(argv[2]));
     return 0;
   }
-  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability ROUNDS\n", argv[0]);
+  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability|modelling ROUNDS\n",
+               argv[0]);
   return 2;
 }

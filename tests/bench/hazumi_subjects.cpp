@@ -1,3 +1,4 @@
+#include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inertia_matrix.h"
 #include "engine/dynamics/inverse_dynamics.h"
@@ -33,18 +34,15 @@ class HazumiBase : public Subject {
 
 class Hazumi : public HazumiBase {
  public:
-  using HazumiBase::HazumiBase;
+  Hazumi(const Figure& figure, Instructions instructions)
+      : HazumiBase(figure), dynamics_(figure, instructions), scratch_(dynamics_.MakeScratch()) {}
 
   bool InverseDynamics(const Question& at, VecX* tau) override {
-    Place(at);
-    hazumi::InverseDynamics(figure_, root_, at.qd, at.qdd, nullptr, &ws_);
-    *tau = ws_.tau;
+    dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, at.qdd, nullptr, &scratch_, tau);
     return true;
   }
   bool Bias(const Question& at, VecX* b) override {
-    Place(at);
-    hazumi::InverseDynamics(figure_, root_, at.qd, zero_, nullptr, &ws_);
-    *b = ws_.tau;
+    dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, zero_, nullptr, &scratch_, b);
     return true;
   }
   bool InertiaMatrix(const Question& at, MatX* H) override {
@@ -53,9 +51,12 @@ class Hazumi : public HazumiBase {
     return true;
   }
   bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    Place(at);
-    return !ForwardDynamicsByArticulatedBodies(figure_, root_, at.qd, at.tau, nullptr, &ws_, qdd);
+    return !dynamics_.ForwardDynamics(Pose(), root_, at.q, at.qd, at.tau, nullptr, &scratch_, qdd);
   }
+
+ private:
+  FigureDynamics dynamics_;
+  FigureScratch scratch_;
 };
 
 class HazumiPaperWay : public HazumiBase {
@@ -91,7 +92,11 @@ class HazumiComposite : public HazumiBase {
 }  // namespace
 
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure) {
-  return std::make_unique<Hazumi>(figure);
+  return std::make_unique<Hazumi>(figure, BestInstructions());
+}
+
+std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure) {
+  return std::make_unique<Hazumi>(figure, Instructions::kBaseline);
 }
 
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure) {

@@ -43,7 +43,9 @@ struct NamedMaker {
   SubjectMaker make;
 };
 
+// With the best instructions of this machine, and with those that every machine has.
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure);
+std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure);
 // H by unit accelerations and a dense Cholesky factorisation, as printed: O(N^3).
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure);
 // H by composite bodies and a dense Cholesky factorisation.

@@ -11,7 +11,10 @@ void PrintCalls(int rounds);
 void PrintWorkPrecision(int rounds);
 // Forward dynamics of growing figures: method, shape, joints, microseconds.
 void PrintScaling(int rounds);
+void PrintRegionScaling(int rounds);  // its last rows: one group of a region, in two ways
 // Steps that survive: slice, method, its two coordinates, largest step in s, empty if none did.
 void PrintStability(int rounds);
+// All evaluations of an example's bake: case, level of modelling, microseconds.
+void PrintModelling(int rounds);
 
 }  // namespace hazumi::bench

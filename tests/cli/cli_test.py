@@ -109,7 +109,7 @@ class CommandLine(unittest.TestCase):
                 (["--check", "--json=no", THROW], "--json takes no value"),
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
                 (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
-                ([], "no task; the tasks are --render, --bake, --check and --info"),
+                ([], "no task; the tasks are --render, --bake, --check, --info, --run and --operators"),
                 (["--info"], "no FILE"),
                 (["--info", THROW, JUMP], "only --check takes several")):
             done = run(*wrong, cwd=self.folder)
@@ -119,7 +119,7 @@ class CommandLine(unittest.TestCase):
     def test_help_fits_a_terminal_and_names_every_option(self):
         lines = run("--help").stdout.splitlines()
         self.assertLessEqual(max(map(len, lines)), 80)
-        for option in ("render", "bake", "check", "info", "frames", "size", "samples", "camera",
+        for option in ("render", "bake", "check", "info", "run", "operators", "frames", "size", "samples", "camera",
                        "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
                        "method", "tolerance", "step", "fps", "timings", "json"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
@@ -236,6 +236,30 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(rows[0].split(",")), len(rows[1].split(",")))
         self.assertEqual(run("--bake", "-", THROW).stdout, (self.folder / "m.json").read_text())
         self.assertTrue(stat.S_IMODE((self.folder / "m.json").stat().st_mode) & 0o400)
+
+    def test_a_script_edits_a_project(self):
+        script = self.folder / "script.json"
+        out = self.folder / "out.kfa"
+        script.write_text(json.dumps([
+            {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 40},
+            {"op": "file.save", "path": str(out)}]))
+        done = run("--run", script)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        keys = json.loads(out.read_text())["joints"]["r_knee"]["keys"]
+        self.assertEqual(keys, [{"frame": 5, "angle_deg": 40}])
+        script.write_text('[{"op": "key.delete", "curve": "r_knee", "frame": 5}]')
+        done = run("--run", script, out)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("changed but not saved", done.stderr)
+        script.write_text('[{"op": "key.delete", "curve": "r_knee", "frame": 6}]')
+        done = run("--run", script, out)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("[0]: key.delete.frame: \"r_knee\" has no key on frame 6", done.stderr)
+
+    def test_the_operators_are_listed_with_their_parameters(self):
+        lines = run("--operators").stdout.splitlines()
+        self.assertIn("region.split: Makes two regions of one.", lines)
+        self.assertIn("    region: a text, the region's name", lines)
 
     def test_another_frame_rate_is_the_same_motion(self):
         at_30 = json.loads(run("--bake", "-", JUMP).stdout)

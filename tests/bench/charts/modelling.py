@@ -16,7 +16,7 @@ def draw_panel(axes, bars):
         axes.text(us + 0.015 * most, height, f"{us:,.0f} µs  (×{ratio})", va="center",
                   fontsize=7.5)
     axes.set_yticks(heights, [level for level, _ in bars])
-    axes.set(xlabel="bake of the whole motion [µs]", xlim=(0, 1.45 * most))
+    axes.set(xlabel="all evaluations of the bake [µs]", xlim=(0, 1.45 * most))
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="y", visible=False)
 
@@ -38,7 +38,7 @@ def draw(comment, rows, folder):
         span = max(us for _, us in bars) / min(us for _, us in bars)
         spans.append(f"{case} ×{style.two_digits(span)}")
     style.headline(figure, f"From the least to the most that is modelled: {', '.join(spans)}",
-                   "Time of the whole bake at each level of modelling; in brackets the ratio to "
-                   "the first.")
+                   "Time of all evaluations of the bake at each level of modelling; in brackets "
+                   "the ratio to the first.")
     style.footnote(figure, comment)
     style.save(figure, folder, "modelling")

@@ -18,13 +18,11 @@ VecX Torques(const Sample& sample, const VecX& qdd, const EndForces* ends) {
   return ws.tau;
 }
 
-using ForwardRoute = decltype(&ForwardDynamicsDense);
-
-VecX Accelerations(const Sample& sample, ForwardRoute route) {
+VecX Accelerations(const Sample& sample) {
   DynamicsWorkspace ws = sample.Placed();
   VecX qdd(sample.figure.num_joints());
-  const auto singular = route(sample.figure, sample.RootLessGravity(), sample.qd, sample.tau,
-                              &sample.ends, &ws, &qdd);
+  const auto singular = ForwardDynamicsDense(sample.figure, sample.RootLessGravity(), sample.qd,
+                                             sample.tau, &sample.ends, &ws, &qdd);
   EXPECT_FALSE(singular.has_value()) << "seed " << sample.seed;
   return qdd;
 }
@@ -89,32 +87,15 @@ TEST(InertiaMatrix, ByCompositeBodiesAgreesWithMujoco) {
 
 TEST(ForwardDynamics, DenseAgreesWithMujoco) {
   ForAllSamples("dense forward dynamics", Root::kStill, [](Sample& s) {
-    return RelativeDifference(Accelerations(s, ForwardDynamicsDense),
-                              s.mujoco.ForwardDynamics(s.tau, &s.ends));
-  });
-}
-
-TEST(ForwardDynamics, ByArticulatedBodiesAgreesWithMujoco) {
-  ForAllSamples("articulated bodies", Root::kStill, [](Sample& s) {
-    return RelativeDifference(Accelerations(s, ForwardDynamicsByArticulatedBodies),
-                              s.mujoco.ForwardDynamics(s.tau, &s.ends));
+    return RelativeDifference(Accelerations(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
   });
 }
 
 // MuJoCo has no forward dynamics on a root that is led: its inverse dynamics must give the torques.
 TEST(ForwardDynamics, OnATurningAndAcceleratingRootIsUndoneByMujocosInverse) {
-  for (const ForwardRoute route : {ForwardDynamicsDense, ForwardDynamicsByArticulatedBodies}) {
-    ForAllSamples("forward dynamics, moving root", Root::kMoving, [route](Sample& s) {
-      const VecX all = s.mujoco.InverseDynamics(s.Join(Accelerations(s, route)), &s.ends);
-      return RelativeDifference(s.JointRows(all), s.tau);
-    });
-  }
-}
-
-TEST(ForwardDynamics, TheTwoRoutesAgree) {
-  ForAllSamples("two routes", Root::kMoving, [](Sample& s) {
-    return RelativeDifference(Accelerations(s, ForwardDynamicsDense),
-                              Accelerations(s, ForwardDynamicsByArticulatedBodies));
+  ForAllSamples("forward dynamics, moving root", Root::kMoving, [](Sample& s) {
+    const VecX all = s.mujoco.InverseDynamics(s.Join(Accelerations(s)), &s.ends);
+    return RelativeDifference(s.JointRows(all), s.tau);
   });
 }
 

@@ -3,6 +3,7 @@
 #include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inertia_matrix.h"
+#include "engine/passive/exact_solver.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "tests/support/allocation_count.h"
@@ -72,12 +73,6 @@ TEST_F(NoAllocation, InTheInertiaMatrices) {
   });
 }
 
-TEST_F(NoAllocation, InForwardDynamicsByArticulatedBodies) {
-  ExpectNone([&] {
-    (void)ForwardDynamicsByArticulatedBodies(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_);
-  });
-}
-
 TEST_F(NoAllocation, InDenseForwardDynamics) {
   ExpectNone([&] { (void)ForwardDynamicsDense(figure_, root_, qd_, tau_, &ends_, &ws_, &qdd_); });
 }
@@ -116,6 +111,31 @@ TEST_F(NoAllocation, InThePapersStep) {
   const PaperStepInput input{&system.M(), &system.b(), 0.9 * ones, lower, upper};
   ExpectNone([&] { ASSERT_EQ(step.Advance(input, 1.0 / 300.0, &q_, &qd_), PaperStepStatus::kOk); });
   EXPECT_GT(step.solves(), 1);
+}
+
+// A swing against stops, looks inside its steps included.
+TEST_F(NoAllocation, InStepsOfTheExactMethod) {
+  constexpr int kShoulder = 9, kArm = 7;  // the right arm's hinges
+  const int n = figure_.num_joints();
+  ModelRequest request;
+  request.roles.assign(n + kRootAngles, Role::kConstant);
+  request.angles = VecX::Zero(n + kRootAngles);
+  std::fill_n(request.roles.begin() + kShoulder, kArm, Role::kFree);
+  const RegionModel model = CompileRegionModels(figure_, request).at(0);
+  RegionDynamics dynamics(model, VecX::Constant(kArm, 1.0), 9.81);
+  DrivenMotion driven;
+  driven.angles.resize(n + kRootAngles);
+  dynamics.SetDriven(&driven, 0.0, 10.0);
+  const VecX stops = VecX::Constant(kArm, 0.5);
+  ExactSolver solver(&dynamics, -stops, stops);
+  VecX q = VecX::Constant(kArm, 0.3), qd = VecX::Constant(kArm, 1.0);
+  solver.Start(0.0, q, qd);
+  ExpectNone([&] {
+    for (int step = 0; step < 60; ++step) {
+      ASSERT_FALSE(solver.Advance(10.0));
+      solver.Sample(0.5 * (solver.step_start() + solver.time()), &q, &qd);
+    }
+  });
 }
 
 }  // namespace

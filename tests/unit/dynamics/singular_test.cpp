@@ -6,15 +6,13 @@
 namespace hazumi::test {
 namespace {
 
-using ForwardRoute = decltype(&ForwardDynamicsDense);
-
-std::optional<SingularInertia> Solve(const Figure& figure, const VecX& q, ForwardRoute route,
+std::optional<SingularInertia> Solve(const Figure& figure, const VecX& q,
                                      const Pose& X_WR = Pose()) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, X_WR, q, &ws);
   const VecX zero = VecX::Zero(figure.num_joints());
   VecX qdd(figure.num_joints());
-  return route(figure, RootMotion(), zero, zero, nullptr, &ws, &qdd);
+  return ForwardDynamicsDense(figure, RootMotion(), zero, zero, nullptr, &ws, &qdd);
 }
 
 // A random tree with one more hinge, which carries nothing.
@@ -36,11 +34,9 @@ TEST(ForwardDynamics, ReportsAMasslessLeafByItsJoint) {
     const Figure figure = WithEmptyHinge(seed);
     Random random(~seed);
     const VecX q = RandomAngles(figure, &random);
-    for (const ForwardRoute route : {ForwardDynamicsDense, ForwardDynamicsByArticulatedBodies}) {
-      const auto singular = Solve(figure, q, route);
-      ASSERT_TRUE(singular.has_value()) << "seed " << seed;
-      EXPECT_EQ(figure.joint(singular->joint).name, "empty") << "seed " << seed;
-    }
+    const auto singular = Solve(figure, q);
+    ASSERT_TRUE(singular.has_value()) << "seed " << seed;
+    EXPECT_EQ(figure.joint(singular->joint).name, "empty") << "seed " << seed;
   }
 }
 
@@ -51,11 +47,9 @@ TEST(ForwardDynamics, ReportsHingesThatLineUpHoweverTheFigureIsTurned) {
     VecX q = RandomAngles(human, &random);
     q[10] = 1.57079632679489661923;  // the left shoulder's y and z hinges in one line
     const Pose X_WR{random.Rotation(), random.Vector3(1.0)};
-    for (const ForwardRoute route : {ForwardDynamicsDense, ForwardDynamicsByArticulatedBodies}) {
-      const auto singular = Solve(human, q, route, X_WR);
-      ASSERT_TRUE(singular.has_value()) << "seed " << seed;
-      EXPECT_EQ(human.group(human.joint(singular->joint).group).name, "l_shoulder");
-    }
+    const auto singular = Solve(human, q, X_WR);
+    ASSERT_TRUE(singular.has_value()) << "seed " << seed;
+    EXPECT_EQ(human.group(human.joint(singular->joint).group).name, "l_shoulder");
   }
 }
 
@@ -63,8 +57,7 @@ TEST(ForwardDynamics, ReportsNothingForAHealthyFigure) {
   const Figure human = Human37();
   Random random(1);
   const VecX q = RandomAngles(human, &random);
-  EXPECT_FALSE(Solve(human, q, ForwardDynamicsDense).has_value());
-  EXPECT_FALSE(Solve(human, q, ForwardDynamicsByArticulatedBodies).has_value());
+  EXPECT_FALSE(Solve(human, q).has_value());
 }
 
 TEST(DynamicsWorkspace, HoldsNothingFromOneUseToTheNext) {

@@ -1,0 +1,103 @@
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Json;
+using edit::Session;
+
+const std::vector<ProjectKey>& KeysOf(const Session& session, const std::string& hinge) {
+  for (const Named<ProjectCurve>& entry : session.project().joints) {
+    if (entry.name == hinge) return entry.value.keys;
+  }
+  ADD_FAILURE() << "no curve " << hinge;
+  static const std::vector<ProjectKey> none;
+  return none;
+}
+
+TEST(KeyOperators, SetMakesAKeyInItsPlace) {
+  Session session;
+  for (const double frame : {20.0, 0.0, 10.5}) {
+    Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", frame}, {"value", frame}});
+  }
+  const auto& keys = KeysOf(session, "r_knee");
+  ASSERT_EQ(keys.size(), 3u);
+  EXPECT_EQ(keys[1].frame, 10.5);
+  EXPECT_EQ(keys[1].value, 10.5);
+}
+
+TEST(KeyOperators, SetLeavesAloneWhatIsNotGiven) {
+  Session session;
+  Do(&session, "key.set",
+     {{"curve", "r_knee"}, {"frame", 5}, {"value", 30}, {"rate", 7}, {"interpolation", "linear"}});
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 40}});
+  const ProjectKey& key = KeysOf(session, "r_knee")[0];
+  EXPECT_EQ(key.value, 40.0);
+  EXPECT_EQ(key.rate, 7.0);
+  EXPECT_EQ(key.interpolation, Interpolation::kLinear);
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"auto_rate", true}});
+  EXPECT_FALSE(KeysOf(session, "r_knee")[0].rate);
+}
+
+TEST(KeyOperators, MoveOntoAnotherKeyTakesItsPlace) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 30}});
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 9}, {"value", 50}});
+  Do(&session, "key.move", {{"curve", "r_knee"}, {"frame", 5}, {"to", 9}, {"by", 1}});
+  ASSERT_EQ(KeysOf(session, "r_knee").size(), 1u);
+  EXPECT_EQ(KeysOf(session, "r_knee")[0].value, 31.0);
+}
+
+TEST(KeyOperators, DraggingAKeyIsOneStep) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 30}});
+  for (int i = 0; i < 10; ++i) {
+    Do(&session, "key.move", {{"curve", "r_knee"}, {"frame", 5}, {"by", 1}, {"drag", "1"}});
+  }
+  EXPECT_EQ(session.document().num_steps(), 2u);
+  EXPECT_EQ(KeysOf(session, "r_knee")[0].value, 40.0);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(KeysOf(session, "r_knee")[0].value, 30.0);
+}
+
+TEST(KeyOperators, RetimeStretchesTheKeysBetweenTwoFrames) {
+  Session session;
+  for (const int frame : {0, 5, 10, 20}) {
+    Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", frame}, {"value", frame}});
+  }
+  Do(&session, "key.retime",
+     {{"curves", {"r_knee"}}, {"first", 5}, {"last", 10}, {"to_first", 6}, {"to_last", 16}});
+  std::vector<double> frames;
+  for (const ProjectKey& key : KeysOf(session, "r_knee")) frames.push_back(key.frame);
+  EXPECT_EQ(frames, (std::vector<double>{0, 6, 16, 20}));
+}
+
+TEST(KeyOperators, InsertKeysWhatIsSeen) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 0}, {"value", 0}});
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 30}, {"value", 60}});
+  Do(&session, "time.frame", {{"frame", 15}});
+  Do(&session, "select.joints", {{"joints", {"r_knee"}}});
+  Do(&session, "key.insert");
+  EXPECT_NEAR(KeysOf(session, "r_knee")[1].value, 30.0, 1e-9);
+}
+
+TEST(KeyOperators, SayWhatIsWrong) {
+  Session session;
+  EXPECT_EQ(Refused(&session, "key.set", {{"curve", "r_nee"}, {"frame", 0}}).ToString(),
+            "key.set.curve: \"r_nee\" is neither a hinge of the figure nor one of root.x, root.y, "
+            "root.z, root.angle_z, root.angle_y, root.angle_x");
+  EXPECT_EQ(Refused(&session, "key.set", {{"curve", "r_knee"}}).ToString(),
+            "key.set.frame: is missing: the key's frame");
+  EXPECT_EQ(Refused(&session, "key.set", {{"curve", 3}, {"frame", 0}}).ToString(),
+            "key.set.curve: must be a text");
+  EXPECT_EQ(Refused(&session, "key.delete", {{"curve", "root.z"}, {"frame", 3}}).ToString(),
+            "key.delete.frame: \"root.z\" has no key on frame 3");
+  EXPECT_EQ(Refused(&session, "key.paint", Json::object()).ToString(),
+            "key.paint: there is no such operator");
+  EXPECT_EQ(Refused(&session, "edit.undo", {{"steps", 3}}).ToString(),
+            "edit.undo.steps: there is no such parameter; the operator takes none");
+}
+
+}  // namespace
+}  // namespace hazumi::test

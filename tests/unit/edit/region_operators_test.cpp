@@ -1,0 +1,90 @@
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Session;
+
+// Both arms raised, then let go.
+void AddArms(Session* session) {
+  for (const char* hinge : {"l_shoulder_flexion", "r_shoulder_flexion"}) {
+    Do(session, "key.set", {{"curve", hinge}, {"frame", 0}, {"value", 0}});
+    Do(session, "key.set", {{"curve", hinge}, {"frame", 5}, {"value", 70}});
+    Do(session, "key.set", {{"curve", hinge}, {"frame", 30}, {"value", 0}});
+  }
+  Do(session, "region.add",
+     {{"name", "arms"},
+      {"first", 5},
+      {"last", 15},
+      {"joints", {"l_shoulder+", "r_shoulder+"}},
+      {"friction", 0.8}});
+}
+
+TEST(RegionOperators, AddLetsTheJointsSwing) {
+  Session session;
+  AddArms(&session);
+  const Result<const Motion*> motion = session.WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  EXPECT_EQ(motion.value()->regions[0].groups, (std::vector<int>{7, 7}));
+  EXPECT_TRUE(
+      motion.value()->frames[10].in_region[session.figure().FindJoint("r_elbow_flexion")->value()]);
+}
+
+TEST(RegionOperators, AnEditThatCannotBeAnimatedIsRefused) {
+  Session session;
+  AddArms(&session);
+  const Error overlap =
+      Refused(&session, "region.add",
+              {{"name", "again"}, {"first", 10}, {"last", 20}, {"joints", {"r_elbow_flexion"}}});
+  EXPECT_NE(overlap.message.find("both drive"), std::string::npos) << overlap.message;
+  Refused(&session, "region.set", {{"region", "arms"}, {"last", 3}});
+  Refused(&session, "region.friction", {{"region", "arms"}, {"factor", 1.5}});
+  EXPECT_EQ(Refused(&session, "region.remove", {{"region", "legs"}}).ToString(),
+            "region.remove.region: there is no \"legs\"; there is \"arms\"");
+}
+
+TEST(RegionOperators, FrictionOfOneJoint) {
+  Session session;
+  AddArms(&session);
+  Do(&session, "region.friction", {{"region", "arms"}, {"factor", 0.4}, {"joint", "r_wrist"}});
+  Do(&session, "region.friction", {{"region", "arms"}, {"factor", 0.5}, {"joint", "r_wrist"}});
+  const ProjectFriction& friction = session.project().regions[0].friction;
+  ASSERT_EQ(friction.joints.size(), 1u);
+  EXPECT_EQ(friction.joints[0].value, 0.5);
+  EXPECT_EQ(friction.default_factor, 0.8);
+}
+
+TEST(RegionOperators, SplitGoesOnAsBefore) {
+  Session session;
+  AddArms(&session);
+  const VecX before = session.WholeMotion().value()->frames[14].q;
+  Do(&session, "region.split", {{"region", "arms"}, {"frame", 10}});
+  EXPECT_EQ(session.project().regions[1].name, "arms 2");
+  const VecX after = session.WholeMotion().value()->frames[14].q;
+  EXPECT_LE((after - before).cwiseAbs().maxCoeff(), 2.0 * 0.01 / 57.3);
+}
+
+TEST(RegionOperators, ToKeysKeepsTheMotion) {
+  Session session;
+  AddArms(&session);
+  const Motion before = *session.WholeMotion().value();
+  Do(&session, "region.to_keys", {{"region", "arms"}});
+  EXPECT_TRUE(session.project().regions.empty());
+  const Motion& after = *session.WholeMotion().value();
+  for (size_t f = 0; f < before.frames.size(); ++f) {
+    EXPECT_LE((after.frames[f].q - before.frames[f].q).cwiseAbs().maxCoeff(), 1e-9) << f;
+  }
+}
+
+TEST(RegionOperators, ANewPlacementTakesTheFramesItIsGiven) {
+  Session session;
+  Do(&session, "placement.set", {{"kind", "pinned"}, {"pin", "l_toe"}, {"first", 0}, {"last", 30}});
+  Do(&session, "placement.set", {{"kind", "gravity"}, {"first", 10}, {"last", 20}});
+  ASSERT_EQ(session.project().placements.size(), 3u);
+  EXPECT_EQ(session.project().placements[2].first_frame, 20);
+  Do(&session, "placement.set", {{"kind", "keyed"}, {"first", 0}, {"last", 30}});
+  EXPECT_TRUE(session.project().placements.empty());
+}
+
+}  // namespace
+}  // namespace hazumi::test

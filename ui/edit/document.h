@@ -1,0 +1,87 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "ui/edit/change.h"
+
+namespace hazumi::edit {
+
+// A project that is being edited, with its past and its future. It is changed by transactions only,
+// each of which is one undo step.
+class Document {
+ public:
+  explicit Document(Project project, std::string path = "");
+
+  const Project& project() const { return project_; }
+  // File it was read from or saved to; empty if there is none.
+  const std::string& path() const { return path_; }
+  // Counts up whenever the project changes, also by undo and redo.
+  long revision() const { return revision_; }
+
+  // What the next undo and redo would do; none if there is nothing.
+  std::optional<std::string> undo_label() const;
+  std::optional<std::string> redo_label() const;
+  bool Undo();
+  bool Redo();
+  // Steps that can be undone or redone, and the memory that they hold, about [bytes].
+  size_t num_steps() const { return steps_.size(); }
+  size_t history_bytes() const { return bytes_; }
+  // The oldest steps are forgotten beyond this. The newest one stays, however large.
+  void set_history_limit(size_t bytes);
+
+  // From now on a step is one of its own, whatever it is called: the drag is over.
+  void EndMerge();
+
+  // It is as it was read or saved.
+  bool is_saved() const { return saved_ == position_; }
+  void MarkSaved(const std::string& path);
+
+ private:
+  friend class Transaction;
+  struct Step {
+    std::string label;
+    Change change;
+  };
+
+  void Add(const std::string& label, const std::string& merge, Project before);
+  void Forget();
+
+  Project project_;
+  std::string path_;
+  long revision_ = 0;
+  std::deque<Step> steps_;
+  long forgotten_ = 0;             // steps before steps_[0]
+  long position_ = 0;              // steps behind us, forgotten ones too
+  std::optional<long> saved_ = 0;  // position; none: it can no longer be reached
+  size_t bytes_ = 0, limit_ = size_t{256} << 20;
+  std::string merge_;     // of the last step; empty: nothing merges with it
+  Project merge_before_;  // that step's beginning
+};
+
+// Edits a document: change project(), then commit. What is not committed is undone.
+class Transaction {
+ public:
+  explicit Transaction(Document* document) : document_(document), before_(document->project_) {}
+  ~Transaction() {
+    if (!is_committed_) document_->project_ = std::move(before_);
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  Project& project() { return document_->project_; }
+  // Steps in a row with the same `merge`, if not empty, become one: a drag. Nothing changed: no
+  // step.
+  void Commit(const std::string& label, const std::string& merge = "") {
+    is_committed_ = true;
+    document_->Add(label, merge, std::move(before_));
+  }
+
+ private:
+  Document* document_;
+  Project before_;
+  bool is_committed_ = false;
+};
+
+}  // namespace hazumi::edit

@@ -1,0 +1,62 @@
+#pragma once
+
+// Internal: what the operators are made of.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/edit/operator.h"
+#include "ui/edit/session.h"
+
+namespace hazumi::edit {
+
+// Each gives the operators of one file.
+std::vector<Operator> KeyOperators();
+std::vector<Operator> PoseOperators();
+std::vector<Operator> RegionOperators();
+std::vector<Operator> SceneOperators();
+std::vector<Operator> SessionOperators();
+
+inline Error Refusal(const std::string& place, const std::string& message) {
+  return {ErrorCode::kSchema, "", place, message};
+}
+
+// A curve by its name: a hinge's, or "root.x" to "root.angle_x". A hinge without one is given one.
+// Errors: kSchema if the figure has no such hinge.
+Result<ProjectCurve*> CurveNamed(const std::string& name, const Figure& figure, Project* project);
+// The same, without giving one: null if the hinge has none.
+const ProjectCurve* FindCurve(const std::string& name, const Project& project);
+// Names of all curves that a project has: of its root and of hinges that have one.
+std::vector<std::string> CurveNames(const Project& project);
+
+// The key on a frame, or null.
+ProjectKey* KeyOn(double frame, ProjectCurve* curve);
+// Puts a key in its place; one on the same frame is replaced, but for its fields that no one knows.
+void PutKey(const ProjectKey& key, ProjectCurve* curve);
+
+// The entry of a list with this name, or an error that tells the names there are.
+template <typename T>
+Result<T*> EntryNamed(const std::string& name, const char* what, std::vector<T>* list) {
+  std::string known;
+  for (T& entry : *list) {
+    if (entry.name == name) return &entry;
+    known += (known.empty() ? "\"" : ", \"") + entry.name + "\"";
+  }
+  return Refusal(
+      what, "there is no \"" + name + "\"; there " + (known.empty() ? "are none" : "is " + known));
+}
+
+// Of an enumeration by its file name, e.g. "exact"; `all`: every value.
+template <typename T>
+Result<T> ValueNamed(const std::string& name, const char* parameter, std::initializer_list<T> all,
+                     const char* (*name_of)(T)) {
+  std::string known;
+  for (const T value : all) {
+    if (name_of(value) == name) return value;
+    known += (known.empty() ? "" : ", ") + std::string(name_of(value));
+  }
+  return Refusal(parameter, "\"" + name + "\" is none of " + known);
+}
+
+}  // namespace hazumi::edit

@@ -1,0 +1,98 @@
+#include "ui/edit/operator.h"
+
+#include <algorithm>
+
+#include "ui/edit/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+constexpr const char* kRootCurveNames[kNumRootCurves] = {
+    "root.x", "root.y", "root.z", "root.angle_z", "root.angle_y", "root.angle_x"};
+
+std::optional<int> RootCurveNamed(const std::string& name) {
+  for (int i = 0; i < kNumRootCurves; ++i) {
+    if (name == kRootCurveNames[i]) return i;
+  }
+  return std::nullopt;
+}
+
+bool HasHinge(const std::string& name, const Figure& figure) {
+  return std::any_of(figure.joints().begin(), figure.joints().end(),
+                     [&](const Joint& joint) { return joint.name == name; });
+}
+
+std::vector<Operator> Collect() {
+  std::vector<Operator> all;
+  for (auto&& list :
+       {SessionOperators(), KeyOperators(), PoseOperators(), RegionOperators(), SceneOperators()}) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {
+    return std::string_view(a.id) < std::string_view(b.id);
+  });
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Operator>& AllOperators() {
+  static const std::vector<Operator> all = Collect();
+  return all;
+}
+
+const Operator* FindOperator(const std::string& id) {
+  for (const Operator& op : AllOperators()) {
+    if (op.id == id) return &op;
+  }
+  return nullptr;
+}
+
+Result<ProjectCurve*> CurveNamed(const std::string& name, const Figure& figure, Project* project) {
+  if (const auto root = RootCurveNamed(name)) return &project->root.curves[*root];
+  for (Named<ProjectCurve>& entry : project->joints) {
+    if (entry.name == name) return &entry.value;
+  }
+  if (!HasHinge(name, figure)) {
+    return Refusal("curve", "\"" + name +
+                                "\" is neither a hinge of the figure nor one of root.x, " +
+                                "root.y, root.z, root.angle_z, root.angle_y, root.angle_x");
+  }
+  project->joints.push_back({name, {}});
+  return &project->joints.back().value;
+}
+
+const ProjectCurve* FindCurve(const std::string& name, const Project& project) {
+  if (const auto root = RootCurveNamed(name)) return &project.root.curves[*root];
+  for (const Named<ProjectCurve>& entry : project.joints) {
+    if (entry.name == name) return &entry.value;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> CurveNames(const Project& project) {
+  std::vector<std::string> names(std::begin(kRootCurveNames), std::end(kRootCurveNames));
+  for (const Named<ProjectCurve>& entry : project.joints) names.push_back(entry.name);
+  return names;
+}
+
+ProjectKey* KeyOn(double frame, ProjectCurve* curve) {
+  for (ProjectKey& key : curve->keys) {
+    if (key.frame == frame) return &key;
+  }
+  return nullptr;
+}
+
+void PutKey(const ProjectKey& key, ProjectCurve* curve) {
+  if (ProjectKey* there = KeyOn(key.frame, curve)) {
+    ExtraFields extra = std::move(there->extra);
+    *there = key;
+    if (key.extra.empty()) there->extra = std::move(extra);
+    return;
+  }
+  const auto is_before = [](const ProjectKey& a, const ProjectKey& b) { return a.frame < b.frame; };
+  curve->keys.insert(std::lower_bound(curve->keys.begin(), curve->keys.end(), key, is_before), key);
+}
+
+}  // namespace hazumi::edit

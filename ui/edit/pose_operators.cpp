@@ -1,0 +1,142 @@
+// Poses at the current frame.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+void KeyAngle(double frame, double angle, ProjectCurve* curve) {
+  const ProjectKey* there = KeyOn(frame, curve);
+  ProjectKey key = there ? *there : ProjectKey();
+  key.frame = frame;
+  key.value = angle;
+  PutKey(key, curve);
+}
+
+Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
+                     const std::string& drag = "") {
+  return session->Edit(
+      label,
+      [&](Project* project) -> Result<Done> {
+        for (const Named<double>& angle : pose) {
+          const Result<ProjectCurve*> curve = CurveNamed(angle.name, session->figure(), project);
+          if (!curve.ok()) return curve.error();
+          KeyAngle(session->frame(), angle.value, curve.value());
+        }
+        return Done();
+      },
+      drag);
+}
+
+double Limited(const std::string& hinge, double angle, const Figure& figure) {
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  const std::optional<JointIndex> j = figure.FindJoint(hinge);
+  if (!j) return angle;
+  const Joint& joint = figure.joint(*j);
+  return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
+}
+
+// To an angle or by one; the joint's limits hold.
+Result<Done> Rotate(Session* session, const Parameters& p) {
+  const std::string hinge = p.text("joint");
+  double angle = p.number("to");
+  if (!p.has("to")) {
+    const Result<double> now = session->AngleNow(hinge);
+    if (!now.ok()) return now.error();
+    angle = now.value() + p.number("by");
+  }
+  if (p.yes("within_limits", true)) angle = Limited(hinge, angle, session->figure());
+  return KeyPose(session, "Rotate joint", {{hinge, angle}}, p.text("drag"));
+}
+
+std::vector<std::string> Chosen(const Session& session) {
+  if (!session.selected_joints().empty()) {
+    return {session.selected_joints().begin(), session.selected_joints().end()};
+  }
+  std::vector<std::string> all;
+  for (const Joint& joint : session.figure().joints()) all.push_back(joint.name);
+  return all;
+}
+
+Result<Done> Clear(Session* session, const Parameters&) {
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  Pose rest;
+  for (const std::string& name : Chosen(*session)) {
+    rest.push_back(
+        {name, session->figure().joint(*session->figure().FindJoint(name)).rest / kDegree});
+  }
+  return KeyPose(session, "Clear pose", rest);
+}
+
+Result<Done> Copy(Session* session, const Parameters&) {
+  Pose pose;
+  for (const std::string& name : Chosen(*session)) {
+    const Result<double> angle = session->AngleNow(name);
+    if (!angle.ok()) return angle.error();
+    pose.push_back({name, angle.value()});
+  }
+  session->set_clipboard(std::move(pose));
+  return Done();
+}
+
+// "l_elbow" for "r_elbow" and the other way round; others are their own.
+std::string OtherSide(const std::string& name) {
+  if (name.starts_with("l_")) return "r_" + name.substr(2);
+  if (name.starts_with("r_")) return "l_" + name.substr(2);
+  return name;
+}
+
+// Reflected through the plane y = 0 an axis a becomes -(a - 2 (a . y) y): the same hinge turns the
+// other way unless its axis is along y. Pairs are made so that equal angles are mirror images.
+double Reflected(const std::string& name, double angle, const Figure& figure) {
+  if (OtherSide(name) != name) return angle;
+  const Joint& joint = figure.joint(*figure.FindJoint(name));
+  return std::abs(joint.axis.y()) > 0.5 ? angle : -angle;
+}
+
+Result<Done> Paste(Session* session, const Parameters& p) {
+  if (session->clipboard().empty()) return Refusal("", "no pose has been copied");
+  Pose pose = session->clipboard();
+  if (p.yes("flipped")) {
+    for (Named<double>& angle : pose) {
+      if (!session->figure().FindJoint(OtherSide(angle.name))) continue;
+      angle.value = Reflected(angle.name, angle.value, session->figure());
+      angle.name = OtherSide(angle.name);
+    }
+  }
+  return KeyPose(session, p.yes("flipped") ? "Paste pose flipped" : "Paste pose", pose);
+}
+
+}  // namespace
+
+std::vector<Operator> PoseOperators() {
+  return {
+      {"pose.rotate",
+       "Rotate joint",
+       "Keys an angle at the current frame.",
+       {{"joint", kText, true, "a hinge"},
+        {"to", kNumber, false, "the angle in degrees"},
+        {"by", kNumber, false, "what is added to the present angle"},
+        {"within_limits", kYesNo, false, "false: beyond the joint's limits too"},
+        {"drag", kText, false, "edits in a row with the same text are one undo step"}},
+       Rotate},
+      {"pose.clear",
+       "Clear pose",
+       "Keys the rest angles of the selected joints, or of all.",
+       {},
+       Clear},
+      {"pose.copy", "Copy pose", "Copies the angles of the selected joints, or of all.", {}, Copy},
+      {"pose.paste",
+       "Paste pose",
+       "Keys the copied angles at the current frame.",
+       {{"flipped", kYesNo, false, "true: left for right"}},
+       Paste}};
+}
+
+}  // namespace hazumi::edit

@@ -1,0 +1,48 @@
+#include "ui/edit/script.h"
+
+namespace hazumi::edit {
+
+Result<Done> RunScript(std::string_view text, const std::string& file_name, Session* session,
+                       const std::function<void(const std::string& id)>& done) {
+  const Json steps = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!steps.is_array()) {
+    return Error{ErrorCode::kSyntax, file_name, "", "must be a JSON list of steps"};
+  }
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const std::string place = "[" + std::to_string(i) + "]";
+    Json parameters = steps[i];
+    if (!parameters.is_object() || !parameters.contains("op") || !parameters["op"].is_string()) {
+      return Error{ErrorCode::kSchema, file_name, place,
+                   "must be an object with \"op\", the id of an operator"};
+    }
+    const std::string id = parameters["op"].get<std::string>();
+    parameters.erase("op");
+    const Result<Done> result = session->Run(id, parameters);
+    if (!result.ok()) {
+      Error error = result.error();
+      if (error.file.empty()) error.file = file_name;
+      error.place = place + (error.place.empty() ? "" : ": ") + error.place;
+      return error;
+    }
+    if (done) done(id);
+  }
+  return Done();
+}
+
+ScriptRecorder::ScriptRecorder(Session* session) {
+  session->set_observer([this](const std::string& id, const Json& parameters) {
+    Json step = {{"op", id}};
+    step.update(parameters);
+    steps_.push_back(step.dump());
+  });
+}
+
+std::string ScriptRecorder::text() const {
+  std::string text = "[\n";
+  for (size_t i = 0; i < steps_.size(); ++i) {
+    text += "  " + steps_[i] + (i + 1 < steps_.size() ? ",\n" : "\n");
+  }
+  return text + "]\n";
+}
+
+}  // namespace hazumi::edit

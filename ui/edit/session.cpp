@@ -1,0 +1,108 @@
+#include "ui/edit/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/figure/figure_builder.h"
+#include "engine/project/compile.h"
+#include "ui/edit/new_project.h"
+
+namespace hazumi::edit {
+
+Session::Session() { Replace(NewProject(), ""); }
+
+void Session::Replace(Project project, const std::string& path) {
+  document_ = std::make_unique<Document>(std::move(project), path);
+  selected_joints_.clear();
+  frame_ = document_->project().frames.first;
+  compiled_revision_ = -1;
+  TakeFigure();
+}
+
+// The same figure as long as the project's does not change, so that a bake can go on.
+void Session::TakeFigure() {
+  const ProjectFigure& source = document_->project().figure;
+  if (figure_ && figure_source_ == source) return;
+  figure_source_ = source;
+  figure_ = std::make_shared<const Figure>(BuildFigure(source.spec).value());
+}
+
+Result<Done> Session::Edit(const std::string& label,
+                           const std::function<Result<Done>(Project*)>& change,
+                           const std::string& merge) {
+  const bool could_be_animated = animation() != nullptr;
+  Transaction transaction(document_.get());
+  const Result<Done> done = change(&transaction.project());
+  if (!done.ok()) return done;
+  Result<Compiled> compiled = CompileAnimation(transaction.project());
+  if (!compiled.ok() && could_be_animated) return compiled.error();
+  transaction.Commit(label, merge);
+  Compile();
+  return done;
+}
+
+Result<Done> Session::Run(const std::string& id, const Json& parameters) {
+  const Operator* op = FindOperator(id);
+  if (!op) return Error{ErrorCode::kSchema, "", id, "there is no such operator"};
+  Result<Parameters> checked = Parameters::Check(op->parameters, parameters);
+  Result<Done> done = checked.ok() ? op->run(this, checked.value()) : checked.error();
+  if (!done.ok()) {
+    Error error = done.error();
+    error.place = error.place.empty() ? id : id + "." + error.place;
+    return error;
+  }
+  if (observer_) observer_(id, parameters);
+  return done;
+}
+
+void Session::Compile() {
+  if (compiled_revision_ == document_->revision()) return;
+  compiled_revision_ = document_->revision();
+  Result<Compiled> compiled = CompileAnimation(document_->project());
+  compile_error_.reset();
+  if (!compiled.ok()) {
+    compile_error_ = compiled.error();
+    animation_.reset();
+    return;
+  }
+  TakeFigure();
+  animation_ = std::move(compiled).value().animation;
+  animation_->figure = figure_;
+  if (bake_) {
+    bake_->Update(*animation_);
+  } else {
+    bake_ = std::make_unique<IncrementalBake>(*animation_);
+  }
+}
+
+const Animation* Session::animation() {
+  Compile();
+  return animation_ ? &*animation_ : nullptr;
+}
+
+Result<const Motion*> Session::MotionTo(int frame) {
+  Compile();
+  if (compile_error_) return *compile_error_;
+  if (const std::optional<Error> error = bake_->BakeTo(frame)) return *error;
+  return &bake_->motion();
+}
+
+Result<const Motion*> Session::WholeMotion() { return MotionTo(document_->project().frames.last); }
+
+Result<double> Session::AngleNow(const std::string& hinge) {
+  const ProjectFrames& frames = document_->project().frames;
+  const int frame = std::clamp(static_cast<int>(std::lround(frame_)), frames.first, frames.last);
+  const Result<const Motion*> motion = MotionTo(frame);
+  if (!motion.ok()) return motion.error();
+  const std::vector<Joint>& joints = animation_->figure->joints();
+  const auto joint =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == hinge; });
+  if (joint == joints.end()) {
+    return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + hinge + "\""};
+  }
+  const VecX& q = motion.value()->frames[frame - frames.first].q;
+  return q[joint - joints.begin()] * 180.0 / std::numbers::pi;
+}
+
+}  // namespace hazumi::edit

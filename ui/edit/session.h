@@ -1,0 +1,80 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "engine/bake/incremental_bake.h"
+#include "engine/base/warning.h"
+#include "ui/edit/document.h"
+#include "ui/edit/operator.h"
+
+namespace hazumi::edit {
+
+// A pose to be pasted: angles by hinge [degrees].
+using Pose = std::vector<Named<double>>;
+
+// An editor without a screen: the document, what is selected, the current frame, and the motion,
+// which follows every edit.
+class Session {
+ public:
+  // A new project: the human that comes with Hazumi, standing on the ground.
+  Session();
+
+  Document& document() { return *document_; }
+  const Project& project() const { return document_->project(); }
+  // Takes the place of the document; nothing stays selected.
+  void Replace(Project project, const std::string& path);
+
+  // One undo step: `change` edits the project. A change that fails, or after which a project could
+  // no longer be animated that could be before, is undone, and the error returned.
+  Result<Done> Edit(const std::string& label, const std::function<Result<Done>(Project*)>& change,
+                    const std::string& merge = "");
+
+  // Does it, or says why not and leaves everything as it was.
+  Result<Done> Run(const std::string& id, const Json& parameters = Json::object());
+  // Told of each operator that was run and succeeded, with its parameters: for recording.
+  void set_observer(std::function<void(const std::string& id, const Json& parameters)> observer) {
+    observer_ = std::move(observer);
+  }
+
+  double frame() const { return frame_; }
+  void set_frame(double frame) { frame_ = frame; }
+  const std::set<std::string>& selected_joints() const { return selected_joints_; }
+  void set_selected_joints(std::set<std::string> names) { selected_joints_ = std::move(names); }
+  const Pose& clipboard() const { return clipboard_; }
+  void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
+
+  // The figure of the project; every project has one.
+  const Figure& figure() const { return *figure_; }
+  // What the project says; null if it cannot be animated.
+  const Animation* animation();
+  // Bakes what an edit changed up to a frame of the project, or all. The motion is as far as that
+  // right, and what it was before elsewhere. Errors: of CompileAnimation and Bake.
+  Result<const Motion*> MotionTo(int frame);
+  Result<const Motion*> WholeMotion();
+  // An angle as it is at the current frame, whatever moves the hinge [degrees].
+  Result<double> AngleNow(const std::string& hinge);
+
+ private:
+  void Compile();
+  void TakeFigure();
+
+  std::unique_ptr<Document> document_;
+  std::set<std::string> selected_joints_;
+  double frame_ = 0.0;
+  Pose clipboard_;
+  std::function<void(const std::string&, const Json&)> observer_;
+
+  ProjectFigure figure_source_;  // figure_ was built from
+  std::shared_ptr<const Figure> figure_;
+  long compiled_revision_ = -1;
+  std::optional<Animation> animation_;
+  std::optional<Error> compile_error_;
+  std::unique_ptr<IncrementalBake> bake_;
+};
+
+}  // namespace hazumi::edit
