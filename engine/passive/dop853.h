@@ -165,7 +165,7 @@ class Dop853 {
       third = std::max(third, std::abs(e3) / scale[i]);
       if (!std::isfinite(e5)) return e5;
     }
-    if (fifth == 0.0) return 0.0;
+    if (fifth < 1e-100) return 0.0;  // its square may be zero
     return std::abs(h) * fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
   }
 

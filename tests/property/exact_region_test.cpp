@@ -25,10 +25,10 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTolerance = 0.01;  // [deg]
 constexpr double kChaos = 1e-4;      // references may differ by this much [deg]
 
-// HAZUMI_CASES regions with stops and as many without, else thirty.
+// HAZUMI_CASES regions with stops and as many without, else a hundred.
 int NumCases() {
   const char* text = std::getenv("HAZUMI_CASES");
-  return text ? std::atoi(text) : 30;
+  return text ? std::atoi(text) : 100;
 }
 
 struct Tally {
@@ -90,9 +90,7 @@ void Try(int seed, bool has_stops, Tally* tally) {
         motion.value().regions[0].error_estimate / kDegree, tally);
 }
 
-void TryAll(bool has_stops) {
-  Tally tally;
-  for (int seed = 1; seed <= NumCases(); ++seed) Try(seed, has_stops, &tally);
+void Expect(const Tally& tally) {
   std::printf(
       "%d cases, %d failed, %d set aside, %d beyond the tolerance, %d underestimated, worst error "
       "%g deg, worst ratio %g\n",
@@ -104,9 +102,28 @@ void TryAll(bool has_stops) {
   EXPECT_LE(tally.underestimated, tally.cases / 1000);
 }
 
+void TryAll(bool has_stops) {
+  Tally tally;
+  for (int seed = 1; seed <= NumCases(); ++seed) Try(seed, has_stops, &tally);
+  Expect(tally);
+}
+
 TEST(ExactRegion, OfFiguresWithoutStopsKeepsItsToleranceAndKnowsItsError) { TryAll(false); }
 
 TEST(ExactRegion, OfFiguresWithStopsKeepsItsToleranceAndKnowsItsError) { TryAll(true); }
+
+// Found among ten thousand: outer hinges that whip round past a pole, meet their stops there or are
+// let go at it, impacts next to it, contacts and pulls too brief to be seen, friction that outruns
+// steps.
+TEST(ExactRegion, KeepsItsToleranceAtPolesInBriefContactsAndUnderFriction) {
+  Tally tally;
+  for (const int seed : {147, 169, 612, 985, 1071, 1170, 1250, 2296, 2414, 2721, 2843, 3111, 3659,
+                         3745, 3818, 3837, 4161, 4465}) {
+    Try(seed, true, &tally);
+  }
+  for (const int seed : {727, 1484, 3407, 4167}) Try(seed, false, &tally);
+  Expect(tally);
+}
 
 }  // namespace
 }  // namespace hazumi::test
