@@ -34,7 +34,7 @@ template <typename T>
 size_t BytesOf(const T&) {
   return sizeof(T);
 }
-size_t BytesOf(const std::string& text) { return sizeof text + text.capacity(); }
+size_t BytesOf(const std::string& text) { return sizeof(std::string) + text.capacity(); }
 size_t BytesOf(const ProjectCurve& curve) {
   return sizeof curve + curve.keys.capacity() * sizeof(ProjectKey);
 }
@@ -51,7 +51,7 @@ size_t BytesOf(const Named<ProjectCurve>& entry) {
 }
 template <typename T>
 size_t BytesOf(const std::vector<T>& values) {
-  size_t sum = sizeof values;
+  size_t sum = 0;
   for (const T& value : values) sum += BytesOf(value);
   return sum;
 }

@@ -53,7 +53,7 @@ void Document::set_history_limit(size_t bytes) {
   Forget();
 }
 
-void Document::Add(const std::string& label, const std::string& merge, Project before) {
+void Document::Add(const std::string& label, const std::string& merge, const Project& before) {
   if (before == project_) return;
   ++revision_;
   while (redo_label()) {  // another future begins
@@ -69,9 +69,9 @@ void Document::Add(const std::string& label, const std::string& merge, Project b
     --position_;
   } else {
     merge_ = merge;
-    merge_before_ = merge.empty() ? Project() : std::move(before);
+    merge_before_ = merge.empty() ? Project() : before;
   }
-  Change change(merges || !merge.empty() ? merge_before_ : before, project_);
+  Change change(merges ? merge_before_ : before, project_);
   bytes_ += change.bytes();
   steps_.push_back({label, std::move(change)});
   ++position_;

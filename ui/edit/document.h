@@ -45,7 +45,7 @@ class Document {
     Change change;
   };
 
-  void Add(const std::string& label, const std::string& merge, Project before);
+  void Add(const std::string& label, const std::string& merge, const Project& before);
   void Forget();
 
   Project project_;
@@ -75,7 +75,7 @@ class Transaction {
   // step.
   void Commit(const std::string& label, const std::string& merge = "") {
     is_committed_ = true;
-    document_->Add(label, merge, std::move(before_));
+    document_->Add(label, merge, before_);
   }
 
  private:

@@ -55,7 +55,9 @@ Error Wrong(const std::string& place, const std::string& message) {
 
 Result<Parameters> Parameters::Check(const std::vector<ParameterInfo>& infos, Json values) {
   if (!values.is_object()) return Wrong("", "parameters must be an object of names and values");
-  for (const auto& [name, value] : values.items()) {
+  for (const auto& item : values.items()) {
+    const std::string& name = item.key();
+    const Json& value = item.value();
     const auto info = std::find_if(infos.begin(), infos.end(),
                                    [&](const ParameterInfo& i) { return name == i.name; });
     if (info == infos.end()) {

@@ -33,7 +33,7 @@ Result<Done> Session::Edit(const std::string& label,
                            const std::string& merge) {
   const bool could_be_animated = animation() != nullptr;
   Transaction transaction(document_.get());
-  const Result<Done> done = change(&transaction.project());
+  Result<Done> done = change(&transaction.project());
   if (!done.ok()) return done;
   Result<Compiled> compiled = CompileAnimation(transaction.project());
   if (!compiled.ok() && could_be_animated) return compiled.error();

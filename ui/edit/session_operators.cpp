@@ -39,7 +39,7 @@ Result<Done> Save(Session* session, const Parameters& p) {
   if (!document.path().empty() && FolderOf(path) != FolderOf(document.path())) {
     RebaseReferences(&project, FolderOf(document.path()), FolderOf(path));
   }
-  const Result<Done> saved = SaveProject(project, path);
+  Result<Done> saved = SaveProject(project, path);
   if (!saved.ok()) return saved;
   if (project != document.project()) {
     Transaction transaction(&document);
