@@ -47,7 +47,7 @@ size_t BytesOf(const ProjectRegion& region) {
          region.friction.joints.capacity() * sizeof(Named<double>);
 }
 size_t BytesOf(const Named<ProjectCurve>& entry) {
-  return sizeof entry.name + BytesOf(entry.value);
+  return BytesOf(entry.name) + BytesOf(entry.value);
 }
 template <typename T>
 size_t BytesOf(const std::vector<T>& values) {
