@@ -1,9 +1,7 @@
 #include "engine/bake/baker.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/bake/limits.h"
@@ -14,10 +12,6 @@ namespace hazumi {
 namespace {
 
 constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
-
-Error CannotGoOn(std::string place, std::string message) {
-  return {ErrorCode::kSemantics, "", std::move(place), std::move(message)};
-}
 
 }  // namespace
 
@@ -239,185 +233,6 @@ bool Baker::Sharpen() {
     any = true;
   }
   return any;
-}
-
-// ceil(frame time / step) equal steps; a frame that is a whole number of steps but for rounding
-// gets that number.
-Baker::Failure Baker::AdvanceFrame(int frame) {
-  const double step = driver_ ? driver_->step() : animation_.solver.step;
-  const double wanted = animation_.rate.seconds_per_frame() / step;
-  const int steps = std::max(1, static_cast<int>(std::ceil(wanted * (1.0 - 1e-12))));
-  for (int i = 0; i < steps; ++i) {
-    if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
-    const double from = frame + static_cast<double>(i) / steps;
-    const double to = i + 1 == steps ? frame + 1.0 : frame + (i + 1.0) / steps;
-    if (auto error = Step(from, to, i + 1 == steps)) return error;
-    if (i + 1 < steps) RecordIfOutput();
-  }
-  return std::nullopt;
-}
-
-Baker::Failure Baker::Step(double frame_from, double frame_to, bool to_boundary) {
-  const double seconds = Seconds(frame_to - frame_from);
-  FigureMotion next = now_;
-  next.frame = frame_to;
-  if (auto error = StepRegions(seconds, &next)) return error;
-  const Side side = to_boundary ? Side::kBefore : Side::kAfter;
-  curves_.SampleJoints(frame_to, side, free_, &next);
-  curves_.SampleRootOrientation(frame_to, side, &next);
-  if (auto error = StepPlacement(frame_from, seconds, side, &next)) return error;
-  RecordBetween(now_, next);
-  now_ = std::move(next);
-  before_ = LimitOf(now_);
-  return FinishLanding();
-}
-
-Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
-  if (!driver_) return std::nullopt;
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<JointIndex> stops;
-  const auto failure =
-      driver_->Advance(now_, root_hold(), seconds, &ws_, &next->q, &next->qd, &stops);
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-  if (failure) {
-    return CannotGoOnAfter(now_.frame, failure->joint, failure->cause);
-  }
-  for (const int r : driver_->active()) {
-    RegionReport& report = motion_->regions[r];
-    ++report.steps;
-    ++report.evaluations;
-    report.solves += driver_->solves_of_last_step();
-    report.microseconds += spent.count() / static_cast<double>(driver_->active().size());
-  }
-  for (const JointIndex j : stops) {
-    AddEvent(EventKind::kStop, next->frame, figure_.joint(j).name);
-  }
-  return std::nullopt;
-}
-
-Baker::Failure Baker::StepPlacement(double frame_from, double seconds, Side side,
-                                    FigureMotion* next) {
-  if (!gravity_) {
-    PlaceRoot(next->frame, side, next);
-    return SolveHolds(next->frame, side, next);
-  }
-  const std::optional<GroupIndex> pin_before = gravity_->pin();
-  gravity_->Advance(now_, seconds, &ws_, next);
-  for (const GravityPlacement::Event& event : gravity_->events()) {
-    const double frame = frame_from + animation_.rate.FrameAt(event.seconds_into_step);
-    using Kind = GravityPlacement::EventKind;
-    if (event.kind == Kind::kTakeOff) {
-      AddEvent(EventKind::kTakeOff, frame, figure_.group(*pin_before).name);
-    }
-    if (event.kind == Kind::kApex) AddEvent(EventKind::kApex, frame, "");
-    if (event.kind == Kind::kLanding) {
-      AddEvent(EventKind::kLanding, frame, figure_.group(*gravity_->pin()).name);
-    }
-  }
-  return std::nullopt;
-}
-
-// An invalid joint is the root.
-Error Baker::CannotGoOnAfter(double frame, JointIndex joint, const std::string& cause) const {
-  const std::string who = joint.is_valid() ? "joint \"" + figure_.joint(joint).name + "\""
-                                           : "root \"" + figure_.root_name() + "\"";
-  return CannotGoOn(RegionPlace(joint.is_valid() ? std::optional(joint) : std::nullopt),
-                    "cannot go on after frame " + FormatShort(frame) + ": " + who + ": " + cause);
-}
-
-// "regions[1]", where it is known which: the one that moves the joint, or the only active one.
-std::string Baker::RegionPlace(std::optional<JointIndex> joint) const {
-  std::vector<int> candidates = driver_ ? driver_->active() : exact_->active();
-  std::erase_if(candidates, [&](int r) {
-    const auto& joints = animation_.regions[r].joints;
-    return joint && !std::binary_search(joints.begin(), joints.end(), *joint);
-  });
-  if (candidates.size() != 1) return "regions";
-  return "regions[" + std::to_string(candidates[0]) + "]";
-}
-
-// A landing stops the root's fall; the free joints feel the blow. [METHOD 2, "kicks"]
-Baker::Failure Baker::FinishLanding() {
-  if (!gravity_ || !gravity_->has_landed()) return std::nullopt;
-  const JointIndex pin = figure_.group(*gravity_->pin()).first;
-  if (driver_ && !driver_->ApplyLanding(now_, pin, &ws_, &now_.qd)) {
-    return CannotGoOn(RegionPlace(std::nullopt), "cannot go on after the landing at frame " +
-                                                     FormatShort(now_.frame) +
-                                                     ": a joint in a region moves no mass");
-  }
-  gravity_->Place(&ws_, &now_);
-  return std::nullopt;
-}
-
-Baker::Failure Baker::Evaluate(double frame, Side side, FigureMotion* motion) {
-  motion->frame = frame;
-  curves_.SampleJoints(frame, side, free_, motion);
-  TurnRoot(frame, side, motion);
-  PlaceRoot(frame, side, motion);
-  return SolveHolds(frame, side, motion);
-}
-
-void Baker::PlaceRoot(double frame, Side side, FigureMotion* motion) {
-  if (fall_) {
-    fall_->Place(Seconds(frame), &ws_, motion);
-  } else if (gravity_) {
-    gravity_->Place(&ws_, motion);
-  } else if (span_ && span_->kind == PlacementKind::kPinned) {
-    PinRoot(figure_, figure_.group(*span_->pin).first, pin_W_, &ws_, motion);
-  } else {
-    curves_.SampleRootPosition(frame, side, motion);
-  }
-}
-
-Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) {
-  if (holds_.empty()) return std::nullopt;
-  const PoseOf<Jet> X_WR = RootJet(curves_.RootAnglesAt(frame, side), *motion);
-  std::vector<Jet> q(figure_.num_joints());
-  for (int j = 0; j < figure_.num_joints(); ++j) {
-    q[j] = Jet(motion->q[j], motion->qd[j], motion->qdd[j]);
-  }
-  for (ActiveHold& active : holds_) {
-    const HoldSolution solution = active.solver.Solve(X_WR, active.target, &q);
-    const size_t index = active.hold - animation_.holds.data();
-    if (!solution.reached) {
-      return CannotGoOn("holds[" + std::to_string(index) + "]",
-                        "\"" + figure_.group(active.hold->joint).name +
-                            "\" is out of reach at frame " + FormatShort(frame) + ": " +
-                            FormatShort(solution.distance) +
-                            " m short; move the root nearer or shorten the hold");
-    }
-    for (const JointIndex j : active.solver.joints()) {
-      motion->q[j.value()] = q[j.value()].v;
-      motion->qd[j.value()] = q[j.value()].d;
-      motion->qdd[j.value()] = q[j.value()].dd;
-    }
-  }
-  return std::nullopt;
-}
-
-Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
-  const auto falls = [](const PlacementSpan& span) { return span.kind == PlacementKind::kGravity; };
-  const auto& spans = animation.placements;
-  const auto span = std::find_if(spans.begin(), spans.end(), falls);
-  if (span != spans.end() && animation.figure->groups().empty()) {
-    return CannotGoOn("placements[" + std::to_string(span - spans.begin()) + "]",
-                      "the figure has no joint that could be pinned where it lands; give it one");
-  }
-  Motion motion;
-  Baker baker(animation, options, &motion);
-  Result<Checkpoint> first = baker.Begin();
-  if (!first.ok()) return first.error();
-  Stretch stretch;
-  stretch.start = std::move(first.value());
-  for (;;) {
-    Result<std::optional<Checkpoint>> next = baker.BakeStretch({}, &stretch);
-    if (!next.ok()) return next.error();
-    stretch.AppendTo(&motion);
-    if (!next.value()) break;
-    stretch.start = std::move(*next.value());
-  }
-  SortByTime(&motion.events);
-  return motion;
 }
 
 }  // namespace hazumi

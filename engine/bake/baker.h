@@ -103,7 +103,7 @@ class Baker {
   void TurnRoot(double frame, Side side, FigureMotion* motion);
   void TakeReports();
 
-  // Between frames (baker.cpp).
+  // Between frames (baker_frames.cpp).
   Failure AdvanceFrame(int frame);
   Failure Step(double frame_from, double frame_to, bool to_boundary);
   Failure StepRegions(double seconds, FigureMotion* next);

@@ -105,6 +105,7 @@ void IncrementalBake::MakeStale(const Reach& reach) {
 }
 
 std::optional<Error> IncrementalBake::BakeTo(int frame) {
+  frame = std::min(frame, animation_.last_frame);
   if (is_fresh(frame)) return std::nullopt;
   while (!error_ && !is_fresh(frame)) {
     std::optional<Error> error = has_begun_ ? BakeStaleStretch() : Begin();

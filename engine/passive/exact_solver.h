@@ -65,12 +65,21 @@ class ExactSolver {
   long steps() const { return steps_; }
 
  private:
+  static constexpr double kTouch = 1e-10;     // at a stop [rad]
+  static constexpr double kSameTime = 1e-13;  // [s]
+
+  // A hinge goes out.
+  struct Crossing {
+    double time;
+    int hinge;
+  };
   // Where a ball joint is nearest to a pole.
   struct Pole {
     double time;
     int node;
   };
 
+  // Steps and events (exact_solver.cpp).
   void MakeEventHappen();
   void ResolveStops(const Vec3& v_pin);
   int FindSides(bool with_blow);
@@ -81,29 +90,35 @@ class ExactSolver {
   double FirstStep(double end) const;
   double Growth(double error) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
-  bool FindHit();
-  std::optional<double> FirstCrossing(double before, double t);
-  void EndStepAt(double t);
-  std::optional<Pole> FindPole(double before, double t);
-  bool GoesThrough(const Pole& pole);
-  double PoleRate(const Pole& pole) const;
-  void GoOnFromCut();
-  std::optional<double> FindRelease();
+  ExactFailure Failure(ExactFailure::Cause cause) const;
+  void MakeDense();
+  void WidenStops();
+  void TightenStops();
+  double Outside(int hinge, const VecX& q) const;
+
+  // Hits and poles (exact_hits.cpp).
   bool FindSuspects();
   void SampleSuspects(double t, VecX* q, VecX* qd);
-  double Outside(int hinge, const VecX& q) const;
+  bool FindHit();
+  std::optional<Crossing> FirstCrossing(double before, double t);
+  void EndStepAt(double t);
+  std::optional<Pole> FindPole(double before, double t);
+  bool Leaves(const Pole& pole);
+  std::optional<Pole> PoleAt(const Crossing& hit) const;
+  double PoleRate(const Pole& pole) const;
+  void GoOnFromCut();
   double Beyond(int hinge, int side, double q) const;
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
   double CrossingTime(int hinge, int side, double inside, double outside);
+
+  // Releases (exact_releases.cpp).
+  std::optional<double> FindRelease();
   void EndStepAtRelease(double t);
   double Pull(double t);
   double StrongestPull() const;
   std::optional<double> FindPull(double a, double fa, double b, double fb, int halvings);
   bool StaysBelow(double a, double fa, double fm, double b, double fb);
   double ReleaseTime(double a, double fa, double b, double fb);
-  void MakeDense();
-  void WidenStops();
-  void TightenStops();
 
   RegionDynamics* dynamics_;
   VecX lower_, upper_;          // as given
@@ -125,7 +140,7 @@ class ExactSolver {
   std::vector<char> fixed_;  // no room between the stops
   bool any_limits_ = false, any_locked_ = false;
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
-  std::vector<int> suspects_, out_;                    // nodes, hinges
+  std::vector<int> suspects_;                          // nodes
   std::vector<StopHit> hits_;
   std::vector<double> recent_;  // times of events, for telling chatter
   double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/root.h"
 #include "engine/placement/root_placement.h"
 
 namespace hazumi {
@@ -21,15 +22,7 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
 template <typename Function>
 double Root(double t0, double f0, double t1, double f1, Function&& f) {
-  f0 = std::min(f0, 0.0);
-  for (int i = 0; i < 100 && t1 - t0 > kSameTime; ++i) {
-    double t = i % 3 == 2 || f1 == f0 ? 0.5 * (t0 + t1) : (t0 * f1 - t1 * f0) / (f1 - f0);
-    if (!(t > t0 && t < t1)) t = 0.5 * (t0 + t1);
-    const double value = f(t);
-    (value > 0.0 ? t1 : t0) = t;
-    (value > 0.0 ? f1 : f0) = value;
-  }
-  return t1;
+  return Narrow({t0, std::min(f0, 0.0), t1, f1}, kSameTime, f).b;
 }
 
 }  // namespace

@@ -18,6 +18,12 @@ std::vector<Operator> RegionOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SessionOperators();
 
+inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
+
+// For whatever can be dragged.
+inline const ParameterInfo kDrag = {"drag", ParameterKind::kText, false,
+                                    "edits in a row with the same text are one undo step"};
+
 inline Error Refusal(const std::string& place, const std::string& message) {
   return {ErrorCode::kSchema, "", place, message};
 }

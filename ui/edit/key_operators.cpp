@@ -13,8 +13,6 @@ using enum ParameterKind;
 
 const ParameterInfo kCurve = {"curve", kText, true, "a hinge, or root.x to root.angle_x"};
 const ParameterInfo kFrame = {"frame", kNumber, true, "the key's frame"};
-const ParameterInfo kDrag = {"drag", kText, false,
-                             "edits in a row with the same text are one undo step"};
 
 Result<Interpolation> InterpolationNamed(const std::string& name) {
   using enum Interpolation;

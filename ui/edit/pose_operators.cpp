@@ -35,7 +35,6 @@ Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pos
 }
 
 double Limited(const std::string& hinge, double angle, const Figure& figure) {
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   const std::optional<JointIndex> j = figure.FindJoint(hinge);
   if (!j) return angle;
   const Joint& joint = figure.joint(*j);
@@ -65,7 +64,6 @@ std::vector<std::string> Chosen(const Session& session) {
 }
 
 Result<Done> Clear(Session* session, const Parameters&) {
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   Pose rest;
   for (const std::string& name : Chosen(*session)) {
     rest.push_back(
@@ -124,7 +122,7 @@ std::vector<Operator> PoseOperators() {
         {"to", kNumber, false, "the angle in degrees"},
         {"by", kNumber, false, "what is added to the present angle"},
         {"within_limits", kYesNo, false, "false: beyond the joint's limits too"},
-        {"drag", kText, false, "edits in a row with the same text are one undo step"}},
+        kDrag},
        Rotate},
       {"pose.clear",
        "Clear pose",

@@ -12,8 +12,6 @@ namespace {
 using enum ParameterKind;
 
 const ParameterInfo kRegion = {"region", kText, true, "the region's name"};
-const ParameterInfo kDrag = {"drag", kText, false,
-                             "edits in a row with the same text are one undo step"};
 const ParameterInfo kIndex = {"index", kInteger, true, "which of them, counted from 0"};
 
 bool IsTaken(const std::string& name, const Project& project) {
@@ -134,7 +132,6 @@ Result<Done> BakeToKeys(Session* session, const Parameters& p) {
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
   return Change(session, p, "Bake region to keys", [&](Project* project, ProjectRegion* region) {
-    constexpr double kDegree = 3.14159265358979323846 / 180.0;
     const size_t index = region - project->regions.data();
     const DynamicsRegion& baked = session->animation()->regions[index];
     if (baked.root) {

@@ -94,7 +94,7 @@ std::vector<Operator> SceneOperators() {
             {"x", kNumber, false, "metres"},
             {"y", kNumber, false, "metres"},
             {"z", kNumber, false, "metres"},
-            {"drag", kText, false, "edits in a row with the same text are one undo step"}},
+            kDrag},
            MoveObject},
           {"object.remove", "Remove object", "Takes an object away.", {kObject}, RemoveObject},
           {"solver.set",

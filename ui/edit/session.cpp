@@ -38,7 +38,7 @@ Result<Done> Session::Edit(const std::string& label,
   Result<Compiled> compiled = CompileAnimation(transaction.project());
   if (!compiled.ok() && could_be_animated) return compiled.error();
   transaction.Commit(label, merge);
-  Compile();
+  Take(std::move(compiled));
   return done;
 }
 
@@ -58,8 +58,13 @@ Result<Done> Session::Run(const std::string& id, const Json& parameters) {
 
 void Session::Compile() {
   if (compiled_revision_ == document_->revision()) return;
+  Take(CompileAnimation(document_->project()));
+}
+
+// What became of the document as it is now.
+void Session::Take(Result<Compiled> compiled) {
+  if (compiled_revision_ == document_->revision()) return;
   compiled_revision_ = document_->revision();
-  Result<Compiled> compiled = CompileAnimation(document_->project());
   compile_error_.reset();
   if (!compiled.ok()) {
     compile_error_ = compiled.error();

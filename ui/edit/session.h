@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/bake/incremental_bake.h"
-#include "engine/base/warning.h"
+#include "engine/project/compile.h"
 #include "ui/edit/document.h"
 #include "ui/edit/operator.h"
 
@@ -61,6 +61,7 @@ class Session {
 
  private:
   void Compile();
+  void Take(Result<Compiled> compiled);
   void TakeFigure();
 
   std::unique_ptr<Document> document_;

@@ -159,6 +159,8 @@ TEST(IncrementalBake, BakesNoFurtherThanAskedFor) {
   EXPECT_TRUE(bake.is_fresh(100));
   EXPECT_FALSE(bake.is_fresh(300));
   EXPECT_EQ(bake.motion().frames[100].frame, 100);
+  ASSERT_FALSE(bake.BakeTo(10000));  // beyond its end
+  EXPECT_TRUE(bake.is_fresh(600));
 }
 
 TEST(IncrementalBake, GoesOnAfterAnError) {
