@@ -23,8 +23,8 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunEdits(options);
     case hazumi::Task::kOperators:
       return hazumi::RunOperators();
-    case hazumi::Task::kNone:
-      break;
+    case hazumi::Task::kWindow:
+      return hazumi::RunWindow(options);
   }
   return hazumi::kExitUsage;
 }

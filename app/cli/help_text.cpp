@@ -5,11 +5,12 @@ namespace hazumi {
 const char* const kHelpText =
     R"(Hazumi: keyframe animation with regions that swing by their own inertia
 
+  hazumi [FILE]                         the editor, in a window
   hazumi --render OUT [options] FILE
   hazumi --bake OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
-  hazumi --run SCRIPT [FILE]
+  hazumi --run SCRIPT [--size WxH] [FILE]
 
 FILE is a project (.kfa).
 
@@ -23,7 +24,9 @@ Tasks
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
                     operators, such as
                     {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
-                    nothing is saved unless it says "file.save"
+                    nothing is saved unless it says "file.save";
+                    {"op": "capture", "path": "editor.png"} draws the editor,
+                    without a display, --size wide and high (1280x800)
   --operators       list the operators and their parameters
   --help, --version
 

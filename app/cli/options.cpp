@@ -27,7 +27,7 @@ enum TaskBits : unsigned {
   kMotion = 15,  // all of those
   kRun = 16,
   kOperators = 32,
-  kAll = 63
+  kWindow = 64,  // no task named
 };
 
 // An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
@@ -112,7 +112,7 @@ constexpr OptionRule kTasks[] = {
 constexpr OptionRule kRules[] = {
     {"--frames", kRender, "give a frame, or A..B with A <= B",
      [](const std::string& text, Options* o) { return Keep(ReadRange(text), &o->frames); }},
-    {"--size", kRender, "give WxH, each from 16 to 16384",
+    {"--size", kRender | kRun, "give WxH, each from 16 to 16384",
      [](const std::string& text, Options* o) { return Keep(ReadSize(text), &o->size); }},
     {"--samples", kRender, "give 1 or 4",
      [](const std::string& text, Options* o) {
@@ -192,7 +192,11 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
     }
     chosen = &task;
   }
-  if (!chosen) throw UsageError("no task; the tasks are " + TaskNames(kAll));
+  static constexpr OptionRule kEditInWindow = {"the editor", kWindow, nullptr, Choose<Task::kWindow>};
+  if (!chosen) {
+    options->task = Task::kWindow;
+    return kEditInWindow;
+  }
   Read(app, *chosen, options);
   return *chosen;
 }
@@ -211,7 +215,7 @@ void ReadOptions(const CLI::App& app, Options* options) {
     if (!options->files.empty()) throw UsageError("--operators takes no FILE");
     return;
   }
-  if (options->files.empty() && !(task.tasks & kRun)) {
+  if (options->files.empty() && !(task.tasks & (kRun | kWindow))) {
     throw UsageError("no FILE; name a project (.kfa)");
   }
   if (options->task != Task::kCheck && options->files.size() > 1) {

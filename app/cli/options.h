@@ -10,14 +10,15 @@
 
 namespace hazumi {
 
-enum class Task { kNone, kRender, kBake, kCheck, kInfo, kRun, kOperators };
+// kWindow: no other task was named.
+enum class Task { kWindow, kRender, kBake, kCheck, kInfo, kRun, kOperators };
 
 struct FrameRange {
   int first = 0, last = 0;  // inclusive
 };
 
 struct PictureSize {
-  int width = 1280, height = 720;
+  int width = 0, height = 0;
 };
 
 // A view that replaces the project's camera: a named side, or eye, target and field of view.
@@ -29,13 +30,13 @@ struct CameraChoice {
 
 // What the command line asks for. See `hazumi --help`.
 struct Options {
-  Task task = Task::kNone;
+  Task task = Task::kWindow;
   std::string output;              // of --render and --bake
   std::string script;              // of --run
-  std::vector<std::string> files;  // --check takes several, --run one or none, the others one
+  std::vector<std::string> files;  // --check takes several, --run and the window one or none, the others one
 
   std::optional<FrameRange> frames;
-  PictureSize size;
+  std::optional<PictureSize> size;  // not given: 1280x720, of the editor 1280x800
   int samples = 4;
   std::optional<CameraChoice> camera;
   int threads = 2;  // any number from 1; two at most are used

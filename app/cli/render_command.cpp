@@ -21,8 +21,13 @@ namespace hazumi {
 
 namespace {
 
+PictureSize PictureSizeOf(const Options& options) {
+  return options.size.value_or(PictureSize{1280, 720});
+}
+
 render::Camera CameraFor(const BakedProject& baked, const Options& options) {
-  const double aspect = static_cast<double>(options.size.width) / options.size.height;
+  const PictureSize size = PictureSizeOf(options);
+  const double aspect = static_cast<double>(size.width) / size.height;
   render::Camera camera;
   if (options.camera && options.camera->side.empty()) {
     camera.eye = options.camera->eye;
@@ -90,8 +95,8 @@ Result<Motion> PathMotion(const BakedProject& baked, bool wanted) {
 
 render::SequenceOptions SettingsFrom(const Options& options) {
   render::SequenceOptions settings;
-  settings.width = options.size.width;
-  settings.height = options.size.height;
+  settings.width = PictureSizeOf(options).width;
+  settings.height = PictureSizeOf(options).height;
   settings.renderer.samples = options.samples;
   settings.renderer.shadow = options.shadow;
   settings.threads = std::min(options.threads, 2);

@@ -1,36 +1,97 @@
+#include <memory>
+
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/terminal.h"
 #include "engine/project/text_file.h"
 #include "ui/edit/script.h"
+#include "ui/panels/actions.h"
+#include "ui/shell/offscreen_shell.h"
+#include "ui/shell/window_shell.h"
 
 namespace hazumi {
+
+namespace {
+
+Result<Done> Open(const Options& options, ui::Editor* editor) {
+  if (options.files.empty()) return Done();
+  return editor->Invoke("file.open", {{"path", options.files[0]}});
+}
+
+// An editor that a script drives. Only pictures need a context to draw with.
+class ScriptedEditor {
+ public:
+  explicit ScriptedEditor(render::PictureSize size) : size_(size) {}
+  ui::Editor& editor() { return editor_; }
+
+  Result<Done> Do(const std::string& id, const edit::Json& parameters) {
+    if (id != "capture") return editor_.Invoke(id, parameters);
+    const std::vector<edit::ParameterInfo> infos = {
+        {"path", edit::ParameterKind::kText, true, "a .png file"}};
+    const auto checked = edit::Parameters::Check(infos, parameters);
+    if (!checked.ok()) return checked.error();
+    if (!shell_) {
+      auto made = ui::OffscreenShell::Create(&editor_, size_);
+      if (!made.ok()) return made.error();
+      shell_ = std::move(made).value();
+    }
+    return shell_->Capture(checked.value().text("path"));
+  }
+
+ private:
+  render::PictureSize size_;
+  ui::Editor editor_;
+  std::unique_ptr<ui::OffscreenShell> shell_;
+};
+
+}  // namespace
+
+int RunWindow(const Options& options) {
+  ui::Editor editor;
+  const Result<Done> opened = Open(options, &editor);
+  if (!opened.ok()) return Complain(opened.error());
+  const Result<Done> done = ui::RunInWindow(&editor);
+  return done.ok() ? kExitOk : Complain(done.error());
+}
 
 int RunEdits(const Options& options) {
   const Result<std::string> text = ReadTextFile(options.script);
   if (!text.ok()) return Complain(text.error());
-  edit::Session session;
-  if (!options.files.empty()) {
-    const Result<Done> opened = session.Run("file.open", {{"path", options.files[0]}});
-    if (!opened.ok()) return Complain(opened.error());
-  }
-  const Result<Done> done = edit::RunScript(text.value(), options.script, &session);
+  const PictureSize size = options.size.value_or(PictureSize{1280, 800});
+  ScriptedEditor scripted({size.width, size.height});
+  const Result<Done> opened = Open(options, &scripted.editor());
+  if (!opened.ok()) return Complain(opened.error());
+  const Result<Done> done = edit::RunScript(
+      text.value(), options.script,
+      [&](const std::string& id, const edit::Json& p) { return scripted.Do(id, p); });
   if (!done.ok()) return Complain(done.error());
-  if (!session.document().is_saved()) {
+  if (!scripted.editor().session().document().is_saved()) {
     PrintLine(stderr, "hazumi: %s: the project is changed but not saved; end with \"file.save\"",
               options.script.c_str());
   }
   return kExitOk;
 }
 
-// One operator a paragraph: id and sentence, then its parameters.
+namespace {
+
+void PrintParameters(const std::vector<edit::ParameterInfo>& infos) {
+  for (const edit::ParameterInfo& info : infos) {
+    PrintLine(stdout, "    %s%s: %s, %s", info.name, info.is_required ? "" : " (optional)",
+              edit::Describe(info.kind), info.help);
+  }
+}
+
+}  // namespace
+
+// One a paragraph: id and sentence, then its parameters; of the session, then of the editor.
 int RunOperators() {
   for (const edit::Operator& op : edit::AllOperators()) {
     PrintLine(stdout, "%s: %s", op.id, op.help);
-    for (const edit::ParameterInfo& info : op.parameters) {
-      PrintLine(stdout, "    %s%s: %s, %s", info.name, info.is_required ? "" : " (optional)",
-                edit::Describe(info.kind), info.help);
-    }
+    PrintParameters(op.parameters);
+  }
+  for (const ui::Action& action : ui::AllActions()) {
+    PrintLine(stdout, "%s: %s", action.id, action.help);
+    PrintParameters(action.parameters);
   }
   return kExitOk;
 }

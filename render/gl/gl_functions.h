@@ -40,6 +40,7 @@ namespace hazumi::render {
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
   X(PFNGLDRAWBUFFERPROC, DrawBuffer)                                         \
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                                     \
+  X(PFNGLDRAWELEMENTSBASEVERTEXPROC, DrawElementsBaseVertex)                 \
   X(PFNGLENABLEPROC, Enable)                                                 \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)               \
   X(PFNGLFINISHPROC, Finish)                                                 \
@@ -58,6 +59,7 @@ namespace hazumi::render {
   X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                                   \
   X(PFNGLREADBUFFERPROC, ReadBuffer)                                         \
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
+  X(PFNGLSCISSORPROC, Scissor)                                               \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
   X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
   X(PFNGLTEXPARAMETERFVPROC, TexParameterfv)                                 \

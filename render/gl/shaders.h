@@ -26,4 +26,8 @@ extern const char* const kSkyFragment;
 extern const char* const kFlatVertex;
 extern const char* const kFlatFragment;
 
+// Interfaces. a_0 pixels from the upper left corner, a_1 place in the texture, a_2 srgb colour.
+extern const char* const kInterfaceVertex;
+extern const char* const kInterfaceFragment;
+
 }  // namespace hazumi::render::shaders

@@ -42,6 +42,17 @@ void Document::EndMerge() {
   merge_.clear();
 }
 
+bool Document::CancelMerge() {
+  if (merge_.empty()) return false;
+  merge_.clear();
+  --position_;
+  steps_.back().change.Revert(&project_);
+  bytes_ -= steps_.back().change.bytes();
+  steps_.pop_back();
+  ++revision_;
+  return true;
+}
+
 void Document::MarkSaved(const std::string& path) {
   EndMerge();
   path_ = path;

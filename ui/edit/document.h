@@ -33,6 +33,8 @@ class Document {
 
   // From now on a step is one of its own, whatever it is called: the drag is over.
   void EndMerge();
+  // Takes back the drag that is on, as if it had never begun. False if there is none.
+  bool CancelMerge();
 
   // It is as it was read or saved.
   bool is_saved() const { return saved_ == position_; }

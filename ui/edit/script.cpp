@@ -2,8 +2,8 @@
 
 namespace hazumi::edit {
 
-Result<Done> RunScript(std::string_view text, const std::string& file_name, Session* session,
-                       const std::function<void(const std::string& id)>& done) {
+Result<Done> RunScript(std::string_view text, const std::string& file_name,
+                       const ScriptRunner& run) {
   const Json steps = Json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!steps.is_array()) {
     return Error{ErrorCode::kSyntax, file_name, "", "must be a JSON list of steps"};
@@ -17,14 +17,13 @@ Result<Done> RunScript(std::string_view text, const std::string& file_name, Sess
     }
     const std::string id = parameters["op"].get<std::string>();
     parameters.erase("op");
-    const Result<Done> result = session->Run(id, parameters);
+    const Result<Done> result = run(id, parameters);
     if (!result.ok()) {
       Error error = result.error();
       if (error.file.empty()) error.file = file_name;
       error.place = place + (error.place.empty() ? "" : ": ") + error.place;
       return error;
     }
-    if (done) done(id);
   }
   return Done();
 }

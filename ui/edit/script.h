@@ -12,10 +12,13 @@ namespace hazumi::edit {
 //   {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 40}
 // each naming an operator and its parameters.
 
-// Does what a script says, on a session. Stops at the first thing that cannot be done, with its
-// number and line of the list in the error's place. `done` is told of each step; may be empty.
-Result<Done> RunScript(std::string_view text, const std::string& file_name, Session* session,
-                       const std::function<void(const std::string& id)>& done = {});
+// Does a step: Session::Run, or more than that where there is more than a session.
+using ScriptRunner = std::function<Result<Done>(const std::string& id, const Json& parameters)>;
+
+// Does what a script says. Stops at the first thing that cannot be done, with its number in the
+// list in the error's place.
+Result<Done> RunScript(std::string_view text, const std::string& file_name,
+                       const ScriptRunner& run);
 
 // Writes down what a session does.
 class ScriptRecorder {

@@ -25,6 +25,7 @@ class Session {
   Session();
 
   Document& document() { return *document_; }
+  const Document& document() const { return *document_; }
   const Project& project() const { return document_->project(); }
   // Takes the place of the document; nothing stays selected.
   void Replace(Project project, const std::string& path);

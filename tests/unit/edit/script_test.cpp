@@ -9,12 +9,16 @@ using edit::RunScript;
 using edit::ScriptRecorder;
 using edit::Session;
 
+edit::ScriptRunner RunnerOf(Session* session) {
+  return [session](const std::string& id, const edit::Json& p) { return session->Run(id, p); };
+}
+
 TEST(Script, DoesWhatItSays) {
   Session session;
   const Result<Done> done = RunScript(
       R"([{"op": "key.set", "curve": "r_knee", "frame": 5, "value": 40},
           {"op": "project.rename", "name": "Knee"}])",
-      "script.json", &session);
+      "script.json", RunnerOf(&session));
   ASSERT_TRUE(done.ok());
   EXPECT_EQ(session.project().name, "Knee");
   EXPECT_EQ(session.project().joints[0].value.keys[0].value, 40.0);
@@ -23,7 +27,7 @@ TEST(Script, DoesWhatItSays) {
 TEST(Script, StopsWhereSomethingIsWrongAndSaysWhere) {
   Session session;
   const auto error = [&](const char* text) {
-    const Result<Done> done = RunScript(text, "script.json", &session);
+    const Result<Done> done = RunScript(text, "script.json", RunnerOf(&session));
     return done.ok() ? std::string("no error") : done.error().ToString();
   };
   EXPECT_EQ(error("{"), "script.json: must be a JSON list of steps");
@@ -43,7 +47,7 @@ TEST(Script, WhatWasRecordedReplays) {
   Do(&session, "region.add", {{"first", 5}, {"last", 10}, {"joints", {"r_knee"}}});
   EXPECT_FALSE(session.Run("edit.redo").ok());
   Session other;
-  ASSERT_TRUE(RunScript(recorder.text(), "recorded", &other).ok()) << recorder.text();
+  ASSERT_TRUE(RunScript(recorder.text(), "recorded", RunnerOf(&other)).ok()) << recorder.text();
   EXPECT_EQ(WriteProject(other.project()), WriteProject(session.project()));
 }
 

@@ -1,0 +1,217 @@
+#include "ui/panels/actions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/operator.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using edit::ParameterKind;
+using edit::Parameters;
+
+Result<Done> Play(Editor* editor, const Parameters&) {
+  if (editor->playback.is_on()) {
+    editor->playback.Stop();
+    return Done();
+  }
+  const ProjectRate& fps = editor->session().project().fps;
+  editor->playback.Start(editor->now(), static_cast<int>(std::lround(editor->session().frame())),
+                         editor->first_frame(), editor->last_frame(),
+                         static_cast<double>(fps.num) / fps.den);
+  return Done();
+}
+
+Result<Done> Step(Editor* editor, const Parameters& p) {
+  const double frame = std::round(editor->session().frame()) + p.integer("by");
+  const int first = editor->first_frame(), last = editor->last_frame();
+  return editor->session().Run("time.frame", {{"frame", std::clamp<double>(frame, first, last)}});
+}
+
+Result<Done> ToEnd(Editor* editor, const Parameters& p) {
+  const bool is_last = p.yes("last");
+  return editor->session().Run("time.frame",
+                               {{"frame", is_last ? editor->last_frame() : editor->first_frame()}});
+}
+
+// The frames with keys of the selected joints, or of all.
+Result<Done> ToKey(Editor* editor, const Parameters& p) {
+  const edit::Session& session = editor->session();
+  const bool is_next = p.yes("next");
+  const double now = session.frame();
+  std::optional<double> best;
+  const auto look = [&](const ProjectCurve& curve) {
+    for (const ProjectKey& key : curve.keys) {
+      if (is_next ? key.frame <= now : key.frame >= now) continue;
+      if (!best || (is_next ? key.frame < *best : key.frame > *best)) best = key.frame;
+    }
+  };
+  const std::set<std::string>& chosen = session.selected_joints();
+  for (const auto& [name, curve] : session.project().joints) {
+    if (chosen.empty() || chosen.contains(name)) look(curve);
+  }
+  if (chosen.empty()) {
+    for (const ProjectCurve& curve : session.project().root.curves) look(curve);
+  }
+  if (best) return editor->session().Run("time.frame", {{"frame", *best}});
+  return Error{ErrorCode::kSchema, "", "",
+               is_next ? "there is no later key" : "there is no earlier key"};
+}
+
+constexpr double kQuarter = 1.57079632679489661923;  // [rad]
+
+Result<Done> Look(Editor* editor, const Parameters& p) {
+  OrbitCamera& camera = editor->viewport.camera;
+  const std::string side = p.text("side");
+  editor->viewport.through_project_camera = false;
+  if (side == "front") return camera.azimuth = 0.0, camera.elevation = 0.0, Done();
+  if (side == "back") return camera.azimuth = 2.0 * kQuarter, camera.elevation = 0.0, Done();
+  if (side == "left") return camera.azimuth = kQuarter, camera.elevation = 0.0, Done();
+  if (side == "right") return camera.azimuth = -kQuarter, camera.elevation = 0.0, Done();
+  if (side == "top") return camera.azimuth = -kQuarter, camera.elevation = kQuarter, Done();
+  return Error{ErrorCode::kSchema, "", "side",
+               "\"" + side + "\" is none of front, back, left, right, top"};
+}
+
+Result<Done> LookThrough(Editor* editor, const Parameters&) {
+  bool& through = editor->viewport.through_project_camera;
+  through = !through;
+  return Done();
+}
+
+Result<Done> Orthographic(Editor* editor, const Parameters&) {
+  editor->viewport.camera.is_orthographic = !editor->viewport.camera.is_orthographic;
+  return Done();
+}
+
+Result<Done> Overlay(Editor* editor, const Parameters& p) {
+  ViewportOverlays& overlays = editor->viewport.overlays;
+  const std::pair<const char*, bool*> all[] = {
+      {"paths", &overlays.paths}, {"ghosts", &overlays.ghosts}, {"marks", &overlays.marks},
+      {"tint", &overlays.tint},   {"limits", &overlays.limits}, {"shadow", &overlays.shadow}};
+  const std::string name = p.text("name");
+  for (const auto& [known, value] : all) {
+    if (name != known) continue;
+    *value = p.yes("on", !*value);
+    return Done();
+  }
+  return Error{ErrorCode::kSchema, "", "name",
+               "\"" + name + "\" is none of paths, ghosts, marks, tint, limits, shadow"};
+}
+
+Result<Done> ChooseTheme(Editor* editor, const Parameters& p) {
+  editor->settings.dark = p.yes("dark", !editor->settings.dark);
+  return Done();
+}
+
+Result<Done> ChooseLanguage(Editor* editor, const Parameters& p) {
+  const std::string name = p.text("language");
+  if (name != "en" && name != "ja") {
+    return Error{ErrorCode::kSchema, "", "language", "\"" + name + "\" is none of en, ja"};
+  }
+  editor->settings.language = name == "ja" ? Language::kJapanese : Language::kEnglish;
+  return Done();
+}
+
+Result<Done> ChooseScale(Editor* editor, const Parameters& p) {
+  editor->settings.scale = std::clamp(p.number("scale"), 0.75, 3.0);
+  return Done();
+}
+
+Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
+  SheetState& sheet = editor->sheet;
+  const bool is_graph = p.has("graph") ? p.yes("graph") : sheet.kind != SheetKind::kGraph;
+  sheet.kind = is_graph ? SheetKind::kGraph : SheetKind::kDopeSheet;
+  return Done();
+}
+
+Result<Done> Quit(Editor* editor, const Parameters&) {
+  editor->wants_to_quit = true;
+  return Done();
+}
+
+}  // namespace
+
+const std::vector<Action>& AllActions() {
+  using enum ParameterKind;
+  static const std::vector<Action> actions = {
+      {"app.quit", "Quit", "Leaves Hazumi.", {}, Quit},
+      {"time.play", "Play", "Plays in real time, or stops.", {}, Play},
+      {"time.step", "Step", "Some frames on or back.", {{"by", kInteger, true, "frames"}}, Step},
+      {"time.to_end",
+       "Jump to end",
+       "To the first or the last frame.",
+       {{"last", kYesNo, true, "true: the last"}},
+       ToEnd},
+      {"time.to_key",
+       "Jump to key",
+       "To the next or the previous key of what is selected.",
+       {{"next", kYesNo, true, "true: the next"}},
+       ToKey},
+      {"view.side",
+       "View from side",
+       "Looks from a side.",
+       {{"side", kText, true, "front, back, left, right, top"}},
+       Look},
+      {"view.camera",
+       "Through camera",
+       "Looks through the project's camera, or not.",
+       {},
+       LookThrough},
+      {"view.orthographic",
+       "Orthographic",
+       "Parallel lines stay parallel, or not.",
+       {},
+       Orthographic},
+      {"view.overlay",
+       "Overlay",
+       "Shows or hides something beside the figure.",
+       {{"name", kText, true, "paths, ghosts, marks, tint, limits, shadow"},
+        {"on", kYesNo, false, "not given: the other way round"}},
+       Overlay},
+      {"view.theme",
+       "Dark theme",
+       "Dark or light.",
+       {{"dark", kYesNo, false, "not given: the other"}},
+       ChooseTheme},
+      {"view.language",
+       "Language",
+       "The language of the interface.",
+       {{"language", kText, true, "en or ja"}},
+       ChooseLanguage},
+      {"view.scale",
+       "Interface scale",
+       "How large everything is.",
+       {{"scale", kNumber, true, "1 is normal, 0.75 to 3"}},
+       ChooseScale},
+      {"view.sheet",
+       "Dope sheet or graph editor",
+       "Which of them is below the viewport.",
+       {{"graph", kYesNo, false, "not given: the other one"}},
+       ChooseSheet},
+  };
+  return actions;
+}
+
+const Action* FindAction(const std::string& id) {
+  const std::vector<Action>& all = AllActions();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Action& a) { return id == a.id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const char* LabelOf(const std::string& id) {
+  if (const Action* action = FindAction(id)) return Tr(action->label);
+  const edit::Operator* op = edit::FindOperator(id);
+  return op ? Tr(op->label) : "";
+}
+
+const char* HelpOf(const std::string& id) {
+  if (const Action* action = FindAction(id)) return Tr(action->help);
+  const edit::Operator* op = edit::FindOperator(id);
+  return op ? Tr(op->help) : "";
+}
+
+}  // namespace hazumi::ui

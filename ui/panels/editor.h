@@ -1,0 +1,94 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/mesh/flat_mesh.h"
+#include "render/scene/scene.h"
+#include "ui/edit/session.h"
+#include "ui/panels/catalogue.h"
+#include "ui/panels/playback.h"
+#include "ui/panels/sheet_state.h"
+#include "ui/panels/side_state.h"
+#include "ui/panels/theme.h"
+#include "ui/panels/tool.h"
+#include "ui/panels/viewport_state.h"
+#include "ui/panels/window_layout.h"
+
+namespace hazumi::ui {
+
+using edit::Json;
+
+// What a user chooses once and for all projects.
+struct Settings {
+  bool dark = true;
+  Language language = Language::kEnglish;
+  double scale = 1.0;  // of the interface
+  Shares shares;
+};
+
+// What the status bar says about the last thing done.
+struct Message {
+  std::string text;
+  bool is_error = false;
+};
+
+// Draws a scene into a texture and returns it; given by whoever owns the GL context.
+using ScenePainter = std::function<Result<unsigned>(const render::Scene& scene,
+                                                    render::PictureSize size, bool shadow)>;
+
+// The editor as it is at the moment, on a screen or not: a session, and all that is seen of it.
+// Panels read it and change the document by operators alone.
+class Editor {
+ public:
+  Editor();
+
+  edit::Session& session() { return session_; }
+  const edit::Session& session() const { return session_; }
+
+  // Runs an action of the editor or else an operator of the session. What is refused is shown in
+  // the status bar, and changes nothing.
+  Result<Done> Invoke(const std::string& id, const Json& parameters = Json::object());
+  // The same, when nobody asks what became of it.
+  bool Do(const std::string& id, const Json& parameters = Json::object()) {
+    return Invoke(id, parameters).ok();
+  }
+  void Say(const std::string& text, bool is_error = false) { message = {text, is_error}; }
+
+  // Time passes: playback goes on. `now` counts up from anywhere [s].
+  void Tick(double now);
+  double now() const { return now_; }
+  // Seconds until the editor changes by itself; a large number if it does not.
+  double NextDeadline() const;
+
+  // Takes a tool in hand; one that was is cancelled.
+  void Take(std::unique_ptr<Tool> next);
+  bool has_tool() const { return tool_ != nullptr; }
+  std::string tool_hint() const { return tool_ ? tool_->hint() : ""; }
+  void UpdateTool(const ToolInput& input);
+
+  // Frames from first to last that are played: the preview range, or all.
+  int first_frame() const { return session_.project().frames.first; }
+  int last_frame() const { return session_.project().frames.last; }
+
+  const Theme& theme() const { return settings.dark ? DarkTheme() : LightTheme(); }
+
+  Settings settings;
+  Message message;
+  Playback playback;
+  ViewportState viewport;
+  SheetState sheet;
+  SideState side;
+  std::optional<Splitter> dragged_splitter;
+  bool wants_to_quit = false;
+  ScenePainter paint_scene;
+
+ private:
+  edit::Session session_;
+  std::unique_ptr<Tool> tool_;
+  double now_ = 0.0;
+};
+
+}  // namespace hazumi::ui

@@ -1,0 +1,44 @@
+#include "ui/panels/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi::ui {
+
+void Playback::Start(double now, int frame, int first, int last, double rate) {
+  is_on_ = true;
+  start_ = window_start_ = now;
+  rate_ = rate;
+  first_ = first;
+  last_ = std::max(first, last);
+  start_frame_ = std::clamp(frame, first_, last_);
+  last_shown_ = -1;
+  shown_ = dropped_ = 0;
+  shown_rate_ = 0.0;
+}
+
+int Playback::FrameAt(double now) const {
+  const long passed = std::lround(std::floor((now - start_) * rate_ + 1e-6));
+  const long length = last_ - first_ + 1;
+  return first_ + static_cast<int>((start_frame_ - first_ + std::max(passed, 0L)) % length);
+}
+
+double Playback::NextFrameTime(double now) const {
+  return start_ + (std::floor((now - start_) * rate_ + 1e-6) + 1.0) / rate_;
+}
+
+void Playback::CountFrame(double now, int frame) {
+  if (frame == last_shown_) return;
+  if (last_shown_ >= 0) {
+    const int length = last_ - first_ + 1;
+    dropped_ += ((frame - last_shown_) % length + length) % length - 1;
+  }
+  last_shown_ = frame;
+  ++shown_;
+  if (now - window_start_ < 1.0) return;
+  shown_rate_ = shown_ / (now - window_start_);
+  window_start_ = now;
+  shown_ = 0;
+}
+
+}  // namespace hazumi::ui

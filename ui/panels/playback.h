@@ -1,0 +1,34 @@
+#pragma once
+
+namespace hazumi::ui {
+
+// Playback in real time: which frame to show when, and how many were really shown.
+class Playback {
+ public:
+  bool is_on() const { return is_on_; }
+  // From `frame`, of a loop over [first, last], at so many frames a second.
+  void Start(double now, int frame, int first, int last, double rate);
+  void Stop() { is_on_ = false; }
+
+  // The frame that belongs to this time.
+  int FrameAt(double now) const;
+  // When the next frame is due [s].
+  double NextFrameTime(double now) const;
+
+  // A frame was shown.
+  void CountFrame(double now, int frame);
+  // Different frames shown per second, over about the last second; 0 before that is known.
+  double shown_rate() const { return shown_rate_; }
+  // Frames passed over since playback began.
+  int dropped() const { return dropped_; }
+
+ private:
+  bool is_on_ = false;
+  double start_ = 0.0, rate_ = 30.0;
+  int start_frame_ = 0, first_ = 0, last_ = 0;
+  int last_shown_ = -1, dropped_ = 0;
+  double window_start_ = 0.0, shown_rate_ = 0.0;
+  int shown_ = 0;
+};
+
+}  // namespace hazumi::ui

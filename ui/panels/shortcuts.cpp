@@ -1,0 +1,57 @@
+#include "ui/panels/actions.h"
+
+namespace hazumi::ui {
+
+// As in Blender. What has a place goes before what counts anywhere.
+const std::vector<Shortcut>& AllShortcuts() {
+  using enum Place;
+  static const std::vector<Shortcut> shortcuts = {
+      {{'N', true}, kAnywhere, "file.new"},
+      {{'S', true}, kAnywhere, "file.save"},
+      {{'Q', true}, kAnywhere, "app.quit"},
+      {{'Z', true}, kAnywhere, "edit.undo"},
+      {{'Z', true, true}, kAnywhere, "edit.redo"},
+      {{'C', true}, kViewport, "pose.copy"},
+      {{'V', true}, kViewport, "pose.paste"},
+      {{'V', true, true}, kViewport, "pose.paste", {{"flipped", true}}},
+      {{'I'}, kAnywhere, "key.insert"},
+      {{'A'}, kViewport, "select.all"},
+      {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},
+      {{'R', false, false, true}, kViewport, "pose.clear"},
+      {{kSpace}, kAnywhere, "time.play"},
+      {{kRight}, kAnywhere, "time.step", {{"by", 1}}},
+      {{kLeft}, kAnywhere, "time.step", {{"by", -1}}},
+      {{kRight, false, true}, kAnywhere, "time.to_end", {{"last", true}}},
+      {{kLeft, false, true}, kAnywhere, "time.to_end", {{"last", false}}},
+      {{kUp}, kAnywhere, "time.to_key", {{"next", true}}},
+      {{kDown}, kAnywhere, "time.to_key", {{"next", false}}},
+      {{kPad1}, kViewport, "view.side", {{"side", "front"}}},
+      {{kPad1, true}, kViewport, "view.side", {{"side", "back"}}},
+      {{kPad3}, kViewport, "view.side", {{"side", "right"}}},
+      {{kPad3, true}, kViewport, "view.side", {{"side", "left"}}},
+      {{kPad7}, kViewport, "view.side", {{"side", "top"}}},
+      {{kPad5}, kViewport, "view.orthographic"},
+      {{kPad0}, kViewport, "view.camera"},
+      {{kTab, true}, kAnywhere, "view.sheet"},
+  };
+  return shortcuts;
+}
+
+const Shortcut* FindShortcut(const Chord& chord, Place place) {
+  const Shortcut* anywhere = nullptr;
+  for (const Shortcut& shortcut : AllShortcuts()) {
+    if (shortcut.chord != chord) continue;
+    if (shortcut.place == place) return &shortcut;
+    if (shortcut.place == Place::kAnywhere) anywhere = &shortcut;
+  }
+  return anywhere;
+}
+
+std::string KeyOf(const std::string& id, const Json& parameters) {
+  for (const Shortcut& shortcut : AllShortcuts()) {
+    if (id == shortcut.id && parameters == shortcut.parameters) return NameOf(shortcut.chord);
+  }
+  return "";
+}
+
+}  // namespace hazumi::ui

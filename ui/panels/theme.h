@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/scene/color.h"
+
+namespace hazumi::ui {
+
+using render::SrgbColor;
+
+// Colours with a meaning, the same in both themes. Never alone: a shape or a text goes with each.
+namespace colors {
+inline constexpr SrgbColor kKeyed = render::FromHex(0xb3ae36);
+inline constexpr SrgbColor kInterpolated = render::FromHex(0x53992e);
+inline constexpr SrgbColor kChanged = render::FromHex(0xcc7529);
+inline constexpr SrgbColor kDynamics = render::FromHex(0x2f8fff);  // computed by a region: hatched
+inline constexpr SrgbColor kKey = render::FromHex(0xbfbfbf);
+inline constexpr SrgbColor kSelected = render::FromHex(0xffbe33);
+inline constexpr SrgbColor kAxisX = render::FromHex(0xff3352);
+inline constexpr SrgbColor kAxisY = render::FromHex(0x8bdc00);
+inline constexpr SrgbColor kAxisZ = render::FromHex(0x2890ff);
+}  // namespace colors
+
+// Colours of the surfaces.
+struct Theme {
+  SrgbColor window, panel, header, field, field_hovered, line, text, faint_text, accent, row,
+      row_odd;
+  SrgbColor playhead = render::FromHex(0x4f8fdc);
+};
+const Theme& DarkTheme();
+const Theme& LightTheme();
+
+}  // namespace hazumi::ui
