@@ -14,16 +14,6 @@ using enum ParameterKind;
 const ParameterInfo kCurve = {"curve", kText, true, "a hinge, or root.x to root.angle_x"};
 const ParameterInfo kFrame = {"frame", kNumber, true, "the key's frame"};
 
-Result<Interpolation> InterpolationNamed(const std::string& name) {
-  using enum Interpolation;
-  const std::pair<const char*, Interpolation> all[] = {
-      {"hold", kHold}, {"linear", kLinear}, {"quadratic", kQuadratic}, {"cubic", kCubic}};
-  for (const auto& [text, value] : all) {
-    if (name == text) return value;
-  }
-  return Refusal("interpolation", "\"" + name + "\" is none of hold, linear, quadratic, cubic");
-}
-
 Error NoKey(const std::string& curve, double frame) {
   return Refusal("frame", "\"" + curve + "\" has no key on frame " + FormatShort(frame));
 }
@@ -93,12 +83,6 @@ Result<Done> Move(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
-std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
-  if (p.has("curves")) return p.names("curves");
-  if (session.selected_joints().empty()) return CurveNames(session.project());
-  return {session.selected_joints().begin(), session.selected_joints().end()};
-}
-
 // The keys from one frame to another are moved and stretched in time: first and last come to lie on
 // two other frames. Keys that lay in their way give way.
 Result<Done> Retime(Session* session, const Parameters& p) {
@@ -154,6 +138,22 @@ Result<Done> Insert(Session* session, const Parameters& p) {
 }
 
 }  // namespace
+
+Result<Interpolation> InterpolationNamed(const std::string& name) {
+  using enum Interpolation;
+  const std::pair<const char*, Interpolation> all[] = {
+      {"hold", kHold}, {"linear", kLinear}, {"quadratic", kQuadratic}, {"cubic", kCubic}};
+  for (const auto& [text, value] : all) {
+    if (name == text) return value;
+  }
+  return Refusal("interpolation", "\"" + name + "\" is none of hold, linear, quadratic, cubic");
+}
+
+std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
+  if (p.has("curves")) return p.names("curves");
+  if (session.selected_joints().empty()) return CurveNames(session.project());
+  return {session.selected_joints().begin(), session.selected_joints().end()};
+}
 
 std::vector<Operator> KeyOperators() {
   const ParameterInfo curves = {"curves", kNames, false,
