@@ -15,6 +15,7 @@ namespace hazumi::edit {
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> PoseOperators();
+std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
@@ -42,6 +43,10 @@ std::vector<std::string> CurveNames(const Project& project);
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);
 // By the word of the format, e.g. "cubic".
 Result<Interpolation> InterpolationNamed(const std::string& name);
+
+// Keys angles at the current frame: one undo step, or part of a drag.
+Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
+                     const std::string& drag = "");
 
 // The key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);

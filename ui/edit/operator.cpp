@@ -27,7 +27,7 @@ std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (auto&& list :
        {SessionOperators(), KeyOperators(), KeySelectionOperators(), SelectedKeyOperators(),
-        PoseOperators(), RegionOperators(), SceneOperators()}) {
+        PoseOperators(), ReachOperators(), RegionOperators(), SceneOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

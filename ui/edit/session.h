@@ -60,6 +60,8 @@ class Session {
   // right, and what it was before elsewhere. Errors: of CompileAnimation and Bake.
   Result<const Motion*> MotionTo(int frame);
   Result<const Motion*> WholeMotion();
+  // The motion at the frame nearest to the current one.
+  Result<const MotionFrame*> FrameNow();
   // An angle as it is at the current frame, whatever moves the hinge [degrees].
   Result<double> AngleNow(const std::string& hinge);
 
