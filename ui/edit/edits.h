@@ -17,6 +17,7 @@ std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
+std::vector<Operator> StartRateOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
 std::vector<Operator> SessionOperators();

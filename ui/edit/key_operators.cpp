@@ -55,6 +55,18 @@ Result<Done> Set(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+Result<Done> SetRate(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Set rate of key",
+      [&](Project* project) -> Result<Done> {
+        const Result<Place> place = PlaceOf(p, session->figure(), project);
+        if (!place.ok()) return place.error();
+        place.value().key->rate = p.number("rate");
+        return Done();
+      },
+      p.text("drag"));
+}
+
 Result<Done> Delete(Session* session, const Parameters& p) {
   return session->Edit("Delete key", [&](Project* project) -> Result<Done> {
     const Result<Place> place = PlaceOf(p, session->figure(), project);
@@ -169,6 +181,14 @@ std::vector<Operator> KeyOperators() {
             {"interpolation", kText, false, "hold, linear, quadratic or cubic"},
             kDrag},
            Set},
+          {"key.rate",
+           "Set rate of key",
+           "Sets how fast a curve passes a key.",
+           {kCurve,
+            kFrame,
+            {"rate", kNumber, true, "degrees per second, of root positions m/s"},
+            kDrag},
+           SetRate},
           {"key.delete", "Delete key", "Takes a key away.", {kCurve, kFrame}, Delete},
           {"key.move",
            "Move key",
