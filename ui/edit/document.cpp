@@ -3,7 +3,7 @@
 namespace hazumi::edit {
 
 Document::Document(Project project, std::string path)
-    : project_(std::move(project)), path_(std::move(path)) {}
+    : state_{std::move(project), {}}, path_(std::move(path)) {}
 
 std::optional<std::string> Document::undo_label() const {
   if (position_ == forgotten_) return std::nullopt;
@@ -19,7 +19,10 @@ bool Document::Undo() {
   EndMerge();
   if (!undo_label()) return false;
   --position_;
-  steps_[position_ - forgotten_].change.Revert(&project_);
+  const Step& step = steps_[position_ - forgotten_];
+  step.change.Revert(&state_.project);
+  if (step.keys) state_.keys = step.keys->before;
+  DropMissing(state_.project, &state_.keys);
   ++revision_;
   return true;
 }
@@ -27,15 +30,23 @@ bool Document::Undo() {
 bool Document::Redo() {
   EndMerge();
   if (!redo_label()) return false;
-  steps_[position_ - forgotten_].change.Apply(&project_);
+  const Step& step = steps_[position_ - forgotten_];
+  step.change.Apply(&state_.project);
+  if (step.keys) state_.keys = step.keys->after;
+  DropMissing(state_.project, &state_.keys);
   ++position_;
   ++revision_;
   return true;
 }
 
+void Document::set_selected_keys(KeySelection keys) {
+  state_.keys = std::move(keys);
+  DropMissing(state_.project, &state_.keys);
+}
+
 void Document::EndMerge() {
   if (!merge_.empty() && steps_.back().change.is_empty()) {  // dragged back to where it was
-    bytes_ -= steps_.back().change.bytes();
+    bytes_ -= steps_.back().bytes();
     steps_.pop_back();
     --position_;
   }
@@ -46,7 +57,8 @@ bool Document::CancelMerge() {
   if (merge_.empty()) return false;
   merge_.clear();
   --position_;
-  steps_.back().change.Revert(&project_);
+  steps_.back().change.Revert(&state_.project);
+  state_.keys = merge_before_.keys;
   bytes_ -= steps_.back().change.bytes();
   steps_.pop_back();
   ++revision_;
@@ -64,34 +76,37 @@ void Document::set_history_limit(size_t bytes) {
   Forget();
 }
 
-void Document::Add(const std::string& label, const std::string& merge, const Project& before) {
-  if (before == project_) return;
+void Document::Add(const std::string& label, const std::string& merge, const State& before) {
+  DropMissing(state_.project, &state_.keys);
+  if (before.project == state_.project) return;
   ++revision_;
   while (redo_label()) {  // another future begins
-    bytes_ -= steps_.back().change.bytes();
+    bytes_ -= steps_.back().bytes();
     steps_.pop_back();
   }
   if (saved_ && *saved_ > position_) saved_.reset();
   const bool merges = !merge.empty() && merge == merge_;
   if (!merges) EndMerge();
   if (merges) {
-    bytes_ -= steps_.back().change.bytes();
+    bytes_ -= steps_.back().bytes();
     steps_.pop_back();
     --position_;
   } else {
     merge_ = merge;
-    merge_before_ = merge.empty() ? Project() : before;
+    merge_before_ = merge.empty() ? State() : before;
   }
-  Change change(merges ? merge_before_ : before, project_);
-  bytes_ += change.bytes();
-  steps_.push_back({label, std::move(change)});
+  const State& from = merges ? merge_before_ : before;
+  Step step{label, Change(from.project, state_.project), std::nullopt};
+  if (from.keys != state_.keys) step.keys = {from.keys, state_.keys};
+  bytes_ += step.bytes();
+  steps_.push_back(std::move(step));
   ++position_;
   Forget();
 }
 
 void Document::Forget() {
   while (bytes_ > limit_ && steps_.size() > 1 && position_ > forgotten_ + 1) {
-    bytes_ -= steps_.front().change.bytes();
+    bytes_ -= steps_.front().bytes();
     steps_.pop_front();
     ++forgotten_;
   }

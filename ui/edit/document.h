@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/edit/change.h"
+#include "ui/edit/key_selection.h"
 
 namespace hazumi::edit {
 
@@ -14,11 +15,17 @@ class Document {
  public:
   explicit Document(Project project, std::string path = "");
 
-  const Project& project() const { return project_; }
+  const Project& project() const { return state_.project; }
   // File it was read from or saved to; empty if there is none.
   const std::string& path() const { return path_; }
   // Counts up whenever the project changes, also by undo and redo.
   long revision() const { return revision_; }
+
+  // Keys that are selected. Those that vanish fall out. Undoing or redoing a step that changed the
+  // selection, as moving keys does, brings back what was selected there.
+  const KeySelection& selected_keys() const { return state_.keys; }
+  // Of `keys`, those that there are.
+  void set_selected_keys(KeySelection keys);
 
   // What the next undo and redo would do; none if there is nothing.
   std::optional<std::string> undo_label() const;
@@ -35,6 +42,15 @@ class Document {
   void EndMerge();
   // Takes back the drag that is on, as if it had never begun. False if there is none.
   bool CancelMerge();
+  // The document when the drag `merge` began, for edits that count from there; null unless the last
+  // step was of that drag.
+  struct State {
+    Project project;
+    KeySelection keys;
+  };
+  const State* drag_start(const std::string& merge) const {
+    return !merge.empty() && merge == merge_ ? &merge_before_ : nullptr;
+  }
 
   // It is as it was read or saved.
   bool is_saved() const { return saved_ == position_; }
@@ -42,15 +58,23 @@ class Document {
 
  private:
   friend class Transaction;
+  struct KeyChange {
+    KeySelection before, after;
+  };
   struct Step {
     std::string label;
     Change change;
+    std::optional<KeyChange> keys;  // if what is selected changed
+
+    size_t bytes() const {
+      return change.bytes() + (keys ? BytesOf(keys->before) + BytesOf(keys->after) : 0);
+    }
   };
 
-  void Add(const std::string& label, const std::string& merge, const Project& before);
+  void Add(const std::string& label, const std::string& merge, const State& before);
   void Forget();
 
-  Project project_;
+  State state_;
   std::string path_;
   long revision_ = 0;
   std::deque<Step> steps_;
@@ -58,21 +82,21 @@ class Document {
   long position_ = 0;              // steps behind us, forgotten ones too
   std::optional<long> saved_ = 0;  // position; none: it can no longer be reached
   size_t bytes_ = 0, limit_ = size_t{256} << 20;
-  std::string merge_;     // of the last step; empty: nothing merges with it
-  Project merge_before_;  // that step's beginning
+  std::string merge_;   // of the last step; empty: nothing merges with it
+  State merge_before_;  // that step's beginning
 };
 
 // Edits a document: change project(), then commit. What is not committed is undone.
 class Transaction {
  public:
-  explicit Transaction(Document* document) : document_(document), before_(document->project_) {}
+  explicit Transaction(Document* document) : document_(document), before_(document->state_) {}
   ~Transaction() {
-    if (!is_committed_) document_->project_ = std::move(before_);
+    if (!is_committed_) document_->state_ = std::move(before_);
   }
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  Project& project() { return document_->project_; }
+  Project& project() { return document_->state_.project; }
   // Steps in a row with the same `merge`, if not empty, become one: a drag. Nothing changed: no
   // step.
   void Commit(const std::string& label, const std::string& merge = "") {
@@ -82,7 +106,7 @@ class Transaction {
 
  private:
   Document* document_;
-  Project before_;
+  Document::State before_;
   bool is_committed_ = false;
 };
 

@@ -13,9 +13,13 @@ namespace hazumi::edit {
 
 // Each gives the operators of one file.
 std::vector<Operator> KeyOperators();
+std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> PoseOperators();
+std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
+std::vector<Operator> StartRateOperators();
 std::vector<Operator> SceneOperators();
+std::vector<Operator> SelectedKeyOperators();
 std::vector<Operator> SessionOperators();
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
@@ -36,8 +40,18 @@ const ProjectCurve* FindCurve(const std::string& name, const Project& project);
 // Names of all curves that a project has: of its root and of hinges that have one.
 std::vector<std::string> CurveNames(const Project& project);
 
+// By the parameter "curves"; not given: those of the selected joints, else all.
+std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);
+// By the word of the format, e.g. "cubic".
+Result<Interpolation> InterpolationNamed(const std::string& name);
+
+// Keys angles at the current frame: one undo step, or part of a drag.
+Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
+                     const std::string& drag = "");
+
 // The key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);
+const ProjectKey* KeyOn(double frame, const ProjectCurve& curve);
 // Puts a key in its place; one on the same frame is replaced, but for its fields that no one knows.
 void PutKey(const ProjectKey& key, ProjectCurve* curve);
 

@@ -14,16 +14,6 @@ using enum ParameterKind;
 const ParameterInfo kCurve = {"curve", kText, true, "a hinge, or root.x to root.angle_x"};
 const ParameterInfo kFrame = {"frame", kNumber, true, "the key's frame"};
 
-Result<Interpolation> InterpolationNamed(const std::string& name) {
-  using enum Interpolation;
-  const std::pair<const char*, Interpolation> all[] = {
-      {"hold", kHold}, {"linear", kLinear}, {"quadratic", kQuadratic}, {"cubic", kCubic}};
-  for (const auto& [text, value] : all) {
-    if (name == text) return value;
-  }
-  return Refusal("interpolation", "\"" + name + "\" is none of hold, linear, quadratic, cubic");
-}
-
 Error NoKey(const std::string& curve, double frame) {
   return Refusal("frame", "\"" + curve + "\" has no key on frame " + FormatShort(frame));
 }
@@ -65,6 +55,18 @@ Result<Done> Set(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+Result<Done> SetRate(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Set rate of key",
+      [&](Project* project) -> Result<Done> {
+        const Result<Place> place = PlaceOf(p, session->figure(), project);
+        if (!place.ok()) return place.error();
+        place.value().key->rate = p.number("rate");
+        return Done();
+      },
+      p.text("drag"));
+}
+
 Result<Done> Delete(Session* session, const Parameters& p) {
   return session->Edit("Delete key", [&](Project* project) -> Result<Done> {
     const Result<Place> place = PlaceOf(p, session->figure(), project);
@@ -91,12 +93,6 @@ Result<Done> Move(Session* session, const Parameters& p) {
         return Done();
       },
       p.text("drag"));
-}
-
-std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
-  if (p.has("curves")) return p.names("curves");
-  if (session.selected_joints().empty()) return CurveNames(session.project());
-  return {session.selected_joints().begin(), session.selected_joints().end()};
 }
 
 // The keys from one frame to another are moved and stretched in time: first and last come to lie on
@@ -155,6 +151,22 @@ Result<Done> Insert(Session* session, const Parameters& p) {
 
 }  // namespace
 
+Result<Interpolation> InterpolationNamed(const std::string& name) {
+  using enum Interpolation;
+  const std::pair<const char*, Interpolation> all[] = {
+      {"hold", kHold}, {"linear", kLinear}, {"quadratic", kQuadratic}, {"cubic", kCubic}};
+  for (const auto& [text, value] : all) {
+    if (name == text) return value;
+  }
+  return Refusal("interpolation", "\"" + name + "\" is none of hold, linear, quadratic, cubic");
+}
+
+std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
+  if (p.has("curves")) return p.names("curves");
+  if (session.selected_joints().empty()) return CurveNames(session.project());
+  return {session.selected_joints().begin(), session.selected_joints().end()};
+}
+
 std::vector<Operator> KeyOperators() {
   const ParameterInfo curves = {"curves", kNames, false,
                                 "curves; not given: those of the selected joints, else all"};
@@ -169,6 +181,14 @@ std::vector<Operator> KeyOperators() {
             {"interpolation", kText, false, "hold, linear, quadratic or cubic"},
             kDrag},
            Set},
+          {"key.rate",
+           "Set rate of key",
+           "Sets how fast a curve passes a key.",
+           {kCurve,
+            kFrame,
+            {"rate", kNumber, true, "degrees per second, of root positions m/s"},
+            kDrag},
+           SetRate},
           {"key.delete", "Delete key", "Takes a key away.", {kCurve, kFrame}, Delete},
           {"key.move",
            "Move key",

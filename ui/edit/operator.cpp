@@ -25,8 +25,9 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list :
-       {SessionOperators(), KeyOperators(), PoseOperators(), RegionOperators(), SceneOperators()}) {
+  for (auto&& list : {SessionOperators(), KeyOperators(), KeySelectionOperators(),
+                      SelectedKeyOperators(), PoseOperators(), ReachOperators(), RegionOperators(),
+                      StartRateOperators(), SceneOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {
@@ -78,10 +79,13 @@ std::vector<std::string> CurveNames(const Project& project) {
 }
 
 ProjectKey* KeyOn(double frame, ProjectCurve* curve) {
-  for (ProjectKey& key : curve->keys) {
-    if (key.frame == frame) return &key;
-  }
-  return nullptr;
+  return const_cast<ProjectKey*>(KeyOn(frame, std::as_const(*curve)));
+}
+
+const ProjectKey* KeyOn(double frame, const ProjectCurve& curve) {
+  const auto key = std::lower_bound(curve.keys.begin(), curve.keys.end(), frame,
+                                    [](const ProjectKey& k, double f) { return k.frame < f; });
+  return key != curve.keys.end() && key->frame == frame ? &*key : nullptr;
 }
 
 void PutKey(const ProjectKey& key, ProjectCurve* curve) {

@@ -18,6 +18,8 @@ const char* Describe(ParameterKind kind) {
       return "true or false";
     case ParameterKind::kNames:
       return "a list of names";
+    case ParameterKind::kNumbers:
+      return "a list of numbers";
   }
   return "";
 }
@@ -30,12 +32,14 @@ bool IsWhole(const Json& value) {
   return number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max();
 }
 
+bool IsFinite(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
+
 bool IsOf(ParameterKind kind, const Json& value) {
   switch (kind) {
     case ParameterKind::kText:
       return value.is_string();
     case ParameterKind::kNumber:
-      return value.is_number() && std::isfinite(value.get<double>());
+      return IsFinite(value);
     case ParameterKind::kInteger:
       return IsWhole(value);
     case ParameterKind::kYesNo:
@@ -43,6 +47,8 @@ bool IsOf(ParameterKind kind, const Json& value) {
     case ParameterKind::kNames:
       return value.is_array() && std::all_of(value.begin(), value.end(),
                                              [](const Json& name) { return name.is_string(); });
+    case ParameterKind::kNumbers:
+      return value.is_array() && std::all_of(value.begin(), value.end(), IsFinite);
   }
   return false;
 }

@@ -11,7 +11,7 @@ namespace hazumi::edit {
 
 using Json = nlohmann::ordered_json;
 
-enum class ParameterKind { kText, kNumber, kInteger, kYesNo, kNames };
+enum class ParameterKind { kText, kNumber, kInteger, kYesNo, kNames, kNumbers };
 // "a text", "a number" and so on.
 const char* Describe(ParameterKind kind);
 
@@ -45,6 +45,9 @@ class Parameters {
   std::vector<std::string> names(const char* name) const {
     return has(name) ? values_.at(name).get<std::vector<std::string>>()
                      : std::vector<std::string>();
+  }
+  std::vector<double> numbers(const char* name) const {
+    return has(name) ? values_.at(name).get<std::vector<double>>() : std::vector<double>();
   }
   std::optional<double> maybe_number(const char* name) const {
     return has(name) ? std::optional(number(name)) : std::nullopt;

@@ -19,21 +19,6 @@ void KeyAngle(double frame, double angle, ProjectCurve* curve) {
   PutKey(key, curve);
 }
 
-Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
-                     const std::string& drag = "") {
-  return session->Edit(
-      label,
-      [&](Project* project) -> Result<Done> {
-        for (const Named<double>& angle : pose) {
-          const Result<ProjectCurve*> curve = CurveNamed(angle.name, session->figure(), project);
-          if (!curve.ok()) return curve.error();
-          KeyAngle(session->frame(), angle.value, curve.value());
-        }
-        return Done();
-      },
-      drag);
-}
-
 double Limited(const std::string& hinge, double angle, const Figure& figure) {
   const std::optional<JointIndex> j = figure.FindJoint(hinge);
   if (!j) return angle;
@@ -112,6 +97,21 @@ Result<Done> Paste(Session* session, const Parameters& p) {
 }
 
 }  // namespace
+
+Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
+                     const std::string& drag) {
+  return session->Edit(
+      label,
+      [&](Project* project) -> Result<Done> {
+        for (const Named<double>& angle : pose) {
+          const Result<ProjectCurve*> curve = CurveNamed(angle.name, session->figure(), project);
+          if (!curve.ok()) return curve.error();
+          KeyAngle(session->frame(), angle.value, curve.value());
+        }
+        return Done();
+      },
+      drag);
+}
 
 std::vector<Operator> PoseOperators() {
   return {

@@ -95,19 +95,24 @@ Result<const Motion*> Session::MotionTo(int frame) {
 
 Result<const Motion*> Session::WholeMotion() { return MotionTo(document_->project().frames.last); }
 
-Result<double> Session::AngleNow(const std::string& hinge) {
+Result<const MotionFrame*> Session::FrameNow() {
   const ProjectFrames& frames = document_->project().frames;
   const int frame = std::clamp(static_cast<int>(std::lround(frame_)), frames.first, frames.last);
   const Result<const Motion*> motion = MotionTo(frame);
   if (!motion.ok()) return motion.error();
+  return &motion.value()->frames[frame - frames.first];
+}
+
+Result<double> Session::AngleNow(const std::string& hinge) {
+  const Result<const MotionFrame*> now = FrameNow();
+  if (!now.ok()) return now.error();
   const std::vector<Joint>& joints = animation_->figure->joints();
   const auto joint =
       std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == hinge; });
   if (joint == joints.end()) {
     return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + hinge + "\""};
   }
-  const VecX& q = motion.value()->frames[frame - frames.first].q;
-  return q[joint - joints.begin()] * 180.0 / std::numbers::pi;
+  return now.value()->q[joint - joints.begin()] * 180.0 / std::numbers::pi;
 }
 
 }  // namespace hazumi::edit

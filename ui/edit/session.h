@@ -46,6 +46,10 @@ class Session {
   void set_frame(double frame) { frame_ = frame; }
   const std::set<std::string>& selected_joints() const { return selected_joints_; }
   void set_selected_joints(std::set<std::string> names) { selected_joints_ = std::move(names); }
+  const KeySelection& selected_keys() const { return document_->selected_keys(); }
+  void set_selected_keys(KeySelection keys) { document_->set_selected_keys(std::move(keys)); }
+  const std::vector<Named<ProjectKey>>& key_clipboard() const { return key_clipboard_; }
+  void set_key_clipboard(std::vector<Named<ProjectKey>> keys) { key_clipboard_ = std::move(keys); }
   const Pose& clipboard() const { return clipboard_; }
   void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
 
@@ -57,6 +61,8 @@ class Session {
   // right, and what it was before elsewhere. Errors: of CompileAnimation and Bake.
   Result<const Motion*> MotionTo(int frame);
   Result<const Motion*> WholeMotion();
+  // The motion at the frame nearest to the current one.
+  Result<const MotionFrame*> FrameNow();
   // An angle as it is at the current frame, whatever moves the hinge [degrees].
   Result<double> AngleNow(const std::string& hinge);
 
@@ -69,6 +75,7 @@ class Session {
   std::set<std::string> selected_joints_;
   double frame_ = 0.0;
   Pose clipboard_;
+  std::vector<Named<ProjectKey>> key_clipboard_;  // by curve
   std::function<void(const std::string&, const Json&)> observer_;
 
   ProjectFigure figure_source_;  // figure_ was built from

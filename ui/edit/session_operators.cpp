@@ -128,6 +128,11 @@ Result<Done> SelectAll(Session* session, const Parameters&) {
   return Done();
 }
 
+Result<Done> CancelDrag(Session* session, const Parameters&) {
+  session->document().CancelMerge();
+  return Done();
+}
+
 Result<Done> EndDrag(Session* session, const Parameters&) {
   session->document().EndMerge();
   return Done();
@@ -146,6 +151,11 @@ std::vector<Operator> SessionOperators() {
           {"edit.undo", "Undo", "Takes the last step back.", {}, Undo},
           {"edit.redo", "Redo", "Takes the last step that was undone again.", {}, Redo},
           {"edit.end_drag", "End drag", "The next edit is an undo step of its own.", {}, EndDrag},
+          {"edit.cancel_drag",
+           "Cancel drag",
+           "Takes the drag back, as if it had never been.",
+           {},
+           CancelDrag},
           {"time.frame",
            "Go to frame",
            "Sets the current frame.",

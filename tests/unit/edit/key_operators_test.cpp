@@ -1,19 +1,10 @@
-#include "tests/unit/edit/sessions.h"
+#include "tests/unit/edit/keys_of.h"
 
 namespace hazumi::test {
 namespace {
 
 using edit::Json;
 using edit::Session;
-
-const std::vector<ProjectKey>& KeysOf(const Session& session, const std::string& hinge) {
-  for (const Named<ProjectCurve>& entry : session.project().joints) {
-    if (entry.name == hinge) return entry.value.keys;
-  }
-  ADD_FAILURE() << "no curve " << hinge;
-  static const std::vector<ProjectKey> none;
-  return none;
-}
 
 TEST(KeyOperators, SetMakesAKeyInItsPlace) {
   Session session;

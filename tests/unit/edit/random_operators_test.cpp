@@ -13,11 +13,13 @@ using edit::ParameterKind;
 using edit::Session;
 
 // Texts that mean something to one operator or another.
-const char* const kTexts[] = {"r_knee",   "l_elbow_flexion", "root.z", "root.angle_y", "r_shoulder",
-                              "l_toe",    "floor",           "box",    "arms",         "region",
-                              "region 2", "cubic",           "hold",   "exact",        "paper",
-                              "pinned",   "gravity",         "keyed",  "replace",      "add",
-                              "#112233",  "nobody",          ""};
+const char* const kTexts[] = {"r_knee",     "l_elbow_flexion", "root.z",   "root.angle_y",
+                              "r_shoulder", "l_toe",           "floor",    "box",
+                              "arms",       "region",          "region 2", "cubic",
+                              "hold",       "exact",           "paper",    "pinned",
+                              "gravity",    "keyed",           "replace",  "add",
+                              "#112233",    "before",          "auto",     "flat",
+                              "toggle",     "nobody",          ""};
 const char* const kNames[] = {"r_knee", "l_knee", "r_shoulder+", "l_shoulder+", "chest", "l_wrist"};
 
 Json RandomValue(ParameterKind kind, Random* random) {
@@ -36,6 +38,11 @@ Json RandomValue(ParameterKind kind, Random* random) {
         names.push_back(kNames[random->Integer(0, std::size(kNames) - 1)]);
       }
       return names;
+    }
+    case ParameterKind::kNumbers: {
+      Json numbers = Json::array();
+      for (int i = random->Integer(1, 3); i > 0; --i) numbers.push_back(random->Integer(0, 30));
+      return numbers;
     }
   }
   return {};

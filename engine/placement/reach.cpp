@@ -1,0 +1,139 @@
+#include "engine/placement/reach.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/placement/hold_chain.h"
+
+// Levenberg and Marquardt's method on |p(x) - target|^2 / 2 with bounds: a hinge at a limit that
+// would be pushed on is left out of the step, and every step is cut to the limits.
+
+namespace hazumi {
+
+namespace {
+
+constexpr int kSteps = 200;
+constexpr double kReached = 1e-9;       // [m]
+constexpr double kNear = 1e-6;          // [m]
+constexpr double kLargestStep = 0.5;    // [rad] of any hinge
+constexpr double kBent = 0.1;           // [rad] that a straight limb is bent to begin with
+constexpr double kWorthBending = 1e-3;  // [m] that it must come nearer
+
+class ReachSolver {
+ public:
+  ReachSolver(const Figure& figure, const ReachProblem& problem, const VecX& q)
+      : chain_(figure, problem.moved),
+        X_WR_{problem.X_WR.R.cast<Jet>(), problem.X_WR.p.cast<Jet>()},
+        target_(problem.target),
+        q_(q.data(), q.data() + q.size()),
+        pose_(chain_.size()),
+        may_turn_(chain_.size()),
+        J_(3, chain_.size()) {
+    for (int r = 0; r < chain_.size(); ++r) {
+      const auto& hinges = problem.hinges;
+      may_turn_[r] = std::find(hinges.begin(), hinges.end(), chain_.unknowns()[r]) != hinges.end();
+    }
+  }
+
+  int size() const { return chain_.size(); }
+  JointIndex joint(int row) const { return chain_.unknowns()[row]; }
+
+  // The present angles, those that may turn within their limits.
+  VecX Present() const {
+    VecX x(size());
+    for (int r = 0; r < size(); ++r) x[r] = Limited(r, q_[joint(r).value()].v);
+    return x;
+  }
+
+  // A straight limb has no first-order way to get shorter: bent towards the middle of the limits (a
+  // knee bends backwards), or if it is there, to a side.
+  VecX Bent() const {
+    VecX x = Present();
+    for (int r = 0; r < size(); ++r) {
+      const double middle = 0.5 * (chain_.joint(r).lower + chain_.joint(r).upper);
+      const double side = r % 2 == 0 ? kBent : -kBent;
+      const double by = std::clamp(middle - x[r], -kBent, kBent);
+      x[r] = Limited(r, x[r] + (std::abs(by) < 0.5 * kBent ? side : by));
+    }
+    return x;
+  }
+
+  // Leaves the nearest angles in `x`; gives the distance.
+  double Minimise(VecX* x) {
+    double damping = 1e-4, least = Place(*x);
+    for (int i = 0; i < kSteps && least > kReached && damping < 1e8; ++i) {
+      SetJacobian(*x);
+      const VecX next = Step(*x, damping);
+      const double distance = Place(next);
+      damping *= distance < least ? 0.3 : 4.0;
+      if (distance < least) {
+        least = distance;
+        *x = next;
+      } else {
+        Place(*x);
+      }
+    }
+    return least;
+  }
+
+ private:
+  double Limited(int row, double angle) const {
+    if (!may_turn_[row]) return q_[joint(row).value()].v;
+    return std::clamp(angle, chain_.joint(row).lower, chain_.joint(row).upper);
+  }
+
+  double Place(const VecX& x) {
+    chain_.Place<double>(X_WR_, q_, x, &pose_);
+    return (pose_.p - target_).norm();
+  }
+
+  // At pose_, without the hinges that cannot go where they should.
+  void SetJacobian(const VecX& x) {
+    for (int r = 0; r < size(); ++r) {
+      const double uphill = pose_.J[r].dot(pose_.p - target_);
+      const bool stopped = (x[r] <= chain_.joint(r).lower && uphill > 0.0) ||
+                           (x[r] >= chain_.joint(r).upper && uphill < 0.0);
+      J_.col(r) = may_turn_[r] && !stopped ? pose_.J[r] : Vec3(Vec3::Zero());
+    }
+  }
+
+  // (J^T J + damping)^-1 J^T = J^T (J J^T + damping)^-1.
+  VecX Step(const VecX& x, double damping) const {
+    const Mat3 A = J_ * J_.transpose() + damping * Mat3::Identity();
+    VecX step = -J_.transpose() * A.ldlt().solve(pose_.p - target_);
+    const double largest = size() > 0 ? step.cwiseAbs().maxCoeff() : 0.0;
+    if (largest > kLargestStep) step *= kLargestStep / largest;
+    for (int r = 0; r < size(); ++r) step[r] = Limited(r, x[r] + step[r]);
+    return step;
+  }
+
+  HoldChain chain_;
+  PoseOf<Jet> X_WR_;
+  Vec3 target_;
+  std::vector<Jet> q_;
+  ChainPose<double> pose_;
+  std::vector<char> may_turn_;  // by row of the chain
+  Eigen::Matrix<double, 3, Eigen::Dynamic> J_;
+};
+
+}  // namespace
+
+double Reach(const Figure& figure, const ReachProblem& problem, VecX* q) {
+  ReachSolver solver(figure, problem, *q);
+  VecX x = solver.Present();
+  double distance = solver.Minimise(&x);
+  if (distance > kReached) {
+    VecX bent = solver.Bent();
+    const double distance_bent = solver.Minimise(&bent);
+    if (distance_bent < distance - kWorthBending ||
+        (distance_bent <= kReached && distance > kNear)) {
+      distance = distance_bent;
+      x = bent;
+    }
+  }
+  for (int r = 0; r < solver.size(); ++r) (*q)[solver.joint(r).value()] = x[r];
+  return distance;
+}
+
+}  // namespace hazumi

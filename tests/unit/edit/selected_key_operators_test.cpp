@@ -1,0 +1,166 @@
+#include "tests/unit/edit/keys_of.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Json;
+using edit::KeySelection;
+using edit::Session;
+
+const Points kPoints = {{0, 0}, {5, 50}, {10, 10}, {20, 20}};
+
+// A knee with kPoints, those on 5 and 10 selected.
+Session Knee() {
+  Session session;
+  SetKeys(&session, "r_knee", kPoints);
+  SelectKeys(&session, "r_knee", {5, 10});
+  return session;
+}
+
+TEST(SelectedKeys, MoveInTimeAndValueAndStaySelected) {
+  Session session = Knee();
+  Do(&session, "keys.move", {{"frames", 3}, {"value", 1.5}});
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {8, 51.5}, {13, 11.5}, {20, 20}}));
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {8, 13}}}));
+  Do(&session, "edit.undo");
+  EXPECT_EQ(PointsOf(session, "r_knee"), kPoints);
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+  Do(&session, "edit.redo");
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {8, 13}}}));
+}
+
+TEST(SelectedKeys, MoveOntoEachOthersPlaces) {
+  Session session = Knee();
+  Do(&session, "keys.move", {{"frames", 5}});
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {10, 50}, {15, 10}, {20, 20}}));
+}
+
+TEST(SelectedKeys, LandOnWholeFramesUnlessTold) {
+  Session session = Knee();
+  Do(&session, "keys.move", {{"frames", 1.4}});
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {6, 11}}}));
+  Do(&session, "keys.move", {{"frames", 0.25}, {"subframe", true}});
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {6.25, 11.25}}}));
+  Do(&session, "keys.move", {{"value", 1}});  // sideways only if asked
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {6.25, 11.25}}}));
+}
+
+TEST(SelectedKeys, DraggedAcrossAKeyAndOnLeaveItThere) {
+  Session session = Knee();
+  const size_t steps = session.document().num_steps();
+  for (const int frames : {2, 6, 10, 13}) {
+    Do(&session, "keys.move", {{"frames", frames}, {"drag", "1"}});
+  }
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {18, 50}, {20, 20}, {23, 10}}));
+  EXPECT_EQ(session.document().num_steps(), steps + 1);
+  Do(&session, "keys.move", {{"frames", 10}, {"drag", "1"}});
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {15, 50}, {20, 10}}));  // lands on it
+  Do(&session, "edit.end_drag");
+  Do(&session, "keys.move", {{"frames", 1}, {"drag", "1"}});  // another drag
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {16, 50}, {21, 10}}));
+  Do(&session, "edit.undo");
+  Do(&session, "edit.undo");
+  EXPECT_EQ(PointsOf(session, "r_knee"), kPoints);
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+}
+
+TEST(SelectedKeys, DraggedBackAreNoStep) {
+  Session session = Knee();
+  const size_t steps = session.document().num_steps();
+  for (const int frames : {2, 10, 0}) {
+    Do(&session, "keys.move", {{"frames", frames}, {"drag", "1"}});
+  }
+  Do(&session, "edit.end_drag");
+  EXPECT_EQ(session.document().num_steps(), steps);
+  EXPECT_EQ(PointsOf(session, "r_knee"), kPoints);
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+}
+
+TEST(SelectedKeys, ScaleAboutAFrameAndKeepTheShape) {
+  Session session = Knee();
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 10}, {"rate", 30}});
+  for (const double factor : {1.1, 3.0, 1.5}) {
+    Do(&session, "keys.scale", {{"factor", factor}, {"about", 4}, {"drag", "s"}});
+  }
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {6, 50}, {13, 10}, {20, 20}}));
+  EXPECT_EQ(KeysOf(session, "r_knee")[2].rate, 20.0);
+}
+
+TEST(SelectedKeys, ScaledOntoEachOtherAreRefused) {
+  Session session = Knee();
+  EXPECT_EQ(Refused(&session, "keys.scale", {{"factor", 0.01}, {"about", 5}}).ToString(),
+            "keys.scale: two selected keys of \"r_knee\" would land on frame 5; subframe keeps "
+            "them apart");
+  EXPECT_EQ(Refused(&session, "keys.scale", {{"factor", 0}}).ToString(),
+            "keys.scale.factor: must be greater than 0");
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+  Do(&session, "keys.scale", {{"factor", 0.5}, {"about", 5}, {"subframe", true}});
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 7.5}}}));
+}
+
+TEST(SelectedKeys, DuplicateInOneDrag) {
+  Session session = Knee();
+  const size_t steps = session.document().num_steps();
+  for (const int frames : {0, 1, 5, 10, 20}) {
+    Do(&session, "keys.duplicate", {{"frames", frames}, {"drag", "d"}});
+  }
+  EXPECT_EQ(PointsOf(session, "r_knee"),
+            (Points{{0, 0}, {5, 50}, {10, 10}, {20, 20}, {25, 50}, {30, 10}}));
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {25, 30}}}));
+  EXPECT_EQ(session.document().num_steps(), steps + 1);
+}
+
+TEST(SelectedKeys, Delete) {
+  Session session = Knee();
+  Do(&session, "keys.delete");
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {20, 20}}));
+  EXPECT_TRUE(session.selected_keys().empty());
+  Do(&session, "edit.undo");
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+}
+
+TEST(SelectedKeys, PasteAtTheCurrentFrame) {
+  Session session = Knee();
+  SetKeys(&session, "l_knee", {{7, 70}});
+  Do(&session, "keys.select", {{"curves", {"l_knee"}}, {"frames", {7}}, {"mode", "add"}});
+  Do(&session, "keys.copy");
+  Do(&session, "keys.delete");
+  Do(&session, "time.frame", {{"frame", 20}});
+  Do(&session, "keys.paste");
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {20, 50}, {25, 10}}));
+  EXPECT_EQ(PointsOf(session, "l_knee"), (Points{{22, 70}}));
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {20, 25}}, {"l_knee", {22}}}));
+}
+
+TEST(SelectedKeys, InterpolationAndHandles) {
+  Session session = Knee();
+  Do(&session, "keys.interpolation", {{"interpolation", "linear"}});
+  Do(&session, "keys.handles", {{"kind", "flat"}});
+  for (const ProjectKey& key : KeysOf(session, "r_knee")) {
+    const bool selected = key.frame == 5 || key.frame == 10;
+    EXPECT_EQ(key.interpolation, selected ? Interpolation::kLinear : Interpolation::kCubic);
+    EXPECT_EQ(key.rate, selected ? std::optional(0.0) : std::nullopt);
+  }
+  Do(&session, "keys.handles", {{"kind", "auto"}});
+  EXPECT_FALSE(KeysOf(session, "r_knee")[1].rate);
+  EXPECT_EQ(session.selected_keys(), (KeySelection{{"r_knee", {5, 10}}}));
+}
+
+TEST(SelectedKeys, SayWhatIsWrong) {
+  Session session = Knee();
+  EXPECT_EQ(Refused(&session, "keys.handles", {{"kind", "round"}}).ToString(),
+            "keys.handles.kind: \"round\" is none of auto, flat");
+  EXPECT_EQ(Refused(&session, "keys.interpolation", {{"interpolation", "cubik"}}).ToString(),
+            "keys.interpolation.interpolation: \"cubik\" is none of hold, linear, quadratic, "
+            "cubic");
+  EXPECT_EQ(Refused(&session, "keys.paste", Json::object()).ToString(),
+            "keys.paste: no key has been copied");
+  SelectKeys(&session, "r_knee", {});
+  for (const char* id : {"keys.move", "keys.delete", "keys.copy"}) {
+    EXPECT_EQ(Refused(&session, id, Json::object()).ToString(),
+              std::string(id) + ": no key is selected");
+  }
+}
+
+}  // namespace
+}  // namespace hazumi::test

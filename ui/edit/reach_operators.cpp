@@ -1,0 +1,134 @@
+// Inverse kinematics for posing.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/placement/reach.h"
+#include "ui/edit/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+std::optional<GroupIndex> JointNamed(const std::string& name, const Figure& figure) {
+  if (const auto group = figure.FindGroup(name)) return group;
+  const auto hinge = figure.FindJoint(name);
+  return hinge ? std::optional(figure.joint(*hinge).group) : std::nullopt;
+}
+
+int NumChildren(GroupIndex joint, const Figure& figure) {
+  return static_cast<int>(
+      std::count_if(figure.groups().begin(), figure.groups().end(), [&](const JointGroup& g) {
+        return figure.joint(g.first).parent == figure.group(joint).last();
+      }));
+}
+
+// The joints that move a joint, from it towards the root: `chain` of them, 0 all. Not given: its
+// limb, which ends before a joint that carries others too (the chest, of an arm).
+std::vector<GroupIndex> ChainOf(GroupIndex moved, std::optional<int> chain, const Figure& figure) {
+  std::vector<GroupIndex> joints;
+  for (JointIndex j = figure.joint(figure.group(moved).first).parent; j.is_valid();) {
+    const GroupIndex group = figure.joint(j).group;
+    if (chain && *chain > 0 && static_cast<int>(joints.size()) == *chain) break;
+    if (!chain && !joints.empty() && NumChildren(group, figure) > 1) break;
+    joints.push_back(group);
+    j = figure.joint(figure.group(group).first).parent;
+  }
+  return joints;
+}
+
+// A key moves a hinge unless a region does, or its limits are equal.
+bool IsKeyed(JointIndex hinge, double frame, const Animation& animation) {
+  if (animation.figure->joint(hinge).is_fixed()) return false;
+  return std::none_of(
+      animation.regions.begin(), animation.regions.end(), [&](const DynamicsRegion& region) {
+        return frame > region.first_frame && frame <= region.last_frame &&
+               std::binary_search(region.joints.begin(), region.joints.end(), hinge);
+      });
+}
+
+// The joint held or pinned now that turning these hinges would move, too.
+std::optional<std::string> JointInTheWay(const std::vector<JointIndex>& hinges, double frame,
+                                         const MotionFrame& now, const Animation& animation) {
+  const Figure& figure = *animation.figure;
+  const auto moves = [&](GroupIndex joint) {
+    const JointIndex parent = figure.joint(figure.group(joint).first).parent;
+    return parent.is_valid() && std::any_of(hinges.begin(), hinges.end(), [&](JointIndex hinge) {
+             return figure.IsBeyond(parent, hinge);
+           });
+  };
+  for (const IkHold& hold : animation.holds) {
+    if (frame < hold.first_frame || frame > hold.last_frame || !moves(hold.joint)) continue;
+    return "\"" + figure.group(hold.joint).name + "\" is held in this frame; remove the hold";
+  }
+  if (!now.pinned || !moves(*now.pinned)) return std::nullopt;
+  return "\"" + figure.group(*now.pinned).name +
+         "\" is pinned in this frame and the same hinges carry it; place the figure otherwise";
+}
+
+// The hinges to turn.
+Result<std::vector<JointIndex>> HingesFor(GroupIndex moved, const Parameters& p, double frame,
+                                          const Animation& animation) {
+  const Figure& figure = *animation.figure;
+  const auto count = p.has("chain") ? std::optional(p.integer("chain")) : std::nullopt;
+  if (count && *count < 0) return Refusal("chain", "must not be negative");
+  const std::vector<GroupIndex> chain = ChainOf(moved, count, figure);
+  if (chain.empty()) {
+    return Refusal("joint", "no joint lies between the root and \"" + figure.group(moved).name +
+                                "\"; move the root instead");
+  }
+  std::vector<JointIndex> hinges;
+  for (const GroupIndex g : chain) {
+    for (int j = figure.group(g).first.value(); j <= figure.group(g).last().value(); ++j) {
+      if (IsKeyed(JointIndex(j), frame, animation)) hinges.push_back(JointIndex(j));
+    }
+  }
+  if (!hinges.empty()) return hinges;
+  return Refusal("joint", "regions swing every joint that moves \"" + figure.group(moved).name +
+                              "\" in this frame; end them before it");
+}
+
+Result<Done> ReachFor(Session* session, const Parameters& p) {
+  const Figure& figure = session->figure();
+  const auto moved = JointNamed(p.text("joint"), figure);
+  if (!moved) return Refusal("joint", "the figure has no joint \"" + p.text("joint") + "\"");
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!now.ok()) return now.error();
+  const Animation& animation = *session->animation();
+  const double frame = session->frame();
+  const Result<std::vector<JointIndex>> hinges = HingesFor(*moved, p, frame, animation);
+  if (!hinges.ok()) return hinges.error();
+  if (const auto why = JointInTheWay(hinges.value(), frame, *now.value(), animation)) {
+    return Refusal("joint", *why);
+  }
+  VecX q = now.value()->q;
+  Reach(figure,
+        {now.value()->X_WR, figure.group(*moved).first,
+         Vec3(p.number("x"), p.number("y"), p.number("z")), hinges.value()},
+        &q);
+  Pose pose;
+  for (const JointIndex j : hinges.value()) {
+    pose.push_back({figure.joint(j).name, q[j.value()] / kDegree});
+  }
+  return KeyPose(session, "Reach", pose, p.text("drag"));
+}
+
+}  // namespace
+
+std::vector<Operator> ReachOperators() {
+  return {{"pose.reach",
+           "Reach",
+           "Turns a limb, within its limits, so that a joint comes to a place or near it; keys it.",
+           {{"joint", kText, true, "a joint, e.g. a wrist"},
+            {"x", kNumber, true, "where to, metres in the world"},
+            {"y", kNumber, true, "metres"},
+            {"z", kNumber, true, "metres"},
+            {"chain", kInteger, false,
+             "how many joints turn; 0: all up to the root; not given: the limb"},
+            kDrag},
+           ReachFor}};
+}
+
+}  // namespace hazumi::edit
