@@ -13,13 +13,12 @@ using edit::ParameterKind;
 using edit::Session;
 
 // Texts that mean something to one operator or another.
-const char* const kTexts[] = {"r_knee",     "l_elbow_flexion", "root.z",   "root.angle_y",
-                              "r_shoulder", "l_toe",           "floor",    "box",
-                              "arms",       "region",          "region 2", "cubic",
-                              "hold",       "exact",           "paper",    "pinned",
-                              "gravity",    "keyed",           "replace",  "add",
-                              "#112233",    "before",          "auto",     "flat",
-                              "toggle",     "nobody",          ""};
+const char* const kTexts[] = {"r_knee",   "l_elbow_flexion", "root.z", "root.angle_y", "r_shoulder",
+                              "l_toe",    "floor",           "box",    "arms",         "region",
+                              "region 2", "cubic",           "hold",   "exact",        "paper",
+                              "pinned",   "gravity",         "keyed",  "replace",      "add",
+                              "#112233",  "before",          "auto",   "flat",         "toggle",
+                              "r_hand",   "nobody",          ""};
 const char* const kNames[] = {"r_knee", "l_knee", "r_shoulder+", "l_shoulder+", "chest", "l_wrist"};
 
 Json RandomValue(ParameterKind kind, Random* random) {
