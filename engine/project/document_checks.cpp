@@ -17,14 +17,19 @@ constexpr double kNarrowestView = 1.0, kWidestView = 179.0;  // [deg]
 constexpr long kMostFrames = 1'000'000;
 constexpr int kSolverVersion = 1;
 
+void CheckFramesOrder(const ProjectFrames& frames, const Site& site) {
+  if (frames.first <= frames.last) return;
+  site.Report(Check::kFramesReversed, {std::to_string(frames.last), std::to_string(frames.first)});
+}
+
 void CheckTime(const Project& project, const Site& site) {
   const double rate = static_cast<double>(project.fps.num) / project.fps.den;
   const bool good = project.fps.den > 0 && rate >= kSlowestRate && rate <= kFastestRate;
   site.errors->Require(good, Check::kBadFrameRate, "fps",
                        {std::to_string(project.fps.num), std::to_string(project.fps.den)});
+  CheckFramesOrder(project.frames, site.Field("frames"));
+  if (project.preview) CheckFramesOrder(*project.preview, site.Field("preview"));
   const long first = project.frames.first, last = project.frames.last;
-  site.errors->Require(first <= last, Check::kFramesReversed, "frames",
-                       {std::to_string(last), std::to_string(first)});
   site.errors->Require(last - first < kMostFrames, Check::kTooManyFrames, "frames",
                        {std::to_string(last - first + 1)});
 }
@@ -178,6 +183,9 @@ void CheckDocument(const Project& project, FirstError* errors) {
   ForEach(project.regions, site.Field("regions"), CheckRegion);
   ForEach(project.placements, site.Field("placements"), check_span);
   ForEach(project.holds, site.Field("holds"), check_span);
+  ForEach(project.markers, site.Field("markers"), [](const auto& marker, const Site& place) {
+    CheckNotEmpty(marker.name, place.Field("name"));
+  });
 }
 
 }  // namespace hazumi

@@ -120,6 +120,14 @@ struct ProjectHold {
   bool operator==(const ProjectHold&) const = default;
 };
 
+// A frame with a name, for people.
+struct ProjectMarker {
+  int frame = 0;
+  std::string name;
+  ExtraFields extra;
+  bool operator==(const ProjectMarker&) const = default;
+};
+
 // What was odd about the file. No part of the document: never written, and always equal.
 struct ReadReport {
   std::vector<Warning> warnings;
@@ -140,6 +148,8 @@ struct Project {
   std::vector<ProjectHold> holds;
   std::vector<ProjectHeldObject> held_objects;
   std::optional<ProjectCamera> camera;
+  std::vector<ProjectMarker> markers;    // in any order
+  std::optional<ProjectFrames> preview;  // the part that is played; not given: all
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;

@@ -108,6 +108,12 @@ void Describe(Ar& ar, Ref<Ar, ProjectHold> hold) {
   ar.Required("last_frame", hold.last_frame);
 }
 
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectMarker> marker) {
+  ar.Required("frame", marker.frame);
+  ar.Required("name", marker.name);
+}
+
 // A reference to a figure file, or the figure itself.
 void ReadValue(const Json& json, const Site& site, ProjectFigure& figure);
 Json ToJson(const ProjectFigure& figure);
@@ -130,6 +136,8 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Optional("holds", project.holds);
   ar.Optional("held_objects", project.held_objects);
   ar.Optional("camera", project.camera);
+  ar.Optional("markers", project.markers);
+  ar.Optional("preview", project.preview);
 }
 
 }  // namespace hazumi

@@ -16,7 +16,8 @@ constexpr auto Members() {
       [](auto& p) -> auto& { return p.root.extra; }, [](auto& p) -> auto& { return p.joints; },
       [](auto& p) -> auto& { return p.regions; }, [](auto& p) -> auto& { return p.placements; },
       [](auto& p) -> auto& { return p.holds; }, [](auto& p) -> auto& { return p.held_objects; },
-      [](auto& p) -> auto& { return p.camera; }, [](auto& p) -> auto& { return p.extra; });
+      [](auto& p) -> auto& { return p.camera; }, [](auto& p) -> auto& { return p.markers; },
+      [](auto& p) -> auto& { return p.preview; }, [](auto& p) -> auto& { return p.extra; });
 }
 constexpr size_t kJoints = 7;  // number of the joints' curves among them
 
@@ -46,6 +47,7 @@ size_t BytesOf(const ProjectRegion& region) {
   return sizeof region + region.joints.capacity() * sizeof(JointRef) +
          region.friction.joints.capacity() * sizeof(Named<double>);
 }
+size_t BytesOf(const ProjectMarker& marker) { return sizeof marker + marker.name.capacity(); }
 size_t BytesOf(const Named<ProjectCurve>& entry) {
   return BytesOf(entry.name) + BytesOf(entry.value);
 }

@@ -33,7 +33,8 @@ class Change {
       PartsOf<std::string, ProjectRate, ProjectFrames, ProjectSolver, ProjectFigure, ProjectScene,
               ExtraFields, std::vector<Named<ProjectCurve>>, std::vector<ProjectRegion>,
               std::vector<ProjectPlacement>, std::vector<ProjectHold>,
-              std::vector<ProjectHeldObject>, std::optional<ProjectCamera>, ExtraFields>;
+              std::vector<ProjectHeldObject>, std::optional<ProjectCamera>,
+              std::vector<ProjectMarker>, std::optional<ProjectFrames>, ExtraFields>;
   // A curve of the root, or of an entry of Project::joints.
   struct CurveValues {
     bool of_root;

@@ -12,15 +12,17 @@
 namespace hazumi::edit {
 
 // Each gives the operators of one file.
+std::vector<Operator> FigureOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
-std::vector<Operator> StartRateOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
 std::vector<Operator> SessionOperators();
+std::vector<Operator> StartRateOperators();
+std::vector<Operator> TimeOperators();
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
 
@@ -48,6 +50,9 @@ Result<Interpolation> InterpolationNamed(const std::string& name);
 // Keys angles at the current frame: one undo step, or part of a drag.
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag = "");
+
+// "l_elbow" for "r_elbow" and the other way round; others are their own.
+std::string OtherSide(const std::string& name);
 
 // The key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);

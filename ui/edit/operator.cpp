@@ -25,9 +25,9 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list : {SessionOperators(), KeyOperators(), KeySelectionOperators(),
-                      SelectedKeyOperators(), PoseOperators(), ReachOperators(), RegionOperators(),
-                      StartRateOperators(), SceneOperators()}) {
+  for (auto&& list : {FigureOperators(), KeyOperators(), KeySelectionOperators(), PoseOperators(),
+                      ReachOperators(), RegionOperators(), SceneOperators(), SelectedKeyOperators(),
+                      SessionOperators(), StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -68,13 +68,6 @@ Result<Done> Copy(Session* session, const Parameters&) {
   return Done();
 }
 
-// "l_elbow" for "r_elbow" and the other way round; others are their own.
-std::string OtherSide(const std::string& name) {
-  if (name.starts_with("l_")) return "r_" + name.substr(2);
-  if (name.starts_with("r_")) return "l_" + name.substr(2);
-  return name;
-}
-
 // Reflected through the plane y = 0 an axis a becomes -(a - 2 (a . y) y): the same hinge turns the
 // other way unless its axis is along y. Pairs are made so that equal angles are mirror images.
 double Reflected(const std::string& name, double angle, const Figure& figure) {
@@ -97,6 +90,12 @@ Result<Done> Paste(Session* session, const Parameters& p) {
 }
 
 }  // namespace
+
+std::string OtherSide(const std::string& name) {
+  if (name.starts_with("l_")) return "r_" + name.substr(2);
+  if (name.starts_with("r_")) return "l_" + name.substr(2);
+  return name;
+}
 
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag) {

@@ -23,6 +23,22 @@ Result<Done> AddBox(Session* session, const Parameters& p) {
   });
 }
 
+Result<Done> AddPlane(Session* session, const Parameters& p) {
+  const Vec3 normal(p.number("normal_x"), p.number("normal_y"), p.number("normal_z"));
+  const bool is_given = p.has("normal_x") || p.has("normal_y") || p.has("normal_z");
+  if (is_given && normal.norm() < 1e-9) {
+    return Refusal("normal_x", "the normal must not be zero: it gives a direction");
+  }
+  return session->Edit("Add plane", [&](Project* project) -> Result<Done> {
+    ProjectPlane plane;
+    if (is_given) plane.normal = normal.normalized();
+    plane.offset_m = p.number("offset");
+    project->scene.objects.push_back(
+        {p.text("name"), plane, p.text("color", kDefaultObjectColor), {}});
+    return Done();
+  });
+}
+
 // A box, or how high a plane is.
 Result<Done> MoveObject(Session* session, const Parameters& p) {
   return session->Edit(
@@ -65,6 +81,24 @@ Result<Done> SetSolver(Session* session, const Parameters& p) {
   });
 }
 
+// Of a project without a camera the rest is as ProjectCamera begins.
+Result<Done> SetCamera(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Set camera",
+      [&](Project* project) -> Result<Done> {
+        ProjectCamera camera = project->camera.value_or(ProjectCamera());
+        camera.eye_m = {p.number("eye_x", camera.eye_m.x()), p.number("eye_y", camera.eye_m.y()),
+                        p.number("eye_z", camera.eye_m.z())};
+        camera.target_m = {p.number("target_x", camera.target_m.x()),
+                           p.number("target_y", camera.target_m.y()),
+                           p.number("target_z", camera.target_m.z())};
+        camera.vertical_fov_deg = p.number("fov", camera.vertical_fov_deg);
+        project->camera = std::move(camera);
+        return Done();
+      },
+      p.text("drag"));
+}
+
 Result<Done> SetGravity(Session* session, const Parameters& p) {
   return session->Edit("Change gravity", [&](Project* project) -> Result<Done> {
     project->scene.gravity_m_s2 = p.number("gravity");
@@ -87,6 +121,16 @@ std::vector<Operator> SceneOperators() {
             {"size_z", kNumber, false, "length of its edges"},
             {"color", kText, false, "#rrggbb"}},
            AddBox},
+          {"object.add_plane",
+           "Add plane",
+           "Puts a plane into the scene; one side of it is solid.",
+           {{"name", kText, true, "its name"},
+            {"normal_x", kNumber, false, "out of the solid side; not given: upwards"},
+            {"normal_y", kNumber, false, "of the normal, whose length does not matter"},
+            {"normal_z", kNumber, false, "of the normal"},
+            {"offset", kNumber, false, "from the origin along the normal in metres"},
+            {"color", kText, false, "#rrggbb"}},
+           AddPlane},
           {"object.move",
            "Move object",
            "Moves an object of the scene.",
@@ -104,6 +148,18 @@ std::vector<Operator> SceneOperators() {
             {"tolerance", kNumber, false, "of exact, in degrees"},
             {"step", kNumber, false, "of paper, in seconds"}},
            SetSolver},
+          {"camera.set",
+           "Set camera",
+           "Sets where the animation is seen from; what is not given stays.",
+           {{"eye_x", kNumber, false, "where it stands, metres"},
+            {"eye_y", kNumber, false, "metres"},
+            {"eye_z", kNumber, false, "metres"},
+            {"target_x", kNumber, false, "what it looks at, metres"},
+            {"target_y", kNumber, false, "metres"},
+            {"target_z", kNumber, false, "metres"},
+            {"fov", kNumber, false, "vertical field of view in degrees"},
+            kDrag},
+           SetCamera},
           {"scene.gravity",
            "Change gravity",
            "Sets the gravity.",

@@ -133,6 +133,22 @@ Result<Done> CancelDrag(Session* session, const Parameters&) {
   return Done();
 }
 
+Result<Done> SelectNone(Session* session, const Parameters&) {
+  session->set_selected_joints({});
+  return Done();
+}
+
+Result<Done> SelectMirror(Session* session, const Parameters& p) {
+  std::set<std::string> selected;
+  if (p.yes("add")) selected = session->selected_joints();
+  for (const std::string& name : session->selected_joints()) {
+    const std::string other = OtherSide(name);
+    selected.insert(session->figure().FindJoint(other) ? other : name);
+  }
+  session->set_selected_joints(std::move(selected));
+  return Done();
+}
+
 Result<Done> EndDrag(Session* session, const Parameters&) {
   session->document().EndMerge();
   return Done();
@@ -182,7 +198,13 @@ std::vector<Operator> SessionOperators() {
            {{"joints", kNames, true, "names; none of them: nothing is selected"},
             {"mode", kText, false, "replace, add or remove"}},
            SelectJoints},
-          {"select.all", "Select all", "Selects all joints.", {}, SelectAll}};
+          {"select.all", "Select all", "Selects all joints.", {}, SelectAll},
+          {"select.none", "Select none", "No joint stays selected.", {}, SelectNone},
+          {"select.mirror",
+           "Select mirror",
+           "Selects left for right and right for left.",
+           {{"add", kYesNo, false, "true: what was selected stays so"}},
+           SelectMirror}};
 }
 
 }  // namespace hazumi::edit

@@ -55,6 +55,8 @@ TEST(RoundTrip, KeepsWhatTheFileSays) {
   EXPECT_EQ(after["placements"], before["placements"]);
   EXPECT_EQ(after["figure"], before["figure"]);
   EXPECT_EQ(after["joints"], before["joints"]);
+  EXPECT_EQ(after["markers"], before["markers"]);
+  EXPECT_EQ(after["preview"], before["preview"]);
 }
 
 TEST(RoundTrip, TheSolverIsWrittenAsItWasStated) {

@@ -108,7 +108,9 @@ constexpr const char* kSample = R"({
      "offset_m": [0, 0, -0.09], "release_frame": 9, "color": "#d9482b"},
     {"name": "brick", "box": {"size_m": [0.2, 0.1, 0.05]}, "mass_kg": 2, "joint": "l_wrist"}
   ],
-  "camera": {"eye_m": [0, -3, 1], "target_m": [0, 0, 1], "vertical_fov_deg": 35}
+  "camera": {"eye_m": [0, -3, 1], "target_m": [0, 0, 1], "vertical_fov_deg": 35},
+  "markers": [{"frame": 9, "name": "throw"}, {"frame": -3, "name": "before"}],
+  "preview": {"first": 5, "last": 15}
 })";
 
 }  // namespace

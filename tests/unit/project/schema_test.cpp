@@ -78,6 +78,9 @@ TEST(Schema, FindsMistakes) {
                             {"/joints/r_knee/keys/0/interpolation", "\"cubik\""},
                             {"/scene/objects/0/color", "\"red\""},
                             {"/figure/joints/0/hinges/0/limits_deg", "[1]"},
+                            {"/markers/0/frame", "1.5"},
+                            {"/markers/0/name", ""},
+                            {"/preview/last", ""},
                             {"/fps/num", "0"}};
   for (const auto& mistake : mistakes) {
     const std::string wrong = Changed(SampleProject(), {mistake}).dump();

@@ -43,6 +43,8 @@ std::vector<WrongProject> WrongValues() {
        "fps: must lie between 0.1 and 10000 frames a second, is -30/1"},
       {Check::kFramesReversed, Read("/frames/last", "-1"),
        "frames: the last frame -1 is before the first, 0"},
+      {Check::kFramesReversed, Read("/preview/last", "4"),
+       "preview: the last frame 4 is before the first, 5"},
       {Check::kTooManyFrames, Read("/frames/last", "1000000"),
        "frames: 1000001 frames; a project has 1000000 at most"},
       {Check::kNewerSolver, Read("/solver/version", "2"),

@@ -157,6 +157,7 @@ std::vector<WrongProject> WrongFields() {
       {Check::kNotUnit, Read("/scene/objects/0/plane/normal", "[0, 1, 1]"),
        "scene.objects[0].plane.normal: must have length 1, has 1.4142; write [0, 0.7071, 0.7071]"},
       {Check::kEmptyName, Read("/regions/0/name", "\"\""), "regions[0].name: must not be empty"},
+      {Check::kEmptyName, Read("/markers/1/name", "\"\""), "markers[1].name: must not be empty"},
       {Check::kEmptyName, Read("/figure", R"({"file": ""})"), "figure.file: must not be empty"},
   };
 }

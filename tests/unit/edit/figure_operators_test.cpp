@@ -1,0 +1,62 @@
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Json;
+using edit::Session;
+
+const Joint& JointOf(const Session& session, const char* hinge) {
+  return session.figure().joint(*session.figure().FindJoint(hinge));
+}
+
+double MassOf(const Session& session, const std::string& name) {
+  for (const JointSpec& joint : session.project().figure.spec.joints) {
+    for (const LinkSpec& link : joint.links) {
+      if (link.name == name) return link.mass.value();
+    }
+  }
+  ADD_FAILURE() << "no link " << name;
+  return 0.0;
+}
+
+TEST(FigureOperators, LimitsOfBothSidesFollow) {
+  Session session;
+  for (const int upper : {120, 110, 100}) {
+    Do(&session, "figure.joint_limits", {{"joint", "l_knee"}, {"upper", upper}, {"drag", "1"}});
+  }
+  EXPECT_NEAR(JointOf(session, "r_knee").upper * 57.29577951308232, 100.0, 1e-9);
+  EXPECT_NEAR(JointOf(session, "l_knee").upper * 57.29577951308232, 100.0, 1e-9);
+  EXPECT_EQ(session.document().num_steps(), 1u);
+  Do(&session, "pose.rotate", {{"joint", "r_knee"}, {"to", 125}});
+  EXPECT_NEAR(session.AngleNow("r_knee").value(), 100.0, 1e-9);
+  Do(&session, "edit.undo");
+  Do(&session, "edit.undo");
+  ASSERT_TRUE(session.WholeMotion().ok());
+  EXPECT_NEAR(JointOf(session, "r_knee").upper * 57.29577951308232, 130.0, 1e-9);
+}
+
+TEST(FigureOperators, ALinkGetsHeavier) {
+  Session session;
+  const double before = session.figure().total_mass();
+  const double hand = MassOf(session, "r_hand");
+  Do(&session, "figure.link", {{"link", "r_hand"}, {"mass", 2}, {"radius", 0.05}});
+  EXPECT_NEAR(session.figure().total_mass() - before, 2.0 * (2.0 - hand), 1e-9);
+}
+
+TEST(FigureOperators, SayWhatIsWrong) {
+  Session session;
+  const auto refused = [&](const char* id, const Json& parameters) {
+    return Refused(&session, id, parameters).ToString();
+  };
+  EXPECT_EQ(refused("figure.joint_limits", {{"joint", "r_knee"}, {"lower", 140}}),
+            "figure.joint_limits.lower: the lower limit 140 is above the upper one, 130");
+  EXPECT_EQ(refused("figure.link", {{"link", "r_hand"}, {"mass", -1}}),
+            "figure.link.mass: must not be negative");
+  EXPECT_EQ(refused("figure.link", {{"link", "r_hand"}, {"radius", 0}}),
+            "figure.link.radius: must be greater than 0");
+  EXPECT_EQ(refused("figure.embed", Json::object()), "figure.embed.figure: is embedded already");
+}
+
+}  // namespace
+}  // namespace hazumi::test

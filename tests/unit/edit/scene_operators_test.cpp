@@ -1,0 +1,50 @@
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Session;
+using Names = std::set<std::string>;
+
+TEST(SceneOperators, APlaneIsAddedWithAUnitNormal) {
+  Session session;
+  Do(&session, "object.add_plane",
+     {{"name", "slope"}, {"normal_x", 3}, {"normal_z", 4}, {"offset", -1}, {"color", "#112233"}});
+  Do(&session, "object.add_plane", {{"name", "level"}});
+  const auto& objects = session.project().scene.objects;
+  const auto& slope = std::get<ProjectPlane>(objects[1].shape);
+  EXPECT_LE((slope.normal - Vec3(0.6, 0.0, 0.8)).norm(), 1e-15);
+  EXPECT_EQ(slope.offset_m, -1.0);
+  EXPECT_EQ(objects[1].color, "#112233");
+  EXPECT_EQ(std::get<ProjectPlane>(objects[2].shape).normal, Vec3(0.0, 0.0, 1.0));
+  EXPECT_EQ(Refused(&session, "object.add_plane", {{"name", "none"}, {"normal_x", 0}}).ToString(),
+            "object.add_plane.normal_x: the normal must not be zero: it gives a direction");
+  Refused(&session, "object.add_plane", {{"name", "slope"}});
+}
+
+TEST(SceneOperators, TheCameraKeepsWhatIsNotGiven) {
+  Session session;
+  Do(&session, "camera.set", {{"eye_x", 2}, {"drag", "orbit"}});
+  Do(&session, "camera.set", {{"eye_y", -1}, {"fov", 50}, {"drag", "orbit"}});
+  const ProjectCamera& camera = *session.project().camera;
+  EXPECT_EQ(camera.eye_m, Vec3(2.0, -1.0, 1.0));
+  EXPECT_EQ(camera.target_m, ProjectCamera().target_m);
+  EXPECT_EQ(camera.vertical_fov_deg, 50.0);
+  EXPECT_EQ(session.document().num_steps(), 1u);
+  EXPECT_EQ(Refused(&session, "camera.set", {{"fov", 180}}).ToString(),
+            "camera.set.camera.vertical_fov_deg: must lie between 1 and 179 degrees, is 180");
+}
+
+TEST(SessionOperators, SelectMirrorAndNone) {
+  Session session;
+  Do(&session, "select.joints", {{"joints", {"r_knee", "l_toe", "chest_bend"}}});
+  Do(&session, "select.mirror");
+  EXPECT_EQ(session.selected_joints(), (Names{"chest_bend", "l_knee", "r_toe"}));
+  Do(&session, "select.mirror", {{"add", true}});
+  EXPECT_EQ(session.selected_joints(), (Names{"chest_bend", "l_knee", "l_toe", "r_knee", "r_toe"}));
+  Do(&session, "select.none");
+  EXPECT_TRUE(session.selected_joints().empty());
+}
+
+}  // namespace
+}  // namespace hazumi::test
