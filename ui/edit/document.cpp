@@ -19,6 +19,7 @@ bool Document::Undo() {
   EndMerge();
   if (!undo_label()) return false;
   --position_;
+  has_left_base_ |= position_ < base_;
   steps_[position_ - forgotten_].change.Revert(&project_);
   ++revision_;
   return true;
@@ -29,6 +30,7 @@ bool Document::Redo() {
   if (!redo_label()) return false;
   steps_[position_ - forgotten_].change.Apply(&project_);
   ++position_;
+  has_left_base_ |= position_ > base_last_;
   ++revision_;
   return true;
 }
@@ -38,6 +40,7 @@ void Document::EndMerge() {
     bytes_ -= steps_.back().change.bytes();
     steps_.pop_back();
     --position_;
+    has_left_base_ |= position_ < base_;
   }
   merge_.clear();
 }
@@ -46,6 +49,11 @@ void Document::MarkSaved(const std::string& path) {
   EndMerge();
   path_ = path;
   saved_ = position_;
+}
+
+void Document::MarkBase() {
+  base_ = base_last_ = position_;
+  has_left_base_ = false;
 }
 
 void Document::set_history_limit(size_t bytes) {
@@ -74,7 +82,7 @@ void Document::Add(const std::string& label, const std::string& merge, const Pro
   Change change(merges ? merge_before_ : before, project_);
   bytes_ += change.bytes();
   steps_.push_back({label, std::move(change)});
-  ++position_;
+  base_last_ = ++position_;
   Forget();
 }
 
