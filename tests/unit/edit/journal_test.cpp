@@ -3,8 +3,6 @@
 #include "ui/edit/journal.h"
 
 #include "tests/unit/edit/journals.h"
-#include "ui/edit/script.h"
-#include "ui/edit/state_folder.h"
 
 namespace hazumi::test {
 namespace {
@@ -12,7 +10,6 @@ namespace {
 namespace fs = std::filesystem;
 using edit::Journal;
 using edit::Recovered;
-using edit::ScriptRecorder;
 using edit::Session;
 
 class JournalTest : public testing::Test {
@@ -287,43 +284,6 @@ TEST_F(JournalTest, IsForItsOwnersEyesOnly) {
   WriteAll();
   EXPECT_EQ(fs::status(journal_->file()).permissions(), fs::perms(0600));
   EXPECT_EQ(fs::status(folder_ / "state").permissions(), fs::perms(0700));
-}
-
-TEST(SessionObservers, AreToldAsLongAsTheyAreThere) {
-  Session session;
-  const ScriptRecorder first(&session);
-  {
-    const ScriptRecorder second(&session);
-    Do(&session, "project.rename", {{"name", "a"}});
-    EXPECT_EQ(second.text(), first.text());
-  }
-  Do(&session, "project.rename", {{"name", "b"}});
-  EXPECT_NE(first.text().find("\"b\""), std::string::npos);
-}
-
-TEST(SessionObservers, AreToldBeforeAndAfter) {
-  Session session;
-  std::string told;
-  const auto observer = session.Observe(
-      {.before = [&] { told += "<" + session.project().name; },
-       .after = [&](const std::string& id,
-                    const edit::Json&) { told += ">" + id + session.project().name; }});
-  Do(&session, "project.rename", {{"name", "a"}});
-  EXPECT_FALSE(session.Run("edit.redo").ok());
-  EXPECT_EQ(told, "<" + Session().project().name + ">project.renamea<a");
-}
-
-TEST(StateFolder, FollowsTheEnvironment) {
-  const auto folder = [](const char* state, const char* home) {
-    const auto found = edit::StateFolder(
-        [&](const char* name) { return std::string(name) == "HOME" ? home : state; });
-    return found.ok() ? found.value() : found.error().place;
-  };
-  EXPECT_EQ(folder("/state", "/home/me"), "/state/hazumi");
-  EXPECT_EQ(folder(nullptr, "/home/me"), "/home/me/.local/state/hazumi");
-  EXPECT_EQ(folder("", "/home/me"), "/home/me/.local/state/hazumi");
-  EXPECT_EQ(folder("not/absolute", "/home/me"), "/home/me/.local/state/hazumi");
-  EXPECT_EQ(folder(nullptr, nullptr), "XDG_STATE_HOME");
 }
 
 }  // namespace
