@@ -19,6 +19,7 @@ bool Document::Undo() {
   EndMerge();
   if (!undo_label()) return false;
   --position_;
+  has_left_base_ |= position_ < base_;
   const Step& step = steps_[position_ - forgotten_];
   step.change.Revert(&state_.project);
   if (step.keys) state_.keys = step.keys->before;
@@ -35,6 +36,7 @@ bool Document::Redo() {
   if (step.keys) state_.keys = step.keys->after;
   DropMissing(state_.project, &state_.keys);
   ++position_;
+  has_left_base_ |= position_ > base_last_;
   ++revision_;
   return true;
 }
@@ -49,6 +51,7 @@ void Document::EndMerge() {
     bytes_ -= steps_.back().bytes();
     steps_.pop_back();
     --position_;
+    has_left_base_ |= position_ < base_;
   }
   merge_.clear();
 }
@@ -59,8 +62,9 @@ bool Document::CancelMerge() {
   --position_;
   steps_.back().change.Revert(&state_.project);
   state_.keys = merge_before_.keys;
-  bytes_ -= steps_.back().change.bytes();
+  bytes_ -= steps_.back().bytes();
   steps_.pop_back();
+  has_left_base_ |= position_ < base_;
   ++revision_;
   return true;
 }
@@ -69,6 +73,11 @@ void Document::MarkSaved(const std::string& path) {
   EndMerge();
   path_ = path;
   saved_ = position_;
+}
+
+void Document::MarkBase() {
+  base_ = base_last_ = position_;
+  has_left_base_ = false;
 }
 
 void Document::set_history_limit(size_t bytes) {
@@ -100,7 +109,7 @@ void Document::Add(const std::string& label, const std::string& merge, const Sta
   if (from.keys != state_.keys) step.keys = {from.keys, state_.keys};
   bytes_ += step.bytes();
   steps_.push_back(std::move(step));
-  ++position_;
+  base_last_ = ++position_;
   Forget();
 }
 

@@ -37,6 +37,7 @@ class Document {
   size_t history_bytes() const { return bytes_; }
   // The oldest steps are forgotten beyond this. The newest one stays, however large.
   void set_history_limit(size_t bytes);
+  size_t history_limit() const { return limit_; }
 
   // From now on a step is one of its own, whatever it is called: the drag is over.
   void EndMerge();
@@ -51,10 +52,20 @@ class Document {
   const State* drag_start(const std::string& merge) const {
     return !merge.empty() && merge == merge_ ? &merge_before_ : nullptr;
   }
+  // The next edit may still become one with the last step.
+  bool is_merging() const { return !merge_.empty(); }
 
   // It is as it was read or saved.
   bool is_saved() const { return saved_ == position_; }
   void MarkSaved(const std::string& path);
+  // It is as no file is, whatever is undone.
+  void MarkUnsaved() { saved_.reset(); }
+
+  // A journal replays from here on.
+  void MarkBase();
+  // A step from before the mark has been undone, or one that had been undone before it done again:
+  // what replays from the mark does not know it.
+  bool has_left_base() const { return has_left_base_; }
 
  private:
   friend class Transaction;
@@ -82,6 +93,8 @@ class Document {
   long position_ = 0;              // steps behind us, forgotten ones too
   std::optional<long> saved_ = 0;  // position; none: it can no longer be reached
   size_t bytes_ = 0, limit_ = size_t{256} << 20;
+  long base_ = 0, base_last_ = 0;  // position at the mark, and up to where steps after it lead
+  bool has_left_base_ = false;
   std::string merge_;   // of the last step; empty: nothing merges with it
   State merge_before_;  // that step's beginning
 };

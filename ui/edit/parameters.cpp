@@ -32,7 +32,11 @@ bool IsWhole(const Json& value) {
   return number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max();
 }
 
-bool IsFinite(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
+// As large as a project file may hold.
+bool IsFinite(const Json& value) {
+  constexpr double kLargest = 1e9;
+  return value.is_number() && std::abs(value.get<double>()) <= kLargest;
+}
 
 bool IsOf(ParameterKind kind, const Json& value) {
   switch (kind) {

@@ -29,11 +29,12 @@ Result<Done> RunScript(std::string_view text, const std::string& file_name,
 }
 
 ScriptRecorder::ScriptRecorder(Session* session) {
-  session->set_observer([this](const std::string& id, const Json& parameters) {
+  const auto note = [this](const std::string& id, const Json& parameters) {
     Json step = {{"op", id}};
     step.update(parameters);
     steps_.push_back(step.dump());
-  });
+  };
+  observer_ = session->Observe({.before = {}, .after = note});
 }
 
 std::string ScriptRecorder::text() const {

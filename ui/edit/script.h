@@ -20,15 +20,18 @@ using ScriptRunner = std::function<Result<Done>(const std::string& id, const Jso
 Result<Done> RunScript(std::string_view text, const std::string& file_name,
                        const ScriptRunner& run);
 
-// Writes down what a session does.
+// Writes down what a session does, as long as both are there.
 class ScriptRecorder {
  public:
   explicit ScriptRecorder(Session* session);
+  ScriptRecorder(const ScriptRecorder&) = delete;
+  ScriptRecorder& operator=(const ScriptRecorder&) = delete;
   // The script so far, a step a line.
   std::string text() const;
 
  private:
   std::vector<std::string> steps_;
+  std::shared_ptr<const SessionObserver> observer_;
 };
 
 }  // namespace hazumi::edit

@@ -14,6 +14,7 @@ Session::Session() { Replace(NewProject(), ""); }
 
 void Session::Replace(Project project, const std::string& path) {
   document_ = std::make_unique<Document>(std::move(project), path);
+  ++document_number_;
   selected_joints_.clear();
   frame_ = document_->project().frames.first;
   compiled_revision_ = -1;
@@ -36,13 +37,44 @@ Result<Done> Session::Edit(const std::string& label,
   Result<Done> done = change(&transaction.project());
   if (!done.ok()) return done;
   Result<Compiled> compiled = CompileAnimation(transaction.project());
-  if (!compiled.ok() && could_be_animated) return compiled.error();
+  if (!compiled.ok() && (could_be_animated || compiled.error().code == ErrorCode::kSchema)) {
+    return compiled.error();
+  }
   transaction.Commit(label, merge);
   Take(std::move(compiled));
   return done;
 }
 
+std::shared_ptr<const SessionObserver> Session::Observe(SessionObserver observer) {
+  std::erase_if(observers_, [](const auto& other) { return other.expired(); });
+  auto kept = std::make_shared<const SessionObserver>(std::move(observer));
+  observers_.push_back(kept);
+  return kept;
+}
+
+// Who is told may begin or end to observe.
+void Session::Tell(const std::function<void(const SessionObserver&)>& what) const {
+  for (const auto& observer : std::vector(observers_)) {
+    if (const auto kept = observer.lock()) what(*kept);
+  }
+}
+
 Result<Done> Session::Run(const std::string& id, const Json& parameters) {
+  if (is_running_) return RunUnobserved(id, parameters);
+  Tell([](const SessionObserver& observer) {
+    if (observer.before) observer.before();
+  });
+  is_running_ = true;
+  Result<Done> done = RunUnobserved(id, parameters);
+  is_running_ = false;
+  if (!done.ok()) return done;
+  Tell([&](const SessionObserver& observer) {
+    if (observer.after) observer.after(id, parameters);
+  });
+  return done;
+}
+
+Result<Done> Session::RunUnobserved(const std::string& id, const Json& parameters) {
   const Operator* op = FindOperator(id);
   if (!op) return Error{ErrorCode::kSchema, "", id, "there is no such operator"};
   Result<Parameters> checked = Parameters::Check(op->parameters, parameters);
@@ -52,7 +84,6 @@ Result<Done> Session::Run(const std::string& id, const Json& parameters) {
     error.place = error.place.empty() ? id : id + "." + error.place;
     return error;
   }
-  if (observer_) observer_(id, parameters);
   return done;
 }
 

@@ -17,6 +17,12 @@ namespace hazumi::edit {
 // A pose to be pasted: angles by hinge [degrees].
 using Pose = std::vector<Named<double>>;
 
+// Told of operators. Either may be empty.
+struct SessionObserver {
+  std::function<void()> before;  // it may still be refused
+  std::function<void(const std::string& id, const Json& parameters)> after;  // it succeeded
+};
+
 // An editor without a screen: the document, what is selected, the current frame, and the motion,
 // which follows every edit.
 class Session {
@@ -29,18 +35,20 @@ class Session {
   const Project& project() const { return document_->project(); }
   // Takes the place of the document; nothing stays selected.
   void Replace(Project project, const std::string& path);
+  // Counts up whenever another document takes the place.
+  long document_number() const { return document_number_; }
 
   // One undo step: `change` edits the project. A change that fails, or after which a project could
-  // no longer be animated that could be before, is undone, and the error returned.
+  // no longer be animated that could be before, or whose file could no longer be read, is undone,
+  // and the error returned.
   Result<Done> Edit(const std::string& label, const std::function<Result<Done>(Project*)>& change,
                     const std::string& merge = "");
 
   // Does it, or says why not and leaves everything as it was.
   Result<Done> Run(const std::string& id, const Json& parameters = Json::object());
-  // Told of each operator that was run and succeeded, with its parameters: for recording.
-  void set_observer(std::function<void(const std::string& id, const Json& parameters)> observer) {
-    observer_ = std::move(observer);
-  }
+  // Tells of each operator, but not of those that an operator runs itself, as long as what this
+  // returns is kept.
+  [[nodiscard]] std::shared_ptr<const SessionObserver> Observe(SessionObserver observer);
 
   double frame() const { return frame_; }
   void set_frame(double frame) { frame_ = frame; }
@@ -67,6 +75,8 @@ class Session {
   Result<double> AngleNow(const std::string& hinge);
 
  private:
+  Result<Done> RunUnobserved(const std::string& id, const Json& parameters);
+  void Tell(const std::function<void(const SessionObserver&)>& what) const;
   void Compile();
   void Take(Result<Compiled> compiled);
   void TakeFigure();
@@ -76,7 +86,9 @@ class Session {
   double frame_ = 0.0;
   Pose clipboard_;
   std::vector<Named<ProjectKey>> key_clipboard_;  // by curve
-  std::function<void(const std::string&, const Json&)> observer_;
+  std::vector<std::weak_ptr<const SessionObserver>> observers_;
+  bool is_running_ = false;  // an operator
+  long document_number_ = 0;
 
   ProjectFigure figure_source_;  // figure_ was built from
   std::shared_ptr<const Figure> figure_;

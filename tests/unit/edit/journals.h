@@ -1,0 +1,67 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/unit/edit/sessions.h"
+#include "ui/edit/journal.h"
+#include "ui/edit/recovery.h"
+
+namespace hazumi::test {
+
+using std::chrono::milliseconds;
+
+// A folder of its own, gone with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "hazumi_XXXXXX").string();
+    EXPECT_NE(::mkdtemp(name.data()), nullptr);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+inline std::string TextOf(const edit::Session& session) { return WriteProject(session.project()); }
+
+// So much after the beginning of a test's time.
+inline edit::Journal::Time At(double seconds) {
+  return edit::Journal::Time(milliseconds(static_cast<long>(seconds * 1000.0)));
+}
+
+inline void Tick(edit::Journal* journal, double seconds) {
+  const Result<Done> ticked = journal->Tick(At(seconds));
+  EXPECT_TRUE(ticked.ok()) << (ticked.ok() ? "" : ticked.error().ToString());
+}
+
+inline std::vector<edit::AbandonedJournal> Abandoned(const std::string& folder) {
+  const auto journals = edit::FindAbandonedJournals(folder);
+  EXPECT_TRUE(journals.ok());
+  return journals.ok() ? journals.value() : std::vector<edit::AbandonedJournal>();
+}
+
+// Of the only journal that was left behind.
+inline edit::Recovered Recover(const std::string& folder, edit::Session* session) {
+  const std::vector<edit::AbandonedJournal> journals = Abandoned(folder);
+  EXPECT_EQ(journals.size(), 1u);
+  if (journals.size() != 1) return {};
+  const Result<edit::Recovered> recovered = edit::RecoverJournal(journals[0].file, session);
+  EXPECT_TRUE(recovered.ok()) << (recovered.ok() ? "" : recovered.error().ToString());
+  return recovered.ok() ? recovered.value() : edit::Recovered();
+}
+
+}  // namespace hazumi::test
