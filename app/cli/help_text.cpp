@@ -60,6 +60,10 @@ Output
                     that two bakes are equal bytes
   --json            with --check, --info: answer in JSON
 
+Editor
+  --trace           say in the end how long events took until the picture was
+                    finished
+
 Results go to standard output, progress and complaints to standard error.
 Exit codes: 0 ok, 1 failed, 2 usage, 65 bad data, 66 no input, 73 cannot write,
 130 interrupted.

@@ -22,4 +22,12 @@ void CatchInterrupts() {
   }
 }
 
+void LeaveInterruptsAlone() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction caught = {};
+    sigaction(signal, nullptr, &caught);
+    if (caught.sa_handler != SIG_IGN) std::signal(signal, SIG_DFL);
+  }
+}
+
 }  // namespace hazumi

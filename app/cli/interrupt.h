@@ -8,5 +8,7 @@ namespace hazumi {
 // ends it at once. A signal that the parent ignores (nohup, a job in the background) stays ignored.
 std::atomic<bool>& Interrupted();
 void CatchInterrupts();
+// From here on a signal ends the program at once.
+void LeaveInterruptsAlone();
 
 }  // namespace hazumi

@@ -139,6 +139,7 @@ constexpr OptionRule kRules[] = {
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
     {"--timings", kBake, nullptr, Set<&Options::timings>},
+    {"--trace", kWindow, nullptr, Set<&Options::trace>},
     {"--json", kCheck | kInfo, nullptr, Set<&Options::json>},
 };
 
@@ -192,7 +193,8 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
     }
     chosen = &task;
   }
-  static constexpr OptionRule kEditInWindow = {"the editor", kWindow, nullptr, Choose<Task::kWindow>};
+  static constexpr OptionRule kEditInWindow = {"the editor", kWindow, nullptr,
+                                               Choose<Task::kWindow>};
   if (!chosen) {
     options->task = Task::kWindow;
     return kEditInWindow;

@@ -31,9 +31,10 @@ struct CameraChoice {
 // What the command line asks for. See `hazumi --help`.
 struct Options {
   Task task = Task::kWindow;
-  std::string output;              // of --render and --bake
-  std::string script;              // of --run
-  std::vector<std::string> files;  // --check takes several, --run and the window one or none, the others one
+  std::string output;  // of --render and --bake
+  std::string script;  // of --run
+  std::vector<std::string>
+      files;  // --check takes several, --run and the window one or none, the others one
 
   std::optional<FrameRange> frames;
   std::optional<PictureSize> size;  // not given: 1280x720, of the editor 1280x800
@@ -52,6 +53,7 @@ struct Options {
   std::optional<double> tolerance_deg;
   std::optional<FrameRate> rate;
   bool timings = false;
+  bool trace = false;  // of the window
   bool json = false;
 };
 

@@ -1,10 +1,15 @@
+#include <algorithm>
+#include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "engine/project/text_file.h"
 #include "ui/edit/script.h"
+#include "ui/edit/state_folder.h"
 #include "ui/panels/actions.h"
 #include "ui/shell/offscreen_shell.h"
 #include "ui/shell/window_shell.h"
@@ -18,16 +23,20 @@ Result<Done> Open(const Options& options, ui::Editor* editor) {
   return editor->Invoke("file.open", {{"path", options.files[0]}});
 }
 
+using edit::ParameterInfo;
+
 // An editor that a script drives. Only pictures need a context to draw with.
 class ScriptedEditor {
  public:
   explicit ScriptedEditor(render::PictureSize size) : size_(size) {}
   ui::Editor& editor() { return editor_; }
 
+  // Beside what the editor knows: "capture" draws it, "wait" lets time pass.
   Result<Done> Do(const std::string& id, const edit::Json& parameters) {
-    if (id != "capture") return editor_.Invoke(id, parameters);
-    const std::vector<edit::ParameterInfo> infos = {
-        {"path", edit::ParameterKind::kText, true, "a .png file"}};
+    if (id != "capture" && id != "wait") return editor_.Invoke(id, parameters);
+    const std::vector<ParameterInfo> infos = {
+        id == "wait" ? ParameterInfo{"seconds", edit::ParameterKind::kNumber, true, "how long"}
+                     : ParameterInfo{"path", edit::ParameterKind::kText, true, "a .png file"}};
     const auto checked = edit::Parameters::Check(infos, parameters);
     if (!checked.ok()) return checked.error();
     if (!shell_) {
@@ -35,7 +44,9 @@ class ScriptedEditor {
       if (!made.ok()) return made.error();
       shell_ = std::move(made).value();
     }
-    return shell_->Capture(checked.value().text("path"));
+    if (id == "capture") return shell_->Capture(checked.value().text("path"));
+    shell_->Frame(checked.value().number("seconds"));
+    return Done();
   }
 
  private:
@@ -44,13 +55,41 @@ class ScriptedEditor {
   std::unique_ptr<ui::OffscreenShell> shell_;
 };
 
+// How long events took until their picture was finished.
+class Trace {
+ public:
+  void Add(double seconds) { milliseconds_.push_back(1e3 * seconds); }
+  void Print() {
+    if (milliseconds_.empty()) return;
+    std::sort(milliseconds_.begin(), milliseconds_.end());
+    PrintLine(stdout, "events %zu, event to picture: median %.1f ms, 99 of 100 within %.1f ms",
+              milliseconds_.size(), At(0.5), At(0.99));
+  }
+
+ private:
+  double At(double share) const {
+    return milliseconds_[static_cast<size_t>(share * (milliseconds_.size() - 1))];
+  }
+  std::vector<double> milliseconds_;
+};
+
 }  // namespace
 
+// A signal ends it at once, as a crash does: its journal is there when it is started again.
 int RunWindow(const Options& options) {
+  LeaveInterruptsAlone();
   ui::Editor editor;
   const Result<Done> opened = Open(options, &editor);
   if (!opened.ok()) return Complain(opened.error());
-  const Result<Done> done = ui::RunInWindow(&editor);
+  ui::WindowOptions window;
+  const Result<std::string> state =
+      edit::StateFolder([](const char* name) { return std::getenv(name); });
+  if (state.ok()) window.state_folder = state.value();
+  if (!state.ok()) editor.Say(state.error().ToString(), true);
+  Trace trace;
+  if (options.trace) window.trace = [&](double seconds) { trace.Add(seconds); };
+  const Result<Done> done = ui::RunInWindow(&editor, window);
+  trace.Print();
   return done.ok() ? kExitOk : Complain(done.error());
 }
 

@@ -10,6 +10,7 @@
 #include "ui/edit/session.h"
 #include "ui/panels/catalogue.h"
 #include "ui/panels/playback.h"
+#include "ui/panels/recovery_state.h"
 #include "ui/panels/sheet_state.h"
 #include "ui/panels/side_state.h"
 #include "ui/panels/theme.h"
@@ -81,6 +82,7 @@ class Editor {
   ViewportState viewport;
   SheetState sheet;
   SideState side;
+  RecoveryState recovery;
   std::optional<Splitter> dragged_splitter;
   bool wants_to_quit = false;
   ScenePainter paint_scene;

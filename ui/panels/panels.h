@@ -16,6 +16,8 @@ void DrawProperties(Editor* editor, const Rect& rect);
 void DrawStatusBar(Editor* editor, const Rect& rect);
 // Questions, the file dialog, search: whatever is on top of the panels.
 void DrawDialogs(Editor* editor, const Rect& window);
+// Asks about work that a crash left behind.
+void DrawRecovery(Editor* editor);
 
 // All of them, splitters, shortcuts and the tool in hand.
 void DrawWindow(Editor* editor, float width, float height);

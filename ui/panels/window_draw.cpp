@@ -96,6 +96,7 @@ void DrawWindow(Editor* editor, float width, float height) {
   DrawProperties(editor, layout.properties);
   DrawStatusBar(editor, layout.status);
   DrawDialogs(editor, window);
+  DrawRecovery(editor);
 }
 
 }  // namespace hazumi::ui

@@ -6,9 +6,10 @@
 #include <imgui/backends/imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
-#include <string>
 
+#include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 
 namespace hazumi::ui {
@@ -36,8 +37,9 @@ class Window {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     GLFWwindow* window = glfwCreateWindow(1280, 800, "Hazumi", nullptr, nullptr);
     if (window == nullptr) {
+      const Error error = CannotShow("there is no OpenGL 3.3");
       glfwTerminate();
-      return CannotShow("there is no OpenGL 3.3");
+      return error;
     }
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
@@ -56,25 +58,22 @@ class Window {
     glfwGetFramebufferSize(window_, &size.width, &size.height);
     return size;
   }
+  // Only when it changes: the window is told of every change.
+  void SetTitle(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+  }
 
  private:
   explicit Window(GLFWwindow* window) : window_(window) {}
   GLFWwindow* window_;
+  std::string title_;
 };
 
 // ImGui settles in a frame or two after an event: hovering, popups.
 constexpr int kFramesAfterEvent = 3;
-
-void Wait(const Editor& editor, int frames_left) {
-  const double deadline = editor.NextDeadline();
-  if (frames_left > 0) {
-    glfwPollEvents();
-  } else if (deadline < 1e6) {
-    glfwWaitEventsTimeout(std::max(deadline, 1e-4));
-  } else {
-    glfwWaitEvents();
-  }
-}
+constexpr double kCursorBlink = 0.4;  // [s]
 
 std::string TitleOf(const Editor& editor) {
   const edit::Document& document = editor.session().document();
@@ -82,33 +81,85 @@ std::string TitleOf(const Editor& editor) {
   return (document.is_saved() ? "" : "* ") + name + " - Hazumi";
 }
 
+// Draws frames as long as there is a reason to, and sleeps in between.
+class Loop {
+ public:
+  Loop(Window* window, Interface* interface, Editor* editor, const WindowOptions& options)
+      : window_(*window),
+        interface_(*interface),
+        editor_(*editor),
+        safety_(editor, options.state_folder),
+        options_(options) {}
+
+  void Run() {
+    safety_.LookForCrash();
+    while (!editor_.wants_to_quit) {
+      DrawFrame();
+      Wait();
+      if (!glfwWindowShouldClose(window_.get())) continue;
+      glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+      editor_.Do("app.quit");
+    }
+    safety_.Close();
+  }
+
+ private:
+  void DrawFrame() {
+    const double now = glfwGetTime();
+    editor_.Tick(now);
+    ImGui_ImplGlfw_NewFrame();
+    interface_.Frame(window_.size(), now - last_frame_);
+    glfwSwapBuffers(window_.get());
+    if (options_.trace && event_time_ >= 0.0) {
+      interface_.Finish();
+      options_.trace(glfwGetTime() - event_time_);
+    }
+    event_time_ = -1.0;
+    last_frame_ = now;
+    safety_.Tick();
+    window_.SetTitle(TitleOf(editor_));
+  }
+
+  double Deadline() const {
+    double deadline = std::min(editor_.NextDeadline(), safety_.NextDeadline());
+    if (ImGui::GetIO().WantTextInput) deadline = std::min(deadline, kCursorBlink);
+    return deadline;
+  }
+
+  void Wait() {
+    if (frames_left_ > 0) {
+      --frames_left_;
+      return glfwPollEvents();
+    }
+    constexpr double kLongest = 3600.0;
+    const double deadline = std::clamp(Deadline(), 1e-4, kLongest), start = glfwGetTime();
+    glfwWaitEventsTimeout(deadline);
+    const double now = glfwGetTime();
+    if (now - start >= deadline) return;  // nothing happened but that time passed
+    event_time_ = now;
+    frames_left_ = editor_.playback.is_on() ? 0 : kFramesAfterEvent - 1;
+  }
+
+  Window& window_;
+  Interface& interface_;
+  Editor& editor_;
+  CrashSafety safety_;
+  const WindowOptions& options_;
+  double last_frame_ = 0.0, event_time_ = -1.0;
+  int frames_left_ = kFramesAfterEvent;
+};
+
 }  // namespace
 
-Result<Done> RunInWindow(Editor* editor) {
-  Result<std::unique_ptr<Window>> opened = Window::Open();
-  if (!opened.ok()) return opened.error();
-  Window& window = *opened.value();
+Result<Done> RunInWindow(Editor* editor, const WindowOptions& options) {
+  Result<std::unique_ptr<Window>> window = Window::Open();
+  if (!window.ok()) return window.error();
   Result<std::unique_ptr<Interface>> interface = Interface::Create(
       [](const char* name) { return reinterpret_cast<render::GlProc>(glfwGetProcAddress(name)); },
       editor);
   if (!interface.ok()) return interface.error();
-  ImGui_ImplGlfw_InitForOpenGL(window.get(), true);
-  double last = glfwGetTime();
-  int frames_left = kFramesAfterEvent;
-  while (!editor->wants_to_quit) {
-    glfwSetWindowTitle(window.get(), TitleOf(*editor).c_str());
-    const double now = glfwGetTime();
-    editor->Tick(now);
-    ImGui_ImplGlfw_NewFrame();
-    interface.value()->Frame(window.size(), now - last);
-    glfwSwapBuffers(window.get());
-    last = now;
-    Wait(*editor, --frames_left);
-    if (glfwWindowShouldClose(window.get())) {
-      glfwSetWindowShouldClose(window.get(), GLFW_FALSE);
-      editor->Do("app.quit");
-    }
-  }
+  ImGui_ImplGlfw_InitForOpenGL(window.value()->get(), true);
+  Loop(window.value().get(), interface.value().get(), editor, options).Run();
   ImGui_ImplGlfw_Shutdown();
   return Done();
 }
