@@ -1,0 +1,79 @@
+// The editor as a whole, without a display: what is pressed does what menus and scripts do.
+
+#include <gtest/gtest.h>
+
+#include "ui/panels/actions.h"
+#include "ui/panels/panels.h"
+#include "ui/shell/offscreen_shell.h"
+
+namespace hazumi::test {
+namespace {
+
+using namespace ui;
+
+class EditorWindow : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto shell = OffscreenShell::Create(&editor_, {640, 400});
+    ASSERT_TRUE(shell.ok()) << shell.error().ToString();
+    shell_ = std::move(shell).value();
+    shell_->MoveMouse(200.0f, 100.0f);  // over the viewport
+    shell_->Frame();
+  }
+
+  void Press(int key, bool ctrl = false) {
+    if (ctrl) shell_->PressKey(kLeftControl, true);
+    shell_->PressKey(key, true);
+    shell_->Frame();
+    shell_->PressKey(key, false);
+    if (ctrl) shell_->PressKey(kLeftControl, false);
+    shell_->Frame();
+  }
+
+  Editor editor_;
+  std::unique_ptr<OffscreenShell> shell_;
+};
+
+TEST_F(EditorWindow, KeysStepThroughTime) {
+  Press(kRight);
+  EXPECT_EQ(editor_.session().frame(), 1.0);
+  Press(kLeft);
+  EXPECT_EQ(editor_.session().frame(), 0.0);
+  Press(kLeft);
+  EXPECT_EQ(editor_.session().frame(), 0.0);
+}
+
+TEST_F(EditorWindow, UndoIsAKeyAway) {
+  ASSERT_TRUE(editor_.Do("project.rename", {{"name", "Changed"}}));
+  Press('Z', true);
+  EXPECT_NE(editor_.session().project().name, "Changed");
+}
+
+TEST_F(EditorWindow, PlaysInRealTime) {
+  Press(kSpace);
+  ASSERT_TRUE(editor_.playback.is_on());
+  const double before = editor_.session().frame();
+  shell_->Frame(0.5);
+  EXPECT_NEAR(editor_.session().frame() - before, 15.0, 1.0);
+  Press(kSpace);
+  EXPECT_FALSE(editor_.playback.is_on());
+}
+
+TEST_F(EditorWindow, SaysWhatWasRefused) {
+  EXPECT_FALSE(editor_.Do("edit.redo"));
+  EXPECT_TRUE(editor_.message.is_error);
+  EXPECT_NE(editor_.message.text.find("nothing to redo"), std::string::npos);
+}
+
+TEST_F(EditorWindow, DrawsTheSamePictureForTheSameState) {
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  const render::Image first = shell_->picture();
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  EXPECT_EQ(first.rgba, shell_->picture().rgba);
+  ASSERT_TRUE(editor_.Do("view.theme", {{"dark", false}}));
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  EXPECT_NE(first.rgba, shell_->picture().rgba);
+}
+
+}  // namespace
+}  // namespace hazumi::test
