@@ -55,7 +55,7 @@ class CommandLine(unittest.TestCase):
             self.assertIn("azumi", done.stdout)
 
     def test_wrong_usage_exits_with_2_and_prints_no_result(self):
-        for wrong in ([], ["--bogus"], ["--render"], ["--check"], ["--bake", "x.json"],
+        for wrong in ([THROW, JUMP], ["--bogus"], ["--render"], ["--check"], ["--bake", "x.json"],
                       ["--bake", "x.txt", THROW], ["--bake", "-", THROW, JUMP],
                       ["--render", "o", "--bake", "-", THROW],
                       ["--bake", "-", "--step", "0", THROW],
@@ -109,7 +109,7 @@ class CommandLine(unittest.TestCase):
                 (["--check", "--json=no", THROW], "--json takes no value"),
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
                 (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
-                ([], "no task; the tasks are --render, --bake, --check, --info, --run and --operators"),
+                (["--json", THROW], "--json belongs to --check and --info, not to the editor"),
                 (["--info"], "no FILE"),
                 (["--info", THROW, JUMP], "only --check takes several")):
             done = run(*wrong, cwd=self.folder)
@@ -121,7 +121,7 @@ class CommandLine(unittest.TestCase):
         self.assertLessEqual(max(map(len, lines)), 80)
         for option in ("render", "bake", "check", "info", "run", "operators", "frames", "size", "samples", "camera",
                        "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
-                       "method", "tolerance", "step", "fps", "timings", "json"):
+                       "method", "tolerance", "step", "fps", "timings", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
 
     def test_method_and_step_go_before_what_the_file_says(self):
@@ -255,6 +255,26 @@ class CommandLine(unittest.TestCase):
         done = run("--run", script, out)
         self.assertEqual(done.returncode, 65)
         self.assertIn("[0]: key.delete.frame: \"r_knee\" has no key on frame 6", done.stderr)
+
+    def test_a_script_draws_the_editor_without_a_display(self):
+        picture = self.folder / "editor.png"
+        steps = [{"op": "view.theme", "dark": False}, {"op": "capture", "path": str(picture)}]
+        script = self.folder / "script.json"
+        script.write_text(json.dumps(steps))
+        done = run("--run", script, "--size", "320x200", THROW)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        header = picture.read_bytes()[:24]
+        self.assertEqual((header[:4], header[16:24]),
+                         (b"\x89PNG", (320).to_bytes(4, "big") + (200).to_bytes(4, "big")))
+        script.write_text(json.dumps([{"op": "capture", "path": str(self.folder / "no" / "e.png")}]))
+        self.assertEqual(run("--run", script, THROW).returncode, 73)
+
+    def test_the_window_says_where_there_is_no_display(self):
+        bare = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        done = run(THROW, env=bare)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no display", done.stderr)
+        self.assertIn("--run", done.stderr)
 
     def test_the_operators_are_listed_with_their_parameters(self):
         lines = run("--operators").stdout.splitlines()
