@@ -135,7 +135,7 @@ Result<Done> EmbedFigure(const std::string& folder, ProjectFigure* figure) {
     if (!json->contains(field.name)) (*json)[field.name] = Json::parse(field.json, nullptr, false);
   }
   ProjectFigure embedded;
-  const Result<Done> taken = Take(*json, &embedded);
+  Result<Done> taken = Take(*json, &embedded);
   if (taken.ok()) *figure = std::move(embedded);
   return taken;
 }

@@ -10,6 +10,8 @@ enum Key : int {
   kSpace = 32,
   kComma = 44,
   kPeriod = 46,
+  kLeftBracket = 91,
+  kRightBracket = 93,
   kEscape = 256,
   kEnter = 257,
   kTab = 258,

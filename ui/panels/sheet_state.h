@@ -1,15 +1,59 @@
 #pragma once
 
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ui/panels/geometry.h"
+
 namespace hazumi::ui {
 
 // The editor below the viewport.
 enum class SheetKind { kDopeSheet, kGraph };
+
+// Small windows that a key opens at the mouse.
+enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kKeys };
+
+// Values from the lower to the upper edge of the graph.
+struct ValueRange {
+  double low = -90.0, high = 90.0;
+  bool operator==(const ValueRange&) const = default;
+};
 
 // The dope sheet and the graph editor: which frames and rows are seen.
 struct SheetState {
   SheetKind kind = SheetKind::kDopeSheet;
   double first = -1.0, last = 32.0;  // frames at the left and right edge
   double scroll_px = 0.0;            // rows above the top edge
+  std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
+  bool only_selected = false;        // rows of the selected joints alone
+  std::string region;                // that was clicked last
+  Rect rect;                         // where it was drawn last [px]
+
+  // The graph.
+  ValueRange values;
+  bool fits_values = true;          // the range follows what is shown
+  bool normalize = false;           // each curve fills the height
+  std::vector<std::string> curves;  // shown last
+  std::set<std::string> hidden;     // curves that are not drawn
+
+  // What a tool draws.
+  std::optional<Rect> box;  // of a box selection
+  struct Paint {
+    int first_row = 0, last_row = 0;  // inclusive
+    int first_frame = 0, last_frame = 0;
+  };
+  std::optional<Paint> paint;  // of a region to be
+  // ImGui's number of the frame in which a tool ended: the click that ended it does no more.
+  int quiet_frame = -1;
+  int num_drags = 0;  // so far: each has a name of its own
+  // A field of the timeline's range while it is dragged.
+  struct EditedRange {
+    std::optional<int> frame;
+    bool is_first = false;
+  } edited_range;
+  SheetPopup popup = SheetPopup::kNone;  // to be opened
 };
 
 }  // namespace hazumi::ui

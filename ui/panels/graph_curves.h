@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/panels/graph_layout.h"
+
+namespace hazumi::ui {
+
+// Internal: the parts of a graph's curves.
+
+// Without points.
+GraphCurve CurveFor(const edit::Session& session, const std::string& name);
+// Points of the baked motion, `steps` for each frame.
+void SampleCurve(const edit::Session& session, const Motion& motion, int steps, GraphCurve* curve);
+// The rates that the motion has at a key.
+void RatesAt(const Motion& motion, const GraphCurve& curve, GraphKey* key);
+
+}  // namespace hazumi::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/edit/session.h"
+#include "ui/panels/geometry.h"
+#include "ui/panels/sheet_state.h"
+#include "ui/panels/time_axis.h"
+
+namespace hazumi::ui {
+
+// What the dope sheet and the graph editor have in common: names on the left, the ruler above,
+// markers below it, and time from left to right.
+struct SheetFrame {
+  Rect rect, corner, ruler, markers, names, tracks;
+  TimeAxis axis;
+  double scale = 1.0;
+};
+// Markers have a row if there are any. `scale`: of the interface.
+SheetFrame LayOutSheetFrame(const edit::Session& session, const SheetState& state, const Rect& rect,
+                            double scale);
+
+// Something that happens, on the ruler.
+struct EventMark {
+  EventKind kind;
+  Point at;
+  double frame = 0.0;
+  std::string joint;  // may be empty
+};
+std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame);
+// The one under a point, or null.
+const EventMark* EventMarkAt(const std::vector<EventMark>& marks, Point p, double scale);
+
+// The marker under a point, or -1.
+int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p);
+
+}  // namespace hazumi::ui
