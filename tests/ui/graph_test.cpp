@@ -83,6 +83,7 @@ TEST_F(Graph, FitsAndNormalizes) {
   };
   all_inside(Layout());
   user.editor().Do("sheet.normalize");
+  user.Wait(1);
   const ui::GraphLayout layout = Layout();
   all_inside(layout);
   for (const ui::GraphCurve& curve : layout.curves) {

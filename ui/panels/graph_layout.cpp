@@ -136,11 +136,10 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
   return layout;
 }
 
-GraphLayout CurrentGraph(Editor* editor) {
+GraphLayout CurrentGraph(Editor* editor, bool fits) {
   const Result<const Motion*> motion = editor->session().WholeMotion();
-  return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet,
-                     editor->sheet.fits_values && !editor->has_tool(), editor->sheet.rect,
-                     editor->settings.scale);
+  return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet, fits,
+                     editor->sheet.rect, editor->settings.scale);
 }
 
 GraphHit HitGraph(const GraphLayout& layout, Point p) {
