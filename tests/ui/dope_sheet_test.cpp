@@ -207,6 +207,83 @@ TEST_F(DopeSheet, NamesSelectJointsAndArrowsOpenRows) {
   EXPECT_EQ(Layout().rows.size(), num_rows + 3);
 }
 
+TEST_F(DopeSheet, ARegionStopsWhereAnotherHasItsJoints) {
+  user.editor().Do("region.add",
+                   {{"name", "late"}, {"first", 18}, {"last", 25}, {"joints", {"r_shoulder+"}}});
+  const ui::Rect bar = Bar("limb r_shoulder");
+  user.Drag({bar.right() + 1.0f, bar.y + 3.0f}, {X(22), bar.y + 3.0f});
+  EXPECT_GE(arms().last_frame, 15);
+  EXPECT_LE(arms().last_frame, 18);
+  EXPECT_TRUE(user.editor().message.is_error);
+  EXPECT_TRUE(user.session().WholeMotion().ok());
+}
+
+TEST_F(DopeSheet, AltClickSelectsAColumn) {
+  const Point key = Key("limb r_hip", 15);
+  user.ClickWith(ui::kLeftAlt, key);
+  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+  user.Press('A', ui::kLeftAlt);
+  EXPECT_TRUE(user.session().selected_keys().empty());
+  user.ClickWith(ui::kLeftShift, key);
+  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "r_knee", 15));
+  EXPECT_FALSE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+  user.ClickWith(ui::kLeftShift, Key("limb l_hip", 15));
+  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "r_knee", 15));
+  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+}
+
+TEST_F(DopeSheet, BracketsSelectBeforeAndAfterThePlayhead) {
+  user.editor().Do("time.frame", {{"frame", 10}});
+  user.MoveTo({X(20), 400.0f});
+  user.Press(ui::kLeftBracket);
+  for (const auto& [curve, frames] : user.session().selected_keys()) {
+    EXPECT_LE(*frames.rbegin(), 10.0) << curve;
+  }
+  user.Press(ui::kRightBracket);
+  ASSERT_FALSE(user.session().selected_keys().empty());
+  for (const auto& [curve, frames] : user.session().selected_keys()) {
+    EXPECT_GE(*frames.begin(), 10.0) << curve;
+  }
+}
+
+TEST_F(DopeSheet, CtrlWheelZoomsAtTheMouseAndTheWheelScrolls) {
+  user.MoveTo({X(20), 400.0f});
+  user.TurnWith(ui::kLeftControl, 3.0f);
+  const double seen = user.editor().sheet.last - user.editor().sheet.first;
+  EXPECT_LT(seen, 25.0);
+  EXPECT_NEAR(X(20), 150.0f + (20.0 + 1.0) / 33.0 * Layout().frame.tracks.w, 2.0);
+  user.editor().sheet.open = {"limb r_shoulder", "limb l_shoulder", "limb r_hip", "limb l_hip"};
+  user.Turn(-2.0f);
+  EXPECT_GT(user.editor().sheet.scroll_px, 0.0);
+}
+
+TEST_F(DopeSheet, PDragsThePreviewRangeThatIsPlayed) {
+  user.MoveTo({X(4), 400.0f});
+  user.Press('P');
+  user.Drag({X(4), 400.0f}, {X(9), 400.0f});
+  ASSERT_TRUE(user.project().preview);
+  EXPECT_EQ(user.project().preview->first, 4);
+  EXPECT_EQ(user.project().preview->last, 9);
+  EXPECT_EQ(user.num_steps(), 1u);
+  user.Press(ui::kSpace);
+  for (int i = 0; i < 24; ++i) {
+    user.Wait(1);
+    EXPECT_GE(user.session().frame(), 4.0);
+    EXPECT_LE(user.session().frame(), 9.0);
+  }
+}
+
+TEST_F(DopeSheet, MarkersCanBeDragged) {
+  user.MoveTo({X(20), 400.0f});
+  user.editor().Do("time.frame", {{"frame", 11}});
+  user.Press('M');
+  ASSERT_EQ(user.project().markers.size(), 1u);
+  const ui::Rect band = Layout().frame.markers;
+  user.Drag({X(11), band.y + 8.0f}, {X(16), band.y + 8.0f});
+  EXPECT_EQ(user.project().markers[0].frame, 16);
+  EXPECT_EQ(user.num_steps(), 2u);
+}
+
 TEST_F(DopeSheet, HomeShowsAllFrames) {
   user.editor().sheet.first = 100.0;
   user.editor().sheet.last = 110.0;

@@ -71,6 +71,18 @@ class User {
     if (modifier != ui::kNoKey) shell_->PressKey(modifier, false);
     shell_->Frame();
   }
+  void ClickWith(int modifier, ui::Point p) {
+    shell_->PressKey(modifier, true);
+    Click(p);
+    shell_->PressKey(modifier, false);
+    Wait(1);
+  }
+  void TurnWith(int modifier, float notches) {
+    shell_->PressKey(modifier, true);
+    Turn(notches);
+    shell_->PressKey(modifier, false);
+    Wait(1);
+  }
   void Turn(float notches) {
     shell_->TurnWheel(notches);
     shell_->Frame();

@@ -13,15 +13,24 @@ namespace {
 using edit::ParameterKind;
 using edit::Parameters;
 
+// The preview range as far as it lies in the animation, or all.
+ProjectFrames PlayedFrames(const Editor& editor) {
+  const ProjectFrames all = {editor.first_frame(), editor.last_frame(), {}};
+  const std::optional<ProjectFrames>& preview = editor.session().project().preview;
+  if (!preview) return all;
+  const int first = std::clamp(preview->first, all.first, all.last);
+  return {first, std::clamp(preview->last, first, all.last), {}};
+}
+
 Result<Done> Play(Editor* editor, const Parameters&) {
   if (editor->playback.is_on()) {
     editor->playback.Stop();
     return Done();
   }
   const ProjectRate& fps = editor->session().project().fps;
+  const ProjectFrames frames = PlayedFrames(*editor);
   editor->playback.Start(editor->now(), static_cast<int>(std::lround(editor->session().frame())),
-                         editor->first_frame(), editor->last_frame(),
-                         static_cast<double>(fps.num) / fps.den);
+                         frames.first, frames.last, static_cast<double>(fps.num) / fps.den);
   return Done();
 }
 
@@ -33,8 +42,8 @@ Result<Done> Step(Editor* editor, const Parameters& p) {
 
 Result<Done> ToEnd(Editor* editor, const Parameters& p) {
   const bool is_last = p.yes("last");
-  return editor->session().Run("time.frame",
-                               {{"frame", is_last ? editor->last_frame() : editor->first_frame()}});
+  const ProjectFrames frames = PlayedFrames(*editor);
+  return editor->session().Run("time.frame", {{"frame", is_last ? frames.last : frames.first}});
 }
 
 // The frames with keys of the selected joints, or of all.

@@ -35,12 +35,15 @@ class DopeSheetPainter {
  private:
   float Px(double at_scale_1) const { return static_cast<float>(at_scale_1 * layout_.frame.scale); }
 
-  bool IsSelected(const SheetRow& row) const {
+  // Of its hinges: 1 all are selected, less than that some are, 0 none.
+  float SelectedShare(const SheetRow& row) const {
     const std::set<std::string>& chosen = editor_->session().selected_joints();
+    int num = 0;
     for (const JointIndex j : row.hinges) {
-      if (!chosen.contains(editor_->session().figure().joint(j).name)) return false;
+      num += chosen.contains(editor_->session().figure().joint(j).name) ? 1 : 0;
     }
-    return !row.hinges.empty();
+    if (num == 0) return 0.0f;
+    return num == static_cast<int>(row.hinges.size()) ? 1.0f : 0.4f;
   }
 
   void DrawBackground(size_t row) {
@@ -49,9 +52,8 @@ class DopeSheetPainter {
     const bool is_odd = row % 2 == 1;
     list_->AddRectFilled(UpperLeft(tracks), LowerRight(tracks),
                          ToIm(is_odd ? theme_.row_odd : theme_.row));
-    if (IsSelected(layout_.rows[row])) {
-      list_->AddRectFilled(UpperLeft(tracks), LowerRight(tracks), ToIm(theme_.accent, 0.16f));
-    }
+    const float share = SelectedShare(layout_.rows[row]);
+    list_->AddRectFilled(UpperLeft(tracks), LowerRight(tracks), ToIm(theme_.accent, 0.16f * share));
   }
 
   void DrawName(size_t row) {
@@ -59,12 +61,11 @@ class DopeSheetPainter {
     const SheetFrame& frame = layout_.frame;
     const Rect rect = {frame.names.x, layout_.row_rects[row].y, frame.names.w,
                        layout_.row_rects[row].h};
-    const bool is_selected = IsSelected(of), is_head = of.depth == 0;
+    const bool is_head = of.depth == 0;
     list_->AddRectFilled(UpperLeft(rect), LowerRight(rect),
                          ToIm(is_head ? theme_.header : theme_.panel));
-    if (is_selected) {
-      list_->AddRectFilled(UpperLeft(rect), LowerRight(rect), ToIm(theme_.accent, 0.55f));
-    }
+    list_->AddRectFilled(UpperLeft(rect), LowerRight(rect),
+                         ToIm(theme_.accent, 0.55f * SelectedShare(of)));
     list_->AddLine({rect.x, rect.bottom() - 0.5f}, {rect.right(), rect.bottom() - 0.5f},
                    ToIm(theme_.window, 0.5f));
     const float indent = rect.x + Px(6.0 + 12.0 * of.depth);

@@ -50,6 +50,18 @@ double Between(const Limit& a, const Limit& b, double seconds, double s) {
   return a.value + s * (m0 + s * (3.0 * d - 2.0 * m0 - m1 + s * (m0 + m1 - 2.0 * d)));
 }
 
+// Frames in which regions drive a curve: half open.
+std::vector<std::pair<int, int>> ComputedSpans(const edit::Session& session,
+                                               const GraphCurve& curve) {
+  std::vector<std::pair<int, int>> spans;
+  for (const ProjectRegion& region : session.project().regions) {
+    const bool drives = curve.hinge ? JointsOf(region, session.figure())[curve.hinge->value()]
+                                    : IsStraight(curve) && DrivesRoot(region, session.figure());
+    if (drives) spans.emplace_back(region.first_frame, region.last_frame);
+  }
+  return spans;
+}
+
 }  // namespace
 
 std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state) {
@@ -84,25 +96,23 @@ GraphCurve CurveFor(const edit::Session& session, const std::string& name) {
   return curve;
 }
 
-bool IsComputed(const edit::Session& session, const GraphCurve& curve, double frame) {
-  for (const ProjectRegion& region : session.project().regions) {
-    if (frame < region.first_frame || frame >= region.last_frame) continue;
-    if (curve.hinge && JointsOf(region, session.figure())[curve.hinge->value()]) return true;
-    if (IsStraight(curve) && DrivesRoot(region, session.figure())) return true;
-  }
-  return false;
-}
-
-void SampleCurve(const edit::Session& session, const Motion& motion, int steps, GraphCurve* curve) {
+void SampleCurve(const edit::Session& session, const Motion& motion, const TimeAxis& axis,
+                 GraphCurve* curve) {
   const double seconds = motion.rate.SecondsAt(1.0);
-  const int parts = IsStraight(*curve) ? 1 : steps;
+  constexpr double kPointPx = 4.0;
+  const int steps = std::clamp(static_cast<int>(axis.px_per_frame() / kPointPx), 1, 12);
+  const std::vector<std::pair<int, int>> spans = ComputedSpans(session, *curve);
   for (size_t i = 0; i + 1 < motion.frames.size(); ++i) {
     const MotionFrame& frame = motion.frames[i];
     const Limit a = LimitOf(frame.after, *curve);
     const Limit b = LimitOf(motion.frames[i + 1].before, *curve);
-    const bool is_computed = IsComputed(session, *curve, frame.frame);
+    const bool is_computed = std::any_of(spans.begin(), spans.end(), [&](const auto& span) {
+      return frame.frame >= span.first && frame.frame < span.second;
+    });
     // A jump between the two sides of a frame is a line too.
     if (!curve->points.empty()) curve->is_computed.push_back(false);
+    const bool is_seen = frame.frame + 1.0 >= axis.first && frame.frame <= axis.last;
+    const int parts = IsStraight(*curve) || !is_seen ? 1 : steps;
     for (int k = 0; k <= parts; ++k) {
       const double s = static_cast<double>(k) / parts;
       curve->points.emplace_back(frame.frame + s, Between(a, b, seconds, s));

@@ -8,8 +8,9 @@ namespace hazumi::ui {
 
 // Without points.
 GraphCurve CurveFor(const edit::Session& session, const std::string& name);
-// Points of the baked motion, `steps` for each frame.
-void SampleCurve(const edit::Session& session, const Motion& motion, int steps, GraphCurve* curve);
+// Points of the baked motion: close ones where they are seen.
+void SampleCurve(const edit::Session& session, const Motion& motion, const TimeAxis& axis,
+                 GraphCurve* curve);
 // The rates that the motion has at a key.
 void RatesAt(const Motion& motion, const GraphCurve& curve, GraphKey* key);
 

@@ -179,7 +179,8 @@ void DrawGraph(Editor* editor, const Rect& rect) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
   TakeGraphInput(editor, CurrentGraph(editor));
-  const GraphLayout layout = CurrentGraph(editor);
+  // The values stand still as long as something is dragged.
+  const GraphLayout layout = CurrentGraph(editor, editor->sheet.fits_values && !editor->has_tool());
   editor->sheet.values = layout.values;
   editor->sheet.curves.clear();
   for (const GraphCurve& curve : layout.curves) editor->sheet.curves.push_back(curve.name);

@@ -117,14 +117,12 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
   layout.frame = LayOutSheetFrame(session, state, rect, scale);
   const ProjectRate& fps = session.project().fps;
   layout.frames_per_second = static_cast<double>(fps.num) / fps.den;
-  const double px = layout.frame.axis.px_per_frame();
-  const int steps = std::clamp(static_cast<int>(px / 4.0), 1, 12);
   for (const std::string& name : ShownCurves(session, state)) {
     const int index = static_cast<int>(layout.curves.size());
     layout.curves.push_back(CurveFor(session, name));
     layout.curves.back().color = index;
     layout.curves.back().is_hidden = state.hidden.contains(name);
-    if (motion) SampleCurve(session, *motion, steps, &layout.curves.back());
+    if (motion) SampleCurve(session, *motion, layout.frame.axis, &layout.curves.back());
     AddKeys(session, motion, index, &layout);
   }
   if (state.normalize) Normalize(&layout);
@@ -136,11 +134,10 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
   return layout;
 }
 
-GraphLayout CurrentGraph(Editor* editor) {
+GraphLayout CurrentGraph(Editor* editor, bool fits) {
   const Result<const Motion*> motion = editor->session().WholeMotion();
-  return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet,
-                     editor->sheet.fits_values && !editor->has_tool(), editor->sheet.rect,
-                     editor->settings.scale);
+  return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet, fits,
+                     editor->sheet.rect, editor->settings.scale);
 }
 
 GraphHit HitGraph(const GraphLayout& layout, Point p) {

@@ -52,8 +52,8 @@ struct GraphLayout {
 // are the state's.
 GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, const SheetState& state,
                         bool fits, const Rect& rect, double scale);
-// As it is seen at the moment.
-GraphLayout CurrentGraph(Editor* editor);
+// With the values that are seen at the moment, or those that fit.
+GraphLayout CurrentGraph(Editor* editor, bool fits = false);
 
 // Curves of the selected joints, else of the selected keys, else those that were shown last.
 std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state);

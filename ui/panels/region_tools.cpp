@@ -55,8 +55,8 @@ class DragRegionTool : public SheetDrag {
 
   std::string hint() const override {
     const char* what = part_ == SheetPart::kBar ? "Move region" : "Stretch region";
-    return std::string(Tr(what)) + "  " + name_ + "  " + Span(first_, last_) + "   " +
-           DragKeys(false);
+    const std::string text = std::string(Tr(what)) + "  " + name_ + "  " + Span(first_, last_);
+    return text + "   " + (trouble_.empty() ? DragKeys(false) : "! " + trouble_);
   }
 
  protected:
@@ -78,15 +78,17 @@ class DragRegionTool : public SheetDrag {
     if (first == first_ && last == last_) return;
     first_ = first;
     last_ = last;
-    editor->Do("region.set",
-               {{"region", name_}, {"first", first}, {"last", last}, {"drag", drag()}});
+    const Result<Done> done = editor->Invoke(
+        "region.set", {{"region", name_}, {"first", first}, {"last", last}, {"drag", drag()}});
+    trouble_ = done.ok() ? "" : done.error().message;
   }
 
  private:
   std::string name_;
   SheetPart part_;
   int first_before_, last_before_;
-  int first_, last_;
+  int first_, last_;     // asked for
+  std::string trouble_;  // why they were refused; the region stays where it could be last
 };
 
 class PaintRegionTool : public SheetDrag {

@@ -104,7 +104,8 @@ void RangeField(Editor* editor, const Rect& rect, const char* name, const char* 
   const bool is_first = std::string(name) == "first";
   const bool is_edited = edited.frame && edited.is_first == is_first;
   int value = is_edited ? *edited.frame : is_first ? frames.first : frames.last;
-  const bool is_done = Number(name, rect, std::string(Tr(label)) + " %d", &value, true);
+  const bool is_done = Number((std::string("##") + name).c_str(), rect,
+                              std::string(Tr(label)) + " %d", &value, true);
   if (ImGui::IsItemActive()) {
     edited = {value, is_first};
   } else if (is_edited) {
