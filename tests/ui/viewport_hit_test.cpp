@@ -70,7 +70,7 @@ TEST(ViewportRay, EntersWhereTheSurfaceIs) {
 }
 
 TEST_F(ViewportHitTest, RingsOfAJointAreHitWhereTheyAre) {
-  session_.set_selected_joints({"r_elbow.flexion", "r_elbow.pronation"});
+  session_.set_selected_joints({"r_elbow_flexion", "r_elbow_pronation"});
   const Gizmo gizmo = GizmoOf(view_, session_, figure_, "", true, 1.0).value();
   ASSERT_EQ(gizmo.rings.size(), 2u);
   for (const GizmoRing& ring : gizmo.rings) {
@@ -85,9 +85,9 @@ TEST_F(ViewportHitTest, RingsOfAJointAreHitWhereTheyAre) {
 }
 
 TEST_F(ViewportHitTest, TheArcPutsTheLimbWhereTheHingeTurnsIt) {
-  session_.set_selected_joints({"r_elbow.flexion"});
+  session_.set_selected_joints({"r_elbow_flexion"});
   const LimitArc before = GizmoOf(view_, session_, figure_, "", true, 1.0)->arc.value();
-  ASSERT_TRUE(session_.Run("pose.rotate", {{"joint", "r_elbow.flexion"}, {"to", 90}}).ok());
+  ASSERT_TRUE(session_.Run("pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", 90}}).ok());
   const PosedFigure bent = PoseNow(&session_).value();
   const Vec3 limb = bent.LimbOf(session_.figure().FindGroup("r_elbow").value());
   const Vec3 shown = (before.At(1.57079632679489661923) - before.center).normalized();

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/project/project_writer.h"
 #include "ui/panels/keys.h"
 #include "ui/panels/viewport_gizmo.h"
@@ -59,7 +57,7 @@ class ViewportTools : public testing::Test {
 TEST_F(ViewportTools, AClickOnAJointSelectsItsHinges) {
   Click(MarkOf("r_elbow"));
   EXPECT_EQ(editor_.session().selected_joints(),
-            (std::set<std::string>{"r_elbow.flexion", "r_elbow.pronation"}));
+            (std::set<std::string>{"r_elbow_flexion", "r_elbow_pronation"}));
   shell_->PressKey(kLeftShift, true);
   Click(MarkOf("l_knee"));
   EXPECT_EQ(editor_.session().selected_joints().size(), 3u);
@@ -72,13 +70,13 @@ TEST_F(ViewportTools, AClickOnAJointSelectsItsHinges) {
 }
 
 TEST_F(ViewportTools, TypedDegreesAreKeyedExactlyInOneStep) {
-  editor_.Do("select.joints", {{"joints", {"r_elbow.flexion"}}});
-  const double before = Angle("r_elbow.flexion");
+  editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
+  const double before = Angle("r_elbow_flexion");
   const size_t steps = Steps();
   MoveTo(MarkOf("r_elbow"));
   for (const int key : {int{'R'}, int{'X'}, int{'4'}, int{'5'}, int{kEnter}}) Press(key);
   EXPECT_FALSE(editor_.has_tool());
-  EXPECT_DOUBLE_EQ(Angle("r_elbow.flexion"), before + 45.0);
+  EXPECT_DOUBLE_EQ(Angle("r_elbow_flexion"), before + 45.0);
   EXPECT_EQ(Steps(), steps + 1);
 }
 
@@ -86,8 +84,8 @@ TEST_F(ViewportTools, AnAxisChoosesTheHingeNearestToIt) {
   editor_.Do("select.joints", {{"joints", {"r_shoulder"}}});
   MoveTo(MarkOf("r_shoulder"));
   for (const int key : {int{'R'}, int{'Y'}, int{'3'}, int{'0'}, int{kEnter}}) Press(key);
-  EXPECT_NEAR(Angle("r_shoulder.flexion"), 30.0, 1e-9);  // its axis is -y
-  EXPECT_NEAR(Angle("r_shoulder.abduction"), 0.0, 1e-9);
+  EXPECT_NEAR(Angle("r_shoulder_flexion"), 30.0, 1e-9);  // its axis is -y
+  EXPECT_NEAR(Angle("r_shoulder_abduction"), 0.0, 1e-9);
 }
 
 TEST_F(ViewportTools, CancelLeavesTheDocumentAsItWas) {
@@ -113,31 +111,29 @@ TEST_F(ViewportTools, AHandComesWithTheMouseThatPullsIt) {
   const Point from = MarkOf("r_wrist");
   MoveTo(from);
   Button(true);
-  for (int i = 1; i <= 6; ++i) MoveTo({from.x - 5.0f * i, from.y - 6.0f * i});
+  for (int i = 1; i <= 6; ++i) MoveTo({from.x + 3.0f * i, from.y - 6.0f * i});
   Button(false);
   EXPECT_FALSE(editor_.has_tool());
   const Point to = MarkOf("r_wrist");
-  EXPECT_NEAR(to.x, from.x - 30.0, 2.0);
+  EXPECT_NEAR(to.x, from.x + 18.0, 2.0);
   EXPECT_NEAR(to.y, from.y - 36.0, 2.0);
   EXPECT_EQ(Steps(), steps + 1);
 }
 
 TEST_F(ViewportTools, ARingTurnsItsHinge) {
-  editor_.Do("select.joints", {{"joints", {"r_elbow.flexion"}}});
+  editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
   editor_.Do("view.side", {{"side", "right"}});
   editor_.viewport.overlays.limits = false;
   shell_->Frame();
   const PosedFigure figure = PoseNow(&editor_.session()).value();
   const Gizmo gizmo = GizmoOf(view(), editor_.session(), figure, "", false, 1.0).value();
   const GizmoRing& ring = gizmo.rings[0];
-  const double sign = ring.axis.dot(view().back()) > 0.0 ? 1.0 : -1.0;
-  const double before = Angle("r_elbow.flexion");
+  const double before = Angle("r_elbow_flexion");
   MoveTo(*view().ToWindow(ring.At(0.5)));
   Button(true);
   for (int i = 1; i <= 10; ++i) MoveTo(*view().ToWindow(ring.At(0.5 + 0.05 * i)));
   Button(false);
-  EXPECT_GT(std::abs(sign), 0.0);
-  EXPECT_NEAR(Angle("r_elbow.flexion") - before, 0.5 * 180.0 / 3.14159265358979, 3.0);
+  EXPECT_NEAR(Angle("r_elbow_flexion") - before, 0.5 * 180.0 / 3.14159265358979, 3.0);
 }
 
 TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
@@ -160,7 +156,7 @@ TEST_F(ViewportTools, ThePictureIsDrawnAgainOnlyWhenItChanges) {
   MoveTo(MarkOf("r_elbow"));
   for (int i = 0; i < 3; ++i) shell_->Frame();
   EXPECT_EQ(editor_.viewport.pictures_drawn, before);
-  editor_.Do("pose.rotate", {{"joint", "r_elbow.flexion"}, {"to", 30}});
+  editor_.Do("pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", 30}});
   shell_->Frame();
   EXPECT_EQ(editor_.viewport.pictures_drawn, before + 1);
   editor_.Do("file.new");

@@ -41,11 +41,15 @@ void DrawArc(const View& view, const LimitArc& arc, const SrgbColor& color,
   const auto center = view.ToWindow(arc.center);
   if (!center) return;
   const int parts = std::max(2, static_cast<int>((arc.upper - arc.lower) / 0.09));
+  // Smooth edges would show between the triangles.
+  const ImDrawListFlags flags = List()->Flags;
   std::optional<Point> before;
   for (int i = 0; i <= parts; ++i) {
     const auto at = view.ToWindow(arc.At(arc.lower + (arc.upper - arc.lower) * i / parts));
     if (before && at) {
+      List()->Flags = flags & ~ImDrawListFlags_AntiAliasedFill;
       List()->AddTriangleFilled(ToIm(*center), ToIm(*before), ToIm(*at), ToIm(color, 0.16f));
+      List()->Flags = flags;
       List()->AddLine(ToIm(*before), ToIm(*at), ToIm(color, 0.9f), 1.5f * scale);
     }
     before = at;

@@ -23,7 +23,8 @@ V Hermite(const V& a, const V& da, const V& b, const V& db, double t) {
 }
 
 MotionFrame Between(const MotionFrame& a, const MotionFrame& b, double seconds, double t) {
-  MotionFrame frame = a;
+  MotionFrame frame;
+  frame.frame = a.frame;
   frame.q = Hermite<VecX>(a.after.q, seconds * a.after.qd, b.before.q, seconds * b.before.qd, t);
   frame.X_WR.p = Hermite<Vec3>(a.after.X_WR.p, seconds * a.after.root_v, b.before.X_WR.p,
                                seconds * b.before.root_v, t);

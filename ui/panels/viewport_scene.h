@@ -18,7 +18,8 @@ Result<render::Scene> SceneNow(Editor* editor, const Rect& rect);
 std::vector<PathTicks> TicksOf(const render::Scene& scene);
 
 // Frames [first, last] of a motion, counted from 0, with `parts` points for every frame: a smooth
-// motion between them, by the angles and rates that it has on both sides. For drawing paths.
+// motion between them, by the angles and rates that it has on both sides. Has what paths need:
+// angles, root and CoM.
 Motion Refined(const Motion& motion, int first, int last, int parts);
 
 }  // namespace hazumi::ui
