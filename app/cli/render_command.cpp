@@ -133,8 +133,12 @@ int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Optio
   if (!path_motion.ok()) return Complain(path_motion.error());
   const Result<FrameNames> names = FrameNames::Create(options.output);
   if (!names.ok()) return Complain(names.error());
-  const render::Overlays overlays{options.ghosts, options.paths, options.marks, options.tint,
-                                  options.frame_number};
+  render::Overlays overlays;
+  overlays.ghost_every = options.ghosts;
+  overlays.paths = options.paths;
+  overlays.contact_marks = options.marks;
+  overlays.region_tint = options.tint;
+  overlays.frame_number = options.frame_number;
   Pictures pictures{baked, frames, names.value(),
                     render::MotionScene(baked.animation, baked.motion, path_motion.value(),
                                         CameraFor(baked, options), overlays),

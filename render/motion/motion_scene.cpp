@@ -12,6 +12,7 @@ namespace hazumi::render {
 namespace {
 
 constexpr SrgbColor kRegionAccent = FromHex(0x2f8fff);
+constexpr SrgbColor kHighlight = FromHex(0xffbe33);
 constexpr SrgbColor kComPath = FromHex(0xffbe33);
 constexpr SrgbColor kPinMark = FromHex(0xff3352);
 constexpr float kGhostAlpha = 0.16f;
@@ -87,13 +88,19 @@ void MotionScene::AddFigure(const MotionFrame& frame, float alpha, bool tint, Sc
   for (const Link& link : animation_.figure->links()) {
     const BodyScratch& body = ws_.body(link.joint);
     const bool tinted = tint && link.joint.is_valid() && frame.in_region[link.joint.value()];
+    const bool is_highlighted = alpha == 1.0f && IsHighlighted(link.joint);
     for (const Look& look : LooksOf(link)) {
       SrgbColor color = ColorFromText(look.color);
       if (tinted) color = Mix(color, kRegionAccent, 0.45f);
+      if (is_highlighted) color = Mix(color, kHighlight, 0.5f);
       color.a = alpha;
       AddLook(look, {body.R, body.p}, color, scene);
     }
   }
+}
+
+bool MotionScene::IsHighlighted(JointIndex body) const {
+  return body.is_valid() && !overlays_.highlighted.empty() && overlays_.highlighted[body.value()];
 }
 
 void MotionScene::AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color,
@@ -113,8 +120,9 @@ void MotionScene::AddHeldObjects(const MotionFrame& frame, float alpha, Scene* s
 }
 
 void MotionScene::AddGhosts(int index, Scene* scene) {
-  for (int i = 0; i < static_cast<int>(motion_.frames.size()); i += overlays_.ghost_every) {
-    if (i == index) continue;
+  const int last = std::min(static_cast<int>(motion_.frames.size()) - 1, overlays_.ghost_last);
+  for (int i = 0; i <= last; i += overlays_.ghost_every) {
+    if (i == index || i < overlays_.ghost_first) continue;
     AddFigure(motion_.frames[i], kGhostAlpha, false, scene);
     AddHeldObjects(motion_.frames[i], kGhostAlpha, scene);
   }

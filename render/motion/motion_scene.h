@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,13 @@ namespace hazumi::render {
 // What is drawn beside the figure and its scene.
 struct Overlays {
   int ghost_every = 0;         // a translucent figure every so many frames; 0: none
+  int ghost_first = 0;         // frames, counted from 0, that may have one
+  int ghost_last = std::numeric_limits<int>::max();
   bool paths = false;          // of the CoM, its projection on the ground, and every limb's end
   bool contact_marks = false;  // a ring at the pinned joint
   bool region_tint = false;    // joints moved by a dynamics region
   bool frame_number = false;
+  std::vector<char> highlighted;  // by JointIndex: bodies that stand out; empty: none
 };
 
 // Makes the draw list of each frame of a motion. Animation and motions must outlive it.
@@ -33,6 +37,7 @@ class MotionScene {
  private:
   void AddWorld(Scene* scene) const;
   void AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene);
+  bool IsHighlighted(JointIndex body) const;
   void AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color, Scene* scene) const;
   void AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const;
   void AddGhosts(int index, Scene* scene);

@@ -5,6 +5,8 @@
 
 #include "ui/edit/operator.h"
 #include "ui/panels/sheet_actions.h"
+#include "ui/panels/viewport_actions.h"
+#include "ui/panels/viewport_tools.h"
 
 namespace hazumi::ui {
 
@@ -85,11 +87,7 @@ Result<Done> Look(Editor* editor, const Parameters& p) {
                "\"" + side + "\" is none of front, back, left, right, top"};
 }
 
-Result<Done> LookThrough(Editor* editor, const Parameters&) {
-  bool& through = editor->viewport.through_project_camera;
-  through = !through;
-  return Done();
-}
+Result<Done> LookThrough(Editor* editor, const Parameters&) { return LookThroughCamera(editor); }
 
 Result<Done> Orthographic(Editor* editor, const Parameters&) {
   editor->viewport.camera.is_orthographic = !editor->viewport.camera.is_orthographic;
@@ -175,6 +173,26 @@ const std::vector<Action>& AllActions() {
        "Parallel lines stay parallel, or not.",
        {},
        Orthographic},
+      {"view.frame_selected",
+       "Frame selected",
+       "Looks at what is selected, or else at the figure.",
+       {},
+       [](Editor* editor, const Parameters&) { return FrameSelected(editor); }},
+      {"view.frame_all",
+       "Frame all",
+       "Looks at the whole motion.",
+       {},
+       [](Editor* editor, const Parameters&) { return FrameAll(editor); }},
+      {"tool.rotate",
+       "Rotate",
+       "Turns the selected joints with the mouse, or by typed degrees.",
+       {},
+       [](Editor* editor, const Parameters&) { return TakeRotateTool(editor); }},
+      {"tool.move",
+       "Move",
+       "Drags the selected joint, its limb following, or the selected box.",
+       {},
+       [](Editor* editor, const Parameters&) { return TakeMoveTool(editor); }},
       {"view.overlay",
        "Overlay",
        "Shows or hides something beside the figure.",

@@ -1,55 +1,60 @@
-#include <algorithm>
-#include <cmath>
+#include <cstdint>
 
-#include "render/motion/motion_scene.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/viewport_actions.h"
+#include "ui/panels/viewport_marks.h"
+#include "ui/panels/viewport_scene.h"
 #include "ui/panels/widgets.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-// Orbit with the middle button, pan with Shift, zoom with Ctrl or the wheel.
-void MoveCamera(Editor* editor, const Rect& rect) {
-  const ImGuiIO& io = ImGui::GetIO();
-  OrbitCamera& camera = editor->viewport.camera;
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) {
-    camera.distance = std::clamp(camera.distance * std::pow(0.9, io.MouseWheel), 0.2, 100.0);
+// The texture of last time if nothing changed that is seen in it.
+Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
+  const render::PictureSize size = {static_cast<int>(rect.w), static_cast<int>(rect.h)};
+  ViewportState& state = editor->viewport;
+  const PictureKey key = KeyNow(*editor, size);
+  if (state.shown && state.shown->key == key) return state.shown->texture;
+  Result<render::Scene> scene = SceneNow(editor, rect);
+  if (!scene.ok()) {
+    editor->Say(scene.error().ToString(), true);
+    scene = render::Scene();
   }
-  if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) return;
-  const ImVec2 by = io.MouseDelta;
-  editor->viewport.through_project_camera = false;
-  if (io.KeyShift) {
-    const render::Mat4 view = render::ViewMatrix(CameraOf(camera));
-    const double metres = camera.distance * 0.63 / rect.h;
-    camera.target +=
-        metres * (-by.x * view.block<1, 3>(0, 0) + by.y * view.block<1, 3>(1, 0)).transpose();
-  } else if (io.KeyCtrl) {
-    camera.distance = std::clamp(camera.distance * std::exp(0.005 * by.y), 0.2, 100.0);
-  } else {
-    camera.azimuth -= 0.008 * by.x;
-    camera.elevation = std::clamp(camera.elevation + 0.008 * by.y, -1.5707, 1.5707);
-  }
+  const Result<unsigned> texture = editor->paint_scene(scene.value(), size, state.overlays.shadow);
+  if (!texture.ok()) return texture;
+  state.shown = ShownPicture{key, texture.value(), TicksOf(scene.value())};
+  ++state.pictures_drawn;
+  return texture;
 }
 
-render::Scene SceneNow(Editor* editor) {
-  edit::Session& session = editor->session();
-  const int first = editor->first_frame(), last = editor->last_frame();
-  const int frame = std::clamp(static_cast<int>(std::lround(session.frame())), first, last);
-  const Result<const Motion*> motion = session.WholeMotion();
-  if (!motion.ok()) {
-    editor->Say(motion.error().ToString(), true);
-    return {};
+void DrawPicture(Editor* editor, const Rect& rect) {
+  const Result<unsigned> picture = PictureNow(editor, rect);
+  if (!picture.ok()) {
+    ImGui::TextUnformatted(picture.error().ToString().c_str());
+    return;
   }
-  const ViewportOverlays& wanted = editor->viewport.overlays;
-  render::Overlays overlays;
-  overlays.ghost_every = wanted.ghosts ? wanted.ghost_every : 0;
-  overlays.paths = wanted.paths;
-  overlays.contact_marks = wanted.marks;
-  overlays.region_tint = wanted.tint;
-  render::MotionScene scene(*session.animation(), *motion.value(), *motion.value(),
-                            CameraOf(editor->viewport.camera), overlays);
-  return scene.At(frame - first);
+  const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.value()));
+  ImGui::GetWindowDrawList()->AddImage(id, {rect.x, rect.y}, {rect.right(), rect.bottom()}, {0, 1},
+                                       {1, 0});
+}
+
+// What lies on the figure. `has_mouse`: nothing else is under the mouse.
+void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const ViewportState& state = editor->viewport;
+  const double scale = editor->settings.scale;
+  DrawPathTicks(*editor, view);
+  const std::vector<SceneObject>& scene = editor->session().animation()->scene;
+  DrawSelectedObject(*editor, view, scene);
+  DrawJointMarks(*editor, view, *figure);
+  const auto gizmo =
+      GizmoOf(view, editor->session(), *figure, state.active_hinge, state.overlays.limits, scale);
+  const auto hovered = gizmo && has_mouse ? GizmoAt(view, mouse, *gizmo, scale) : std::nullopt;
+  if (gizmo) DrawGizmo(*editor, view, *gizmo, hovered);
+  if (has_mouse && !hovered) DrawHovered(*editor, view, *figure, scene, mouse);
 }
 
 }  // namespace
@@ -58,19 +63,20 @@ void DrawViewport(Editor* editor, const Rect& rect) {
   editor->viewport.rect = rect;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   BeginPanel("##viewport", rect, editor->theme().window);
-  const Result<unsigned> picture =
-      editor->paint_scene(SceneNow(editor), {static_cast<int>(rect.w), static_cast<int>(rect.h)},
-                          editor->viewport.overlays.shadow);
-  if (picture.ok()) {
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.value()));
-    ImGui::GetWindowDrawList()->AddImage(id, {rect.x, rect.y}, {rect.right(), rect.bottom()},
-                                         {0, 1}, {1, 0});
-  } else {
-    ImGui::TextUnformatted(picture.error().ToString().c_str());
-  }
+  DrawPicture(editor, rect);
+  const View view = ViewOf(editor->viewport, editor->session().project(), rect);
+  const bool has_mouse = ImGui::IsWindowHovered() && !editor->has_tool() &&
+                         rect.Contains(FromIm(ImGui::GetIO().MousePos)) &&
+                         !ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+  DrawOnFigure(editor, view, has_mouse);
+  DrawCameraBorder(*editor, rect);
+  DrawCaption(*editor, rect);
+  DrawAxisCross(*editor, view);
+  DrawToggles(editor, rect);
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
   ImGui::InvisibleButton("##scene", {rect.w, rect.h},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  MoveCamera(editor, rect);
+  ActOnViewport(editor, rect);
   EndPanel();
   ImGui::PopStyleVar();
 }

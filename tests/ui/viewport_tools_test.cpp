@@ -1,0 +1,173 @@
+// The viewport as a user has it: mouse, keys, and what becomes of the document.
+
+#include <gtest/gtest.h>
+
+#include "engine/project/project_writer.h"
+#include "ui/panels/keys.h"
+#include "ui/panels/viewport_gizmo.h"
+#include "ui/shell/offscreen_shell.h"
+
+namespace hazumi::ui {
+namespace {
+
+class ViewportTools : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = OffscreenShell::Create(&editor_, {520, 380});
+    ASSERT_TRUE(made.ok()) << made.error().ToString();
+    shell_ = std::move(made).value();
+    editor_.viewport.overlays.shadow = false;
+    for (int i = 0; i < 3; ++i) shell_->Frame();
+  }
+
+  View view() {
+    return ViewOf(editor_.viewport, editor_.session().project(), editor_.viewport.rect);
+  }
+  Point MarkOf(const char* joint) {
+    const PosedFigure figure = PoseNow(&editor_.session()).value();
+    return *view().ToWindow(figure.CenterOf(*figure.figure().FindGroup(joint)));
+  }
+  void MoveTo(Point p) {
+    shell_->MoveMouse(p.x, p.y);
+    shell_->Frame();
+  }
+  void Click(Point p) {
+    MoveTo(p);
+    Button(true);
+    Button(false);
+  }
+  void Button(bool is_down) {
+    shell_->PressButton(0, is_down);
+    shell_->Frame();
+  }
+  void Press(int key) {
+    shell_->PressKey(key, true);
+    shell_->Frame();
+    shell_->PressKey(key, false);
+    shell_->Frame();
+  }
+  double Angle(const char* hinge) { return editor_.session().AngleNow(hinge).value(); }
+  std::string Bytes() { return WriteProject(editor_.session().project()); }
+  size_t Steps() { return editor_.session().document().num_steps(); }
+
+  Editor editor_;
+  std::unique_ptr<OffscreenShell> shell_;
+};
+
+TEST_F(ViewportTools, AClickOnAJointSelectsItsHinges) {
+  Click(MarkOf("r_elbow"));
+  EXPECT_EQ(editor_.session().selected_joints(),
+            (std::set<std::string>{"r_elbow_flexion", "r_elbow_pronation"}));
+  shell_->PressKey(kLeftShift, true);
+  Click(MarkOf("l_knee"));
+  EXPECT_EQ(editor_.session().selected_joints().size(), 3u);
+  Click(MarkOf("l_knee"));
+  EXPECT_EQ(editor_.session().selected_joints().size(), 2u);
+  shell_->PressKey(kLeftShift, false);
+  const Rect rect = editor_.viewport.rect;
+  Click({rect.x + 4.0f, rect.y + 0.5f * rect.h});
+  EXPECT_TRUE(editor_.session().selected_joints().empty());
+}
+
+TEST_F(ViewportTools, TypedDegreesAreKeyedExactlyInOneStep) {
+  editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
+  const double before = Angle("r_elbow_flexion");
+  const size_t steps = Steps();
+  MoveTo(MarkOf("r_elbow"));
+  for (const int key : {int{'R'}, int{'X'}, int{'4'}, int{'5'}, int{kEnter}}) Press(key);
+  EXPECT_FALSE(editor_.has_tool());
+  EXPECT_DOUBLE_EQ(Angle("r_elbow_flexion"), before + 45.0);
+  EXPECT_EQ(Steps(), steps + 1);
+}
+
+TEST_F(ViewportTools, AnAxisChoosesTheHingeNearestToIt) {
+  editor_.Do("select.joints", {{"joints", {"r_shoulder"}}});
+  MoveTo(MarkOf("r_shoulder"));
+  for (const int key : {int{'R'}, int{'Y'}, int{'3'}, int{'0'}, int{kEnter}}) Press(key);
+  EXPECT_NEAR(Angle("r_shoulder_flexion"), 30.0, 1e-9);  // its axis is -y
+  EXPECT_NEAR(Angle("r_shoulder_abduction"), 0.0, 1e-9);
+}
+
+TEST_F(ViewportTools, CancelLeavesTheDocumentAsItWas) {
+  editor_.Do("select.joints", {{"joints", {"r_shoulder"}}});
+  const std::string before = Bytes();
+  const size_t steps = Steps();
+  for (const char first : {'R', 'G'}) {
+    MoveTo(MarkOf("r_shoulder"));
+    Press(first);
+    MoveTo({MarkOf("r_shoulder").x + 40.0f, MarkOf("r_shoulder").y + 60.0f});
+    MoveTo({MarkOf("r_shoulder").x - 10.0f, MarkOf("r_shoulder").y + 80.0f});
+    EXPECT_TRUE(editor_.has_tool()) << editor_.message.text;
+    EXPECT_NE(Bytes(), before) << first;
+    Press(kEscape);
+    EXPECT_FALSE(editor_.has_tool());
+    EXPECT_EQ(Bytes(), before);
+    EXPECT_EQ(Steps(), steps);
+  }
+}
+
+TEST_F(ViewportTools, AHandComesWithTheMouseThatPullsIt) {
+  const size_t steps = Steps();
+  const Point from = MarkOf("r_wrist");
+  MoveTo(from);
+  Button(true);
+  for (int i = 1; i <= 6; ++i) MoveTo({from.x + 3.0f * i, from.y - 6.0f * i});
+  Button(false);
+  EXPECT_FALSE(editor_.has_tool());
+  const Point to = MarkOf("r_wrist");
+  EXPECT_NEAR(to.x, from.x + 18.0, 2.0);
+  EXPECT_NEAR(to.y, from.y - 36.0, 2.0);
+  EXPECT_EQ(Steps(), steps + 1);
+}
+
+TEST_F(ViewportTools, ARingTurnsItsHinge) {
+  editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
+  editor_.Do("view.side", {{"side", "right"}});
+  editor_.viewport.overlays.limits = false;
+  shell_->Frame();
+  const PosedFigure figure = PoseNow(&editor_.session()).value();
+  const Gizmo gizmo = GizmoOf(view(), editor_.session(), figure, "", false, 1.0).value();
+  const GizmoRing& ring = gizmo.rings[0];
+  const double before = Angle("r_elbow_flexion");
+  MoveTo(*view().ToWindow(ring.At(0.5)));
+  Button(true);
+  for (int i = 1; i <= 10; ++i) MoveTo(*view().ToWindow(ring.At(0.5 + 0.05 * i)));
+  Button(false);
+  EXPECT_NEAR(Angle("r_elbow_flexion") - before, 0.5 * 180.0 / 3.14159265358979, 3.0);
+}
+
+TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
+  editor_.Do("object.add_box", {{"name", "crate"},
+                                {"x", 0.0},
+                                {"y", -1.0},
+                                {"z", 1.0},
+                                {"size_x", 0.4},
+                                {"size_y", 0.4},
+                                {"size_z", 0.4}});
+  Click(*view().ToWindow(Vec3(0.0, -1.0, 1.0)));
+  EXPECT_EQ(editor_.viewport.selected_object, "crate");
+  for (const int key : {int{'G'}, int{'Z'}, int{'2'}, int{kEnter}}) Press(key);
+  const ProjectScene& scene = editor_.session().project().scene;
+  EXPECT_EQ(std::get<ProjectBox>(scene.objects.back().shape).center_m, Vec3(0.0, -1.0, 3.0));
+}
+
+TEST_F(ViewportTools, ThePictureIsDrawnAgainOnlyWhenItChanges) {
+  const long before = editor_.viewport.pictures_drawn;
+  MoveTo(MarkOf("r_elbow"));
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  EXPECT_EQ(editor_.viewport.pictures_drawn, before);
+  editor_.Do("pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", 30}});
+  shell_->Frame();
+  EXPECT_EQ(editor_.viewport.pictures_drawn, before + 1);
+  editor_.Do("file.new");
+  shell_->Frame();
+  EXPECT_EQ(editor_.viewport.pictures_drawn, before + 2);
+}
+
+TEST_F(ViewportTools, WithoutACameraOneIsAskedFor) {
+  EXPECT_FALSE(editor_.Do("view.camera"));
+  EXPECT_FALSE(editor_.viewport.through_project_camera);
+}
+
+}  // namespace
+}  // namespace hazumi::ui

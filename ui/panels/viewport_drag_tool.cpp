@@ -1,0 +1,57 @@
+#include "ui/panels/viewport_drag_tool.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+namespace hazumi::ui {
+
+DragTool::DragTool(Editor* editor, const char* kind, bool is_held)
+    : drag_(kind + std::to_string(++editor->viewport.drags)), is_held_(is_held) {
+  editor->playback.Stop();
+  editor->Do("edit.end_drag");
+  editor->Say("");
+}
+
+bool DragTool::Update(Editor* editor, const ToolInput& input) {
+  if (input.cancel || !Follow(editor, input)) {
+    TakeBack(editor);
+    return false;
+  }
+  const bool is_released = is_held_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (!is_released && (is_held_ || !input.confirm)) return true;
+  editor->Do("edit.end_drag");
+  return false;
+}
+
+bool DragTool::Run(Editor* editor, const std::string& id, Json parameters) {
+  parameters["drag"] = drag_;
+  has_run_ = true;
+  return editor->Do(id, parameters);
+}
+
+void DragTool::TakeBack(Editor* editor) {
+  if (has_run_) editor->Do("edit.cancel_drag");
+  has_run_ = false;
+}
+
+Point DragTool::MouseMoved(const ToolInput& input) {
+  const Point from = last_mouse_.value_or(input.mouse);
+  last_mouse_ = input.mouse;
+  const float share = input.precise ? 0.1f : 1.0f;
+  return {share * (input.mouse.x - from.x), share * (input.mouse.y - from.y)};
+}
+
+std::string Signed(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%+.*f", digits, value);
+  return text;
+}
+
+std::string KeysHint() {
+  return std::string("    X Y Z: ") + Tr("axis") + "   0-9: " + Tr("number") +
+         "   Shift: " + Tr("precise") + "   Ctrl: " + Tr("snap") + "   Enter: " + Tr("confirm") +
+         "   Esc: " + Tr("cancel");
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "ui/panels/editor.h"
+#include "ui/panels/viewport_camera.h"
+
+namespace hazumi::ui {
+
+// A tool of the viewport whose edits are one undo step, or none if it is cancelled.
+class DragTool : public Tool {
+ public:
+  bool Update(Editor* editor, const ToolInput& input) final;
+
+ protected:
+  // `is_held`: confirmed when the left button comes up.
+  DragTool(Editor* editor, const char* kind, bool is_held);
+
+  // Acts on the input. False: it cannot go on, and what it did is taken back.
+  virtual bool Follow(Editor* editor, const ToolInput& input) = 0;
+
+  // Runs an operator that takes `drag`.
+  bool Run(Editor* editor, const std::string& id, Json parameters);
+  // As if nothing had been run.
+  void TakeBack(Editor* editor);
+  // What the mouse moved since the last call, a tenth of it with Shift [px].
+  Point MouseMoved(const ToolInput& input);
+  void BeginAt(Point mouse) { last_mouse_ = mouse; }
+
+ private:
+  std::string drag_;
+  bool is_held_, has_run_ = false;
+  std::optional<Point> last_mouse_;
+};
+
+// "+12.5"; with so many digits after the point.
+std::string Signed(double value, int digits);
+// The keys that tools understand, for their hints.
+std::string KeysHint();
+
+}  // namespace hazumi::ui

@@ -1,0 +1,124 @@
+#include "ui/panels/viewport_hit_test.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hazumi::ui {
+
+namespace {
+
+// Nearest points of a ray and a segment a-b: distance along the ray, and where on the segment, in
+// [0, 1].
+struct Nearest {
+  double along, on_segment;
+};
+
+Nearest NearestTo(const Ray& ray, const Vec3& a, const Vec3& b) {
+  const Vec3 d = b - a, w = a - ray.from;
+  const double dd = d.squaredNorm(), dr = d.dot(ray.direction);
+  const double denominator = dd - dr * dr;
+  double s = 0.0;
+  if (denominator > 1e-12 * dd) s = (dr * w.dot(ray.direction) - w.dot(d)) / denominator;
+  s = std::clamp(s, 0.0, 1.0);
+  return {(w + s * d).dot(ray.direction), s};
+}
+
+// The sphere that the ray comes nearest to stands for the whole.
+std::optional<double> EnterCapsule(const Ray& ray, const Vec3& a, const Vec3& b, double radius_a,
+                                   double radius_b) {
+  const Nearest nearest = NearestTo(ray, a, b);
+  const Vec3 center = a + nearest.on_segment * (b - a);
+  const double radius = radius_a + nearest.on_segment * (radius_b - radius_a);
+  const double off = (ray.from + nearest.along * ray.direction - center).norm();
+  if (off > radius) return std::nullopt;
+  const double distance = nearest.along - std::sqrt(radius * radius - off * off);
+  return distance > 0.0 ? std::optional(distance) : std::nullopt;
+}
+
+std::optional<double> EnterEllipsoid(const Ray& ray, const hazumi::Pose& X_WE, const Vec3& half) {
+  const Vec3 from = (X_WE.Inverse() * ray.from).cwiseQuotient(half);
+  const Vec3 d = (X_WE.R.transpose() * ray.direction).cwiseQuotient(half);
+  const double a = d.squaredNorm(), b = from.dot(d), c = from.squaredNorm() - 1.0;
+  const double root = b * b - a * c;
+  if (root < 0.0) return std::nullopt;
+  const double distance = (-b - std::sqrt(root)) / a;
+  return distance > 0.0 ? std::optional(distance) : std::nullopt;
+}
+
+std::vector<Look> LooksOf(const Link& link) {
+  if (!link.looks.empty()) return link.looks;
+  Look look;
+  look.from = link.capsule.a;
+  look.to = link.capsule.b;
+  look.radius_from = look.radius_to = link.capsule.radius;
+  return {look};
+}
+
+std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure& figure,
+                                   double scale) {
+  std::optional<GroupIndex> best;
+  double least = kMarkerReach * scale;
+  for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {
+    const std::optional<Point> mark = view.ToWindow(figure.CenterOf(GroupIndex(g)));
+    if (!mark) continue;
+    const double distance = std::hypot(mark->x - at.x, mark->y - at.y);
+    if (distance >= least) continue;
+    least = distance;
+    best = GroupIndex(g);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<double> Enter(const Ray& ray, const Look& look, const hazumi::Pose& X_WJ) {
+  if (look.shape == Look::Shape::kTaperedCapsule) {
+    return EnterCapsule(ray, X_WJ * look.from, X_WJ * look.to, look.radius_from, look.radius_to);
+  }
+  return EnterEllipsoid(ray, {X_WJ.R, X_WJ * look.center}, look.half_axes);
+}
+
+std::optional<double> Enter(const Ray& ray, const Box& box) {
+  const Vec3 from = box.X_WB.Inverse() * ray.from, d = box.X_WB.R.transpose() * ray.direction;
+  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
+  for (int i = 0; i < 3; ++i) {
+    if (d[i] == 0.0 && std::abs(from[i]) > box.half_size[i]) return std::nullopt;
+    if (d[i] == 0.0) continue;
+    const double a = (-box.half_size[i] - from[i]) / d[i], b = (box.half_size[i] - from[i]) / d[i];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave && enter > 0.0 ? std::optional(enter) : std::nullopt;
+}
+
+ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
+                    const std::vector<SceneObject>& scene, double scale) {
+  ViewportHit hit;
+  hit.joint = MarkerAt(view, at, figure, scale);
+  hit.is_marker = hit.joint.has_value();
+  if (hit.is_marker) return hit;
+  const Ray ray = view.Through(at);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Link& link : figure.figure().links()) {
+    for (const Look& look : LooksOf(link)) {
+      const std::optional<double> distance = Enter(ray, look, figure.PoseOf(link.joint));
+      if (!distance || *distance >= least) continue;
+      least = *distance;
+      hit.is_root = !link.joint.is_valid();
+      hit.joint.reset();
+      if (!hit.is_root) hit.joint = figure.figure().joint(link.joint).group;
+    }
+  }
+  for (const SceneObject& object : scene) {
+    const Box* box = std::get_if<Box>(&object.shape);
+    const std::optional<double> distance = box ? Enter(ray, *box) : std::nullopt;
+    if (!distance || *distance >= least) continue;
+    least = *distance;
+    hit = {{}, object.name, false, false};
+  }
+  return hit;
+}
+
+}  // namespace hazumi::ui

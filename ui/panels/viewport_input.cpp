@@ -1,0 +1,111 @@
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/panels/viewport_actions.h"
+#include "ui/panels/viewport_camera.h"
+#include "ui/panels/viewport_hit_test.h"
+#include "ui/panels/viewport_tools.h"
+#include "ui/panels/widgets.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr float kDragPx = 4.0f;  // a press that moves farther is no click
+
+// Orbit with the middle button, pan with Shift, zoom with Ctrl or the wheel.
+void MoveCamera(Editor* editor, const Rect& rect) {
+  const ImGuiIO& io = ImGui::GetIO();
+  OrbitCamera& camera = editor->viewport.camera;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) {
+    editor->viewport.through_project_camera = false;
+    Zoom(std::pow(0.9, io.MouseWheel), &camera);
+  }
+  if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) return;
+  const Point by = FromIm(io.MouseDelta);
+  if (by.x == 0.0f && by.y == 0.0f) return;
+  editor->viewport.through_project_camera = false;
+  if (io.KeyShift) {
+    Pan(by, rect.h, &camera);
+  } else if (io.KeyCtrl) {
+    Zoom(std::exp(0.005 * by.y), &camera);
+  } else {
+    Orbit(by, &camera);
+  }
+}
+
+bool IsSelected(const edit::Session& session, GroupIndex joint) {
+  for (const GroupIndex selected : SelectedJoints(session)) {
+    if (selected == joint) return true;
+  }
+  return false;
+}
+
+void Click(Editor* editor, const ViewportHit& hit, bool toggles) {
+  edit::Session& session = editor->session();
+  Json names = Json::array();
+  if (hit.joint) names.push_back(session.figure().group(*hit.joint).name);
+  const char* mode = "replace";
+  if (toggles) mode = hit.joint && IsSelected(session, *hit.joint) ? "remove" : "add";
+  editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
+  if (!toggles || !hit.object.empty()) editor->viewport.selected_object = hit.object;
+  editor->Say(hit.is_root ? Tr("The root has no hinges; its curves are in the dope sheet") : "");
+}
+
+std::string HandleUnder(const ViewportHit& hit, const Figure& figure) {
+  if (!hit.is_marker) return "";
+  for (const GroupIndex handle : HandleJoints(figure)) {
+    if (handle == *hit.joint) return figure.group(handle).name;
+  }
+  return "";
+}
+
+// The left button went down.
+void Press(Editor* editor, const View& view, const PosedFigure& figure) {
+  const Point at = FromIm(ImGui::GetIO().MousePos);
+  const double scale = editor->settings.scale;
+  ViewportState& state = editor->viewport;
+  const auto gizmo =
+      GizmoOf(view, editor->session(), figure, state.active_hinge, state.overlays.limits, scale);
+  const auto part = gizmo ? GizmoAt(view, at, *gizmo, scale) : std::nullopt;
+  if (part && part->part == GizmoPart::kRing) return TakeRingTool(editor, *part, {at});
+  if (part) return TakeLimitTool(editor, *part);
+  const ViewportHit hit = HitTest(view, at, figure, editor->session().animation()->scene, scale);
+  state.press = ViewportPress{at, HandleUnder(hit, figure.figure())};
+}
+
+// The button is down: a handle that is pulled becomes a drag of its limb.
+void Pull(Editor* editor) {
+  const ViewportPress press = *editor->viewport.press;
+  const Point at = FromIm(ImGui::GetIO().MousePos);
+  if (std::hypot(at.x - press.at.x, at.y - press.at.y) < kDragPx) return;
+  editor->viewport.press.reset();
+  if (press.handle.empty()) return;
+  editor->Do("select.joints", {{"joints", Json::array({press.handle})}});
+  TakeReachTool(editor, press.handle, {press.at});
+}
+
+}  // namespace
+
+void ActOnViewport(Editor* editor, const Rect& rect) {
+  ViewportState& state = editor->viewport;
+  MoveCamera(editor, rect);
+  const bool is_busy = editor->has_tool() || state.had_tool;
+  state.had_tool = editor->has_tool();
+  if (is_busy) return state.press.reset();
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  const View view = ViewOf(state, editor->session().project(), rect);
+  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    Press(editor, view, *figure);
+  }
+  if (!state.press) return;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return Pull(editor);
+  const ViewportHit hit = HitTest(view, state.press->at, *figure,
+                                  editor->session().animation()->scene, editor->settings.scale);
+  state.press.reset();
+  Click(editor, hit, ImGui::GetIO().KeyShift);
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,189 @@
+// R and the rings: turns hinges by the mouse or by typed degrees.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/viewport_drag_tool.h"
+#include "ui/panels/viewport_tools.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180.0;
+constexpr double kStep = 5.0;  // with Ctrl [degrees]
+
+double Snapped(double value, double step) { return step * std::round(value / step); }
+
+// The hinge whose axis is nearest to a direction, either way round.
+JointIndex Nearest(const std::vector<JointIndex>& hinges, const Vec3& direction,
+                   const PosedFigure& figure) {
+  return *std::max_element(hinges.begin(), hinges.end(), [&](JointIndex a, JointIndex b) {
+    return std::abs(figure.AxisOf(a).dot(direction)) < std::abs(figure.AxisOf(b).dot(direction));
+  });
+}
+
+class RotateTool : public DragTool {
+ public:
+  RotateTool(Editor* editor, std::vector<GroupIndex> joints)
+      : DragTool(editor, "viewport.rotate ", false), joints_(std::move(joints)) {
+    ChooseHinges(editor);
+  }
+  RotateTool(Editor* editor, const GizmoHit& ring, HeldFrom held)
+      : DragTool(editor, "viewport.ring ", true), only_(ring.hinge), ring_at_(ring.at) {
+    joints_ = {editor->session().figure().joint(ring.hinge).group};
+    ChooseHinges(editor);
+    BeginAt(held.mouse);
+    mouse_ = held.mouse;
+  }
+
+  std::string hint() const override;
+
+ private:
+  // A hinge that is turned.
+  struct Turn {
+    std::string name;
+    double start_deg, now_deg, lower_deg, upper_deg;
+    double sign;  // 1: it turns counter-clockwise on the screen
+  };
+
+  bool Follow(Editor* editor, const ToolInput& input) override;
+  void ChooseHinges(Editor* editor);
+  void AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure, const View& view);
+  void TakeTangent(const PosedFigure& figure, const View& view);
+  void FollowMouse(Point by);
+  bool Apply(Editor* editor, double by_deg);
+
+  std::vector<GroupIndex> joints_;
+  std::optional<JointIndex> only_;
+  Vec3 ring_at_ = Vec3::Zero();  // where the ring was taken [m]
+  char axis_ = 0;                // 'X' to 'Z' once it was typed
+  std::vector<Turn> turns_;
+  Point pivot_;
+  std::optional<Point> tangent_;  // of a ring seen from its edge: pixels per radian
+  std::optional<Point> mouse_;    // moves as the mouse does, slower with Shift
+  double by_mouse_deg_ = 0.0, applied_deg_ = 0.0;
+  TypedNumber typed_;
+};
+
+// The session stands as it was when the tool was taken.
+void RotateTool::ChooseHinges(Editor* editor) {
+  turns_.clear();
+  tangent_.reset();
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
+  Vec3 pivot = Vec3::Zero();
+  for (const GroupIndex joint : joints_) {
+    const Vec3 center = figure->CenterOf(joint);
+    pivot += center / static_cast<double>(joints_.size());
+    const std::vector<JointIndex> hinges = TurnableHinges(editor->session(), joint);
+    const Vec3 axis = axis_ ? Vec3(Vec3::Unit(axis_ - 'X')) : view.ToViewer(center);
+    if (!hinges.empty())
+      AddTurn(editor, only_.value_or(Nearest(hinges, axis, *figure)), *figure, view);
+  }
+  pivot_ = view.ToWindow(pivot).value_or(Point{});
+  if (only_) TakeTangent(*figure, view);
+}
+
+void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
+                         const View& view) {
+  const Joint& joint = figure.figure().joint(hinge);
+  const double now = editor->session().AngleNow(joint.name).value();
+  const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
+  turns_.push_back({joint.name, now, now, joint.lower / kDegree, joint.upper / kDegree,
+                    facing < 0.0 ? -1.0 : 1.0});
+  if (turns_.size() == 1) editor->viewport.active_hinge = joint.name;
+}
+
+// A ring seen from its edge is pulled along, not turned around its centre.
+void RotateTool::TakeTangent(const PosedFigure& figure, const View& view) {
+  const Vec3 axis = figure.AxisOf(*only_), center = figure.PoseOf(*only_).p;
+  constexpr double kEdge = 0.35;
+  if (std::abs(axis.dot(view.ToViewer(center))) > kEdge) return;
+  const Vec3 along = axis.cross(ring_at_ - center) / view.MetresPerPixel(center);
+  tangent_ =
+      Point{static_cast<float>(along.dot(view.right())), static_cast<float>(-along.dot(view.up()))};
+  if (std::hypot(tangent_->x, tangent_->y) < 1.0f) tangent_.reset();
+  if (tangent_) turns_[0].sign = 1.0;
+}
+
+void RotateTool::FollowMouse(Point by) {
+  const Point from = *mouse_, to = {from.x + by.x, from.y + by.y};
+  mouse_ = to;
+  if (tangent_) {
+    const double size = std::hypot(tangent_->x, tangent_->y);
+    by_mouse_deg_ += (by.x * tangent_->x + by.y * tangent_->y) / (size * size) / kDegree;
+    return;
+  }
+  const auto angle = [this](Point p) { return std::atan2(pivot_.y - p.y, p.x - pivot_.x); };
+  by_mouse_deg_ += std::remainder(angle(to) - angle(from), 2.0 * kPi) / kDegree;
+}
+
+bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
+  if (turns_.empty()) return false;
+  for (const Chord& chord : input.keys) {
+    if (typed_.Take(chord) || chord.key < 'X' || chord.key > 'Z' || chord.key == axis_ || only_) {
+      continue;
+    }
+    TakeBack(editor);
+    axis_ = static_cast<char>(chord.key);
+    applied_deg_ = 0.0;
+    ChooseHinges(editor);
+  }
+  if (!mouse_) mouse_ = input.mouse;
+  FollowMouse(MouseMoved(input));
+  const double by_mouse = input.snap ? Snapped(by_mouse_deg_, kStep) : by_mouse_deg_;
+  return Apply(editor, typed_.is_empty() ? by_mouse : typed_.value());
+}
+
+// Typed degrees are the hinge's own; the mouse turns what is seen.
+bool RotateTool::Apply(Editor* editor, double by_deg) {
+  if (by_deg == applied_deg_) return true;
+  applied_deg_ = by_deg;
+  for (Turn& turn : turns_) {
+    const double signed_by = typed_.is_empty() ? turn.sign * by_deg : by_deg;
+    const double to = turn.start_deg + signed_by;
+    turn.now_deg = std::clamp(to, turn.lower_deg, turn.upper_deg);
+    if (!Run(editor, "pose.rotate", {{"joint", turn.name}, {"to", to}})) return false;
+  }
+  return true;
+}
+
+std::string RotateTool::hint() const {
+  if (turns_.empty()) return "";
+  const Turn& turn = turns_[0];
+  std::string text = std::string(Tr("Rotate")) + " " + turn.name;
+  if (turns_.size() > 1) text += " +" + std::to_string(turns_.size() - 1);
+  text += ": " + (typed_.is_empty() ? Signed(turn.now_deg - turn.start_deg, 1) : typed_.shown());
+  text += "\u00b0  =  " + Signed(turn.now_deg, 1) + "\u00b0";
+  if (turn.now_deg == turn.lower_deg || turn.now_deg == turn.upper_deg) {
+    text += std::string("  ") + Tr("at the limit");
+  }
+  return text + KeysHint();
+}
+
+}  // namespace
+
+Result<Done> TakeRotateTool(Editor* editor) {
+  std::vector<GroupIndex> joints;
+  for (const GroupIndex joint : SelectedJoints(editor->session())) {
+    if (!TurnableHinges(editor->session(), joint).empty()) joints.push_back(joint);
+  }
+  if (joints.empty()) {
+    return Error{ErrorCode::kSchema, "", "", "no joint that turns is selected: click on one"};
+  }
+  if (!PoseNow(&editor->session())) {
+    return Error{ErrorCode::kSemantics, "", "", "the project cannot be animated as it is"};
+  }
+  editor->Take(nullptr);
+  editor->Take(std::make_unique<RotateTool>(editor, std::move(joints)));
+  return Done();
+}
+
+void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held) {
+  editor->Take(std::make_unique<RotateTool>(editor, ring, held));
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/panels/editor.h"
+#include "ui/panels/viewport_gizmo.h"
+
+namespace hazumi::ui {
+
+// A tool that was begun by pressing the mouse button: it is confirmed when the button comes up.
+struct HeldFrom {
+  Point mouse;
+};
+
+// Each puts a tool in hand, or says why it cannot.
+
+// Turns the selected joints about the hinge nearest to the view's axis, or to the one typed.
+Result<Done> TakeRotateTool(Editor* editor);
+// Turns one hinge by its ring.
+void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
+// Drags the selected joint by inverse kinematics, or the selected object.
+Result<Done> TakeMoveTool(Editor* editor);
+void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held);
+// Drags the end of a limit.
+void TakeLimitTool(Editor* editor, const GizmoHit& end);
+
+}  // namespace hazumi::ui
