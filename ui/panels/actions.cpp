@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/edit/operator.h"
+#include "ui/panels/dialogs.h"
 
 namespace hazumi::ui {
 
@@ -128,8 +129,10 @@ Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
 }
 
 Result<Done> Quit(Editor* editor, const Parameters&) {
-  editor->wants_to_quit = true;
-  return Done();
+  return AskToSave(editor, [](Editor* asked) -> Result<Done> {
+    asked->wants_to_quit = true;
+    return Done();
+  });
 }
 
 }  // namespace
@@ -137,7 +140,7 @@ Result<Done> Quit(Editor* editor, const Parameters&) {
 const std::vector<Action>& AllActions() {
   using enum ParameterKind;
   static const std::vector<Action> actions = {
-      {"app.quit", "Quit", "Leaves Hazumi.", {}, Quit},
+      {"app.quit", "Quit", "Leaves Hazumi; asks what to do with unsaved changes.", {}, Quit},
       {"time.play", "Play", "Plays in real time, or stops.", {}, Play},
       {"time.step", "Step", "Some frames on or back.", {{"by", kInteger, true, "frames"}}, Step},
       {"time.to_end",
@@ -192,7 +195,12 @@ const std::vector<Action>& AllActions() {
        {{"graph", kYesNo, false, "not given: the other one"}},
        ChooseSheet},
   };
-  return actions;
+  static const std::vector<Action> all = [] {
+    std::vector<Action> together = actions;
+    for (Action& action : DialogActions()) together.push_back(std::move(action));
+    return together;
+  }();
+  return all;
 }
 
 const Action* FindAction(const std::string& id) {

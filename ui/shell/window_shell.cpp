@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ui/shell/interface.h"
+#include "ui/shell/settings_file.h"
 
 namespace hazumi::ui {
 
@@ -82,6 +83,14 @@ std::string TitleOf(const Editor& editor) {
   return (document.is_saved() ? "" : "* ") + name + " - Hazumi";
 }
 
+// A file dropped onto the window is opened.
+void TakeDrop(GLFWwindow* window, int count, const char** paths) {
+  auto* editor = static_cast<Editor*>(glfwGetWindowUserPointer(window));
+  if (count > 0 && editor->dialogs.modal == Modal::kNone) {
+    editor->Do("app.open", {{"path", paths[0]}});
+  }
+}
+
 }  // namespace
 
 Result<Done> RunInWindow(Editor* editor) {
@@ -92,6 +101,11 @@ Result<Done> RunInWindow(Editor* editor) {
       [](const char* name) { return reinterpret_cast<render::GlProc>(glfwGetProcAddress(name)); },
       editor);
   if (!interface.ok()) return interface.error();
+  glfwSetWindowUserPointer(window.get(), editor);
+  glfwSetDropCallback(window.get(), TakeDrop);
+  SettingsFile settings(SettingsPath());
+  settings.Load(editor);
+  editor->dialogs.shows_first_steps = !editor->settings.has_seen_first_steps;
   ImGui_ImplGlfw_InitForOpenGL(window.get(), true);
   double last = glfwGetTime();
   int frames_left = kFramesAfterEvent;
@@ -103,12 +117,14 @@ Result<Done> RunInWindow(Editor* editor) {
     interface.value()->Frame(window.size(), now - last);
     glfwSwapBuffers(window.get());
     last = now;
+    if (!editor->dragged_splitter) settings.SaveIfChanged(editor);
     Wait(*editor, --frames_left);
     if (glfwWindowShouldClose(window.get())) {
       glfwSetWindowShouldClose(window.get(), GLFW_FALSE);
       editor->Do("app.quit");
     }
   }
+  settings.SaveIfChanged(editor);
   ImGui_ImplGlfw_Shutdown();
   return Done();
 }
