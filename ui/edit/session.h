@@ -82,7 +82,6 @@ class Session {
   void TakeFigure();
 
   std::unique_ptr<Document> document_;
-  long document_number_ = 0;
   std::set<std::string> selected_joints_;
   double frame_ = 0.0;
   Pose clipboard_;

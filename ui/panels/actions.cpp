@@ -7,6 +7,7 @@
 #include "ui/panels/sheet_actions.h"
 #include "ui/panels/viewport_actions.h"
 #include "ui/panels/viewport_tools.h"
+#include "ui/panels/dialogs.h"
 
 namespace hazumi::ui {
 
@@ -136,8 +137,10 @@ Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
 }
 
 Result<Done> Quit(Editor* editor, const Parameters&) {
-  editor->wants_to_quit = true;
-  return Done();
+  return AskToSave(editor, [](Editor* asked) -> Result<Done> {
+    asked->wants_to_quit = true;
+    return Done();
+  });
 }
 
 }  // namespace
@@ -145,7 +148,7 @@ Result<Done> Quit(Editor* editor, const Parameters&) {
 const std::vector<Action>& AllActions() {
   using enum ParameterKind;
   static const std::vector<Action> actions = {
-      {"app.quit", "Quit", "Leaves Hazumi.", {}, Quit},
+      {"app.quit", "Quit", "Leaves Hazumi; asks what to do with unsaved changes.", {}, Quit},
       {"time.play", "Play", "Plays in real time, or stops.", {}, Play},
       {"time.step", "Step", "Some frames on or back.", {{"by", kInteger, true, "frames"}}, Step},
       {"time.to_end",
@@ -273,7 +276,12 @@ const std::vector<Action>& AllActions() {
        {},
        sheet::FrameSelected},
   };
-  return actions;
+  static const std::vector<Action> all = [] {
+    std::vector<Action> together = actions;
+    for (Action& action : DialogActions()) together.push_back(std::move(action));
+    return together;
+  }();
+  return all;
 }
 
 const Action* FindAction(const std::string& id) {

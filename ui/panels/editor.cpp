@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ui/panels/actions.h"
+#include "ui/panels/dialogs.h"
 
 namespace hazumi::ui {
 
@@ -19,7 +20,23 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
     done = session_.Run(id, parameters);
   }
   if (!done.ok()) Say(done.error().ToString(), true);
+  if (done.ok()) Note(id, parameters);
   return done;
+}
+
+// What follows from something that was done.
+void Editor::Note(const std::string& id, const Json& parameters) {
+  const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
+  dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
+  if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
+}
+
+void Editor::NeedGlyphs(const std::string& text) {
+  const auto is_foreign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+  if (std::any_of(text.begin(), text.end(), is_foreign) &&
+      glyphs_.find(text) == std::string::npos) {
+    glyphs_ += text;
+  }
 }
 
 void Editor::Tick(double now) {
@@ -28,6 +45,8 @@ void Editor::Tick(double now) {
 }
 
 double Editor::NextDeadline() const {
+  constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
+  if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();
   return std::max(0.0, playback.NextFrameTime(now_) - now_);
 }

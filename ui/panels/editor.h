@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/mesh/flat_mesh.h"
 #include "render/scene/scene.h"
 #include "ui/edit/session.h"
 #include "ui/panels/catalogue.h"
+#include "ui/panels/dialogs_state.h"
 #include "ui/panels/playback.h"
 #include "ui/panels/recovery_state.h"
 #include "ui/panels/sheet_state.h"
@@ -28,6 +30,9 @@ struct Settings {
   Language language = Language::kEnglish;
   double scale = 1.0;  // of the interface
   Shares shares;
+  std::vector<std::string> recent_files;  // the latest first
+  bool has_seen_first_steps = false;
+  bool operator==(const Settings&) const = default;
 };
 
 // What the status bar says about the last thing done.
@@ -74,6 +79,10 @@ class Editor {
   int first_frame() const { return session_.project().frames.first; }
   int last_frame() const { return session_.project().frames.last; }
 
+  // A text with letters that fonts may have to be loaded for, such as the name of a file.
+  void NeedGlyphs(const std::string& text);
+  const std::string& glyphs() const { return glyphs_; }
+
   const Theme& theme() const { return settings.dark ? DarkTheme() : LightTheme(); }
 
   Settings settings;
@@ -83,14 +92,19 @@ class Editor {
   SheetState sheet;
   SideState side;
   RecoveryState recovery;
+  DialogsState dialogs;
   std::optional<Splitter> dragged_splitter;
   bool wants_to_quit = false;
   ScenePainter paint_scene;
+  PictureWriter write_pictures;  // from any thread
 
  private:
+  void Note(const std::string& id, const Json& parameters);
+
   edit::Session session_;
   std::unique_ptr<Tool> tool_;
   double now_ = 0.0;
+  std::string glyphs_;
 };
 
 }  // namespace hazumi::ui

@@ -1,4 +1,6 @@
 #include "ui/panels/actions.h"
+#include "ui/panels/dialogs.h"
+#include "ui/panels/menus.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/widgets.h"
 
@@ -6,54 +8,53 @@ namespace hazumi::ui {
 
 namespace {
 
-// A menu entry that does something.
-struct Entry {
-  const char* id;  // null: a line
-  Json parameters = Json::object();
-};
-
-void DrawEntry(Editor* editor, const Entry& entry) {
-  if (!entry.id) return ImGui::Separator();
-  std::string label = LabelOf(entry.id);
-  for (const auto& [name, value] : entry.parameters.items()) {
-    if (value.is_string()) label += std::string(": ") + Tr(value.get<std::string>().c_str());
+void DrawRecentFiles(Editor* editor) {
+  const std::vector<std::string> files = editor->settings.recent_files;
+  const bool is_open = ImGui::BeginMenu(Tr("Open recent"), !files.empty());
+  if (!is_open) return Tooltip(Tr("Projects that were opened or saved last."));
+  for (const std::string& file : files) {
+    editor->NeedGlyphs(file);
+    if (ImGui::MenuItem((NameIn(file) + "##" + file).c_str())) {
+      editor->Do("app.open", {{"path", file}});
+    }
+    Tooltip(file);
   }
-  const std::string key = KeyOf(entry.id, entry.parameters);
-  if (ImGui::MenuItem(label.c_str(), key.empty() ? nullptr : key.c_str())) {
-    editor->Do(entry.id, entry.parameters);
-  }
-  Tooltip(HelpOf(entry.id));
+  ImGui::EndMenu();
 }
 
-void DrawMenu(Editor* editor, const char* name, const std::vector<Entry>& entries) {
-  if (!ImGui::BeginMenu(Tr(name))) return;
-  for (const Entry& entry : entries) DrawEntry(editor, entry);
+void DrawAction(Editor* editor, const MenuEntry& entry) {
+  const std::string label = LabelOf(entry, *editor);
+  const std::string key = KeyOf(entry.id, entry.parameters);
+  const bool is_on = IsOn(*editor, entry).value_or(false);
+  const bool can_do = CanDo(*editor, entry.id);
+  if (ImGui::MenuItem(label.c_str(), key.empty() ? nullptr : key.c_str(), is_on, can_do)) {
+    RunOrAsk(editor, entry.id, entry.parameters).ok();  // what is refused, the status bar says
+  }
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    ImGui::SetTooltip("%s", HelpOf(entry.id));
+  }
+}
+
+void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries);
+
+void DrawEntry(Editor* editor, const MenuEntry& entry) {
+  if (!entry.id && !entry.label) return ImGui::Separator();
+  if (entry.id && std::string(entry.id) == "app.open") return DrawRecentFiles(editor);
+  if (entry.id) return DrawAction(editor, entry);
+  if (!ImGui::BeginMenu(Tr(entry.label))) return;
+  DrawEntries(editor, entry.entries);
   ImGui::EndMenu();
+}
+
+void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries) {
+  for (const MenuEntry& entry : entries) DrawEntry(editor, entry);
 }
 
 }  // namespace
 
 void DrawMenuBar(Editor* editor, const Rect&) {
   if (!ImGui::BeginMainMenuBar()) return;
-  DrawMenu(editor, "File", {{"file.new"}, {"file.save"}, {nullptr}, {"app.quit"}});
-  DrawMenu(editor, "Edit", {{"edit.undo"}, {"edit.redo"}, {nullptr}, {"select.all"}});
-  DrawMenu(editor, "View",
-           {{"view.side", {{"side", "front"}}},
-            {"view.side", {{"side", "right"}}},
-            {"view.side", {{"side", "top"}}},
-            {"view.orthographic"},
-            {"view.camera"},
-            {nullptr},
-            {"view.sheet"},
-            {"view.theme"},
-            {"view.language", {{"language", "en"}}},
-            {"view.language", {{"language", "ja"}}}});
-  DrawMenu(editor, "Pose",
-           {{"key.insert"},
-            {"pose.copy"},
-            {"pose.paste"},
-            {"pose.paste", {{"flipped", true}}},
-            {"pose.clear"}});
+  DrawEntries(editor, AllMenus());
   ImGui::EndMainMenuBar();
 }
 

@@ -6,8 +6,14 @@ namespace hazumi::ui {
 const std::vector<Shortcut>& AllShortcuts() {
   using enum Place;
   static const std::vector<Shortcut> shortcuts = {
-      {{'N', true}, kAnywhere, "file.new"},
-      {{'S', true}, kAnywhere, "file.save"},
+      {{'N', true}, kAnywhere, "app.new"},
+      {{'O', true}, kAnywhere, "file.open_dialog"},
+      {{'S', true}, kAnywhere, "app.save"},
+      {{'S', true, true}, kAnywhere, "file.save_as"},
+      {{kF1}, kAnywhere, "help.manual"},
+      {{kF3}, kAnywhere, "app.search"},
+      {{kF12}, kAnywhere, "render.dialog"},
+      {{kF12, true}, kAnywhere, "render.dialog", {{"whole", true}}},
       {{'Q', true}, kAnywhere, "app.quit"},
       {{'Z', true}, kAnywhere, "edit.undo"},
       {{'Z', true, true}, kAnywhere, "edit.redo"},

@@ -9,6 +9,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/widgets.h"
 #include "ui/shell/fonts.h"
+#include "ui/shell/picture_writer.h"
 
 namespace hazumi::ui {
 
@@ -70,6 +71,8 @@ std::string TextsToShow(const Editor& editor) {
   const Project& project = editor.session().project();
   add(project.name);
   add(editor.session().document().path());
+  add(editor.glyphs());
+  for (const std::string& file : editor.settings.recent_files) add(file);
   for (const ProjectRegion& region : project.regions) add(region.name);
   for (const ProjectSceneObject& object : project.scene.objects) add(object.name);
   return texts;
@@ -104,6 +107,7 @@ Interface::Interface(Editor* editor, render::InterfacePainter painter,
   editor_->paint_scene = [this](const render::Scene& scene, render::PictureSize size, bool shadow) {
     return (shadow ? with_shadow_ : without_shadow_).Draw(scene, size);
   };
+  editor_->write_pictures = WritePictures;
 }
 
 Interface::~Interface() {
@@ -114,12 +118,15 @@ Interface::~Interface() {
 // Colours, measures and fonts follow the settings.
 void Interface::Restyle() {
   const Settings& settings = editor_->settings;
-  const bool same_fonts = is_styled_ && scale_ == settings.scale && language_ == settings.language;
+  const bool same_fonts = is_styled_ && scale_ == settings.scale &&
+                          language_ == settings.language &&
+                          num_glyph_bytes_ == editor_->glyphs().size();
   if (same_fonts && is_dark_ == settings.dark) return;
   is_styled_ = true;
   is_dark_ = settings.dark;
   scale_ = settings.scale;
   language_ = settings.language;
+  num_glyph_bytes_ = editor_->glyphs().size();
   SetLanguage(language_);
   ApplyTheme(editor_->theme(), scale_);
   if (!same_fonts) LoadFonts();

@@ -39,6 +39,7 @@ class Interface {
   bool is_styled_ = false, is_dark_ = false;
   double scale_ = 0.0;
   Language language_ = Language::kEnglish;
+  size_t num_glyph_bytes_ = 0;  // of Editor::glyphs
 };
 
 }  // namespace hazumi::ui

@@ -11,6 +11,7 @@
 
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
+#include "ui/shell/settings_file.h"
 
 namespace hazumi::ui {
 
@@ -81,6 +82,14 @@ std::string TitleOf(const Editor& editor) {
   return (document.is_saved() ? "" : "* ") + name + " - Hazumi";
 }
 
+// A file dropped onto the window is opened.
+void TakeDrop(GLFWwindow* window, int count, const char** paths) {
+  auto* editor = static_cast<Editor*>(glfwGetWindowUserPointer(window));
+  if (count > 0 && editor->dialogs.modal == Modal::kNone) {
+    editor->Do("app.open", {{"path", paths[0]}});
+  }
+}
+
 // Draws frames as long as there is a reason to, and sleeps in between.
 class Loop {
  public:
@@ -88,8 +97,14 @@ class Loop {
       : window_(*window),
         interface_(*interface),
         editor_(*editor),
+        settings_(SettingsPath()),
         safety_(editor, options.state_folder),
-        options_(options) {}
+        options_(options) {
+    glfwSetWindowUserPointer(window_.get(), editor);
+    glfwSetDropCallback(window_.get(), TakeDrop);
+    settings_.Load(editor);
+    editor_.dialogs.shows_first_steps = !editor_.settings.has_seen_first_steps;
+  }
 
   void Run() {
     safety_.LookForCrash();
@@ -100,6 +115,7 @@ class Loop {
       glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
       editor_.Do("app.quit");
     }
+    settings_.SaveIfChanged(&editor_);
     safety_.Close();
   }
 
@@ -117,6 +133,7 @@ class Loop {
     event_time_ = -1.0;
     last_frame_ = now;
     safety_.Tick();
+    if (!editor_.dragged_splitter) settings_.SaveIfChanged(&editor_);
     window_.SetTitle(TitleOf(editor_));
   }
 
@@ -143,6 +160,7 @@ class Loop {
   Window& window_;
   Interface& interface_;
   Editor& editor_;
+  SettingsFile settings_;
   CrashSafety safety_;
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;

@@ -1,0 +1,230 @@
+#include "ui/panels/dialogs.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "ui/panels/menus.h"
+#include "ui/panels/status_line.h"
+#include "ui/shell/offscreen_shell.h"
+
+namespace hazumi::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An editor in memory, driven by keys, and a folder of its own.
+class Dialogs : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    auto made = OffscreenShell::Create(&editor_, {720, 480});
+    ASSERT_TRUE(made.ok());
+    shell_ = std::move(made).value();
+    Frames();
+  }
+  void TearDown() override {
+    shell_.reset();
+    fs::remove_all(folder_);
+  }
+
+  void Frames(int count = 3) {
+    for (int i = 0; i < count; ++i) shell_->Frame();
+  }
+  void Press(Chord chord) {
+    if (chord.ctrl) shell_->PressKey(kLeftControl, true);
+    if (chord.shift) shell_->PressKey(kLeftShift, true);
+    shell_->PressKey(chord.key, true);
+    shell_->Frame();
+    shell_->PressKey(chord.key, false);
+    if (chord.ctrl) shell_->PressKey(kLeftControl, false);
+    if (chord.shift) shell_->PressKey(kLeftShift, false);
+    Frames();
+  }
+  void Type(const std::string& text) {
+    shell_->Type(text);
+    Frames();
+  }
+  void Change() { ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "neck_flexion"}, {"to", 9}})); }
+  std::string File(const std::string& name) const { return (folder_ / name).string(); }
+  Modal modal() const { return editor_.dialogs.modal; }
+  bool is_saved() const { return editor_.session().document().is_saved(); }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / "hazumi_dialogs_test";
+  Editor editor_;
+  std::unique_ptr<OffscreenShell> shell_;
+};
+
+TEST_F(Dialogs, ANewProjectIsSavedUnderTheNameThatIsTyped) {
+  Change();
+  Press({'S', true});
+  ASSERT_EQ(modal(), Modal::kFiles);
+  Type(File("投げる"));
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  EXPECT_TRUE(fs::exists(File("投げる.kfa")));
+  EXPECT_TRUE(is_saved());
+  EXPECT_EQ(editor_.settings.recent_files, (std::vector<std::string>{File("投げる.kfa")}));
+}
+
+TEST_F(Dialogs, AnotherFileIsOverwrittenAfterAQuestionOnly) {
+  std::ofstream(File("a.kfa")) << "mine";
+  Press({'S', true, true});
+  Type(File("a"));
+  Press({kEnter});
+  EXPECT_TRUE(editor_.dialogs.files.asks_overwrite);
+  EXPECT_EQ(fs::file_size(File("a.kfa")), 4u);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_GT(fs::file_size(File("a.kfa")), 100u);
+}
+
+TEST_F(Dialogs, ArrowsAndEnterOpenFoldersAndProjects) {
+  fs::create_directories(folder_ / "takes");
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("takes/one.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("two.kfa")}}));
+  Press({'O', true});
+  ASSERT_EQ(modal(), Modal::kFiles);
+  EXPECT_EQ(editor_.dialogs.files.folder, folder_.string());
+  Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(editor_.dialogs.files.folder, File("takes"));
+  Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_EQ(editor_.session().document().path(), File("takes/one.kfa"));
+}
+
+TEST_F(Dialogs, AFileThatIsNoProjectIsSaidInTheDialog) {
+  std::ofstream(File("broken.kfa")) << "{";
+  Press({'O', true});
+  Type(File("broken.kfa"));
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kFiles);
+  EXPECT_NE(editor_.dialogs.files.error.find("broken.kfa"), std::string::npos);
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+TEST_F(Dialogs, LeavingAsksAboutUnsavedChangesAndCanBeCancelled) {
+  Change();
+  Press({'Q', true});
+  EXPECT_EQ(modal(), Modal::kUnsaved);
+  EXPECT_FALSE(editor_.wants_to_quit);
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_FALSE(editor_.wants_to_quit);
+  Press({'Q', true});
+  AnswerDiscard(&editor_);
+  EXPECT_TRUE(editor_.wants_to_quit);
+}
+
+TEST_F(Dialogs, LeavingAfterSaveWaitsForTheName) {
+  Change();
+  Press({'Q', true});
+  Press({kEnter});
+  ASSERT_EQ(modal(), Modal::kFiles);
+  EXPECT_FALSE(editor_.wants_to_quit);
+  Type(File("last"));
+  Press({kEnter});
+  EXPECT_TRUE(fs::exists(File("last.kfa"))) << editor_.dialogs.files.error;
+  EXPECT_TRUE(editor_.wants_to_quit);
+}
+
+TEST_F(Dialogs, ASavedProjectIsLeftAtOnceAndScriptsAreNotAsked) {
+  Change();
+  ASSERT_TRUE(editor_.Do("file.new"));
+  EXPECT_EQ(modal(), Modal::kNone);
+  ASSERT_TRUE(editor_.Do("app.quit"));
+  EXPECT_TRUE(editor_.wants_to_quit);
+}
+
+TEST_F(Dialogs, ADroppedFileIsOpenedAfterTheQuestion) {
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a.kfa")}}));
+  Change();
+  ASSERT_TRUE(editor_.Do("app.open", {{"path", File("a.kfa")}}));
+  EXPECT_EQ(modal(), Modal::kUnsaved);
+  AnswerDiscard(&editor_);
+  EXPECT_TRUE(is_saved());
+}
+
+TEST_F(Dialogs, SearchRunsWhatItFindsAndAsksForWhatItNeeds) {
+  Press({kF3});
+  ASSERT_EQ(modal(), Modal::kSearch);
+  Type("gravity");
+  Press({kEnter});
+  ASSERT_EQ(modal(), Modal::kForm);
+  Type("1.62");
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.form.error;
+  EXPECT_EQ(editor_.session().project().scene.gravity_m_s2, 1.62);
+}
+
+TEST_F(Dialogs, KeysOfTheEditorRestWhileADialogIsOpen) {
+  Press({kF1});
+  ASSERT_EQ(modal(), Modal::kManual);
+  Press({kSpace});
+  EXPECT_FALSE(editor_.playback.is_on());
+  Press({kEscape});
+  Press({kSpace});
+  EXPECT_TRUE(editor_.playback.is_on());
+}
+
+TEST_F(Dialogs, TheCurrentFrameIsDrawnBesideTheInterface) {
+  editor_.session().set_frame(3);
+  Press({kF12});
+  ASSERT_EQ(modal(), Modal::kRender);
+  RenderState& render = editor_.dialogs.render;
+  render.folder = File("pictures");
+  render.width = 64;
+  render.height = 48;
+  Press({kEnter});
+  ASSERT_EQ(modal(), Modal::kProgress) << render.error;
+  const std::shared_ptr<RenderJob> job = render.job;
+  for (int i = 0; i < 2000 && !job->result(); ++i) shell_->Frame();
+  ASSERT_TRUE(job->result().has_value());
+  ASSERT_TRUE(job->result()->ok()) << job->result()->error().ToString();
+  EXPECT_TRUE(fs::exists(File("pictures/Untitled_0003.png")));
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+TEST_F(Dialogs, ARenderThatIsCancelledEndsEarly) {
+  OpenRenderDialog(&editor_, true);
+  RenderState& render = editor_.dialogs.render;
+  render.folder = File("pictures");
+  StartRender(&editor_);
+  ASSERT_TRUE(render.job);
+  const std::shared_ptr<RenderJob> job = render.job;
+  job->Cancel();
+  while (!job->result()) shell_->Frame();
+  ASSERT_TRUE(job->result()->ok());
+  EXPECT_LT(job->result()->value(), 31);
+}
+
+TEST_F(Dialogs, AFolderThatCannotBeMadeIsSaid) {
+  std::ofstream(File("file")) << "x";
+  OpenRenderDialog(&editor_, false);
+  editor_.dialogs.render.folder = File("file/inside");
+  StartRender(&editor_);
+  const std::shared_ptr<RenderJob> job = editor_.dialogs.render.job;
+  ASSERT_TRUE(job);
+  while (!job->result()) shell_->Frame();
+  ASSERT_FALSE(job->result()->ok());
+  EXPECT_EQ(job->result()->error().code, ErrorCode::kCannotWrite);
+}
+
+TEST_F(Dialogs, TheStatusBarSaysFileFrameAndMemory) {
+  EXPECT_EQ(StatusParts(editor_)[0], "Untitled (saved)");
+  Change();
+  editor_.session().set_frame(12);
+  EXPECT_EQ(StatusParts(editor_)[0], "Untitled (not saved)");
+  EXPECT_EQ(StatusParts(editor_)[1], "Frame 12 / 30");
+  EXPECT_EQ(MemoryText(12'345), "12 kB");
+  EXPECT_EQ(MemoryText(3'400'000), "3.4 MB");
+}
+
+}  // namespace
+}  // namespace hazumi::ui

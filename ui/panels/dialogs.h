@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ui/panels/actions.h"
+#include "ui/panels/editor.h"
+
+namespace hazumi::ui {
+
+// Actions that open something on top of the panels.
+std::vector<Action> DialogActions();
+
+// What is refused, the status bar says.
+inline void DoThen(const Then& then, Editor* editor) {
+  if (then) (void)then(editor);
+}
+
+// Shows a dialog; whatever was in hand is put down.
+void Open(Modal modal, Editor* editor);
+void Close(Editor* editor);
+
+// Does `then` at once, or after the user was asked what to do with unsaved changes.
+Result<Done> AskToSave(Editor* editor, Then then);
+// The answers: `then` is done after both, or nothing if the user cancels or saving fails.
+void AnswerSave(Editor* editor);
+void AnswerDiscard(Editor* editor);
+void AnswerCancel(Editor* editor);
+
+// Shows the file dialog; `then` is done after a project was saved.
+void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
+void GoToFolder(const std::string& folder, Editor* editor);
+void ReadFolder(Editor* editor);
+void SelectEntry(int entry, Editor* editor);
+// Opens the folder or the project that the name says, or saves; asks before it overwrites.
+void ChooseFile(Editor* editor);
+void ConfirmOverwrite(Editor* editor);
+
+// Runs an action or operator, after a form if it needs to know more.
+Result<Done> RunOrAsk(Editor* editor, const std::string& id, const Json& parameters);
+// Runs what the form says.
+void SubmitForm(Editor* editor);
+
+void OpenRenderDialog(Editor* editor, bool whole);
+// Starts to draw what the dialog says.
+void StartRender(Editor* editor);
+
+// Puts a project at the top of the recent ones.
+void AddRecent(const std::string& path, Settings* settings);
+
+}  // namespace hazumi::ui

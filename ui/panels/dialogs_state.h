@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/edit/parameters.h"
+#include "ui/panels/first_steps.h"
+#include "ui/panels/folder_list.h"
+#include "ui/panels/parameter_form.h"
+#include "ui/panels/render_job.h"
+#include "ui/panels/search.h"
+
+namespace hazumi::ui {
+
+class Editor;
+
+// What is on top of the panels and has all keys; one at a time.
+enum class Modal { kNone, kFiles, kUnsaved, kSearch, kForm, kRender, kProgress, kManual, kAbout };
+
+// What goes on once a question is answered. An error is shown where it was asked.
+using Then = std::function<Result<Done>(Editor*)>;
+
+// The dialog to open a project or to save it.
+struct FileDialogState {
+  bool is_save = false;
+  std::string folder;
+  FolderFilter filter;
+  std::vector<FileEntry> entries;  // of the folder
+  int selected = -1;               // of the entries; -1: none
+  std::string name;                // as typed
+  std::string error;
+  bool asks_overwrite = false;
+  Then then;  // after it was saved
+};
+
+struct DialogsState {
+  Modal modal = Modal::kNone;
+  bool just_opened = false;  // nothing of it was drawn yet
+  Then then;                 // after the question about unsaved changes
+  FileDialogState files;
+  SearchState search;
+  FormState form;
+  RenderState render;
+  bool shows_first_steps = false;
+  FirstSteps first_steps;
+};
+
+}  // namespace hazumi::ui

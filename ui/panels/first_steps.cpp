@@ -1,0 +1,72 @@
+#include "ui/panels/first_steps.h"
+
+#include <algorithm>
+
+namespace hazumi::ui {
+
+namespace {
+
+bool IsOfArm(const std::string& joint) {
+  constexpr const char* kParts[] = {"shoulder", "elbow", "wrist", "forearm"};
+  return std::any_of(std::begin(kParts), std::end(kParts),
+                     [&](const char* part) { return joint.find(part) != std::string::npos; });
+}
+
+bool PosesFigure(const std::string& id) {
+  return id == "key.insert" || id == "key.set" || id == "pose.paste" || id == "pose.clear" ||
+         id == "pose.rotate" || id == "pose.reach";
+}
+
+bool IsRegionOfArm(const Deed& deed) {
+  if (deed.id != "region.add") return false;
+  if (!deed.parameters.contains("joints")) {
+    return std::any_of(deed.selected_joints.begin(), deed.selected_joints.end(), IsOfArm);
+  }
+  const edit::Json& joints = deed.parameters["joints"];
+  return std::any_of(joints.begin(), joints.end(),
+                     [](const edit::Json& name) { return IsOfArm(name.get<std::string>()); });
+}
+
+}  // namespace
+
+std::array<bool, kNumFirstSteps> FirstSteps::ticks() const {
+  return {!posed_frames.empty(), posed_frames.size() > 1, has_region, has_pin, has_played};
+}
+
+bool FirstSteps::all() const {
+  const auto done = ticks();
+  return std::all_of(done.begin(), done.end(), [](bool is_done) { return is_done; });
+}
+
+FirstSteps After(FirstSteps steps, const Deed& deed) {
+  if (deed.id == "file.new" || deed.id == "file.open") return {};
+  if (PosesFigure(deed.id)) {
+    const bool names_frame = deed.id == "key.set" && deed.parameters.contains("frame");
+    steps.posed_frames.insert(names_frame ? deed.parameters["frame"].get<double>() : deed.frame);
+  }
+  steps.has_region |= IsRegionOfArm(deed);
+  steps.has_pin |= deed.id == "placement.set" && deed.parameters.value("kind", "") == "pinned";
+  // Playing counts once there is something to see.
+  steps.has_played |= deed.id == "time.play" && steps.has_region;
+  return steps;
+}
+
+const StepText& TextOfStep(int step) {
+  static const StepText texts[kNumFirstSteps] = {
+      {"Pose the figure",
+       "Click a joint in the viewport, press R to turn it and click. That makes a key. Turn both "
+       "shoulders back, as before a throw."},
+      {"Another frame, another pose",
+       "Click on frame 5 in the timeline and turn the shoulders forwards: the arms now swing for "
+       "five frames by keys."},
+      {"Let the arms go",
+       "Select the joints of an arm and choose Region > Add dynamics region, from frame 5 to 15. "
+       "There no key moves them: they go on with the speed they have."},
+      {"Put a foot on the ground",
+       "Choose Region > Place figure, kind pinned, pin l_toe, from frame 0 to 30. The figure now "
+       "stands on that foot."},
+      {"Play", "Press Space. The arm swings out by itself and then follows your keys again."}};
+  return texts[step];
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace hazumi::ui {
+
+// What is in a folder. Names are bytes as the system gives them, mostly UTF-8.
+struct FileEntry {
+  std::string name;
+  bool is_folder = false;
+  std::int64_t changed = 0;  // seconds since 1970
+  bool operator==(const FileEntry&) const = default;
+};
+
+enum class FileOrder { kName, kNewest };
+
+struct FolderFilter {
+  bool all_files = false;  // else folders and .kfa alone; what begins with a dot is never shown
+  FileOrder order = FileOrder::kName;
+};
+
+bool IsShown(const FileEntry& entry, const FolderFilter& filter);
+// Folders first. Names as people count: "shot 2" before "shot 10", upper case as lower.
+void SortEntries(FileOrder order, std::vector<FileEntry>* entries);
+bool ComesBefore(const std::string& a, const std::string& b);
+// Filtered and sorted. Error: kNoInput, the folder cannot be read.
+Result<std::vector<FileEntry>> ListFolder(const std::string& folder, const FolderFilter& filter);
+
+// The folder above; "/" is its own.
+std::string ParentOf(const std::string& folder);
+// The last part of a path.
+std::string NameIn(const std::string& path);
+// A typed name as a path: absolute, from ~ on, or in the folder; without "." and "..".
+std::string PathOf(const std::string& folder, const std::string& typed, const std::string& home);
+// A name for a project: ".kfa" behind it unless it is there.
+std::string WithProjectSuffix(const std::string& name);
+// The first entry that begins with what was typed, upper case as lower; -1: none.
+int FirstBeginningWith(const std::vector<FileEntry>& entries, const std::string& typed);
+
+std::string HomeFolder();
+// Folders to go to at once, by label and path; those that exist.
+struct Shelf {
+  std::string label;  // English, or a name
+  std::string path;
+};
+std::vector<Shelf> Shelves(const std::string& home, const std::vector<std::string>& recent_files);
+
+}  // namespace hazumi::ui

@@ -1,0 +1,28 @@
+#include "ui/panels/manual.h"
+
+namespace hazumi::ui {
+
+const std::vector<ManualPart>& ManualParts() {
+  static const std::vector<ManualPart> parts = {
+      {"What a dynamics region is",
+       {"You pose a figure by keys. In a dynamics region, which is some joints for some frames, no "
+        "key moves those joints: they swing by their own inertia and gravity, and begin as fast as "
+        "your keys left them.",
+        "So an arm is thrown by keys and flies by itself; when the region ends, the curves take it "
+        "up again where it is, as fast as it is. Nothing jumps, and all other joints do what their "
+        "keys say.",
+        "Friction slows a joint down: the factor is what is left of its speed after 1/30 s. 1 is "
+        "no friction, 0.8 is like a relaxed arm, 0 is frozen. Joints stop at their limits."}},
+      {"What holds the figure",
+       {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
+        "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "
+        "by itself."}},
+      {"Working",
+       {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
+        "undone. F3 finds whatever Hazumi can do by its name.",
+        "What a region computed is hatched and blue. The motion follows each of your edits at "
+        "once; nothing has to be baked first."}}};
+  return parts;
+}
+
+}  // namespace hazumi::ui

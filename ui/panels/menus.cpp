@@ -1,0 +1,219 @@
+#include "ui/panels/menus.h"
+
+#include <cmath>
+
+#include "ui/panels/actions.h"
+#include "ui/panels/dialogs.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+MenuEntry Line() { return {}; }
+
+MenuEntry Submenu(const char* label, std::vector<MenuEntry> entries) {
+  return {nullptr, Json::object(), label, std::move(entries)};
+}
+
+MenuEntry FileMenu() {
+  return Submenu("File", {{"app.new"},
+                          {"file.open_dialog"},
+                          {"app.open"},  // drawn as the list of recent files
+                          Line(),
+                          {"app.save"},
+                          {"file.save_as"},
+                          Line(),
+                          {"render.dialog", Json::object(), "Render picture"},
+                          {"render.dialog", {{"whole", true}}, "Render animation"},
+                          Line(),
+                          {"app.quit"}});
+}
+
+MenuEntry EditMenu() {
+  return Submenu("Edit", {{"edit.undo"},
+                          {"edit.redo"},
+                          Line(),
+                          {"app.search"},
+                          Line(),
+                          Submenu("Theme", {{"view.theme", {{"dark", true}}, "Dark"},
+                                            {"view.theme", {{"dark", false}}, "Light"}}),
+                          Submenu("Language", {{"view.language", {{"language", "en"}}, "English"},
+                                               {"view.language", {{"language", "ja"}}, "日本語"}}),
+                          Submenu("Interface scale", {{"view.scale", {{"scale", 1.0}}, "100 %"},
+                                                      {"view.scale", {{"scale", 1.25}}, "125 %"},
+                                                      {"view.scale", {{"scale", 1.5}}, "150 %"},
+                                                      {"view.scale", {{"scale", 2.0}}, "200 %"}})});
+}
+
+MenuEntry ViewMenu() {
+  const auto overlay = [](const char* name, const char* label) {
+    return MenuEntry{"view.overlay", {{"name", name}}, label};
+  };
+  return Submenu("View", {{"view.side", {{"side", "front"}}, "From the front"},
+                          {"view.side", {{"side", "back"}}, "From the back"},
+                          {"view.side", {{"side", "right"}}, "From the right"},
+                          {"view.side", {{"side", "left"}}, "From the left"},
+                          {"view.side", {{"side", "top"}}, "From above"},
+                          Line(),
+                          {"view.orthographic"},
+                          {"view.camera"},
+                          Submenu("Overlays",
+                                  {overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
+                                   overlay("marks", "Pins and centre of mass"),
+                                   overlay("tint", "Joints in regions"),
+                                   overlay("limits", "Joint limits"), overlay("shadow", "Shadow")}),
+                          Line(),
+                          {"view.sheet"},
+                          {"time.play"},
+                          {"time.to_end", {{"last", false}}, "To the first frame"},
+                          {"time.to_end", {{"last", true}}, "To the last frame"},
+                          {"time.to_key", {{"next", true}}, "To the next key"},
+                          {"time.to_key", {{"next", false}}, "To the previous key"},
+                          {"time.range"},
+                          {"time.rate"}});
+}
+
+MenuEntry SelectMenu() {
+  return Submenu("Select", {{"select.all"},
+                            {"select.joints", {{"joints", Json::array()}}, "Deselect all joints"},
+                            Line(),
+                            {"keys.select_all"},
+                            {"keys.select_column"},
+                            {"keys.select_side", {{"side", "before"}}, "Keys before this frame"},
+                            {"keys.select_side", {{"side", "after"}}, "Keys after this frame"}});
+}
+
+MenuEntry PoseMenu() {
+  return Submenu("Pose", {{"pose.copy"},
+                          {"pose.paste"},
+                          {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
+                          Line(),
+                          {"pose.clear"},
+                          {"pose.rotate"},
+                          {"pose.reach"},
+                          Line(),
+                          {"hold.add"}});
+}
+
+MenuEntry KeyMenu() {
+  const auto kind = [](const char* name, const char* label) {
+    return MenuEntry{"keys.interpolation", {{"interpolation", name}}, label};
+  };
+  return Submenu(
+      "Key", {{"key.insert"},
+              {"keys.delete"},
+              Line(),
+              {"keys.copy"},
+              {"keys.paste"},
+              {"keys.duplicate"},
+              {"keys.scale"},
+              Line(),
+              Submenu("Interpolation", {kind("hold", "Hold"), kind("linear", "Linear"),
+                                        kind("quadratic", "Quadratic"), kind("cubic", "Cubic")}),
+              Submenu("Handles", {{"keys.handles", {{"kind", "auto"}}, "Automatic"},
+                                  {"keys.handles", {{"kind", "flat"}}, "Flat"}})});
+}
+
+MenuEntry RegionMenu() {
+  return Submenu("Region", {{"region.add"},
+                            {"region.set"},
+                            {"region.friction"},
+                            {"region.start_rate"},
+                            {"region.split"},
+                            {"region.remove"},
+                            {"region.to_keys"},
+                            Line(),
+                            {"placement.set"},
+                            {"solver.set"},
+                            {"scene.gravity"},
+                            Line(),
+                            {"object.add_box"}});
+}
+
+MenuEntry HelpMenu() {
+  return Submenu("Help", {{"help.first_steps"}, {"help.manual"}, Line(), {"help.about"}});
+}
+
+void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat) {
+  for (const MenuEntry& entry : entries) {
+    if (entry.id) flat->push_back(entry);
+    Flatten(entry.entries, flat);
+  }
+}
+
+bool NeedsRegion(const std::string& id) { return id.starts_with("region.") && id != "region.add"; }
+
+bool NeedsSelectedKeys(const std::string& id) {
+  return id.starts_with("keys.") && !id.starts_with("keys.select") && id != "keys.paste";
+}
+
+}  // namespace
+
+const std::vector<MenuEntry>& AllMenus() {
+  static const std::vector<MenuEntry> menus = {FileMenu(), EditMenu(), ViewMenu(),   SelectMenu(),
+                                               PoseMenu(), KeyMenu(),  RegionMenu(), HelpMenu()};
+  return menus;
+}
+
+std::vector<MenuEntry> FlatMenus() {
+  std::vector<MenuEntry> flat;
+  Flatten(AllMenus(), &flat);
+  return flat;
+}
+
+std::string LabelOf(const MenuEntry& entry) {
+  std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
+  const std::string id = entry.id ? entry.id : "";
+  const bool asks = id == "file.open_dialog" || id == "file.save_as" || id == "render.dialog";
+  if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
+  return label;
+}
+
+std::string LabelOf(const MenuEntry& entry, const Editor& editor) {
+  const std::string id = entry.id ? entry.id : "";
+  const edit::Document& document = editor.session().document();
+  std::optional<std::string> step;
+  if (id == "edit.undo") step = document.undo_label();
+  if (id == "edit.redo") step = document.redo_label();
+  return LabelOf(entry) + (step ? std::string(": ") + Tr(step->c_str()) : "");
+}
+
+bool CanDo(const Editor& editor, const std::string& id) {
+  const edit::Session& session = editor.session();
+  if (id == "edit.undo") return session.document().undo_label().has_value();
+  if (id == "edit.redo") return session.document().redo_label().has_value();
+  if (id == "app.save") return !session.document().is_saved() || session.document().path().empty();
+  if (id == "pose.paste") return !session.clipboard().empty();
+  if (id == "keys.paste") return !session.key_clipboard().empty();
+  if (id == "view.camera") return session.project().camera.has_value();
+  if (id == "app.open") return !editor.settings.recent_files.empty();
+  if (NeedsRegion(id)) return !session.project().regions.empty();
+  if (NeedsSelectedKeys(id)) return !session.selected_keys().empty();
+  return true;
+}
+
+std::optional<bool> IsOn(const Editor& editor, const MenuEntry& entry) {
+  const std::string id = entry.id ? entry.id : "";
+  const Json& p = entry.parameters;
+  const Settings& settings = editor.settings;
+  if (id == "view.theme") return settings.dark == p.value("dark", !settings.dark);
+  if (id == "view.language") {
+    return (settings.language == Language::kJapanese) == (p["language"] == "ja");
+  }
+  if (id == "view.scale") return std::abs(settings.scale - p["scale"].get<double>()) < 1e-6;
+  if (id == "view.orthographic") return editor.viewport.camera.is_orthographic;
+  if (id == "view.camera") return editor.viewport.through_project_camera;
+  if (id == "help.first_steps") return editor.dialogs.shows_first_steps;
+  if (id == "time.play") return editor.playback.is_on();
+  if (id != "view.overlay") return std::nullopt;
+  const ViewportOverlays& o = editor.viewport.overlays;
+  const std::pair<const char*, bool> all[] = {{"paths", o.paths},   {"ghosts", o.ghosts},
+                                              {"marks", o.marks},   {"tint", o.tint},
+                                              {"limits", o.limits}, {"shadow", o.shadow}};
+  for (const auto& [name, is_on] : all) {
+    if (p["name"] == name) return is_on;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "engine/bake/motion.h"
+#include "engine/base/result.h"
+#include "engine/timeline/animation.h"
+#include "render/motion/motion_scene.h"
+#include "render/scene/camera.h"
+
+namespace hazumi::ui {
+
+// Pictures to be drawn into files; all that is needed, so that the editor may go on meanwhile.
+struct RenderTask {
+  Animation animation;
+  Motion motion;
+  render::Camera camera;
+  render::Overlays overlays;
+  bool shadow = true;
+  int width = 1280, height = 720;  // [px]
+  int first = 0, last = 0;         // frames, both drawn
+  std::string folder;              // made if it is not there
+  std::string project;             // its name, for file names and the pictures' texts
+};
+
+// The file of a frame: "folder/throw_0007.png".
+std::string PictureName(const RenderTask& task, int frame);
+
+// Draws and writes a task's pictures; `written` is told how many there are so far. Returns their
+// number; stops when `cancel` is set, which is no error.
+using PictureWriter =
+    std::function<Result<int>(const RenderTask& task, const std::function<void(int)>& written,
+                              const std::atomic<bool>* cancel)>;
+
+// Writes pictures beside the interface, in a thread of its own. Ends with its object, cancelled.
+class RenderJob {
+ public:
+  RenderJob(RenderTask task, PictureWriter writer);
+  ~RenderJob();
+
+  int total() const { return task_.last - task_.first + 1; }
+  int written() const { return written_; }
+  const RenderTask& task() const { return task_; }
+  void Cancel() { cancel_ = true; }
+  bool is_cancelled() const { return cancel_; }
+  // How many pictures there are, or why there are not more; none before it has ended.
+  std::optional<Result<int>> result() const;
+
+ private:
+  RenderTask task_;
+  std::atomic<int> written_ = 0;
+  std::atomic<bool> cancel_ = false, has_ended_ = false;
+  std::optional<Result<int>> result_;  // written before has_ended_ is
+  std::thread thread_;
+};
+
+// The settings of the render dialog.
+struct RenderState {
+  int width = 1280, height = 720;
+  bool whole = false;  // all frames, else the current one
+  bool through_project_camera = false;
+  bool overlays = false;  // paths, marks and tint as in the viewport
+  std::string folder;
+  std::string error;
+  std::shared_ptr<RenderJob> job;
+};
+
+}  // namespace hazumi::ui

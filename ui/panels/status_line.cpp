@@ -1,0 +1,32 @@
+#include "ui/panels/status_line.h"
+
+#include <cstdio>
+
+#include "engine/base/text.h"
+
+namespace hazumi::ui {
+
+std::string MemoryText(size_t bytes) {
+  char text[32];
+  const double kilobytes = static_cast<double>(bytes) / 1000.0;
+  if (kilobytes < 1000.0) {
+    std::snprintf(text, sizeof text, "%.0f kB", kilobytes);
+  } else {
+    std::snprintf(text, sizeof text, "%.1f MB", kilobytes / 1000.0);
+  }
+  return text;
+}
+
+std::vector<std::string> StatusParts(const Editor& editor) {
+  const edit::Session& session = editor.session();
+  const edit::Document& document = session.document();
+  const std::string name = document.path().empty() ? Tr("Untitled") : NameIn(document.path());
+  const std::string saved = document.is_saved() ? Tr("saved") : Tr("not saved");
+  return {name + " (" + saved + ")",
+          std::string(Tr("Frame")) + " " + FormatShort(session.frame()) + " / " +
+              std::to_string(session.project().frames.last),
+          std::string(Tr("Undo")) + " " + MemoryText(document.history_bytes()),
+          std::string("Hazumi ") + HAZUMI_VERSION};
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/panels/editor.h"
+
+namespace hazumi::ui {
+
+// What the right of the status bar says: file, frame, memory of the undo history, version; the most
+// important first.
+std::vector<std::string> StatusParts(const Editor& editor);
+// "12 kB", "3.4 MB".
+std::string MemoryText(size_t bytes);
+
+}  // namespace hazumi::ui

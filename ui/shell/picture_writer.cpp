@@ -1,0 +1,46 @@
+#include "ui/shell/picture_writer.h"
+
+#include <filesystem>
+
+#include "render/pipeline/sequence.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+std::string WithoutControls(std::string text) {
+  std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  return text;
+}
+
+}  // namespace
+
+Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>& written,
+                          const std::atomic<bool>* cancel) {
+  std::error_code failed;
+  std::filesystem::create_directories(task.folder, failed);
+  if (failed) {
+    return Error{ErrorCode::kCannotWrite, task.folder, "", "cannot be made: " + failed.message()};
+  }
+  render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays);
+  render::SequenceOptions options;
+  options.width = task.width;
+  options.height = task.height;
+  options.renderer.shadow = task.shadow;
+  options.threads = 1;  // the interface has the other one
+  render::Sequence sequence;
+  sequence.frame_count = task.last - task.first + 1;
+  const int skipped = task.first - task.motion.frames.front().frame;
+  sequence.scene = [&](int i) { return scenes.At(skipped + i); };
+  sequence.path = [&](int i) { return std::filesystem::path(PictureName(task, task.first + i)); };
+  sequence.metadata = [&](int i) {
+    return std::vector<render::PngText>{{"Software", std::string("Hazumi ") + HAZUMI_VERSION},
+                                        {"Project", WithoutControls(task.project)},
+                                        {"Frame", std::to_string(task.first + i)}};
+  };
+  sequence.progress = written;
+  sequence.cancel = cancel;
+  return render::RenderSequence(options, sequence);
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/panels/render_job.h"
+
+namespace hazumi::ui {
+
+// A PictureWriter: draws without a screen, with a context of its own, on the thread that calls it.
+// Errors: of making the folder, of drawing and of writing.
+Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>& written,
+                          const std::atomic<bool>* cancel);
+
+}  // namespace hazumi::ui
