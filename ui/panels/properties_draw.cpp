@@ -61,8 +61,8 @@ void DrawTabs(Editor* editor, const PropertiesLayout& layout) {
   const Theme& theme = editor->theme();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
-  const std::optional<Section> hovered =
-      ImGui::IsWindowHovered() ? TabAt(layout, mouse) : std::nullopt;
+  std::optional<Section> hovered;
+  if (ImGui::IsWindowHovered()) hovered = TabAt(layout, mouse);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) editor->side.section = *hovered;
   for (size_t i = 0; i < layout.tabs.size(); ++i) {
     const auto section = static_cast<Section>(i);
@@ -71,7 +71,7 @@ void DrawTabs(Editor* editor, const PropertiesLayout& layout) {
     const SrgbColor& back = is_on ? theme.panel : theme.header;
     list->AddRectFilled({tab.x + 2.0f, tab.y}, {tab.right(), tab.bottom()}, ToIm(back), 4.0f,
                         ImDrawFlags_RoundCornersLeft);
-    const bool is_bright = is_on || hovered == section;
+    const bool is_bright = is_on || (hovered && *hovered == section);
     DrawIcon(section, {tab.x + 0.5f * tab.w + 1.0f, tab.y + 0.5f * tab.h}, 0.26f * tab.h,
              ToIm(is_bright ? theme.text : theme.faint_text));
   }

@@ -163,10 +163,10 @@ bool DrawNumber(Editor* editor, const NumberField& field, const SubmitNumber& su
   const std::string name = "##" + field.id;
   const ImGuiID id = ImGui::GetID(name.c_str());
   const std::optional<TypedField>& typed = editor->side.typed;
-  double value = typed && typed->id == id ? typed->value : field.value;
   double speed = field.is_slider ? (field.upper - field.lower) / parts.field.w : field.speed;
   if (ImGui::GetIO().KeyShift) speed *= 0.01;  // ImGui makes it ten times as fast
   const bool was_typed = ImGui::TempInputIsActive(id);
+  double value = was_typed && typed && typed->id == id ? typed->value : field.value;
   const bool is_changed =
       ImGui::DragScalar(name.c_str(), ImGuiDataType_Double, &value, static_cast<float>(speed),
                         &field.lower, &field.upper, field.format);

@@ -1,6 +1,7 @@
 // The joint that is shown: its angles, rates, limits and links; or the root.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -34,7 +35,7 @@ struct HingeNow {
   std::string name, label;
   const Joint* joint;
   double angle_deg = 0.0, rate_deg_s = 0.0;
-  const ProjectKey* key = nullptr;  // on the frame
+  std::optional<ProjectKey> key;  // on the frame
   FieldState state = FieldState::kPlain;
 };
 
@@ -51,7 +52,7 @@ std::vector<HingeNow> HingesOf(Editor* editor, const JointGroup& group) {
       hinge.label = hinge.name.substr(group.name.size() + 1);
     }
     const ProjectCurve* curve = CurveOf(hinge.name, session.project());
-    hinge.key = KeyAt(curve, session.frame());
+    if (const ProjectKey* key = KeyAt(curve, session.frame())) hinge.key = *key;
     if (now.ok()) {
       hinge.angle_deg = now.value()->q[j] * kRadian;
       hinge.rate_deg_s = now.value()->after.qd[j] * kRadian;
@@ -80,13 +81,13 @@ void DrawAngles(Editor* editor, const std::vector<HingeNow>& hinges) {
     const bool toggles = DrawNumber(editor, field, [&](double value, const std::string& drag) {
       editor->Do("pose.rotate", {{"joint", hinge.name}, {"to", value}, {"drag", drag}});
     });
-    if (toggles) ToggleKey(editor, hinge.name, hinge.key != nullptr);
+    if (toggles) ToggleKey(editor, hinge.name, hinge.key.has_value());
   }
 }
 
 // Of the hinges that have a key on the frame.
 void DrawRates(Editor* editor, const std::vector<HingeNow>& hinges) {
-  const auto has_key = [](const HingeNow& hinge) { return hinge.key != nullptr; };
+  const auto has_key = [](const HingeNow& hinge) { return hinge.key.has_value(); };
   if (std::none_of(hinges.begin(), hinges.end(), has_key)) return;
   if (!DrawHeading(Tr("Rates"), false)) return;
   for (const HingeNow& hinge : hinges) {
