@@ -39,9 +39,9 @@ TEST(OutlinerRows, LimbsFollowTheFigureFromTheRootOn) {
   EXPECT_EQ(rows[shoulder + 1].name, "r_elbow");
   EXPECT_EQ(rows[shoulder + 2].name, "r_wrist");
   EXPECT_EQ(rows[shoulder + 1].depth, rows[shoulder].depth + 1);
-  EXPECT_EQ(rows[shoulder].side, Side::kRight);
-  EXPECT_EQ(rows[RowNamed("l_knee", rows)].side, Side::kLeft);
-  EXPECT_EQ(rows[RowNamed("neck", rows)].side, Side::kMiddle);
+  EXPECT_EQ(rows[shoulder].side, BodySide::kRight);
+  EXPECT_EQ(rows[RowNamed("l_knee", rows)].side, BodySide::kLeft);
+  EXPECT_EQ(rows[RowNamed("neck", rows)].side, BodySide::kMiddle);
   EXPECT_LT(RowNamed("l_toe", rows), RowNamed("Scene", rows));
 }
 

@@ -17,9 +17,9 @@ constexpr SrgbColor kLeftColor = render::FromHex(0x4fa3e3);
 constexpr SrgbColor kRightColor = render::FromHex(0xe07a5f);
 constexpr SrgbColor kMiddleColor = render::FromHex(0xd9c04f);
 
-SrgbColor ColorOf(Side side) {
-  if (side == Side::kLeft) return kLeftColor;
-  return side == Side::kRight ? kRightColor : kMiddleColor;
+SrgbColor ColorOf(BodySide side) {
+  if (side == BodySide::kLeft) return kLeftColor;
+  return side == BodySide::kRight ? kRightColor : kMiddleColor;
 }
 
 bool IsJoint(const OutlinerRow& row) {

@@ -128,9 +128,9 @@ std::vector<std::string> JointsFrom(const std::vector<OutlinerRow>& rows, size_t
 
 }  // namespace
 
-Side SideOf(const std::string& name) {
-  if (name.starts_with("l_")) return Side::kLeft;
-  return name.starts_with("r_") ? Side::kRight : Side::kMiddle;
+BodySide SideOf(const std::string& name) {
+  if (name.starts_with("l_")) return BodySide::kLeft;
+  return name.starts_with("r_") ? BodySide::kRight : BodySide::kMiddle;
 }
 
 std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& project,

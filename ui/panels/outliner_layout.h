@@ -10,10 +10,10 @@
 namespace hazumi::ui {
 
 enum class RowKind { kHeading, kRoot, kJoint, kHinge, kObject, kHeldObject, kCamera };
-enum class Side { kMiddle, kLeft, kRight };
+enum class BodySide { kMiddle, kLeft, kRight };
 
 // By the beginning of its name: "l_", "r_".
-Side SideOf(const std::string& name);
+BodySide SideOf(const std::string& name);
 
 struct OutlinerRow {
   RowKind kind;
@@ -22,7 +22,7 @@ struct OutlinerRow {
   int depth = 0;      // of indentation
   bool has_rows = false;
   bool is_open = false;
-  Side side = Side::kMiddle;
+  BodySide side = BodySide::kMiddle;
 };
 
 // The rows from top to bottom: the figure, joint by joint from the root on, then what stands in the
