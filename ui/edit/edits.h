@@ -15,6 +15,7 @@ namespace hazumi::edit {
 std::vector<Operator> FigureOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
+std::vector<Operator> ObjectOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();

@@ -68,17 +68,20 @@ Result<Done> RemoveObject(Session* session, const Parameters& p) {
 }
 
 Result<Done> SetSolver(Session* session, const Parameters& p) {
-  return session->Edit("Change solver", [&](Project* project) -> Result<Done> {
-    if (p.has("method")) {
-      const Result<Method> method =
-          ValueNamed<Method>(p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);
-      if (!method.ok()) return method.error();
-      project->solver.method = method.value();
-    }
-    if (p.has("tolerance")) project->solver.tolerance_deg = p.number("tolerance");
-    if (p.has("step")) project->solver.step_s = p.number("step");
-    return Done();
-  });
+  return session->Edit(
+      "Change solver",
+      [&](Project* project) -> Result<Done> {
+        if (p.has("method")) {
+          const Result<Method> method = ValueNamed<Method>(
+              p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);
+          if (!method.ok()) return method.error();
+          project->solver.method = method.value();
+        }
+        if (p.has("tolerance")) project->solver.tolerance_deg = p.number("tolerance");
+        if (p.has("step")) project->solver.step_s = p.number("step");
+        return Done();
+      },
+      p.text("drag"));
 }
 
 // Of a project without a camera the rest is as ProjectCamera begins.
@@ -100,10 +103,13 @@ Result<Done> SetCamera(Session* session, const Parameters& p) {
 }
 
 Result<Done> SetGravity(Session* session, const Parameters& p) {
-  return session->Edit("Change gravity", [&](Project* project) -> Result<Done> {
-    project->scene.gravity_m_s2 = p.number("gravity");
-    return Done();
-  });
+  return session->Edit(
+      "Change gravity",
+      [&](Project* project) -> Result<Done> {
+        project->scene.gravity_m_s2 = p.number("gravity");
+        return Done();
+      },
+      p.text("drag"));
 }
 
 }  // namespace
@@ -146,7 +152,8 @@ std::vector<Operator> SceneOperators() {
            "Sets what regions use that say nothing themselves.",
            {{"method", kText, false, "exact or paper"},
             {"tolerance", kNumber, false, "of exact, in degrees"},
-            {"step", kNumber, false, "of paper, in seconds"}},
+            {"step", kNumber, false, "of paper, in seconds"},
+            kDrag},
            SetSolver},
           {"camera.set",
            "Set camera",
@@ -163,7 +170,7 @@ std::vector<Operator> SceneOperators() {
           {"scene.gravity",
            "Change gravity",
            "Sets the gravity.",
-           {{"gravity", kNumber, true, "m/s2, downwards"}},
+           {{"gravity", kNumber, true, "m/s2, downwards"}, kDrag},
            SetGravity}};
 }
 

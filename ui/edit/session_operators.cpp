@@ -70,7 +70,7 @@ Result<Done> SetRange(Session* session, const Parameters& p) {
     project->frames.first = p.integer("first", project->frames.first);
     project->frames.last = p.integer("last", project->frames.last);
     return Done();
-  });
+  }, p.text("drag"));
 }
 
 Result<Done> SetRate(Session* session, const Parameters& p) {
@@ -78,7 +78,7 @@ Result<Done> SetRate(Session* session, const Parameters& p) {
     project->fps.num = p.integer("num");
     project->fps.den = p.integer("den", 1);
     return Done();
-  });
+  }, p.text("drag"));
 }
 
 Result<Done> SetName(Session* session, const Parameters& p) {
@@ -180,12 +180,12 @@ std::vector<Operator> SessionOperators() {
           {"time.range",
            "Set frame range",
            "Sets the first and last frame of the animation.",
-           {{"first", kInteger, false, "first frame"}, {"last", kInteger, false, "last frame"}},
+           {{"first", kInteger, false, "first frame"}, {"last", kInteger, false, "last frame"}, kDrag},
            SetRange},
           {"time.rate",
            "Set frame rate",
            "Sets the frames per second. Keys stay on their frames.",
-           {{"num", kInteger, true, "frames"}, {"den", kInteger, false, "in so many seconds; 1"}},
+           {{"num", kInteger, true, "frames"}, {"den", kInteger, false, "in so many seconds; 1"}, kDrag},
            SetRate},
           {"project.rename",
            "Rename project",

@@ -136,6 +136,21 @@ Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
   return Done();
 }
 
+Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
+  const std::pair<const char*, Section> all[] = {{"pose", Section::kPose},
+                                                 {"region", Section::kRegion},
+                                                 {"scene", Section::kScene},
+                                                 {"project", Section::kProject}};
+  const std::string name = p.text("section");
+  for (const auto& [known, section] : all) {
+    if (name != known) continue;
+    editor->side.section = section;
+    return Done();
+  }
+  return Error{ErrorCode::kSchema, "", "section",
+               "\"" + name + "\" is none of pose, region, scene, project"};
+}
+
 Result<Done> Quit(Editor* editor, const Parameters&) {
   return AskToSave(editor, [](Editor* asked) -> Result<Done> {
     asked->wants_to_quit = true;
@@ -217,6 +232,11 @@ const std::vector<Action>& AllActions() {
        "How large everything is.",
        {{"scale", kNumber, true, "1 is normal, 0.75 to 3"}},
        ChooseScale},
+      {"view.properties",
+       "Properties",
+       "Which properties are shown.",
+       {{"section", kText, true, "pose, region, scene, project"}},
+       ChooseSection},
       {"view.sheet",
        "Dope sheet or graph editor",
        "Which of them is below the viewport.",

@@ -35,6 +35,21 @@ TEST(SceneOperators, TheCameraKeepsWhatIsNotGiven) {
             "camera.set.camera.vertical_fov_deg: must lie between 1 and 179 degrees, is 180");
 }
 
+TEST(SceneOperators, AnObjectKeepsWhatIsNotGiven) {
+  Session session;
+  Do(&session, "object.add_box", {{"name", "box"}, {"z", 0.5}});
+  Do(&session, "object.set", {{"object", "box"}, {"size_x", 0.3}, {"drag", "size"}});
+  Do(&session, "object.set", {{"object", "box"}, {"color", "#112233"}, {"drag", "size"}});
+  const ProjectSceneObject& box = session.project().scene.objects.back();
+  EXPECT_EQ(std::get<ProjectBox>(box.shape).size_m, Vec3(0.3, 1.0, 1.0));
+  EXPECT_EQ(box.color, "#112233");
+  EXPECT_EQ(session.document().num_steps(), 2u);
+  Refused(&session, "object.set", {{"object", "box"}, {"size_y", -1}});
+  Refused(&session, "object.set", {{"object", "box"}, {"color", "pink"}});
+  EXPECT_EQ(Refused(&session, "object.set", {{"object", "floor"}, {"size_z", 1}}).ToString(),
+            "object.set.size_z: a plane has no size; boxes have");
+}
+
 TEST(SessionOperators, SelectMirrorAndNone) {
   Session session;
   Do(&session, "select.joints", {{"joints", {"r_knee", "l_toe", "chest_bend"}}});

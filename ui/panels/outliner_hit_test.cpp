@@ -1,0 +1,17 @@
+#include "ui/panels/outliner_hit_test.h"
+
+#include <cmath>
+
+namespace hazumi::ui {
+
+std::optional<OutlinerHit> HitOutliner(const std::vector<OutlinerRow>& rows,
+                                       const OutlinerPlace& place, Point p) {
+  if (!place.list.Contains(p)) return std::nullopt;
+  const float below = std::floor((p.y - place.list.y + place.scroll) / place.row_height);
+  const auto row = static_cast<size_t>(below);
+  if (row >= rows.size()) return std::nullopt;
+  const bool can_open = rows[row].has_rows;
+  return OutlinerHit{row, can_open && place.Disclosure(rows[row], row).Contains(p)};
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/panels/geometry.h"
+#include "ui/panels/outliner_layout.h"
+
+namespace hazumi::ui {
+
+// Where the rows are [px].
+struct OutlinerPlace {
+  Rect list;
+  float row_height = 20.0f, indent = 12.0f;
+  float scroll = 0.0f;  // of the list above its upper edge
+
+  Rect RowRect(size_t row) const {
+    return {list.x, list.y + static_cast<float>(row) * row_height - scroll, list.w, row_height};
+  }
+  // The triangle that opens and closes a row.
+  Rect Disclosure(const OutlinerRow& row, size_t index) const {
+    const Rect rect = RowRect(index);
+    return {rect.x + static_cast<float>(row.depth) * indent, rect.y, 1.4f * indent, rect.h};
+  }
+};
+
+struct OutlinerHit {
+  size_t row;
+  bool on_disclosure;
+};
+std::optional<OutlinerHit> HitOutliner(const std::vector<OutlinerRow>& rows,
+                                       const OutlinerPlace& place, Point p);
+
+}  // namespace hazumi::ui

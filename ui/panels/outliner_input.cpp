@@ -1,0 +1,48 @@
+#include "ui/panels/outliner_input.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+// Joints know when they are opened, all others when they are closed.
+void Toggle(const OutlinerRow& row, SideState* side) {
+  std::set<std::string>& names = row.kind == RowKind::kJoint ? side->opened : side->closed;
+  if (names.erase(row.name) == 0) names.insert(row.name);
+}
+
+// The joint that a hinge belongs to.
+std::string JointOf(const OutlinerRow& row, const Figure& figure) {
+  const std::optional<JointIndex> hinge = figure.FindJoint(row.name);
+  if (row.kind != RowKind::kHinge || !hinge) return row.name;
+  return figure.group(figure.joint(*hinge).group).name;
+}
+
+void SelectJoints(Editor* editor, const std::vector<OutlinerRow>& rows, size_t row,
+                  ClickMode click) {
+  const edit::Session& session = editor->session();
+  SideState& side = editor->side;
+  const JointClick joints =
+      ClickOn(rows, row, side.anchor, click, session.selected_joints(), session.figure());
+  if (!editor->Do("select.joints", {{"joints", joints.names}, {"mode", joints.mode}})) return;
+  side.active = JointOf(rows[row], session.figure());
+  const bool shows_joints = side.section == Section::kPose || side.section == Section::kRegion;
+  if (!shows_joints) side.section = Section::kPose;
+}
+
+}  // namespace
+
+void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const OutlinerHit& hit,
+                   ClickMode click) {
+  const OutlinerRow& row = rows[hit.row];
+  SideState& side = editor->side;
+  if (hit.on_disclosure || row.kind == RowKind::kHeading) return Toggle(row, &side);
+  if (row.kind == RowKind::kJoint || row.kind == RowKind::kHinge) {
+    SelectJoints(editor, rows, hit.row, click);
+  } else {
+    side.active = row.name;
+    side.section = row.kind == RowKind::kRoot ? Section::kPose : Section::kScene;
+  }
+  if (click != ClickMode::kExtend) side.anchor = row.name;
+}
+
+}  // namespace hazumi::ui

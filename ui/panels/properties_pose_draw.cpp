@@ -1,0 +1,221 @@
+// The joint that is shown: its angles, rates, limits and links; or the root.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/figure/mirror.h"
+#include "ui/panels/actions.h"
+#include "ui/panels/properties_fields.h"
+#include "ui/panels/properties_layout.h"
+#include "ui/panels/properties_sections.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+const ProjectCurve* CurveOf(const std::string& hinge, const Project& project) {
+  for (const auto& [name, curve] : project.joints) {
+    if (name == hinge) return &curve;
+  }
+  return nullptr;
+}
+
+const ProjectKey* KeyAt(const ProjectCurve* curve, double frame) {
+  if (!curve) return nullptr;
+  const auto key = std::find_if(curve->keys.begin(), curve->keys.end(),
+                                [&](const ProjectKey& k) { return k.frame == frame; });
+  return key == curve->keys.end() ? nullptr : &*key;
+}
+
+// What is known of a hinge at the current frame.
+struct HingeNow {
+  JointIndex index;
+  std::string name, label;
+  const Joint* joint;
+  double angle_deg = 0.0, rate_deg_s = 0.0;
+  std::optional<ProjectKey> key;  // on the frame
+  FieldState state = FieldState::kPlain;
+};
+
+std::vector<HingeNow> HingesOf(Editor* editor, const JointGroup& group) {
+  edit::Session& session = editor->session();
+  const Result<const MotionFrame*> now = session.FrameNow();
+  std::vector<HingeNow> hinges;
+  for (int j = group.first.value(); j <= group.last().value(); ++j) {
+    HingeNow hinge;
+    hinge.index = JointIndex(j);
+    hinge.joint = &session.figure().joint(hinge.index);
+    hinge.name = hinge.label = hinge.joint->name;
+    if (hinge.name.starts_with(group.name + "_")) {
+      hinge.label = hinge.name.substr(group.name.size() + 1);
+    }
+    const ProjectCurve* curve = CurveOf(hinge.name, session.project());
+    if (const ProjectKey* key = KeyAt(curve, session.frame())) hinge.key = *key;
+    if (now.ok()) {
+      hinge.angle_deg = now.value()->q[j] * kRadian;
+      hinge.rate_deg_s = now.value()->after.qd[j] * kRadian;
+      const bool is_computed = IsComputed(*session.animation(), hinge.index, session.frame());
+      hinge.state = StateOfField(curve, session.frame(), hinge.angle_deg, is_computed);
+    }
+    hinges.push_back(std::move(hinge));
+  }
+  return hinges;
+}
+
+void ToggleKey(Editor* editor, const std::string& curve, bool has_key) {
+  if (has_key) {
+    editor->Do("key.delete", {{"curve", curve}, {"frame", editor->session().frame()}});
+  } else {
+    editor->Do("key.insert", {{"curves", Json::array({curve})}});
+  }
+}
+
+void DrawAngles(Editor* editor, const std::vector<HingeNow>& hinges) {
+  for (const HingeNow& hinge : hinges) {
+    NumberField field{"angle " + hinge.name, Tr(hinge.label.c_str()), hinge.angle_deg, "%.1f°",
+                      0.5};
+    field.state = hinge.state;
+    field.has_key_button = true;
+    const bool toggles = DrawNumber(editor, field, [&](double value, const std::string& drag) {
+      editor->Do("pose.rotate", {{"joint", hinge.name}, {"to", value}, {"drag", drag}});
+    });
+    if (toggles) ToggleKey(editor, hinge.name, hinge.key.has_value());
+  }
+}
+
+// Of the hinges that have a key on the frame.
+void DrawRates(Editor* editor, const std::vector<HingeNow>& hinges) {
+  const auto has_key = [](const HingeNow& hinge) { return hinge.key.has_value(); };
+  if (std::none_of(hinges.begin(), hinges.end(), has_key)) return;
+  if (!DrawHeading(Tr("Rates"), false)) return;
+  for (const HingeNow& hinge : hinges) {
+    if (!hinge.key) continue;
+    const bool is_given = hinge.key->rate.has_value();
+    NumberField field{"rate " + hinge.name, Tr(hinge.label.c_str()),
+                      is_given ? *hinge.key->rate : hinge.rate_deg_s, "%.0f°/s", 2.0};
+    field.state = is_given ? FieldState::kKeyed : FieldState::kPlain;
+    DrawNumber(editor, field, [&](double value, const std::string& drag) {
+      editor->Do("key.rate", {{"curve", hinge.name},
+                              {"frame", editor->session().frame()},
+                              {"rate", value},
+                              {"drag", drag}});
+    });
+  }
+}
+
+void DrawEmbed(Editor* editor) {
+  if (editor->session().project().figure.file.empty()) return;
+  DrawNote(Tr("The figure is a file of its own. Embed it to change limits and links."));
+  if (DrawButton(LabelOf("figure.embed"), HelpOf("figure.embed"))) editor->Do("figure.embed");
+}
+
+void DrawLimits(Editor* editor, const std::vector<HingeNow>& hinges) {
+  if (!DrawHeading(Tr("Limits"), false)) return;
+  DrawEmbed(editor);
+  for (const HingeNow& hinge : hinges) {
+    const auto draw = [&](const char* which, const std::string& label, double value) {
+      DrawNumber(editor, {which + hinge.name, label, value * kRadian, "%.1f°", 0.5},
+                 [&](double wanted, const std::string& drag) {
+                   editor->Do("figure.joint_limits",
+                              {{"joint", hinge.name}, {which, wanted}, {"drag", drag}});
+                 });
+    };
+    draw("lower", std::string(Tr(hinge.label.c_str())) + "  " + Tr("min"), hinge.joint->lower);
+    draw("upper", Tr("max"), hinge.joint->upper);
+  }
+}
+
+// A mass that a link has by its density: of the cylinder between its ends.
+double MassOf(const LinkSpec& link) {
+  if (link.mass) return *link.mass;
+  const double area = std::numbers::pi * link.radius * link.radius;
+  return link.density.value_or(0.0) * area * (link.to - link.from).norm();
+}
+
+void DrawLink(Editor* editor, const LinkSpec& link) {
+  const auto submit = [&](const char* what) {
+    return [editor, what, name = link.name](double value, const std::string& drag) {
+      editor->Do("figure.link", {{"link", name}, {what, value}, {"drag", drag}});
+    };
+  };
+  DrawNumber(editor, {"mass " + link.name, link.name, MassOf(link), "%.3f kg", 0.01},
+             submit("mass"));
+  DrawNumber(editor, {"radius " + link.name, Tr("radius"), link.radius, "%.3f m", 0.001},
+             submit("radius"));
+}
+
+void DrawLinks(Editor* editor, const std::string& joint) {
+  if (!DrawHeading(Tr("Links"), false)) return;
+  DrawEmbed(editor);
+  const FigureSpec spec = WithMirroredTwins(editor->session().project().figure.spec);
+  if (joint == spec.root_name) {
+    for (const LinkSpec& link : spec.root_links) DrawLink(editor, link);
+  }
+  for (const JointSpec& owner : spec.joints) {
+    if (owner.name != joint) continue;
+    for (const LinkSpec& link : owner.links) DrawLink(editor, link);
+  }
+}
+
+void DrawJoint(Editor* editor, const JointGroup& group) {
+  const std::vector<HingeNow> hinges = HingesOf(editor, group);
+  ImGui::PushID(group.name.c_str());
+  if (DrawHeading((group.name + "##joint").c_str())) DrawAngles(editor, hinges);
+  DrawRates(editor, hinges);
+  DrawLimits(editor, hinges);
+  DrawLinks(editor, group.name);
+  ImGui::PopID();
+}
+
+// By RootCurve: metres and degrees, of R = Rz Ry Rx.
+std::array<double, kNumRootCurves> RootNow(const Pose& X_WR) {
+  const Mat3 R = X_WR.R;
+  return {X_WR.p.x(),
+          X_WR.p.y(),
+          X_WR.p.z(),
+          std::atan2(R(1, 0), R(0, 0)) * kRadian,
+          std::asin(std::clamp(-R(2, 0), -1.0, 1.0)) * kRadian,
+          std::atan2(R(2, 1), R(2, 2)) * kRadian};
+}
+
+void DrawRoot(Editor* editor) {
+  edit::Session& session = editor->session();
+  const Result<const MotionFrame*> now = session.FrameNow();
+  if (!now.ok()) return DrawNote(now.error().ToString());
+  const std::array<double, kNumRootCurves> values = RootNow(now.value()->X_WR);
+  const char* names[] = {"root.x",       "root.y",       "root.z",
+                         "root.angle_z", "root.angle_y", "root.angle_x"};
+  const char* labels[] = {"Position  X", "Y", "Z", "Rotation  Z", "Y", "X"};
+  for (int i = 0; i < kNumRootCurves; ++i) {
+    const ProjectCurve& curve = session.project().root.curves[i];
+    const double frame = session.frame();
+    NumberField field{names[i], Tr(labels[i]), values[i], i < 3 ? "%.3f m" : "%.1f°",
+                      i < 3 ? 0.005 : 0.5};
+    field.state = StateOfField(&curve, frame, values[i], false);
+    field.has_key_button = true;
+    const auto key = [&](double value, const std::string& drag) {
+      editor->Do("key.set",
+                 {{"curve", names[i]}, {"frame", frame}, {"value", value}, {"drag", drag}});
+    };
+    if (!DrawNumber(editor, field, key)) continue;
+    KeyAt(&curve, frame) ? ToggleKey(editor, names[i], true) : key(values[i], "");
+  }
+}
+
+}  // namespace
+
+void DrawPoseSection(Editor* editor) {
+  edit::Session& session = editor->session();
+  const Figure& figure = session.figure();
+  if (editor->side.active == figure.root_name()) {
+    if (DrawHeading((figure.root_name() + "##root").c_str())) DrawRoot(editor);
+    return DrawLinks(editor, figure.root_name());
+  }
+  const auto active = ActiveJoint(figure, session.selected_joints(), editor->side.active);
+  if (!active) return DrawNote(Tr("Nothing is selected. Click a joint."));
+  DrawJoint(editor, figure.group(*active));
+}
+
+}  // namespace hazumi::ui

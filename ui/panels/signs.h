@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/panels/widgets.h"
+
+namespace hazumi::ui {
+
+// Small signs, drawn as shapes so that none depends on a font.
+void DrawHatch(ImDrawList* list, const Rect& rect, ImU32 color);  // computed by a region
+void DrawDiamond(ImDrawList* list, Point center, float radius, ImU32 color, bool is_filled);
+void DrawDot(ImDrawList* list, Point center, float radius, ImU32 color);
+// Points down when open, else to the right.
+void DrawTriangle(ImDrawList* list, Point center, float radius, ImU32 color, bool is_open);
+
+}  // namespace hazumi::ui
