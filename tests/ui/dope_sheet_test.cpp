@@ -284,6 +284,19 @@ TEST_F(DopeSheet, MarkersCanBeDragged) {
   EXPECT_EQ(user.num_steps(), 2u);
 }
 
+TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
+  const ui::Rect bar = Bar("limb r_shoulder");
+  const Point middle = {bar.x + 0.5f * bar.w, bar.y + 3.0f};
+  user.Click(middle);
+  user.Click(middle);
+  // While it is open keys are not the sheet's.
+  user.Press('X');
+  EXPECT_EQ(user.project().regions.size(), 1u);
+  user.Click({middle.x + 250.0f, middle.y + 60.0f});
+  user.Press('X');
+  EXPECT_EQ(user.num_steps(), 1u);
+}
+
 TEST_F(DopeSheet, HomeShowsAllFrames) {
   user.editor().sheet.first = 100.0;
   user.editor().sheet.last = 110.0;

@@ -63,6 +63,20 @@ TEST_F(Graph, CurvesRunThroughTheirKeysAndTheBakedMotion) {
   EXPECT_GE(num_frames, 31);
 }
 
+TEST_F(Graph, TurnsOfTheRootAddUp) {
+  user.session().set_selected_joints({});
+  for (const auto& [frame, angle] : {std::pair(0, 0.0), {15, 200.0}, {30, 400.0}}) {
+    user.editor().Do("key.set", {{"curve", "root.angle_z"},
+                                 {"frame", frame},
+                                 {"value", angle},
+                                 {"interpolation", "linear"}});
+  }
+  user.editor().Do("keys.select", {{"curves", {"root.angle_z"}}, {"frames", {0}}});
+  const ui::GraphLayout layout = Layout();
+  ASSERT_EQ(layout.curves.size(), 1u);
+  EXPECT_NEAR(layout.curves[0].points.back().second, 400.0, 1.0);
+}
+
 TEST_F(Graph, WhatARegionComputedIsToldApart) {
   const ui::GraphLayout layout = Layout();
   const ui::GraphCurve& elbow = layout.curves[0];

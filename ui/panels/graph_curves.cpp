@@ -62,6 +62,17 @@ std::vector<std::pair<int, int>> ComputedSpans(const edit::Session& session,
   return spans;
 }
 
+// An angle of the root is known but for whole turns [degrees].
+double NearTo(double other, double angle) {
+  return angle + 360.0 * std::round((other - angle) / 360.0);
+}
+
+// The value of a curve's first key.
+double FirstKey(const edit::Session& session, const GraphCurve& curve) {
+  const ProjectCurve* keyed = edit::FindCurve(curve.name, session.project());
+  return keyed && !keyed->keys.empty() ? keyed->keys.front().value : 0.0;
+}
+
 }  // namespace
 
 std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state) {
@@ -102,10 +113,15 @@ void SampleCurve(const edit::Session& session, const Motion& motion, const TimeA
   constexpr double kPointPx = 4.0;
   const int steps = std::clamp(static_cast<int>(axis.px_per_frame() / kPointPx), 1, 12);
   const std::vector<std::pair<int, int>> spans = ComputedSpans(session, *curve);
+  double last = FirstKey(session, *curve);
   for (size_t i = 0; i + 1 < motion.frames.size(); ++i) {
     const MotionFrame& frame = motion.frames[i];
-    const Limit a = LimitOf(frame.after, *curve);
-    const Limit b = LimitOf(motion.frames[i + 1].before, *curve);
+    Limit a = LimitOf(frame.after, *curve);
+    Limit b = LimitOf(motion.frames[i + 1].before, *curve);
+    if (IsStraight(*curve)) {
+      a.value = last = NearTo(last, a.value);
+      b.value = last = NearTo(last, b.value);
+    }
     const bool is_computed = std::any_of(spans.begin(), spans.end(), [&](const auto& span) {
       return frame.frame >= span.first && frame.frame < span.second;
     });
