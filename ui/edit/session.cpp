@@ -14,7 +14,7 @@ Session::Session() { Replace(NewProject(), ""); }
 
 void Session::Replace(Project project, const std::string& path) {
   document_ = std::make_unique<Document>(std::move(project), path);
-  ++times_replaced_;
+  ++document_number_;
   selected_joints_.clear();
   frame_ = document_->project().frames.first;
   compiled_revision_ = -1;

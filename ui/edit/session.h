@@ -29,8 +29,8 @@ class Session {
   const Project& project() const { return document_->project(); }
   // Takes the place of the document; nothing stays selected.
   void Replace(Project project, const std::string& path);
-  // Counts up with every document.
-  long times_replaced() const { return times_replaced_; }
+  // Counts up whenever another document takes the place.
+  long document_number() const { return document_number_; }
 
   // One undo step: `change` edits the project. A change that fails, or after which a project could
   // no longer be animated that could be before, is undone, and the error returned.
@@ -74,7 +74,7 @@ class Session {
   void TakeFigure();
 
   std::unique_ptr<Document> document_;
-  long times_replaced_ = 0;
+  long document_number_ = 0;
   std::set<std::string> selected_joints_;
   double frame_ = 0.0;
   Pose clipboard_;
