@@ -136,6 +136,33 @@ TEST_F(ViewportTools, ARingTurnsItsHinge) {
   EXPECT_NEAR(Angle("r_elbow_flexion") - before, 0.5 * 180.0 / 3.14159265358979, 3.0);
 }
 
+TEST_F(ViewportTools, CtrlTurnsInStepsOfFiveDegreesAndAClickConfirms) {
+  editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
+  editor_.Do("view.side", {{"side", "right"}});
+  shell_->Frame();
+  const double before = Angle("r_elbow_flexion");
+  const Point pivot = MarkOf("r_elbow");
+  MoveTo({pivot.x + 60.0f, pivot.y});
+  Press('R');
+  shell_->PressKey(kLeftControl, true);
+  MoveTo({pivot.x + 55.0f, pivot.y - 24.0f});  // 23.6 degrees
+  Button(true);
+  Button(false);
+  shell_->PressKey(kLeftControl, false);
+  EXPECT_FALSE(editor_.has_tool());
+  EXPECT_NEAR(Angle("r_elbow_flexion") - before, 25.0, 1e-9);
+  EXPECT_EQ(editor_.session().selected_joints().size(), 1u);  // that click was the tool's
+}
+
+TEST_F(ViewportTools, PeriodLooksAtTheSelectedJoint) {
+  editor_.Do("select.joints", {{"joints", {"l_wrist"}}});
+  MoveTo(MarkOf("l_wrist"));
+  Press(kPeriod);
+  const Rect rect = editor_.viewport.rect;
+  EXPECT_NEAR(MarkOf("l_wrist").x, rect.x + 0.5f * rect.w, 0.5);
+  EXPECT_NEAR(MarkOf("l_wrist").y, rect.y + 0.5f * rect.h, 0.5);
+}
+
 TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
   editor_.Do("object.add_box", {{"name", "crate"},
                                 {"x", 0.0},

@@ -45,7 +45,8 @@ class RotateTool : public DragTool {
   struct Turn {
     std::string name;
     double start_deg, now_deg, lower_deg, upper_deg;
-    double sign;  // 1: it turns counter-clockwise on the screen
+    double sign;     // 1: it turns counter-clockwise on the screen
+    bool in_region;  // it swings in this frame: a key does not show
   };
 
   bool Follow(Editor* editor, const ToolInput& input) override;
@@ -93,7 +94,7 @@ void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& fi
   const double now = editor->session().AngleNow(joint.name).value();
   const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
   turns_.push_back({joint.name, now, now, joint.lower / kDegree, joint.upper / kDegree,
-                    facing < 0.0 ? -1.0 : 1.0});
+                    facing < 0.0 ? -1.0 : 1.0, figure.frame().in_region[hinge.value()] != 0});
   if (turns_.size() == 1) editor->viewport.active_hinge = joint.name;
 }
 
@@ -161,6 +162,7 @@ std::string RotateTool::hint() const {
   if (turn.now_deg == turn.lower_deg || turn.now_deg == turn.upper_deg) {
     text += std::string("  ") + Tr("at the limit");
   }
+  if (turn.in_region) text += std::string("  ") + Tr("a region moves it in this frame");
   return text + KeysHint();
 }
 

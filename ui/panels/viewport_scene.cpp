@@ -97,7 +97,7 @@ int FrameShown(const Editor& editor) {
 PictureKey KeyNow(const Editor& editor, render::PictureSize size) {
   const edit::Session& session = editor.session();
   PictureKey key;
-  key.replaced = session.document_number();
+  key.document = session.document_number();
   key.revision = session.document().revision();
   key.frame = FrameShown(editor);
   key.camera = editor.viewport.camera;

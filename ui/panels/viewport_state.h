@@ -36,7 +36,7 @@ render::Camera CameraOf(const OrbitCamera& orbit);
 
 // Everything that the picture of the scene depends on. While it stays, so does the picture.
 struct PictureKey {
-  long replaced = -1, revision = -1;  // of the session and its document
+  long document = -1, revision = -1;  // of the session
   int frame = 0;
   OrbitCamera camera;
   bool through_project_camera = false;
