@@ -1,5 +1,3 @@
-#include "ui/panels/catalogue.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "ui/edit/operator.h"
 #include "ui/panels/actions.h"
+#include "ui/panels/catalogue.h"
 #include "ui/panels/first_steps.h"
 #include "ui/panels/manual.h"
 #include "ui/panels/menus.h"
@@ -58,7 +57,7 @@ std::vector<std::string> TextsIn(const std::string& source) {
   return texts;
 }
 
-TEST(Catalogue, HasEveryTextOfTheSources) {
+TEST(Translations, HasEveryTextOfTheSources) {
   int num_texts = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(HAZUMI_SOURCE_DIR "/ui")) {
     const std::string extension = entry.path().extension().string();
@@ -83,7 +82,7 @@ void ExpectHasAll(const char* id, const char* label, const char* help,
   }
 }
 
-TEST(Catalogue, HasEveryOperatorAndAction) {
+TEST(Translations, HasEveryOperatorAndAction) {
   for (const edit::Operator& op : edit::AllOperators()) {
     ExpectHasAll(op.id, op.label, op.help, op.parameters);
   }
@@ -93,7 +92,7 @@ TEST(Catalogue, HasEveryOperatorAndAction) {
 }
 
 // Of transactions that are called otherwise than their operator.
-TEST(Catalogue, HasEveryUndoLabel) {
+TEST(Translations, HasEveryUndoLabel) {
   static const std::regex call(
       R"re((?:Edit|Change|KeyPose|Commit)\(\s*(?:session, (?:p, )?)?"([^"]*)")re");
   for (const auto& entry : std::filesystem::directory_iterator(HAZUMI_SOURCE_DIR "/ui/edit")) {
@@ -114,7 +113,7 @@ void ExpectHasEntries(const std::vector<MenuEntry>& entries) {
   }
 }
 
-TEST(Catalogue, HasMenusManualAndFirstSteps) {
+TEST(Translations, HasMenusManualAndFirstSteps) {
   ExpectHasEntries(AllMenus());
   for (const ManualPart& part : ManualParts()) {
     ExpectHas(part.title, "manual");
@@ -126,7 +125,7 @@ TEST(Catalogue, HasMenusManualAndFirstSteps) {
   }
 }
 
-TEST(Catalogue, HasNoTextTwiceAndNoneWithoutATranslation) {
+TEST(Translations, HasNoTextTwiceAndNoneWithoutATranslation) {
   std::set<std::string_view> seen;
   SetLanguage(Language::kJapanese);
   for (const std::string_view key : CatalogueKeys()) {
