@@ -219,6 +219,18 @@ TEST_F(Dialogs, ARenderThatIsCancelledEndsEarly) {
   EXPECT_LT(job->result()->value(), 31);
 }
 
+TEST_F(Dialogs, WhoStaysAfterAllSeesHowFarTheRenderIs) {
+  Change();
+  OpenRenderDialog(&editor_, true);
+  editor_.dialogs.render.folder = File("pictures");
+  StartRender(&editor_);
+  ASSERT_TRUE(editor_.Do("app.quit"));
+  ASSERT_EQ(modal(), Modal::kUnsaved);
+  Frames();
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kProgress);
+}
+
 TEST_F(Dialogs, AFolderThatCannotBeMadeIsSaid) {
   std::ofstream(File("file")) << "x";
   OpenRenderDialog(&editor_, false);
