@@ -1,3 +1,5 @@
+#include "ui/panels/catalogue.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,7 +10,6 @@
 
 #include "ui/edit/operator.h"
 #include "ui/panels/actions.h"
-#include "ui/panels/catalogue.h"
 #include "ui/panels/first_steps.h"
 #include "ui/panels/manual.h"
 #include "ui/panels/menus.h"
@@ -57,7 +58,7 @@ std::vector<std::string> TextsIn(const std::string& source) {
   return texts;
 }
 
-TEST(Translations, HasEveryTextOfTheSources) {
+TEST(Catalogue, HasEveryTextOfTheSources) {
   int num_texts = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(HAZUMI_SOURCE_DIR "/ui")) {
     const std::string extension = entry.path().extension().string();
@@ -82,7 +83,7 @@ void ExpectHasAll(const char* id, const char* label, const char* help,
   }
 }
 
-TEST(Translations, HasEveryOperatorAndAction) {
+TEST(Catalogue, HasEveryOperatorAndAction) {
   for (const edit::Operator& op : edit::AllOperators()) {
     ExpectHasAll(op.id, op.label, op.help, op.parameters);
   }
@@ -92,7 +93,7 @@ TEST(Translations, HasEveryOperatorAndAction) {
 }
 
 // Of transactions that are called otherwise than their operator.
-TEST(Translations, HasEveryUndoLabel) {
+TEST(Catalogue, HasEveryUndoLabel) {
   static const std::regex call(
       R"re((?:Edit|Change|KeyPose|Commit)\(\s*(?:session, (?:p, )?)?"([^"]*)")re");
   for (const auto& entry : std::filesystem::directory_iterator(HAZUMI_SOURCE_DIR "/ui/edit")) {
@@ -113,7 +114,7 @@ void ExpectHasEntries(const std::vector<MenuEntry>& entries) {
   }
 }
 
-TEST(Translations, HasMenusManualAndFirstSteps) {
+TEST(Catalogue, HasMenusManualAndFirstSteps) {
   ExpectHasEntries(AllMenus());
   for (const ManualPart& part : ManualParts()) {
     ExpectHas(part.title, "manual");
@@ -125,7 +126,7 @@ TEST(Translations, HasMenusManualAndFirstSteps) {
   }
 }
 
-TEST(Translations, HasNoTextTwiceAndNoneWithoutATranslation) {
+TEST(Catalogue, HasNoTextTwiceAndNoneWithoutATranslation) {
   std::set<std::string_view> seen;
   SetLanguage(Language::kJapanese);
   for (const std::string_view key : CatalogueKeys()) {
