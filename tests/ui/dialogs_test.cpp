@@ -172,6 +172,21 @@ TEST_F(Dialogs, KeysOfTheEditorRestWhileADialogIsOpen) {
   EXPECT_TRUE(editor_.playback.is_on());
 }
 
+TEST_F(Dialogs, TheFirstEntryOfTheFileMenuAsksToo) {
+  Change();
+  const auto click = [&](float x, float y) {
+    shell_->MoveMouse(x, y);
+    Frames();
+    shell_->PressButton(0, true);
+    Frames(1);
+    shell_->PressButton(0, false);
+    Frames();
+  };
+  click(20.0f, 10.0f);
+  click(40.0f, 38.0f);
+  EXPECT_EQ(modal(), Modal::kUnsaved);
+}
+
 TEST_F(Dialogs, TheCurrentFrameIsDrawnBesideTheInterface) {
   editor_.session().set_frame(3);
   Press({kF12});
@@ -204,6 +219,18 @@ TEST_F(Dialogs, ARenderThatIsCancelledEndsEarly) {
   EXPECT_LT(job->result()->value(), 31);
 }
 
+TEST_F(Dialogs, WhoStaysAfterAllSeesHowFarTheRenderIs) {
+  Change();
+  OpenRenderDialog(&editor_, true);
+  editor_.dialogs.render.folder = File("pictures");
+  StartRender(&editor_);
+  ASSERT_TRUE(editor_.Do("app.quit"));
+  ASSERT_EQ(modal(), Modal::kUnsaved);
+  Frames();
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kProgress);
+}
+
 TEST_F(Dialogs, AFolderThatCannotBeMadeIsSaid) {
   std::ofstream(File("file")) << "x";
   OpenRenderDialog(&editor_, false);
@@ -222,7 +249,7 @@ TEST_F(Dialogs, TheStatusBarSaysFileFrameAndMemory) {
   editor_.session().set_frame(12);
   EXPECT_EQ(StatusParts(editor_)[0], "Untitled (not saved)");
   EXPECT_EQ(StatusParts(editor_)[1], "Frame 12 / 30");
-  EXPECT_EQ(MemoryText(12'345), "12 kB");
+  EXPECT_EQ(MemoryText(12'345), "13 kB");
   EXPECT_EQ(MemoryText(3'400'000), "3.4 MB");
 }
 

@@ -218,7 +218,7 @@ const std::vector<Action>& AllActions() {
         {"on", kYesNo, false, "not given: the other way round"}},
        Overlay},
       {"view.theme",
-       "Dark theme",
+       "Theme",
        "Dark or light.",
        {{"dark", kYesNo, false, "not given: the other"}},
        ChooseTheme},

@@ -134,7 +134,11 @@ void AnswerDiscard(Editor* editor) {
   DoThen(then, editor);
 }
 
-void AnswerCancel(Editor* editor) { Close(editor); }
+// Back to the pictures that are being drawn, if there are any.
+void AnswerCancel(Editor* editor) {
+  Close(editor);
+  if (editor->dialogs.render.job) Open(Modal::kProgress, editor);
+}
 
 Result<Done> RunOrAsk(Editor* editor, const std::string& id, const Json& parameters) {
   if (!NeedsForm(id, parameters)) return editor->Invoke(id, parameters);

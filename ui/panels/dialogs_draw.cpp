@@ -29,7 +29,7 @@ Frame FrameOf(const DialogsState& dialogs) {
     case Modal::kManual:
       return {"Manual", 720, 560};
     case Modal::kAbout:
-      return {"About Hazumi", 380, 0};
+      return {"About Hazumi", 430, 0};
     case Modal::kNone:
       break;
   }

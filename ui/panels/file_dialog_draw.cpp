@@ -52,7 +52,12 @@ void DrawTop(Editor* editor) {
   Tooltip(Tr("The folder above"), "Backspace");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  const float choices_width = Px(*editor, 210);
+  const auto width_of = [](const char* label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+  };
+  const float choices_width =
+      width_of(Tr("Newest first")) + width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - choices_width;
   ImGui::PushClipRect(at, {at.x + width, at.y + Px(*editor, 40)}, true);

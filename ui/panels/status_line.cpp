@@ -1,5 +1,6 @@
 #include "ui/panels/status_line.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "engine/base/text.h"
@@ -8,7 +9,7 @@ namespace hazumi::ui {
 
 std::string MemoryText(size_t bytes) {
   char text[32];
-  const double kilobytes = static_cast<double>(bytes) / 1000.0;
+  const double kilobytes = std::ceil(static_cast<double>(bytes) / 1000.0);
   if (kilobytes < 1000.0) {
     std::snprintf(text, sizeof text, "%.0f kB", kilobytes);
   } else {
