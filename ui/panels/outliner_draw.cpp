@@ -112,9 +112,12 @@ void DrawRow(Editor* editor, const OutlinerRow& row, size_t index, const Outline
   const char* label = is_name ? row.label.c_str() : Tr(row.label.c_str());
   list->AddText({x, middle - 0.5f * size}, ToIm(is_faint ? theme.faint_text : theme.text), label);
   if (!IsMoved(editor, row)) return;
+  const std::set<std::string>& selected = editor->session().selected_joints();
+  const bool is_selected = SelectedOf(row, selected, editor->session().figure()) == Share::kAll;
+  const ImU32 color = ToIm(is_selected ? theme.text : colors::kDynamics);
   const Rect mark = {rect.right() - 1.4f * size, middle - 0.3f * size, size, 0.6f * size};
-  DrawHatch(list, mark, ToIm(colors::kDynamics));
-  list->AddRect({mark.x, mark.y}, {mark.right(), mark.bottom()}, ToIm(colors::kDynamics));
+  DrawHatch(list, mark, color);
+  list->AddRect({mark.x, mark.y}, {mark.right(), mark.bottom()}, color);
 }
 
 ClickMode ClickModeNow() {

@@ -63,7 +63,7 @@ bool DrawChip(const std::string& joint) {
   const float right = ImGui::GetItemRectMax().x + style.ItemSpacing.x + width;
   const float edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   if (right < edge) ImGui::SameLine();
-  const bool is_clicked = ImGui::SmallButton((label + "##chip").c_str());
+  const bool is_clicked = ImGui::Button((label + "##chip").c_str());
   Tooltip(Tr("Takes the joint out of the region."));
   return is_clicked;
 }
