@@ -14,8 +14,8 @@ namespace hazumi::render {
 
 // What is drawn beside the figure and its scene.
 struct Overlays {
-  int ghost_every = 0;         // a translucent figure every so many frames; 0: none
-  int ghost_first = 0;         // frames, counted from 0, that may have one
+  int ghost_every = 0;  // a translucent figure every so many frames; 0: none
+  int ghost_first = 0;  // frames, counted from 0, that may have one
   int ghost_last = std::numeric_limits<int>::max();
   bool paths = false;          // of the CoM, its projection on the ground, and every limb's end
   bool contact_marks = false;  // a ring at the pinned joint

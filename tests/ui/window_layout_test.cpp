@@ -20,7 +20,8 @@ bool Overlap(const Rect& a, const Rect& b) {
 
 TEST(WindowLayout, PanelsLieInTheWindowAndDoNotOverlap) {
   for (const double scale : {0.75, 1.0, 2.0}) {
-    for (const Rect& window : {Rect{0, 0, 1280, 800}, Rect{0, 0, 3840, 2160}, Rect{0, 0, 700, 500}}) {
+    for (const Rect& window :
+         {Rect{0, 0, 1280, 800}, Rect{0, 0, 3840, 2160}, Rect{0, 0, 700, 500}}) {
       const std::vector<Rect> parts = Parts(LayOutWindow(window, {}, scale));
       for (size_t i = 0; i < parts.size(); ++i) {
         EXPECT_GE(parts[i].x, 0.0f);

@@ -66,19 +66,25 @@ Result<Done> SetFrame(Session* session, const Parameters& p) {
 }
 
 Result<Done> SetRange(Session* session, const Parameters& p) {
-  return session->Edit("Set frame range", [&](Project* project) -> Result<Done> {
-    project->frames.first = p.integer("first", project->frames.first);
-    project->frames.last = p.integer("last", project->frames.last);
-    return Done();
-  }, p.text("drag"));
+  return session->Edit(
+      "Set frame range",
+      [&](Project* project) -> Result<Done> {
+        project->frames.first = p.integer("first", project->frames.first);
+        project->frames.last = p.integer("last", project->frames.last);
+        return Done();
+      },
+      p.text("drag"));
 }
 
 Result<Done> SetRate(Session* session, const Parameters& p) {
-  return session->Edit("Set frame rate", [&](Project* project) -> Result<Done> {
-    project->fps.num = p.integer("num");
-    project->fps.den = p.integer("den", 1);
-    return Done();
-  }, p.text("drag"));
+  return session->Edit(
+      "Set frame rate",
+      [&](Project* project) -> Result<Done> {
+        project->fps.num = p.integer("num");
+        project->fps.den = p.integer("den", 1);
+        return Done();
+      },
+      p.text("drag"));
 }
 
 Result<Done> SetName(Session* session, const Parameters& p) {
@@ -157,54 +163,57 @@ Result<Done> EndDrag(Session* session, const Parameters&) {
 }  // namespace
 
 std::vector<Operator> SessionOperators() {
-  return {{"file.new", "New", "A new project: the human, standing on the ground.", {}, New},
-          {"file.open", "Open", "Opens a project.", {{"path", kText, true, "a .kfa file"}}, Open},
-          {"file.save",
-           "Save",
-           "Saves the project, whole or not at all.",
-           {{"path", kText, false, "where to; not given: where it came from"}},
-           Save},
-          {"edit.undo", "Undo", "Takes the last step back.", {}, Undo},
-          {"edit.redo", "Redo", "Takes the last step that was undone again.", {}, Redo},
-          {"edit.end_drag", "End drag", "The next edit is an undo step of its own.", {}, EndDrag},
-          {"edit.cancel_drag",
-           "Cancel drag",
-           "Takes the drag back, as if it had never been.",
-           {},
-           CancelDrag},
-          {"time.frame",
-           "Go to frame",
-           "Sets the current frame.",
-           {{"frame", kNumber, true, "may lie between frames"}},
-           SetFrame},
-          {"time.range",
-           "Set frame range",
-           "Sets the first and last frame of the animation.",
-           {{"first", kInteger, false, "first frame"}, {"last", kInteger, false, "last frame"}, kDrag},
-           SetRange},
-          {"time.rate",
-           "Set frame rate",
-           "Sets the frames per second. Keys stay on their frames.",
-           {{"num", kInteger, true, "frames"}, {"den", kInteger, false, "in so many seconds; 1"}, kDrag},
-           SetRate},
-          {"project.rename",
-           "Rename project",
-           "Names the project.",
-           {{"name", kText, true, "its name"}},
-           SetName},
-          {"select.joints",
-           "Select joints",
-           "Selects hinges, or joints with all their hinges.",
-           {{"joints", kNames, true, "names; none of them: nothing is selected"},
-            {"mode", kText, false, "replace, add or remove"}},
-           SelectJoints},
-          {"select.all", "Select all", "Selects all joints.", {}, SelectAll},
-          {"select.none", "Select none", "No joint stays selected.", {}, SelectNone},
-          {"select.mirror",
-           "Select mirror",
-           "Selects left for right and right for left.",
-           {{"add", kYesNo, false, "true: what was selected stays so"}},
-           SelectMirror}};
+  return {
+      {"file.new", "New", "A new project: the human, standing on the ground.", {}, New},
+      {"file.open", "Open", "Opens a project.", {{"path", kText, true, "a .kfa file"}}, Open},
+      {"file.save",
+       "Save",
+       "Saves the project, whole or not at all.",
+       {{"path", kText, false, "where to; not given: where it came from"}},
+       Save},
+      {"edit.undo", "Undo", "Takes the last step back.", {}, Undo},
+      {"edit.redo", "Redo", "Takes the last step that was undone again.", {}, Redo},
+      {"edit.end_drag", "End drag", "The next edit is an undo step of its own.", {}, EndDrag},
+      {"edit.cancel_drag",
+       "Cancel drag",
+       "Takes the drag back, as if it had never been.",
+       {},
+       CancelDrag},
+      {"time.frame",
+       "Go to frame",
+       "Sets the current frame.",
+       {{"frame", kNumber, true, "may lie between frames"}},
+       SetFrame},
+      {"time.range",
+       "Set frame range",
+       "Sets the first and last frame of the animation.",
+       {{"first", kInteger, false, "first frame"}, {"last", kInteger, false, "last frame"}, kDrag},
+       SetRange},
+      {"time.rate",
+       "Set frame rate",
+       "Sets the frames per second. Keys stay on their frames.",
+       {{"num", kInteger, true, "frames"},
+        {"den", kInteger, false, "in so many seconds; 1"},
+        kDrag},
+       SetRate},
+      {"project.rename",
+       "Rename project",
+       "Names the project.",
+       {{"name", kText, true, "its name"}},
+       SetName},
+      {"select.joints",
+       "Select joints",
+       "Selects hinges, or joints with all their hinges.",
+       {{"joints", kNames, true, "names; none of them: nothing is selected"},
+        {"mode", kText, false, "replace, add or remove"}},
+       SelectJoints},
+      {"select.all", "Select all", "Selects all joints.", {}, SelectAll},
+      {"select.none", "Select none", "No joint stays selected.", {}, SelectNone},
+      {"select.mirror",
+       "Select mirror",
+       "Selects left for right and right for left.",
+       {{"add", kYesNo, false, "true: what was selected stays so"}},
+       SelectMirror}};
 }
 
 }  // namespace hazumi::edit

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "ui/edit/operator.h"
+#include "ui/panels/dialogs.h"
 #include "ui/panels/sheet_actions.h"
 #include "ui/panels/viewport_actions.h"
 #include "ui/panels/viewport_tools.h"
-#include "ui/panels/dialogs.h"
 
 namespace hazumi::ui {
 
