@@ -18,7 +18,7 @@ using edit::Parameters;
 
 // The preview range as far as it lies in the animation, or all.
 ProjectFrames PlayedFrames(const Editor& editor) {
-  const ProjectFrames all = {editor.first_frame(), editor.last_frame(), {}};
+  ProjectFrames all = {editor.first_frame(), editor.last_frame(), {}};
   const std::optional<ProjectFrames>& preview = editor.session().project().preview;
   if (!preview) return all;
   const int first = std::clamp(preview->first, all.first, all.last);

@@ -32,7 +32,7 @@ Result<Done> OpenWithDialog(Editor* editor, const Parameters&) {
 
 Result<Done> Save(Editor* editor, const Parameters&) {
   if (!editor->session().document().path().empty()) {
-    const Result<Done> saved = editor->Invoke("file.save");
+    Result<Done> saved = editor->Invoke("file.save");
     if (saved.ok()) editor->Say(Tr("Saved."));
     return saved;
   }

@@ -115,6 +115,7 @@ class RowList {
 // "arms" for both of them, "right arm" for one, "region" for anything else.
 std::string NameOfRegion(const std::vector<const SheetRow*>& rows) {
   std::vector<std::string> ids;
+  ids.reserve(rows.size());
   for (const SheetRow* row : rows) ids.push_back(row->id);
   const auto are = [&](const char* a, const char* b) {
     return ids.size() == 2 && std::count(ids.begin(), ids.end(), a) == 1 &&

@@ -102,6 +102,7 @@ std::string ModelText(const RegionReport& report) {
 
 std::vector<std::string> NamesOf(const std::vector<JointRef>& joints) {
   std::vector<std::string> names;
+  names.reserve(joints.size());
   for (const JointRef& joint : joints) names.push_back(joint.name + (joint.beyond ? "+" : ""));
   return names;
 }
