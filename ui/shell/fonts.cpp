@@ -10,6 +10,9 @@ namespace hazumi::ui {
 
 namespace {
 
+// Of Japanese letters, beside Latin ones of the same height.
+constexpr float kJapaneseSize = 1.2f;
+
 std::optional<std::string> FirstThatExists(std::initializer_list<const char*> paths) {
   for (const char* path : paths) {
     if (std::filesystem::exists(path)) return path;
@@ -59,7 +62,7 @@ bool BuildFonts(float size_px, const std::string& texts, ImFontAtlas* atlas) {
     builder.BuildRanges(&ranges);
     ImFontConfig config;
     config.MergeMode = true;
-    if (japanese) atlas->AddFontFromFileTTF(japanese->c_str(), size_px, &config, ranges.Data);
+    if (japanese) atlas->AddFontFromFileTTF(japanese->c_str(), kJapaneseSize * size_px, &config, ranges.Data);
   }
   atlas->Build();
   return is_complete;
