@@ -62,7 +62,8 @@ bool BuildFonts(float size_px, const std::string& texts, ImFontAtlas* atlas) {
     builder.BuildRanges(&ranges);
     ImFontConfig config;
     config.MergeMode = true;
-    if (japanese) atlas->AddFontFromFileTTF(japanese->c_str(), kJapaneseSize * size_px, &config, ranges.Data);
+    if (japanese)
+      atlas->AddFontFromFileTTF(japanese->c_str(), kJapaneseSize * size_px, &config, ranges.Data);
   }
   atlas->Build();
   return is_complete;
