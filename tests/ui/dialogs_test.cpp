@@ -1,6 +1,7 @@
 #include "ui/panels/dialogs.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -52,7 +53,9 @@ class Dialogs : public testing::Test {
   Modal modal() const { return editor_.dialogs.modal; }
   bool is_saved() const { return editor_.session().document().is_saved(); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "hazumi_dialogs_test";
+  // Of this process alone: others may run the same tests.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("hazumi_dialogs_test_" + std::to_string(getpid()));
   Editor editor_;
   std::unique_ptr<OffscreenShell> shell_;
 };

@@ -1,6 +1,7 @@
 #include "ui/shell/settings_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,9 @@ class SettingsFileTest : public testing::Test {
     std::ofstream(path()) << text;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "hazumi_settings_test";
+  // Of this process alone: others may run the same tests.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("hazumi_settings_test_" + std::to_string(getpid()));
 };
 
 TEST_F(SettingsFileTest, WhatWasChosenIsThereTheNextTime) {

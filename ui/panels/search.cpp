@@ -96,6 +96,7 @@ std::vector<Command> Search(const std::vector<Command>& commands, const std::str
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Command> found;
+  found.reserve(ranked.size());
   for (const auto& [rank, command] : ranked) found.push_back(*command);
   return found;
 }

@@ -13,7 +13,9 @@ float DrawRight(const Editor& editor, float width) {
   std::string text;
   // The last ones are left out where they would take more than half of the bar.
   for (const std::string& part : parts) {
-    const std::string longer = text + (text.empty() ? "" : kBetween) + part;
+    std::string longer = text;
+    if (!text.empty()) longer += kBetween;
+    longer += part;
     if (!text.empty() && ImGui::CalcTextSize(longer.c_str()).x > 0.55f * width) break;
     text = longer;
   }
