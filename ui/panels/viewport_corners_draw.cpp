@@ -71,6 +71,7 @@ void DrawToggles(Editor* editor, const Rect& rect) {
   const double scale = editor->settings.scale;
   const std::vector<Toggle> toggles = TogglesOf(editor->viewport.overlays);
   std::vector<float> widths;
+  widths.reserve(toggles.size());
   for (const Toggle& toggle : toggles) {
     widths.push_back(ImGui::CalcTextSize(Tr(toggle.label)).x + static_cast<float>(14.0 * scale));
   }

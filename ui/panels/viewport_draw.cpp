@@ -21,7 +21,7 @@ Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
     editor->Say(scene.error().ToString(), true);
     scene = render::Scene();
   }
-  const Result<unsigned> texture = editor->paint_scene(scene.value(), size, state.overlays.shadow);
+  Result<unsigned> texture = editor->paint_scene(scene.value(), size, state.overlays.shadow);
   if (!texture.ok()) return texture;
   state.shown = ShownPicture{key, texture.value(), TicksOf(scene.value())};
   ++state.pictures_drawn;
