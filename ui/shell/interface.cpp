@@ -161,6 +161,7 @@ void Interface::Frame(render::PictureSize size, double seconds) {
 void Interface::Paint(render::PictureSize size) {
   const ImDrawData& data = *ImGui::GetDrawData();
   std::vector<render::InterfaceLayer> layers;
+  layers.reserve(data.CmdListsCount);
   for (int i = 0; i < data.CmdListsCount; ++i) layers.push_back(LayerOf(*data.CmdLists[i]));
   painter_->Draw(layers, size, editor_->theme().window);
 }
