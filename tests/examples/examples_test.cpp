@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Compiled Load(const std::string& name) {
-  const std::string path = std::string(HAZUMI_SOURCE_DIR) + "/assets/examples/" + name + ".kfa";
+  const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/" + name + ".kfa";
   const Result<Project> project = LoadProject(path);
   EXPECT_TRUE(project.ok()) << project.error().ToString();
   Result<Compiled> compiled = CompileAnimation(project.value());
@@ -72,7 +72,7 @@ TEST(Throw, TheBallFliesOnAParabolaFromTheVelocityOfTheHand) {
 
 TEST(Examples, CompileAndBakeWithoutAWarning) {
   for (const auto& entry :
-       fs::directory_iterator(std::string(HAZUMI_SOURCE_DIR) + "/assets/examples")) {
+       fs::directory_iterator(HAZUMI_SOURCE_DIR "/assets/examples")) {
     if (entry.path().extension() != ".kfa") continue;
     const Compiled compiled = Load(entry.path().stem().string());
     for (const Warning& warning : compiled.warnings) ADD_FAILURE() << warning.message;

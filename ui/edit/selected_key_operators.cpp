@@ -50,7 +50,7 @@ Result<Done> EditSelected(Session* session, const std::string& id, const std::st
         for (const auto& [name, frames] : selected) {
           const Result<ProjectCurve*> curve = CurveNamed(name, session->figure(), project);
           if (!curve.ok()) return curve.error();
-          const Result<Done> done = edit(SelectedCurve{name, frames, curve.value(), &after[name]});
+          Result<Done> done = edit(SelectedCurve{name, frames, curve.value(), &after[name]});
           if (!done.ok()) return done;
         }
         session->set_selected_keys(std::move(after));

@@ -69,7 +69,7 @@ Result<Json> NumberIn(const std::string& text, const ParameterInfo& info) {
 Result<Json> NumbersIn(const std::string& text, const ParameterInfo& info) {
   Json list = Json::array();
   for (const std::string& part : Parts(text)) {
-    const Result<Json> number = NumberIn(part, info);
+    Result<Json> number = NumberIn(part, info);
     if (!number.ok()) return number;
     list.push_back(number.value());
   }

@@ -15,7 +15,7 @@ namespace hazumi::test {
 namespace {
 
 Animation Example(const std::string& name) {
-  const std::string path = std::string(HAZUMI_SOURCE_DIR) + "/assets/examples/" + name + ".kfa";
+  const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/" + name + ".kfa";
   return CompileAnimation(LoadProject(path).value()).value().animation;
 }
 
