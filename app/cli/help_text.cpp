@@ -62,7 +62,7 @@ Output
 
 Editor
   --trace           say in the end how long events took until the picture was
-                    finished
+                    finished, and how many frames playback showed
 
 Results go to standard output, progress and complaints to standard error.
 Exit codes: 0 ok, 1 failed, 2 usage, 65 bad data, 66 no input, 73 cannot write,

@@ -59,7 +59,9 @@ class ScriptedEditor {
 class Trace {
  public:
   void Add(double seconds) { milliseconds_.push_back(1e3 * seconds); }
-  void Print() {
+  void Print(const ui::Playback& playback) {
+    PrintLine(stdout, "playback %d frames shown, %d dropped", playback.frames(),
+              playback.dropped());
     if (milliseconds_.empty()) return;
     std::sort(milliseconds_.begin(), milliseconds_.end());
     PrintLine(stdout, "events %zu, event to picture: median %.1f ms, 99 of 100 within %.1f ms",
@@ -89,7 +91,7 @@ int RunWindow(const Options& options) {
   Trace trace;
   if (options.trace) window.trace = [&](double seconds) { trace.Add(seconds); };
   const Result<Done> done = ui::RunInWindow(&editor, window);
-  trace.Print();
+  if (options.trace) trace.Print(editor.playback);
   return done.ok() ? kExitOk : Complain(done.error());
 }
 

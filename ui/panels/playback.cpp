@@ -13,7 +13,7 @@ void Playback::Start(double now, int frame, int first, int last, double rate) {
   last_ = std::max(first, last);
   start_frame_ = std::clamp(frame, first_, last_);
   last_shown_ = -1;
-  shown_ = dropped_ = 0;
+  shown_ = frames_ = dropped_ = 0;
   shown_rate_ = 0.0;
 }
 
@@ -35,6 +35,7 @@ void Playback::CountFrame(double now, int frame) {
   }
   last_shown_ = frame;
   ++shown_;
+  ++frames_;
   if (now - window_start_ < 1.0) return;
   shown_rate_ = shown_ / (now - window_start_);
   window_start_ = now;

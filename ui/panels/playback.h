@@ -19,14 +19,15 @@ class Playback {
   void CountFrame(double now, int frame);
   // Different frames shown per second, over about the last second; 0 before that is known.
   double shown_rate() const { return shown_rate_; }
-  // Frames passed over since playback began.
+  // Frames shown and frames passed over since playback began.
+  int frames() const { return frames_; }
   int dropped() const { return dropped_; }
 
  private:
   bool is_on_ = false;
   double start_ = 0.0, rate_ = 30.0;
   int start_frame_ = 0, first_ = 0, last_ = 0;
-  int last_shown_ = -1, dropped_ = 0;
+  int last_shown_ = -1, frames_ = 0, dropped_ = 0;
   double window_start_ = 0.0, shown_rate_ = 0.0;
   int shown_ = 0;
 };

@@ -19,6 +19,8 @@ namespace {
 
 std::string g_problem;  // what GLFW said last
 
+bool g_has_event = false;  // since the events were last asked for
+
 void TakeProblem(int, const char* text) { g_problem = text; }
 
 Error CannotShow(const std::string& what) {
@@ -72,9 +74,10 @@ class Window {
   std::string title_;
 };
 
-// ImGui settles in a frame or two after an event: hovering, popups.
+// ImGui settles in a frame or two after an event: hovering, popups. The next event goes before.
 constexpr int kFramesAfterEvent = 3;
-constexpr double kCursorBlink = 0.4;  // [s]
+constexpr double kSettlePause = 0.02;  // [s]
+constexpr double kCursorBlink = 0.4;   // [s]
 
 std::string TitleOf(const Editor& editor) {
   const edit::Document& document = editor.session().document();
@@ -88,6 +91,14 @@ void TakeDrop(GLFWwindow* window, int count, const char** paths) {
   if (count > 0 && editor->dialogs.modal == Modal::kNone) {
     editor->Do("app.open", {{"path", paths[0]}});
   }
+}
+
+// ImGui's own callbacks, which are installed later, call those of before.
+void NoteEvents(GLFWwindow* window) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow*, double, double) { g_has_event = true; });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow*, int, int, int) { g_has_event = true; });
+  glfwSetScrollCallback(window, [](GLFWwindow*, double, double) { g_has_event = true; });
+  glfwSetKeyCallback(window, [](GLFWwindow*, int, int, int, int) { g_has_event = true; });
 }
 
 // Draws frames as long as there is a reason to, and sleeps in between.
@@ -143,17 +154,24 @@ class Loop {
     return deadline;
   }
 
+  // An event that is there at once came while the picture was drawn: its time is taken to be when
+  // that was begun.
   void Wait() {
-    if (frames_left_ > 0) {
-      --frames_left_;
-      return glfwPollEvents();
-    }
-    constexpr double kLongest = 3600.0;
-    const double deadline = std::clamp(Deadline(), 1e-4, kLongest), start = glfwGetTime();
-    glfwWaitEventsTimeout(deadline);
+    constexpr double kLongest = 3600.0, kAtOnce = 5e-4;  // [s]
+    double pause = std::clamp(Deadline(), 1e-4, kLongest);
+    if (frames_left_ > 0) pause = std::min(pause, kSettlePause);
+    g_has_event = false;
+    const double start = glfwGetTime();
+    glfwWaitEventsTimeout(pause);
     const double now = glfwGetTime();
-    if (now - start >= deadline) return;  // nothing happened but that time passed
-    event_time_ = now;
+    const bool has_waited_for_nothing = now - start >= pause;
+    if (!has_waited_for_nothing) return Settle(now - start < kAtOnce ? last_frame_ : now);
+    if (frames_left_ > 0) --frames_left_;
+  }
+
+  // Only what the user does is traced.
+  void Settle(double event_time) {
+    if (g_has_event) event_time_ = event_time;
     frames_left_ = editor_.playback.is_on() ? 0 : kFramesAfterEvent - 1;
   }
 
@@ -176,6 +194,7 @@ Result<Done> RunInWindow(Editor* editor, const WindowOptions& options) {
       [](const char* name) { return reinterpret_cast<render::GlProc>(glfwGetProcAddress(name)); },
       editor);
   if (!interface.ok()) return interface.error();
+  NoteEvents(window.value()->get());
   ImGui_ImplGlfw_InitForOpenGL(window.value()->get(), true);
   Loop(window.value().get(), interface.value().get(), editor, options).Run();
   ImGui_ImplGlfw_Shutdown();
