@@ -76,9 +76,13 @@ TEST(OutlinerHitTest, FindsTheRowAndItsTriangle) {
   const auto hit = HitOutliner(rows, place, {250.0f, 50.0f + 15.0f});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->row, 2u);  // 45 px below the first one's upper edge
-  EXPECT_FALSE(hit->on_disclosure);
+  EXPECT_EQ(hit->part, OutlinerPart::kLabel);
   const Rect triangle = place.Disclosure(rows[2], 2);
-  EXPECT_TRUE(HitOutliner(rows, place, {triangle.x + 2.0f, triangle.y + 12.0f})->on_disclosure);
+  EXPECT_EQ(HitOutliner(rows, place, {triangle.x + 2.0f, triangle.y + 12.0f})->part,
+            OutlinerPart::kDisclosure);
+  const Rect eye = place.Eye(2), lock = place.Lock(2);
+  EXPECT_EQ(HitOutliner(rows, place, {eye.x + 2.0f, eye.y + 12.0f})->part, OutlinerPart::kEye);
+  EXPECT_EQ(HitOutliner(rows, place, {lock.x + 2.0f, lock.y + 12.0f})->part, OutlinerPart::kLock);
   EXPECT_FALSE(HitOutliner(rows, place, {90.0f, 60.0f}));
   place.scroll = 10000.0f;
   EXPECT_FALSE(HitOutliner(rows, place, {250.0f, 60.0f}));
@@ -87,15 +91,39 @@ TEST(OutlinerHitTest, FindsTheRowAndItsTriangle) {
 TEST(OutlinerClick, ShiftSelectsFromTheRowThatWasClickedBefore) {
   Editor editor;
   const std::vector<OutlinerRow> rows = RowsOf(editor);
-  ClickOutliner(&editor, rows, {RowNamed("r_shoulder", rows), false}, ClickMode::kOnly);
-  ClickOutliner(&editor, rows, {RowNamed("r_wrist", rows), false}, ClickMode::kExtend);
+  ClickOutliner(&editor, rows, {RowNamed("r_shoulder", rows), OutlinerPart::kLabel},
+                ClickMode::kOnly);
+  ClickOutliner(&editor, rows, {RowNamed("r_wrist", rows), OutlinerPart::kLabel},
+                ClickMode::kExtend);
   const std::set<std::string>& selected = editor.session().selected_joints();
   EXPECT_EQ(selected.size(), 7u);
   EXPECT_TRUE(selected.contains("r_elbow_pronation"));
-  ClickOutliner(&editor, rows, {RowNamed("r_elbow", rows), false}, ClickMode::kToggle);
+  ClickOutliner(&editor, rows, {RowNamed("r_elbow", rows), OutlinerPart::kLabel},
+                ClickMode::kToggle);
   EXPECT_EQ(selected.size(), 5u);
   EXPECT_FALSE(selected.contains("r_elbow_pronation"));
   EXPECT_EQ(editor.session().document().num_steps(), 0u);  // nothing to undo
+}
+
+TEST(OutlinerClick, TheEyeHidesAJointAndShowsItAgain) {
+  Editor editor;
+  const std::vector<OutlinerRow> rows = RowsOf(editor);
+  const OutlinerHit eye = {RowNamed("r_elbow", rows), OutlinerPart::kEye};
+  ClickOutliner(&editor, rows, eye, ClickMode::kOnly);
+  EXPECT_EQ(editor.session().hidden_joints(),
+            (std::set<std::string>{"r_elbow_flexion", "r_elbow_pronation"}));
+  EXPECT_TRUE(editor.session().selected_joints().empty());
+  ClickOutliner(&editor, rows, eye, ClickMode::kOnly);
+  EXPECT_TRUE(editor.session().hidden_joints().empty());
+}
+
+TEST(OutlinerClick, TheLockKeepsAJointFromBeingPosed) {
+  Editor editor;
+  const std::vector<OutlinerRow> rows = RowsOf(editor);
+  ClickOutliner(&editor, rows, {RowNamed("r_elbow", rows), OutlinerPart::kLock}, ClickMode::kOnly);
+  EXPECT_FALSE(editor.Do("pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", 30}}));
+  EXPECT_NE(editor.message.text.find("locked"), std::string::npos);
+  EXPECT_TRUE(editor.Do("pose.rotate", {{"joint", "l_elbow_flexion"}, {"to", 30}}));
 }
 
 TEST(Outliner, AClickOnARowSelectsItsJoint) {
@@ -107,7 +135,7 @@ TEST(Outliner, AClickOnARowSelectsItsJoint) {
   const Rect panel =
       LayOutWindow({0.0f, 0.0f, 640.0f, 400.0f}, editor.settings.shares, 1.0).outliner;
   // The third row, the chest, lies below the search field.
-  shell.MoveMouse(panel.x + 100.0f, panel.y + 80.0f);
+  shell.MoveMouse(panel.x + 60.0f, panel.y + 80.0f);
   shell.Frame();
   shell.PressButton(0, true);
   shell.Frame();

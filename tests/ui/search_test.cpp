@@ -17,7 +17,7 @@ std::string FirstFor(const std::string& query) {
 TEST(Search, FindsByTheWordsOfALabelInAnyOrder) {
   SetLanguage(Language::kEnglish);
   EXPECT_EQ(FirstFor("undo"), "edit.undo");
-  EXPECT_EQ(FirstFor("region dyn"), "region.add");
+  EXPECT_EQ(FirstFor("region dyn add"), "region.add");
   EXPECT_EQ(FirstFor("BAKE"), "region.to_keys");
   EXPECT_EQ(FirstFor("xyzzy"), "");
 }

@@ -13,6 +13,7 @@ namespace hazumi::edit {
 
 // Each gives the operators of one file.
 std::vector<Operator> FigureOperators();
+std::vector<Operator> JointStateOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> ObjectOperators();
@@ -43,12 +44,15 @@ const ProjectCurve* FindCurve(const std::string& name, const Project& project);
 // Names of all curves that a project has: of its root and of hinges that have one.
 std::vector<std::string> CurveNames(const Project& project);
 
+// A hinge by its name, or all of a joint. Errors: kSchema if there is none of this name.
+Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure);
+
 // By the parameter "curves"; not given: those of the selected joints, else all.
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);
 // By the word of the format, e.g. "cubic".
 Result<Interpolation> InterpolationNamed(const std::string& name);
 
-// Keys angles at the current frame: one undo step, or part of a drag.
+// Keys angles at the current frame, but for locked hinges: one undo step, or part of a drag.
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag = "");
 

@@ -26,8 +26,8 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (auto&& list :
-       {FigureOperators(), KeyOperators(), KeySelectionOperators(), ObjectOperators(),
-        PoseOperators(), ReachOperators(), RegionOperators(), SceneOperators(),
+       {FigureOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
+        ObjectOperators(), PoseOperators(), ReachOperators(), RegionOperators(), SceneOperators(),
         SelectedKeyOperators(), SessionOperators(), StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }

@@ -99,10 +99,16 @@ std::string OtherSide(const std::string& name) {
 
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag) {
+  const std::set<std::string>& locked = session->locked_joints();
+  const auto is_locked = [&](const Named<double>& angle) { return locked.contains(angle.name); };
+  if (!pose.empty() && std::all_of(pose.begin(), pose.end(), is_locked)) {
+    return Refusal("joint", "\"" + pose[0].name + "\" is locked; unlock it in the outliner");
+  }
   return session->Edit(
       label,
       [&](Project* project) -> Result<Done> {
         for (const Named<double>& angle : pose) {
+          if (is_locked(angle)) continue;
           const Result<ProjectCurve*> curve = CurveNamed(angle.name, session->figure(), project);
           if (!curve.ok()) return curve.error();
           KeyAngle(session->frame(), angle.value, curve.value());

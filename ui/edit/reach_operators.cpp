@@ -70,7 +70,8 @@ std::optional<std::string> JointInTheWay(const std::vector<JointIndex>& hinges, 
 
 // The hinges to turn.
 Result<std::vector<JointIndex>> HingesFor(GroupIndex moved, const Parameters& p, double frame,
-                                          const Animation& animation) {
+                                          const Animation& animation,
+                                          const std::set<std::string>& locked) {
   const Figure& figure = *animation.figure;
   const auto count = p.has("chain") ? std::optional(p.integer("chain")) : std::nullopt;
   if (count && *count < 0) return Refusal("chain", "must not be negative");
@@ -82,12 +83,14 @@ Result<std::vector<JointIndex>> HingesFor(GroupIndex moved, const Parameters& p,
   std::vector<JointIndex> hinges;
   for (const GroupIndex g : chain) {
     for (int j = figure.group(g).first.value(); j <= figure.group(g).last().value(); ++j) {
+      if (locked.contains(figure.joint(JointIndex(j)).name)) continue;
       if (IsKeyed(JointIndex(j), frame, animation)) hinges.push_back(JointIndex(j));
     }
   }
   if (!hinges.empty()) return hinges;
-  return Refusal("joint", "regions swing every joint that moves \"" + figure.group(moved).name +
-                              "\" in this frame; end them before it");
+  return Refusal("joint", "every joint that moves \"" + figure.group(moved).name +
+                              "\" is swung by a region in this frame, or locked; end the region " +
+                              "before it, or unlock one");
 }
 
 Result<Done> ReachFor(Session* session, const Parameters& p) {
@@ -98,7 +101,8 @@ Result<Done> ReachFor(Session* session, const Parameters& p) {
   if (!now.ok()) return now.error();
   const Animation& animation = *session->animation();
   const double frame = session->frame();
-  const Result<std::vector<JointIndex>> hinges = HingesFor(*moved, p, frame, animation);
+  const Result<std::vector<JointIndex>> hinges =
+      HingesFor(*moved, p, frame, animation, session->locked_joints());
   if (!hinges.ok()) return hinges.error();
   if (const auto why = JointInTheWay(hinges.value(), frame, *now.value(), animation)) {
     return Refusal("joint", *why);

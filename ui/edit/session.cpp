@@ -16,6 +16,8 @@ void Session::Replace(Project project, const std::string& path) {
   document_ = std::make_unique<Document>(std::move(project), path);
   ++document_number_;
   selected_joints_.clear();
+  hidden_joints_.clear();
+  locked_joints_.clear();
   frame_ = document_->project().frames.first;
   compiled_revision_ = -1;
   TakeFigure();

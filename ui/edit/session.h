@@ -33,7 +33,7 @@ class Session {
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   const Project& project() const { return document_->project(); }
-  // Takes the place of the document; nothing stays selected.
+  // Takes the place of the document; nothing stays selected, hidden or locked.
   void Replace(Project project, const std::string& path);
   // Counts up whenever another document takes the place.
   long document_number() const { return document_number_; }
@@ -54,6 +54,11 @@ class Session {
   void set_frame(double frame) { frame_ = frame; }
   const std::set<std::string>& selected_joints() const { return selected_joints_; }
   void set_selected_joints(std::set<std::string> names) { selected_joints_ = std::move(names); }
+  // Hinges without marks, and hinges that are not posed.
+  const std::set<std::string>& hidden_joints() const { return hidden_joints_; }
+  void set_hidden_joints(std::set<std::string> names) { hidden_joints_ = std::move(names); }
+  const std::set<std::string>& locked_joints() const { return locked_joints_; }
+  void set_locked_joints(std::set<std::string> names) { locked_joints_ = std::move(names); }
   const KeySelection& selected_keys() const { return document_->selected_keys(); }
   void set_selected_keys(KeySelection keys) { document_->set_selected_keys(std::move(keys)); }
   const std::vector<Named<ProjectKey>>& key_clipboard() const { return key_clipboard_; }
@@ -82,7 +87,7 @@ class Session {
   void TakeFigure();
 
   std::unique_ptr<Document> document_;
-  std::set<std::string> selected_joints_;
+  std::set<std::string> selected_joints_, hidden_joints_, locked_joints_;
   double frame_ = 0.0;
   Pose clipboard_;
   std::vector<Named<ProjectKey>> key_clipboard_;  // by curve

@@ -94,21 +94,6 @@ Result<Done> SetName(Session* session, const Parameters& p) {
   });
 }
 
-// A joint of several hinges stands for all of them.
-Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure) {
-  std::vector<std::string> hinges;
-  if (const auto group = figure.FindGroup(name)) {
-    const JointGroup& joint = figure.group(*group);
-    for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
-      hinges.push_back(figure.joints()[j].name);
-    }
-  } else if (const auto hinge = figure.FindJoint(name)) {
-    hinges.push_back(figure.joint(*hinge).name);
-  }
-  if (hinges.empty()) return Refusal("joints", "the figure has no joint \"" + name + "\"");
-  return hinges;
-}
-
 Result<Done> SelectJoints(Session* session, const Parameters& p) {
   const std::string mode = p.text("mode", "replace");
   if (mode != "replace" && mode != "add" && mode != "remove") {
@@ -161,6 +146,20 @@ Result<Done> EndDrag(Session* session, const Parameters&) {
 }
 
 }  // namespace
+
+Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure) {
+  std::vector<std::string> hinges;
+  if (const auto group = figure.FindGroup(name)) {
+    const JointGroup& joint = figure.group(*group);
+    for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
+      hinges.push_back(figure.joints()[j].name);
+    }
+  } else if (const auto hinge = figure.FindJoint(name)) {
+    hinges.push_back(figure.joint(*hinge).name);
+  }
+  if (hinges.empty()) return Refusal("joints", "the figure has no joint \"" + name + "\"");
+  return hinges;
+}
 
 std::vector<Operator> SessionOperators() {
   return {

@@ -21,19 +21,17 @@ Result<double> FrameIn(const Json& state) {
   return frame->get<double>();
 }
 
-Result<std::set<std::string>> SelectedIn(const Json& state, const Figure& figure) {
-  const auto names = state.find("selected_joints");
-  if (names == state.end() || !names->is_array()) {
-    return Wrong("selected_joints", "must be a list of hinges");
-  }
-  std::set<std::string> selected;
+Result<std::set<std::string>> HingesIn(const Json& state, const char* field, const Figure& figure) {
+  const auto names = state.find(field);
+  if (names == state.end() || !names->is_array()) return Wrong(field, "must be a list of hinges");
+  std::set<std::string> hinges;
   for (const Json& name : *names) {
     if (!name.is_string() || !figure.FindJoint(name.get<std::string>())) {
-      return Wrong("selected_joints", "the figure has no hinge " + name.dump());
+      return Wrong(field, "the figure has no hinge " + name.dump());
     }
-    selected.insert(name.get<std::string>());
+    hinges.insert(name.get<std::string>());
   }
-  return selected;
+  return hinges;
 }
 
 Result<Pose> ClipboardIn(const Json& state) {
@@ -112,6 +110,8 @@ Json StateOf(const Session& session) {
   for (const Named<ProjectKey>& key : session.key_clipboard()) copied.push_back(JsonOf(key));
   return {{"frame", session.frame()},
           {"selected_joints", session.selected_joints()},
+          {"hidden_joints", session.hidden_joints()},
+          {"locked_joints", session.locked_joints()},
           {"clipboard", std::move(clipboard)},
           {"selected_keys", JsonOf(session.selected_keys())},
           {"copied_keys", std::move(copied)}};
@@ -121,8 +121,13 @@ Result<Done> RestoreState(const Json& state, Session* session) {
   if (!state.is_object()) return Wrong("", "must be an object");
   const Result<double> frame = FrameIn(state);
   if (!frame.ok()) return frame.error();
-  Result<std::set<std::string>> selected = SelectedIn(state, session->figure());
+  const Figure& figure = session->figure();
+  Result<std::set<std::string>> selected = HingesIn(state, "selected_joints", figure);
   if (!selected.ok()) return selected.error();
+  Result<std::set<std::string>> hidden = HingesIn(state, "hidden_joints", figure);
+  if (!hidden.ok()) return hidden.error();
+  Result<std::set<std::string>> locked = HingesIn(state, "locked_joints", figure);
+  if (!locked.ok()) return locked.error();
   Result<Pose> clipboard = ClipboardIn(state);
   if (!clipboard.ok()) return clipboard.error();
   Result<KeySelection> selected_keys = SelectedKeysIn(state);
@@ -131,6 +136,8 @@ Result<Done> RestoreState(const Json& state, Session* session) {
   if (!copied.ok()) return copied.error();
   session->set_frame(frame.value());
   session->set_selected_joints(std::move(selected).value());
+  session->set_hidden_joints(std::move(hidden).value());
+  session->set_locked_joints(std::move(locked).value());
   session->set_clipboard(std::move(clipboard).value());
   session->set_selected_keys(std::move(selected_keys).value());
   session->set_key_clipboard(std::move(copied).value());

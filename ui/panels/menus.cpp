@@ -57,42 +57,65 @@ MenuEntry ViewMenu() {
                           Line(),
                           {"view.orthographic"},
                           {"view.camera"},
+                          {"view.frame_selected"},
+                          {"view.frame_all"},
                           Submenu("Overlays",
                                   {overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
                                    overlay("marks", "Pins and centre of mass"),
                                    overlay("tint", "Joints in regions"),
                                    overlay("limits", "Joint limits"), overlay("shadow", "Shadow")}),
                           Line(),
-                          {"view.sheet"},
+                          Submenu("Sheet", {{"view.sheet"},
+                                            {"sheet.only_selected"},
+                                            {"sheet.normalize"},
+                                            {"sheet.frame_selected"},
+                                            {"sheet.frame_all"}}),
+                          Line(),
                           {"time.play"},
                           {"time.to_end", {{"last", false}}, "To the first frame"},
                           {"time.to_end", {{"last", true}}, "To the last frame"},
                           {"time.to_key", {{"next", true}}, "To the next key"},
                           {"time.to_key", {{"next", false}}, "To the previous key"},
+                          Line(),
                           {"time.range"},
-                          {"time.rate"}});
+                          {"time.rate"},
+                          {"sheet.preview"},
+                          {"time.preview", {{"off", true}}, "No preview range"},
+                          {"marker.add", Json::object(), "Add marker"}});
 }
 
 MenuEntry SelectMenu() {
   return Submenu("Select", {{"select.all"},
-                            {"select.joints", {{"joints", Json::array()}}, "Deselect all joints"},
+                            {"select.none"},
+                            {"select.mirror"},
                             Line(),
-                            {"keys.select_all"},
+                            {"joint.hide"},
+                            {"joint.show_all"},
+                            {"joint.lock"},
+                            {"joint.lock", {{"on", false}}, "Unlock joints"},
+                            Line(),
+                            {"sheet.select_all"},
+                            {"sheet.box"},
                             {"keys.select_column"},
                             {"keys.select_side", {{"side", "before"}}, "Keys before this frame"},
                             {"keys.select_side", {{"side", "after"}}, "Keys after this frame"}});
 }
 
 MenuEntry PoseMenu() {
-  return Submenu("Pose", {{"pose.copy"},
-                          {"pose.paste"},
-                          {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
-                          Line(),
-                          {"pose.clear"},
-                          {"pose.rotate"},
-                          {"pose.reach"},
-                          Line(),
-                          {"hold.add"}});
+  return Submenu("Pose",
+                 {{"pose.copy"},
+                  {"pose.paste"},
+                  {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
+                  Line(),
+                  {"tool.rotate"},
+                  {"tool.move"},
+                  {"pose.clear"},
+                  Line(),
+                  {"pose.rotate"},
+                  {"pose.reach"},
+                  {"hold.add"},
+                  Line(),
+                  Submenu("Figure", {{"figure.joint_limits"}, {"figure.link"}, {"figure.embed"}})});
 }
 
 MenuEntry KeyMenu() {
@@ -105,17 +128,21 @@ MenuEntry KeyMenu() {
               Line(),
               {"keys.copy"},
               {"keys.paste"},
-              {"keys.duplicate"},
-              {"keys.scale"},
+              {"sheet.duplicate"},
+              Line(),
+              {"sheet.move"},
+              {"sheet.scale"},
               Line(),
               Submenu("Interpolation", {kind("hold", "Hold"), kind("linear", "Linear"),
                                         kind("quadratic", "Quadratic"), kind("cubic", "Cubic")}),
               Submenu("Handles", {{"keys.handles", {{"kind", "auto"}}, "Automatic"},
-                                  {"keys.handles", {{"kind", "flat"}}, "Flat"}})});
+                                  {"keys.handles", {{"kind", "flat"}}, "Flat"}}),
+              {"key.rate"}});
 }
 
 MenuEntry RegionMenu() {
-  return Submenu("Region", {{"region.add"},
+  return Submenu("Region", {{"sheet.mark_region"},
+                            {"region.add"},
                             {"region.set"},
                             {"region.friction"},
                             {"region.start_rate"},
@@ -123,11 +150,18 @@ MenuEntry RegionMenu() {
                             {"region.remove"},
                             {"region.to_keys"},
                             Line(),
-                            {"placement.set"},
-                            {"solver.set"},
-                            {"scene.gravity"},
-                            Line(),
-                            {"object.add_box"}});
+                            {"solver.set"}});
+}
+
+MenuEntry SceneMenu() {
+  return Submenu("Scene", {{"placement.set"},
+                           {"scene.gravity"},
+                           Line(),
+                           {"object.add_box"},
+                           {"object.add_plane"},
+                           {"object.remove"},
+                           Line(),
+                           {"camera.set"}});
 }
 
 MenuEntry HelpMenu() {
@@ -144,14 +178,18 @@ void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat
 bool NeedsRegion(const std::string& id) { return id.starts_with("region.") && id != "region.add"; }
 
 bool NeedsSelectedKeys(const std::string& id) {
+  for (const char* tool : {"sheet.move", "sheet.scale", "sheet.duplicate"}) {
+    if (id == tool) return true;
+  }
   return id.starts_with("keys.") && !id.starts_with("keys.select") && id != "keys.paste";
 }
 
 }  // namespace
 
 const std::vector<MenuEntry>& AllMenus() {
-  static const std::vector<MenuEntry> menus = {FileMenu(), EditMenu(), ViewMenu(),   SelectMenu(),
-                                               PoseMenu(), KeyMenu(),  RegionMenu(), HelpMenu()};
+  static const std::vector<MenuEntry> menus = {FileMenu(),   EditMenu(),  ViewMenu(),
+                                               SelectMenu(), PoseMenu(),  KeyMenu(),
+                                               RegionMenu(), SceneMenu(), HelpMenu()};
   return menus;
 }
 

@@ -51,7 +51,7 @@ void DrawBackground(Editor* editor, const OutlinerRow& row, size_t index, const 
     list->AddRectFilled({rect.x, rect.y}, {rect.right(), rect.bottom()}, ToIm(color, alpha));
   };
   fill(index % 2 == 0 ? theme.row : theme.row_odd, 1.0f);
-  const Share share = SelectedOf(row, session.selected_joints(), session.figure());
+  const Share share = ShareOf(row, session.selected_joints(), session.figure());
   const bool is_active = row.kind != RowKind::kHinge && row.name == editor->side.active;
   if (share == Share::kAll) fill(theme.accent, 0.85f);
   if (share == Share::kSome) fill(theme.accent, 0.4f);
@@ -94,6 +94,51 @@ float DrawSign(Editor* editor, const OutlinerRow& row, Point center, float size)
   return size;
 }
 
+// Hatched where a region moves the joint now. `right`: where it ends [px].
+void DrawMoved(Editor* editor, const OutlinerRow& row, float right, float middle) {
+  if (!IsMoved(editor, row)) return;
+  const float size = ImGui::GetFontSize();
+  const edit::Session& session = editor->session();
+  const bool is_selected = ShareOf(row, session.selected_joints(), session.figure()) == Share::kAll;
+  const ImU32 color = ToIm(is_selected ? editor->theme().text : colors::kDynamics);
+  const Rect mark = {right - 1.2f * size, middle - 0.3f * size, size, 0.6f * size};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  DrawHatch(list, mark, color);
+  list->AddRect({mark.x, mark.y}, {mark.right(), mark.bottom()}, color);
+}
+
+// Shown where they say something, and where the mouse is.
+void DrawSwitches(Editor* editor, const OutlinerRow& row, size_t index,
+                  const OutlinerPlace& place) {
+  const edit::Session& session = editor->session();
+  const Theme& theme = editor->theme();
+  const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const bool is_hovered = ImGui::IsWindowHovered() && place.RowRect(index).Contains(mouse);
+  const float radius = 0.36f * ImGui::GetFontSize();
+  const auto draw = [&](const Rect& rect, const std::set<std::string>& names, auto sign,
+                        const char* help) {
+    const bool is_on = ShareOf(row, names, session.figure()) == Share::kAll;
+    if (!is_on && !is_hovered) return;
+    const bool is_under = rect.Contains(mouse) && ImGui::IsWindowHovered();
+    const ImU32 color = ToIm(is_on || is_under ? theme.text : theme.faint_text);
+    sign(Point{rect.x + 0.5f * rect.w, rect.y + 0.5f * rect.h}, radius, color, is_on);
+    if (is_under) ImGui::SetTooltip("%s", help);
+  };
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  draw(
+      place.Eye(index), session.hidden_joints(),
+      [&](Point c, float r, ImU32 color, bool is_hidden) {
+        DrawEye(list, c, r, color, !is_hidden);
+      },
+      Tr("Hides the joint's mark, or shows it (H, Alt+H)"));
+  draw(
+      place.Lock(index), session.locked_joints(),
+      [&](Point c, float r, ImU32 color, bool is_locked) {
+        DrawLock(list, c, r, color, is_locked);
+      },
+      Tr("Locks the joint against posing, or unlocks it"));
+}
+
 void DrawRow(Editor* editor, const OutlinerRow& row, size_t index, const OutlinerPlace& place) {
   const Theme& theme = editor->theme();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -111,13 +156,9 @@ void DrawRow(Editor* editor, const OutlinerRow& row, size_t index, const Outline
   const bool is_name = IsJoint(row) || row.kind == RowKind::kRoot;
   const char* label = is_name ? row.label.c_str() : Tr(row.label.c_str());
   list->AddText({x, middle - 0.5f * size}, ToIm(is_faint ? theme.faint_text : theme.text), label);
-  if (!IsMoved(editor, row)) return;
-  const std::set<std::string>& selected = editor->session().selected_joints();
-  const bool is_selected = SelectedOf(row, selected, editor->session().figure()) == Share::kAll;
-  const ImU32 color = ToIm(is_selected ? theme.text : colors::kDynamics);
-  const Rect mark = {rect.right() - 1.4f * size, middle - 0.3f * size, size, 0.6f * size};
-  DrawHatch(list, mark, color);
-  list->AddRect({mark.x, mark.y}, {mark.right(), mark.bottom()}, color);
+  if (!IsJoint(row)) return;
+  DrawMoved(editor, row, place.Eye(index).x, middle);
+  DrawSwitches(editor, row, index, place);
 }
 
 ClickMode ClickModeNow() {

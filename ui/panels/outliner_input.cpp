@@ -29,13 +29,29 @@ void SelectJoints(Editor* editor, const std::vector<OutlinerRow>& rows, size_t r
   if (!shows_joints) side.section = Section::kPose;
 }
 
+// Hides or locks what is not, and the other way round.
+void Switch(Editor* editor, const char* id, const OutlinerRow& row,
+            const std::set<std::string>& now) {
+  const bool is_on = ShareOf(row, now, editor->session().figure()) == Share::kAll;
+  editor->Do(id, {{"joints", {row.name}}, {"on", !is_on}});
+}
+
 }  // namespace
 
 void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const OutlinerHit& hit,
                    ClickMode click) {
   const OutlinerRow& row = rows[hit.row];
   SideState& side = editor->side;
-  if (hit.on_disclosure || row.kind == RowKind::kHeading) return Toggle(row, &side);
+  if (hit.part == OutlinerPart::kDisclosure || row.kind == RowKind::kHeading) {
+    return Toggle(row, &side);
+  }
+  const edit::Session& session = editor->session();
+  if (hit.part == OutlinerPart::kEye) {
+    return Switch(editor, "joint.hide", row, session.hidden_joints());
+  }
+  if (hit.part == OutlinerPart::kLock) {
+    return Switch(editor, "joint.lock", row, session.locked_joints());
+  }
   if (row.kind == RowKind::kJoint || row.kind == RowKind::kHinge) {
     SelectJoints(editor, rows, hit.row, click);
   } else {

@@ -146,7 +146,7 @@ std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& proje
 JointClick ClickOn(const std::vector<OutlinerRow>& rows, size_t row, const std::string& anchor,
                    ClickMode click, const std::set<std::string>& selected, const Figure& figure) {
   if (click == ClickMode::kToggle) {
-    const bool is_on = SelectedOf(rows[row], selected, figure) == Share::kAll;
+    const bool is_on = ShareOf(rows[row], selected, figure) == Share::kAll;
     return {{rows[row].name}, is_on ? "remove" : "add"};
   }
   if (click == ClickMode::kOnly) return {{rows[row].name}, "replace"};
@@ -156,11 +156,10 @@ JointClick ClickOn(const std::vector<OutlinerRow>& rows, size_t row, const std::
   return {JointsFrom(rows, std::min(start, row), std::max(start, row)), "add"};
 }
 
-Share SelectedOf(const OutlinerRow& row, const std::set<std::string>& selected,
-                 const Figure& figure) {
+Share ShareOf(const OutlinerRow& row, const std::set<std::string>& names, const Figure& figure) {
   const std::vector<std::string> hinges = HingesOf(row, figure);
   const auto count = std::count_if(hinges.begin(), hinges.end(),
-                                   [&](const auto& name) { return selected.contains(name); });
+                                   [&](const auto& name) { return names.contains(name); });
   if (count == 0) return Share::kNone;
   return count == static_cast<long>(hinges.size()) ? Share::kAll : Share::kSome;
 }

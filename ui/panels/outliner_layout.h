@@ -42,9 +42,8 @@ struct JointClick {
 JointClick ClickOn(const std::vector<OutlinerRow>& rows, size_t row, const std::string& anchor,
                    ClickMode click, const std::set<std::string>& selected, const Figure& figure);
 
-// How much of a joint is selected.
+// How many hinges of a joint are among the names: of what is selected, hidden, locked.
 enum class Share { kNone, kSome, kAll };
-Share SelectedOf(const OutlinerRow& row, const std::set<std::string>& selected,
-                 const Figure& figure);
+Share ShareOf(const OutlinerRow& row, const std::set<std::string>& names, const Figure& figure);
 
 }  // namespace hazumi::ui

@@ -24,6 +24,8 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'A'}, kViewport, "select.all"},
       {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},
       {{'R', false, false, true}, kViewport, "pose.clear"},
+      {{'H'}, kViewport, "joint.hide"},
+      {{'H', false, false, true}, kViewport, "joint.show_all"},
       {{kSpace}, kAnywhere, "time.play"},
       {{kRight}, kAnywhere, "time.step", {{"by", 1}}},
       {{kLeft}, kAnywhere, "time.step", {{"by", -1}}},

@@ -36,4 +36,25 @@ void DrawTriangle(ImDrawList* list, Point c, float r, ImU32 color, bool is_open)
   }
 }
 
+void DrawEye(ImDrawList* list, Point c, float r, ImU32 color, bool is_open) {
+  const auto lid = [&](float bend) {
+    list->AddBezierQuadratic({c.x - r, c.y}, {c.x, c.y + 1.4f * bend * r}, {c.x + r, c.y}, color,
+                             1.2f);
+  };
+  lid(1.0f);
+  if (!is_open) return;
+  lid(-1.0f);
+  list->AddCircleFilled(ToIm(c), 0.36f * r, color);
+}
+
+void DrawLock(ImDrawList* list, Point c, float r, ImU32 color, bool is_locked) {
+  const float top = c.y - 0.1f * r, bow = 0.5f * r;
+  list->AddRectFilled({c.x - 0.8f * r, top}, {c.x + 0.8f * r, c.y + 0.95f * r}, color, 1.0f);
+  const float left = is_locked ? c.x - bow : c.x;  // an open bow stands beside
+  list->PathLineTo({left, top});
+  list->PathArcTo({left + bow, top - 0.35f * r}, bow, 3.1416f, 6.2832f, 10);
+  if (is_locked) list->PathLineTo({left + 2.0f * bow, top});
+  list->PathStroke(color, 0, 1.3f);
+}
+
 }  // namespace hazumi::ui

@@ -25,9 +25,13 @@ std::optional<GroupIndex> ParentOf(GroupIndex joint, const Figure& figure) {
 
 }  // namespace
 
-PosedFigure::PosedFigure(const Figure& figure, const MotionFrame& frame)
-    : figure_(&figure), frame_(&frame), ws_(figure) {
+PosedFigure::PosedFigure(const Figure& figure, const MotionFrame& frame,
+                         const std::set<std::string>& hidden)
+    : figure_(&figure), frame_(&frame), ws_(figure), is_hidden_(figure.groups().size(), true) {
   ComputePositions(figure, frame.X_WR, frame.q, &ws_);
+  for (const Joint& hinge : figure.joints()) {
+    if (!hidden.contains(hinge.name)) is_hidden_[hinge.group.value()] = false;
+  }
 }
 
 hazumi::Pose PosedFigure::PoseOf(JointIndex hinge) const {
@@ -53,7 +57,7 @@ Vec3 PosedFigure::LimbOf(GroupIndex joint) const {
 std::optional<PosedFigure> PoseNow(edit::Session* session) {
   const Result<const MotionFrame*> now = session->FrameNow();
   if (!now.ok()) return std::nullopt;
-  return PosedFigure(session->figure(), *now.value());
+  return PosedFigure(session->figure(), *now.value(), session->hidden_joints());
 }
 
 std::vector<GroupIndex> SelectedJoints(const edit::Session& session) {

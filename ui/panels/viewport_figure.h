@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace hazumi::ui {
 // The figure at one frame, in the world.
 class PosedFigure {
  public:
-  PosedFigure(const Figure& figure, const MotionFrame& frame);
+  // `hidden`: hinges; a joint is hidden when all of its are.
+  PosedFigure(const Figure& figure, const MotionFrame& frame,
+              const std::set<std::string>& hidden = {});
 
   const Figure& figure() const { return *figure_; }
   const MotionFrame& frame() const { return *frame_; }
@@ -23,6 +26,7 @@ class PosedFigure {
   // Of a hinge, unit.
   Vec3 AxisOf(JointIndex hinge) const { return ws_.body(hinge).axis; }
   double angle(JointIndex hinge) const { return frame_->q[hinge.value()]; }  // [rad]
+  bool IsHidden(GroupIndex joint) const { return is_hidden_[joint.value()]; }
   // Where the limb beyond a joint points, unit: to the next joint, or to the end of its link.
   Vec3 LimbOf(GroupIndex joint) const;
 
@@ -30,6 +34,7 @@ class PosedFigure {
   const Figure* figure_;
   const MotionFrame* frame_;
   DynamicsWorkspace ws_;
+  std::vector<bool> is_hidden_;  // by joint
 };
 
 // At the current frame; none if the project cannot be animated. Valid until the next edit.

@@ -62,7 +62,7 @@ std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure
   double least = kMarkerReach * scale;
   for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {
     const std::optional<Point> mark = view.ToWindow(figure.CenterOf(GroupIndex(g)));
-    if (!mark) continue;
+    if (!mark || figure.IsHidden(GroupIndex(g))) continue;
     const double distance = std::hypot(mark->x - at.x, mark->y - at.y);
     if (distance >= least) continue;
     least = distance;
@@ -101,14 +101,16 @@ ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
   if (hit.is_marker) return hit;
   const Ray ray = view.Through(at);
   double least = std::numeric_limits<double>::infinity();
+  const auto joint_of = [&](const Link& link) { return figure.figure().joint(link.joint).group; };
   for (const Link& link : figure.figure().links()) {
+    if (link.joint.is_valid() && figure.IsHidden(joint_of(link))) continue;
     for (const Look& look : LooksOf(link)) {
       const std::optional<double> distance = Enter(ray, look, figure.PoseOf(link.joint));
       if (!distance || *distance >= least) continue;
       least = *distance;
       hit.is_root = !link.joint.is_valid();
       hit.joint.reset();
-      if (!hit.is_root) hit.joint = figure.figure().joint(link.joint).group;
+      if (!hit.is_root) hit.joint = joint_of(link);
     }
   }
   for (const SceneObject& object : scene) {

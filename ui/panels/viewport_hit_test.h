@@ -26,7 +26,7 @@ struct ViewportHit {
 inline constexpr float kMarkerReach = 7.0f;  // of the mark of a joint, at scale 1 [px]
 
 // The mark of a joint within reach, or else the body that is nearest to the viewer, or the box. A
-// body belongs to the joint that moves it.
+// body belongs to the joint that moves it; those of hidden joints are passed through.
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
                     const std::vector<SceneObject>& scene, double scale);
 

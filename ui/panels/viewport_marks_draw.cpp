@@ -32,6 +32,7 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
   const std::vector<GroupIndex> handles = HandleJoints(figure.figure());
   for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {
     const GroupIndex joint(g);
+    if (figure.IsHidden(joint)) continue;
     const std::optional<Point> at = view.ToWindow(figure.CenterOf(joint));
     if (!at) continue;
     const bool is_selected = std::find(selected.begin(), selected.end(), joint) != selected.end();
