@@ -6,10 +6,11 @@
 
 #include "ui/panels/actions.h"
 #include "ui/panels/dialogs.h"
+#include "ui/panels/viewport_actions.h"
 
 namespace hazumi::ui {
 
-Editor::Editor() = default;
+Editor::Editor() { viewport.framed_document = session_.document_number(); }
 
 Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
   Result<Done> done = Done();
@@ -28,6 +29,7 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
 void Editor::Note(const std::string& id, const Json& parameters) {
   const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
+  FrameNewDocument(this);
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
 }
 

@@ -3,7 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui/backends/imgui_impl_glfw.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 #include "ui/shell/settings_file.h"
+#include "ui/shell/window_input.h"
 
 namespace hazumi::ui {
 
@@ -82,12 +82,11 @@ std::string TitleOf(const Editor& editor) {
   return (document.is_saved() ? "" : "* ") + name + " - Hazumi";
 }
 
-// A file dropped onto the window is opened.
-void TakeDrop(GLFWwindow* window, int count, const char** paths) {
-  auto* editor = static_cast<Editor*>(glfwGetWindowUserPointer(window));
-  if (count > 0 && editor->dialogs.modal == Modal::kNone) {
-    editor->Do("app.open", {{"path", paths[0]}});
-  }
+// A file dropped onto the window is opened, unless a dialog waits for an answer.
+void TakeDrop(const std::string& path, Editor* editor) {
+  if (editor->dialogs.modal != Modal::kNone) return;
+  editor->Take(nullptr);
+  editor->Do("app.open", {{"path", path}});
 }
 
 // Draws frames as long as there is a reason to, and sleeps in between.
@@ -99,9 +98,9 @@ class Loop {
         editor_(*editor),
         settings_(SettingsPath()),
         safety_(editor, options.state_folder),
+        input_(window->get(), &interface->input(),
+               [editor](const std::string& path) { TakeDrop(path, editor); }),
         options_(options) {
-    glfwSetWindowUserPointer(window_.get(), editor);
-    glfwSetDropCallback(window_.get(), TakeDrop);
     settings_.Load(editor);
     editor_.dialogs.shows_first_steps = !editor_.settings.has_seen_first_steps;
   }
@@ -123,8 +122,8 @@ class Loop {
   void DrawFrame() {
     const double now = glfwGetTime();
     editor_.Tick(now);
-    ImGui_ImplGlfw_NewFrame();
     interface_.Frame(window_.size(), now - last_frame_);
+    input_.ShowCursor();
     glfwSwapBuffers(window_.get());
     if (options_.trace && event_time_ >= 0.0) {
       interface_.Finish();
@@ -144,6 +143,10 @@ class Loop {
   }
 
   void Wait() {
+    if (!interface_.input().is_empty()) {
+      event_time_ = glfwGetTime();
+      frames_left_ = kFramesAfterEvent;
+    }
     if (frames_left_ > 0) {
       --frames_left_;
       return glfwPollEvents();
@@ -162,6 +165,7 @@ class Loop {
   Editor& editor_;
   SettingsFile settings_;
   CrashSafety safety_;
+  WindowInput input_;
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;
   int frames_left_ = kFramesAfterEvent;
@@ -176,9 +180,7 @@ Result<Done> RunInWindow(Editor* editor, const WindowOptions& options) {
       [](const char* name) { return reinterpret_cast<render::GlProc>(glfwGetProcAddress(name)); },
       editor);
   if (!interface.ok()) return interface.error();
-  ImGui_ImplGlfw_InitForOpenGL(window.value()->get(), true);
   Loop(window.value().get(), interface.value().get(), editor, options).Run();
-  ImGui_ImplGlfw_Shutdown();
   return Done();
 }
 
