@@ -19,7 +19,7 @@ IN_VIEW = {"r_elbow": (450, 211), "l_elbow": (519, 211), "r_shoulder": (450, 165
            "l_shoulder": (519, 165), "chest": (484, 190), "waist": (484, 224)}
 IN_LIST = {"waist": (1040, 85), "chest": (1050, 105), "r_shoulder": (1070, 145),
            "r_elbow": (1075, 165), "l_shoulder": (1070, 205), "l_elbow": (1075, 225)}
-# Axes of the world that the hinges are nearest to.
+# The colours of their rings: red is x.
 AXES = {"flexion": "y", "abduction": "x", "rotation": "z"}
 ROWS = {"right arm": 655, "left arm": 685}  # of the dope sheet
 RULER = 516
@@ -58,12 +58,12 @@ class Tour:
         user.keys("KP_1")
 
     def turn(self, hinge, by):
-        """R, an axis, degrees, Enter."""
+        """R, an axis twice, for it is the joint's own, degrees, Enter."""
         user = self.user
         joint, kind = hinge.rsplit("_", 1)
         user.click(*(IN_LIST if self.before else IN_VIEW)[joint])
         user.move(*VIEW)
-        user.keys("r", AXES[kind], *[{"-": "minus"}.get(c, c) for c in str(by)])
+        user.keys("r", AXES[kind], AXES[kind], *[{"-": "minus"}.get(c, c) for c in str(by)])
         user.keys("Return")
 
     def pose(self, frame):

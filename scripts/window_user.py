@@ -116,8 +116,9 @@ class User:
         self.xdotool(*words, "mouseup", button)
 
     def keys(self, *names):
-        """By their names in X: r, ctrl+s, Return."""
-        self.xdotool("key", *names)
+        """By their names in X: r, ctrl+s, Return. A key twice within 20 ms would be taken for one
+        that is held."""
+        self.xdotool("key", "--delay", 30, *names)
 
     def type(self, text):
         self.xdotool("type", "--delay", 12, text)
