@@ -166,7 +166,7 @@ class Tour:
         user.keys("ctrl+F12")
         user.looked("render")
         pictures = self.project.with_name("render")
-        user.click(600, 371, times=2)
+        user.click(575, 348, times=2)  # its width
         user.type("320\t180")
         user.keys("Return")
         user.wait("pictures", lambda: len(list(pictures.glob("*.png"))) == END + 1)

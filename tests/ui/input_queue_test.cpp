@@ -82,6 +82,24 @@ TEST_F(FastUser, MovesOfTheMouseDoNotPileUp) {
   EXPECT_EQ(DrawAll(), 1);
 }
 
+TEST_F(FastUser, AKeyRightAfterEnterInAFieldIsAShortcutAgain) {
+  const WindowLayout layout =
+      LayOutWindow({0.0f, 0.0f, 520.0f, 380.0f}, editor_.settings.shares, editor_.settings.scale);
+  Click({layout.outliner.x + 40.0f, layout.outliner.y + 14.0f});
+  DrawAll();
+  shell_->PressKey('I', true);
+  shell_->Type("i");
+  shell_->PressKey('I', false);
+  DrawAll();
+  EXPECT_EQ(editor_.side.search, "i");
+  EXPECT_EQ(editor_.session().document().num_steps(), 0u);
+  Tap(kEnter);
+  Tap('I');
+  DrawAll();
+  EXPECT_EQ(editor_.session().document().num_steps(), 1u);
+  EXPECT_EQ(editor_.side.search, "i");
+}
+
 TEST_F(FastUser, ATextIsTypedAsFastAsItComes) {
   editor_.Do("app.search");
   shell_->Frame();

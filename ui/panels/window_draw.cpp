@@ -46,7 +46,8 @@ void FeedTool(Editor* editor) {
 bool Repeats(const Shortcut& shortcut) { return std::string(shortcut.id) == "time.step"; }
 
 void RunShortcuts(Editor* editor, Place place) {
-  if (ImGui::GetIO().WantTextInput) return;
+  // ImGui still wants text in the frame after Enter, when nothing takes it any more.
+  if (ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   for (const Chord& chord : PressedKeys(true)) {
     const Shortcut* shortcut = FindShortcut(chord, place);
