@@ -6,6 +6,7 @@ journal, in which hazumi writes down what was done within 2 s."""
 import json
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import tempfile
@@ -22,16 +23,21 @@ class Screen:
         for program in ("Xvfb", "xdotool", "import"):
             if not shutil.which(program):
                 raise SystemExit(f"{program} is missing: scripts/setup xvfb xdotool imagemagick")
+        for number in random.sample(range(100, 1000), 10):
+            if self.starts(f":{number}"):
+                return
+        raise SystemExit("Xvfb does not start")
+
+    def starts(self, display):
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "%dx%dx24" % SIZE, "-nolisten",
-             "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL,
+            ["Xvfb", display, "-displayfd", str(write), "-screen", "0", "%dx%dx24" % SIZE,
+             "-nolisten", "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         os.close(write)
-        with os.fdopen(read) as number:
-            self.display = ":" + number.readline().strip()
-        if self.display == ":":
-            raise SystemExit("Xvfb does not start")
+        with os.fdopen(read) as ready:  # says its number once it can be talked to
+            self.display = ":" + ready.readline().strip()
+        return self.display == display
 
     def close(self):
         self.process.terminate()
@@ -116,9 +122,9 @@ class User:
         self.xdotool(*words, "mouseup", button)
 
     def keys(self, *names):
-        """By their names in X: r, ctrl+s, Return. A key twice within 20 ms would be taken for one
-        that is held."""
-        self.xdotool("key", "--delay", 30, *names)
+        """By their names in X: r, ctrl+s, Return. A key that comes again within 20 ms, half of the
+        delay, would be taken for one that is held."""
+        self.xdotool("key", "--delay", 60, *names)
 
     def type(self, text):
         self.xdotool("type", "--delay", 12, text)
