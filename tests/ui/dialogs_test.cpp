@@ -169,15 +169,12 @@ TEST_F(Dialogs, TabGoesToTheNextFieldOfAForm) {
   ASSERT_TRUE(RunOrAsk(&editor_, "region.add", {{"joints", {"r_elbow"}}}).ok());
   ASSERT_EQ(modal(), Modal::kForm);
   Frames();
-  Type("swing");
-  Press({kTab});
   Type("5");
   Press({kTab});
   Type("9");
   Press({kEnter});
   ASSERT_EQ(modal(), Modal::kNone) << editor_.dialogs.form.error;
   const ProjectRegion& region = editor_.session().project().regions.at(0);
-  EXPECT_EQ(region.name, "swing");
   EXPECT_EQ(region.first_frame, 5);
   EXPECT_EQ(region.last_frame, 9);
 }
