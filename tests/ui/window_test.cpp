@@ -43,6 +43,16 @@ TEST_F(EditorWindow, KeysStepThroughTime) {
   EXPECT_EQ(editor_.session().frame(), 0.0);
 }
 
+TEST_F(EditorWindow, ARefusalIsSaidUntilSomethingElseIsDone) {
+  EXPECT_FALSE(editor_.Do("pose.rotate", {{"joint", "r_nee"}, {"to", 9}}));
+  const std::string refusal = editor_.message.text;
+  EXPECT_NE(refusal.find("r_nee"), std::string::npos);
+  editor_.Do("edit.end_drag");
+  EXPECT_EQ(editor_.message.text, refusal);
+  ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 9}}));
+  EXPECT_EQ(editor_.message.text, "");
+}
+
 TEST_F(EditorWindow, UndoIsAKeyAway) {
   ASSERT_TRUE(editor_.Do("project.rename", {{"name", "Changed"}}));
   Press('Z', true);
