@@ -19,7 +19,7 @@ void EndPanel() {
 }
 
 void Tooltip(const std::string& text, const std::string& key) {
-  if (!ImGui::IsItemHovered()) return;
+  if (text.empty() || !ImGui::IsItemHovered()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
   ImGui::TextUnformatted(text.c_str());
