@@ -70,6 +70,7 @@ class User:
         self.process = subprocess.Popen([self.hazumi, "--trace", *files], stdout=self.log,
                                         stderr=self.log, env=self.environment, cwd=self.home)
         self.window = self.wait("a window", self.find_window)
+        self.wait("a picture", lambda: len(set(self.pixels())) > 16)
 
     def find_window(self):
         assert self.process.poll() is None, self.said()

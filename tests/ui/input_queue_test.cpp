@@ -77,6 +77,18 @@ TEST_F(FastUser, AClickIsWhereTheMouseWasNotWhereItWent) {
   EXPECT_TRUE(editor_.session().selected_joints().contains("r_elbow_flexion"));
 }
 
+TEST_F(FastUser, ADragGoesToWhereTheButtonWasLetGo) {
+  const WindowLayout layout = LayOutWindow({0.0f, 0.0f, 520.0f, 380.0f}, editor_.settings.shares,
+                                           editor_.settings.scale);
+  shell_->MoveMouse(layout.viewport.right() + 2.0f, 200.0f);
+  shell_->PressButton(0, true);
+  shell_->MoveMouse(300.0f, 200.0f);
+  shell_->MoveMouse(260.0f, 200.0f);
+  shell_->PressButton(0, false);
+  DrawAll();
+  EXPECT_NEAR(editor_.settings.shares.side, 0.5, 1e-6);
+}
+
 TEST_F(FastUser, MovesOfTheMouseDoNotPileUp) {
   for (int i = 0; i < 200; ++i) shell_->MoveMouse(static_cast<float>(i), 50.0f);
   EXPECT_EQ(DrawAll(), 1);

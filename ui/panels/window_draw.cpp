@@ -61,6 +61,10 @@ void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layou
   std::optional<Splitter>& dragged = editor->dragged_splitter;
   const double scale = editor->settings.scale;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const bool is_covered =
+      editor->has_tool() ||
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (is_covered && !dragged) return;
   const std::optional<Splitter> hovered = dragged ? dragged : SplitterAt(layout, mouse, scale);
   if (hovered) {
     ImGui::SetMouseCursor(*hovered == Splitter::kSide ? ImGuiMouseCursor_ResizeEW

@@ -64,16 +64,19 @@ void Apply(const InputEvent& event, ImGuiIO* io) {
 
 }  // namespace
 
+// A drag goes to where the button was let go before it is over.
 void InputQueue::Feed(ImGuiIO* io) {
   std::optional<InputEvent> deed;
-  bool has_text = false;
+  bool has_text = false, has_moved = false;
   while (!events_.empty()) {
     const InputEvent event = events_.front();
-    if (deed ? !GoesWith(event, *deed) : has_text && IsDeed(event)) return;
+    const bool ends_drag = event.kind == Kind::kButton && !event.is_down && has_moved;
+    if (ends_drag || (deed ? !GoesWith(event, *deed) : has_text && IsDeed(event))) return;
     Apply(event, io);
     events_.pop_front();
     if (IsDeed(event)) deed = event;
     has_text |= event.kind == Kind::kText;
+    has_moved |= event.kind == Kind::kMove;
   }
 }
 
