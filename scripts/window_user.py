@@ -32,7 +32,7 @@ class Screen:
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", display, "-displayfd", str(write), "-screen", "0", "%dx%dx24" % SIZE,
-             "-nolisten", "tcp"], pass_fds=[write], stdout=subprocess.DEVNULL,
+             "-nolisten", "tcp", "-noreset"], pass_fds=[write], stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as ready:  # says its number once it can be talked to

@@ -278,6 +278,18 @@ TEST_F(DopeSheet, CtrlWheelZoomsAtTheMouseAndTheWheelScrolls) {
   EXPECT_GT(user.editor().sheet.scroll_px, 0.0);
 }
 
+TEST_F(DopeSheet, EscClosesAChoiceAndKeysCountAgain) {
+  user.MoveTo({X(20), 400.0f});
+  user.Press('A');
+  user.Press('T');
+  user.Wait(3);
+  user.Press(ui::kRight);
+  EXPECT_EQ(user.session().frame(), 0.0);
+  user.Press(ui::kEscape);
+  user.Press(ui::kRight);
+  EXPECT_EQ(user.session().frame(), 1.0);
+}
+
 TEST_F(DopeSheet, PDragsThePreviewRangeThatIsPlayed) {
   user.MoveTo({X(4), 400.0f});
   user.Press('P');

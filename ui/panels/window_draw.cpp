@@ -1,5 +1,7 @@
 // The window: splitters, shortcuts and tools, and which panel is where.
 
+#include <imgui_internal.h>
+
 #include "ui/panels/actions.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/widgets.h"
@@ -57,6 +59,16 @@ void RunShortcuts(Editor* editor, Place place) {
   }
 }
 
+// Esc closes a menu or a choice, which have no focus by keys in ImGui; dialogs answer it themselves.
+void CloseMenuByKey() {
+  const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  if (popups.empty() || !ImGui::IsKeyPressed(kEscape, false)) return;
+  const ImGuiWindow* top = popups.back().Window;
+  const bool is_dialog = top && (top->Flags & ImGuiWindowFlags_Modal) != 0;
+  const bool types = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+  if (!is_dialog && !types) ImGui::ClosePopupToLevel(popups.Size - 1, true);
+}
+
 void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layout) {
   std::optional<Splitter>& dragged = editor->dragged_splitter;
   const double scale = editor->settings.scale;
@@ -83,6 +95,7 @@ void DrawWindow(Editor* editor, float width, float height) {
   SetLanguage(editor->settings.language);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  CloseMenuByKey();
   if (editor->has_tool()) {
     FeedTool(editor);
   } else {
