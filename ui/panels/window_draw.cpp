@@ -59,14 +59,18 @@ void RunShortcuts(Editor* editor, Place place) {
   }
 }
 
-// Esc closes a menu or a choice, which have no focus by keys in ImGui; dialogs answer it themselves.
-void CloseMenuByKey() {
+bool IsDialog(const ImGuiPopupData& popup) {
+  return popup.Window && (popup.Window->Flags & ImGuiWindowFlags_Modal) != 0;
+}
+
+// Esc closes menus and choices, which have no focus by keys in ImGui; dialogs answer it themselves.
+void CloseMenusByKey() {
   const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
-  if (popups.empty() || !ImGui::IsKeyPressed(kEscape, false)) return;
-  const ImGuiWindow* top = popups.back().Window;
-  const bool is_dialog = top && (top->Flags & ImGuiWindowFlags_Modal) != 0;
   const bool types = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-  if (!is_dialog && !types) ImGui::ClosePopupToLevel(popups.Size - 1, true);
+  if (types || !ImGui::IsKeyPressed(kEscape, false)) return;
+  int stay = popups.Size;
+  while (stay > 0 && !IsDialog(popups[stay - 1])) --stay;
+  if (stay < popups.Size) ImGui::ClosePopupToLevel(stay, true);
 }
 
 void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layout) {
@@ -95,7 +99,7 @@ void DrawWindow(Editor* editor, float width, float height) {
   SetLanguage(editor->settings.language);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
-  CloseMenuByKey();
+  CloseMenusByKey();
   if (editor->has_tool()) {
     FeedTool(editor);
   } else {
