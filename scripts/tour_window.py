@@ -41,9 +41,10 @@ class Tour:
     def saved(self):
         """The file after Ctrl+S."""
         user = self.user
+        before = self.project.stat().st_mtime_ns
         user.keys("ctrl+s")
-        user.wait("the title of a saved project",
-                  lambda: user.title() == f"{self.project} - Hazumi")
+        user.wait("a saved project", lambda: self.project.stat().st_mtime_ns != before)
+        user.wait("its title", lambda: user.title() == f"{self.project} - Hazumi")
         return json.loads(self.project.read_text(encoding="utf-8"))
 
     def empty(self):
@@ -63,8 +64,8 @@ class Tour:
         joint, kind = hinge.rsplit("_", 1)
         user.click(*(IN_LIST if self.before else IN_VIEW)[joint])
         user.move(*VIEW)
-        user.keys("r", AXES[kind], AXES[kind], *[{"-": "minus"}.get(c, c) for c in str(by)])
-        user.keys("Return")
+        user.keys("r", AXES[kind])
+        user.keys(AXES[kind], *[{"-": "minus"}.get(c, c) for c in str(by)], "Return")
 
     def pose(self, frame):
         user = self.user

@@ -123,9 +123,10 @@ class User:
         self.xdotool(*words, "mouseup", button)
 
     def keys(self, *names):
-        """By their names in X: r, ctrl+s, Return. A key that comes again within 20 ms, half of the
-        delay, would be taken for one that is held."""
-        self.xdotool("key", "--delay", 60, *names)
+        """By their names in X: r, ctrl+s, Return. The same key twice in a row needs two calls: when
+        it comes again within 20 ms, it is taken for one that is held."""
+        time.sleep(0.1)
+        self.xdotool("key", "--delay", 30, *names)
 
     def type(self, text):
         self.xdotool("type", "--delay", 12, text)
