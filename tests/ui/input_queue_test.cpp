@@ -78,8 +78,8 @@ TEST_F(FastUser, AClickIsWhereTheMouseWasNotWhereItWent) {
 }
 
 TEST_F(FastUser, ADragGoesToWhereTheButtonWasLetGo) {
-  const WindowLayout layout = LayOutWindow({0.0f, 0.0f, 520.0f, 380.0f}, editor_.settings.shares,
-                                           editor_.settings.scale);
+  const WindowLayout layout =
+      LayOutWindow({0.0f, 0.0f, 520.0f, 380.0f}, editor_.settings.shares, editor_.settings.scale);
   shell_->MoveMouse(layout.viewport.right() + 2.0f, 200.0f);
   shell_->PressButton(0, true);
   shell_->MoveMouse(300.0f, 200.0f);

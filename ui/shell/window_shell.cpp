@@ -8,6 +8,7 @@
 #include <chrono>
 #include <memory>
 
+#include "ui/panels/panels.h"
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 #include "ui/shell/settings_file.h"
@@ -74,6 +75,7 @@ class Window {
 
 // ImGui settles in a frame or two after an event: hovering, popups.
 constexpr int kFramesAfterEvent = 3;
+constexpr double kSettle = 0.1;       // [s]
 constexpr double kCursorBlink = 0.4;  // [s]
 
 std::string TitleOf(const Editor& editor) {
@@ -139,6 +141,9 @@ class Loop {
   double Deadline() const {
     double deadline = std::min(editor_.NextDeadline(), safety_.NextDeadline());
     if (ImGui::GetIO().WantTextInput) deadline = std::min(deadline, kCursorBlink);
+    // A tooltip is drawn a frame after it is asked for.
+    const double tooltip = SecondsToTooltip();
+    if (tooltip > -kSettle) deadline = std::min(deadline, std::max(0.0, tooltip));
     return deadline;
   }
 
