@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
 #include "ui/panels/panels.h"
@@ -77,6 +78,13 @@ class Window {
 constexpr int kFramesAfterEvent = 3;
 constexpr double kSettle = 0.1;       // [s]
 constexpr double kCursorBlink = 0.4;  // [s]
+constexpr double kKeyRepeat = 0.05;   // as ImGui repeats [s]
+
+bool IsKeyHeld() {
+  const auto& keys = ImGui::GetIO().KeysDown;
+  return std::any_of(std::begin(keys) + kSpace, std::begin(keys) + kLeftShift,
+                     [](bool is_down) { return is_down; });
+}
 
 std::string TitleOf(const Editor& editor) {
   const edit::Document& document = editor.session().document();
@@ -141,6 +149,7 @@ class Loop {
   double Deadline() const {
     double deadline = std::min(editor_.NextDeadline(), safety_.NextDeadline());
     if (ImGui::GetIO().WantTextInput) deadline = std::min(deadline, kCursorBlink);
+    if (IsKeyHeld()) deadline = std::min(deadline, kKeyRepeat);
     // A tooltip is drawn a frame after it is asked for.
     const double tooltip = SecondsToTooltip();
     if (tooltip > -kSettle) deadline = std::min(deadline, std::max(0.0, tooltip));
