@@ -39,8 +39,9 @@ Result<Done> Take(const Json& json, ProjectFigure* figure) {
 template <typename Edit>
 Result<Done> EditText(ProjectFigure* figure, Edit edit) {
   if (!figure->file.empty()) {
-    return Refusal("figure", "is the file " + Quoted(figure->file) +
-                                 ", which other projects may use; embed it first");
+    return Refusal("figure",
+                   "is the file " + Quoted(figure->file) +
+                       ", which other projects may use; embed it first with \"figure.embed\"");
   }
   FirstError errors;
   std::optional<Json> json = ParseJson(figure->embedded_json, &errors);

@@ -165,6 +165,20 @@ TEST_F(Dialogs, SearchRunsWhatItFindsAndAsksForWhatItNeeds) {
   EXPECT_EQ(editor_.session().project().scene.gravity_m_s2, 1.62);
 }
 
+TEST_F(Dialogs, TabGoesToTheNextFieldOfAForm) {
+  ASSERT_TRUE(RunOrAsk(&editor_, "region.add", {{"joints", {"r_elbow"}}}).ok());
+  ASSERT_EQ(modal(), Modal::kForm);
+  Frames();
+  Type("5");
+  Press({kTab});
+  Type("9");
+  Press({kEnter});
+  ASSERT_EQ(modal(), Modal::kNone) << editor_.dialogs.form.error;
+  const ProjectRegion& region = editor_.session().project().regions.at(0);
+  EXPECT_EQ(region.first_frame, 5);
+  EXPECT_EQ(region.last_frame, 9);
+}
+
 TEST_F(Dialogs, KeysOfTheEditorRestWhileADialogIsOpen) {
   Press({kF1});
   ASSERT_EQ(modal(), Modal::kManual);

@@ -1,72 +1,9 @@
 // The dope sheet as it is used, with mouse and keys.
 
-#include "tests/ui/user.h"
-#include "ui/panels/dope_sheet_layout.h"
+#include "tests/ui/dope_sheet_user.h"
 
 namespace hazumi::test {
 namespace {
-
-using ui::Point;
-
-class DopeSheet : public testing::Test {
- protected:
-  DopeSheet() : user("throw.kfa") {}
-
-  ui::DopeSheetLayout Layout() {
-    return ui::LayOutDopeSheet(user.session(), user.editor().sheet, user.editor().sheet.rect, 1.0);
-  }
-  ui::Rect Bar(const std::string& row) {
-    const ui::DopeSheetLayout layout = Layout();
-    for (const ui::RowBar& bar : layout.bars) {
-      if (layout.rows[bar.row].id == row && bar.is_region) return bar.rect;
-    }
-    ADD_FAILURE() << "no region on " << row;
-    return {};
-  }
-  Point Key(const std::string& row, double frame) {
-    const ui::DopeSheetLayout layout = Layout();
-    for (const ui::RowKey& key : layout.keys) {
-      if (layout.rows[key.row].id == row && key.frame == frame) return key.at;
-    }
-    ADD_FAILURE() << "no key on " << row << " at " << frame;
-    return {};
-  }
-  float X(double frame) { return Layout().frame.axis.XOf(frame); }
-  const ProjectRegion& arms() { return user.project().regions[0]; }
-  std::set<double> FramesOf(const std::string& hinge) {
-    std::set<double> frames;
-    for (const auto& curve : user.project().joints) {
-      if (curve.name != hinge) continue;
-      for (const ProjectKey& key : curve.value.keys) frames.insert(key.frame);
-    }
-    return frames;
-  }
-
-  User user;
-};
-
-TEST_F(DopeSheet, DraggingARegionsEndIsOneStepAndRebakes) {
-  const ui::Rect bar = Bar("limb r_shoulder");
-  const Point end = {bar.right() + 1.0f, bar.y + 3.0f};
-  const double before = user.session().WholeMotion().value()->frames[18].q[10];
-  user.Drag(end, {X(20), end.y});
-  EXPECT_EQ(arms().last_frame, 20);
-  EXPECT_EQ(arms().first_frame, 5);
-  EXPECT_EQ(user.num_steps(), 1u);
-  EXPECT_NE(user.session().WholeMotion().value()->frames[18].q[10], before);
-  user.Press('Z', ui::kLeftControl);
-  EXPECT_EQ(arms().last_frame, 15);
-}
-
-TEST_F(DopeSheet, DraggingARegionMovesItWhole) {
-  const ui::Rect bar = Bar("limb l_shoulder");
-  const Point middle = {bar.x + 0.5f * bar.w, bar.y + 3.0f};
-  user.Drag(middle, {middle.x + X(3) - X(0), middle.y});
-  EXPECT_EQ(arms().first_frame, 8);
-  EXPECT_EQ(arms().last_frame, 18);
-  EXPECT_EQ(user.num_steps(), 1u);
-  EXPECT_EQ(user.editor().sheet.region, "arms");
-}
 
 TEST_F(DopeSheet, EscapeLeavesTheDocumentAsItWas) {
   const std::string before = user.text();
@@ -162,41 +99,6 @@ TEST_F(DopeSheet, ScrubbingSetsTheFrame) {
   EXPECT_EQ(user.num_steps(), 0u);
 }
 
-TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {
-  const ui::DopeSheetLayout layout = Layout();
-  const float right_leg = layout.row_rects[6].y + 5.0f, left_leg = layout.row_rects[7].y + 5.0f;
-  user.MoveTo({X(18), right_leg});
-  user.Press('D');
-  ASSERT_TRUE(user.editor().has_tool());
-  user.Drag({X(18), right_leg}, {X(26), left_leg});
-  EXPECT_FALSE(user.editor().has_tool());
-  ASSERT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;
-  const ProjectRegion& legs = user.project().regions[1];
-  EXPECT_EQ(legs.name, "legs");
-  EXPECT_EQ(legs.first_frame, 18);
-  EXPECT_EQ(legs.last_frame, 26);
-  EXPECT_EQ(legs.joints, (std::vector<JointRef>{{"r_hip", true, {}}, {"l_hip", true, {}}}));
-  EXPECT_EQ(user.num_steps(), 1u);
-}
-
-TEST_F(DopeSheet, DAndEnterMarksTheSelectedJoints) {
-  user.Click({60.0f, Layout().row_rects[3].y + 5.0f});  // the head's name
-  user.MoveTo({X(2), Layout().row_rects[3].y + 5.0f});
-  user.Press('D');
-  user.Press(ui::kEnter);
-  ASSERT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;
-  EXPECT_EQ(user.project().regions[1].joints.size(), 3u);
-  EXPECT_EQ(user.project().regions[1].first_frame, 0);
-  EXPECT_EQ(user.project().regions[1].last_frame, 10);
-}
-
-TEST_F(DopeSheet, XRemovesTheRegionThatWasClicked) {
-  const ui::Rect bar = Bar("limb r_shoulder");
-  user.Click({bar.x + 0.5f * bar.w, bar.y + 3.0f});
-  user.Press('X');
-  EXPECT_TRUE(user.project().regions.empty());
-}
-
 TEST_F(DopeSheet, NamesSelectJointsAndArrowsOpenRows) {
   const ui::Rect row = Layout().row_rects[4];
   user.Click({70.0f, row.y + 5.0f});
@@ -205,17 +107,6 @@ TEST_F(DopeSheet, NamesSelectJointsAndArrowsOpenRows) {
   const size_t num_rows = Layout().rows.size();
   user.Click({9.0f, row.y + 5.0f});
   EXPECT_EQ(Layout().rows.size(), num_rows + 3);
-}
-
-TEST_F(DopeSheet, ARegionStopsWhereAnotherHasItsJoints) {
-  user.editor().Do("region.add",
-                   {{"name", "late"}, {"first", 18}, {"last", 25}, {"joints", {"r_shoulder+"}}});
-  const ui::Rect bar = Bar("limb r_shoulder");
-  user.Drag({bar.right() + 1.0f, bar.y + 3.0f}, {X(22), bar.y + 3.0f});
-  EXPECT_GE(arms().last_frame, 15);
-  EXPECT_LE(arms().last_frame, 18);
-  EXPECT_TRUE(user.editor().message.is_error);
-  EXPECT_TRUE(user.session().WholeMotion().ok());
 }
 
 TEST_F(DopeSheet, AltClickSelectsAColumn) {
@@ -247,14 +138,27 @@ TEST_F(DopeSheet, BracketsSelectBeforeAndAfterThePlayhead) {
 }
 
 TEST_F(DopeSheet, CtrlWheelZoomsAtTheMouseAndTheWheelScrolls) {
-  user.MoveTo({X(20), 400.0f});
+  const float before = X(20);
+  user.MoveTo({before, 400.0f});
   user.TurnWith(ui::kLeftControl, 3.0f);
   const double seen = user.editor().sheet.last - user.editor().sheet.first;
   EXPECT_LT(seen, 25.0);
-  EXPECT_NEAR(X(20), 150.0f + (20.0 + 1.0) / 33.0 * Layout().frame.tracks.w, 2.0);
+  EXPECT_NEAR(X(20), before, 2.0);
   user.editor().sheet.open = {"limb r_shoulder", "limb l_shoulder", "limb r_hip", "limb l_hip"};
   user.Turn(-2.0f);
   EXPECT_GT(user.editor().sheet.scroll_px, 0.0);
+}
+
+TEST_F(DopeSheet, EscClosesAChoiceAndKeysCountAgain) {
+  user.MoveTo({X(20), 400.0f});
+  user.Press('A');
+  user.Press('T');
+  user.Wait(3);
+  user.Press(ui::kRight);
+  EXPECT_EQ(user.session().frame(), 0.0);
+  user.Press(ui::kEscape);
+  user.Press(ui::kRight);
+  EXPECT_EQ(user.session().frame(), 1.0);
 }
 
 TEST_F(DopeSheet, PDragsThePreviewRangeThatIsPlayed) {
@@ -282,19 +186,6 @@ TEST_F(DopeSheet, MarkersCanBeDragged) {
   user.Drag({X(11), band.y + 8.0f}, {X(16), band.y + 8.0f});
   EXPECT_EQ(user.project().markers[0].frame, 16);
   EXPECT_EQ(user.num_steps(), 2u);
-}
-
-TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
-  const ui::Rect bar = Bar("limb r_shoulder");
-  const Point middle = {bar.x + 0.5f * bar.w, bar.y + 3.0f};
-  user.Click(middle);
-  user.Click(middle);
-  // While it is open keys are not the sheet's.
-  user.Press('X');
-  EXPECT_EQ(user.project().regions.size(), 1u);
-  user.Click({middle.x + 250.0f, middle.y + 60.0f});
-  user.Press('X');
-  EXPECT_EQ(user.num_steps(), 1u);
 }
 
 TEST_F(DopeSheet, HomeShowsAllFrames) {

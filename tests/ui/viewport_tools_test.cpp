@@ -88,6 +88,31 @@ TEST_F(ViewportTools, AnAxisChoosesTheHingeNearestToIt) {
   EXPECT_NEAR(Angle("r_shoulder_abduction"), 0.0, 1e-9);
 }
 
+TEST_F(ViewportTools, AnAxisTwiceIsTheJointsOwnHoweverItIsHeld) {
+  editor_.Do("pose.rotate", {{"joint", "r_shoulder_abduction"}, {"to", 95.0}});
+  editor_.Do("select.joints", {{"joints", {"r_elbow"}}});
+  MoveTo(MarkOf("r_elbow"));
+  for (const int key : {int{'R'}, int{'Y'}, int{'Y'}, int{'3'}, int{'0'}, int{kEnter}}) Press(key);
+  EXPECT_EQ(Angle("r_elbow_flexion"), 30.0);
+  EXPECT_EQ(Angle("r_elbow_pronation"), 0.0);
+}
+
+TEST_F(ViewportTools, AClickOnTheGizmoSelectsWhatIsBelowAndChangesNothing) {
+  editor_.viewport.camera.azimuth = editor_.viewport.camera.elevation = 0.0;
+  editor_.Do("select.joints", {{"joints", {"l_shoulder"}}});
+  editor_.viewport.active_hinge = "l_shoulder_abduction";
+  const Point below = MarkOf("chest");
+  const auto gizmo = GizmoOf(view(), editor_.session(), PoseNow(&editor_.session()).value(),
+                             "l_shoulder_abduction", true, 1.0);
+  ASSERT_TRUE(gizmo && gizmo->arc);
+  const Point end = *view().ToWindow(gizmo->arc->At(gizmo->arc->lower));
+  const std::string before = Bytes();
+  Click({end.x + 5.0f, end.y});  // within reach
+  EXPECT_EQ(Bytes(), before);
+  Click(below);
+  EXPECT_TRUE(editor_.session().selected_joints().contains("chest_rotation"));
+}
+
 TEST_F(ViewportTools, CancelLeavesTheDocumentAsItWas) {
   editor_.Do("select.joints", {{"joints", {"r_shoulder"}}});
   const std::string before = Bytes();

@@ -43,6 +43,37 @@ TEST_F(EditorWindow, KeysStepThroughTime) {
   EXPECT_EQ(editor_.session().frame(), 0.0);
 }
 
+TEST_F(EditorWindow, ARefusalIsSaidUntilSomethingElseIsDone) {
+  EXPECT_FALSE(editor_.Do("pose.rotate", {{"joint", "r_nee"}, {"to", 9}}));
+  const std::string refusal = editor_.message.text;
+  EXPECT_NE(refusal.find("r_nee"), std::string::npos);
+  editor_.Do("edit.end_drag");
+  EXPECT_EQ(editor_.message.text, refusal);
+  ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 9}}));
+  EXPECT_EQ(editor_.message.text, "");
+}
+
+TEST_F(EditorWindow, EnterRecoversWhatACrashLeftAndEscLeavesItForTheNextTime) {
+  std::vector<std::string> answers;
+  editor_.recovery.answer = [&](const edit::AbandonedJournal& journal, bool recovers) {
+    answers.push_back(journal.file + (recovers ? " recovered" : " thrown away"));
+  };
+  edit::AbandonedJournal journal;
+  for (const int key : {kEnter, kEscape}) {
+    for (const char* file : {"whole", "damaged"}) {
+      journal.file = file;
+      journal.damage.reset();
+      if (journal.file == "damaged") journal.damage = Error{ErrorCode::kSyntax, "", "", "torn"};
+      editor_.recovery.journals = {journal};
+      for (int i = 0; i < 3; ++i) shell_->Frame();
+      Press(key);
+      EXPECT_TRUE(editor_.recovery.journals.empty()) << file;
+      shell_->Frame();
+    }
+  }
+  EXPECT_EQ(answers, (std::vector<std::string>{"whole recovered"}));
+}
+
 TEST_F(EditorWindow, UndoIsAKeyAway) {
   ASSERT_TRUE(editor_.Do("project.rename", {{"name", "Changed"}}));
   Press('Z', true);

@@ -126,10 +126,19 @@ Result<Done> Retime(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+// The curves that are given, or the selected joints, or the whole pose.
+std::vector<std::string> CurvesToKey(const Session& session, const Parameters& p) {
+  if (p.has("curves") || !session.selected_joints().empty()) return ChosenCurves(session, p);
+  std::vector<std::string> all;
+  all.reserve(session.figure().joints().size());
+  for (const Joint& joint : session.figure().joints()) all.push_back(joint.name);
+  return all;
+}
+
 // A key that holds what is seen now, whatever moves the hinge.
 Result<Done> Insert(Session* session, const Parameters& p) {
   std::vector<std::pair<std::string, double>> values;
-  for (const std::string& name : ChosenCurves(*session, p)) {
+  for (const std::string& name : CurvesToKey(*session, p)) {
     if (name.starts_with("root.")) continue;
     const Result<double> angle = session->AngleNow(name);
     if (!angle.ok()) return angle.error();
@@ -212,7 +221,8 @@ std::vector<Operator> KeyOperators() {
           {"key.insert",
            "Insert key",
            "Keys the pose as it is at the current frame.",
-           {curves},
+           {{"curves", kNames, false,
+             "hinges; not given: those of the selected joints, else all of the figure"}},
            Insert}};
 }
 

@@ -34,21 +34,28 @@ JointRef RefFrom(std::string name) {
   return ref;
 }
 
+// In a drag the region takes the place of the one before.
 Result<Done> Add(Session* session, const Parameters& p) {
-  return session->Edit("Add dynamics region", [&](Project* project) -> Result<Done> {
-    ProjectRegion region;
-    region.name = FreeName(p.text("name", "region"), *project);
-    region.first_frame = p.integer("first");
-    region.last_frame = p.integer("last");
-    std::vector<std::string> names = p.names("joints");
-    if (!p.has("joints")) {
-      names.assign(session->selected_joints().begin(), session->selected_joints().end());
-    }
-    for (const std::string& name : names) region.joints.push_back(RefFrom(name));
-    region.friction.default_factor = p.number("friction", 0.8);
-    project->regions.push_back(std::move(region));
-    return Done();
-  });
+  const std::string merge = p.has("drag") ? "region.add " + p.text("drag") : "";
+  return session->Edit(
+      "Add dynamics region",
+      [&](Project* project) -> Result<Done> {
+        const Document::State* start = session->document().drag_start(merge);
+        if (start) project->regions = start->project.regions;
+        ProjectRegion region;
+        region.name = FreeName(p.text("name", "region"), *project);
+        region.first_frame = p.integer("first");
+        region.last_frame = p.integer("last");
+        std::vector<std::string> names = p.names("joints");
+        if (!p.has("joints")) {
+          names.assign(session->selected_joints().begin(), session->selected_joints().end());
+        }
+        for (const std::string& name : names) region.joints.push_back(RefFrom(name));
+        region.friction.default_factor = p.number("friction", 0.8);
+        project->regions.push_back(std::move(region));
+        return Done();
+      },
+      merge);
 }
 
 // Runs on one region by its name.
@@ -230,7 +237,8 @@ std::vector<Operator> RegionOperators() {
             last,
             {"joints", kNames, false,
              "joints, with + behind the name all beyond too; not given: the selected ones"},
-            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8"}},
+            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8"},
+            kDrag},
            Add},
           {"region.set",
            "Change region",

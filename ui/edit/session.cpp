@@ -145,7 +145,10 @@ Result<double> Session::AngleNow(const std::string& hinge) {
   if (joint == joints.end()) {
     return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + hinge + "\""};
   }
-  return now.value()->q[joint - joints.begin()] * 180.0 / std::numbers::pi;
+  // 60 degrees come back from radians as 60, not as 59.99999999999999.
+  constexpr double kPerDegree = 1e9;
+  const double degrees = now.value()->q[joint - joints.begin()] * 180.0 / std::numbers::pi;
+  return std::round(degrees * kPerDegree) / kPerDegree;
 }
 
 }  // namespace hazumi::edit

@@ -129,7 +129,7 @@ void DrawDialogs(Editor* editor, const Rect& window) {
                           ImGuiCond_Always, {0.5f, is_search ? 0.0f : 0.5f});
   ImGui::SetNextWindowSize({width, height});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavFocus |
                                       ImGuiWindowFlags_NoSavedSettings;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {Px(*editor, 12), Px(*editor, 10)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);

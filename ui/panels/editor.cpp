@@ -6,13 +6,23 @@
 
 #include "ui/panels/actions.h"
 #include "ui/panels/dialogs.h"
+#include "ui/panels/viewport_actions.h"
 
 namespace hazumi::ui {
 
-Editor::Editor() = default;
+Editor::Editor() { viewport.framed_document = session_.document_number(); }
+
+namespace {
+
+// Whether what goes well says that an earlier refusal is no longer of interest; the end of a drag
+// does not, for a drag ends when it is refused.
+bool IsNewDeed(const std::string& id) { return id != "edit.end_drag" && id != "edit.cancel_drag"; }
+
+}  // namespace
 
 Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
   Result<Done> done = Done();
+  const Message before = message;
   if (const Action* action = FindAction(id)) {
     const auto checked = edit::Parameters::Check(action->parameters, parameters);
     done = checked.ok() ? action->run(this, checked.value()) : checked.error();
@@ -20,6 +30,8 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
     done = session_.Run(id, parameters);
   }
   if (!done.ok()) Say(done.error().ToString(), true);
+  const bool is_stale = message.is_error && message.text == before.text;
+  if (done.ok() && is_stale && IsNewDeed(id)) Say("");
   if (done.ok()) Note(id, parameters);
   return done;
 }
@@ -28,6 +40,7 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
 void Editor::Note(const std::string& id, const Json& parameters) {
   const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
+  FrameNewDocument(this);
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
 }
 

@@ -37,6 +37,7 @@ void Finish(const Result<Done>& done, Editor* editor) {
     return;
   }
   const Then then = files.then;
+  if (files.is_save) editor->Say(Tr("Saved."));
   Close(editor);
   DoThen(then, editor);
 }

@@ -38,6 +38,10 @@ enum Key : int {
   kLeftShift = 340,
   kLeftControl = 341,
   kLeftAlt = 342,
+  kLeftSuper = 343,
+  kRightShift = 344,
+  kRightControl = 345,
+  kRightAlt = 346,
 };
 
 // A key with the modifiers that go with it.

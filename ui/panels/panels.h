@@ -19,6 +19,9 @@ void DrawDialogs(Editor* editor, const Rect& window);
 // Asks about work that a crash left behind.
 void DrawRecovery(Editor* editor);
 
+// Until what is under the mouse is explained, if it stays there [s]; not positive: now.
+double SecondsToTooltip();
+
 // All of them, splitters, shortcuts and the tool in hand.
 void DrawWindow(Editor* editor, float width, float height);
 

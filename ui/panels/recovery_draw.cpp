@@ -2,8 +2,8 @@
 
 #include <ctime>
 
+#include "ui/panels/dialogs_parts.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/widgets.h"
 
 namespace hazumi::ui {
 
@@ -31,6 +31,20 @@ void Describe(const edit::AbandonedJournal& journal) {
   ImGui::Spacing();
 }
 
+enum class Answer { kRecover, kThrowAway, kLater };
+
+// Enter never throws anything away, Esc leaves it for the next time.
+std::optional<Answer> Ask(const Editor& editor, bool can_recover) {
+  const ButtonText recover = {Tr("Recover"), ""}, throw_away = {Tr("Throw away"), ""};
+  const ButtonText later = {Tr("Ask again next time"), ""};
+  if (IsEscapePressed()) return Answer::kLater;
+  const int clicked = can_recover ? DrawButtons(editor, {recover, throw_away, later})
+                                  : DrawButtons(editor, {later, throw_away});
+  if (clicked < 0) return std::nullopt;
+  if (clicked == 1) return Answer::kThrowAway;
+  return clicked == 0 && can_recover ? Answer::kRecover : Answer::kLater;
+}
+
 }  // namespace
 
 void DrawRecovery(Editor* editor) {
@@ -44,16 +58,9 @@ void DrawRecovery(Editor* editor) {
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize)) return;
   const edit::AbandonedJournal journal = recovery.journals.front();
   Describe(journal);
-  std::optional<bool> recovers;
-  bool is_answered = false;
-  if (!journal.damage && ImGui::Button(Tr("Recover"))) recovers = is_answered = true;
-  if (!journal.damage) ImGui::SameLine();
-  if (ImGui::Button(Tr("Throw away"))) recovers = false, is_answered = true;
-  ImGui::SameLine();
-  if (ImGui::Button(Tr("Ask again next time"))) is_answered = true;
-  if (is_answered) {
+  if (const std::optional<Answer> answer = Ask(*editor, !journal.damage)) {
     recovery.journals.erase(recovery.journals.begin());
-    if (recovers) recovery.answer(journal, *recovers);
+    if (*answer != Answer::kLater) recovery.answer(journal, *answer == Answer::kRecover);
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

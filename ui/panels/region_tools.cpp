@@ -107,7 +107,7 @@ class PaintRegionTool : public SheetDrag {
     if (!is_held_ && !marks_.empty()) {
       text += std::string("   ") + Tr("Enter: the selected joints, frames") + " " + marks_;
     }
-    return text + "   " + Tr("Esc: cancel");
+    return text + "   " + (trouble_.empty() ? Tr("Esc: cancel") : "! " + trouble_);
   }
 
  protected:
@@ -126,31 +126,50 @@ class PaintRegionTool : public SheetDrag {
     paint.first_frame = std::min(a, b);
     paint.last_frame = std::max(a, b);
     painted_ = Span(paint.first_frame, paint.last_frame);
-    editor->sheet.paint = paint;
-    region_ = RegionOn(layout, paint.first_row, paint.last_row);
+    Show(editor, paint, RegionOn(layout, paint.first_row, paint.last_row));
+    // As soon as the region is there its own bar shows it.
+    editor->sheet.paint.reset();
+    if (!is_there_) editor->sheet.paint = paint;
   }
 
   void Finish(Editor* editor) override {
     if (!is_held_ && has_clicked_) {
       return editor->Take(std::make_unique<PaintRegionTool>(editor, where_, true));
     }
-    const std::optional<SheetState::Paint> paint = editor->sheet.paint;
     editor->sheet.paint.reset();
     if (!is_held_) return MarkSelected(editor);
-    if (!paint || paint->first_frame == paint->last_frame || region_.joints.empty()) {
-      return editor->Say(Tr("No region: drag over the rows of limbs and at least one frame"));
-    }
-    Add(editor, {{"name", region_.name},
-                 {"first", paint->first_frame},
-                 {"last", paint->last_frame},
-                 {"joints", region_.joints}});
+    SheetDrag::Finish(editor);
+    if (is_there_) return;
+    if (!trouble_.empty()) return editor->Say(trouble_, true);
+    editor->Say(Tr("No region: drag over the rows of limbs and at least one frame"));
   }
 
-  void Cancel(Editor* editor) override { editor->sheet.paint.reset(); }
+  void Cancel(Editor* editor) override {
+    editor->sheet.paint.reset();
+    SheetDrag::Cancel(editor);
+  }
 
  private:
-  static void Add(Editor* editor, const Json& region) {
-    if (!editor->Do("region.add", region)) return;
+  // While it is painted the region is there already, and what it moves swings.
+  void Show(Editor* editor, const SheetState::Paint& paint, const RegionOnRows& on) {
+    const bool is_one = paint.first_frame < paint.last_frame && !on.joints.empty();
+    const Json region = !is_one ? Json()
+                                : Json{{"name", on.name},
+                                       {"first", paint.first_frame},
+                                       {"last", paint.last_frame},
+                                       {"joints", on.joints},
+                                       {"drag", drag()}};
+    if (region == shown_) return;
+    shown_ = region;
+    const bool was_there = is_there_;
+    const Result<Done> added = is_one ? editor->Invoke("region.add", region) : Done();
+    trouble_ = added.ok() ? "" : added.error().ToString();
+    is_there_ = is_one && added.ok();
+    if (is_there_) ChooseLast(editor);
+    if (was_there && !is_there_) editor->Do("edit.cancel_drag");
+  }
+
+  static void ChooseLast(Editor* editor) {
     editor->sheet.region = editor->session().project().regions.back().name;
   }
 
@@ -159,14 +178,18 @@ class PaintRegionTool : public SheetDrag {
       return editor->Say(Tr("No joint is selected: select some, or drag over rows and frames"));
     }
     const ProjectFrames frames = FramesToMark(editor->session());
-    Add(editor, {{"first", frames.first}, {"last", frames.last}});
+    if (editor->Do("region.add", {{"first", frames.first}, {"last", frames.last}})) {
+      ChooseLast(editor);
+    }
   }
 
   bool is_held_;
   bool has_clicked_ = false;
   Point where_;
   std::string marks_, painted_;
-  RegionOnRows region_;
+  Json shown_;  // the region as it was added last
+  bool is_there_ = false;
+  std::string trouble_;  // why it was refused
 };
 
 class MoveMarkerTool : public SheetDrag {

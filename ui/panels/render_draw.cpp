@@ -60,7 +60,9 @@ void DrawView(Editor* editor) {
 
 void DrawResult(const RenderJob& job, const Result<int>& result) {
   if (!result.ok()) return DrawError(result.error().ToString());
-  ImGui::TextWrapped(Tr("%d pictures are in %s"), result.value(), job.task().folder.c_str());
+  const char* folder = job.task().folder.c_str();
+  if (result.value() == 1) return ImGui::TextWrapped(Tr("The picture is in %s"), folder);
+  ImGui::TextWrapped(Tr("%d pictures are in %s"), result.value(), folder);
 }
 
 }  // namespace

@@ -65,6 +65,15 @@ Result<Done> FrameAll(Editor* editor) {
   return Look(editor, bounds, 0.3);
 }
 
+void FrameNewDocument(Editor* editor) {
+  long& framed = editor->viewport.framed_document;
+  if (framed == editor->session().document_number()) return;
+  framed = editor->session().document_number();
+  const bool is_new = editor->session().document().path().empty();
+  if (is_new || !FrameAll(editor).ok()) editor->viewport.camera = OrbitCamera();
+  editor->Do("sheet.frame_all");
+}
+
 Result<Done> LookThroughCamera(Editor* editor) {
   bool& through = editor->viewport.through_project_camera;
   if (!through && !editor->session().project().camera) {

@@ -48,8 +48,8 @@ std::string Signed(double value, int digits) {
   return text;
 }
 
-std::string KeysHint() {
-  return std::string("    X Y Z: ") + Tr("axis") + "   0-9: " + Tr("number") +
+std::string KeysHint(const char* axis) {
+  return std::string("    X Y Z: ") + axis + "   0-9: " + Tr("number") +
          "   Shift: " + Tr("precise") + "   Ctrl: " + Tr("snap") + "   Enter: " + Tr("confirm") +
          "   Esc: " + Tr("cancel");
 }

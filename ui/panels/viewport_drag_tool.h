@@ -36,6 +36,6 @@ class DragTool : public Tool {
 // "+12.5"; with so many digits after the point.
 std::string Signed(double value, int digits);
 // The keys that tools understand, for their hints.
-std::string KeysHint();
+std::string KeysHint(const char* axis);
 
 }  // namespace hazumi::ui

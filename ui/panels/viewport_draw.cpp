@@ -61,6 +61,7 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
 
 void DrawViewport(Editor* editor, const Rect& rect) {
   editor->viewport.rect = rect;
+  FrameNewDocument(editor);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   BeginPanel("##viewport", rect, editor->theme().window);
   DrawPicture(editor, rect);

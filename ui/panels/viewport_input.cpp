@@ -61,26 +61,36 @@ std::string HandleUnder(const ViewportHit& hit, const Figure& figure) {
   return "";
 }
 
-// The left button went down.
-void Press(Editor* editor, const View& view, const PosedFigure& figure) {
-  const Point at = FromIm(ImGui::GetIO().MousePos);
-  const double scale = editor->settings.scale;
-  ViewportState& state = editor->viewport;
+std::optional<GizmoHit> GizmoUnder(const Editor& editor, const View& view,
+                                   const PosedFigure& figure, Point at) {
+  const ViewportState& state = editor.viewport;
+  const double scale = editor.settings.scale;
   const auto gizmo =
-      GizmoOf(view, editor->session(), figure, state.active_hinge, state.overlays.limits, scale);
-  const auto part = gizmo ? GizmoAt(view, at, *gizmo, scale) : std::nullopt;
-  if (part && part->part == GizmoPart::kRing) return TakeRingTool(editor, *part, {at});
-  if (part) return TakeLimitTool(editor, *part);
-  const ViewportHit hit = HitTest(view, at, figure, editor->session().animation()->scene, scale);
-  state.press = ViewportPress{at, HandleUnder(hit, figure.figure())};
+      GizmoOf(view, editor.session(), figure, state.active_hinge, state.overlays.limits, scale);
+  return gizmo ? GizmoAt(view, at, *gizmo, scale) : std::nullopt;
 }
 
-// The button is down: a handle that is pulled becomes a drag of its limb.
-void Pull(Editor* editor) {
+// The left button went down. What becomes of it, a click or a drag, shows later.
+void Press(Editor* editor, const View& view, const PosedFigure& figure) {
+  const Point at = FromIm(ImGui::GetIO().MousePos);
+  const ViewportHit hit =
+      HitTest(view, at, figure, editor->session().animation()->scene, editor->settings.scale);
+  const bool on_gizmo = GizmoUnder(*editor, view, figure, at).has_value();
+  editor->viewport.press = ViewportPress{at, HandleUnder(hit, figure.figure()), on_gizmo};
+}
+
+// The button is down: a ring or a limit that is pulled turns its hinge, a handle drags its limb.
+void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
   const ViewportPress press = *editor->viewport.press;
   const Point at = FromIm(ImGui::GetIO().MousePos);
   if (std::hypot(at.x - press.at.x, at.y - press.at.y) < kDragPx) return;
   editor->viewport.press.reset();
+  if (press.on_gizmo) {
+    const auto part = GizmoUnder(*editor, view, figure, press.at);
+    if (!part) return;
+    if (part->part == GizmoPart::kRing) return TakeRingTool(editor, *part, {press.at});
+    return TakeLimitTool(editor, *part);
+  }
   if (press.handle.empty()) return;
   editor->Do("select.joints", {{"joints", Json::array({press.handle})}});
   TakeReachTool(editor, press.handle, {press.at});
@@ -101,7 +111,7 @@ void ActOnViewport(Editor* editor, const Rect& rect) {
     Press(editor, view, *figure);
   }
   if (!state.press) return;
-  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return Pull(editor);
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return Pull(editor, view, *figure);
   const ViewportHit hit = HitTest(view, state.press->at, *figure,
                                   editor->session().animation()->scene, editor->settings.scale);
   state.press.reset();

@@ -42,7 +42,7 @@ class MoveTool : public DragTool {
       }
       text += " m";
     }
-    return text + KeysHint();
+    return text + KeysHint(Tr("axis"));
   }
 
  protected:

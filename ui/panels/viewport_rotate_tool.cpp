@@ -17,10 +17,10 @@ constexpr double kStep = 5.0;  // with Ctrl [degrees]
 double Snapped(double value, double step) { return step * std::round(value / step); }
 
 // The hinge whose axis is nearest to a direction, either way round.
-JointIndex Nearest(const std::vector<JointIndex>& hinges, const Vec3& direction,
-                   const PosedFigure& figure) {
+template <typename AxisOf>
+JointIndex Nearest(const std::vector<JointIndex>& hinges, const Vec3& direction, AxisOf axis_of) {
   return *std::max_element(hinges.begin(), hinges.end(), [&](JointIndex a, JointIndex b) {
-    return std::abs(figure.AxisOf(a).dot(direction)) < std::abs(figure.AxisOf(b).dot(direction));
+    return std::abs(axis_of(a).dot(direction)) < std::abs(axis_of(b).dot(direction));
   });
 }
 
@@ -51,6 +51,9 @@ class RotateTool : public DragTool {
 
   bool Follow(Editor* editor, const ToolInput& input) override;
   void ChooseHinges(Editor* editor);
+  JointIndex HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
+                     const PosedFigure& figure) const;
+  bool TakeAxis(const Chord& chord);
   void AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure, const View& view);
   void TakeTangent(const PosedFigure& figure, const View& view);
   void FollowMouse(Point by);
@@ -60,6 +63,7 @@ class RotateTool : public DragTool {
   std::optional<JointIndex> only_;
   Vec3 ring_at_ = Vec3::Zero();  // where the ring was taken [m]
   char axis_ = 0;                // 'X' to 'Z' once it was typed
+  bool is_own_ = false;  // of the figure at rest, as the rings are coloured; else the world's
   std::vector<Turn> turns_;
   Point pivot_;
   std::optional<Point> tangent_;  // of a ring seen from its edge: pixels per radian
@@ -80,12 +84,30 @@ void RotateTool::ChooseHinges(Editor* editor) {
     const Vec3 center = figure->CenterOf(joint);
     pivot += center / static_cast<double>(joints_.size());
     const std::vector<JointIndex> hinges = TurnableHinges(editor->session(), joint);
-    const Vec3 axis = axis_ ? Vec3(Vec3::Unit(axis_ - 'X')) : view.ToViewer(center);
-    if (!hinges.empty())
-      AddTurn(editor, only_.value_or(Nearest(hinges, axis, *figure)), *figure, view);
+    if (hinges.empty()) continue;
+    AddTurn(editor, HingeOf(hinges, view.ToViewer(center), *figure), *figure, view);
   }
   pivot_ = view.ToWindow(pivot).value_or(Point{});
   if (only_) TakeTangent(*figure, view);
+}
+
+JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
+                               const PosedFigure& figure) const {
+  if (only_) return *only_;
+  const Vec3 direction = axis_ ? Vec3(Vec3::Unit(axis_ - 'X')) : to_viewer;
+  return Nearest(hinges, direction, [&](JointIndex hinge) -> Vec3 {
+    const Joint& joint = figure.figure().joint(hinge);
+    return is_own_ ? Vec3(joint.X_PJ.R * joint.axis) : figure.AxisOf(hinge);
+  });
+}
+
+// A letter once is the world's axis, twice the joint's own, a third time none. True if it was one.
+bool RotateTool::TakeAxis(const Chord& chord) {
+  if (only_ || chord.key < 'X' || chord.key > 'Z' || chord.ctrl || chord.alt) return false;
+  const bool is_again = chord.key == axis_;
+  axis_ = is_again && is_own_ ? 0 : static_cast<char>(chord.key);
+  is_own_ = is_again && !is_own_;
+  return true;
 }
 
 void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
@@ -125,11 +147,8 @@ void RotateTool::FollowMouse(Point by) {
 bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
   if (turns_.empty()) return false;
   for (const Chord& chord : input.keys) {
-    if (typed_.Take(chord) || chord.key < 'X' || chord.key > 'Z' || chord.key == axis_ || only_) {
-      continue;
-    }
+    if (typed_.Take(chord) || !TakeAxis(chord)) continue;
     TakeBack(editor);
-    axis_ = static_cast<char>(chord.key);
     applied_deg_ = 0.0;
     ChooseHinges(editor);
   }
@@ -157,13 +176,14 @@ std::string RotateTool::hint() const {
   const Turn& turn = turns_[0];
   std::string text = std::string(Tr("Rotate")) + " " + turn.name;
   if (turns_.size() > 1) text += " +" + std::to_string(turns_.size() - 1);
+  if (axis_) text += std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + axis_;
   text += ": " + (typed_.is_empty() ? Signed(turn.now_deg - turn.start_deg, 1) : typed_.shown());
   text += "\u00b0  =  " + Signed(turn.now_deg, 1) + "\u00b0";
   if (turn.now_deg == turn.lower_deg || turn.now_deg == turn.upper_deg) {
     text += std::string("  ") + Tr("at the limit");
   }
   if (turn.in_region) text += std::string("  ") + Tr("a region moves it in this frame");
-  return text + KeysHint();
+  return text + KeysHint(Tr("axis, twice: its own"));
 }
 
 }  // namespace

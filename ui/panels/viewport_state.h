@@ -62,12 +62,14 @@ struct ShownPicture {
 // A mouse button that went down on the viewport and has not come up yet.
 struct ViewportPress {
   Point at;
-  std::string handle;  // the joint whose handle is under it; empty: none
+  std::string handle;     // the joint whose handle is under it; empty: none
+  bool on_gizmo = false;  // a ring or the end of a limit is
 };
 
 struct ViewportState {
   OrbitCamera camera;
   bool through_project_camera = false;
+  long framed_document = 0;  // of the session: what the camera was set up for
   ViewportOverlays overlays;
   Rect rect;  // where it was drawn last [px]
   std::optional<ShownPicture> shown;

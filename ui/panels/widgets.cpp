@@ -1,6 +1,18 @@
 #include "ui/panels/widgets.h"
 
+#include <imgui_internal.h>
+
+#include "ui/panels/panels.h"
+
 namespace hazumi::ui {
+
+// As long as the mouse only passes by, nothing is explained.
+double SecondsToTooltip() {
+  constexpr double kDelay = 0.4;  // [s]
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  if (context.HoveredId == 0) return -kDelay;  // nothing that could be pressed
+  return kDelay - context.HoveredIdTimer;
+}
 
 bool BeginPanel(const char* name, const Rect& rect, const SrgbColor& background) {
   ImGui::SetNextWindowPos({rect.x, rect.y});
@@ -19,7 +31,7 @@ void EndPanel() {
 }
 
 void Tooltip(const std::string& text, const std::string& key) {
-  if (!ImGui::IsItemHovered()) return;
+  if (text.empty() || !ImGui::IsItemHovered() || SecondsToTooltip() > 0.0) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
   ImGui::TextUnformatted(text.c_str());
@@ -58,6 +70,7 @@ void ApplyTheme(const Theme& theme, double scale) {
   colors[ImGuiCol_HeaderActive] = accent;
   colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = accent;
   colors[ImGuiCol_SliderGrabActive] = accent;
+  colors[ImGuiCol_PlotHistogram] = accent;
   colors[ImGuiCol_Separator] = ToIm4(theme.line);
   colors[ImGuiCol_ScrollbarBg] = ToIm4(theme.panel);
   colors[ImGuiCol_ScrollbarGrab] = field;

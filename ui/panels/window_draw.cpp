@@ -1,5 +1,7 @@
 // The window: splitters, shortcuts and tools, and which panel is where.
 
+#include <imgui_internal.h>
+
 #include "ui/panels/actions.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/widgets.h"
@@ -46,7 +48,8 @@ void FeedTool(Editor* editor) {
 bool Repeats(const Shortcut& shortcut) { return std::string(shortcut.id) == "time.step"; }
 
 void RunShortcuts(Editor* editor, Place place) {
-  if (ImGui::GetIO().WantTextInput) return;
+  // ImGui still wants text in the frame after Enter, when nothing takes it any more.
+  if (ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   for (const Chord& chord : PressedKeys(true)) {
     const Shortcut* shortcut = FindShortcut(chord, place);
@@ -56,10 +59,28 @@ void RunShortcuts(Editor* editor, Place place) {
   }
 }
 
+bool IsDialog(const ImGuiPopupData& popup) {
+  return popup.Window && (popup.Window->Flags & ImGuiWindowFlags_Modal) != 0;
+}
+
+// Esc closes menus and choices, which have no focus by keys in ImGui; dialogs answer it themselves.
+void CloseMenusByKey() {
+  const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  const bool types = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+  if (types || !ImGui::IsKeyPressed(kEscape, false)) return;
+  int stay = popups.Size;
+  while (stay > 0 && !IsDialog(popups[stay - 1])) --stay;
+  if (stay < popups.Size) ImGui::ClosePopupToLevel(stay, true);
+}
+
 void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layout) {
   std::optional<Splitter>& dragged = editor->dragged_splitter;
   const double scale = editor->settings.scale;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const bool is_covered =
+      editor->has_tool() ||
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (is_covered && !dragged) return;
   const std::optional<Splitter> hovered = dragged ? dragged : SplitterAt(layout, mouse, scale);
   if (hovered) {
     ImGui::SetMouseCursor(*hovered == Splitter::kSide ? ImGuiMouseCursor_ResizeEW
@@ -78,6 +99,7 @@ void DrawWindow(Editor* editor, float width, float height) {
   SetLanguage(editor->settings.language);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  CloseMenusByKey();
   if (editor->has_tool()) {
     FeedTool(editor);
   } else {

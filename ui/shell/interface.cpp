@@ -152,6 +152,7 @@ void Interface::Frame(render::PictureSize size, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
+  input_.Feed(&io);
   ImGui::NewFrame();
   DrawWindow(editor_, io.DisplaySize.x, io.DisplaySize.y);
   ImGui::Render();

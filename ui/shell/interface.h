@@ -5,6 +5,7 @@
 #include "render/gl/interface_painter.h"
 #include "render/gl/scene_texture.h"
 #include "ui/panels/editor.h"
+#include "ui/shell/input_queue.h"
 
 struct ImGuiContext;
 
@@ -18,8 +19,11 @@ class Interface {
   static Result<std::unique_ptr<Interface>> Create(render::GlProcLoader loader, Editor* editor);
   ~Interface();
 
-  // One frame of the interface: what the user did since the last one is acted upon, and the
-  // picture, of this size, drawn. Ends without waiting. `seconds` since the last frame.
+  // What the user does. As long as something is left of it, draw another frame.
+  InputQueue& input() { return input_; }
+
+  // One frame of the interface: what the user did is acted upon, and the picture, of this size,
+  // drawn. Ends without waiting. `seconds` since the last frame.
   void Frame(render::PictureSize size, double seconds);
   void Finish() { painter_->Finish(); }
 
@@ -31,6 +35,7 @@ class Interface {
   void Paint(render::PictureSize size);
 
   Editor* editor_;
+  InputQueue input_;
   ImGuiContext* context_;
   std::unique_ptr<render::InterfacePainter> painter_;
   render::SceneTexture with_shadow_, without_shadow_;

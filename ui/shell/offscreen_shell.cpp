@@ -1,13 +1,13 @@
 #include "ui/shell/offscreen_shell.h"
 
-#include <imgui.h>
-
 #include <utility>
 
+#include "engine/base/utf8.h"
 #include "render/image/png.h"
-#include "ui/panels/keys.h"
 
 namespace hazumi::ui {
+
+using Kind = InputEvent::Kind;
 
 Result<std::unique_ptr<OffscreenShell>> OffscreenShell::Create(Editor* editor,
                                                                render::PictureSize size) {
@@ -33,22 +33,20 @@ OffscreenShell::~OffscreenShell() {
   interface_.reset();
 }
 
-void OffscreenShell::MoveMouse(float x, float y) { ImGui::GetIO().MousePos = {x, y}; }
+void OffscreenShell::MoveMouse(float x, float y) { interface_->input().Push({Kind::kMove, x, y}); }
 void OffscreenShell::PressButton(int button, bool is_down) {
-  ImGui::GetIO().MouseDown[button] = is_down;
+  interface_->input().Push({Kind::kButton, 0.0f, 0.0f, button, is_down});
 }
-void OffscreenShell::TurnWheel(float notches) { ImGui::GetIO().MouseWheel += notches; }
-
+void OffscreenShell::TurnWheel(float notches) {
+  interface_->input().Push({Kind::kWheel, 0.0f, notches});
+}
 void OffscreenShell::PressKey(int key, bool is_down) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeysDown[key] = is_down;
-  if (key == kLeftShift) io.KeyShift = is_down;
-  if (key == kLeftControl) io.KeyCtrl = is_down;
-  if (key == kLeftAlt) io.KeyAlt = is_down;
+  interface_->input().Push({Kind::kKey, 0.0f, 0.0f, key, is_down});
 }
-
 void OffscreenShell::Type(const std::string& utf8) {
-  ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
+  for (const char32_t letter : DecodeUtf8(utf8)) {
+    interface_->input().Push({Kind::kText, 0.0f, 0.0f, static_cast<int>(letter)});
+  }
 }
 
 void OffscreenShell::Frame(double seconds) {

@@ -17,12 +17,14 @@ class OffscreenShell {
   static Result<std::unique_ptr<OffscreenShell>> Create(Editor* editor, render::PictureSize size);
   ~OffscreenShell();
 
-  // The mouse and the keys, as ImGui has them, for the next frames.
+  // What the user does; the next frame sees it, or those after it (InputQueue).
   void MoveMouse(float x, float y);
   void PressButton(int button, bool is_down);
   void TurnWheel(float notches);
   void PressKey(int key, bool is_down);
   void Type(const std::string& utf8);
+
+  bool has_input() { return !interface_->input().is_empty(); }
 
   // Lets `seconds` pass and draws a frame.
   void Frame(double seconds = 1.0 / 60.0);

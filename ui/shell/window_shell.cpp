@@ -3,23 +3,23 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui/backends/imgui_impl_glfw.h>
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
+#include "ui/panels/panels.h"
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 #include "ui/shell/settings_file.h"
+#include "ui/shell/window_input.h"
 
 namespace hazumi::ui {
 
 namespace {
 
 std::string g_problem;  // what GLFW said last
-
-bool g_has_event = false;  // since the events were last asked for
 
 void TakeProblem(int, const char* text) { g_problem = text; }
 
@@ -77,7 +77,15 @@ class Window {
 // ImGui settles in a frame or two after an event: hovering, popups. The next event goes before.
 constexpr int kFramesAfterEvent = 3;
 constexpr double kSettlePause = 0.02;  // [s]
+constexpr double kSettle = 0.1;        // [s]
 constexpr double kCursorBlink = 0.4;   // [s]
+constexpr double kKeyRepeat = 0.05;    // as ImGui repeats [s]
+
+bool IsKeyHeld() {
+  const auto& keys = ImGui::GetIO().KeysDown;
+  return std::any_of(std::begin(keys) + kSpace, std::begin(keys) + kLeftShift,
+                     [](bool is_down) { return is_down; });
+}
 
 std::string TitleOf(const Editor& editor) {
   const edit::Document& document = editor.session().document();
@@ -85,20 +93,11 @@ std::string TitleOf(const Editor& editor) {
   return (document.is_saved() ? "" : "* ") + name + " - Hazumi";
 }
 
-// A file dropped onto the window is opened.
-void TakeDrop(GLFWwindow* window, int count, const char** paths) {
-  auto* editor = static_cast<Editor*>(glfwGetWindowUserPointer(window));
-  if (count > 0 && editor->dialogs.modal == Modal::kNone) {
-    editor->Do("app.open", {{"path", paths[0]}});
-  }
-}
-
-// ImGui's own callbacks, which are installed later, call those of before.
-void NoteEvents(GLFWwindow* window) {
-  glfwSetCursorPosCallback(window, [](GLFWwindow*, double, double) { g_has_event = true; });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow*, int, int, int) { g_has_event = true; });
-  glfwSetScrollCallback(window, [](GLFWwindow*, double, double) { g_has_event = true; });
-  glfwSetKeyCallback(window, [](GLFWwindow*, int, int, int, int) { g_has_event = true; });
+// A file dropped onto the window is opened, unless a dialog waits for an answer.
+void TakeDrop(const std::string& path, Editor* editor) {
+  if (editor->dialogs.modal != Modal::kNone) return;
+  editor->Take(nullptr);
+  editor->Do("app.open", {{"path", path}});
 }
 
 // Draws frames as long as there is a reason to, and sleeps in between.
@@ -110,9 +109,9 @@ class Loop {
         editor_(*editor),
         settings_(SettingsPath()),
         safety_(editor, options.state_folder),
+        input_(window->get(), &interface->input(),
+               [editor](const std::string& path) { TakeDrop(path, editor); }),
         options_(options) {
-    glfwSetWindowUserPointer(window_.get(), editor);
-    glfwSetDropCallback(window_.get(), TakeDrop);
     settings_.Load(editor);
     editor_.dialogs.shows_first_steps = !editor_.settings.has_seen_first_steps;
   }
@@ -134,8 +133,8 @@ class Loop {
   void DrawFrame() {
     const double now = glfwGetTime();
     editor_.Tick(now);
-    ImGui_ImplGlfw_NewFrame();
     interface_.Frame(window_.size(), now - last_frame_);
+    input_.ShowCursor();
     glfwSwapBuffers(window_.get());
     if (options_.trace && event_time_ >= 0.0) {
       interface_.Finish();
@@ -151,6 +150,10 @@ class Loop {
   double Deadline() const {
     double deadline = std::min(editor_.NextDeadline(), safety_.NextDeadline());
     if (ImGui::GetIO().WantTextInput) deadline = std::min(deadline, kCursorBlink);
+    if (IsKeyHeld()) deadline = std::min(deadline, kKeyRepeat);
+    // A tooltip is drawn a frame after it is asked for.
+    const double tooltip = SecondsToTooltip();
+    if (tooltip > -kSettle) deadline = std::min(deadline, std::max(0.0, tooltip));
     return deadline;
   }
 
@@ -160,18 +163,17 @@ class Loop {
     constexpr double kLongest = 3600.0, kAtOnce = 5e-4;  // [s]
     double pause = std::clamp(Deadline(), 1e-4, kLongest);
     if (frames_left_ > 0) pause = std::min(pause, kSettlePause);
-    g_has_event = false;
+    const bool has_input = !interface_.input().is_empty();
     const double start = glfwGetTime();
-    glfwWaitEventsTimeout(pause);
-    const double now = glfwGetTime();
-    const bool has_waited_for_nothing = now - start >= pause;
-    if (!has_waited_for_nothing) return Settle(now - start < kAtOnce ? last_frame_ : now);
+    has_input ? glfwPollEvents() : glfwWaitEventsTimeout(pause);
+    const double waited = glfwGetTime() - start;
+    if (has_input || waited < pause) return Settle(waited < kAtOnce ? last_frame_ : start + waited);
     if (frames_left_ > 0) --frames_left_;
   }
 
   // Only what the user does is traced.
   void Settle(double event_time) {
-    if (g_has_event) event_time_ = event_time;
+    if (!interface_.input().is_empty()) event_time_ = event_time;
     frames_left_ = editor_.playback.is_on() ? 0 : kFramesAfterEvent - 1;
   }
 
@@ -180,6 +182,7 @@ class Loop {
   Editor& editor_;
   SettingsFile settings_;
   CrashSafety safety_;
+  WindowInput input_;
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;
   int frames_left_ = kFramesAfterEvent;
@@ -194,10 +197,7 @@ Result<Done> RunInWindow(Editor* editor, const WindowOptions& options) {
       [](const char* name) { return reinterpret_cast<render::GlProc>(glfwGetProcAddress(name)); },
       editor);
   if (!interface.ok()) return interface.error();
-  NoteEvents(window.value()->get());
-  ImGui_ImplGlfw_InitForOpenGL(window.value()->get(), true);
   Loop(window.value().get(), interface.value().get(), editor, options).Run();
-  ImGui_ImplGlfw_Shutdown();
   return Done();
 }
 

@@ -73,6 +73,28 @@ TEST(KeyOperators, InsertKeysWhatIsSeen) {
   EXPECT_NEAR(KeysOf(session, "r_knee")[1].value, 30.0, 1e-9);
 }
 
+TEST(KeyOperators, InsertKeysTheWholePoseWhenNothingIsSelected) {
+  Session session;
+  Do(&session, "pose.rotate", {{"joint", "r_knee"}, {"to", 40.0}});
+  Do(&session, "time.frame", {{"frame", 15}});
+  Do(&session, "key.insert");
+  for (const Joint& joint : session.figure().joints()) {
+    const std::vector<ProjectKey> keys = KeysOf(session, joint.name);
+    ASSERT_FALSE(keys.empty()) << joint.name;
+    EXPECT_EQ(keys.back().frame, 15.0) << joint.name;
+  }
+  EXPECT_EQ(KeysOf(session, "r_knee").back().value, 40.0);
+}
+
+TEST(KeyOperators, InsertLeavesTypedAnglesAsTheyAre) {
+  Session session;
+  for (const double angle : {7.0, 35.0, 59.7, 60.0}) {
+    Do(&session, "pose.rotate", {{"joint", "r_elbow_flexion"}, {"to", angle}});
+    Do(&session, "key.insert");
+    EXPECT_EQ(KeysOf(session, "r_elbow_flexion")[0].value, angle);
+  }
+}
+
 TEST(KeyOperators, SayWhatIsWrong) {
   Session session;
   EXPECT_EQ(Refused(&session, "key.set", {{"curve", "r_nee"}, {"frame", 0}}).ToString(),

@@ -81,7 +81,8 @@ TEST(FigureEditor, AFileIsEmbeddedFirst) {
   figure.file = "doll.json";
   figure.extra = {{"x", "1"}};
   EXPECT_EQ(Complaint(SetHingeLimits("waist", 0.0, {}, &figure)),
-            "figure: is the file \"doll.json\", which other projects may use; embed it first");
+            "figure: is the file \"doll.json\", which other projects may use; embed it first with "
+            "\"figure.embed\"");
   ASSERT_TRUE(EmbedFigure(folder.path(), &figure).ok());
   EXPECT_EQ(figure.file, "");
   EXPECT_EQ(Json::parse(figure.embedded_json), Changed(SampleProject()["figure"], {{"/x", "1"}}));

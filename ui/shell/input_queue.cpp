@@ -1,0 +1,83 @@
+#include "ui/shell/input_queue.h"
+
+#include <imgui.h>
+
+#include <optional>
+#include <utility>
+
+#include "ui/panels/keys.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+bool IsModifier(int key) { return key >= kLeftShift && key <= kRightAlt; }
+
+// What a frame has room for once.
+bool IsDeed(const InputEvent& event) {
+  const bool goes_down = event.kind == Kind::kKey && event.is_down && !IsModifier(event.code);
+  return goes_down || event.kind == Kind::kButton || event.kind == Kind::kWheel;
+}
+
+// Whether what happened after a deed may be seen with it.
+bool GoesWith(const InputEvent& event, const InputEvent& deed) {
+  if (deed.kind == Kind::kWheel) return event.kind == Kind::kWheel;
+  if (deed.kind != Kind::kKey) return false;
+  const bool goes_up = event.kind == Kind::kKey && !event.is_down;
+  return event.kind == Kind::kText ||
+         (goes_up && event.code != deed.code && !IsModifier(event.code));
+}
+
+void SetKey(int key, bool is_down, ImGuiIO* io) {
+  if (key < 0 || key >= IM_ARRAYSIZE(io->KeysDown)) return;
+  io->KeysDown[key] = is_down;
+  const auto held = [io](Key left, Key right) { return io->KeysDown[left] || io->KeysDown[right]; };
+  io->KeyShift = held(kLeftShift, kRightShift);
+  io->KeyCtrl = held(kLeftControl, kRightControl);
+  io->KeyAlt = held(kLeftAlt, kRightAlt);
+}
+
+void Apply(const InputEvent& event, ImGuiIO* io) {
+  switch (event.kind) {
+    case Kind::kMove:
+      io->MousePos = {event.x, event.y};
+      break;
+    case Kind::kButton:
+      if (event.code >= 0 && event.code < IM_ARRAYSIZE(io->MouseDown)) {
+        io->MouseDown[event.code] = event.is_down;
+      }
+      break;
+    case Kind::kWheel:
+      io->MouseWheelH += event.x;
+      io->MouseWheel += event.y;
+      break;
+    case Kind::kKey:
+      SetKey(event.code, event.is_down, io);
+      break;
+    case Kind::kText:
+      io->AddInputCharacter(static_cast<unsigned>(event.code));
+      break;
+  }
+}
+
+}  // namespace
+
+// A drag goes to where the button was let go before it is over.
+void InputQueue::Feed(ImGuiIO* io) {
+  std::optional<InputEvent> deed;
+  bool has_text = false, has_moved = false;
+  while (!events_.empty()) {
+    const InputEvent event = events_.front();
+    const bool ends_drag = event.kind == Kind::kButton && !event.is_down && has_moved;
+    if (ends_drag || (deed ? !GoesWith(event, *deed) : has_text && IsDeed(event))) return;
+    Apply(event, io);
+    events_.pop_front();
+    if (IsDeed(event)) deed = event;
+    has_text |= event.kind == Kind::kText;
+    has_moved |= event.kind == Kind::kMove;
+  }
+}
+
+}  // namespace hazumi::ui
