@@ -20,8 +20,8 @@ namespace hazumi {
 // equal steps within each frame; the rest goes in continuous time from one change to the next.
 class Baker {
  public:
-  // The motion that it fills: its frames and the reports of its regions.
-  Baker(const Animation& animation, const BakeOptions& options, Motion* motion);
+  // The motion that it fills: its frames and the reports of its regions. The team that helps.
+  Baker(const Animation& animation, const BakeOptions& options, Motion* motion, Team* team);
 
   // The animation's first frame.
   Result<Checkpoint> Begin();
@@ -87,6 +87,8 @@ class Baker {
   // In continuous time from a frame to the next at which something changes (baker_exact.cpp).
   Result<int> AdvanceExact(int frame);
   Failure AdvancePiece(double from, double to, double end);
+  Failure AdvanceUndisturbed(double from, double to, double end);
+  void AddHits(double until);
   double DriveCurves(double from, int end);
   Failure FitHolds(double from, double to);
   bool DependsOnRegions(const RootHold& hold) const;
@@ -97,6 +99,7 @@ class Baker {
   std::optional<GravityEvent> FirstGravityEvent(double t, double next, double to);
   Failure BeginExact(double frame, double to, const Vec3& v_pin);
   Failure Happen(const GravityEvent& event, double to);
+  std::vector<int> OutputFrames(double from, double to, double end) const;
   Failure RecordUpTo(double from, double to, double end);
   Failure FinishExact(int frame);
   RotationState StateAt(double frame);
@@ -133,6 +136,7 @@ class Baker {
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
   bool energy_, refine_;
+  Team* team_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;
