@@ -151,8 +151,10 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
 
 template <typename Action>
 void ExactDriver::ForEachSolution(Action&& action) {
-  for (Group& group : groups_) action(group.solution);
-  for (Group& group : groups_) action(group.twin);
+  for (Group& group : groups_) {
+    action(group.solution);
+    action(group.twin);
+  }
 }
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {

@@ -96,7 +96,7 @@ class ExactDriver {
   GroupTask TaskFor(const RegionModel& model) const;
   void FinishGroups();
   std::optional<Failure> FirstFailure() const;
-  // Solutions, then twins: the longer ones first.
+  // Of solutions and twins.
   template <typename Action>
   void ForEachSolution(Action&& action);
 

@@ -125,31 +125,35 @@ bool GroupSolution::IsKnown(const Numbers& question) const {
          SameBits((*known_)[num_calls_].question, question);
 }
 
-const GroupSolution::Numbers& GroupSolution::Ask(Numbers question) {
-  const bool is_known = IsKnown(question);
-  if (!is_known) {
-    if (!own_) SolveWhatWasAsked();
-    own_->push_back(Execute(std::move(question)));
+// Adds a question to the log. From the first one on that is not known the known log is of no use.
+void GroupSolution::Tell(Numbers question) {
+  if (!IsKnown(question)) {
+    if (!own_) own_ = std::make_shared<GroupLog>();
+    if (num_calls_ > 0 && own_->empty()) {
+      own_->assign(known_->begin(), known_->begin() + static_cast<long>(num_calls_));
+    }
+    own_->emplace_back().question = std::move(question);
   }
-  const GroupCall& call = is_known ? (*known_)[num_calls_] : own_->back();
   ++num_calls_;
+}
+
+const GroupSolution::Numbers& GroupSolution::Ask(Numbers question) {
+  Tell(std::move(question));
+  if (own_) SolveWhatWasAsked();
+  const GroupCall& call = own_ ? own_->back() : (*known_)[num_calls_ - 1];
   evaluations_ = call.evaluations;
   steps_ = call.steps;
   return call.answer;
 }
 
-// From here on the known log is of no use.
 void GroupSolution::SolveWhatWasAsked() {
-  own_ = std::make_shared<GroupLog>();
-  if (known_) own_->assign(known_->begin(), known_->begin() + static_cast<long>(num_calls_));
-  run_ = std::make_unique<Run>(task_, num_coordinates_);
-  for (const GroupCall& call : *own_) Execute(call.question);
+  if (!run_) run_ = std::make_unique<Run>(task_, num_coordinates_);
+  for (; num_solved_ < own_->size(); ++num_solved_) Execute(&(*own_)[num_solved_]);
 }
 
-GroupCall GroupSolution::Execute(Numbers question) {
-  const double* arguments = question.data() + 1;
-  GroupCall call;
-  switch (static_cast<Call>(static_cast<int>(question[0]))) {
+void GroupSolution::Execute(GroupCall* call) {
+  const double* arguments = call->question.data() + 1;
+  switch (static_cast<Call>(static_cast<int>(call->question[0]))) {
     case kBegin:
       ExecuteBegin(arguments);
       break;
@@ -160,24 +164,22 @@ GroupCall GroupSolution::Execute(Numbers question) {
       run_->solver.FeelPin({arguments[0], arguments[1], arguments[2]});
       break;
     case kAdvance:
-      call.answer = ExecuteAdvance(arguments[0], arguments[1]);
+      call->answer = ExecuteAdvance(arguments[0], arguments[1]);
       break;
     case kAhead:
-      call.answer = ExecuteAhead(question);
+      call->answer = ExecuteAhead(call->question);
       break;
     case kSample:
-      AppendSample(arguments[0], &call.answer);
+      call->answer = ExecuteSample(arguments[0]);
       break;
     case kEnergy: {
       const EnergyFlow flow = run_->solver.Energy(arguments[0]);
-      call.answer = {flow.kinetic, flow.potential, flow.friction, flow.keyed};
+      call->answer = {flow.kinetic, flow.potential, flow.friction, flow.keyed};
       break;
     }
   }
-  call.question = std::move(question);
-  call.evaluations = run_->dynamics.evaluations();
-  call.steps = run_->solver.steps();
-  return call;
+  call->evaluations = run_->dynamics.evaluations();
+  call->steps = run_->solver.steps();
 }
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
@@ -191,7 +193,7 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   for (const std::shared_ptr<const GroupLog>& log : known) {
     if (SameBits(log->front().question, question)) known_ = log;
   }
-  Ask(std::move(question));
+  Tell(std::move(question));
   time_ = step_start_ = t;
 }
 
@@ -222,7 +224,7 @@ void GroupSolution::Drive(double t, double end, const DrivenMotion& driven) {
   Numbers question = {kDrive, t, end};
   AppendCurves(driven, num_nodes(), &question);
   times_.clear();
-  Ask(std::move(question));
+  Tell(std::move(question));
 }
 
 void GroupSolution::ExecuteDrive(const double* arguments) {
@@ -231,7 +233,9 @@ void GroupSolution::ExecuteDrive(const double* arguments) {
   run_->solver.Restart();
 }
 
-void GroupSolution::FeelPin(const Vec3& v_pin) { Ask({kFeelPin, v_pin.x(), v_pin.y(), v_pin.z()}); }
+void GroupSolution::FeelPin(const Vec3& v_pin) {
+  Tell({kFeelPin, v_pin.x(), v_pin.y(), v_pin.z()});
+}
 
 void GroupSolution::Advance(double t, double end) {
   if (time_ > t || time_ >= end) return;
@@ -268,11 +272,13 @@ GroupSolution::Numbers GroupSolution::ExecuteAhead(const Numbers& question) {
   std::optional<ExactFailure> stuck;
   ExactSolver& solver = run_->solver;
   Numbers samples;
-  for (auto t = question.begin() + 2; t != question.end() && !stuck; ++t) {
+  for (auto t = question.begin() + 2; t != question.end(); ++t) {
     while (!stuck && solver.time() < std::min(*t, end) && !is_cancelled()) {
       stuck = solver.Advance(end);
     }
-    if (!stuck) AppendSample(*t, &samples);
+    if (stuck) break;
+    const Numbers sample = ExecuteSample(*t);
+    samples.insert(samples.end(), sample.begin(), sample.end());
   }
   Numbers answer = ProgressFrom(start, stuck);
   answer.insert(answer.end(), samples.begin(), samples.end());
@@ -314,11 +320,13 @@ void GroupSolution::TakeAhead(const Numbers& answer) {
   samples_.assign(answer.begin() + kHits + 2 * static_cast<long>(answer[kNumHits]), answer.end());
 }
 
-void GroupSolution::AppendSample(double t, Numbers* answer) {
+GroupSolution::Numbers GroupSolution::ExecuteSample(double t) {
   VecX q, qd;
   run_->solver.Sample(t, &q, &qd);
-  Append(q, answer);
-  Append(qd, answer);
+  Numbers answer;
+  Append(q, &answer);
+  Append(qd, &answer);
+  return answer;
 }
 
 void GroupSolution::Sample(double t, RotationState* state) {

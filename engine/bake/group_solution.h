@@ -37,7 +37,8 @@ using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
 // The motion of one group.
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
-// nothing; at the first other question it solves what was asked up to then.
+// nothing; at the first other question it solves what was asked up to then. What has no answer is
+// not solved before something that has.
 class GroupSolution {
  public:
   // `num_coordinates` of the figure: hinges and the root's three. `attachments` must outlive it.
@@ -96,9 +97,10 @@ class GroupSolution {
   };
 
   bool IsKnown(const Numbers& question) const;
+  void Tell(Numbers question);
   const Numbers& Ask(Numbers question);
   void SolveWhatWasAsked();
-  GroupCall Execute(Numbers question);
+  void Execute(GroupCall* call);
   void ExecuteBegin(const double* arguments);
   void ExecuteDrive(const double* arguments);
   Numbers ExecuteAdvance(double t, double end);
@@ -107,7 +109,7 @@ class GroupSolution {
   Numbers ProgressFrom(std::chrono::steady_clock::time_point start,
                        const std::optional<ExactFailure>& stuck);
   bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
-  void AppendSample(double t, Numbers* answer);
+  Numbers ExecuteSample(double t);
   void TakeProgress(const Numbers& answer);
   void TakeAhead(const Numbers& answer);
   void AppendTask(Numbers* question) const;
@@ -125,7 +127,8 @@ class GroupSolution {
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
   std::shared_ptr<GroupLog> own_;
   size_t num_calls_ = 0;
-  std::unique_ptr<Run> run_;  // null as long as own_ is
+  std::unique_ptr<Run> run_;  // null as long as nothing is solved
+  size_t num_solved_ = 0;     // calls of own_
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
