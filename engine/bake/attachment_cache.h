@@ -1,18 +1,14 @@
 #pragma once
 
-#include <cstring>
 #include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "engine/base/same_bits.h"
 #include "engine/passive/attachment.h"
 
 namespace hazumi {
-
-inline bool SameBits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
 
 // The latest fits of attachments: groups that hang on one node, and solutions of one group, share
 // them. Any thread may ask.

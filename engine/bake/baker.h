@@ -10,6 +10,7 @@
 #include "engine/bake/bake.h"
 #include "engine/bake/curve_set.h"
 #include "engine/bake/exact_driver.h"
+#include "engine/bake/known_holds.h"
 #include "engine/bake/region_driver.h"
 #include "engine/bake/stretch.h"
 
@@ -118,6 +119,8 @@ class Baker {
   Failure Evaluate(double frame, Side side, FigureMotion* motion);
   void PlaceRoot(double frame, Side side, FigureMotion* motion);
   Failure SolveHolds(double frame, Side side, FigureMotion* motion);
+  Failure SolveHold(ActiveHold* active, double frame, Side side, const PoseOf<Jet>& X_WR,
+                    std::vector<Jet>* q);
 
   // What is kept (baker_record.cpp).
   void RecordIfOutput();
@@ -161,6 +164,7 @@ class Baker {
   RotationState root_;      // its angles then (3)
   bool exact_begun_ = false;
   std::vector<ActiveHold> holds_;
+  KnownHolds known_holds_;
   const PlacementSpan* span_ = nullptr;  // null: keyed
   Vec3 pin_W_ = Vec3::Zero();
   std::optional<GravityPlacement> gravity_;  // the paper's

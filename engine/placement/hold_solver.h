@@ -41,6 +41,10 @@ class HoldSolver {
   // target is reached.
   HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q);
 
+  // All numbers of the arguments that the solution depends on.
+  std::vector<double> Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
+                               const std::vector<Jet>& q) const;
+
  private:
   struct Problem {
     const PoseOf<Jet>& X_WR;

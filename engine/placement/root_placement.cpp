@@ -25,8 +25,7 @@ void PinRoot(const Figure& figure, JointIndex pin, const Vec3& p_W, DynamicsWork
   motion->X_WR.p.setZero();
   motion->root.v.setZero();
   motion->root.a.setZero();
-  ComputePositions(figure, motion->X_WR, motion->q, ws);
-  ComputeMotion(figure, motion->root, motion->qd, motion->qdd, ws);
+  ComputeMotionTo(pin, figure, motion->X_WR, motion->root, motion->q, motion->qd, motion->qdd, ws);
   motion->X_WR.p = p_W - ws->body(pin).p;
   motion->root.v = -ws->body(pin).v;
   motion->root.a = -ws->body(pin).a;
