@@ -8,6 +8,7 @@ namespace {
 
 // More do not find enough groups to solve.
 constexpr int kMostThreads = 8;
+constexpr int kYields = 200;  // about 50 us
 
 }  // namespace
 
@@ -37,6 +38,8 @@ void Team::Do(int count, const std::function<void(int)>& job) {
   while (helpers_.size() < wanted) helpers_.emplace_back([this] { Help(); });
   wake_.notify_all();
   Work(job, count);
+  // The last jobs are nearly done: to sleep and be woken would take longer.
+  for (int i = 0; i < kYields && working_ > 0; ++i) std::this_thread::yield();
   std::unique_lock lock(mutex_);
   job_ = nullptr;
   rest_.wait(lock, [this] { return working_ == 0; });
@@ -59,6 +62,9 @@ void Team::Help() {
     lock.lock();
     job_ = nullptr;  // all jobs are taken
     if (--working_ == 0) rest_.notify_one();
+    lock.unlock();
+    for (int i = 0; i < kYields && job_ == nullptr; ++i) std::this_thread::yield();
+    lock.lock();
   }
 }
 

@@ -32,8 +32,9 @@ class Team {
   std::atomic<int> next_ = 0;  // job to be taken
   std::mutex mutex_;           // of what follows
   std::condition_variable wake_, rest_;
-  const std::function<void(int)>* job_ = nullptr;  // null: nothing to take
-  int count_ = 0, working_ = 0;
+  std::atomic<const std::function<void(int)>*> job_ = nullptr;  // null: nothing to take
+  int count_ = 0;
+  std::atomic<int> working_ = 0;  // helpers; written under the mutex
   bool is_over_ = false;
 };
 
