@@ -183,7 +183,10 @@ void GroupSolution::Execute(GroupCall* call) {
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
                           const DrivenMotion& driven, const GroupLogs& known) {
-  Numbers question = {kBegin, t, end};
+  constexpr size_t kUsual = 1000;  // numbers
+  Numbers question;
+  question.reserve(kUsual);
+  question = {kBegin, t, end};
   for (const VecX* values : {&state.q, &state.qd}) {
     for (const FreeHinge& hinge : hinges()) question.push_back((*values)[hinge.coordinate]);
   }

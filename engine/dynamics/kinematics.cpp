@@ -16,13 +16,13 @@ void Place(const Figure& figure, int i, const VecX& q, DynamicsWorkspace* ws) {
   const Joint& joint = figure.joints()[i];
   const BodyScratch& parent = ws->body(joint.parent);
   BodyScratch& body = ws->bodies[i + 1];
-  const Mat3 turn = AxisRotation<double>(joint.axis, std::sin(q[i]), std::cos(q[i]));
   body.p = parent.p + parent.R * joint.X_PJ.p;
   if (joint.parallel_frame) {
-    body.R.noalias() = parent.R * turn;
+    body.R = parent.R;
   } else {
-    body.R.noalias() = parent.R * (joint.X_PJ.R * turn).eval();
+    body.R.noalias() = parent.R * joint.X_PJ.R;
   }
+  Turn(joint.axis, std::sin(q[i]), std::cos(q[i]), &body.R);
   body.axis = body.R * joint.axis;
   if (!joint.massless) body.c = body.R * figure.body(JointIndex(i)).com;
 }

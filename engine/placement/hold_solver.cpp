@@ -196,8 +196,8 @@ void HoldSolver::SetDerivative(Hessian hessian) {
 // A straight limb, or one of too few hinges, makes K singular: then with full pivoting.
 void HoldSolver::Factor() {
   constexpr double kLeastPivot = 1e-11;
-  lu_.compute(K_);
-  singular_ = !(lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastPivot);
+  lu_.Factor(K_);
+  singular_ = !(lu_.least_pivot() > kLeastPivot);
   if (singular_) lu_singular_.compute(K_);
 }
 
@@ -206,7 +206,7 @@ VecX& HoldSolver::SolveLinear(const VecX& right_side) {
   if (singular_) {
     step_ = lu_singular_.solve(right_side);
   } else {
-    step_ = lu_.solve(right_side);
+    lu_.Solve(right_side, &step_);
   }
   return step_;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/placement/hold_chain.h"
+#include "engine/placement/pivoted_lu.h"
 
 namespace hazumi {
 
@@ -71,7 +72,7 @@ class HoldSolver {
   VecX keyed_, x_, F_, step_;
   VecXOf<Jet> keyed_jet_, x_jet_, F_jet_;
   MatX K_;  // dF/dx
-  Eigen::PartialPivLU<MatX> lu_;
+  PivotedLu lu_;
   Eigen::FullPivLU<MatX> lu_singular_;
   bool singular_ = false;
 };

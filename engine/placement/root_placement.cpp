@@ -12,8 +12,7 @@ void SetRootOrientation(const RootAngles& angles, FigureMotion* motion) {
     const Vec3 axis_W = R * axes[i];
     alpha += axis_W * angles.acceleration[i] + w.cross(axis_W) * angles.rate[i];
     w += axis_W * angles.rate[i];
-    R = (R * AxisRotation<double>(axes[i], std::sin(angles.angle[i]), std::cos(angles.angle[i])))
-            .eval();
+    Turn<double>(axes[i], std::sin(angles.angle[i]), std::cos(angles.angle[i]), &R);
   }
   motion->X_WR.R = R;
   motion->root.w = w;
