@@ -100,8 +100,6 @@ class Baker {
   std::optional<GravityEvent> FirstGravityEvent(double t, double next, double to);
   Failure BeginExact(double frame, double to, const Vec3& v_pin);
   Failure Happen(const GravityEvent& event, double to);
-  std::vector<int> OutputFrames(double from, double to, double end) const;
-  Failure RecordUpTo(double from, double to, double end);
   Failure FinishExact(int frame);
   RotationState StateAt(double frame);
   void TurnRoot(double frame, Side side, FigureMotion* motion);
@@ -124,6 +122,8 @@ class Baker {
 
   // What is kept (baker_record.cpp).
   void RecordIfOutput();
+  std::vector<int> OutputFrames(double from, double to, double end) const;
+  Failure RecordUpTo(double from, double to, double end);
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
   void Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,

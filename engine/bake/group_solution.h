@@ -1,14 +1,12 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "engine/bake/attachment_cache.h"
-#include "engine/passive/exact_solver.h"
+#include "engine/bake/group_run.h"
 
 namespace hazumi {
 
@@ -17,21 +15,13 @@ struct RotationState {
   VecX q, qd;  // [rad, rad/s]
 };
 
-// A group of joints that feel each other, and how accurately it is to be solved.
-struct GroupTask {
-  RegionModel model;
-  VecX friction, lower, upper;  // by free hinge: rates [1/s], stops [rad]
-  double gravity;               // along -z [m/s^2]
-  double step_tolerance;
-};
-
-// What a solution was asked and what it answered, as numbers.
-struct GroupCall {
-  std::vector<double> question, answer;
+// What a solution was asked and what it answered.
+struct GroupAnswer {
+  Numbers question, answer;
   long evaluations = 0, steps = 0;  // up to the answer
 };
 // From the beginning on. The answers depend on nothing but the questions.
-using GroupLog = std::vector<GroupCall>;
+using GroupLog = std::vector<GroupAnswer>;
 using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
 
 // The motion of one group.
@@ -87,38 +77,13 @@ class GroupSolution {
   std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
 
  private:
-  using Numbers = std::vector<double>;
-  // The solution at work.
-  struct Run {
-    DrivenMotion driven;
-    RegionDynamics dynamics;
-    ExactSolver solver;
-    Run(const GroupTask& task, int num_coordinates);
-  };
-
   bool IsKnown(const Numbers& question) const;
   void Tell(Numbers question);
   const Numbers& Ask(Numbers question);
   void SolveWhatWasAsked();
-  void Execute(GroupCall* call);
-  void ExecuteBegin(const double* arguments);
-  void ExecuteDrive(const double* arguments);
-  Numbers ExecuteAdvance(double t, double end);
-  Numbers ExecuteAhead(const Numbers& question);
-  void Attach(double t, double end);
-  Numbers ProgressFrom(std::chrono::steady_clock::time_point start,
-                       const std::optional<ExactFailure>& stuck);
-  bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
-  Numbers ExecuteSample(double t);
   void TakeProgress(const Numbers& answer);
   void TakeAhead(const Numbers& answer);
-  void AppendTask(Numbers* question) const;
-  void AppendCurves(const DrivenMotion& driven, int num_nodes, Numbers* question) const;
-  void ReadCurves(const double* numbers);
   void Scatter(const double* sample, RotationState* state) const;
-  int num_nodes() const { return static_cast<int>(task_.model.nodes.size()); }
-  template <typename Action>
-  void ForEachCurve(int num_nodes, Action&& action) const;
 
   GroupTask task_;
   int num_coordinates_;
@@ -127,8 +92,8 @@ class GroupSolution {
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
   std::shared_ptr<GroupLog> own_;
   size_t num_calls_ = 0;
-  std::unique_ptr<Run> run_;  // null as long as nothing is solved
-  size_t num_solved_ = 0;     // calls of own_
+  std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
+  size_t num_solved_ = 0;          // of own_
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
