@@ -16,7 +16,8 @@ Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
                  "the figure has no joint that could be pinned where it lands; give it one"};
   }
   Motion motion;
-  Baker baker(animation, options, &motion);
+  Team team(options.threads);
+  Baker baker(animation, options, &motion, &team);
   Result<Checkpoint> first = baker.Begin();
   if (!first.ok()) return first.error();
   Stretch stretch;

@@ -15,11 +15,12 @@ constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
 
 }  // namespace
 
-Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion)
+Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion, Team* team)
     : animation_(animation),
       cancel_(options.cancel),
       energy_(options.energy),
       refine_(options.refine),
+      team_(team),
       figure_(*animation.figure),
       ws_(figure_),
       curves_(animation),

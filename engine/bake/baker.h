@@ -10,6 +10,7 @@
 #include "engine/bake/bake.h"
 #include "engine/bake/curve_set.h"
 #include "engine/bake/exact_driver.h"
+#include "engine/bake/known_holds.h"
 #include "engine/bake/region_driver.h"
 #include "engine/bake/stretch.h"
 
@@ -20,8 +21,8 @@ namespace hazumi {
 // equal steps within each frame; the rest goes in continuous time from one change to the next.
 class Baker {
  public:
-  // The motion that it fills: its frames and the reports of its regions.
-  Baker(const Animation& animation, const BakeOptions& options, Motion* motion);
+  // The motion that it fills: its frames and the reports of its regions. The team that helps.
+  Baker(const Animation& animation, const BakeOptions& options, Motion* motion, Team* team);
 
   // The animation's first frame.
   Result<Checkpoint> Begin();
@@ -87,6 +88,8 @@ class Baker {
   // In continuous time from a frame to the next at which something changes (baker_exact.cpp).
   Result<int> AdvanceExact(int frame);
   Failure AdvancePiece(double from, double to, double end);
+  Failure AdvanceUndisturbed(double from, double to, double end);
+  void AddHits(double until);
   double DriveCurves(double from, int end);
   Failure FitHolds(double from, double to);
   bool DependsOnRegions(const RootHold& hold) const;
@@ -97,7 +100,6 @@ class Baker {
   std::optional<GravityEvent> FirstGravityEvent(double t, double next, double to);
   Failure BeginExact(double frame, double to, const Vec3& v_pin);
   Failure Happen(const GravityEvent& event, double to);
-  Failure RecordUpTo(double from, double to, double end);
   Failure FinishExact(int frame);
   RotationState StateAt(double frame);
   void TurnRoot(double frame, Side side, FigureMotion* motion);
@@ -115,9 +117,13 @@ class Baker {
   Failure Evaluate(double frame, Side side, FigureMotion* motion);
   void PlaceRoot(double frame, Side side, FigureMotion* motion);
   Failure SolveHolds(double frame, Side side, FigureMotion* motion);
+  Failure SolveHold(ActiveHold* active, double frame, Side side, const PoseOf<Jet>& X_WR,
+                    std::vector<Jet>* q);
 
   // What is kept (baker_record.cpp).
   void RecordIfOutput();
+  std::vector<int> OutputFrames(double from, double to, double end) const;
+  Failure RecordUpTo(double from, double to, double end);
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
   void Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
@@ -133,6 +139,7 @@ class Baker {
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
   bool energy_, refine_;
+  Team* team_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;
@@ -157,6 +164,7 @@ class Baker {
   RotationState root_;      // its angles then (3)
   bool exact_begun_ = false;
   std::vector<ActiveHold> holds_;
+  KnownHolds known_holds_;
   const PlacementSpan* span_ = nullptr;  // null: keyed
   Vec3 pin_W_ = Vec3::Zero();
   std::optional<GravityPlacement> gravity_;  // the paper's

@@ -206,6 +206,7 @@ Baker::Failure Baker::PoseAt(double frame, Side side, FigureMotion* motion) {
 
 // Smooth curves from `from` to `to`; `end` is where the next change is.
 Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
+  if (exact_ && !fall_ && !energy_) return AdvanceUndisturbed(from, to, end);
   const double last = Seconds(to);
   for (double t = Seconds(from); t < last;) {
     if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
@@ -227,6 +228,33 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
   return std::nullopt;
 }
 
+// Where nothing but curves and stops acts on the regions they are solved up to the end at once.
+Baker::Failure Baker::AdvanceUndisturbed(double from, double to, double end) {
+  const double last = Seconds(to);
+  std::vector<double> times;
+  for (const int output : OutputFrames(from, to, end)) {
+    times.push_back(Seconds(output / OutputFramesPerFrame()));
+  }
+  times.push_back(last);
+  std::sort(times.begin(), times.end());
+  const auto failure = exact_->AdvanceAhead(times, last, cancel_);
+  if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
+  const double reached = failure ? failure->time : last;
+  AddHits(reached);
+  if (auto error = RecordUpTo(from, FrameOf(reached, from, to), end)) return error;
+  if (!failure) return std::nullopt;
+  return CannotGoOnAfter(animation_.rate.FrameAt(reached), failure->joint, failure->cause);
+}
+
+// Those up to a time [s].
+void Baker::AddHits(double until) {
+  for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
+    if (hit.time > until) continue;
+    AddEvent(EventKind::kStop, animation_.rate.FrameAt(hit.time),
+             figure_.joints()[hit.coordinate].name);
+  }
+}
+
 // The frame of an instant between two others, which are exact.
 double Baker::FrameOf(double seconds, double from, double to) const {
   if (seconds >= Seconds(to)) return to;
@@ -235,10 +263,7 @@ double Baker::FrameOf(double seconds, double from, double to) const {
 
 Baker::Failure Baker::AdvanceRegions(double t, double last) {
   const auto failure = exact_->Advance(t, last);
-  for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
-    AddEvent(EventKind::kStop, animation_.rate.FrameAt(hit.time),
-             figure_.joints()[hit.coordinate].name);
-  }
+  AddHits(last);
   if (!failure) return std::nullopt;
   return CannotGoOnAfter(animation_.rate.FrameAt(t), failure->joint, failure->cause);
 }
@@ -276,21 +301,6 @@ Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
     exact_begun_ = false;
   }
   return BeginExact(frame, to, v_pin);
-}
-
-// Output frames after `from` up to and including `to`, but for `end`.
-Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
-  const double per_frame = OutputFramesPerFrame();
-  const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
-  for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
-    const double frame = output / per_frame;
-    if (frame > end - kSameFrame) break;
-    FigureMotion motion;
-    if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
-    if (exact_) exact_->Estimate(Seconds(frame));
-    Record(output, motion, LimitOf(motion), pinned());
-  }
-  return std::nullopt;
 }
 
 Baker::Failure Baker::FinishExact(int frame) {

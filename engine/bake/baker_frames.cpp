@@ -154,21 +154,44 @@ Baker::Failure Baker::SolveHolds(double frame, Side side, FigureMotion* motion) 
     q[j] = Jet(motion->q[j], motion->qd[j], motion->qdd[j]);
   }
   for (ActiveHold& active : holds_) {
-    const HoldSolution solution = active.solver.Solve(X_WR, active.target, &q);
-    const size_t index = active.hold - animation_.holds.data();
-    if (!solution.reached) {
-      return CannotGoOn("holds[" + std::to_string(index) + "]",
-                        "\"" + figure_.group(active.hold->joint).name +
-                            "\" is out of reach at frame " + FormatShort(frame) + ": " +
-                            FormatShort(solution.distance) +
-                            " m short; move the root nearer or shorten the hold");
-    }
+    if (auto error = SolveHold(&active, frame, side, X_WR, &q)) return error;
     for (const JointIndex j : active.solver.joints()) {
       motion->q[j.value()] = q[j.value()].v;
       motion->qd[j.value()] = q[j.value()].d;
       motion->qdd[j.value()] = q[j.value()].dd;
     }
   }
+  return std::nullopt;
+}
+
+// Sets the joints that a hold moves, unless it is known already how.
+Baker::Failure Baker::SolveHold(ActiveHold* active, double frame, Side side,
+                                const PoseOf<Jet>& X_WR, std::vector<Jet>* q) {
+  const size_t index = active->hold - animation_.holds.data();
+  const KnownHolds::Place place = {index, frame, side == Side::kBefore};
+  const std::vector<JointIndex>& joints = active->solver.joints();
+  KnownHolds::Numbers question = active->solver.Question(X_WR, active->target, *q), answer;
+  if (const KnownHolds::Numbers* known = known_holds_.Find(place, question)) {
+    auto value = known->begin();
+    for (const JointIndex j : joints) {
+      (*q)[j.value()] = Jet(value[0], value[1], value[2]);
+      value += 3;
+    }
+    return std::nullopt;
+  }
+  const HoldSolution solution = active->solver.Solve(X_WR, active->target, q);
+  if (!solution.reached) {
+    return CannotGoOn("holds[" + std::to_string(index) + "]",
+                      "\"" + figure_.group(active->hold->joint).name +
+                          "\" is out of reach at frame " + FormatShort(frame) + ": " +
+                          FormatShort(solution.distance) +
+                          " m short; move the root nearer or shorten the hold");
+  }
+  for (const JointIndex j : joints) {
+    const Jet& jet = (*q)[j.value()];
+    answer.insert(answer.end(), {jet.v, jet.d, jet.dd});
+  }
+  known_holds_.Keep(place, std::move(question), std::move(answer));
   return std::nullopt;
 }
 

@@ -67,6 +67,29 @@ void Baker::RecordIfOutput() {
   Record(static_cast<int>(std::round(output)), now_, before_, pinned());
 }
 
+// Output frames after `from` up to and including `to`, but for `end`.
+std::vector<int> Baker::OutputFrames(double from, double to, double end) const {
+  const double per_frame = OutputFramesPerFrame();
+  const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
+  std::vector<int> frames;
+  for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
+    if (output / per_frame > end - kSameFrame) break;
+    frames.push_back(output);
+  }
+  return frames;
+}
+
+Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
+  for (const int output : OutputFrames(from, to, end)) {
+    const double frame = output / OutputFramesPerFrame();
+    FigureMotion motion;
+    if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
+    if (exact_) exact_->Estimate(Seconds(frame));
+    Record(output, motion, LimitOf(motion), pinned());
+  }
+  return std::nullopt;
+}
+
 // Output frames that fall strictly between the two ends of a step.
 void Baker::RecordBetween(const FigureMotion& from, const FigureMotion& to) {
   const double per_frame = OutputFramesPerFrame();

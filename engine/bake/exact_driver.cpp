@@ -12,6 +12,7 @@ namespace {
 constexpr double kStepShare = 0.05;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
+constexpr double kTwinCoarseness = 40.0;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
 
@@ -29,12 +30,13 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const GroupLogs& known)
+                         double sharpness, const GroupLogs& known, Team* team)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
       sharpness_(sharpness),
       known_(known),
+      team_(team),
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
       estimates_(active_.size(), 0.0) {
@@ -114,9 +116,14 @@ void ExactDriver::Begin(double t, double end, const RotationState& state, const 
   angles_ = request.angles;
   std::vector<Group> before;
   before.swap(groups_);
+  const int num_coordinates = figure_.num_joints() + kRootAngles;
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
-    groups_.push_back({GroupSolution(TaskFor(model), figure_.num_joints() + kRootAngles)});
-    groups_.back().solution.Begin(t, end, state, twin, driven, known_);
+    GroupTask task = TaskFor(model), coarse = task;
+    coarse.step_tolerance *= kTwinCoarseness;
+    groups_.push_back({GroupSolution(std::move(task), num_coordinates, &attachments_),
+                       GroupSolution(std::move(coarse), num_coordinates, &attachments_)});
+    groups_.back().solution.Begin(t, end, state, driven, known_);
+    groups_.back().twin.Begin(t, end, twin, driven, known_);
   }
   if (before.size() != groups_.size()) return;
   for (size_t g = 0; g < before.size(); ++g) {
@@ -139,73 +146,57 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
     SampleTwin(t, &twin);
     return Begin(t, end, main, twin, hold_, driven);
   }
-  for (Group& group : groups_) group.solution.Drive(t, end, driven);
+  ForEachSolution([&](GroupSolution& solution) { solution.Drive(t, end, driven); });
+}
+
+template <typename Action>
+void ExactDriver::ForEachSolution(Action&& action) {
+  for (Group& group : groups_) {
+    action(group.solution);
+    action(group.twin);
+  }
 }
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {
-  for (Group& group : groups_) group.solution.FeelPin(v_pin);
+  ForEachSolution([&](GroupSolution& solution) { solution.FeelPin(v_pin); });
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
-  for (Group& group : groups_) {
-    const std::optional<ExactFailure> stuck = group.solution.Advance(t, end);
-    if (!stuck) continue;
-    const Coordinate c = group.solution.hinges()[stuck->hinge].coordinate;
-    const bool is_joint = c < figure_.num_joints();
-    return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(stuck->cause)};
-  }
-  return std::nullopt;
+  ForEachSolution([&](GroupSolution& solution) { solution.Advance(t, end); });
+  return FirstFailure();
 }
 
-void ExactDriver::Account(double t, bool is_cut) {
-  if (accounted_coupling_ && *accounted_coupling_ != hold_.coupling) has_energy_ = false;
-  accounted_coupling_ = hold_.coupling;
-  for (Group& group : groups_) {
-    // A group takes its next step only once all have reached the end of the present one.
-    if (is_cut || group.solution.main_time() <= t) AddWork(&group, t);
-  }
+std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<double>& times,
+                                                              double end,
+                                                              const std::atomic<bool>* cancel) {
+  std::vector<GroupSolution*> unknown;
+  ForEachSolution([&](GroupSolution& solution) {
+    if (!solution.LookAhead(times, end)) unknown.push_back(&solution);
+  });
+  team_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
+  return FirstFailure();
 }
 
-// Powers over the step so far by Gauss's formula of order 8. What the energy jumped by since the
-// step before went into stops.
-void ExactDriver::AddWork(Group* group, double t) {
-  constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
-  constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
-  GroupSolution& solution = group->solution;
-  const double start = std::max(group->accounted, solution.step_start());
-  const double middle = 0.5 * (start + t), half = 0.5 * (t - start);
-  if (half <= 0.0) return;
-  const EnergyFlow first = solution.Energy(start), last = solution.Energy(t);
-  if (group->is_accounted) {
-    energy_.stops += first.kinetic + first.potential - group->stored;
-  } else {
-    energy_.kinetic_start += first.kinetic;
-    energy_.potential_start += first.potential;
-  }
-  for (const double side : {-1.0, 1.0}) {
-    for (int i = 0; i < 2; ++i) {
-      const EnergyFlow flow = solution.Energy(middle + side * kNode[i] * half);
-      energy_.friction += half * kWeight[i] * flow.friction;
-      energy_.keyed += half * kWeight[i] * flow.keyed;
+std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
+  const GroupSolution* first = nullptr;
+  for (const Group& group : groups_) {
+    for (const GroupSolution* solution : {&group.solution, &group.twin}) {
+      if (!solution->failure() || (first && first->time() <= solution->time())) continue;
+      first = solution;
     }
   }
-  energy_.kinetic_end += last.kinetic - (group->is_accounted ? group->kinetic : 0.0);
-  energy_.potential_end +=
-      last.potential - (group->is_accounted ? group->stored - group->kinetic : 0.0);
-  group->accounted = t;
-  group->stored = last.kinetic + last.potential;
-  group->kinetic = last.kinetic;
-  group->is_accounted = true;
-}
-
-std::optional<EnergyBalance> ExactDriver::energy() const {
-  if (!accounted_coupling_ || !has_energy_) return std::nullopt;
-  return energy_;
+  if (!first) return std::nullopt;
+  const Coordinate c = first->hinges()[first->failure()->hinge].coordinate;
+  const bool is_joint = c < figure_.num_joints();
+  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(first->failure()->cause),
+                 first->time()};
 }
 
 double ExactDriver::time() const {
   double time = std::numeric_limits<double>::infinity();
-  for (const Group& group : groups_) time = std::min(time, group.solution.time());
+  for (const Group& group : groups_) {
+    time = std::min({time, group.solution.time(), group.twin.time()});
+  }
   return time;
 }
 
@@ -214,7 +205,7 @@ void ExactDriver::Sample(double t, RotationState* state) {
 }
 
 void ExactDriver::SampleTwin(double t, RotationState* state) {
-  for (Group& group : groups_) group.solution.SampleTwin(t, state);
+  for (Group& group : groups_) group.twin.Sample(t, state);
 }
 
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
@@ -228,9 +219,13 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
 }
 
 void ExactDriver::Estimate(double t) {
-  for (Group& group : groups_) {
+  const int n = figure_.num_joints() + kRootAngles;
+  RotationState state{VecX(n), VecX(n)}, twin = state;
+  Sample(t, &state);
+  SampleTwin(t, &twin);
+  for (const Group& group : groups_) {
+    const VecX distances = group.solution.Distances(state, twin);
     const auto& hinges = group.solution.hinges();
-    const VecX distances = group.solution.Distances(t);
     for (size_t i = 0; i < hinges.size(); ++i) {
       double& estimate = estimates_[region_of_[hinges[i].coordinate]];
       estimate =
@@ -241,7 +236,7 @@ void ExactDriver::Estimate(double t) {
 
 long ExactDriver::evaluations() const {
   long sum = finished_evaluations_;
-  for (const Group& group : groups_) sum += group.solution.evaluations();
+  for (const Group& group : groups_) sum += group.solution.evaluations() + group.twin.evaluations();
   return sum;
 }
 
@@ -253,13 +248,18 @@ long ExactDriver::steps() const {
 
 double ExactDriver::microseconds() const {
   double sum = finished_microseconds_;
-  for (const Group& group : groups_) sum += group.solution.microseconds();
+  for (const Group& group : groups_) {
+    sum += group.solution.microseconds() + group.twin.microseconds();
+  }
   return sum;
 }
 
 GroupLogs ExactDriver::logs() const {
   GroupLogs logs = finished_;
-  for (const Group& group : groups_) logs.push_back(group.solution.log());
+  for (const Group& group : groups_) {
+    logs.push_back(group.solution.log());
+    logs.push_back(group.twin.log());
+  }
   return logs;
 }
 

@@ -1,25 +1,29 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/bake/attachment_cache.h"
 #include "engine/bake/group_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/region_driver.h"
+#include "engine/bake/team.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
 
 // Moves the joints of all exact regions that are active at one time, in continuous time. Each group
-// of joints that feel each other takes its own steps.
+// of joints that feel each other takes its own steps, and beside it a twin with a coarser
+// tolerance: how far the two get apart tells how far the solution may be off.
 class ExactDriver {
  public:
-  // `active`: indices of Animation::regions. `figure` and `known`, the logs of earlier bakes, must
-  // outlive the driver. `sharpness`: divides the tolerances of single steps.
+  // `active`: indices of Animation::regions. `figure`, `team` and `known`, the logs of earlier
+  // bakes, must outlive the driver. `sharpness`: divides the tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness, const GroupLogs& known);
+              double sharpness, const GroupLogs& known, Team* team);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -38,9 +42,15 @@ class ExactDriver {
   struct Failure {
     JointIndex joint;
     std::string cause;
+    double time;  // up to which it went well [s]
   };
   // Steps every group that has not got beyond t, at most to `end`.
   std::optional<Failure> Advance(double t, double end);
+  // Solves all groups up to `end` at once, on as many threads as there are; afterwards they can be
+  // sampled at `times`, which rise and include `end`, up to a failure. Gives up where `cancel` is
+  // set.
+  std::optional<Failure> AdvanceAhead(const std::vector<double>& times, double end,
+                                      const std::atomic<bool>* cancel);
   // How far all groups have got [s].
   double time() const;
   // The free coordinates at a time between the last two values of time().
@@ -75,7 +85,7 @@ class ExactDriver {
 
  private:
   struct Group {
-    GroupSolution solution;
+    GroupSolution solution, twin;
     double accounted = 0.0;              // up to this time [s]
     double stored = 0.0, kinetic = 0.0;  // energy there [J]
     bool is_accounted = false;
@@ -85,12 +95,18 @@ class ExactDriver {
                           const DrivenMotion& driven) const;
   GroupTask TaskFor(const RegionModel& model) const;
   void FinishGroups();
+  std::optional<Failure> FirstFailure() const;
+  // Of solutions and twins.
+  template <typename Action>
+  void ForEachSolution(Action&& action);
 
   const Animation& animation_;
   const Figure& figure_;
   std::vector<int> active_;
   double sharpness_;
   const GroupLogs& known_;
+  Team* team_;
+  AttachmentCache attachments_;
   GroupLogs finished_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor

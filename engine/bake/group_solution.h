@@ -1,13 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "engine/passive/exact_solver.h"
+#include "engine/bake/group_run.h"
 
 namespace hazumi {
 
@@ -16,60 +15,57 @@ struct RotationState {
   VecX q, qd;  // [rad, rad/s]
 };
 
-// A group of joints that feel each other, and how accurately it is to be solved.
-struct GroupTask {
-  RegionModel model;
-  VecX friction, lower, upper;  // by free hinge: rates [1/s], stops [rad]
-  double gravity;               // along -z [m/s^2]
-  double step_tolerance;        // of the main solution; its twin's is kTwinCoarseness times that
-};
-
-// What a solution was asked and what it answered, as numbers.
-struct GroupCall {
-  std::vector<double> question, answer;
+// What a solution was asked and what it answered.
+struct GroupAnswer {
+  Numbers question, answer;
   long evaluations = 0, steps = 0;  // up to the answer
 };
 // From the beginning on. The answers depend on nothing but the questions.
-using GroupLog = std::vector<GroupCall>;
+using GroupLog = std::vector<GroupAnswer>;
 using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
 
-// The motion of one group, and beside it that of a twin with a coarser tolerance: how far they get
-// apart tells how far the solution may be off.
+// The motion of one group.
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
-// nothing; at the first other question it solves what was asked up to then.
+// nothing; at the first other question it solves what was asked up to then. What has no answer is
+// not solved before something that has.
 class GroupSolution {
  public:
-  static constexpr double kTwinCoarseness = 40.0;
-
-  // `num_coordinates` of the figure: hinges and the root's three.
-  GroupSolution(GroupTask task, int num_coordinates);
+  // `num_coordinates` of the figure: hinges and the root's three. `attachments` must outlive it.
+  GroupSolution(GroupTask task, int num_coordinates, AttachmentCache* attachments);
 
   const RegionModel& model() const { return task_.model; }
-  const std::vector<FreeHinge>& hinges() const { return hinges_; }
+  const RegionLayout& layout() const { return layout_; }
+  const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
   double step_tolerance() const { return task_.step_tolerance; }
 
   // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes.
-  void Begin(double t, double end, const RotationState& state, const RotationState& twin,
-             const DrivenMotion& driven, const GroupLogs& known);
-  // Goes on from t, where both solutions are, with other curves.
+  void Begin(double t, double end, const RotationState& state, const DrivenMotion& driven,
+             const GroupLogs& known);
+  // Goes on from t, where it is, with other curves.
   void Drive(double t, double end, const DrivenMotion& driven);
   // A pin that moved with v_pin [m/s] was stopped at the time where it began.
   void FeelPin(const Vec3& v_pin);
-  // Takes steps until both solutions are beyond t, at most to `end`.
-  std::optional<ExactFailure> Advance(double t, double end);
+  // Takes steps until it is beyond t, at most to `end`.
+  void Advance(double t, double end);
 
-  // How far the main solution and its twin have got [s].
-  double time() const { return std::min(time_, twin_time_); }
-  double main_time() const { return time_; }
-  // Start of the main solution's step, inside which it can be sampled [s].
+  // Goes on to `end` at once; afterwards it can be sampled at `times`, which rise and include
+  // `end`, and nowhere else. True if a known log tells how: else SolveAhead is to be called, which
+  // may be done in any thread while no one asks this solution anything. It gives up where `cancel`
+  // is set.
+  bool LookAhead(const std::vector<double>& times, double end);
+  void SolveAhead(const std::atomic<bool>* cancel);
+
+  // How far it has got [s], and why it cannot go on from there.
+  double time() const { return time_; }
+  const std::optional<ExactFailure>& failure() const { return failure_; }
+  // Start of the step inside which it can be sampled [s].
   double step_start() const { return step_start_; }
 
-  // Free hinges at t, their entries of `state`; the twin's.
+  // Free hinges at t, their entries of `state`.
   void Sample(double t, RotationState* state);
-  void SampleTwin(double t, RotationState* state);
-  // By free hinge: how far the two are apart at t [rad].
-  VecX Distances(double t);
+  // By free hinge: how far two states are apart [rad].
+  VecX Distances(const RotationState& a, const RotationState& b) const;
   EnergyFlow Energy(double t);
   // Hits since the last call.
   std::vector<StopHit> TakeHits() { return std::exchange(hits_, {}); }
@@ -81,43 +77,29 @@ class GroupSolution {
   std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
 
  private:
-  using Numbers = std::vector<double>;
-  struct Run {
-    RegionDynamics dynamics;
-    ExactSolver solver;
-    Run(const GroupTask& task, double step_tolerance);
-  };
-  // Both solutions at work.
-  struct Pair {
-    DrivenMotion driven;
-    Run main, twin;
-    Pair(const GroupTask& task, int num_coordinates);
-    std::array<Run*, 2> runs() { return {&main, &twin}; }
-  };
-
+  bool IsKnown(const Numbers& question) const;
+  void Tell(Numbers question);
   const Numbers& Ask(Numbers question);
   void SolveWhatWasAsked();
-  GroupCall Execute(Numbers question);
-  void ExecuteBegin(const double* arguments);
-  void ExecuteDrive(const double* arguments);
-  Numbers ExecuteAdvance(double t, double end);
-  static Numbers ExecuteSample(Run* run, double t);
-  void AppendTask(Numbers* question) const;
-  void AppendCurves(const DrivenMotion& driven, Numbers* question) const;
-  void ReadCurves(const double* numbers);
-  void Scatter(const Numbers& answer, RotationState* state) const;
-  template <typename Action>
-  void ForEachCurve(Action&& action) const;
+  void TakeProgress(const Numbers& answer);
+  void TakeAhead(const Numbers& answer);
+  void Scatter(const double* sample, RotationState* state) const;
 
   GroupTask task_;
   int num_coordinates_;
-  std::vector<FreeHinge> hinges_;
+  RegionLayout layout_;  // nothing locked
+  AttachmentCache* attachments_;
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
   std::shared_ptr<GroupLog> own_;
   size_t num_calls_ = 0;
-  std::unique_ptr<Pair> pair_;  // null as long as own_ is
-  double time_ = 0.0, twin_time_ = 0.0, step_start_ = 0.0;
+  std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
+  size_t num_solved_ = 0;          // of own_
+  double time_ = 0.0, step_start_ = 0.0;
+  std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
+  // What SolveAhead is to solve; the times that were looked ahead to, and what is there.
+  Numbers ahead_, times_, samples_;
+  const std::atomic<bool>* cancel_ = nullptr;
   long evaluations_ = 0, steps_ = 0;
   double microseconds_ = 0.0;
 };

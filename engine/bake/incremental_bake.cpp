@@ -28,13 +28,13 @@ double FirstReach(const Keys& keys, size_t first) {
 }  // namespace
 
 IncrementalBake::IncrementalBake(Animation animation, const BakeOptions& options)
-    : options_(options) {
+    : options_(options), team_(options.threads) {
   StartAnew(animation);
 }
 
 void IncrementalBake::StartAnew(const Animation& animation) {
   animation_ = animation;
-  baker_ = std::make_unique<Baker>(animation_, options_, &motion_);
+  baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &team_);
   for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
   parts_.clear();
   MakeStale({-kEver, kEver});

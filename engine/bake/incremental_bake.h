@@ -64,6 +64,7 @@ class IncrementalBake {
 
   Animation animation_;
   BakeOptions options_;
+  Team team_;
   Motion motion_;
   std::unique_ptr<Baker> baker_;
   Parts parts_;

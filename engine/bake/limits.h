@@ -18,7 +18,7 @@ inline PoseOf<Jet> RootJet(const RootAngles& angles, const FigureMotion& motion)
   PoseOf<Jet> X;
   for (int i = 0; i < 3; ++i) {
     const Jet angle(angles.angle[i], angles.rate[i], angles.acceleration[i]);
-    X.R = (X.R * AxisRotation<Jet>(axes[i], sin(angle), cos(angle))).eval();
+    Turn<Jet>(axes[i], sin(angle), cos(angle), &X.R);
     X.p[i] = Jet(motion.X_WR.p[i], motion.root.v[i], motion.root.a[i]);
   }
   return X;

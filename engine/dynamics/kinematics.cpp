@@ -4,50 +4,85 @@
 
 namespace hazumi {
 
-void ComputePositions(const Figure& figure, const Pose& X_WR, const VecX& q,
-                      DynamicsWorkspace* ws) {
+namespace {
+
+void PlaceRoot(const Figure& figure, const Pose& X_WR, DynamicsWorkspace* ws) {
   ws->bodies[0].R = X_WR.R;
   ws->bodies[0].p = X_WR.p;
   ws->bodies[0].c = X_WR.R * figure.root_body().com;
-  for (int i = 0; i < figure.num_joints(); ++i) {
-    const Joint& joint = figure.joints()[i];
-    const BodyScratch& parent = ws->body(joint.parent);
-    BodyScratch& body = ws->bodies[i + 1];
-    const Mat3 turn = AxisRotation<double>(joint.axis, std::sin(q[i]), std::cos(q[i]));
-    body.p = parent.p + parent.R * joint.X_PJ.p;
-    if (joint.parallel_frame) {
-      body.R.noalias() = parent.R * turn;
-    } else {
-      body.R.noalias() = parent.R * (joint.X_PJ.R * turn).eval();
-    }
-    body.axis = body.R * joint.axis;
-    if (!joint.massless) body.c = body.R * figure.body(JointIndex(i)).com;
+}
+
+void Place(const Figure& figure, int i, const VecX& q, DynamicsWorkspace* ws) {
+  const Joint& joint = figure.joints()[i];
+  const BodyScratch& parent = ws->body(joint.parent);
+  BodyScratch& body = ws->bodies[i + 1];
+  body.p = parent.p + parent.R * joint.X_PJ.p;
+  if (joint.parallel_frame) {
+    body.R = parent.R;
+  } else {
+    body.R.noalias() = parent.R * joint.X_PJ.R;
   }
+  Turn(joint.axis, std::sin(q[i]), std::cos(q[i]), &body.R);
+  body.axis = body.R * joint.axis;
+  if (!joint.massless) body.c = body.R * figure.body(JointIndex(i)).com;
+}
+
+void SetVelocity(const Figure& figure, int i, const VecX& qd, DynamicsWorkspace* ws) {
+  const BodyScratch& parent = ws->body(figure.joints()[i].parent);
+  BodyScratch& body = ws->bodies[i + 1];
+  body.w = parent.w + body.axis * qd[i];
+  body.v = parent.v + parent.w.cross(body.p - parent.p);
+}
+
+void SetAcceleration(const Figure& figure, int i, const VecX& qd, const VecX& qdd,
+                     DynamicsWorkspace* ws) {
+  const BodyScratch& parent = ws->body(figure.joints()[i].parent);
+  BodyScratch& body = ws->bodies[i + 1];
+  const Vec3 r = body.p - parent.p;
+  body.alpha = parent.alpha + body.axis * qdd[i] + parent.w.cross(body.axis) * qd[i];
+  body.a = parent.a + parent.alpha.cross(r) + parent.w.cross(parent.w.cross(r));
+}
+
+void MoveRoot(const RootMotion& root, DynamicsWorkspace* ws) {
+  ws->bodies[0].w = root.w;
+  ws->bodies[0].v = root.v;
+  ws->bodies[0].alpha = root.alpha;
+  ws->bodies[0].a = root.a;
+}
+
+}  // namespace
+
+void ComputePositions(const Figure& figure, const Pose& X_WR, const VecX& q,
+                      DynamicsWorkspace* ws) {
+  PlaceRoot(figure, X_WR, ws);
+  for (int i = 0; i < figure.num_joints(); ++i) Place(figure, i, q, ws);
 }
 
 void ComputeVelocities(const Figure& figure, const Vec3& w_root, const Vec3& v_root, const VecX& qd,
                        DynamicsWorkspace* ws) {
   ws->bodies[0].w = w_root;
   ws->bodies[0].v = v_root;
-  for (int i = 0; i < figure.num_joints(); ++i) {
-    const BodyScratch& parent = ws->body(figure.joints()[i].parent);
-    BodyScratch& body = ws->bodies[i + 1];
-    body.w = parent.w + body.axis * qd[i];
-    body.v = parent.v + parent.w.cross(body.p - parent.p);
-  }
+  for (int i = 0; i < figure.num_joints(); ++i) SetVelocity(figure, i, qd, ws);
 }
 
 void ComputeMotion(const Figure& figure, const RootMotion& root, const VecX& qd, const VecX& qdd,
                    DynamicsWorkspace* ws) {
-  ComputeVelocities(figure, root.w, root.v, qd, ws);
-  ws->bodies[0].alpha = root.alpha;
-  ws->bodies[0].a = root.a;
+  MoveRoot(root, ws);
   for (int i = 0; i < figure.num_joints(); ++i) {
-    const BodyScratch& parent = ws->body(figure.joints()[i].parent);
-    BodyScratch& body = ws->bodies[i + 1];
-    const Vec3 r = body.p - parent.p;
-    body.alpha = parent.alpha + body.axis * qdd[i] + parent.w.cross(body.axis) * qd[i];
-    body.a = parent.a + parent.alpha.cross(r) + parent.w.cross(parent.w.cross(r));
+    SetVelocity(figure, i, qd, ws);
+    SetAcceleration(figure, i, qd, qdd, ws);
+  }
+}
+
+void ComputeMotionTo(JointIndex tip, const Figure& figure, const Pose& X_WR, const RootMotion& root,
+                     const VecX& q, const VecX& qd, const VecX& qdd, DynamicsWorkspace* ws) {
+  PlaceRoot(figure, X_WR, ws);
+  MoveRoot(root, ws);
+  for (int i = 0; i <= tip.value(); ++i) {
+    if (!figure.IsBeyond(tip, JointIndex(i))) continue;
+    Place(figure, i, q, ws);
+    SetVelocity(figure, i, qd, ws);
+    SetAcceleration(figure, i, qd, qdd, ws);
   }
 }
 

@@ -27,6 +27,10 @@ void ComputeMotion(const Figure& figure, const RootMotion& root, const VecX& qd,
 void ComputeVelocities(const Figure& figure, const Vec3& w_root, const Vec3& v_root, const VecX& qd,
                        DynamicsWorkspace* ws);
 
+// Positions and motion of the bodies from the root to that of joint `tip` alone.
+void ComputeMotionTo(JointIndex tip, const Figure& figure, const Pose& X_WR, const RootMotion& root,
+                     const VecX& q, const VecX& qd, const VecX& qdd, DynamicsWorkspace* ws);
+
 // Of the whole figure, in the world [m]; needs ComputePositions.
 Vec3 CenterOfMass(const Figure& figure, const DynamicsWorkspace& ws);
 // Its velocity [m/s]; needs ComputeVelocities or ComputeMotion.

@@ -57,21 +57,29 @@ void Attachment::Take(const Frame& frame, int i, Samples* samples) {
   for (int k = 0; k < 4 && dot < 0.0; ++k) to[k] = -to[k];
 }
 
-bool Attachment::SetFit(const Samples& samples, Fit* fit) {
+double Attachment::SetFit(const Samples& samples, Fit* fit) {
   constexpr double kRounding = 1e-12;
   using Matrix = Eigen::Matrix<double, kPoints, kValues, Eigen::RowMajor>;
   const Eigen::Map<const Matrix> f(samples[0].data());
   Eigen::Map<Matrix> c(fit->c[0].data());
   c.noalias() = TheTransforms().to_powers.lazyProduct(f);
   const auto tail = (TheTransforms().to_chebyshev.bottomRows<2>().lazyProduct(f)).eval();
-  return tail.cwiseAbs().maxCoeff() <= kRounding * (1.0 + f.cwiseAbs().maxCoeff());
+  return tail.cwiseAbs().maxCoeff() / (kRounding * (1.0 + f.cwiseAbs().maxCoeff()));
 }
 
-const Attachment::Fit& Attachment::FitFor(double t) {
-  const auto ends = [&](size_t i) { return fits_[i].middle + fits_[i].half; };
-  while (last_ > 0 && t < fits_[last_].middle - fits_[last_].half) --last_;
-  while (last_ + 1 < fits_.size() && t > ends(last_)) ++last_;
-  return fits_[last_];
+// How much longer the next fit may be. The last coefficients go with the length to the 12th and
+// 13th power.
+double Attachment::Growth(double left_out, bool is_good) {
+  constexpr double kSafety = 0.9;
+  if (!std::isfinite(left_out)) return 0.5;
+  const double grow = kSafety * std::pow(std::max(left_out, 1e-6), -1.0 / 12.5);
+  return is_good ? std::max(0.8, grow) : std::clamp(grow, 0.25, 0.8);
+}
+
+const Attachment::Fit& Attachment::FitFor(double t) const {
+  const auto ends_before = [t](const Fit& fit) { return fit.middle + fit.half < t; };
+  const auto fit = std::partition_point(fits_.begin(), fits_.end(), ends_before);
+  return fit == fits_.end() ? fits_.back() : *fit;
 }
 
 Attachment::Frame Attachment::Evaluate(const Fit& fit, double t) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <vector>
 
 #include "engine/passive/node_motion.h"
@@ -11,7 +13,7 @@ namespace hazumi {
 // How the node that carries a group of free joints moves: all that the group feels of the rest of
 // the figure [METHOD 4]. The chain that moves it is evaluated at a few Chebyshev points of a
 // stretch of time and fitted, as long as what is left out is rounding; after that it costs a
-// polynomial.
+// polynomial. Never changes once made: groups that hang on one node share it, in any thread.
 class Attachment {
  public:
   // The carrier's motion at a time, computed by its chain.
@@ -20,65 +22,63 @@ class Attachment {
     small::V3 w, alpha, a;  // `a` is that of its origin, minus gravity
   };
 
-  // Forgets everything; the motion is smooth from `start` to `end` [s].
-  void Begin(double start, double end) {
-    fits_.clear();
-    end_ = end;
-    next_start_ = start;
-    next_length_ = kLongest;
-    last_ = 0;
+  // Fits the motion, smooth from `start` to `end` [s]. `chain`: Frame(double t).
+  template <typename Chain>
+  Attachment(double start, double end, Chain&& chain) {
+    double length = kLongest;
+    for (double from = start; from < end || fits_.empty();) {
+      // Equal fits to the end rather than a tiny last one.
+      const double rest = std::max(0.0, end - from);
+      length = rest / std::max(1.0, std::ceil(rest / length * (1.0 - 1e-9)));
+      from = Extend(from, chain, &length);
+      if (end - from < kSameTime) break;
+    }
   }
 
-  // `chain`: Frame(double t).
-  template <typename Chain>
-  Frame At(double t, Chain&& chain) {
-    while (t > next_start_ || fits_.empty()) {
-      if (next_start_ >= end_) break;
-      Extend(chain);
-    }
-    return Evaluate(FitFor(t), t);
-  }
+  Frame At(double t) const { return Evaluate(FitFor(t), t); }
 
  private:
   static constexpr int kPoints = 14;
-  static constexpr int kValues = 14;         // quaternion, w, alpha, a, and one to fill up
-  static constexpr double kLongest = 0.15;   // [s]
-  static constexpr double kShortest = 1e-4;  // [s]
+  static constexpr int kValues = 14;          // quaternion, w, alpha, a, and one to fill up
+  static constexpr double kLongest = 0.15;    // [s]
+  static constexpr double kShortest = 1e-4;   // [s]
+  static constexpr double kSameTime = 1e-12;  // [s]
   using Samples = std::array<std::array<double, kValues>, kPoints>;
   struct Fit {
     double middle, half;
     std::array<std::array<double, kValues>, kPoints> c;  // by power of (t - middle) / half
   };
 
+  // One fit of at most *length seconds, which becomes what the next may try; returns its end.
   template <typename Chain>
-  void Extend(Chain&& chain) {
-    double length = std::min(next_length_, end_ - next_start_);
+  double Extend(double from, Chain&& chain, double* length) {
     Fit fit;
     Samples samples;
-    for (;; length *= 0.5) {
-      fit.middle = next_start_ + 0.5 * length;
-      fit.half = 0.5 * length;
+    for (;;) {
+      fit.middle = from + 0.5 * *length;
+      fit.half = 0.5 * *length;
       for (int i = 0; i < kPoints; ++i) {
         Take(chain(fit.middle + fit.half * Point(i)), i, &samples);
       }
-      if (SetFit(samples, &fit) || length < kShortest) break;
+      const double left_out = SetFit(samples, &fit);
+      const double tried = *length;
+      const bool is_good = left_out <= 1.0 || tried < kShortest;
+      *length = std::min(kLongest, tried * Growth(left_out, is_good));
+      if (!is_good) continue;
+      fits_.push_back(fit);
+      return from + tried;
     }
-    next_length_ = std::min(kLongest, 2.0 * length);
-    next_start_ += length;
-    if (end_ - next_start_ < 1e-12) next_start_ = end_;
-    fits_.push_back(fit);
   }
 
   static double Point(int i);
   static void Take(const Frame& frame, int i, Samples* samples);
-  // False if the fit leaves out more than rounding.
-  static bool SetFit(const Samples& samples, Fit* fit);
-  const Fit& FitFor(double t);
+  // Returns what the fit leaves out, in units of rounding.
+  static double SetFit(const Samples& samples, Fit* fit);
+  static double Growth(double left_out, bool is_good);
+  const Fit& FitFor(double t) const;
   static Frame Evaluate(const Fit& fit, double t);
 
   std::vector<Fit> fits_;  // in order of time, without gaps
-  size_t last_ = 0;
-  double end_ = 0.0, next_start_ = 0.0, next_length_ = kLongest;
 };
 
 }  // namespace hazumi

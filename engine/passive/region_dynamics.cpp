@@ -22,7 +22,6 @@ RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
       hinge_layout_(model_, /*balls=*/false),
       kinematics_(model_),
       articulated_(model_),
-      attachment_(std::make_shared<Attachment>()),
       friction_(std::move(friction)),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
@@ -35,10 +34,9 @@ RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
   J_.setZero(3, k);
 }
 
-void RegionDynamics::SetDriven(const DrivenMotion* driven, double start, double end) {
+void RegionDynamics::SetCurves(const DrivenMotion* driven, double start) {
   driven_ = driven;
   if (first_moved_ == 0) return;
-  attachment_->Begin(start, end);
   is_carrier_still_ = IsCarrierStill();
   if (is_carrier_still_) PlaceStillCarrier(start);
 }
@@ -81,15 +79,17 @@ void RegionDynamics::Move(double t, const RegionLayout& layout, const double* po
   kinematics_.SetOwnForces(V3());
 }
 
+std::shared_ptr<const Attachment> RegionDynamics::FitAttachment(double start, double end) {
+  const NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
+  return std::make_shared<const Attachment>(start, end, [&](double t) {
+    kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
+    return Attachment::Frame{own.R, own.w, own.alpha, own.a + BaseAcceleration(t)};
+  });
+}
+
 void RegionDynamics::MoveCarrier(double t) {
-  const int carrier = model_.nodes[first_moved_].parent;
-  const auto chain = [&](double time) {
-    kinematics_.Move(layout_, *driven_, time, nullptr, nullptr, 0, first_moved_);
-    const NodeMotion& own = kinematics_.motion()[carrier];
-    return Attachment::Frame{own.R, own.w, own.alpha, own.a + BaseAcceleration(time)};
-  };
-  const Attachment::Frame frame = attachment_->At(t, chain);
-  NodeMotion& own = kinematics_.motion()[carrier];
+  const Attachment::Frame frame = attachment_->At(t);
+  NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
   own.R = frame.R;
   own.w = frame.w;
   own.alpha = frame.alpha;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/passive/articulated_bodies.h"
@@ -34,9 +35,19 @@ class RegionDynamics {
   int num_hinges() const { return layout_.num_hinges(); }
 
   // The curves must outlive their use, and move smoothly from `start` to `end` [s].
-  void SetDriven(const DrivenMotion* driven, double start, double end);
-  // Uses the attachment of another that is driven in the same way; call after SetDriven.
-  void ShareAttachment(const RegionDynamics& other) { attachment_ = other.attachment_; }
+  void SetDriven(const DrivenMotion* driven, double start, double end) {
+    SetCurves(driven, start);
+    if (needs_attachment()) UseAttachment(FitAttachment(start, end));
+  }
+  // The same in parts, so that dynamics whose carriers are moved in the same way, by the nodes
+  // before first_moved(), can share an attachment.
+  void SetCurves(const DrivenMotion* driven, double start);
+  bool needs_attachment() const { return first_moved_ > 0 && !is_carrier_still_; }
+  int first_moved() const { return first_moved_; }
+  std::shared_ptr<const Attachment> FitAttachment(double start, double end);
+  void UseAttachment(std::shared_ptr<const Attachment> attachment) {
+    attachment_ = std::move(attachment);
+  }
   // Locks some free hinges at these angles [rad]; by free hinge.
   void SetLocked(const std::vector<char>& locked, const VecX& angles) {
     layout_.SetLocked(locked, angles);
@@ -85,7 +96,7 @@ class RegionDynamics {
   RegionLayout layout_, hinge_layout_;
   NodeKinematics kinematics_;
   ArticulatedBodies articulated_;
-  std::shared_ptr<Attachment> attachment_;
+  std::shared_ptr<const Attachment> attachment_;
   int first_moved_ = 0;  // the nodes before it are there only to move the attachment
   bool is_carrier_still_ = false;
   VecX friction_;

@@ -47,7 +47,7 @@ void HoldChain::Place(const PoseOf<Jet>& X_WR, const std::vector<Jet>& q, const 
       pose->axis[hinge.row] = pose->R * joint.axis.cast<T>();
       pose->origin[hinge.row] = pose->p;
     }
-    pose->R = (pose->R * AxisRotation<T>(joint.axis, sin(angle), cos(angle))).eval();
+    Turn<T>(joint.axis, sin(angle), cos(angle), &pose->R);
   }
   pose->p += pose->R * figure_->joint(held_).X_PJ.p.cast<T>();
   for (int r = 0; r < size(); ++r) {

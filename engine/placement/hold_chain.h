@@ -31,6 +31,11 @@ class HoldChain {
 
   const std::vector<JointIndex>& unknowns() const { return unknowns_; }
   int size() const { return static_cast<int>(unknowns_.size()); }
+  // From the root, those that are fixed as well.
+  template <typename Action>
+  void ForEachJoint(Action&& action) const {
+    for (const Hinge& hinge : hinges_) action(hinge.joint);
+  }
   // Unknown number `row`.
   const Joint& joint(int row) const { return figure_->joint(unknowns_[row]); }
 

@@ -81,6 +81,20 @@ HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target
   return {true, 0.0};
 }
 
+std::vector<double> HoldSolver::Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
+                                         const std::vector<Jet>& q) const {
+  std::vector<double> question;
+  const auto append = [&](const Jet& jet) {
+    question.insert(question.end(), {jet.v, jet.d, jet.dd});
+  };
+  for (const Jet& jet : X_WR.R.reshaped()) append(jet);
+  for (const Jet& jet : X_WR.p) append(jet);
+  for (const double value : target.orientation.reshaped()) question.push_back(value);
+  for (const double value : target.position) question.push_back(value);
+  chain_.ForEachJoint([&](JointIndex j) { append(q[j.value()]); });
+  return question;
+}
+
 // Newton's method on F = 0 from x_. Where the chain's part of the Hessian is left out it takes more
 // steps, but from far away too it goes towards the nearest solution.
 bool HoldSolver::Converge(const Problem& problem, int iterations, Hessian hessian) {
@@ -182,8 +196,8 @@ void HoldSolver::SetDerivative(Hessian hessian) {
 // A straight limb, or one of too few hinges, makes K singular: then with full pivoting.
 void HoldSolver::Factor() {
   constexpr double kLeastPivot = 1e-11;
-  lu_.compute(K_);
-  singular_ = !(lu_.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastPivot);
+  lu_.Factor(K_);
+  singular_ = !(lu_.least_pivot() > kLeastPivot);
   if (singular_) lu_singular_.compute(K_);
 }
 
@@ -192,7 +206,7 @@ VecX& HoldSolver::SolveLinear(const VecX& right_side) {
   if (singular_) {
     step_ = lu_singular_.solve(right_side);
   } else {
-    step_ = lu_.solve(right_side);
+    lu_.Solve(right_side, &step_);
   }
   return step_;
 }

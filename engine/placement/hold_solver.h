@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/placement/hold_chain.h"
+#include "engine/placement/pivoted_lu.h"
 
 namespace hazumi {
 
@@ -41,6 +42,10 @@ class HoldSolver {
   // target is reached.
   HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q);
 
+  // All numbers of the arguments that the solution depends on.
+  std::vector<double> Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
+                               const std::vector<Jet>& q) const;
+
  private:
   struct Problem {
     const PoseOf<Jet>& X_WR;
@@ -67,7 +72,7 @@ class HoldSolver {
   VecX keyed_, x_, F_, step_;
   VecXOf<Jet> keyed_jet_, x_jet_, F_jet_;
   MatX K_;  // dF/dx
-  Eigen::PartialPivLU<MatX> lu_;
+  PivotedLu lu_;
   Eigen::FullPivLU<MatX> lu_singular_;
   bool singular_ = false;
 };

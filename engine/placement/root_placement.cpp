@@ -12,8 +12,7 @@ void SetRootOrientation(const RootAngles& angles, FigureMotion* motion) {
     const Vec3 axis_W = R * axes[i];
     alpha += axis_W * angles.acceleration[i] + w.cross(axis_W) * angles.rate[i];
     w += axis_W * angles.rate[i];
-    R = (R * AxisRotation<double>(axes[i], std::sin(angles.angle[i]), std::cos(angles.angle[i])))
-            .eval();
+    Turn<double>(axes[i], std::sin(angles.angle[i]), std::cos(angles.angle[i]), &R);
   }
   motion->X_WR.R = R;
   motion->root.w = w;
@@ -25,8 +24,7 @@ void PinRoot(const Figure& figure, JointIndex pin, const Vec3& p_W, DynamicsWork
   motion->X_WR.p.setZero();
   motion->root.v.setZero();
   motion->root.a.setZero();
-  ComputePositions(figure, motion->X_WR, motion->q, ws);
-  ComputeMotion(figure, motion->root, motion->qd, motion->qdd, ws);
+  ComputeMotionTo(pin, figure, motion->X_WR, motion->root, motion->q, motion->qd, motion->qdd, ws);
   motion->X_WR.p = p_W - ws->body(pin).p;
   motion->root.v = -ws->body(pin).v;
   motion->root.a = -ws->body(pin).a;

@@ -12,7 +12,7 @@ struct RootAngles {
 void SetRootOrientation(const RootAngles& angles, FigureMotion* motion);
 
 // Moves the root so that the origin of `pin` is at `p_W` and at rest [Arai 3.1]. Joint angles and
-// root orientation stay.
+// root orientation stay. The workspace is filled from the root to the pin.
 void PinRoot(const Figure& figure, JointIndex pin, const Vec3& p_W, DynamicsWorkspace* ws,
              FigureMotion* motion);
 

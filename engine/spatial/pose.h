@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "engine/spatial/types.h"
 
@@ -32,6 +33,21 @@ Mat3Of<T> AxisRotation(const Vec3& axis, const T& sine, const T& cosine) {
       v * (x * y) + sine * z, v * (y * y) + cosine, v * (y * z) - sine * x,   //
       v * (x * z) - sine * y, v * (y * z) + sine * x, v * (z * z) + cosine;
   return R;
+}
+
+// R := R AxisRotation(axis, ...). About a coordinate axis only two columns change.
+template <typename T>
+void Turn(const Vec3& axis, const T& sine, const T& cosine, Mat3Of<T>* R) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(axis[k]) != 1.0) continue;
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const T s = sine * T(axis[k]);
+    const Vec3Of<T> was = R->col(i);
+    R->col(i) = was * cosine + R->col(j) * s;
+    R->col(j) = R->col(j) * cosine - was * s;
+    return;
+  }
+  *R = (*R * AxisRotation<T>(axis, sine, cosine)).eval();
 }
 
 }  // namespace hazumi

@@ -1,5 +1,6 @@
-// How long an animator waits for the motion, without starting a process or reading a file. Names
-// are those of the rows of edit.csv: case/what.
+// How long an animator waits for the motion, error estimates included, without starting a process
+// or reading a file. Names are those of the rows of edit.csv: case/what. On as many threads as the
+// machine has, unless the name says on one.
 
 #include <benchmark/benchmark.h>
 
@@ -23,10 +24,18 @@ void Register(const std::string& name, Action action) {
   benchmark::RegisterBenchmark(name.c_str(), action)->Unit(benchmark::kMicrosecond);
 }
 
+constexpr int kThreads[] = {1, 0};  // 0: all that there are
+
+std::string On(int threads) { return threads == 1 ? " on one thread" : ""; }
+
 void RegisterBake(const std::string& name, const Animation& animation) {
-  Register(name + "/bake", [animation](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(Bake(animation).value().frames.data());
-  });
+  for (const int threads : kThreads) {
+    Register(name + "/bake" + On(threads), [=](benchmark::State& state) {
+      BakeOptions options;
+      options.threads = threads;
+      for (auto _ : state) benchmark::DoNotOptimize(Bake(animation, options).value().frames.data());
+    });
+  }
 }
 
 void RegisterLoad(const std::string& name) {
@@ -37,10 +46,12 @@ void RegisterLoad(const std::string& name) {
 
 // One key goes up and down by a hundredth of a radian; the motion is asked for up to `frame`.
 void RegisterEdit(const std::string& name, const Animation& animation, const char* joint,
-                  double key_frame, int frame, const std::string& what) {
-  Register(name + "/" + what, [=](benchmark::State& state) {
+                  double key_frame, int frame, const std::string& what, int threads = 0) {
+  Register(name + "/" + what + On(threads), [=](benchmark::State& state) {
     Animation edited = animation;
-    IncrementalBake bake(edited);
+    BakeOptions options;
+    options.threads = threads;
+    IncrementalBake bake(edited, options);
     if (bake.Finish()) return state.SkipWithError("it cannot be baked");
     double step = 0.01;
     for (auto _ : state) {
@@ -57,7 +68,9 @@ void RegisterEdit(const std::string& name, const Animation& animation, const cha
 void RegisterEdits() {
   const Animation animation = Load("throw");
   const auto edit = [&](const char* joint, double frame, const std::string& what) {
-    RegisterEdit("throw", animation, joint, frame, 30, what);
+    for (const int threads : kThreads) {
+      RegisterEdit("throw", animation, joint, frame, 30, what, threads);
+    }
   };
   edit("neck_flexion", 5, "move a key of the neck");
   edit("l_elbow_flexion", 30, "move a key of the left elbow after the region");

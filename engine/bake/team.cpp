@@ -1,0 +1,71 @@
+#include "engine/bake/team.h"
+
+#include <algorithm>
+
+namespace hazumi {
+
+namespace {
+
+// More do not find enough groups to solve.
+constexpr int kMostThreads = 8;
+constexpr int kYields = 200;  // about 50 us
+
+}  // namespace
+
+Team::Team(int most) {
+  const int has = static_cast<int>(std::thread::hardware_concurrency());
+  most_ = static_cast<size_t>(std::clamp(most > 0 ? most : has, 1, kMostThreads) - 1);
+}
+
+Team::~Team() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  wake_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+void Team::Do(int count, const std::function<void(int)>& job) {
+  next_ = 0;
+  if (count <= 1 || most_ == 0) return Work(job, count);
+  const size_t wanted = std::min(most_, static_cast<size_t>(count) - 1);
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = &job;
+    count_ = count;
+  }
+  while (helpers_.size() < wanted) helpers_.emplace_back([this] { Help(); });
+  wake_.notify_all();
+  Work(job, count);
+  // The last jobs are nearly done: to sleep and be woken would take longer.
+  for (int i = 0; i < kYields && working_ > 0; ++i) std::this_thread::yield();
+  std::unique_lock lock(mutex_);
+  job_ = nullptr;
+  rest_.wait(lock, [this] { return working_ == 0; });
+}
+
+void Team::Work(const std::function<void(int)>& job, int count) {
+  for (int i = next_++; i < count; i = next_++) job(i);
+}
+
+void Team::Help() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    wake_.wait(lock, [this] { return is_over_ || job_ != nullptr; });
+    if (is_over_) return;
+    const std::function<void(int)>& job = *job_;
+    const int count = count_;
+    ++working_;
+    lock.unlock();
+    Work(job, count);
+    lock.lock();
+    job_ = nullptr;  // all jobs are taken
+    if (--working_ == 0) rest_.notify_one();
+    lock.unlock();
+    for (int i = 0; i < kYields && job_ == nullptr; ++i) std::this_thread::yield();
+    lock.lock();
+  }
+}
+
+}  // namespace hazumi

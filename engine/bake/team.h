@@ -1,0 +1,41 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace hazumi {
+
+// Does independent jobs on several threads, that of the caller among them. The others start when
+// they are first needed and wait for more until the team is gone. One thread may call at a time.
+class Team {
+ public:
+  // At most so many threads, the caller's included; 0: as many as the machine has.
+  explicit Team(int most = 0);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  // Calls job(0) to job(count - 1), each once, in any order and thread; returns when all are done.
+  // One job alone is done in the caller's thread.
+  void Do(int count, const std::function<void(int)>& job);
+
+ private:
+  void Help();
+  void Work(const std::function<void(int)>& job, int count);
+
+  size_t most_;  // threads besides the caller's
+  std::vector<std::thread> helpers_;
+  std::atomic<int> next_ = 0;  // job to be taken
+  std::mutex mutex_;           // of what follows
+  std::condition_variable wake_, rest_;
+  std::atomic<const std::function<void(int)>*> job_ = nullptr;  // null: nothing to take
+  int count_ = 0;
+  std::atomic<int> working_ = 0;  // helpers; written under the mutex
+  bool is_over_ = false;
+};
+
+}  // namespace hazumi
