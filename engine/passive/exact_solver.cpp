@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSafety = 0.9;       // of steps, so that few are rejected
-constexpr long kMostEvaluations = 20'000'000;
+// From the first start on, so that what cannot be solved ends within seconds.
+constexpr double kMostEvaluations = 200'000.0, kMostEvaluationsPerSecond = 300'000.0;
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before stops become sticky
 
@@ -42,6 +43,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
   time_ = t;
+  if (steps_ == 0) first_start_ = t;
   q_ = q;
   qd_ = qd;
   lower_now_ = lower_.cwiseMin(q);
@@ -174,7 +176,8 @@ double ExactSolver::FirstStep(double end) const {
 }
 
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
-  if (dynamics_->evaluations() > kMostEvaluations) {
+  const double most = kMostEvaluations + kMostEvaluationsPerSecond * (time_ - first_start_);
+  if (static_cast<double>(dynamics_->evaluations()) > most) {
     return Failure(ExactFailure::Cause::kTooManyEvaluations);
   }
   if (has_event_) MakeEventHappen();

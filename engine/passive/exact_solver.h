@@ -126,7 +126,7 @@ class ExactSolver {
   double tolerance_ = 1e-6;
   double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;
-  double time_ = 0.0, next_h_ = 0.0;
+  double time_ = 0.0, first_start_ = 0.0, next_h_ = 0.0;
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
   VecX q_, qd_;              // at time_
   VecX q_start_, qd_start_;  // at the start of the step
