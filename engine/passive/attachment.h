@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -26,15 +27,20 @@ class Attachment {
   template <typename Chain>
   Attachment(double start, double end, Chain&& chain) {
     double length = kLongest;
-    for (double from = start; from < end || fits_.empty();) {
+    covered_until_ = start;
+    for (double& from = covered_until_; from < end || fits_.empty();) {
+      if (fits_.size() == kMostFits) return;
       // Equal fits to the end rather than a tiny last one.
       const double rest = std::max(0.0, end - from);
       length = rest / std::max(1.0, std::ceil(rest / length * (1.0 - 1e-9)));
       from = Extend(from, chain, &length);
       if (end - from < kSameTime) break;
     }
+    covered_until_ = std::numeric_limits<double>::infinity();
   }
 
+  // False late in a motion that is too wild or too long to be fitted to its end.
+  bool Covers(double t) const { return t <= covered_until_; }
   Frame At(double t) const { return Evaluate(FitFor(t), t); }
 
  private:
@@ -43,6 +49,7 @@ class Attachment {
   static constexpr double kLongest = 0.15;    // [s]
   static constexpr double kShortest = 1e-4;   // [s]
   static constexpr double kSameTime = 1e-12;  // [s]
+  static constexpr size_t kMostFits = 4096;   // 6 MB; ten minutes of a person's motion
   using Samples = std::array<std::array<double, kValues>, kPoints>;
   struct Fit {
     double middle, half;
@@ -78,6 +85,7 @@ class Attachment {
   const Fit& FitFor(double t) const;
   static Frame Evaluate(const Fit& fit, double t);
 
+  double covered_until_;   // [s]
   std::vector<Fit> fits_;  // in order of time, without gaps
 };
 

@@ -80,15 +80,17 @@ void RegionDynamics::Move(double t, const RegionLayout& layout, const double* po
 }
 
 std::shared_ptr<const Attachment> RegionDynamics::FitAttachment(double start, double end) {
+  return std::make_shared<const Attachment>(start, end, [&](double t) { return CarrierAt(t); });
+}
+
+Attachment::Frame RegionDynamics::CarrierAt(double t) {
   const NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
-  return std::make_shared<const Attachment>(start, end, [&](double t) {
-    kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
-    return Attachment::Frame{own.R, own.w, own.alpha, own.a + BaseAcceleration(t)};
-  });
+  kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
+  return {own.R, own.w, own.alpha, own.a + BaseAcceleration(t)};
 }
 
 void RegionDynamics::MoveCarrier(double t) {
-  const Attachment::Frame frame = attachment_->At(t);
+  const Attachment::Frame frame = attachment_->Covers(t) ? attachment_->At(t) : CarrierAt(t);
   NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
   own.R = frame.R;
   own.w = frame.w;

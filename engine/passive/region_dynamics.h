@@ -77,6 +77,7 @@ class RegionDynamics {
             const double* velocities);
   bool IsCarrierStill() const;
   void PlaceStillCarrier(double t);
+  Attachment::Frame CarrierAt(double t);  // by the chain that moves it
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
   void Assemble(const RegionLayout& layout);
