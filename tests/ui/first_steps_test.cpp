@@ -21,6 +21,9 @@ TEST(FirstSteps, DoingWhatTheCardSaysTicksItAndMakesAThrow) {
   EXPECT_EQ(ticks(), Ticks{});
   turn(-40.0);
   EXPECT_EQ(ticks(), (Ticks{true}));
+  ASSERT_TRUE(editor.Do("time.frame", {{"frame", 30}}));
+  turn(0.0);
+  EXPECT_EQ(ticks(), (Ticks{true}));
   ASSERT_TRUE(editor.Do("time.frame", {{"frame", 5}}));
   turn(60.0);
   EXPECT_EQ(ticks(), (Ticks{true, true}));
@@ -53,6 +56,20 @@ TEST(FirstSteps, TwoKeysOnOneFrameAreOnePose) {
   steps = After(steps, {"key.insert", edit::Json::object(), 3.0, {}});
   steps = After(steps, {"key.set", {{"frame", 3}}, 8.0, {}});
   EXPECT_EQ(steps.ticks(), (Ticks{true}));
+}
+
+TEST(FirstSteps, ADragIsAPoseWhenItIsConfirmed) {
+  const Deed drag = {"pose.rotate", {{"drag", "turn 1"}}, 5.0, {}};
+  const FirstSteps turning = After({}, drag);
+  EXPECT_EQ(turning.ticks(), Ticks{});
+  EXPECT_EQ(After(turning, {"edit.end_drag", edit::Json::object(), 5.0, {}}).ticks(),
+            (Ticks{true}));
+  EXPECT_EQ(After(turning, {"edit.cancel_drag", edit::Json::object(), 5.0, {}}).ticks(), Ticks{});
+}
+
+TEST(FirstSteps, StayDoneWhenAFileIsOpened) {
+  const FirstSteps steps = After({}, {"key.insert", edit::Json::object(), 3.0, {}});
+  EXPECT_EQ(After(steps, {"file.open", {{"path", "a.kfa"}}, 0.0, {}}).ticks(), (Ticks{true}));
 }
 
 }  // namespace

@@ -58,6 +58,15 @@ TEST_F(FastUser, DigitsCountInTheOrderInWhichTheyWereTyped) {
   EXPECT_NEAR(editor_.session().AngleNow("r_knee").value(), 95.0, 1e-9);
 }
 
+TEST_F(FastUser, TheSameDigitTwiceIsTwoDigits) {
+  editor_.Do("select.joints", {{"joints", {"r_knee"}}});
+  const Point at = MarkOf("r_hip");
+  shell_->MoveMouse(at.x, at.y);
+  for (const int key : {int{'R'}, int{'1'}, int{'1'}, int{'0'}, int{kEnter}}) Tap(key);
+  DrawAll();
+  EXPECT_NEAR(editor_.session().AngleNow("r_knee").value(), 110.0, 1e-9);
+}
+
 TEST_F(FastUser, AModifierCountsForTheKeyThatItWasHeldWith) {
   editor_.Do("select.joints", {{"joints", {"r_knee"}}});
   editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 30.0}});

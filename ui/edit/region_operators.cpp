@@ -92,17 +92,20 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
   });
 }
 
-// Of one joint, or of all that have none of their own.
+// Of one joint, or of all that have none of their own. Without a factor a joint loses its own.
 Result<Done> SetFriction(Session* session, const Parameters& p) {
   return Change(session, p, "Change friction", [&](Project*, ProjectRegion* region) {
     ProjectFriction& friction = region->friction;
     if (!p.has("joint")) {
+      if (!p.has("factor")) return Result<Done>(Refusal("factor", "is missing"));
       friction.default_factor = p.number("factor");
       return Result<Done>(Done());
     }
     const auto own = std::find_if(friction.joints.begin(), friction.joints.end(),
                                   [&](const auto& entry) { return entry.name == p.text("joint"); });
-    if (own != friction.joints.end()) {
+    if (!p.has("factor")) {
+      if (own != friction.joints.end()) friction.joints.erase(own);
+    } else if (own != friction.joints.end()) {
       own->value = p.number("factor");
     } else {
       friction.joints.push_back({p.text("joint"), p.number("factor")});
@@ -257,7 +260,8 @@ std::vector<Operator> RegionOperators() {
            "Change friction",
            "Sets the factor of speed that is left after 1/30 s.",
            {kRegion,
-            {"factor", kNumber, true, "0 frozen, 1 no friction"},
+            {"factor", kNumber, false,
+             "0 frozen, 1 no friction; not given: the joint has none of its own any more"},
             {"joint", kText, false, "a joint or hinge; not given: all without one of their own"},
             kDrag},
            SetFriction},

@@ -19,6 +19,7 @@ Result<Done> New(Editor* editor, const Parameters&) {
 Result<Done> OpenPath(Editor* editor, const Parameters& p) {
   const std::string path = p.text("path");
   return AskToSave(editor, [path](Editor* asked) {
+    asked->message = {};
     return asked->Invoke("file.open", {{"path", path}});
   });
 }

@@ -86,9 +86,9 @@ bool IsEnterPressed() {
 }
 bool IsEscapePressed() { return ImGui::IsKeyPressed(kEscape, false); }
 
-void DrawError(const std::string& error) {
+void DrawError(const std::string& error, const Theme& theme) {
   if (error.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(colors::kChanged));
+  ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(theme.warning));
   ImGui::TextWrapped("! %s", error.c_str());
   ImGui::PopStyleColor();
 }

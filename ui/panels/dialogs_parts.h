@@ -26,7 +26,7 @@ inline float Px(const Editor& editor, double at_scale_1) {
 bool IsEnterPressed();
 bool IsEscapePressed();
 // An error, with a sign, on as many lines as it needs; nothing if it is empty.
-void DrawError(const std::string& error);
+void DrawError(const std::string& error, const Theme& theme);
 
 struct ButtonText {
   const char* label;  // in the interface's language

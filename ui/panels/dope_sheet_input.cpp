@@ -52,6 +52,7 @@ void ClickKey(Editor* editor, const DopeSheetLayout& layout, const RowKey& key, 
 void ClickBar(Editor* editor, const RowBar& bar, SheetPart part, Point mouse) {
   if (!bar.is_region) return editor->Take(MakeBoxSelect(editor, mouse, true));
   editor->sheet.region = editor->session().project().regions[bar.index].name;
+  if (!editor->session().selected_keys().empty()) SelectKeys(editor, {}, "replace");
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     editor->sheet.popup = SheetPopup::kRegion;
   } else if (!ImGui::GetIO().KeyShift) {

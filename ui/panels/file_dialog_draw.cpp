@@ -160,7 +160,8 @@ void DrawName(Editor* editor) {
 
 void DrawOverwrite(Editor* editor) {
   const FileDialogState& files = editor->dialogs.files;
-  DrawError(NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already."));
+  DrawError(NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already."),
+            editor->theme());
   const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) ConfirmOverwrite(editor);
@@ -170,7 +171,7 @@ void DrawOverwrite(Editor* editor) {
 void DrawBottom(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   if (files.asks_overwrite) return DrawOverwrite(editor);
-  DrawError(files.error);
+  DrawError(files.error, editor->theme());
   const char* verb = files.is_save ? Tr("Save") : Tr("Open");
   const int clicked =
       DrawButtons(*editor, {{verb, files.is_save ? Tr("Saves under this name.")

@@ -30,7 +30,7 @@ bool IsRegionOfArm(const Deed& deed) {
 }  // namespace
 
 std::array<bool, kNumFirstSteps> FirstSteps::ticks() const {
-  return {!posed_frames.empty(), posed_frames.size() > 1, has_region, has_pin, has_played};
+  return {!posed_frames.empty(), posed_frames.size() > 2, has_region, has_pin, has_played};
 }
 
 bool FirstSteps::all() const {
@@ -38,12 +38,21 @@ bool FirstSteps::all() const {
   return std::all_of(done.begin(), done.end(), [](bool is_done) { return is_done; });
 }
 
+void FirstSteps::TakeDragged() {
+  if (dragged_frame) posed_frames.insert(*dragged_frame);
+  dragged_frame.reset();
+}
+
 FirstSteps After(FirstSteps steps, const Deed& deed) {
-  if (deed.id == "file.new" || deed.id == "file.open") return {};
+  if (deed.id == "file.new") return {};
   if (PosesFigure(deed.id)) {
     const bool names_frame = deed.id == "key.set" && deed.parameters.contains("frame");
-    steps.posed_frames.insert(names_frame ? deed.parameters["frame"].get<double>() : deed.frame);
+    steps.dragged_frame = names_frame ? deed.parameters["frame"].get<double>() : deed.frame;
+    if (deed.parameters.value("drag", "").empty()) steps.TakeDragged();
   }
+  // A drag counts when it is confirmed.
+  if (deed.id == "edit.end_drag") steps.TakeDragged();
+  if (deed.id == "edit.cancel_drag") steps.dragged_frame.reset();
   steps.has_region |= IsRegionOfArm(deed);
   steps.has_pin |= deed.id == "placement.set" && deed.parameters.value("kind", "") == "pinned";
   // Playing counts once there is something to see.
@@ -54,16 +63,16 @@ FirstSteps After(FirstSteps steps, const Deed& deed) {
 const StepText& TextOfStep(int step) {
   static const StepText texts[kNumFirstSteps] = {
       {"Pose the figure",
-       "Click a joint in the viewport, press R to turn it and click. That makes a key. Turn both "
-       "shoulders back, as before a throw."},
-      {"Another frame, another pose",
-       "Click on frame 5 in the timeline and turn the shoulders forwards: the arms now swing for "
-       "five frames by keys."},
+       "Click a shoulder in the viewport, press R, turn it back as before a throw, and click. That "
+       "makes a key."},
+      {"Two more poses",
+       "Click on frame 30 in the timeline and turn the shoulder to where it shall end; then on "
+       "frame 5, and turn it forwards: the arm now swings by keys."},
       {"Let the arms go",
        "Select the joints of an arm and choose Region > Add dynamics region, from frame 5 to 15. "
        "There no key moves them: they go on with the speed they have."},
       {"Put a foot on the ground",
-       "Choose Region > Place figure, kind pinned, pin l_toe, from frame 0 to 30. The figure now "
+       "Choose Scene > Place figure, kind pinned, pin l_toe, from frame 0 to 30. The figure now "
        "stands on that foot."},
       {"Play", "Press Space. The arm swings out by itself and then follows your keys again."}};
   return texts[step];

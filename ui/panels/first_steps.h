@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -18,14 +19,16 @@ struct Deed {
 
 inline constexpr int kNumFirstSteps = 5;
 
-// What of the five steps to a first throw has been done: two poses, a region of the arms, a pinned
-// foot, and playing it.
+// What of the five steps to a first throw has been done: three poses, a region of the arms, a
+// pinned foot, and playing it.
 struct FirstSteps {
   std::set<double> posed_frames;
+  std::optional<double> dragged_frame;  // posed by a drag that is not over
   bool has_region = false, has_pin = false, has_played = false;
 
   std::array<bool, kNumFirstSteps> ticks() const;
   bool all() const;
+  void TakeDragged();
 };
 
 // The steps after a deed.

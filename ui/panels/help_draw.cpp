@@ -12,7 +12,7 @@ namespace {
 
 void DrawHeading(const char* text, const Theme& theme) {
   ImGui::Spacing();
-  ImGui::TextColored(ToIm4(colors::kSelected), "%s", text);
+  ImGui::TextColored(ToIm4(theme.heading), "%s", text);
   ImGui::PushStyleColor(ImGuiCol_Separator, ToIm4(theme.line));
   ImGui::Separator();
   ImGui::PopStyleColor();

@@ -109,7 +109,12 @@ void DrawFriction(Editor* editor, const ProjectRegion& region) {
   if (!active) return;
   const std::string& joint = figure.group(*active).name;
   const auto is_own = [&](const auto& entry) { return entry.name == joint; };
-  if (std::any_of(friction.joints.begin(), friction.joints.end(), is_own)) return;
+  if (std::any_of(friction.joints.begin(), friction.joints.end(), is_own)) {
+    const std::string remove = std::string(Tr("No friction of its own")) + ": " + joint;
+    if (!DrawButton(remove.c_str(), Tr("The selected joint has that of all joints again."))) return;
+    editor->Do("region.friction", {{"region", region.name}, {"joint", joint}});
+    return;
+  }
   const std::string label = std::string(Tr("Own friction")) + ": " + joint;
   if (!DrawButton(label.c_str(), Tr("Gives the selected joint a friction of its own."))) return;
   editor->Do("region.friction",

@@ -58,8 +58,8 @@ void DrawView(Editor* editor) {
   Tooltip(Tr("Draws paths, ghosts and marks into the pictures, too"));
 }
 
-void DrawResult(const RenderJob& job, const Result<int>& result) {
-  if (!result.ok()) return DrawError(result.error().ToString());
+void DrawResult(const Editor& editor, const RenderJob& job, const Result<int>& result) {
+  if (!result.ok()) return DrawError(result.error().ToString(), editor.theme());
   const char* folder = job.task().folder.c_str();
   if (result.value() == 1) return ImGui::TextWrapped(Tr("The picture is in %s"), folder);
   ImGui::TextWrapped(Tr("%d pictures are in %s"), result.value(), folder);
@@ -76,7 +76,7 @@ void DrawRenderDialog(Editor* editor) {
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::InputText("##folder", &render.folder)) editor->NeedGlyphs(render.folder);
   Tooltip(Tr("Where the pictures go; it is made if it is not there"));
-  DrawError(render.error);
+  DrawError(render.error, editor->theme());
   ImGui::Spacing();
   const int clicked = DrawButtons(*editor, {{Tr("Render"), Tr("Draws the pictures.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
@@ -98,7 +98,7 @@ void DrawProgress(Editor* editor) {
     if (wants_end || IsEscapePressed()) job.Cancel();
     return;
   }
-  DrawResult(job, *result);
+  DrawResult(*editor, job, *result);
   if (DrawButtons(*editor, {{Tr("Close"), ""}}) < 0 && !IsEscapePressed()) return;
   render.job.reset();
   Close(editor);

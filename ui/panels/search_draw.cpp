@@ -88,7 +88,7 @@ void DrawForm(Editor* editor) {
     DrawField(&field, is_first, *editor);
     is_first = false;
   }
-  DrawError(form.error);
+  DrawError(form.error, editor->theme());
   ImGui::Spacing();
   const int clicked = DrawButtons(
       *editor, {{Tr("Run"), HelpOf(form.id)}, {Tr("Cancel"), Tr("Leaves everything as it is.")}});

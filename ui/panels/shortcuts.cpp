@@ -19,7 +19,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'Z', true, true}, kAnywhere, "edit.redo"},
       {{'C', true}, kViewport, "pose.copy"},
       {{'V', true}, kViewport, "pose.paste"},
-      {{'V', true, true}, kViewport, "pose.paste", {{"flipped", true}}},
+      {{'V', true, true}, kAnywhere, "pose.paste", {{"flipped", true}}},
       {{'I'}, kAnywhere, "key.insert"},
       {{'A'}, kViewport, "select.all"},
       {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},

@@ -30,7 +30,7 @@ void DrawLeft(const Editor& editor) {
   if (!hint.empty()) {
     ImGui::TextUnformatted(hint.c_str());
   } else if (editor.message.is_error) {
-    ImGui::TextColored(ToIm4(colors::kChanged), "! %s", editor.message.text.c_str());
+    ImGui::TextColored(ToIm4(editor.theme().warning), "! %s", editor.message.text.c_str());
     Tooltip(editor.message.text);
   } else {
     ImGui::TextUnformatted(editor.message.text.c_str());

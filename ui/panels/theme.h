@@ -22,7 +22,7 @@ inline constexpr SrgbColor kAxisZ = render::FromHex(0x2890ff);
 // Colours of the surfaces.
 struct Theme {
   SrgbColor window, panel, header, field, field_hovered, line, text, faint_text, accent, row,
-      row_odd;
+      row_odd, heading, warning;
   SrgbColor playhead = render::FromHex(0x4f8fdc);
 };
 const Theme& DarkTheme();

@@ -91,7 +91,8 @@ void FrameField(Editor* editor, const Rect& rect) {
   int frame = static_cast<int>(std::lround(editor->session().frame()));
   if (Number("##frame", rect, "%d", &frame, false)) {
     editor->playback.Stop();
-    editor->Do("time.frame", {{"frame", frame}});
+    const ProjectFrames& all = editor->session().project().frames;
+    editor->Do("time.frame", {{"frame", std::clamp(frame, all.first, all.last)}});
   }
   if (rect.w > 0.0f) Tooltip(Tr("Current frame: drag, or double click and type"));
 }

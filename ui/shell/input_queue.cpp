@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "ui/panels/keys.h"
@@ -68,13 +69,18 @@ void Apply(const InputEvent& event, ImGuiIO* io) {
 void InputQueue::Feed(ImGuiIO* io) {
   std::optional<InputEvent> deed;
   bool has_text = false, has_moved = false;
+  std::set<int> released;  // a key that goes down again does so in another frame
   while (!events_.empty()) {
     const InputEvent event = events_.front();
     const bool ends_drag = event.kind == Kind::kButton && !event.is_down && has_moved;
-    if (ends_drag || (deed ? !GoesWith(event, *deed) : has_text && IsDeed(event))) return;
+    const bool is_down_again =
+        event.kind == Kind::kKey && event.is_down && released.contains(event.code);
+    if (ends_drag || is_down_again || (deed ? !GoesWith(event, *deed) : has_text && IsDeed(event)))
+      return;
     Apply(event, io);
     events_.pop_front();
     if (IsDeed(event)) deed = event;
+    if (event.kind == Kind::kKey && !event.is_down) released.insert(event.code);
     has_text |= event.kind == Kind::kText;
     has_moved |= event.kind == Kind::kMove;
   }

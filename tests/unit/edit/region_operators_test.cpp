@@ -52,6 +52,9 @@ TEST(RegionOperators, FrictionOfOneJoint) {
   ASSERT_EQ(friction.joints.size(), 1u);
   EXPECT_EQ(friction.joints[0].value, 0.5);
   EXPECT_EQ(friction.default_factor, 0.8);
+  Do(&session, "region.friction", {{"region", "arms"}, {"joint", "r_wrist"}});
+  EXPECT_TRUE(session.project().regions[0].friction.joints.empty());
+  Refused(&session, "region.friction", {{"region", "arms"}});
 }
 
 TEST(RegionOperators, SplitGoesOnAsBefore) {

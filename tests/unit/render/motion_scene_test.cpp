@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "render/motion/framing.h"
 #include "tests/support/animations.h"
 #include "tests/support/stick_figures.h"
@@ -55,6 +57,22 @@ TEST(MotionScene, TintsTheJointsOfARegionOnly) {
   }
   EXPECT_GT(changed, 0u);
   EXPECT_LT(changed, in.capsules.size());
+}
+
+TEST(MotionScene, MarksTheCentreOfMassAndWhatIsBelowIt) {
+  Animation animation = Still(test::Pogo());
+  test::AddFloor(&animation, -0.7);
+  Overlays overlays;
+  overlays.paths = true;
+  const Vec3 com = BakeOrFail(animation).frames[0].com;
+  const Scene scene = SceneOf(animation, 0, overlays);
+  const auto marker = [&](MarkerShape shape) {
+    const auto found = std::find_if(scene.markers.begin(), scene.markers.end(),
+                                    [&](const Marker& m) { return m.shape == shape; });
+    return found == scene.markers.end() ? Vec3(Vec3::Constant(1e9)) : found->center;
+  };
+  EXPECT_EQ(marker(MarkerShape::kCenterOfMass), com);
+  EXPECT_LE((marker(MarkerShape::kCross) - Vec3(com.x(), com.y(), -0.7)).norm(), 0.01);
 }
 
 TEST(Framing, SeesTheWholeMotionFromEverySide) {
