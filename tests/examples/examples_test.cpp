@@ -71,8 +71,7 @@ TEST(Throw, TheBallFliesOnAParabolaFromTheVelocityOfTheHand) {
 }
 
 TEST(Examples, CompileAndBakeWithoutAWarning) {
-  for (const auto& entry :
-       fs::directory_iterator(HAZUMI_SOURCE_DIR "/assets/examples")) {
+  for (const auto& entry : fs::directory_iterator(HAZUMI_SOURCE_DIR "/assets/examples")) {
     if (entry.path().extension() != ".kfa") continue;
     const Compiled compiled = Load(entry.path().stem().string());
     for (const Warning& warning : compiled.warnings) ADD_FAILURE() << warning.message;

@@ -64,9 +64,10 @@ TEST(ReachOperators, LeavesToRegionsWhatTheySwing) {
   Do(&session, "pose.reach", To("r_wrist", Vec3(0.4, -0.3, 1.2)));
   EXPECT_EQ(session.project().joints.size(), 3u);  // the shoulder
   Do(&session, "region.set", {{"region", "region"}, {"joints", {"r_shoulder+"}}});
-  EXPECT_EQ(Refused(&session, "pose.reach", To("r_wrist", Vec3(0.4, -0.3, 1.2))).ToString(),
-            "pose.reach.joint: every joint that moves \"r_wrist\" is swung by a region in this frame, or "
-            "locked; end the region before it, or unlock one");
+  EXPECT_EQ(
+      Refused(&session, "pose.reach", To("r_wrist", Vec3(0.4, -0.3, 1.2))).ToString(),
+      "pose.reach.joint: every joint that moves \"r_wrist\" is swung by a region in this frame, or "
+      "locked; end the region before it, or unlock one");
 }
 
 TEST(ReachOperators, SaysWhatIsWrong) {
