@@ -118,7 +118,8 @@ void ExactDriver::Begin(double t, double end, const RotationState& state, const 
   before.swap(groups_);
   const int num_coordinates = figure_.num_joints() + kRootAngles;
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
-    GroupTask task = TaskFor(model), coarse = task;
+    GroupTask task = TaskFor(model);
+    GroupTask coarse = task;
     coarse.step_tolerance *= kTwinCoarseness;
     groups_.push_back({GroupSolution(std::move(task), num_coordinates, &attachments_),
                        GroupSolution(std::move(coarse), num_coordinates, &attachments_)});

@@ -12,7 +12,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr int kParts = 4;  // points of a path for each frame
+constexpr int kParts = 8;  // points of a path for each frame
 
 // Cubic from `a` to `b` with derivatives `da` and `db` with respect to t in [0, 1].
 template <typename V>
