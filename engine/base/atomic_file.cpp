@@ -38,15 +38,6 @@ class OpenFile {
   int fd_;
 };
 
-bool WriteAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) bytes.remove_prefix(static_cast<size_t>(count));
-  }
-  return true;
-}
-
 // The file that a link leads to, so that writing does not replace the link.
 std::string FollowLinks(const std::string& path) {
   std::error_code failed;
@@ -78,13 +69,21 @@ bool WriteTemporary(const std::string& temporary, const std::string& target, std
   return whole && (mode == WriteMode::kFast || ::fsync(file.fd()) == 0) && file.Close();
 }
 
-// Makes the renaming itself last. The new file is in place, so a failure is not one of writing.
-void SyncFolder(const std::string& folder) {
-  OpenFile handle(folder, O_RDONLY | O_DIRECTORY);
-  if (handle.is_open()) ::fsync(handle.fd());
+}  // namespace
+
+bool WriteAll(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) bytes.remove_prefix(static_cast<size_t>(count));
+  }
+  return true;
 }
 
-}  // namespace
+void SyncFolderOf(const std::string& path) {
+  OpenFile handle(FolderOf(path), O_RDONLY | O_DIRECTORY);
+  if (handle.is_open()) ::fsync(handle.fd());
+}
 
 int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode) {
   const std::string target = FollowLinks(path);
@@ -95,7 +94,7 @@ int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode)
     std::remove(temporary.c_str());
     return reason;
   }
-  if (mode == WriteMode::kDurable) SyncFolder(FolderOf(target));
+  if (mode == WriteMode::kDurable) SyncFolderOf(target);
   return 0;
 }
 

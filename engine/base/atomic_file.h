@@ -19,4 +19,9 @@ int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode)
 Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes,
                                  WriteMode mode = WriteMode::kFast);
 
+// For files that are written otherwise. All bytes, however many calls that takes; false: errno.
+bool WriteAll(int fd, std::string_view bytes);
+// Makes the name of a file last. The file is in place, so a failure is not one of writing.
+void SyncFolderOf(const std::string& path);
+
 }  // namespace hazumi

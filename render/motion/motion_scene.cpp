@@ -23,17 +23,6 @@ SrgbColor Mix(const SrgbColor& a, const SrgbColor& b, float share_of_b) {
   return {r * a.r + s * b.r, r * a.g + s * b.g, r * a.b + s * b.b, a.a};
 }
 
-// What a link without looks looks like: its capsule.
-std::vector<Look> LooksOf(const Link& link) {
-  if (!link.looks.empty()) return link.looks;
-  Look capsule;
-  capsule.from = link.capsule.a;
-  capsule.to = link.capsule.b;
-  capsule.radius_from = capsule.radius_to = link.capsule.radius;
-  capsule.color = "#c8a27a";
-  return {capsule};
-}
-
 // The far end of the body on an end joint: the tip of its longest capsule.
 Vec3 TipOf(const Figure& figure, JointIndex end) {
   Vec3 tip = Vec3::Zero();
@@ -50,6 +39,16 @@ SrgbColor EndColor(size_t i) {
 }
 
 }  // namespace
+
+std::vector<Look> LooksOf(const Link& link) {
+  if (!link.looks.empty()) return link.looks;
+  Look capsule;
+  capsule.from = link.capsule.a;
+  capsule.to = link.capsule.b;
+  capsule.radius_from = capsule.radius_to = link.capsule.radius;
+  capsule.color = "#c8a27a";
+  return {capsule};
+}
 
 MotionScene::MotionScene(const Animation& animation, const Motion& motion,
                          const Motion& path_motion, const Camera& camera, const Overlays& overlays)

@@ -24,6 +24,9 @@ struct Overlays {
   std::vector<char> highlighted;  // by JointIndex: bodies that stand out; empty: none
 };
 
+// What a link looks like; one without looks, as its capsule.
+std::vector<Look> LooksOf(const Link& link);
+
 // Makes the draw list of each frame of a motion. Animation and motions must outlive it.
 class MotionScene {
  public:

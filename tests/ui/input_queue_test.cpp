@@ -2,28 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/panels/viewport_camera.h"
-#include "ui/panels/viewport_figure.h"
-#include "ui/shell/offscreen_shell.h"
+#include "tests/ui/viewport_fixture.h"
 
 namespace hazumi::ui {
 namespace {
 
-class FastUser : public testing::Test {
+class FastUser : public ViewportFixture {
  protected:
-  void SetUp() override {
-    auto made = OffscreenShell::Create(&editor_, {520, 380});
-    ASSERT_TRUE(made.ok()) << made.error().ToString();
-    shell_ = std::move(made).value();
-    editor_.viewport.overlays.shadow = false;
-    for (int i = 0; i < 3; ++i) shell_->Frame();
-  }
-
-  Point MarkOf(const char* joint) {
-    const View view = ViewOf(editor_.viewport, editor_.session().project(), editor_.viewport.rect);
-    const PosedFigure figure = PoseNow(&editor_.session()).value();
-    return *view.ToWindow(figure.CenterOf(*figure.figure().FindGroup(joint)));
-  }
   // No frame is drawn in between.
   void Tap(int key) {
     shell_->PressKey(key, true);
@@ -43,9 +28,6 @@ class FastUser : public testing::Test {
     shell_->Frame();
     return frames;
   }
-
-  Editor editor_;
-  std::unique_ptr<OffscreenShell> shell_;
 };
 
 TEST_F(FastUser, DigitsCountInTheOrderInWhichTheyWereTyped) {

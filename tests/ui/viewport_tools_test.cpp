@@ -3,30 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "engine/project/project_writer.h"
+#include "tests/ui/viewport_fixture.h"
 #include "ui/panels/keys.h"
 #include "ui/panels/viewport_gizmo.h"
-#include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::ui {
 namespace {
 
-class ViewportTools : public testing::Test {
+class ViewportTools : public ViewportFixture {
  protected:
-  void SetUp() override {
-    auto made = OffscreenShell::Create(&editor_, {520, 380});
-    ASSERT_TRUE(made.ok()) << made.error().ToString();
-    shell_ = std::move(made).value();
-    editor_.viewport.overlays.shadow = false;
-    for (int i = 0; i < 3; ++i) shell_->Frame();
-  }
-
-  View view() {
-    return ViewOf(editor_.viewport, editor_.session().project(), editor_.viewport.rect);
-  }
-  Point MarkOf(const char* joint) {
-    const PosedFigure figure = PoseNow(&editor_.session()).value();
-    return *view().ToWindow(figure.CenterOf(*figure.figure().FindGroup(joint)));
-  }
   void MoveTo(Point p) {
     shell_->MoveMouse(p.x, p.y);
     shell_->Frame();
@@ -49,9 +34,6 @@ class ViewportTools : public testing::Test {
   double Angle(const char* hinge) { return editor_.session().AngleNow(hinge).value(); }
   std::string Bytes() { return WriteProject(editor_.session().project()); }
   size_t Steps() { return editor_.session().document().num_steps(); }
-
-  Editor editor_;
-  std::unique_ptr<OffscreenShell> shell_;
 };
 
 TEST_F(ViewportTools, AClickOnAJointSelectsItsHinges) {

@@ -12,27 +12,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/atomic_file.h"
+
 namespace hazumi::edit {
 
 namespace {
-
-bool WriteAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) bytes.remove_prefix(static_cast<size_t>(count));
-  }
-  return true;
-}
-
-// Makes names last. The file is in place, so a failure is not one of writing.
-void SyncFolderOf(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return;
-  ::fsync(fd);
-  ::close(fd);
-}
 
 Error NoInput(const std::string& path) {
   return {ErrorCode::kNoInput, path, "", std::string("cannot be read: ") + std::strerror(errno)};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/motion/motion_scene.h"
+
 namespace hazumi::ui {
 
 namespace {
@@ -45,15 +47,6 @@ std::optional<double> EnterEllipsoid(const Ray& ray, const hazumi::Pose& X_WE, c
   if (root < 0.0) return std::nullopt;
   const double distance = (-b - std::sqrt(root)) / a;
   return distance > 0.0 ? std::optional(distance) : std::nullopt;
-}
-
-std::vector<Look> LooksOf(const Link& link) {
-  if (!link.looks.empty()) return link.looks;
-  Look look;
-  look.from = link.capsule.a;
-  look.to = link.capsule.b;
-  look.radius_from = look.radius_to = link.capsule.radius;
-  return {look};
 }
 
 std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure& figure,
@@ -104,7 +97,7 @@ ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
   const auto joint_of = [&](const Link& link) { return figure.figure().joint(link.joint).group; };
   for (const Link& link : figure.figure().links()) {
     if (link.joint.is_valid() && figure.IsHidden(joint_of(link))) continue;
-    for (const Look& look : LooksOf(link)) {
+    for (const Look& look : render::LooksOf(link)) {
       const std::optional<double> distance = Enter(ray, look, figure.PoseOf(link.joint));
       if (!distance || *distance >= least) continue;
       least = *distance;

@@ -135,22 +135,6 @@ Project ParseGood(const Json& document) {
   return std::move(project).value();
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "hazumi-XXXXXX").string();
-  HAZUMI_DEMAND(::mkdtemp(name.data()) != nullptr);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-size_t TemporaryFolder::num_entries() const {
-  const std::filesystem::directory_iterator entries(path_);
-  return static_cast<size_t>(std::distance(begin(entries), end(entries)));
-}
-
 std::string ReadFile(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

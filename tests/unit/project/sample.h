@@ -2,13 +2,13 @@
 
 // A small but complete project for the tests, and ways to change it.
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/project/json.h"
 #include "engine/project/project.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hazumi::testing {
 
@@ -22,21 +22,7 @@ Json Changed(Json document, const Changes& changes);
 // Demands that it can be read.
 Project ParseGood(const Json& document);
 
-// A folder of its own for one test, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-  size_t num_entries() const;
-
- private:
-  std::filesystem::path path_;
-};
+using test::TemporaryFolder;
 
 std::string ReadFile(const std::string& path);
 void WriteFile(const std::string& path, const std::string& text);
