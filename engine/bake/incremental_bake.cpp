@@ -127,6 +127,7 @@ std::optional<Error> IncrementalBake::Begin() {
 }
 
 std::optional<Error> IncrementalBake::BakeStaleStretch() {
+  if (!animation_.regions.empty()) team_.Expect();
   const auto part = parts_.find(fresh_until_);
   KeepLogs(part->second.stretch);
   if (const auto next = std::next(part); next != parts_.end()) KeepLogs(next->second.stretch);

@@ -9,6 +9,7 @@ namespace {
 // More do not find enough groups to solve.
 constexpr int kMostThreads = 8;
 constexpr int kYields = 200;  // about 50 us
+constexpr int kExpectingYields = 4 * kYields;
 
 }  // namespace
 
@@ -45,6 +46,19 @@ void Team::Do(int count, const std::function<void(int)>& job) {
   rest_.wait(lock, [this] { return working_ == 0; });
 }
 
+void Team::Expect() {
+  if (helpers_.empty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    is_expecting_ = true;
+  }
+  wake_.notify_all();
+}
+
+void Team::StayAwake(int yields) const {
+  for (int i = 0; i < yields && job_ == nullptr; ++i) std::this_thread::yield();
+}
+
 void Team::Work(const std::function<void(int)>& job, int count) {
   for (int i = next_++; i < count; i = next_++) job(i);
 }
@@ -52,8 +66,15 @@ void Team::Work(const std::function<void(int)>& job, int count) {
 void Team::Help() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    wake_.wait(lock, [this] { return is_over_ || job_ != nullptr; });
+    wake_.wait(lock, [this] { return is_over_ || is_expecting_ || job_ != nullptr; });
     if (is_over_) return;
+    if (is_expecting_) {
+      is_expecting_ = false;
+      lock.unlock();
+      StayAwake(kExpectingYields);
+      lock.lock();
+    }
+    if (job_ == nullptr) continue;
     const std::function<void(int)>& job = *job_;
     const int count = count_;
     ++working_;
@@ -63,7 +84,7 @@ void Team::Help() {
     job_ = nullptr;  // all jobs are taken
     if (--working_ == 0) rest_.notify_one();
     lock.unlock();
-    for (int i = 0; i < kYields && job_ == nullptr; ++i) std::this_thread::yield();
+    StayAwake(kYields);
     lock.lock();
   }
 }

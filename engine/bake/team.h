@@ -22,9 +22,12 @@ class Team {
   // Calls job(0) to job(count - 1), each once, in any order and thread; returns when all are done.
   // One job alone is done in the caller's thread.
   void Do(int count, const std::function<void(int)>& job);
+  // Jobs are soon to come: the others wake up, and stay awake for a fifth of a millisecond.
+  void Expect();
 
  private:
   void Help();
+  void StayAwake(int yields) const;
   void Work(const std::function<void(int)>& job, int count);
 
   size_t most_;  // threads besides the caller's
@@ -35,7 +38,7 @@ class Team {
   std::atomic<const std::function<void(int)>*> job_ = nullptr;  // null: nothing to take
   int count_ = 0;
   std::atomic<int> working_ = 0;  // helpers; written under the mutex
-  bool is_over_ = false;
+  bool is_expecting_ = false, is_over_ = false;
 };
 
 }  // namespace hazumi

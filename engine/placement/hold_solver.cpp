@@ -211,18 +211,16 @@ VecX& HoldSolver::SolveLinear(const VecX& right_side) {
   return step_;
 }
 
-// Newton's method on the Taylor series in time: each pass makes one more derivative exact.
+// Newton's method on the Taylor series in time: F's rate is linear in the angles' rates, and once
+// these are right its acceleration is in their accelerations.
 void HoldSolver::FindRates(const Problem& problem) {
   x_jet_ = x_.cast<Jet>();
-  for (int order = 1; order <= 2; ++order) {
+  for (double Jet::*order : {&Jet::d, &Jet::dd}) {
     chain_.Place<Jet>(problem.X_WR, problem.q, x_jet_, &pose_jet_);
     SetStationarity<Jet>(pose_jet_, problem.target, keyed_jet_, x_jet_, &F_jet_);
-    for (int r = 0; r < n_ + m_; ++r) F_[r] = F_jet_[r].d;
+    for (int r = 0; r < n_ + m_; ++r) F_[r] = F_jet_[r].*order;
     SolveLinear(F_);
-    for (int r = 0; r < n_ + m_; ++r) x_jet_[r].d -= step_[r];
-    for (int r = 0; r < n_ + m_; ++r) F_[r] = F_jet_[r].dd;
-    SolveLinear(F_);
-    for (int r = 0; r < n_ + m_; ++r) x_jet_[r].dd -= step_[r];
+    for (int r = 0; r < n_ + m_; ++r) x_jet_[r].*order -= step_[r];
   }
 }
 

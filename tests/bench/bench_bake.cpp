@@ -4,6 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
 #include "engine/bake/incremental_bake.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
@@ -65,6 +69,47 @@ void RegisterEdit(const std::string& name, const Animation& animation, const cha
   });
 }
 
+// Seconds that the motion takes after a key has moved: the least of several times.
+double LeastSeconds(const Animation& animation, Key* key, const Animation& edited,
+                    const BakeOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  IncrementalBake bake(animation, options);
+  bake.Finish();
+  double step = 0.01, least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 10; ++i, step = -step) {
+    key->value += step;
+    const Clock::time_point start = Clock::now();
+    bake.Update(edited);
+    bake.Finish();
+    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  return least;
+}
+
+// Each key of an animation is moved; what counts is the one that takes longest.
+void RegisterSlowestEdit(const std::string& name, const Animation& animation, int threads) {
+  const auto slowest = [=](benchmark::State& state) {
+    BakeOptions options;
+    options.threads = threads;
+    for (auto _ : state) {
+      Animation edited = animation;
+      double most = 0.0;
+      const auto move_each = [&](Keys* keys) {
+        for (Key& key : *keys) {
+          most = std::max(most, LeastSeconds(animation, &key, edited, options));
+        }
+      };
+      for (Keys& keys : edited.joint_keys) move_each(&keys);
+      for (Keys& keys : edited.root_keys) move_each(&keys);
+      state.SetIterationTime(most);
+    }
+  };
+  benchmark::RegisterBenchmark((name + "/move any key, the slowest" + On(threads)).c_str(), slowest)
+      ->Unit(benchmark::kMicrosecond)
+      ->UseManualTime()
+      ->Iterations(1);
+}
+
 void RegisterEdits() {
   const Animation animation = Load("throw");
   const auto edit = [&](const char* joint, double frame, const std::string& what) {
@@ -77,6 +122,7 @@ void RegisterEdits() {
   edit("l_elbow_flexion", 5, "move a key of the left elbow where the region begins");
   edit("r_elbow_flexion", 5, "move a key of the right elbow where the region begins");
   edit("chest_flexion", 15, "move a key of the chest in the region");
+  for (const int threads : kThreads) RegisterSlowestEdit("throw", animation, threads);
 }
 
 // One of the regions lies between frames 5010 and 5020; at 5100 the other foot is pinned.
