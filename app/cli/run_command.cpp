@@ -60,8 +60,8 @@ class Trace {
  public:
   void Add(double seconds) { milliseconds_.push_back(1e3 * seconds); }
   void Print(const ui::Playback& playback) {
-    PrintLine(stdout, "playback %d frames shown, %d dropped", playback.frames(),
-              playback.dropped());
+    PrintLine(stdout, "playback %d frames shown, %d dropped, at most %.0f ms late",
+              playback.frames(), playback.dropped(), 1e3 * playback.latest());
     if (milliseconds_.empty()) return;
     std::sort(milliseconds_.begin(), milliseconds_.end());
     PrintLine(stdout, "events %zu, event to picture: median %.1f ms, 99 of 100 within %.1f ms",

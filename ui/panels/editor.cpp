@@ -54,14 +54,14 @@ void Editor::NeedGlyphs(const std::string& text) {
 
 void Editor::Tick(double now) {
   now_ = now;
-  if (playback.is_on()) session_.set_frame(playback.FrameAt(now));
+  if (playback.is_on()) session_.set_frame(playback.Advance(now));
 }
 
 double Editor::NextDeadline() const {
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, playback.NextFrameTime(now_) - now_);
+  return std::max(0.0, playback.NextFrameTime() - now_);
 }
 
 void Editor::Take(std::unique_ptr<Tool> next) {

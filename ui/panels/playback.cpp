@@ -5,6 +5,12 @@
 
 namespace hazumi::ui {
 
+namespace {
+
+constexpr long kMostBehind = 4;  // frames
+
+}  // namespace
+
 void Playback::Start(double now, int frame, int first, int last, double rate) {
   is_on_ = true;
   start_ = window_start_ = now;
@@ -12,19 +18,21 @@ void Playback::Start(double now, int frame, int first, int last, double rate) {
   first_ = first;
   last_ = std::max(first, last);
   start_frame_ = std::clamp(frame, first_, last_);
+  passed_ = 0;
   last_shown_ = -1;
   shown_ = frames_ = dropped_ = 0;
-  shown_rate_ = 0.0;
+  shown_rate_ = latest_ = 0.0;
 }
 
-int Playback::FrameAt(double now) const {
-  const long passed = std::lround(std::floor((now - start_) * rate_ + 1e-6));
+int Playback::Advance(double now) {
+  const long due = std::lround(std::floor((now - start_) * rate_ + 1e-6));
+  if (due > passed_ + kMostBehind) {
+    passed_ = due;
+  } else if (due > passed_) {
+    ++passed_;
+  }
   const long length = last_ - first_ + 1;
-  return first_ + static_cast<int>((start_frame_ - first_ + std::max(passed, 0L)) % length);
-}
-
-double Playback::NextFrameTime(double now) const {
-  return start_ + (std::floor((now - start_) * rate_ + 1e-6) + 1.0) / rate_;
+  return first_ + static_cast<int>((start_frame_ - first_ + passed_) % length);
 }
 
 void Playback::CountFrame(double now, int frame) {
@@ -34,6 +42,7 @@ void Playback::CountFrame(double now, int frame) {
     dropped_ += ((frame - last_shown_) % length + length) % length - 1;
   }
   last_shown_ = frame;
+  latest_ = std::max(latest_, now - start_ - static_cast<double>(passed_) / rate_);
   ++shown_;
   ++frames_;
   if (now - window_start_ < 1.0) return;

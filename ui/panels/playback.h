@@ -2,7 +2,9 @@
 
 namespace hazumi::ui {
 
-// Playback in real time: which frame to show when, and how many were really shown.
+// Playback in real time: which frame to show when, and how many were really shown. A frame that is
+// late is shown all the same, and the next ones follow at once until time is caught up with; frames
+// are passed over only where that would take too long.
 class Playback {
  public:
   bool is_on() const { return is_on_; }
@@ -10,25 +12,27 @@ class Playback {
   void Start(double now, int frame, int first, int last, double rate);
   void Stop() { is_on_ = false; }
 
-  // The frame that belongs to this time.
-  int FrameAt(double now) const;
+  // Goes on to the frame to be shown now.
+  int Advance(double now);
   // When the next frame is due [s].
-  double NextFrameTime(double now) const;
+  double NextFrameTime() const { return start_ + static_cast<double>(passed_ + 1) / rate_; }
 
   // A frame was shown.
   void CountFrame(double now, int frame);
   // Different frames shown per second, over about the last second; 0 before that is known.
   double shown_rate() const { return shown_rate_; }
-  // Frames shown and frames passed over since playback began.
+  // Since playback began: frames shown, frames passed over, and how late the latest was [s].
   int frames() const { return frames_; }
   int dropped() const { return dropped_; }
+  double latest() const { return latest_; }
 
  private:
   bool is_on_ = false;
   double start_ = 0.0, rate_ = 30.0;
   int start_frame_ = 0, first_ = 0, last_ = 0;
+  long passed_ = 0;  // frames since the start
   int last_shown_ = -1, frames_ = 0, dropped_ = 0;
-  double window_start_ = 0.0, shown_rate_ = 0.0;
+  double window_start_ = 0.0, shown_rate_ = 0.0, latest_ = 0.0;
   int shown_ = 0;
 };
 
