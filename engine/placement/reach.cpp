@@ -1,12 +1,14 @@
 #include "engine/placement/reach.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/placement/hold_chain.h"
 
-// Levenberg and Marquardt's method on |p(x) - target|^2 / 2 with bounds: a hinge at a limit that
+// Levenberg and Marquardt's method on |e(x)|^2 / 2 with bounds, e being p(x) - target and, where an
+// orientation is given, the rotation vector from it to R(x): a hinge at a limit that
 // would be pushed on is left out of the step, and every step is cut to the limits.
 
 namespace hazumi {
@@ -19,6 +21,11 @@ constexpr double kNear = 1e-6;          // [m]
 constexpr double kLargestStep = 0.5;    // [rad] of any hinge
 constexpr double kBent = 0.1;           // [rad] that a straight limb is bent to begin with
 constexpr double kWorthBending = 1e-3;  // [m] that it must come nearer
+constexpr double kTurnWeight = 0.2;     // [m/rad]
+
+// 3 numbers, or 6 with the orientation.
+using ErrorVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6>;
+using ErrorMat = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 class ReachSolver {
  public:
@@ -26,10 +33,12 @@ class ReachSolver {
       : chain_(figure, problem.moved),
         X_WR_{problem.X_WR.R.cast<Jet>(), problem.X_WR.p.cast<Jet>()},
         target_(problem.target),
+        orientation_(problem.orientation),
         q_(q.data(), q.data() + q.size()),
         pose_(chain_.size()),
         may_turn_(chain_.size()),
-        J_(3, chain_.size()) {
+        e_(problem.orientation ? 6 : 3),
+        J_(e_.size(), chain_.size()) {
     for (int r = 0; r < chain_.size(); ++r) {
       const auto& hinges = problem.hinges;
       may_turn_[r] = std::find(hinges.begin(), hinges.end(), chain_.unknowns()[r]) != hinges.end();
@@ -85,23 +94,39 @@ class ReachSolver {
 
   double Place(const VecX& x) {
     chain_.Place<double>(X_WR_, q_, x, &pose_);
-    return (pose_.p - target_).norm();
+    e_.head<3>() = pose_.p - target_;
+    if (orientation_) {
+      const Eigen::AngleAxisd off(Mat3(pose_.R * orientation_->transpose()));
+      e_.tail<3>() = kTurnWeight * off.angle() * off.axis();
+    }
+    return e_.norm();
+  }
+
+  // Of e, with respect to a hinge's angle; of the rotation vector as if it were short.
+  ErrorVec Slope(int row) const {
+    ErrorVec slope(e_.size());
+    slope.head<3>() = pose_.J[row];
+    if (orientation_) slope.tail<3>() = kTurnWeight * pose_.axis[row];
+    return slope;
   }
 
   // At pose_, without the hinges that cannot go where they should.
   void SetJacobian(const VecX& x) {
     for (int r = 0; r < size(); ++r) {
-      const double uphill = pose_.J[r].dot(pose_.p - target_);
+      const ErrorVec slope = Slope(r);
+      const double uphill = slope.dot(e_);
       const bool stopped = (x[r] <= chain_.joint(r).lower && uphill > 0.0) ||
                            (x[r] >= chain_.joint(r).upper && uphill < 0.0);
-      J_.col(r) = may_turn_[r] && !stopped ? pose_.J[r] : Vec3(Vec3::Zero());
+      J_.col(r).setZero();
+      if (may_turn_[r] && !stopped) J_.col(r) = slope;
     }
   }
 
   // (J^T J + damping)^-1 J^T = J^T (J J^T + damping)^-1.
   VecX Step(const VecX& x, double damping) const {
-    const Mat3 A = J_ * J_.transpose() + damping * Mat3::Identity();
-    VecX step = -J_.transpose() * A.ldlt().solve(pose_.p - target_);
+    ErrorMat A = J_ * J_.transpose();
+    A.diagonal().array() += damping;
+    VecX step = -J_.transpose() * A.ldlt().solve(e_);
     const double largest = size() > 0 ? step.cwiseAbs().maxCoeff() : 0.0;
     if (largest > kLargestStep) step *= kLargestStep / largest;
     for (int r = 0; r < size(); ++r) step[r] = Limited(r, x[r] + step[r]);
@@ -111,15 +136,20 @@ class ReachSolver {
   HoldChain chain_;
   PoseOf<Jet> X_WR_;
   Vec3 target_;
+  std::optional<Mat3> orientation_;
   std::vector<Jet> q_;
   ChainPose<double> pose_;
-  std::vector<char> may_turn_;  // by row of the chain
-  Eigen::Matrix<double, 3, Eigen::Dynamic> J_;
+  std::vector<char> may_turn_;                                     // by row of the chain
+  ErrorVec e_;                                                     // at pose_
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6> J_;  // of e, by row of the chain
 };
 
 }  // namespace
 
-double Reach(const Figure& figure, const ReachProblem& problem, VecX* q) {
+namespace {
+
+// From `q`; leaves the nearest angles there.
+double Solve(const Figure& figure, const ReachProblem& problem, VecX* q) {
   ReachSolver solver(figure, problem, *q);
   VecX x = solver.Present();
   double distance = solver.Minimise(&x);
@@ -134,6 +164,16 @@ double Reach(const Figure& figure, const ReachProblem& problem, VecX* q) {
   }
   for (int r = 0; r < solver.size(); ++r) (*q)[solver.joint(r).value()] = x[r];
   return distance;
+}
+
+}  // namespace
+
+double Reach(const Figure& figure, const ReachProblem& problem, VecX* q) {
+  const double distance = Solve(figure, problem, q);
+  if (!problem.orientation || distance <= kNear) return distance;
+  ReachProblem place = problem;
+  place.orientation.reset();
+  return Solve(figure, place, q);
 }
 
 }  // namespace hazumi

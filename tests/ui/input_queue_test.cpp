@@ -37,7 +37,7 @@ TEST_F(FastUser, DigitsCountInTheOrderInWhichTheyWereTyped) {
   for (const int key : {int{'R'}, int{'9'}, int{'5'}, int{kEnter}}) Tap(key);
   DrawAll();
   EXPECT_FALSE(editor_.has_tool());
-  EXPECT_NEAR(editor_.session().AngleNow("r_knee").value(), 95.0, 1e-9);
+  EXPECT_NEAR(editor_.session().ValueNow("r_knee").value(), 95.0, 1e-9);
 }
 
 TEST_F(FastUser, TheSameDigitTwiceIsTwoDigits) {
@@ -46,7 +46,7 @@ TEST_F(FastUser, TheSameDigitTwiceIsTwoDigits) {
   shell_->MoveMouse(at.x, at.y);
   for (const int key : {int{'R'}, int{'1'}, int{'1'}, int{'0'}, int{kEnter}}) Tap(key);
   DrawAll();
-  EXPECT_NEAR(editor_.session().AngleNow("r_knee").value(), 110.0, 1e-9);
+  EXPECT_NEAR(editor_.session().ValueNow("r_knee").value(), 110.0, 1e-9);
 }
 
 TEST_F(FastUser, AModifierCountsForTheKeyThatItWasHeldWith) {
@@ -57,7 +57,7 @@ TEST_F(FastUser, AModifierCountsForTheKeyThatItWasHeldWith) {
   shell_->PressKey(kLeftControl, false);
   Tap('I');
   DrawAll();
-  EXPECT_NEAR(editor_.session().AngleNow("r_knee").value(), 0.0, 1e-9);
+  EXPECT_NEAR(editor_.session().ValueNow("r_knee").value(), 0.0, 1e-9);
   EXPECT_EQ(editor_.session().document().undo_label(), "Insert key");
 }
 

@@ -34,7 +34,7 @@ std::vector<std::string> NamesOfRows(const std::vector<OutlinerRow>& rows) {
 TEST(OutlinerRows, LimbsFollowTheFigureFromTheRootOn) {
   const Editor editor;
   const std::vector<OutlinerRow> rows = RowsOf(editor);
-  EXPECT_EQ(rows[0].kind, RowKind::kRoot);
+  EXPECT_EQ(rows[0].kind, OutlinerRowKind::kRoot);
   const size_t shoulder = RowNamed("r_shoulder", rows);
   EXPECT_EQ(rows[shoulder + 1].name, "r_elbow");
   EXPECT_EQ(rows[shoulder + 2].name, "r_wrist");

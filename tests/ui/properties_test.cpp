@@ -130,7 +130,7 @@ TEST_F(Properties, ATypedAngleIsKeyedWhenItIsConfirmed) {
   shell_->PressKey(kEnter, false);
   shell_->Frame();
   EXPECT_EQ(editor_.session().document().num_steps(), steps + 1);
-  EXPECT_NEAR(editor_.session().AngleNow("l_elbow_flexion").value(), 42.0, 1e-6);
+  EXPECT_NEAR(editor_.session().ValueNow("l_elbow_flexion").value(), 42.0, 1e-6);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class ViewportTools : public ViewportFixture {
     shell_->PressKey(key, false);
     shell_->Frame();
   }
-  double Angle(const char* hinge) { return editor_.session().AngleNow(hinge).value(); }
+  double Angle(const char* hinge) { return editor_.session().ValueNow(hinge).value(); }
   std::string Bytes() { return WriteProject(editor_.session().project()); }
   size_t Steps() { return editor_.session().document().num_steps(); }
 };
@@ -183,6 +183,52 @@ TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
   for (const int key : {int{'G'}, int{'Z'}, int{'2'}, int{kEnter}}) Press(key);
   const ProjectScene& scene = editor_.session().project().scene;
   EXPECT_EQ(std::get<ProjectBox>(scene.objects.back().shape).center_m, Vec3(0.0, -1.0, 3.0));
+}
+
+TEST_F(ViewportTools, TheRootIsPulledByItsMarkAndTheFeetStay) {
+  const Vec3 before = PoseNow(&editor_.session())->frame().X_WR.p;
+  const Point foot = MarkOf("l_toe");
+  const Point from = *view().ToWindow(before);
+  const size_t steps = Steps();
+  MoveTo(from);
+  Button(true);
+  for (int i = 1; i <= 6; ++i) MoveTo({from.x, from.y + 3.0f * i});
+  Button(false);
+  EXPECT_FALSE(editor_.has_tool());
+  EXPECT_EQ(editor_.session().selected_joints(), std::set<std::string>{"pelvis"});
+  EXPECT_LT(PoseNow(&editor_.session())->frame().X_WR.p.z(), before.z() - 0.05);
+  EXPECT_NEAR(MarkOf("l_toe").x, foot.x, 0.1);
+  EXPECT_NEAR(MarkOf("l_toe").y, foot.y, 0.1);
+  EXPECT_GT(Angle("l_knee"), 10.0);
+  EXPECT_EQ(Steps(), steps + 1);
+}
+
+TEST_F(ViewportTools, TypedMetresAndDegreesMoveAndTurnTheRoot) {
+  editor_.Do("select.joints", {{"joints", {"pelvis"}}});
+  MoveTo(MarkOf("waist"));
+  for (const int key : {int{'G'}, int{'X'}, int{'F'}, int{'1'}, int{kEnter}}) Press(key);
+  EXPECT_NEAR(Angle("root.x"), 1.0, 1e-9);
+  EXPECT_NEAR(Angle("l_knee"), 0.0, 1e-9);  // the feet came along
+  for (const int key : {int{'R'}, int{'Z'}, int{'9'}, int{'0'}, int{kEnter}}) Press(key);
+  EXPECT_NEAR(Angle("root.angle_z"), 90.0, 1e-9);
+  for (const int key : {int{'R'}, int{'X'}, int{'X'}, int{'3'}, int{'0'}, int{kEnter}}) Press(key);
+  EXPECT_NEAR(Angle("root.angle_x"), 30.0, 1e-9);
+  EXPECT_EQ(Steps(), 3u);
+}
+
+TEST_F(ViewportTools, ARingTurnsTheRootByWhatTheMouseShows) {
+  editor_.Do("select.joints", {{"joints", {"pelvis"}}});
+  editor_.Do("view.side", {{"side", "top"}});
+  shell_->Frame();
+  const Gizmo gizmo =
+      GizmoOf(view(), editor_.session(), PoseNow(&editor_.session()).value(), "", false, 1.0)
+          .value();
+  const GizmoRing& ring = gizmo.rings[2];
+  MoveTo(*view().ToWindow(ring.At(0.3)));
+  Button(true);
+  for (int i = 1; i <= 10; ++i) MoveTo(*view().ToWindow(ring.At(0.3 + 0.05 * i)));
+  Button(false);
+  EXPECT_NEAR(Angle("root.angle_z"), 0.5 * 180.0 / 3.14159265358979, 3.0);
 }
 
 TEST_F(ViewportTools, ThePictureIsDrawnAgainOnlyWhenItChanges) {

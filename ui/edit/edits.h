@@ -2,7 +2,9 @@
 
 // Internal: what the operators are made of.
 
+#include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,12 +22,15 @@ std::vector<Operator> ObjectOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
+std::vector<Operator> RootOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
 std::vector<Operator> SessionOperators();
 std::vector<Operator> StartRateOperators();
 std::vector<Operator> TimeOperators();
 
+// 60 degrees come back from radians as 60, not as 59.99999999999999.
+inline double WithoutRoundOff(double degrees) { return std::round(degrees * 1e9) / 1e9; }
 inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
 
 // For whatever can be dragged.
@@ -43,8 +48,11 @@ Result<ProjectCurve*> CurveNamed(const std::string& name, const Figure& figure, 
 const ProjectCurve* FindCurve(const std::string& name, const Project& project);
 // Names of all curves that a project has: of its root and of hinges that have one.
 std::vector<std::string> CurveNames(const Project& project);
+// Of hinges, and of the root its six.
+std::vector<std::string> CurvesOf(const std::set<std::string>& joints, const Figure& figure);
 
-// A hinge by its name, or all of a joint. Errors: kSchema if there is none of this name.
+// A hinge by its name, or all of a joint; the root is its own. Errors: kSchema if there is none of
+// this name.
 Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure);
 
 // By the parameter "curves"; not given: those of the selected joints, else all.

@@ -139,8 +139,7 @@ std::vector<std::string> CurvesToKey(const Session& session, const Parameters& p
 Result<Done> Insert(Session* session, const Parameters& p) {
   std::vector<std::pair<std::string, double>> values;
   for (const std::string& name : CurvesToKey(*session, p)) {
-    if (name.starts_with("root.")) continue;
-    const Result<double> angle = session->AngleNow(name);
+    const Result<double> angle = session->ValueNow(name);
     if (!angle.ok()) return angle.error();
     values.emplace_back(name, angle.value());
   }
@@ -173,7 +172,7 @@ Result<Interpolation> InterpolationNamed(const std::string& name) {
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
   if (p.has("curves")) return p.names("curves");
   if (session.selected_joints().empty()) return CurveNames(session.project());
-  return {session.selected_joints().begin(), session.selected_joints().end()};
+  return CurvesOf(session.selected_joints(), session.figure());
 }
 
 std::vector<Operator> KeyOperators() {

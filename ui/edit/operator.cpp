@@ -3,20 +3,11 @@
 #include <algorithm>
 
 #include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
 
 namespace {
-
-constexpr const char* kRootCurveNames[kNumRootCurves] = {
-    "root.x", "root.y", "root.z", "root.angle_z", "root.angle_y", "root.angle_x"};
-
-std::optional<int> RootCurveNamed(const std::string& name) {
-  for (int i = 0; i < kNumRootCurves; ++i) {
-    if (name == kRootCurveNames[i]) return i;
-  }
-  return std::nullopt;
-}
 
 bool HasHinge(const std::string& name, const Figure& figure) {
   return std::any_of(figure.joints().begin(), figure.joints().end(),
@@ -25,10 +16,10 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list :
-       {FigureOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
-        ObjectOperators(), PoseOperators(), ReachOperators(), RegionOperators(), SceneOperators(),
-        SelectedKeyOperators(), SessionOperators(), StartRateOperators(), TimeOperators()}) {
+  for (auto&& list : {FigureOperators(), JointStateOperators(), KeyOperators(),
+                      KeySelectionOperators(), ObjectOperators(), PoseOperators(), ReachOperators(),
+                      RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
+                      SessionOperators(), StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {
@@ -77,6 +68,17 @@ std::vector<std::string> CurveNames(const Project& project) {
   std::vector<std::string> names(std::begin(kRootCurveNames), std::end(kRootCurveNames));
   for (const Named<ProjectCurve>& entry : project.joints) names.push_back(entry.name);
   return names;
+}
+
+std::vector<std::string> CurvesOf(const std::set<std::string>& joints, const Figure& figure) {
+  std::vector<std::string> curves;
+  for (const std::string& name : joints) {
+    if (name != figure.root_name()) curves.push_back(name);
+  }
+  if (joints.contains(figure.root_name())) {
+    curves.insert(curves.end(), std::begin(kRootCurveNames), std::end(kRootCurveNames));
+  }
+  return curves;
 }
 
 ProjectKey* KeyOn(double frame, ProjectCurve* curve) {

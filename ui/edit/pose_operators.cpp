@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -31,7 +32,7 @@ Result<Done> Rotate(Session* session, const Parameters& p) {
   const std::string hinge = p.text("joint");
   double angle = p.number("to");
   if (!p.has("to")) {
-    const Result<double> now = session->AngleNow(hinge);
+    const Result<double> now = session->ValueNow(hinge);
     if (!now.ok()) return now.error();
     angle = now.value() + p.number("by");
   }
@@ -41,7 +42,7 @@ Result<Done> Rotate(Session* session, const Parameters& p) {
 
 std::vector<std::string> Chosen(const Session& session) {
   if (!session.selected_joints().empty()) {
-    return {session.selected_joints().begin(), session.selected_joints().end()};
+    return CurvesOf(session.selected_joints(), session.figure());
   }
   std::vector<std::string> all;
   for (const Joint& joint : session.figure().joints()) all.push_back(joint.name);
@@ -51,8 +52,10 @@ std::vector<std::string> Chosen(const Session& session) {
 Result<Done> Clear(Session* session, const Parameters&) {
   Pose rest;
   for (const std::string& name : Chosen(*session)) {
-    rest.push_back(
-        {name, session->figure().joint(*session->figure().FindJoint(name)).rest / kDegree});
+    const std::optional<int> of_root = RootCurveNamed(name);
+    if (of_root && *of_root < kRootAngleZ) continue;  // where it is is no pose
+    const auto hinge = session->figure().FindJoint(name);
+    rest.push_back({name, hinge ? session->figure().joint(*hinge).rest / kDegree : 0.0});
   }
   return KeyPose(session, "Clear pose", rest);
 }
@@ -60,7 +63,7 @@ Result<Done> Clear(Session* session, const Parameters&) {
 Result<Done> Copy(Session* session, const Parameters&) {
   Pose pose;
   for (const std::string& name : Chosen(*session)) {
-    const Result<double> angle = session->AngleNow(name);
+    const Result<double> angle = session->ValueNow(name);
     if (!angle.ok()) return angle.error();
     pose.push_back({name, angle.value()});
   }
@@ -72,6 +75,10 @@ Result<Done> Copy(Session* session, const Parameters&) {
 // other way unless its axis is along y. Pairs are made so that equal angles are mirror images.
 double Reflected(const std::string& name, double angle, const Figure& figure) {
   if (OtherSide(name) != name) return angle;
+  if (const std::optional<int> of_root = RootCurveNamed(name)) {
+    const bool turns = *of_root == kRootY || *of_root == kRootAngleZ || *of_root == kRootAngleX;
+    return turns ? -angle : angle;
+  }
   const Joint& joint = figure.joint(*figure.FindJoint(name));
   return std::abs(joint.axis.y()) > 0.5 ? angle : -angle;
 }
@@ -81,9 +88,10 @@ Result<Done> Paste(Session* session, const Parameters& p) {
   Pose pose = session->clipboard();
   if (p.yes("flipped")) {
     for (Named<double>& angle : pose) {
-      if (!session->figure().FindJoint(OtherSide(angle.name))) continue;
+      const std::string other = OtherSide(angle.name);
+      if (!session->figure().FindJoint(other) && !RootCurveNamed(other)) continue;
       angle.value = Reflected(angle.name, angle.value, session->figure());
-      angle.name = OtherSide(angle.name);
+      angle.name = other;
     }
   }
   return KeyPose(session, p.yes("flipped") ? "Paste pose flipped" : "Paste pose", pose);
@@ -100,7 +108,9 @@ std::string OtherSide(const std::string& name) {
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag) {
   const std::set<std::string>& locked = session->locked_joints();
-  const auto is_locked = [&](const Named<double>& angle) { return locked.contains(angle.name); };
+  const auto is_locked = [&](const Named<double>& angle) {
+    return locked.contains(RootCurveNamed(angle.name) ? session->figure().root_name() : angle.name);
+  };
   if (!pose.empty() && std::all_of(pose.begin(), pose.end(), is_locked)) {
     return Refusal("joint", "\"" + pose[0].name + "\" is locked; unlock it in the outliner");
   }
@@ -131,7 +141,7 @@ std::vector<Operator> PoseOperators() {
        Rotate},
       {"pose.clear",
        "Clear pose",
-       "Keys the rest angles of the selected joints, or of all.",
+       "Keys the rest angles of the selected joints, or of all. The root is turned upright.",
        {},
        Clear},
       {"pose.copy", "Copy pose", "Copies the angles of the selected joints, or of all.", {}, Copy},

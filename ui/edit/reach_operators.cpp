@@ -5,6 +5,7 @@
 
 #include "engine/placement/reach.h"
 #include "ui/edit/edits.h"
+#include "ui/edit/limb_chain.h"
 
 namespace hazumi::edit {
 
@@ -16,37 +17,6 @@ std::optional<GroupIndex> JointNamed(const std::string& name, const Figure& figu
   if (const auto group = figure.FindGroup(name)) return group;
   const auto hinge = figure.FindJoint(name);
   return hinge ? std::optional(figure.joint(*hinge).group) : std::nullopt;
-}
-
-int NumChildren(GroupIndex joint, const Figure& figure) {
-  return static_cast<int>(
-      std::count_if(figure.groups().begin(), figure.groups().end(), [&](const JointGroup& g) {
-        return figure.joint(g.first).parent == figure.group(joint).last();
-      }));
-}
-
-// The joints that move a joint, from it towards the root: `chain` of them, 0 all. Not given: its
-// limb, which ends before a joint that carries others too (the chest, of an arm).
-std::vector<GroupIndex> ChainOf(GroupIndex moved, std::optional<int> chain, const Figure& figure) {
-  std::vector<GroupIndex> joints;
-  for (JointIndex j = figure.joint(figure.group(moved).first).parent; j.is_valid();) {
-    const GroupIndex group = figure.joint(j).group;
-    if (chain && *chain > 0 && static_cast<int>(joints.size()) == *chain) break;
-    if (!chain && !joints.empty() && NumChildren(group, figure) > 1) break;
-    joints.push_back(group);
-    j = figure.joint(figure.group(group).first).parent;
-  }
-  return joints;
-}
-
-// A key moves a hinge unless a region does, or its limits are equal.
-bool IsKeyed(JointIndex hinge, double frame, const Animation& animation) {
-  if (animation.figure->joint(hinge).is_fixed()) return false;
-  return std::none_of(
-      animation.regions.begin(), animation.regions.end(), [&](const DynamicsRegion& region) {
-        return frame > region.first_frame && frame <= region.last_frame &&
-               std::binary_search(region.joints.begin(), region.joints.end(), hinge);
-      });
 }
 
 // The joint held or pinned now that turning these hinges would move, too.
@@ -80,13 +50,8 @@ Result<std::vector<JointIndex>> HingesFor(GroupIndex moved, const Parameters& p,
     return Refusal("joint", "no joint lies between the root and \"" + figure.group(moved).name +
                                 "\"; move the root instead");
   }
-  std::vector<JointIndex> hinges;
-  for (const GroupIndex g : chain) {
-    for (int j = figure.group(g).first.value(); j <= figure.group(g).last().value(); ++j) {
-      if (locked.contains(figure.joint(JointIndex(j)).name)) continue;
-      if (IsKeyed(JointIndex(j), frame, animation)) hinges.push_back(JointIndex(j));
-    }
-  }
+  std::vector<JointIndex> hinges = KeyedHinges(chain, frame, animation);
+  std::erase_if(hinges, [&](JointIndex j) { return locked.contains(figure.joint(j).name); });
   if (!hinges.empty()) return hinges;
   return Refusal("joint", "every joint that moves \"" + figure.group(moved).name +
                               "\" is swung by a region in this frame, or locked; end the region " +

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/figure/figure_builder.h"
 #include "engine/project/compile.h"
+#include "ui/edit/edits.h"
 #include "ui/edit/new_project.h"
+#include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -136,19 +137,15 @@ Result<const MotionFrame*> Session::FrameNow() {
   return &motion.value()->frames[frame - frames.first];
 }
 
-Result<double> Session::AngleNow(const std::string& hinge) {
+Result<double> Session::ValueNow(const std::string& curve) {
   const Result<const MotionFrame*> now = FrameNow();
   if (!now.ok()) return now.error();
-  const std::vector<Joint>& joints = animation_->figure->joints();
-  const auto joint =
-      std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == hinge; });
-  if (joint == joints.end()) {
-    return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + hinge + "\""};
+  if (const auto of_root = RootCurveNamed(curve)) {
+    return WithoutRoundOff(RootValues(now.value()->X_WR, project().root, frame_)[*of_root]);
   }
-  // 60 degrees come back from radians as 60, not as 59.99999999999999.
-  constexpr double kPerDegree = 1e9;
-  const double degrees = now.value()->q[joint - joints.begin()] * 180.0 / std::numbers::pi;
-  return std::round(degrees * kPerDegree) / kPerDegree;
+  const std::optional<JointIndex> hinge = figure_->FindJoint(curve);
+  if (!hinge) return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + curve + "\""};
+  return WithoutRoundOff(now.value()->q[hinge->value()] / kDegree);
 }
 
 }  // namespace hazumi::edit

@@ -76,8 +76,9 @@ class Session {
   Result<const Motion*> WholeMotion();
   // The motion at the frame nearest to the current one.
   Result<const MotionFrame*> FrameNow();
-  // An angle as it is at the current frame, whatever moves the hinge [degrees].
-  Result<double> AngleNow(const std::string& hinge);
+  // What a curve would have to say at the current frame for what is seen there, whatever moves it:
+  // of a hinge or of the root, degrees, of the root's position metres.
+  Result<double> ValueNow(const std::string& curve);
 
  private:
   Result<Done> RunUnobserved(const std::string& id, const Json& parameters);

@@ -113,7 +113,7 @@ Result<Done> SelectJoints(Session* session, const Parameters& p) {
 }
 
 Result<Done> SelectAll(Session* session, const Parameters&) {
-  std::set<std::string> all;
+  std::set<std::string> all = {session->figure().root_name()};
   for (const Joint& joint : session->figure().joints()) all.insert(joint.name);
   session->set_selected_joints(std::move(all));
   return Done();
@@ -156,6 +156,8 @@ Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figu
     }
   } else if (const auto hinge = figure.FindJoint(name)) {
     hinges.push_back(figure.joint(*hinge).name);
+  } else if (name == figure.root_name()) {
+    hinges.push_back(name);
   }
   if (hinges.empty()) return Refusal("joints", "the figure has no joint \"" + name + "\"");
   return hinges;
@@ -202,11 +204,11 @@ std::vector<Operator> SessionOperators() {
        SetName},
       {"select.joints",
        "Select joints",
-       "Selects hinges, or joints with all their hinges.",
+       "Selects hinges, joints with all their hinges, or the root.",
        {{"joints", kNames, true, "names; none of them: nothing is selected"},
         {"mode", kText, false, "replace, add or remove"}},
        SelectJoints},
-      {"select.all", "Select all", "Selects all joints.", {}, SelectAll},
+      {"select.all", "Select all", "Selects the root and all joints.", {}, SelectAll},
       {"select.none", "Select none", "No joint stays selected.", {}, SelectNone},
       {"select.mirror",
        "Select mirror",

@@ -26,7 +26,8 @@ Result<std::set<std::string>> HingesIn(const Json& state, const char* field, con
   if (names == state.end() || !names->is_array()) return Wrong(field, "must be a list of hinges");
   std::set<std::string> hinges;
   for (const Json& name : *names) {
-    if (!name.is_string() || !figure.FindJoint(name.get<std::string>())) {
+    const bool is_root = name == figure.root_name();
+    if (!name.is_string() || (!is_root && !figure.FindJoint(name.get<std::string>()))) {
       return Wrong(field, "the figure has no hinge " + name.dump());
     }
     hinges.insert(name.get<std::string>());

@@ -42,6 +42,8 @@ class DopeSheetPainter {
     for (const JointIndex j : row.hinges) {
       num += chosen.contains(editor_->session().figure().joint(j).name) ? 1 : 0;
     }
+    if (IsOfRoot(row))
+      return chosen.contains(editor_->session().figure().root_name()) ? 1.0f : 0.0f;
     if (num == 0) return 0.0f;
     return num == static_cast<int>(row.hinges.size()) ? 1.0f : 0.4f;
   }

@@ -14,7 +14,8 @@ namespace {
 void ClickName(Editor* editor, const SheetRow& row) {
   std::vector<std::string> names;
   for (const JointIndex j : row.hinges) names.push_back(editor->session().figure().joint(j).name);
-  if (row.kind == RowKind::kPlacement || row.kind == RowKind::kSummary) return;
+  if (row.kind == RowKind::kSummary) return;
+  if (IsOfRoot(row)) names.push_back(editor->session().figure().root_name());
   const std::set<std::string>& chosen = editor->session().selected_joints();
   const bool are_chosen = std::all_of(names.begin(), names.end(),
                                       [&](const auto& name) { return chosen.contains(name); });

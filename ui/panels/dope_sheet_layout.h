@@ -22,6 +22,8 @@ struct SheetRow {
   // What a region of this row names: "r_shoulder+"; empty for rows that hold no joints.
   std::vector<std::string> refs = {};
 };
+// Of placement, or a curve of the root.
+bool IsOfRoot(const SheetRow& row);
 std::vector<SheetRow> SheetRows(const edit::Session& session, const SheetState& state);
 
 // The keys of a row on one frame.

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
 #include "ui/panels/catalogue.h"
 #include "ui/panels/dope_sheet_layout.h"
 #include "ui/panels/limbs.h"
@@ -28,9 +29,7 @@ class RowList {
   void AddSummary() {
     SheetRow row{RowKind::kSummary, "summary", Tr("Summary")};
     row.curves = edit::CurveNames(session_.project());
-    std::erase_if(row.curves, [&](const std::string& name) {
-      return state_.only_selected && !session_.selected_joints().contains(name);
-    });
+    std::erase_if(row.curves, [&](const std::string& name) { return !IsShown(name); });
     rows_.push_back(std::move(row));
   }
 
@@ -39,7 +38,7 @@ class RowList {
     row.has_parts = true;
     row.is_open = state_.open.contains(row.id);
     for (const std::string& name : edit::CurveNames(session_.project())) {
-      if (name.starts_with("root.")) row.curves.push_back(name);
+      if (edit::RootCurveNamed(name)) row.curves.push_back(name);
     }
     const bool is_open = row.is_open;
     const std::vector<std::string> curves = row.curves;
@@ -50,8 +49,9 @@ class RowList {
     }
   }
 
-  bool IsShown(const std::string& hinge) const {
-    return !state_.only_selected || session_.selected_joints().contains(hinge);
+  bool IsShown(const std::string& curve) const {
+    const std::string& owner = edit::RootCurveNamed(curve) ? figure_.root_name() : curve;
+    return !state_.only_selected || session_.selected_joints().contains(owner);
   }
 
   // Takes the hinges of a joint that are shown.
@@ -131,6 +131,8 @@ std::string NameOfRegion(const std::vector<const SheetRow*>& rows) {
 }
 
 }  // namespace
+
+bool IsOfRoot(const SheetRow& row) { return row.kind != RowKind::kSummary && row.hinges.empty(); }
 
 std::vector<SheetRow> SheetRows(const edit::Session& session, const SheetState& state) {
   return RowList(session, state).Collect();

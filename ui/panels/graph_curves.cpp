@@ -7,6 +7,7 @@
 
 #include "engine/project/joint_names.h"
 #include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
 
 namespace hazumi::ui {
 
@@ -81,6 +82,9 @@ std::vector<std::string> ShownCurves(const edit::Session& session, const SheetSt
   for (const Joint& joint : session.figure().joints()) {
     if (session.selected_joints().contains(joint.name)) names.push_back(joint.name);
   }
+  if (session.selected_joints().contains(session.figure().root_name())) {
+    names.insert(names.end(), std::begin(edit::kRootCurveNames), std::end(edit::kRootCurveNames));
+  }
   if (!names.empty()) return names;
   for (const std::string& name : edit::CurveNames(session.project())) {
     if (keys.contains(name)) names.push_back(name);
@@ -92,7 +96,7 @@ std::vector<std::string> ShownCurves(const edit::Session& session, const SheetSt
   if (!are_shown) return names;
   names = state.curves;
   std::erase_if(names, [&](const std::string& name) {
-    return !name.starts_with("root.") && !session.figure().FindJoint(name);
+    return !edit::RootCurveNamed(name) && !session.figure().FindJoint(name);
   });
   return names;
 }

@@ -20,6 +20,10 @@ const std::vector<ManualPart>& ManualParts() {
       {"Working",
        {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
         "undone. F3 finds whatever Hazumi can do by its name.",
+        "The large diamond is the root. G moves it, and the legs bend so that the feet stay where "
+        "they stand; with F the whole figure comes along. R turns the whole figure; with F the "
+        "feet "
+        "stay. Hands and feet can be pulled by their diamonds.",
         "What a region computed is hatched and blue. The motion follows each of your edits at "
         "once; nothing has to be baked first."}}};
   return parts;

@@ -23,7 +23,7 @@ SrgbColor ColorOf(BodySide side) {
 }
 
 bool IsJoint(const OutlinerRow& row) {
-  return row.kind == RowKind::kJoint || row.kind == RowKind::kHinge;
+  return row.kind == OutlinerRowKind::kJoint || row.kind == OutlinerRowKind::kHinge;
 }
 
 // Whether a region moves it at the current frame; of a joint, any of its hinges.
@@ -32,7 +32,7 @@ bool IsMoved(Editor* editor, const OutlinerRow& row) {
   const Animation* animation = session.animation();
   if (!animation || !IsJoint(row)) return false;
   const Figure& figure = session.figure();
-  if (row.kind == RowKind::kHinge) {
+  if (row.kind == OutlinerRowKind::kHinge) {
     const auto hinge = figure.FindJoint(row.name);
     return hinge && IsComputed(*animation, *hinge, session.frame());
   }
@@ -52,10 +52,10 @@ void DrawBackground(Editor* editor, const OutlinerRow& row, size_t index, const 
   };
   fill(index % 2 == 0 ? theme.row : theme.row_odd, 1.0f);
   const Share share = ShareOf(row, session.selected_joints(), session.figure());
-  const bool is_active = row.kind != RowKind::kHinge && row.name == editor->side.active;
+  const bool is_active = row.kind != OutlinerRowKind::kHinge && row.name == editor->side.active;
   if (share == Share::kAll) fill(theme.accent, 0.85f);
   if (share == Share::kSome) fill(theme.accent, 0.4f);
-  if (is_active && !IsJoint(row)) fill(theme.accent, 0.85f);
+  if (is_active && !IsSelectable(row)) fill(theme.accent, 0.85f);
   if (rect.Contains(FromIm(ImGui::GetIO().MousePos)) && ImGui::IsWindowHovered()) {
     fill(theme.text, 0.06f);
   }
@@ -69,24 +69,24 @@ float DrawSign(Editor* editor, const OutlinerRow& row, Point center, float size)
   const ImVec2 low(center.x - 0.28f * size, center.y - 0.28f * size);
   const ImVec2 high(center.x + 0.28f * size, center.y + 0.28f * size);
   switch (row.kind) {
-    case RowKind::kHeading:
+    case OutlinerRowKind::kHeading:
       return 0.0f;
-    case RowKind::kRoot:
+    case OutlinerRowKind::kRoot:
       DrawDiamond(list, center, 0.32f * size, ToIm(kMiddleColor), true);
       break;
-    case RowKind::kJoint:
+    case OutlinerRowKind::kJoint:
       DrawDot(list, center, 0.25f * size, ToIm(ColorOf(row.side)));
       break;
-    case RowKind::kHinge:
+    case OutlinerRowKind::kHinge:
       list->AddCircle(ToIm(center), 0.2f * size, ToIm(ColorOf(row.side)), 0, 1.2f);
       break;
-    case RowKind::kObject:
+    case OutlinerRowKind::kObject:
       list->AddRectFilled(low, high, faint, 1.0f);
       break;
-    case RowKind::kHeldObject:
+    case OutlinerRowKind::kHeldObject:
       list->AddCircle(ToIm(center), 0.28f * size, faint, 0, 1.5f);
       break;
-    case RowKind::kCamera:
+    case OutlinerRowKind::kCamera:
       list->AddRectFilled(low, {center.x + 0.1f * size, high.y}, faint, 1.0f);
       list->AddTriangleFilled({center.x + 0.1f * size, center.y}, {high.x, low.y}, high, faint);
       break;
@@ -152,11 +152,10 @@ void DrawRow(Editor* editor, const OutlinerRow& row, size_t index, const Outline
   }
   float x = triangle.right();
   x += DrawSign(editor, row, {x + 0.4f * size, middle}, size);
-  const bool is_faint = row.kind == RowKind::kHeading;
-  const bool is_name = IsJoint(row) || row.kind == RowKind::kRoot;
-  const char* label = is_name ? row.label.c_str() : Tr(row.label.c_str());
+  const bool is_faint = row.kind == OutlinerRowKind::kHeading;
+  const char* label = IsSelectable(row) ? row.label.c_str() : Tr(row.label.c_str());
   list->AddText({x, middle - 0.5f * size}, ToIm(is_faint ? theme.faint_text : theme.text), label);
-  if (!IsJoint(row)) return;
+  if (!IsSelectable(row)) return;
   DrawMoved(editor, row, place.Eye(index).x, middle);
   DrawSwitches(editor, row, index, place);
 }

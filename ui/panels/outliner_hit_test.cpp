@@ -10,9 +10,9 @@ std::optional<OutlinerHit> HitOutliner(const std::vector<OutlinerRow>& rows,
   const float below = std::floor((p.y - place.list.y + place.scroll) / place.row_height);
   const auto row = static_cast<size_t>(below);
   if (row >= rows.size()) return std::nullopt;
-  const bool is_joint = rows[row].kind == RowKind::kJoint || rows[row].kind == RowKind::kHinge;
-  if (is_joint && place.Eye(row).Contains(p)) return OutlinerHit{row, OutlinerPart::kEye};
-  if (is_joint && place.Lock(row).Contains(p)) return OutlinerHit{row, OutlinerPart::kLock};
+  const bool has_switches = IsSelectable(rows[row]);
+  if (has_switches && place.Eye(row).Contains(p)) return OutlinerHit{row, OutlinerPart::kEye};
+  if (has_switches && place.Lock(row).Contains(p)) return OutlinerHit{row, OutlinerPart::kLock};
   const bool opens = rows[row].has_rows && place.Disclosure(rows[row], row).Contains(p);
   return OutlinerHit{row, opens ? OutlinerPart::kDisclosure : OutlinerPart::kLabel};
 }

@@ -6,14 +6,14 @@ namespace {
 
 // Joints know when they are opened, all others when they are closed.
 void Toggle(const OutlinerRow& row, SideState* side) {
-  std::set<std::string>& names = row.kind == RowKind::kJoint ? side->opened : side->closed;
+  std::set<std::string>& names = row.kind == OutlinerRowKind::kJoint ? side->opened : side->closed;
   if (names.erase(row.name) == 0) names.insert(row.name);
 }
 
 // The joint that a hinge belongs to.
 std::string JointOf(const OutlinerRow& row, const Figure& figure) {
   const std::optional<JointIndex> hinge = figure.FindJoint(row.name);
-  if (row.kind != RowKind::kHinge || !hinge) return row.name;
+  if (row.kind != OutlinerRowKind::kHinge || !hinge) return row.name;
   return figure.group(figure.joint(*hinge).group).name;
 }
 
@@ -42,7 +42,7 @@ void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const O
                    ClickMode click) {
   const OutlinerRow& row = rows[hit.row];
   SideState& side = editor->side;
-  if (hit.part == OutlinerPart::kDisclosure || row.kind == RowKind::kHeading) {
+  if (hit.part == OutlinerPart::kDisclosure || row.kind == OutlinerRowKind::kHeading) {
     return Toggle(row, &side);
   }
   const edit::Session& session = editor->session();
@@ -52,11 +52,12 @@ void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const O
   if (hit.part == OutlinerPart::kLock) {
     return Switch(editor, "joint.lock", row, session.locked_joints());
   }
-  if (row.kind == RowKind::kJoint || row.kind == RowKind::kHinge) {
+  if (IsSelectable(row)) {
     SelectJoints(editor, rows, hit.row, click);
   } else {
     side.active = row.name;
-    side.section = row.kind == RowKind::kRoot ? Section::kPose : Section::kScene;
+    side.section = Section::kScene;
+    if (row.kind == OutlinerRowKind::kObject) editor->viewport.selected_object = row.name;
   }
   if (click != ClickMode::kExtend) side.anchor = row.name;
 }

@@ -12,12 +12,12 @@ std::string Lower(std::string text) {
   return text;
 }
 
-// The hinges of a row's joint, or the hinge itself.
+// The hinges of a row's joint, or the hinge or the root itself.
 std::vector<std::string> HingesOf(const OutlinerRow& row, const Figure& figure) {
-  if (row.kind == RowKind::kHinge) return {row.name};
+  if (row.kind == OutlinerRowKind::kHinge || row.kind == OutlinerRowKind::kRoot) return {row.name};
   const std::optional<GroupIndex> group = figure.FindGroup(row.name);
   std::vector<std::string> hinges;
-  if (row.kind != RowKind::kJoint || !group) return hinges;
+  if (row.kind != OutlinerRowKind::kJoint || !group) return hinges;
   const JointGroup& joint = figure.group(*group);
   for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
     hinges.push_back(figure.joints()[j].name);
@@ -49,7 +49,7 @@ class RowList {
   void AddFigure() {
     const std::string& root = figure_.root_name();
     const size_t at = rows_.size();
-    rows_.push_back({RowKind::kRoot, root, root, 0, true, IsShown(root)});
+    rows_.push_back({OutlinerRowKind::kRoot, root, root, 0, true, IsShown(root)});
     if (rows_[at].is_open) {
       for (const JointGroup& joint : figure_.groups()) AddJoint(joint);
     }
@@ -58,7 +58,7 @@ class RowList {
 
   // Of kinds that have a name each.
   template <typename List>
-  void AddNamed(const char* heading, RowKind kind, const List& list) {
+  void AddNamed(const char* heading, OutlinerRowKind kind, const List& list) {
     if (list.empty()) return;
     const size_t at = BeginHeading(heading);
     for (const auto& entry : list) AddLeaf(heading, kind, entry.name);
@@ -66,7 +66,7 @@ class RowList {
   }
 
   void AddCamera() {
-    if (Matches("camera")) rows_.push_back({RowKind::kCamera, "Camera", "Camera"});
+    if (Matches("camera")) rows_.push_back({OutlinerRowKind::kCamera, "Camera", "Camera"});
   }
 
   std::vector<OutlinerRow> Take() { return std::move(rows_); }
@@ -80,14 +80,14 @@ class RowList {
   }
 
   size_t BeginHeading(const char* heading) {
-    rows_.push_back({RowKind::kHeading, heading, heading, 0, true, IsShown(heading)});
+    rows_.push_back({OutlinerRowKind::kHeading, heading, heading, 0, true, IsShown(heading)});
     return rows_.size() - 1;
   }
   // A search leaves out headings under which nothing was found.
   void DropIfAlone(size_t heading) {
     if (!search_.empty() && rows_.size() == heading + 1) rows_.pop_back();
   }
-  void AddLeaf(const char* heading, RowKind kind, const std::string& name) {
+  void AddLeaf(const char* heading, OutlinerRowKind kind, const std::string& name) {
     if (IsShown(heading) && Matches(name)) rows_.push_back({kind, name, name, 1});
   }
 
@@ -97,15 +97,15 @@ class RowList {
     for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
       const std::string& name = figure_.joints()[j].name;
       if (!Matches(name)) continue;
-      hinges.push_back({RowKind::kHinge, name, WithoutJoint(name, joint.name), depth + 1, false,
-                        false, SideOf(name)});
+      hinges.push_back({OutlinerRowKind::kHinge, name, WithoutJoint(name, joint.name), depth + 1,
+                        false, false, SideOf(name)});
     }
     if (!Matches(joint.name) && hinges.empty()) return;
     // What is searched is a joint, if it is one, and not each of its hinges.
     const bool by_hinge = !search_.empty() && !Matches(joint.name);
     const bool is_open = by_hinge || state_.opened.contains(joint.name);
-    rows_.push_back({RowKind::kJoint, joint.name, joint.name, depth, joint.size > 1, is_open,
-                     SideOf(joint.name)});
+    rows_.push_back({OutlinerRowKind::kJoint, joint.name, joint.name, depth, joint.size > 1,
+                     is_open, SideOf(joint.name)});
     if (is_open) rows_.insert(rows_.end(), hinges.begin(), hinges.end());
   }
 
@@ -120,13 +120,17 @@ std::vector<std::string> JointsFrom(const std::vector<OutlinerRow>& rows, size_t
                                     size_t last) {
   std::vector<std::string> names;
   for (size_t i = first; i <= last; ++i) {
-    const bool is_joint = rows[i].kind == RowKind::kJoint || rows[i].kind == RowKind::kHinge;
-    if (is_joint) names.push_back(rows[i].name);
+    if (IsSelectable(rows[i])) names.push_back(rows[i].name);
   }
   return names;
 }
 
 }  // namespace
+
+bool IsSelectable(const OutlinerRow& row) {
+  return row.kind == OutlinerRowKind::kRoot || row.kind == OutlinerRowKind::kJoint ||
+         row.kind == OutlinerRowKind::kHinge;
+}
 
 BodySide SideOf(const std::string& name) {
   if (name.starts_with("l_")) return BodySide::kLeft;
@@ -137,8 +141,8 @@ std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& proje
                                       const SideState& state) {
   RowList list(figure, state);
   list.AddFigure();
-  list.AddNamed("Scene", RowKind::kObject, project.scene.objects);
-  list.AddNamed("Held objects", RowKind::kHeldObject, project.held_objects);
+  list.AddNamed("Scene", OutlinerRowKind::kObject, project.scene.objects);
+  list.AddNamed("Held objects", OutlinerRowKind::kHeldObject, project.held_objects);
   list.AddCamera();
   return list.Take();
 }

@@ -9,14 +9,14 @@
 
 namespace hazumi::ui {
 
-enum class RowKind { kHeading, kRoot, kJoint, kHinge, kObject, kHeldObject, kCamera };
+enum class OutlinerRowKind { kHeading, kRoot, kJoint, kHinge, kObject, kHeldObject, kCamera };
 enum class BodySide { kMiddle, kLeft, kRight };
 
 // By the beginning of its name: "l_", "r_".
 BodySide SideOf(const std::string& name);
 
 struct OutlinerRow {
-  RowKind kind;
+  OutlinerRowKind kind;
   std::string name;   // as the document has it; of a heading as Tr takes it
   std::string label;  // what is shown: of a hinge what comes behind its joint's name
   int depth = 0;      // of indentation
@@ -24,6 +24,9 @@ struct OutlinerRow {
   bool is_open = false;
   BodySide side = BodySide::kMiddle;
 };
+
+// The root, a joint or a hinge: it can be selected with others, hidden and locked.
+bool IsSelectable(const OutlinerRow& row);
 
 // The rows from top to bottom: the figure, joint by joint from the root on, then what stands in the
 // scene, what is held and the camera. With a search text, those whose name has it in any case, and
@@ -37,12 +40,13 @@ struct JointClick {
   std::vector<std::string> names;  // for select.joints
   const char* mode;                // "replace", "add" or "remove"
 };
-// `row` is a joint's or a hinge's. Extended from the row named `anchor`; if it is not there, by
+// `row` is selectable. Extended from the row named `anchor`; if it is not there, by
 // this row alone.
 JointClick ClickOn(const std::vector<OutlinerRow>& rows, size_t row, const std::string& anchor,
                    ClickMode click, const std::set<std::string>& selected, const Figure& figure);
 
-// How many hinges of a joint are among the names: of what is selected, hidden, locked.
+// How many hinges of a joint, or whether the root, are among the names: of what is selected,
+// hidden, locked.
 enum class Share { kNone, kSome, kAll };
 Share ShareOf(const OutlinerRow& row, const std::set<std::string>& names, const Figure& figure);
 

@@ -1,11 +1,11 @@
 // The joint that is shown: its angles, rates, limits and links; or the root.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "engine/figure/mirror.h"
+#include "ui/edit/root_curves.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/properties_fields.h"
 #include "ui/panels/properties_layout.h"
@@ -169,38 +169,38 @@ void DrawJoint(Editor* editor, const JointGroup& group) {
   ImGui::PopID();
 }
 
-// By RootCurve: metres and degrees, of R = Rz Ry Rx.
-std::array<double, kNumRootCurves> RootNow(const Pose& X_WR) {
-  const Mat3 R = X_WR.R;
-  return {X_WR.p.x(),
-          X_WR.p.y(),
-          X_WR.p.z(),
-          std::atan2(R(1, 0), R(0, 0)) * kRadian,
-          std::asin(std::clamp(-R(2, 0), -1.0, 1.0)) * kRadian,
-          std::atan2(R(2, 1), R(2, 2)) * kRadian};
+void KeyRoot(Editor* editor, const char* curve, double value, const std::string& drag) {
+  editor->Do(
+      "key.set",
+      {{"curve", curve}, {"frame", editor->session().frame()}, {"value", value}, {"drag", drag}});
 }
 
+// Where a placement says where the root is, its position is posed by the legs.
 void DrawRoot(Editor* editor) {
   edit::Session& session = editor->session();
   const Result<const MotionFrame*> now = session.FrameNow();
   if (!now.ok()) return DrawNote(now.error().ToString());
-  const std::array<double, kNumRootCurves> values = RootNow(now.value()->X_WR);
-  const char* names[] = {"root.x",       "root.y",       "root.z",
-                         "root.angle_z", "root.angle_y", "root.angle_x"};
+  const auto values = edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
+  const auto& names = edit::kRootCurveNames;
+  const double frame = session.frame();
+  const bool is_placed = IsPlaced(*session.animation(), frame);
   const char* labels[] = {"Position  X", "Y", "Z", "Rotation  Z", "Y", "X"};
   for (int i = 0; i < kNumRootCurves; ++i) {
     const ProjectCurve& curve = session.project().root.curves[i];
-    const double frame = session.frame();
+    const bool is_computed = is_placed && i < kRootAngleZ;
     NumberField field{names[i], Tr(labels[i]), values[i], i < 3 ? "%.3f m" : "%.1f°",
                       i < 3 ? 0.005 : 0.5};
-    field.state = StateOfField(&curve, frame, values[i], false);
-    field.has_key_button = true;
-    const auto key = [&](double value, const std::string& drag) {
-      editor->Do("key.set",
-                 {{"curve", names[i]}, {"frame", frame}, {"value", value}, {"drag", drag}});
+    field.state = StateOfField(&curve, frame, values[i], is_computed);
+    field.has_key_button = !is_computed;
+    const auto set = [&](double value, const std::string& drag) {
+      if (!is_computed) return KeyRoot(editor, names[i], value, drag);
+      Vec3 to(values[0], values[1], values[2]);
+      to[i] = value;
+      editor->Do("root.move", {{"x", to.x()}, {"y", to.y()}, {"z", to.z()}, {"drag", drag}});
     };
-    if (!DrawNumber(editor, field, key)) continue;
-    KeyAt(&curve, frame) ? ToggleKey(editor, names[i], true) : key(values[i], "");
+    if (!DrawNumber(editor, field, set)) continue;
+    KeyAt(&curve, frame) ? ToggleKey(editor, names[i], true)
+                         : KeyRoot(editor, names[i], values[i], "");
   }
 }
 
@@ -209,11 +209,12 @@ void DrawRoot(Editor* editor) {
 void DrawPoseSection(Editor* editor) {
   edit::Session& session = editor->session();
   const Figure& figure = session.figure();
-  if (editor->side.active == figure.root_name()) {
+  const auto active = ActiveJoint(figure, session.selected_joints(), editor->side.active);
+  const bool is_root_active = !active || editor->side.active == figure.root_name();
+  if (is_root_active && session.selected_joints().contains(figure.root_name())) {
     if (DrawHeading((figure.root_name() + "##root").c_str())) DrawRoot(editor);
     return DrawLinks(editor, figure.root_name());
   }
-  const auto active = ActiveJoint(figure, session.selected_joints(), editor->side.active);
   if (!active) return DrawNote(Tr("Nothing is selected. Click a joint."));
   DrawJoint(editor, figure.group(*active));
 }

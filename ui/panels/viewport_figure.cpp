@@ -27,7 +27,11 @@ std::optional<GroupIndex> ParentOf(GroupIndex joint, const Figure& figure) {
 
 PosedFigure::PosedFigure(const Figure& figure, const MotionFrame& frame,
                          const std::set<std::string>& hidden)
-    : figure_(&figure), frame_(&frame), ws_(figure), is_hidden_(figure.groups().size(), true) {
+    : figure_(&figure),
+      frame_(&frame),
+      ws_(figure),
+      is_hidden_(figure.groups().size(), true),
+      is_root_hidden_(hidden.contains(figure.root_name())) {
   ComputePositions(figure, frame.X_WR, frame.q, &ws_);
   for (const Joint& hinge : figure.joints()) {
     if (!hidden.contains(hinge.name)) is_hidden_[hinge.group.value()] = false;
@@ -68,6 +72,10 @@ std::vector<GroupIndex> SelectedJoints(const edit::Session& session) {
     if (joints.empty() || joints.back() != hinge.group) joints.push_back(hinge.group);
   }
   return joints;
+}
+
+bool IsRootSelected(const edit::Session& session) {
+  return session.selected_joints().contains(session.figure().root_name());
 }
 
 std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex joint) {

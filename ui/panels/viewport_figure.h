@@ -14,7 +14,7 @@ namespace hazumi::ui {
 // The figure at one frame, in the world.
 class PosedFigure {
  public:
-  // `hidden`: hinges; a joint is hidden when all of its are.
+  // `hidden`: hinges, or the root; a joint is hidden when all of its hinges are.
   PosedFigure(const Figure& figure, const MotionFrame& frame,
               const std::set<std::string>& hidden = {});
 
@@ -26,6 +26,7 @@ class PosedFigure {
   // Of a hinge, unit.
   Vec3 AxisOf(JointIndex hinge) const { return ws_.body(hinge).axis; }
   double angle(JointIndex hinge) const { return frame_->q[hinge.value()]; }  // [rad]
+  bool is_root_hidden() const { return is_root_hidden_; }
   bool IsHidden(GroupIndex joint) const { return is_hidden_[joint.value()]; }
   // Where the limb beyond a joint points, unit: to the next joint, or to the end of its link.
   Vec3 LimbOf(GroupIndex joint) const;
@@ -35,6 +36,7 @@ class PosedFigure {
   const MotionFrame* frame_;
   DynamicsWorkspace ws_;
   std::vector<bool> is_hidden_;  // by joint
+  bool is_root_hidden_;
 };
 
 // At the current frame; none if the project cannot be animated. Valid until the next edit.
@@ -42,6 +44,7 @@ std::optional<PosedFigure> PoseNow(edit::Session* session);
 
 // Joints of which at least one hinge is selected, in the figure's order.
 std::vector<GroupIndex> SelectedJoints(const edit::Session& session);
+bool IsRootSelected(const edit::Session& session);
 // Of a joint, those that can turn and, if some of its hinges are selected, are.
 std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex joint);
 

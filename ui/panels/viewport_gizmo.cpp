@@ -43,6 +43,14 @@ LimitArc ArcOf(const View& view, const PosedFigure& figure, GroupIndex joint, Jo
   return arc;
 }
 
+Gizmo GizmoOfRoot(const View& view, const PosedFigure& figure, double scale) {
+  const hazumi::Pose& X_WR = figure.frame().X_WR;
+  const double radius = kRingPx * scale * view.MetresPerPixel(X_WR.p);
+  Gizmo gizmo;
+  for (int i = 0; i < 3; ++i) gizmo.rings.push_back({{}, X_WR.p, X_WR.R.col(i), radius, i});
+  return gizmo;
+}
+
 }  // namespace
 
 Vec3 GizmoRing::At(double t) const {
@@ -58,12 +66,12 @@ Vec3 LimitArc::At(double at_angle) const {
 std::optional<Gizmo> GizmoOf(const View& view, const edit::Session& session,
                              const PosedFigure& figure, const std::string& active, bool with_limits,
                              double scale) {
+  if (IsRootSelected(session)) return GizmoOfRoot(view, figure, scale);
   const std::vector<GroupIndex> joints = SelectedJoints(session);
   if (joints.size() != 1) return std::nullopt;
   const std::vector<JointIndex> hinges = TurnableHinges(session, joints[0]);
   if (hinges.empty()) return std::nullopt;
   Gizmo gizmo;
-  gizmo.joint = joints[0];
   const Vec3 center = figure.CenterOf(joints[0]);
   const double radius = kRingPx * scale * view.MetresPerPixel(center);
   JointIndex shown = hinges[0];
@@ -96,7 +104,7 @@ std::optional<GizmoHit> GizmoAt(const View& view, Point at, const Gizmo& gizmo, 
       const double distance = DistancePx(view, p, at) + (is_far ? 0.5 * kReachPx * scale : 0.0);
       if (distance >= least) continue;
       least = distance;
-      hit = GizmoHit{GizmoPart::kRing, ring.hinge, p};
+      hit = GizmoHit{GizmoPart::kRing, ring.hinge, p, ring.color_axis};
     }
   }
   return hit;

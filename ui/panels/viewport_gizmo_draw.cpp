@@ -93,8 +93,8 @@ void DrawGizmo(const Editor& editor, const View& view, const Gizmo& gizmo,
     }
   }
   for (const GizmoRing& ring : gizmo.rings) {
-    const bool is_hovered =
-        hovered && hovered->part == GizmoPart::kRing && hovered->hinge == ring.hinge;
+    const bool is_hovered = hovered && hovered->part == GizmoPart::kRing &&
+                            hovered->hinge == ring.hinge && hovered->axis == ring.color_axis;
     DrawRing(view, ring, 2.2f * scale, is_hovered);
   }
   if (gizmo.arc) DrawAngle(editor, view, *gizmo.arc);

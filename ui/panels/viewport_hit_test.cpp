@@ -49,10 +49,16 @@ std::optional<double> EnterEllipsoid(const Ray& ray, const hazumi::Pose& X_WE, c
   return distance > 0.0 ? std::optional(distance) : std::nullopt;
 }
 
+// The mark that is nearest; an invalid joint is the root.
 std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure& figure,
                                    double scale) {
   std::optional<GroupIndex> best;
   double least = kMarkerReach * scale;
+  const std::optional<Point> root = view.ToWindow(figure.frame().X_WR.p);
+  if (root && !figure.is_root_hidden() && std::hypot(root->x - at.x, root->y - at.y) < least) {
+    least = std::hypot(root->x - at.x, root->y - at.y);
+    best = GroupIndex();
+  }
   for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {
     const std::optional<Point> mark = view.ToWindow(figure.CenterOf(GroupIndex(g)));
     if (!mark || figure.IsHidden(GroupIndex(g))) continue;
@@ -89,9 +95,12 @@ std::optional<double> Enter(const Ray& ray, const Box& box) {
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
                     const std::vector<SceneObject>& scene, double scale) {
   ViewportHit hit;
-  hit.joint = MarkerAt(view, at, figure, scale);
-  hit.is_marker = hit.joint.has_value();
-  if (hit.is_marker) return hit;
+  if (const std::optional<GroupIndex> marker = MarkerAt(view, at, figure, scale)) {
+    hit.is_marker = true;
+    hit.is_root = !marker->is_valid();
+    if (!hit.is_root) hit.joint = *marker;
+    return hit;
+  }
   const Ray ray = view.Through(at);
   double least = std::numeric_limits<double>::infinity();
   const auto joint_of = [&](const Link& link) { return figure.figure().joint(link.joint).group; };

@@ -18,15 +18,15 @@ struct ViewportHit {
   std::optional<GroupIndex> joint;
   std::string object;  // of the scene, a box; empty: none
   bool is_root = false;
-  bool is_marker = false;  // the joint's mark, not its body
+  bool is_marker = false;  // the mark of the joint or root, not its body
 
   bool is_anything() const { return joint || is_root || !object.empty(); }
 };
 
-inline constexpr float kMarkerReach = 7.0f;  // of the mark of a joint, at scale 1 [px]
+inline constexpr float kMarkerReach = 7.0f;  // of a mark, at scale 1 [px]
 
-// The mark of a joint within reach, or else the body that is nearest to the viewer, or the box. A
-// body belongs to the joint that moves it; those of hidden joints are passed through.
+// The mark of the root or of a joint within reach, or else the body that is nearest to the viewer,
+// or the box. A body belongs to the joint that moves it; those of hidden joints are passed through.
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
                     const std::vector<SceneObject>& scene, double scale);
 

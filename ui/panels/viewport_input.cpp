@@ -46,15 +46,19 @@ void Click(Editor* editor, const ViewportHit& hit, bool toggles) {
   edit::Session& session = editor->session();
   Json names = Json::array();
   if (hit.joint) names.push_back(session.figure().group(*hit.joint).name);
-  const char* mode = "replace";
-  if (toggles) mode = hit.joint && IsSelected(session, *hit.joint) ? "remove" : "add";
+  if (hit.is_root) names.push_back(session.figure().root_name());
+  const bool is_on =
+      hit.is_root ? IsRootSelected(session) : hit.joint && IsSelected(session, *hit.joint);
+  const char* mode = !toggles ? "replace" : is_on ? "remove" : "add";
   editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
   if (!toggles || !hit.object.empty()) editor->viewport.selected_object = hit.object;
-  editor->Say(hit.is_root ? Tr("The root has no hinges; its curves are in the dope sheet") : "");
+  if (!hit.object.empty()) editor->side.active = hit.object;
+  editor->Say("");
 }
 
 std::string HandleUnder(const ViewportHit& hit, const Figure& figure) {
   if (!hit.is_marker) return "";
+  if (hit.is_root) return figure.root_name();
   for (const GroupIndex handle : HandleJoints(figure)) {
     if (handle == *hit.joint) return figure.group(handle).name;
   }
@@ -88,11 +92,13 @@ void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
   if (press.on_gizmo) {
     const auto part = GizmoUnder(*editor, view, figure, press.at);
     if (!part) return;
-    if (part->part == GizmoPart::kRing) return TakeRingTool(editor, *part, {press.at});
-    return TakeLimitTool(editor, *part);
+    if (part->part != GizmoPart::kRing) return TakeLimitTool(editor, *part);
+    if (!part->hinge.is_valid()) return TakeRootRingTool(editor, *part, {press.at});
+    return TakeRingTool(editor, *part, {press.at});
   }
   if (press.handle.empty()) return;
   editor->Do("select.joints", {{"joints", Json::array({press.handle})}});
+  if (press.handle == figure.figure().root_name()) return TakeRootMoveTool(editor, {{press.at}});
   TakeReachTool(editor, press.handle, {press.at});
 }
 

@@ -17,7 +17,7 @@ ImDrawList* List() { return ImGui::GetWindowDrawList(); }
 
 float Px(const Editor& editor, double px) { return static_cast<float>(px * editor.settings.scale); }
 
-// A diamond: pulling it moves a limb.
+// A diamond: pulling it moves a limb, or the root.
 void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
   const ImVec2 p[] = {
       {at.x, at.y - size}, {at.x + size, at.y}, {at.x, at.y + size}, {at.x - size, at.y}};
@@ -28,6 +28,12 @@ void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
 }  // namespace
 
 void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& figure) {
+  const std::optional<Point> root = view.ToWindow(figure.frame().X_WR.p);
+  if (root && !figure.is_root_hidden()) {
+    const bool is_selected = IsRootSelected(editor.session());
+    DrawHandle(*root, Px(editor, is_selected ? 8.0 : 7.0),
+               is_selected ? ToIm(colors::kSelected) : ToIm(kWhite, 0.75f), ToIm(kDark, 0.8f));
+  }
   const std::vector<GroupIndex> selected = SelectedJoints(editor.session());
   const std::vector<GroupIndex> handles = HandleJoints(figure.figure());
   for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/viewport_dial.h"
 #include "ui/panels/viewport_drag_tool.h"
 #include "ui/panels/viewport_tools.h"
 
@@ -10,8 +11,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kStep = 5.0;  // with Ctrl [degrees]
 
 double Snapped(double value, double step) { return step * std::round(value / step); }
@@ -35,7 +35,7 @@ class RotateTool : public DragTool {
     joints_ = {editor->session().figure().joint(ring.hinge).group};
     ChooseHinges(editor);
     BeginAt(held.mouse);
-    mouse_ = held.mouse;
+    dial_.BeginAt(held.mouse);
   }
 
   std::string hint() const override;
@@ -55,8 +55,6 @@ class RotateTool : public DragTool {
                      const PosedFigure& figure) const;
   bool TakeAxis(const Chord& chord);
   void AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure, const View& view);
-  void TakeTangent(const PosedFigure& figure, const View& view);
-  void FollowMouse(Point by);
   bool Apply(Editor* editor, double by_deg);
 
   std::vector<GroupIndex> joints_;
@@ -65,17 +63,14 @@ class RotateTool : public DragTool {
   char axis_ = 0;                // 'X' to 'Z' once it was typed
   bool is_own_ = false;  // of the figure at rest, as the rings are coloured; else the world's
   std::vector<Turn> turns_;
-  Point pivot_;
-  std::optional<Point> tangent_;  // of a ring seen from its edge: pixels per radian
-  std::optional<Point> mouse_;    // moves as the mouse does, slower with Shift
-  double by_mouse_deg_ = 0.0, applied_deg_ = 0.0;
+  Dial dial_{Point{}};
+  double applied_deg_ = 0.0;
   TypedNumber typed_;
 };
 
 // The session stands as it was when the tool was taken.
 void RotateTool::ChooseHinges(Editor* editor) {
   turns_.clear();
-  tangent_.reset();
   const auto figure = PoseNow(&editor->session());
   if (!figure) return;
   const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
@@ -87,8 +82,11 @@ void RotateTool::ChooseHinges(Editor* editor) {
     if (hinges.empty()) continue;
     AddTurn(editor, HingeOf(hinges, view.ToViewer(center), *figure), *figure, view);
   }
-  pivot_ = view.ToWindow(pivot).value_or(Point{});
-  if (only_) TakeTangent(*figure, view);
+  dial_ = Dial(view.ToWindow(pivot).value_or(Point{}));
+  if (!only_) return;
+  // A ring seen from its edge is pulled along, not turned around its centre.
+  dial_ = Dial(view, figure->PoseOf(*only_).p, figure->AxisOf(*only_), ring_at_);
+  if (dial_.is_tangential() && !turns_.empty()) turns_[0].sign = 1.0;
 }
 
 JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
@@ -113,35 +111,11 @@ bool RotateTool::TakeAxis(const Chord& chord) {
 void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
                          const View& view) {
   const Joint& joint = figure.figure().joint(hinge);
-  const double now = editor->session().AngleNow(joint.name).value();
+  const double now = editor->session().ValueNow(joint.name).value();
   const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
   turns_.push_back({joint.name, now, now, joint.lower / kDegree, joint.upper / kDegree,
                     facing < 0.0 ? -1.0 : 1.0, figure.frame().in_region[hinge.value()] != 0});
   if (turns_.size() == 1) editor->viewport.active_hinge = joint.name;
-}
-
-// A ring seen from its edge is pulled along, not turned around its centre.
-void RotateTool::TakeTangent(const PosedFigure& figure, const View& view) {
-  const Vec3 axis = figure.AxisOf(*only_), center = figure.PoseOf(*only_).p;
-  constexpr double kEdge = 0.35;
-  if (std::abs(axis.dot(view.ToViewer(center))) > kEdge) return;
-  const Vec3 along = axis.cross(ring_at_ - center) / view.MetresPerPixel(center);
-  tangent_ =
-      Point{static_cast<float>(along.dot(view.right())), static_cast<float>(-along.dot(view.up()))};
-  if (std::hypot(tangent_->x, tangent_->y) < 1.0f) tangent_.reset();
-  if (tangent_) turns_[0].sign = 1.0;
-}
-
-void RotateTool::FollowMouse(Point by) {
-  const Point from = *mouse_, to = {from.x + by.x, from.y + by.y};
-  mouse_ = to;
-  if (tangent_) {
-    const double size = std::hypot(tangent_->x, tangent_->y);
-    by_mouse_deg_ += (by.x * tangent_->x + by.y * tangent_->y) / (size * size) / kDegree;
-    return;
-  }
-  const auto angle = [this](Point p) { return std::atan2(pivot_.y - p.y, p.x - pivot_.x); };
-  by_mouse_deg_ += std::remainder(angle(to) - angle(from), 2.0 * kPi) / kDegree;
 }
 
 bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
@@ -152,9 +126,9 @@ bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
     applied_deg_ = 0.0;
     ChooseHinges(editor);
   }
-  if (!mouse_) mouse_ = input.mouse;
-  FollowMouse(MouseMoved(input));
-  const double by_mouse = input.snap ? Snapped(by_mouse_deg_, kStep) : by_mouse_deg_;
+  if (!dial_.has_begun()) dial_.BeginAt(input.mouse);
+  dial_.Move(MouseMoved(input));
+  const double by_mouse = input.snap ? Snapped(dial_.degrees(), kStep) : dial_.degrees();
   return Apply(editor, typed_.is_empty() ? by_mouse : typed_.value());
 }
 
@@ -189,6 +163,11 @@ std::string RotateTool::hint() const {
 }  // namespace
 
 Result<Done> TakeRotateTool(Editor* editor) {
+  if (IsRootSelected(editor->session()) && PoseNow(&editor->session())) {
+    editor->Take(nullptr);
+    TakeRootTurnTool(editor);
+    return Done();
+  }
   std::vector<GroupIndex> joints;
   for (const GroupIndex joint : SelectedJoints(editor->session())) {
     if (!TurnableHinges(editor->session(), joint).empty()) joints.push_back(joint);

@@ -62,7 +62,7 @@ struct ShownPicture {
 // A mouse button that went down on the viewport and has not come up yet.
 struct ViewportPress {
   Point at;
-  std::string handle;     // the joint whose handle is under it; empty: none
+  std::string handle;     // the joint or root whose handle is under it; empty: none
   bool on_gizmo = false;  // a ring or the end of a limit is
 };
 

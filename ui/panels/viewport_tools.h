@@ -22,6 +22,10 @@ void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
 // Drags the selected joint by inverse kinematics, or the selected object.
 Result<Done> TakeMoveTool(Editor* editor);
 void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held);
+// Moves the root, with its feet or above them; turns it, or does so by one of its rings.
+void TakeRootMoveTool(Editor* editor, std::optional<HeldFrom> held);
+void TakeRootTurnTool(Editor* editor);
+void TakeRootRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
 // Drags the end of a limit.
 void TakeLimitTool(Editor* editor, const GizmoHit& end);
 

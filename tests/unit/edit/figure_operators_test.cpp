@@ -29,7 +29,7 @@ TEST(FigureOperators, LimitsOfBothSidesFollow) {
   EXPECT_NEAR(JointOf(session, "l_knee").upper * 57.29577951308232, 100.0, 1e-9);
   EXPECT_EQ(session.document().num_steps(), 1u);
   Do(&session, "pose.rotate", {{"joint", "r_knee"}, {"to", 125}});
-  EXPECT_NEAR(session.AngleNow("r_knee").value(), 100.0, 1e-9);
+  EXPECT_NEAR(session.ValueNow("r_knee").value(), 100.0, 1e-9);
   Do(&session, "edit.undo");
   Do(&session, "edit.undo");
   ASSERT_TRUE(session.WholeMotion().ok());

@@ -34,18 +34,18 @@ TEST(JointStates, WhatIsLockedKeepsItsKeysWhenAPoseIsPasted) {
   ASSERT_TRUE(session.Run("pose.clear").ok());
   ASSERT_TRUE(session.Run("joint.lock", {{"joints", {"r_knee"}}}).ok());
   ASSERT_TRUE(session.Run("pose.paste").ok());
-  EXPECT_NEAR(session.AngleNow("l_knee").value(), 30.0, 1e-9);
-  EXPECT_NEAR(session.AngleNow("r_knee").value(), 0.0, 1e-9);
+  EXPECT_NEAR(session.ValueNow("l_knee").value(), 30.0, 1e-9);
+  EXPECT_NEAR(session.ValueNow("r_knee").value(), 0.0, 1e-9);
 }
 
 TEST(JointStates, AReachTurnsNoLockedJoint) {
   Session session;
   ASSERT_TRUE(session.Run("joint.lock", {{"joints", {"r_elbow"}}}).ok());
-  const double before = session.AngleNow("r_elbow_flexion").value();
+  const double before = session.ValueNow("r_elbow_flexion").value();
   ASSERT_TRUE(
       session.Run("pose.reach", {{"joint", "r_wrist"}, {"x", 0.4}, {"y", -0.3}, {"z", 1.3}}).ok());
-  EXPECT_EQ(session.AngleNow("r_elbow_flexion").value(), before);
-  EXPECT_GT(std::abs(session.AngleNow("r_shoulder_flexion").value()), 1.0);
+  EXPECT_EQ(session.ValueNow("r_elbow_flexion").value(), before);
+  EXPECT_GT(std::abs(session.ValueNow("r_shoulder_flexion").value()), 1.0);
 }
 
 TEST(JointStates, SurviveACrash) {

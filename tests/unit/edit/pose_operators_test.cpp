@@ -7,7 +7,7 @@ namespace {
 using edit::Session;
 
 double AngleOf(Session* session, const std::string& hinge) {
-  const Result<double> angle = session->AngleNow(hinge);
+  const Result<double> angle = session->ValueNow(hinge);
   EXPECT_TRUE(angle.ok());
   return angle.ok() ? angle.value() : 0.0;
 }

@@ -18,7 +18,8 @@ const char* const kTexts[] = {"r_knee",   "l_elbow_flexion", "root.z", "root.ang
                               "pinned",   "gravity",         "keyed",  "replace",      "add",
                               "#112233",  "before",          "auto",   "flat",         "toggle",
                               "r_hand",   "nobody",          ""};
-const char* const kNames[] = {"r_knee", "l_knee", "r_shoulder+", "l_shoulder+", "chest", "l_wrist"};
+const char* const kNames[] = {"pelvis",      "r_knee", "l_knee", "r_shoulder+",
+                              "l_shoulder+", "chest",  "l_wrist"};
 
 Json RandomValue(ParameterKind kind, Random* random) {
   switch (kind) {

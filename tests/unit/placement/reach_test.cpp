@@ -47,6 +47,30 @@ double LargestExcess(const Figure& figure, const VecX& q) {
   return excess;
 }
 
+TEST(Reach, KeepsAnOrientationWhereTheLimbCan) {
+  const Figure figure = test::Human();
+  Random random(7);
+  const JointIndex toe = FirstHinge(figure, "l_toe");
+  int reached = 0;
+  constexpr int kCases = 100;
+  for (int i = 0; i < kCases; ++i) {
+    const Pose X_WR{random.Rotation(), random.Vector3(1.0)};
+    DynamicsWorkspace ws(figure);
+    const VecX there = WithinLimits(figure, &random);
+    ComputePositions(figure, X_WR, there, &ws);
+    const Mat3 foot = ws.body(figure.joint(toe).parent).R;
+    VecX q = there;
+    for (double& angle : q) angle += random.Uniform(-0.2, 0.2);
+    const double left = Reach(figure, {X_WR, toe, ws.body(toe).p, AllHinges(figure), foot}, &q);
+    ComputePositions(figure, X_WR, q, &ws);
+    const double turned = (ws.body(figure.joint(toe).parent).R - foot).norm();
+    if (left > 1e-6) continue;
+    ++reached;
+    EXPECT_LT(turned, 1e-4);
+  }
+  EXPECT_GE(reached, kCases * 9 / 10);
+}
+
 TEST(Reach, ComesToWhereOtherPosesAre) {
   const Figure figure = test::Human();
   Random random(1);

@@ -1,0 +1,160 @@
+// G and R, its handle and its rings: moves and turns the root.
+
+#include <cmath>
+
+#include "ui/panels/viewport_dial.h"
+#include "ui/panels/viewport_drag_tool.h"
+#include "ui/panels/viewport_points.h"
+#include "ui/panels/viewport_tools.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr double kStep = 5.0;  // with Ctrl [degrees]
+
+bool IsFeetKey(const Chord& chord) { return chord.key == 'F' && !chord.ctrl && !chord.alt; }
+
+// What F does now.
+std::string FeetHint(bool feet_stay) {
+  return std::string("   F: ") + Tr(feet_stay ? "feet come along" : "feet stay");
+}
+
+class RootMoveTool : public PointMoveTool {
+ public:
+  using PointMoveTool::PointMoveTool;
+
+ private:
+  // Each time from the beginning: feet that were out of reach come back to where they stood.
+  bool Place(Editor* editor, const Vec3& offset) override {
+    TakeBack(editor);
+    const Vec3 to = from() + offset;
+    return Run(editor, "root.move",
+               {{"x", to.x()}, {"y", to.y()}, {"z", to.z()}, {"feet_stay", feet_stay_}});
+  }
+  bool TakeKey(const Chord& chord) override {
+    if (!IsFeetKey(chord)) return false;
+    feet_stay_ = !feet_stay_;
+    return true;
+  }
+  std::string MoreHint() const override { return FeetHint(feet_stay_); }
+
+  bool feet_stay_ = true;
+};
+
+class RootTurnTool : public DragTool {
+ public:
+  RootTurnTool(Editor* editor, const PosedFigure& figure, const View& view)
+      : DragTool(editor, "viewport.turn_root ", false),
+        name_(figure.figure().root_name()),
+        X_WR_(figure.frame().X_WR),
+        to_viewer_(view.ToViewer(X_WR_.p)),
+        axis_(to_viewer_),
+        dial_(view.ToWindow(X_WR_.p).value_or(Point{})) {}
+  // By one of its rings.
+  RootTurnTool(Editor* editor, const PosedFigure& figure, const View& view, const GizmoHit& ring,
+               HeldFrom held)
+      : DragTool(editor, "viewport.turn_root ", true),
+        name_(figure.figure().root_name()),
+        X_WR_(figure.frame().X_WR),
+        to_viewer_(view.ToViewer(X_WR_.p)),
+        axis_(X_WR_.R.col(ring.axis)),
+        is_own_(true),
+        letter_(static_cast<char>('X' + ring.axis)),
+        has_ring_(true),
+        dial_(view, X_WR_.p, axis_, ring.at) {
+    BeginAt(held.mouse);
+    dial_.BeginAt(held.mouse);
+  }
+
+  std::string hint() const override {
+    std::string text = std::string(Tr("Rotate")) + " " + name_;
+    if (letter_) text += std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + letter_;
+    text += ": " + (typed_.is_empty() ? Signed(applied_.by_deg, 1) : typed_.shown()) + "\u00b0";
+    return text + FeetHint(wanted_feet_stay_) + KeysHint(Tr("axis, twice: its own"));
+  }
+
+ private:
+  // What the operator was asked for last.
+  struct Turned {
+    Vec3 axis = Vec3::Zero();
+    double by_deg = 0.0;
+    bool feet_stay = false;
+    bool operator==(const Turned&) const = default;
+  };
+
+  bool Follow(Editor* editor, const ToolInput& input) override;
+  void TakeAxis(const Chord& chord);
+
+  std::string name_;
+  hazumi::Pose X_WR_;
+  Vec3 to_viewer_, axis_;
+  bool is_own_ = false;
+  char letter_ = 0;  // 'X' to 'Z' once it was typed
+  bool has_ring_ = false;
+  Dial dial_;
+  TypedNumber typed_;
+  bool wanted_feet_stay_ = false;
+  Turned applied_;
+};
+
+// A letter once is the world's axis, twice the root's own, a third time the view's.
+void RootTurnTool::TakeAxis(const Chord& chord) {
+  if (has_ring_ || chord.key < 'X' || chord.key > 'Z' || chord.ctrl || chord.alt) return;
+  const bool is_again = chord.key == letter_;
+  letter_ = is_again && is_own_ ? 0 : static_cast<char>(chord.key);
+  is_own_ = is_again && !is_own_;
+  axis_ = to_viewer_;
+  if (letter_) axis_ = is_own_ ? Vec3(X_WR_.R.col(letter_ - 'X')) : Vec3::Unit(letter_ - 'X');
+}
+
+bool RootTurnTool::Follow(Editor* editor, const ToolInput& input) {
+  for (const Chord& chord : input.keys) {
+    if (typed_.Take(chord)) continue;
+    if (IsFeetKey(chord)) wanted_feet_stay_ = !wanted_feet_stay_;
+    TakeAxis(chord);
+  }
+  if (!dial_.has_begun()) dial_.BeginAt(input.mouse);
+  dial_.Move(MouseMoved(input));
+  // The mouse turns what is seen, a number is about the axis.
+  const bool turns_away = !dial_.is_tangential() && axis_.dot(to_viewer_) < 0.0;
+  double by = turns_away ? -dial_.degrees() : dial_.degrees();
+  if (input.snap) by = kStep * std::round(by / kStep);
+  if (!typed_.is_empty()) by = typed_.value();
+  const Turned turned = {axis_, by, wanted_feet_stay_};
+  if (turned == applied_) return true;
+  applied_ = turned;
+  TakeBack(editor);
+  if (by == 0.0) return true;
+  return Run(editor, "root.turn",
+             {{"x", axis_.x()},
+              {"y", axis_.y()},
+              {"z", axis_.z()},
+              {"by", by},
+              {"feet_stay", wanted_feet_stay_}});
+}
+
+}  // namespace
+
+void TakeRootMoveTool(Editor* editor, std::optional<HeldFrom> held) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  editor->Take(std::make_unique<RootMoveTool>(editor, figure->figure().root_name(),
+                                              figure->frame().X_WR.p, held));
+}
+
+void TakeRootTurnTool(Editor* editor) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
+  editor->Take(std::make_unique<RootTurnTool>(editor, *figure, view));
+}
+
+void TakeRootRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return;
+  const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
+  editor->Take(std::make_unique<RootTurnTool>(editor, *figure, view, ring, held));
+}
+
+}  // namespace hazumi::ui
