@@ -20,8 +20,8 @@ FieldState StateOfField(const ProjectCurve* curve, double frame, double shown, b
 
 // Whether a region moves the hinge at a frame. On its first frame the hinge is still where its
 // curve has it, unless another region ends there.
+bool IsComputed(const Animation& animation, JointIndex hinge, double frame);
 // Whether a pin, or gravity and contact, say where the root is.
 bool IsPlaced(const Animation& animation, double frame);
-bool IsComputed(const Animation& animation, JointIndex hinge, double frame);
 
 }  // namespace hazumi::ui
