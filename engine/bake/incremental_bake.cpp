@@ -99,7 +99,7 @@ void IncrementalBake::MakeStale(const Reach& reach) {
     fresh_until_ = animation_.first_frame;
   } else if (!parts_.empty()) {
     part = std::prev(parts_.upper_bound(static_cast<int>(std::floor(reach.first))));
-    fresh_until_ = std::min(fresh_until_, part->first);
+    fresh_until_ = std::min(fresh_until_.load(), part->first);
   }
   for (; part != parts_.end() && part->first <= reach.last; ++part) part->second.is_stale = true;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,6 +30,8 @@ class IncrementalBake {
 
   // True if the frame is what Bake would give.
   bool is_fresh(int frame) const { return frame < fresh_until_; }
+  // Frames before this one are fresh. May be asked by any thread.
+  int fresh_until() const { return fresh_until_; }
   // Frames that are not fresh are as they were before the edit. Events and warnings are in order.
   const Motion& motion() const { return motion_; }
 
@@ -70,7 +73,7 @@ class IncrementalBake {
   Parts parts_;
   bool has_begun_ = false;  // the first part's start is right
   // Where the first stale part begins, whose start is right; those of later ones may not be.
-  int fresh_until_ = 0;
+  std::atomic<int> fresh_until_ = 0;
   GroupLogs known_;  // of stretches that are no more
   std::optional<Error> error_;
   int stretches_baked_ = 0;

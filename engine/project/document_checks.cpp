@@ -63,9 +63,9 @@ void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& sit
 }
 
 void CheckKey(const ProjectKey& key, const KeyFieldNames& names, const Site& site) {
-  CheckFinite(key.frame, site.Field("frame"));
-  CheckFinite(key.value, site.Field(names.value));
-  CheckFinite(key.rate.value_or(0.0), site.Field(names.rate));
+  CheckNumber(key.frame, site.Field("frame"));
+  CheckNumber(key.value, site.Field(names.value));
+  CheckNumber(key.rate.value_or(0.0), site.Field(names.rate));
 }
 
 void CheckCurve(const ProjectCurve& curve, const KeyFieldNames& names, const Site& site) {
@@ -125,9 +125,13 @@ void CheckNamesUnique(const Items& items, const Site& site) {
 
 void CheckShape(const ProjectPlane& plane, const Site& site) {
   CheckUnitVector(plane.normal, site.Field("plane").Field("normal"));
+  CheckNumber(plane.offset_m, site.Field("plane").Field("offset_m"));
 }
 void CheckShape(const ProjectBox& box, const Site& site) {
   CheckPositive(box.size_m, site.Field("box").Field("size_m"));
+  CheckNumber(box.size_m, site.Field("box").Field("size_m"));
+  CheckNumber(box.center_m, site.Field("box").Field("center_m"));
+  CheckNumber(box.rotation_deg, site.Field("box").Field("rotation_deg"));
 }
 void CheckShape(const ProjectSphereShape& sphere, const Site& site) {
   CheckPositive(sphere.radius_m, site.Field("sphere").Field("radius_m"));
@@ -141,13 +145,18 @@ template <typename Object>
 void CheckObject(const Object& object, const Site& site) {
   std::visit([&](const auto& shape) { CheckShape(shape, site); }, object.shape);
   CheckColor(object.color, site.Field("color"));
-  if constexpr (requires { object.mass_kg; }) CheckPositive(object.mass_kg, site.Field("mass_kg"));
+  if constexpr (requires { object.mass_kg; }) {
+    CheckPositive(object.mass_kg, site.Field("mass_kg"));
+    CheckNumber(object.offset_m, site.Field("offset_m"));
+  }
 }
 
 void CheckCamera(const ProjectCamera& camera, const Site& site) {
   const double fov = camera.vertical_fov_deg;
   site.errors->Require(fov >= kNarrowestView && fov <= kWidestView, Check::kFieldOfView,
                        site.Field("vertical_fov_deg").place, {NumberText(fov)});
+  CheckNumber(camera.eye_m, site.Field("eye_m"));
+  CheckNumber(camera.target_m, site.Field("target_m"));
   if ((camera.eye_m - camera.target_m).norm() < 1e-9) site.Report(Check::kNoView);
 }
 

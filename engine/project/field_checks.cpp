@@ -35,8 +35,13 @@ void CheckNotNegative(double value, const Site& site) {
   if (!(value >= 0.0)) site.Report(Check::kNegative, {NumberText(value)});
 }
 
-void CheckFinite(double value, const Site& site) {
-  if (!std::isfinite(value)) site.Report(Check::kNotFinite);
+void CheckNumber(double value, const Site& site) {
+  if (!std::isfinite(value)) return site.Report(Check::kNotFinite);
+  if (std::abs(value) > kLargestNumber) site.Report(Check::kNumberTooLarge, {NumberText(value)});
+}
+
+void CheckNumber(const Vec3& value, const Site& site) {
+  for (int i = 0; i < 3; ++i) CheckNumber(value[i], site.Item(static_cast<size_t>(i)));
 }
 
 void CheckUnitVector(const Vec3& value, const Site& site) {

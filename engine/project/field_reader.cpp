@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/project/field_checks.h"
 #include "engine/project/read_value.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kLargestNumber = 1e9;
 // Against hostile files: looked at in one object, and kept of a file.
 constexpr size_t kMostUnknownFields = 100;
 constexpr size_t kMostWarnings = 100;

@@ -4,6 +4,7 @@
 
 #include "ui/panels/actions.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/status_line.h"
 #include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::test {
@@ -88,6 +89,56 @@ TEST_F(EditorWindow, PlaysInRealTime) {
   EXPECT_NEAR(editor_.session().frame() - before, 15.0, 1.0);
   Press(kSpace);
   EXPECT_FALSE(editor_.playback.is_on());
+}
+
+// A motion that takes far longer than a picture may take: a swing of six seconds, nearly without
+// friction, from stop to stop, as accurate as can be.
+class LongMotion : public EditorWindow {
+ protected:
+  void SetUp() override {
+    EditorWindow::SetUp();
+    ASSERT_TRUE(editor_.Do("time.range", {{"last", 500}}));
+    Key("r_shoulder_flexion", 95, -60.0);
+    Key("r_shoulder_flexion", 100, 60.0);
+    Key("l_shoulder_abduction", 100, 60.0);
+    ASSERT_TRUE(editor_.Do("region.add", {{"first", 100},
+                                          {"last", 280},
+                                          {"joints", {"r_shoulder+", "l_shoulder+"}},
+                                          {"friction", 0.995}}));
+    ASSERT_TRUE(editor_.Do("region.set", {{"region", "region"}, {"tolerance", 1e-10}}));
+    editor_.session().set_patience(1e-3);
+    shell_->Frame();
+  }
+  void Key(const char* curve, int frame, double value) {
+    ASSERT_TRUE(
+        editor_.Do("key.set", {{"curve", curve}, {"frame", frame}, {"value", value}}));
+  }
+  bool IsBusy() const { return editor_.session().bake()->is_busy(); }
+};
+
+TEST_F(LongMotion, GoesOnBesideAndIsThereInTheEnd) {
+  ASSERT_TRUE(IsBusy());
+  EXPECT_NE(BakingText(editor_).find("Computing the motion"), std::string::npos);
+  const Result<Done> refused = editor_.Invoke("region.to_keys", {{"region", "region"}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("still being computed"), std::string::npos);
+  EXPECT_TRUE(editor_.Do("project.rename", {{"name", "Edited meanwhile"}}));
+  shell_->Frame();
+  for (int i = 0; i < 4000 && IsBusy(); ++i) shell_->Frame();
+  shell_->Frame();
+  EXPECT_EQ(BakingText(editor_), "");
+  EXPECT_TRUE(editor_.session().MotionTo(500).ok());
+}
+
+TEST_F(LongMotion, EscapeStopsItAndItCanBeWantedAgain) {
+  ASSERT_TRUE(IsBusy());
+  Press(kEscape);
+  EXPECT_EQ(BakingText(editor_), "The motion is not computed");
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  EXPECT_FALSE(IsBusy());
+  EXPECT_TRUE(editor_.Do("motion.compute"));
+  shell_->Frame();
+  EXPECT_TRUE(IsBusy());
 }
 
 TEST_F(EditorWindow, SaysWhatWasRefused) {

@@ -111,7 +111,7 @@ void Session::Take(Result<Compiled> compiled) {
   if (bake_) {
     bake_->Update(*animation_);
   } else {
-    bake_ = std::make_unique<IncrementalBake>(*animation_);
+    bake_ = std::make_unique<BackgroundBake>(*animation_);
   }
 }
 
@@ -123,18 +123,49 @@ const Animation* Session::animation() {
 Result<const Motion*> Session::MotionTo(int frame) {
   Compile();
   if (compile_error_) return *compile_error_;
-  if (const std::optional<Error> error = bake_->BakeTo(frame)) return *error;
+  if (const std::optional<Error> error = bake_->BakeTo(frame, patience_)) return *error;
+  return &bake_->motion();
+}
+
+Result<const Motion*> Session::ShownMotionTo(int frame) {
+  const Result<const Motion*> motion = MotionTo(frame);
+  if (motion.ok() || compile_error_) return motion;
+  const std::vector<MotionFrame>& frames = bake_->motion().frames;
+  const size_t count = frame - project().frames.first + 1;
+  const auto is_there = [this](const MotionFrame& f) { return f.q.size() == figure_->num_joints(); };
+  if (frames.size() < count || !std::all_of(frames.begin(), frames.begin() + count, is_there)) {
+    return motion;
+  }
   return &bake_->motion();
 }
 
 Result<const Motion*> Session::WholeMotion() { return MotionTo(document_->project().frames.last); }
 
 Result<const MotionFrame*> Session::FrameNow() {
-  const ProjectFrames& frames = document_->project().frames;
-  const int frame = std::clamp(static_cast<int>(std::lround(frame_)), frames.first, frames.last);
+  const int frame = NearestFrame();
   const Result<const Motion*> motion = MotionTo(frame);
   if (!motion.ok()) return motion.error();
-  return &motion.value()->frames[frame - frames.first];
+  return &motion.value()->frames[frame - project().frames.first];
+}
+
+Result<const MotionFrame*> Session::ShownFrame() {
+  const int frame = NearestFrame();
+  const Result<const Motion*> motion = ShownMotionTo(frame);
+  if (!motion.ok()) return motion.error();
+  return &motion.value()->frames[frame - project().frames.first];
+}
+
+int Session::NearestFrame() const {
+  const ProjectFrames& frames = project().frames;
+  return std::clamp(static_cast<int>(std::lround(frame_)), frames.first, frames.last);
+}
+
+void Session::StopBaking() {
+  if (bake_) bake_->Stop();
+}
+
+void Session::ResumeBaking() {
+  if (bake_) bake_->Resume();
 }
 
 Result<double> Session::ValueNow(const std::string& curve) {

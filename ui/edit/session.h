@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "engine/bake/incremental_bake.h"
 #include "engine/project/compile.h"
+#include "ui/edit/background_bake.h"
 #include "ui/edit/document.h"
 #include "ui/edit/operator.h"
 
@@ -71,11 +71,22 @@ class Session {
   // What the project says; null if it cannot be animated.
   const Animation* animation();
   // Bakes what an edit changed up to a frame of the project, or all. The motion is as far as that
-  // right, and what it was before elsewhere. Errors: of CompileAnimation and Bake.
+  // right, and what it was before elsewhere. Errors: of CompileAnimation, Bake, and kInterrupted if
+  // it takes longer than the session has patience for.
   Result<const Motion*> MotionTo(int frame);
   Result<const Motion*> WholeMotion();
   // The motion at the frame nearest to the current one.
   Result<const MotionFrame*> FrameNow();
+  // The same to be looked at: where it is not there yet or there is none, as it was before. An error
+  // only where there was nothing before.
+  Result<const Motion*> ShownMotionTo(int frame);
+  Result<const MotionFrame*> ShownFrame();
+  // Seconds that a motion is waited for; what takes longer goes on beside. None: without end.
+  void set_patience(std::optional<double> seconds) { patience_ = seconds; }
+  // What goes on beside; null if nothing does or ever did.
+  const BackgroundBake* bake() const { return bake_.get(); }
+  void StopBaking();
+  void ResumeBaking();
   // What a curve would have to say at the current frame for what is seen there, whatever moves it:
   // of a hinge or of the root, degrees, of the root's position metres.
   Result<double> ValueNow(const std::string& curve);
@@ -86,6 +97,7 @@ class Session {
   void Compile();
   void Take(Result<Compiled> compiled);
   void TakeFigure();
+  int NearestFrame() const;
 
   std::unique_ptr<Document> document_;
   std::set<std::string> selected_joints_, hidden_joints_, locked_joints_;
@@ -101,7 +113,8 @@ class Session {
   long compiled_revision_ = -1;
   std::optional<Animation> animation_;
   std::optional<Error> compile_error_;
-  std::unique_ptr<IncrementalBake> bake_;
+  std::unique_ptr<BackgroundBake> bake_;
+  std::optional<double> patience_;
 };
 
 }  // namespace hazumi::edit

@@ -151,6 +151,17 @@ Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
                "\"" + name + "\" is none of pose, region, scene, project"};
 }
 
+// Without anything to stop it is no mistake: the key for it is pressed for many reasons.
+Result<Done> StopBaking(Editor* editor, const Parameters&) {
+  editor->session().StopBaking();
+  return Done();
+}
+
+Result<Done> ResumeBaking(Editor* editor, const Parameters&) {
+  editor->session().ResumeBaking();
+  return Done();
+}
+
 Result<Done> Quit(Editor* editor, const Parameters&) {
   return AskToSave(editor, [](Editor* asked) -> Result<Done> {
     asked->wants_to_quit = true;
@@ -164,6 +175,16 @@ const std::vector<Action>& AllActions() {
   using enum ParameterKind;
   static const std::vector<Action> actions = {
       {"app.quit", "Quit", "Leaves Hazumi; asks what to do with unsaved changes.", {}, Quit},
+      {"motion.stop",
+       "Stop computing",
+       "Ends the computation of a motion that takes long; it begins again with the next edit.",
+       {},
+       StopBaking},
+      {"motion.compute",
+       "Compute motion",
+       "Computes the motion that was stopped.",
+       {},
+       ResumeBaking},
       {"time.play", "Play", "Plays in real time, or stops.", {}, Play},
       {"time.step", "Step", "Some frames on or back.", {{"by", kInteger, true, "frames"}}, Step},
       {"time.to_end",

@@ -58,9 +58,17 @@ void Editor::Tick(double now) {
 }
 
 double Editor::NextDeadline() const {
+  constexpr double kBakingEvery = 0.1;  // what goes on beside is looked after [s]
+  if (session_.bake() && session_.bake()->is_busy()) {
+    return playback.is_on() ? std::min(kBakingEvery, UntilNextFrame()) : kBakingEvery;
+  }
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();
+  return UntilNextFrame();
+}
+
+double Editor::UntilNextFrame() const {
   return std::max(0.0, playback.NextFrameTime() - now_);
 }
 

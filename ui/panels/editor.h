@@ -100,6 +100,7 @@ class Editor {
 
  private:
   void Note(const std::string& id, const Json& parameters);
+  double UntilNextFrame() const;  // of playback [s]
 
   edit::Session session_;
   std::unique_ptr<Tool> tool_;

@@ -135,7 +135,7 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
 }
 
 GraphLayout CurrentGraph(Editor* editor, bool fits) {
-  const Result<const Motion*> motion = editor->session().WholeMotion();
+  const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
   return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet, fits,
                      editor->sheet.rect, editor->settings.scale);
 }

@@ -150,6 +150,9 @@ MenuEntry RegionMenu() {
                             {"region.remove"},
                             {"region.to_keys"},
                             Line(),
+                            {"motion.stop"},
+                            {"motion.compute"},
+                            Line(),
                             {"solver.set"}});
 }
 

@@ -41,7 +41,7 @@ struct HingeNow {
 
 std::vector<HingeNow> HingesOf(Editor* editor, const JointGroup& group) {
   edit::Session& session = editor->session();
-  const Result<const MotionFrame*> now = session.FrameNow();
+  const Result<const MotionFrame*> now = session.ShownFrame();
   std::vector<HingeNow> hinges;
   for (int j = group.first.value(); j <= group.last().value(); ++j) {
     HingeNow hinge;
@@ -178,7 +178,7 @@ void KeyRoot(Editor* editor, const char* curve, double value, const std::string&
 // Where a placement says where the root is, its position is posed by the legs.
 void DrawRoot(Editor* editor) {
   edit::Session& session = editor->session();
-  const Result<const MotionFrame*> now = session.FrameNow();
+  const Result<const MotionFrame*> now = session.ShownFrame();
   if (!now.ok()) return DrawNote(now.error().ToString());
   const auto values = edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
   const auto& names = edit::kRootCurveNames;

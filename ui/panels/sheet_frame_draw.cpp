@@ -63,7 +63,7 @@ std::string TextOf(const EventMark& mark) {
 }
 
 void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
-  const Result<const Motion*> motion = editor->session().WholeMotion();
+  const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
   if (!motion.ok()) return;
   const std::vector<EventMark> marks = EventMarks(*motion.value(), frame);
   const auto radius = static_cast<float>(3.5 * frame.scale);

@@ -12,6 +12,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'S', true, true}, kAnywhere, "file.save_as"},
       {{kF1}, kAnywhere, "help.manual"},
       {{kF3}, kAnywhere, "app.search"},
+      {{kEscape}, kAnywhere, "motion.stop"},
       {{kF12}, kAnywhere, "render.dialog"},
       {{kF12, true}, kAnywhere, "render.dialog", {{"whole", true}}},
       {{'Q', true}, kAnywhere, "app.quit"},

@@ -26,9 +26,11 @@ float DrawRight(const Editor& editor, float width) {
 }
 
 void DrawLeft(const Editor& editor) {
-  const std::string hint = editor.tool_hint();
+  const std::string hint = editor.tool_hint(), baking = BakingText(editor);
   if (!hint.empty()) {
     ImGui::TextUnformatted(hint.c_str());
+  } else if (!baking.empty()) {
+    ImGui::TextUnformatted(baking.c_str());
   } else if (editor.message.is_error) {
     ImGui::TextColored(ToIm4(editor.theme().warning), "! %s", editor.message.text.c_str());
     Tooltip(editor.message.text);

@@ -18,6 +18,14 @@ std::string MemoryText(size_t bytes) {
   return text;
 }
 
+std::string BakingText(const Editor& editor) {
+  const edit::BackgroundBake* bake = editor.session().bake();
+  if (bake && bake->is_stopped()) return Tr("The motion is not computed");
+  if (!bake || !bake->is_busy()) return "";
+  return std::string(Tr("Computing the motion: frame")) + " " + std::to_string(bake->done_until()) +
+         " / " + std::to_string(editor.last_frame()) + "   Esc: " + Tr("stop");
+}
+
 std::vector<std::string> StatusParts(const Editor& editor) {
   const edit::Session& session = editor.session();
   const edit::Document& document = session.document();

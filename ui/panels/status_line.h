@@ -7,6 +7,8 @@
 
 namespace hazumi::ui {
 
+// Of a motion that goes on being computed, or was stopped; else empty.
+std::string BakingText(const Editor& editor);
 // What the right of the status bar says: file, frame, memory of the undo history, version; the most
 // important first.
 std::vector<std::string> StatusParts(const Editor& editor);

@@ -10,6 +10,13 @@ namespace hazumi::ui {
 
 namespace {
 
+// What is shown may be from before an error.
+void SayWhatIsWrong(Editor* editor) {
+  const Result<const Motion*> motion = editor->session().MotionTo(FrameShown(*editor));
+  if (motion.ok() || motion.error().code == ErrorCode::kInterrupted) return;
+  editor->Say(motion.error().ToString(), true);
+}
+
 // The texture of last time if nothing changed that is seen in it.
 Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
   const render::PictureSize size = {static_cast<int>(rect.w), static_cast<int>(rect.h)};
@@ -17,10 +24,8 @@ Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
   const PictureKey key = KeyNow(*editor, size);
   if (state.shown && state.shown->key == key) return state.shown->texture;
   Result<render::Scene> scene = SceneNow(editor, rect);
-  if (!scene.ok()) {
-    editor->Say(scene.error().ToString(), true);
-    scene = render::Scene();
-  }
+  SayWhatIsWrong(editor);
+  if (!scene.ok()) scene = render::Scene();
   Result<unsigned> texture = editor->paint_scene(scene.value(), size, state.overlays.shadow);
   if (!texture.ok()) return texture;
   state.shown = ShownPicture{key, texture.value(), TicksOf(scene.value())};

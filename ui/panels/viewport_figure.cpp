@@ -59,7 +59,7 @@ Vec3 PosedFigure::LimbOf(GroupIndex joint) const {
 }
 
 std::optional<PosedFigure> PoseNow(edit::Session* session) {
-  const Result<const MotionFrame*> now = session->FrameNow();
+  const Result<const MotionFrame*> now = session->ShownFrame();
   if (!now.ok()) return std::nullopt;
   return PosedFigure(session->figure(), *now.value(), session->hidden_joints());
 }

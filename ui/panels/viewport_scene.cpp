@@ -106,6 +106,7 @@ PictureKey KeyNow(const Editor& editor, render::PictureSize size) {
   key.width = size.width;
   key.height = size.height;
   key.selected_joints = session.selected_joints();
+  key.is_being_computed = session.bake() && session.bake()->is_busy();
   return key;
 }
 
@@ -125,7 +126,7 @@ Result<render::Scene> SceneNow(Editor* editor, const Rect& rect) {
   edit::Session& session = editor->session();
   const int first = editor->first_frame();
   const Window window = WindowOf(*editor);
-  const Result<const Motion*> motion = session.MotionTo(first + window.last);
+  const Result<const Motion*> motion = session.ShownMotionTo(first + window.last);
   if (!motion.ok()) return motion.error();
   Motion path_motion;
   if (editor->viewport.overlays.paths) {

@@ -112,7 +112,9 @@ class Loop {
         input_(window->get(), &interface->input(),
                [editor](const std::string& path) { TakeDrop(path, editor); }),
         options_(options) {
+    constexpr double kPatience = 0.1;  // [s]
     settings_.Load(editor);
+    editor->session().set_patience(kPatience);
     editor_.dialogs.shows_first_steps = !editor_.settings.has_seen_first_steps;
   }
 

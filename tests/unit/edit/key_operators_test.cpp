@@ -39,6 +39,15 @@ TEST(KeyOperators, MoveOntoAnotherKeyTakesItsPlace) {
   EXPECT_EQ(KeysOf(session, "r_knee")[0].value, 31.0);
 }
 
+TEST(KeyOperators, WhatAFileCouldNotHoldIsRefused) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 0}, {"value", 9e8}});
+  const Error error =
+      Refused(&session, "key.move", {{"curve", "r_knee"}, {"frame", 0}, {"by", 9e8}});
+  EXPECT_NE(error.message.find("numbers lie between -1e9 and 1e9"), std::string::npos)
+      << error.ToString();
+}
+
 TEST(KeyOperators, DraggingAKeyIsOneStep) {
   Session session;
   Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 30}});
