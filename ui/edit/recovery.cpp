@@ -55,7 +55,14 @@ Error InLine(int number, Error error, const std::string& file) {
 // Does line by line what a journal says.
 class Replay {
  public:
-  Replay(const JournalText& journal, Session* session) : journal_(journal), session_(session) {}
+  // What succeeded once succeeds again, however long the motion that it needs takes.
+  Replay(const JournalText& journal, Session* session)
+      : journal_(journal), session_(session), patience_(session->patience()) {
+    session_->set_patience(std::nullopt);
+  }
+  ~Replay() { session_->set_patience(patience_); }
+  Replay(const Replay&) = delete;
+  Replay& operator=(const Replay&) = delete;
 
   Recovered Run(const std::string& file) {
     recovered_.is_cut_off = journal_.is_cut_off;
@@ -104,6 +111,7 @@ class Replay {
 
   const JournalText& journal_;
   Session* session_;
+  std::optional<double> patience_;
   Recovered recovered_;
 };
 

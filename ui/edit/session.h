@@ -82,6 +82,7 @@ class Session {
   Result<const Motion*> ShownMotionTo(int frame);
   Result<const MotionFrame*> ShownFrame();
   // Seconds that a motion is waited for; what takes longer goes on beside. None: without end.
+  std::optional<double> patience() const { return patience_; }
   void set_patience(std::optional<double> seconds) { patience_ = seconds; }
   // What goes on beside; null if nothing does or ever did.
   const BackgroundBake* bake() const { return bake_.get(); }
