@@ -6,12 +6,22 @@ namespace hazumi {
 
 namespace {
 
+// Of the regions that move a joint.
 std::vector<double> RegionStarts(const Animation& animation, JointIndex j) {
   std::vector<double> starts;
   for (const DynamicsRegion& region : animation.regions) {
     if (std::binary_search(region.joints.begin(), region.joints.end(), j)) {
       starts.push_back(region.first_frame);
     }
+  }
+  return starts;
+}
+
+// Of those that turn the root.
+std::vector<double> RootRegionStarts(const Animation& animation) {
+  std::vector<double> starts;
+  for (const DynamicsRegion& region : animation.regions) {
+    if (region.root) starts.push_back(region.first_frame);
   }
   return starts;
 }
@@ -35,7 +45,7 @@ CurveSet::CurveSet(const Animation& animation) {
   for (int c = 0; c < kNumRootCurves; ++c) {
     const bool is_position = c < kRootAngleZ;
     root_.emplace_back(&animation.root_keys[c], animation.rate, 0.0,
-                       is_position ? PlacementStarts(animation) : std::vector<double>());
+                       is_position ? PlacementStarts(animation) : RootRegionStarts(animation));
   }
 }
 

@@ -75,11 +75,14 @@ void IncrementalBake::ChangeRegions(const Animation& next, Reach* reach) {
   const auto include = [&](const DynamicsRegion& region) {
     reach->Include(region.last_frame);
     // The curves arrive at the first frame with other tangents.
-    for (const JointIndex j : region.joints) {
-      const Keys& keys = animation_.joint_keys[j.value()];
+    const auto include_arrival = [&](const Keys& keys) {
       const auto is_before = [](const Key& key, double frame) { return key.frame < frame; };
       const auto key = std::lower_bound(keys.begin(), keys.end(), region.first_frame, is_before);
       reach->Include(key == keys.begin() ? -kEver : std::prev(key)->frame);
+    };
+    for (const JointIndex j : region.joints) include_arrival(animation_.joint_keys[j.value()]);
+    for (int c = kRootAngleZ; c < kNumRootCurves && region.root; ++c) {
+      include_arrival(animation_.root_keys[c]);
     }
   };
   for (size_t r = 0; r < next.regions.size(); ++r) {

@@ -4,6 +4,7 @@
 
 #include "engine/timeline/placement_span.h"
 #include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -77,6 +78,10 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
     region->first_frame = p.integer("first", region->first_frame);
     region->last_frame = p.integer("last", region->last_frame);
     region->limit_tangents = p.yes("limit_tangents", region->limit_tangents);
+    if (p.yes("as_project")) {
+      region->method.reset();
+      region->tolerance_deg.reset();
+    }
     if (p.has("tolerance")) region->tolerance_deg = p.number("tolerance");
     if (p.has("joints")) {
       region->joints.clear();
@@ -137,31 +142,50 @@ Result<Done> Remove(Session* session, const Parameters& p) {
   });
 }
 
-// The joints of an animation's region become keys, one a frame, and the region goes.
+void RemoveKeys(int first, int last, ProjectCurve* curve) {
+  std::erase_if(curve->keys,
+                [&](const ProjectKey& key) { return key.frame >= first && key.frame <= last; });
+}
+
+void KeyHinge(JointIndex hinge, const MotionFrame& at, ProjectCurve* curve) {
+  ProjectKey key;
+  key.frame = at.frame;
+  key.value = at.q[hinge.value()] / kDegree;
+  key.rate = at.after.qd[hinge.value()] / kDegree;
+  PutKey(key, curve);
+}
+
+// Its angles; where it is follows from the placement, as before.
+void KeyRoot(const MotionFrame& at, ProjectRoot* root) {
+  const auto values = RootValues(at.X_WR, *root, at.frame);
+  for (int i = kRootAngleZ; i < kNumRootCurves; ++i) {
+    ProjectKey key;
+    key.frame = at.frame;
+    key.value = values[i];
+    PutKey(key, &root->curves[i]);
+  }
+}
+
+// The joints of an animation's region, and the root if it turns it, become keys, one a frame, and
+// the region goes.
 Result<Done> BakeToKeys(Session* session, const Parameters& p) {
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
   return Change(session, p, "Bake region to keys", [&](Project* project, ProjectRegion* region) {
     const size_t index = region - project->regions.data();
     const DynamicsRegion& baked = session->animation()->regions[index];
-    if (baked.root) {
-      return Result<Done>(Refusal("region", "a region that turns the root cannot become keys yet"));
-    }
+    const auto first = motion.value()->frames.begin() + baked.first_frame - project->frames.first;
+    const auto end = first + (baked.last_frame - baked.first_frame) + 1;
     for (const JointIndex j : baked.joints) {
       const std::string& name = session->figure().joint(j).name;
       ProjectCurve* curve = CurveNamed(name, session->figure(), project).value();
-      std::erase_if(curve->keys, [&](const ProjectKey& key) {
-        return key.frame >= baked.first_frame && key.frame <= baked.last_frame;
-      });
-      for (int frame = baked.first_frame; frame <= baked.last_frame; ++frame) {
-        const MotionFrame& at = motion.value()->frames[frame - project->frames.first];
-        ProjectKey key;
-        key.frame = frame;
-        key.value = at.q[j.value()] / kDegree;
-        key.rate = at.after.qd[j.value()] / kDegree;
-        PutKey(key, curve);
-      }
+      RemoveKeys(baked.first_frame, baked.last_frame, curve);
+      for (auto at = first; at != end; ++at) KeyHinge(j, *at, curve);
     }
+    for (int i = kRootAngleZ; i < kNumRootCurves && baked.root; ++i) {
+      RemoveKeys(baked.first_frame, baked.last_frame, &project->root.curves[i]);
+    }
+    for (auto at = first; at != end && baked.root; ++at) KeyRoot(*at, &project->root);
     project->regions.erase(project->regions.begin() + static_cast<long>(index));
     return Result<Done>(Done());
   });
@@ -253,6 +277,7 @@ std::vector<Operator> RegionOperators() {
             {"joints", kNames, false, "joints, with + behind the name all beyond too"},
             {"method", kText, false, "exact or paper"},
             {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
+            {"as_project", kYesNo, false, "true: method and tolerance are the project's again"},
             {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
             kDrag},
            SetRegion},

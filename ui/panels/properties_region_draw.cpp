@@ -134,6 +134,11 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
   DrawNumber(editor, field, [&](double value, const std::string& drag) {
     Set(editor, region.name, {{"tolerance", value}}, drag);
   });
+  if ((region.method || region.tolerance_deg) &&
+      DrawButton(Tr("As the project"),
+                 Tr("Method and tolerance are those of the project again."))) {
+    Set(editor, region.name, {{"as_project", true}});
+  }
   DrawCheck(editor, "tangents", Tr("Limit tangents"), region.limit_tangents, [&](bool on) {
     Set(editor, region.name, {{"limit_tangents", on}});
   });

@@ -158,5 +158,22 @@ TEST(PinnedBake, HangingByAHandKeepsEnergyAndTheMomentumAboutTheVertical) {
   EXPECT_GT((motion.frames[kLast].X_WR.p - motion.frames[0].X_WR.p).norm(), 0.1);
 }
 
+// Like a limb that is let go, the root goes on as its keys before the region had it go.
+TEST(FlightBake, ARootStartsWithTheSpeedThatItsKeysBuiltUp) {
+  Animation animation = Still(LimberHuman());
+  animation.last_frame = 20;
+  animation.root_keys[kRootZ] = {{0, 5.0, {}, Interpolation::kCubic}};
+  animation.root_keys[kRootAngleY] = {{0, 0.0, {}, Interpolation::kCubic},
+                                      {10, 1.0, {}, Interpolation::kCubic},
+                                      {20, 1.2, {}, Interpolation::kCubic}};
+  AddGravity(&animation, 0, 20);
+  animation.solver.method = Method::kExact;
+  AddRegion(&animation, "tumble", 10, 20, {"r_shoulder"}, 1.0).root = true;
+  const Motion motion = Bake(animation).value();
+  const double parabola = 2.0 * 1.0 / animation.rate.SecondsAt(10.0);
+  EXPECT_NEAR(motion.frames[10].before.root_w.y(), parabola, 1e-9);
+  EXPECT_NEAR(motion.frames[10].after.root_w.y(), parabola, 1e-9);
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -115,6 +115,12 @@ TEST(IncrementalBake, OfTheThrowIsSameAsBakingAnew) {
 
 TEST(IncrementalBake, OfTheJumpIsSameAsBakingAnew) { ExpectEditsAreSame(Example("jump"), 200, 2); }
 
+TEST(IncrementalBake, OfATumbleIsSameAsBakingAnew) {
+  Animation animation = Example("jump");
+  AddRegion(&animation, "tumble", 8, 16, {"r_shoulder"}, 0.8).root = true;
+  ExpectEditsAreSame(animation, 25, 5);
+}
+
 TEST(IncrementalBake, OfTheThrowByThePapersMethodIsSameAsBakingAnew) {
   Animation animation = Example("throw");
   animation.solver.method = Method::kPaper;

@@ -79,6 +79,38 @@ TEST(RegionOperators, ToKeysKeepsTheMotion) {
   }
 }
 
+TEST(RegionOperators, ToKeysKeepsARootThatTumbles) {
+  Session session;
+  Do(&session, "root.move", {{"x", 0}, {"y", 0}, {"z", 20}, {"feet_stay", false}});
+  Do(&session, "key.set", {{"curve", "root.angle_x"}, {"frame", 0}, {"value", 0}});
+  Do(&session, "key.set", {{"curve", "root.angle_x"}, {"frame", 5}, {"value", 100}});
+  Do(&session, "key.set", {{"curve", "root.angle_y"}, {"frame", 5}, {"value", 40}});
+  Do(&session, "placement.set", {{"kind", "gravity"}, {"first", 0}, {"last", 30}});
+  Do(&session, "region.add",
+     {{"name", "tumble"}, {"first", 5}, {"last", 25}, {"joints", {"pelvis", "r_shoulder"}}});
+  const Motion before = *session.WholeMotion().value();
+  ASSERT_GT((before.frames[8].X_WR.R - before.frames[5].X_WR.R).norm(), 0.5);
+  Do(&session, "region.to_keys", {{"region", "tumble"}});
+  const Motion& after = *session.WholeMotion().value();
+  for (int f = 0; f <= 25; ++f) {
+    EXPECT_LE((after.frames[f].X_WR.R - before.frames[f].X_WR.R).norm(), 1e-8) << f;
+  }
+  const ProjectCurve& curve = session.project().root.curves[kRootAngleX];
+  for (size_t i = 1; i < curve.keys.size(); ++i) {
+    EXPECT_LE(std::abs(curve.keys[i].value - curve.keys[i - 1].value), 120.0) << i;
+  }
+}
+
+TEST(RegionOperators, ARegionTakesTheProjectsMethodAgain) {
+  Session session;
+  AddArms(&session);
+  const std::vector<ProjectRegion> before = session.project().regions;
+  Do(&session, "region.set", {{"region", "arms"}, {"method", "paper"}, {"tolerance", 0.1}});
+  EXPECT_NE(session.project().regions, before);
+  Do(&session, "region.set", {{"region", "arms"}, {"as_project", true}});
+  EXPECT_EQ(session.project().regions, before);
+}
+
 TEST(RegionOperators, ANewPlacementTakesTheFramesItIsGiven) {
   Session session;
   Do(&session, "placement.set", {{"kind", "pinned"}, {"pin", "l_toe"}, {"first", 0}, {"last", 30}});
