@@ -158,10 +158,12 @@ void KeyHinge(JointIndex hinge, const MotionFrame& at, ProjectCurve* curve) {
 // Its angles; where it is follows from the placement, as before.
 void KeyRoot(const MotionFrame& at, ProjectRoot* root) {
   const auto values = RootValues(at.X_WR, *root, at.frame);
+  const auto rates = RootAngleRates(values, at.after.root_w);
   for (int i = kRootAngleZ; i < kNumRootCurves; ++i) {
     ProjectKey key;
     key.frame = at.frame;
     key.value = values[i];
+    if (rates) key.rate = (*rates)[i - kRootAngleZ];
     PutKey(key, &root->curves[i]);
   }
 }

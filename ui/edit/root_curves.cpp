@@ -64,4 +64,15 @@ std::array<double, kNumRootCurves> RootValues(const hazumi::Pose& X_WR, const Pr
   return {X_WR.p.x(), X_WR.p.y(), X_WR.p.z(), angles[0], angles[1], angles[2]};
 }
 
+// w = z' Z + y' Rz Y + x' Rz Ry X.
+std::optional<std::array<double, 3>> RootAngleRates(
+    const std::array<double, kNumRootCurves>& values, const Vec3& w) {
+  const double z = values[kRootAngleZ] * kDegree, y = values[kRootAngleY] * kDegree;
+  constexpr double kSingular = 0.01;
+  if (std::abs(std::cos(y)) < kSingular) return std::nullopt;
+  const double across = w.y() * std::cos(z) - w.x() * std::sin(z);
+  const double x_rate = (w.x() * std::cos(z) + w.y() * std::sin(z)) / std::cos(y);
+  return std::array{(w.z() + x_rate * std::sin(y)) / kDegree, across / kDegree, x_rate / kDegree};
+}
+
 }  // namespace hazumi::edit

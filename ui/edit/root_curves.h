@@ -22,4 +22,9 @@ std::optional<int> RootCurveNamed(const std::string& name);
 std::array<double, kNumRootCurves> RootValues(const hazumi::Pose& X_WR, const ProjectRoot& root,
                                               double frame);
 
+// How fast its angles z, y and x change where the root turns with `w` [rad/s], [degrees/s]; none
+// near the pose where z and x turn about the same line.
+std::optional<std::array<double, 3>> RootAngleRates(
+    const std::array<double, kNumRootCurves>& values, const Vec3& w);
+
 }  // namespace hazumi::edit

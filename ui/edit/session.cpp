@@ -132,7 +132,9 @@ Result<const Motion*> Session::ShownMotionTo(int frame) {
   if (motion.ok() || compile_error_) return motion;
   const std::vector<MotionFrame>& frames = bake_->motion().frames;
   const size_t count = frame - project().frames.first + 1;
-  const auto is_there = [this](const MotionFrame& f) { return f.q.size() == figure_->num_joints(); };
+  const auto is_there = [this](const MotionFrame& f) {
+    return f.q.size() == figure_->num_joints();
+  };
   if (frames.size() < count || !std::all_of(frames.begin(), frames.begin() + count, is_there)) {
     return motion;
   }

@@ -77,8 +77,8 @@ class Session {
   Result<const Motion*> WholeMotion();
   // The motion at the frame nearest to the current one.
   Result<const MotionFrame*> FrameNow();
-  // The same to be looked at: where it is not there yet or there is none, as it was before. An error
-  // only where there was nothing before.
+  // The same to be looked at: where it is not there yet or there is none, as it was before. An
+  // error only where there was nothing before.
   Result<const Motion*> ShownMotionTo(int frame);
   Result<const MotionFrame*> ShownFrame();
   // Seconds that a motion is waited for; what takes longer goes on beside. None: without end.
