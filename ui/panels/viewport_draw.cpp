@@ -23,12 +23,12 @@ Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
   ViewportState& state = editor->viewport;
   const PictureKey key = KeyNow(*editor, size);
   if (state.shown && state.shown->key == key) return state.shown->texture;
-  Result<render::Scene> scene = SceneNow(editor, rect);
+  Result<ViewportScene> scene = SceneNow(editor, rect);
   SayWhatIsWrong(editor);
-  if (!scene.ok()) scene = render::Scene();
-  Result<unsigned> texture = editor->paint_scene(scene.value(), size, state.overlays.shadow);
+  if (!scene.ok()) scene = ViewportScene();
+  Result<unsigned> texture = editor->paint_scene(scene.value().scene, size, state.overlays.shadow);
   if (!texture.ok()) return texture;
-  state.shown = ShownPicture{key, texture.value(), TicksOf(scene.value())};
+  state.shown = ShownPicture{key, texture.value(), std::move(scene.value().ticks)};
   ++state.pictures_drawn;
   return texture;
 }

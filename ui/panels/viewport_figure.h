@@ -39,8 +39,8 @@ class PosedFigure {
   bool is_root_hidden_;
 };
 
-// At the current frame, as it is shown; none if the project cannot be animated. Valid until the next
-// edit.
+// At the current frame, as it is shown; none if the project cannot be animated. Valid until the
+// next edit.
 std::optional<PosedFigure> PoseNow(edit::Session* session);
 
 // Joints of which at least one hinge is selected, in the figure's order.

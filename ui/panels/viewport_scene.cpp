@@ -12,7 +12,9 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr int kParts = 8;  // points of a path for each frame
+// Of a path, for each frame.
+constexpr double kMostTurn = 4.0 * 3.14159265358979323846 / 180.0;  // from point to point [rad]
+constexpr int kLeastParts = 2, kMostParts = 32;
 
 // Cubic from `a` to `b` with derivatives `da` and `db` with respect to t in [0, 1].
 template <typename V>
@@ -31,6 +33,16 @@ MotionFrame Between(const MotionFrame& a, const MotionFrame& b, double seconds, 
   const Eigen::Quaterniond from(a.after.X_WR.R), to(b.before.X_WR.R);
   frame.X_WR.R = from.slerp(t, to).toRotationMatrix();
   return frame;
+}
+
+// The farthest that any joint or the root turns from one frame to the next, by its angles or by its
+// rates [rad].
+double TurnBetween(const MotionFrame& a, const MotionFrame& b, double seconds) {
+  const double by_angle = (b.before.q - a.after.q).lpNorm<Eigen::Infinity>();
+  const double by_rate = seconds * std::max(a.after.qd.lpNorm<Eigen::Infinity>(),
+                                            b.before.qd.lpNorm<Eigen::Infinity>());
+  const double of_root = seconds * std::max(a.after.root_w.norm(), b.before.root_w.norm());
+  return std::max({by_angle, by_rate, of_root});
 }
 
 // Frames whose motion is wanted, counted from the first one.
@@ -70,22 +82,40 @@ render::Overlays OverlaysOf(const Editor& editor, const Window& window) {
   return overlays;
 }
 
+// Lines in a scene are paths; a dashed one is the shadow of another.
+std::vector<PathTicks> TicksOf(const render::Scene& scene, const std::vector<size_t>& at_frames) {
+  std::vector<PathTicks> all;
+  for (const render::Polyline& path : scene.polylines) {
+    if (path.dash_m > 0.0) continue;
+    PathTicks ticks = {path.color, {}};
+    for (const size_t i : at_frames) ticks.points.push_back(path.points[i]);
+    all.push_back(std::move(ticks));
+  }
+  return all;
+}
+
 }  // namespace
 
-Motion Refined(const Motion& motion, int first, int last, int parts) {
-  Motion refined;
-  refined.rate = motion.rate;
+RefinedMotion Refined(const Motion& motion, int first, int last) {
+  RefinedMotion refined;
+  refined.motion.rate = motion.rate;
+  std::vector<MotionFrame>& frames = refined.motion.frames;
   const double seconds = motion.rate.seconds_per_frame();
   const auto com = [&](int i) { return motion.frames[std::clamp(i, first, last)].com; };
   for (int i = first; i < last; ++i) {
+    refined.at_frames.push_back(frames.size());
+    const MotionFrame &a = motion.frames[i], &b = motion.frames[i + 1];
     const Vec3 slope = 0.5 * (com(i + 1) - com(i - 1)), next = 0.5 * (com(i + 2) - com(i));
+    const double turns = std::ceil(TurnBetween(a, b, seconds) / kMostTurn);
+    const int parts = static_cast<int>(std::clamp<double>(turns, kLeastParts, kMostParts));
     for (int k = 0; k < parts; ++k) {
       const double t = static_cast<double>(k) / parts;
-      refined.frames.push_back(Between(motion.frames[i], motion.frames[i + 1], seconds, t));
-      refined.frames.back().com = Hermite<Vec3>(com(i), slope, com(i + 1), next, t);
+      frames.push_back(Between(a, b, seconds, t));
+      frames.back().com = Hermite<Vec3>(com(i), slope, com(i + 1), next, t);
     }
   }
-  refined.frames.push_back(motion.frames[last]);
+  refined.at_frames.push_back(frames.size());
+  frames.push_back(motion.frames[last]);
   return refined;
 }
 
@@ -110,32 +140,23 @@ PictureKey KeyNow(const Editor& editor, render::PictureSize size) {
   return key;
 }
 
-// Lines in a scene are paths; a dashed one is the shadow of another.
-std::vector<PathTicks> TicksOf(const render::Scene& scene) {
-  std::vector<PathTicks> all;
-  for (const render::Polyline& path : scene.polylines) {
-    if (path.dash_m > 0.0) continue;
-    PathTicks ticks = {path.color, {}};
-    for (size_t i = 0; i < path.points.size(); i += kParts) ticks.points.push_back(path.points[i]);
-    all.push_back(std::move(ticks));
-  }
-  return all;
-}
-
-Result<render::Scene> SceneNow(Editor* editor, const Rect& rect) {
+Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
   edit::Session& session = editor->session();
   const int first = editor->first_frame();
   const Window window = WindowOf(*editor);
   const Result<const Motion*> motion = session.ShownMotionTo(first + window.last);
   if (!motion.ok()) return motion.error();
-  Motion path_motion;
+  RefinedMotion paths;
   if (editor->viewport.overlays.paths) {
-    path_motion = Refined(*motion.value(), window.first, window.last, kParts);
+    paths = Refined(*motion.value(), window.first, window.last);
   }
-  render::MotionScene scene(*session.animation(), *motion.value(), path_motion,
+  render::MotionScene scene(*session.animation(), *motion.value(), paths.motion,
                             CameraNow(editor->viewport, session.project(), rect),
                             OverlaysOf(*editor, window));
-  return scene.At(FrameShown(*editor) - first);
+  ViewportScene shown;
+  shown.scene = scene.At(FrameShown(*editor) - first);
+  shown.ticks = TicksOf(shown.scene, paths.at_frames);
+  return shown;
 }
 
 }  // namespace hazumi::ui

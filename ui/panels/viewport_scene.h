@@ -11,15 +11,22 @@ namespace hazumi::ui {
 int FrameShown(const Editor& editor);
 // What a picture of this size would depend on now.
 PictureKey KeyNow(const Editor& editor, render::PictureSize size);
-// The scene as it is now. Errors: of the bake.
-Result<render::Scene> SceneNow(Editor* editor, const Rect& rect);
+// The scene as it is now, and where its paths are at each frame.
+struct ViewportScene {
+  render::Scene scene;
+  std::vector<PathTicks> ticks;
+};
+// Errors: of the bake.
+Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect);
 
-// Of the paths in a scene made by SceneNow.
-std::vector<PathTicks> TicksOf(const render::Scene& scene);
-
-// Frames [first, last] of a motion, counted from 0, with `parts` points for every frame: a smooth
-// motion between them, by the angles and rates that it has on both sides. Has what paths need:
-// angles, root and CoM.
-Motion Refined(const Motion& motion, int first, int last, int parts);
+// A motion with more instants than frames, for paths. Has what these need: angles, root and CoM.
+struct RefinedMotion {
+  Motion motion;
+  std::vector<size_t> at_frames;  // which of them are frames of the original
+};
+// Frames [first, last], counted from 0, and between two of them as many instants as it takes for no
+// joint and not the root to turn by more than a few degrees: a smooth motion, by the angles and
+// rates that there are on both sides.
+RefinedMotion Refined(const Motion& motion, int first, int last);
 
 }  // namespace hazumi::ui
