@@ -101,6 +101,16 @@ TEST_F(DopeSheetSpans, TheHintSaysWhyADragIsRefused) {
   EXPECT_TRUE(user.editor().message.is_error);
 }
 
+TEST_F(DopeSheetSpans, TheHintSaysWhyThereIsNoMotionAnyMore) {
+  const Point end = EndOf(HoldOf("r_hip"));
+  user.Pull(end, {end.x + X(3) - X(0), end.y});
+  const std::string hint = user.editor().tool_hint();
+  EXPECT_NE(hint.find("out of reach"), std::string::npos) << hint;
+  user.Press(ui::kEscape);
+  user.Hold(0, false);
+  EXPECT_TRUE(user.session().WholeMotion().ok());
+}
+
 TEST_F(DopeSheetSpans, XDeletesTheHoldThatWasClicked) {
   user.Click(MiddleOf(HoldOf("l_hip")));
   user.Press('X');

@@ -62,7 +62,7 @@ class DragBarTool : public SheetDrag {
     wanted_ = wanted;
     const Result<Done> done =
         EditChosenBar(editor, {{"first", wanted.first}, {"last", wanted.last}, {"drag", drag()}});
-    trouble_ = done.ok() ? "" : done.error().message;
+    trouble_ = done.ok() ? TroubleOf(&editor->session()) : done.error().message;
   }
 
   void Cancel(Editor* editor) override {
@@ -71,11 +71,18 @@ class DragBarTool : public SheetDrag {
   }
 
  private:
+  // Why there is no motion any more, e.g. because a joint cannot be held so long.
+  static std::string TroubleOf(edit::Session* session) {
+    const Result<const Motion*> motion = session->WholeMotion();
+    return motion.ok() ? "" : motion.error().message;
+  }
+
   BarRef bar_;  // as it was when the drag began
   SheetPart part_;
   std::string title_;
   ProjectFrames before_, wanted_;
-  std::string trouble_;  // why they were refused; the bar stays where it could be last
+  // Why they were refused, and the bar stays where it could be last; or why nothing moves now.
+  std::string trouble_;
 };
 
 }  // namespace

@@ -98,6 +98,7 @@ void ChooseBar(Editor* editor, const BarRef& bar) {
   ChooseNoBar(&editor->sheet);
   if (bar.kind == BarKind::kRegion) {
     editor->sheet.region = editor->session().project().regions[bar.index].name;
+    editor->side.region = editor->sheet.region;  // the properties show it too
   } else {
     editor->sheet.span = bar;
   }
