@@ -58,6 +58,7 @@ void Editor::Tick(double now) {
 }
 
 double Editor::NextDeadline() const {
+  if (!ground.is_done()) return 0.0;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();

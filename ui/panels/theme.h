@@ -13,6 +13,7 @@ inline constexpr SrgbColor kInterpolated = render::FromHex(0x53992e);
 inline constexpr SrgbColor kChanged = render::FromHex(0xcc7529);
 inline constexpr SrgbColor kDynamics = render::FromHex(0x2f8fff);  // computed by a region: hatched
 inline constexpr SrgbColor kHeld = render::FromHex(0xa06fd6);      // a joint, by a hold
+inline constexpr SrgbColor kSinking = render::FromHex(0xe0364f);   // into the ground
 inline constexpr SrgbColor kKey = render::FromHex(0xbfbfbf);
 inline constexpr SrgbColor kSelected = render::FromHex(0xffbe33);
 inline constexpr SrgbColor kAxisX = render::FromHex(0xff3352);
