@@ -128,12 +128,21 @@ class DopeSheetPainter {
     if (layout_.rows[bar.row].depth == 0 && rect.h >= Px(12.0)) DrawTitle(bar);
   }
 
+  // Where there is no room for "held: r_toe" the joint alone.
+  std::string TextOf(const RowBar& bar, float room) const {
+    const std::string text = TextOf(bar);
+    const size_t colon = text.find(": ");
+    const bool is_short = ImGui::CalcTextSize(text.c_str()).x > room;
+    const bool has_joint = bar.ref.kind != BarKind::kRegion && colon != std::string::npos;
+    return is_short && has_joint ? text.substr(colon + 2) : text;
+  }
+
   // Above the keys; it stays in sight while the bar begins before the left edge.
   void DrawTitle(const RowBar& bar) {
     const Rect& rect = bar.rect;
     const float left = std::max(rect.x, layout_.frame.tracks.x) + Px(6.0);
     const Rect label = {left, rect.y, rect.right() - left - Px(3.0), std::min(rect.h, Px(15.0))};
-    const std::string text = TextOf(bar);
+    const std::string text = TextOf(bar, label.w);
     const float width = std::min(ImGui::CalcTextSize(text.c_str()).x, label.w);
     if (width < Px(8.0)) return;
     if (bar.ref.kind == BarKind::kRegion) {

@@ -64,10 +64,11 @@ void HandleItems(Editor* editor) {
 
 void KeyItems(Editor* editor) {
   const bool has_keys = !editor->session().selected_keys().empty();
+  const bool has_bar = ChosenBar(editor->session().project(), editor->sheet).has_value();
   const bool has_copy = !editor->session().key_clipboard().empty();
   Item(editor, LabelOf("keys.copy"), "keys.copy", Json::object(), has_keys);
   Item(editor, LabelOf("keys.paste"), "keys.paste", Json::object(), has_copy);
-  Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys);
+  Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys || has_bar);
   ImGui::Separator();
   if (ImGui::BeginMenu(Tr("Interpolation"), has_keys)) {
     InterpolationItems(editor);
@@ -82,6 +83,7 @@ void KeyItems(Editor* editor) {
   for (const char* id : {"span.hold", "span.pin", "span.gravity"}) {
     Item(editor, LabelOf(id), id, Json::object());
   }
+  ImGui::Separator();
   Item(editor, LabelOf("sheet.frame_all"), "sheet.frame_all", Json::object());
 }
 
