@@ -129,6 +129,21 @@ TEST_F(DopeSheetSpans, ADoubleClickOpensWhatCanBeChanged) {
   }
 }
 
+TEST_F(DopeSheetSpans, ADragOfAFieldThatIsGivenUpLeavesItsSpanChosen) {
+  AddGravity();
+  user.Click(MiddleOf(Span(1)));
+  user.Click(MiddleOf(Span(1)));  // its fields are shown
+  for (const int first : {10, 5}) {
+    ASSERT_TRUE(ui::EditChosenBar(&user.editor(), {{"first", first}, {"drag", "a field"}}).ok());
+    user.Wait(1);
+  }
+  EXPECT_EQ(Chosen(), (BarRef{BarKind::kPlacement, 0}));
+  user.editor().Do("edit.cancel_drag");
+  user.Wait(1);
+  EXPECT_EQ(Frames(), (std::vector<int>{5, 15, 15, 20, 20, 30}));
+  EXPECT_EQ(Chosen(), (BarRef{BarKind::kPlacement, 1}));
+}
+
 TEST_F(DopeSheetSpans, ASelectedJointIsHeldFromTheCurrentFrameToWhereItIsInTheWay) {
   user.editor().Do("time.frame", {{"frame", 2}});
   user.editor().Do("select.joints", {{"joints", {"l_toe"}}});

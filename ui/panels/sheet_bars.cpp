@@ -24,11 +24,12 @@ size_t NumOf(const Project& project, BarKind kind) {
 Result<Done> EditPlacement(Editor* editor, const BarRef& span, Json change) {
   SheetState& sheet = editor->sheet;
   const std::string drag = change.value("drag", "");
-  if (drag.empty() || drag != sheet.span_drag.drag) sheet.span_drag = {drag, span.index};
+  if (drag.empty() || drag != sheet.span_drag.drag) sheet.span_drag = {drag, span.index, 0};
   change["index"] = sheet.span_drag.index;
   const Project& project = editor->session().project();
   const int first = change.value("first", FramesOf(project, span).first);
   Result<Done> done = editor->Invoke("placement.edit", change);
+  sheet.span_drag.revision = editor->session().document().revision();
   if (!done.ok()) return done;
   sheet.span.reset();
   for (size_t i = 0; i < project.placements.size(); ++i) {
@@ -107,6 +108,14 @@ void ChooseBar(Editor* editor, const BarRef& bar) {
 void ChooseNoBar(SheetState* sheet) {
   sheet->region.clear();
   sheet->span.reset();
+  sheet->span_drag = {};
+}
+
+void RestoreChoice(Editor* editor) {
+  const SheetState::SpanDrag& drag = editor->sheet.span_drag;
+  const edit::Document& document = editor->session().document();
+  if (drag.drag.empty() || document.is_merging() || document.revision() == drag.revision) return;
+  ChooseBar(editor, {BarKind::kPlacement, drag.index});
 }
 
 Result<Done> EditChosenBar(Editor* editor, Json change) {

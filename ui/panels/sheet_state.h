@@ -58,10 +58,12 @@ struct SheetState {
   // ImGui's number of the frame in which a tool ended: the click that ended it does no more.
   int quiet_frame = -1;
   int num_drags = 0;  // so far: each has a name of its own
-  // The drag in which a span of placement was edited last, and its index when that began.
+  // The drag in which a span of placement was edited last, its index when that began, and the
+  // document's revision after the last edit of it.
   struct SpanDrag {
     std::string drag;
     int index = 0;
+    long revision = 0;
   } span_drag;
   // A field of the timeline's range while it is dragged.
   struct EditedRange {
