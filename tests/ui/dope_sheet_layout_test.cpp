@@ -83,14 +83,14 @@ TEST(DopeSheetLayout, RegionLiesOnTheRowsOfTheLimbsItHolds) {
   const DopeSheetLayout layout = LayOutDopeSheet(session, state, kRect, 1.0);
   std::vector<std::string> ids;
   for (const RowBar& bar : layout.bars) {
-    if (!bar.is_region) continue;
+    if (bar.ref.kind != BarKind::kRegion) continue;
     ids.push_back(layout.rows[bar.row].id);
     EXPECT_EQ(bar.num_held, bar.num_hinges);
     EXPECT_FLOAT_EQ(bar.rect.x, layout.frame.axis.XOf(5));
     EXPECT_FLOAT_EQ(bar.rect.right(), layout.frame.axis.XOf(15));
   }
   EXPECT_EQ(ids, (std::vector<std::string>{"limb r_shoulder", "limb l_shoulder"}));
-  EXPECT_FALSE(BarOn(layout, "placement").is_region);
+  EXPECT_EQ(BarOn(layout, "placement").ref.kind, BarKind::kPlacement);
 }
 
 TEST(DopeSheetLayout, ABarOfSomeJointsSaysHowMany) {
@@ -109,10 +109,59 @@ TEST(DopeSheetLayout, OverlappingRegionsOfALimbShareItsHeight) {
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
   std::vector<Rect> rects;
   for (const RowBar& bar : layout.bars) {
-    if (bar.is_region) rects.push_back(bar.rect);
+    if (bar.ref.kind == BarKind::kRegion) rects.push_back(bar.rect);
   }
   ASSERT_EQ(rects.size(), 2u);
   EXPECT_LE(rects[0].bottom(), rects[1].y + 0.01f);
+}
+
+TEST(DopeSheetLayout, AHoldLiesThinOnTheRowsOfItsLimbAndJoint) {
+  const edit::Session session = Throw();
+  SheetState state;
+  state.open = {"limb r_hip", "joint r_toe"};
+  const DopeSheetLayout layout = LayOutDopeSheet(session, state, {0, 0, 700, 600}, 1.0);
+  std::vector<std::string> ids;
+  for (const RowBar& bar : layout.bars) {
+    if (bar.ref != BarRef{BarKind::kHold, 1}) continue;
+    ids.push_back(layout.rows[bar.row].id);
+    EXPECT_LT(bar.rect.h, 0.6f * layout.row_rects[bar.row].h);
+    EXPECT_FLOAT_EQ(bar.rect.right(), layout.frame.axis.XOf(5));
+  }
+  EXPECT_EQ(ids, (std::vector<std::string>{"limb r_hip", "joint r_toe"}));
+}
+
+TEST(DopeSheetLayout, ARowGrowsWithTheBarsThatOverlapOnIt) {
+  edit::Session session = Throw();
+  ASSERT_TRUE(session.Run("region.set", {{"region", "arms"}, {"joints", {"r_wrist"}}}).ok());
+  ASSERT_TRUE(session.Run("hold.add", {{"joint", "r_elbow"}, {"first", 8}, {"last", 20}}).ok());
+  for (const double scale : {1.0, 1.5}) {
+    const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, scale);
+    std::vector<RowBar> bars;
+    for (const RowBar& bar : layout.bars) {
+      if (layout.rows[bar.row].id == "limb r_shoulder") bars.push_back(bar);
+    }
+    ASSERT_EQ(bars.size(), 2u);
+    const Rect& row = layout.row_rects[bars[0].row];
+    EXPECT_GT(row.h, layout.row_rects[bars[0].row + 1].h);
+    for (const RowBar& bar : bars) EXPECT_GE(bar.rect.h, 12.0 * scale);  // room for its name
+    EXPECT_LE(bars[0].rect.bottom(), bars[1].rect.y);
+    EXPECT_LE(bars[1].rect.bottom(), row.bottom() - 12.0 * scale);  // and for keys below
+  }
+}
+
+TEST(DopeSheetHitTest, WhereTwoSpansMeetEachHasItsEnd) {
+  edit::Session session = Throw();
+  ASSERT_TRUE(
+      session
+          .Run("placement.set", {{"kind", "pinned"}, {"pin", "r_toe"}, {"first", 15}, {"last", 30}})
+          .ok());
+  const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
+  const float x = layout.frame.axis.XOf(15), y = layout.row_rects[1].y + 4.0f;
+  const auto hit = [&](float at) { return HitDopeSheet(layout, session, {at, y}); };
+  EXPECT_EQ(hit(x - 2.0f).part, SheetPart::kBarEnd);
+  EXPECT_EQ(layout.bars[hit(x - 2.0f).index].ref, (BarRef{BarKind::kPlacement, 0}));
+  EXPECT_EQ(hit(x + 2.0f).part, SheetPart::kBarStart);
+  EXPECT_EQ(layout.bars[hit(x + 2.0f).index].ref, (BarRef{BarKind::kPlacement, 1}));
 }
 
 TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {

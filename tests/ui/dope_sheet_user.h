@@ -18,12 +18,13 @@ class DopeSheet : public testing::Test {
   ui::DopeSheetLayout Layout() {
     return ui::LayOutDopeSheet(user.session(), user.editor().sheet, user.editor().sheet.rect, 1.0);
   }
-  ui::Rect Bar(const std::string& row) {
+  ui::Rect Bar(const std::string& row, ui::BarKind kind = ui::BarKind::kRegion, int nth = 0) {
     const ui::DopeSheetLayout layout = Layout();
     for (const ui::RowBar& bar : layout.bars) {
-      if (layout.rows[bar.row].id == row && bar.is_region) return bar.rect;
+      const bool is_one = layout.rows[bar.row].id == row && bar.ref.kind == kind;
+      if (is_one && nth-- == 0) return bar.rect;
     }
-    ADD_FAILURE() << "no region on " << row;
+    ADD_FAILURE() << "no such bar on " << row;
     return {};
   }
   Point Key(const std::string& row, double frame) {

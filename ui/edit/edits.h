@@ -19,6 +19,7 @@ std::vector<Operator> JointStateOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> ObjectOperators();
+std::vector<Operator> PlacementOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();

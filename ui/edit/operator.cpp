@@ -16,10 +16,11 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list : {FigureOperators(), JointStateOperators(), KeyOperators(),
-                      KeySelectionOperators(), ObjectOperators(), PoseOperators(), ReachOperators(),
-                      RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
-                      SessionOperators(), StartRateOperators(), TimeOperators()}) {
+  for (auto&& list :
+       {FigureOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
+        ObjectOperators(), PlacementOperators(), PoseOperators(), ReachOperators(),
+        RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
+        SessionOperators(), StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

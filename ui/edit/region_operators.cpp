@@ -1,8 +1,7 @@
-// Dynamics regions, placement and holds.
+// Dynamics regions.
 
 #include <algorithm>
 
-#include "engine/timeline/placement_span.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/root_curves.h"
 
@@ -13,7 +12,6 @@ namespace {
 using enum ParameterKind;
 
 const ParameterInfo kRegion = {"region", kText, true, "the region's name"};
-const ParameterInfo kIndex = {"index", kInteger, true, "which of them, counted from 0"};
 
 bool IsTaken(const std::string& name, const Project& project) {
   return std::any_of(project.regions.begin(), project.regions.end(),
@@ -193,66 +191,6 @@ Result<Done> BakeToKeys(Session* session, const Parameters& p) {
   });
 }
 
-// Taken out of the way of a new span of placement.
-void MakeRoom(int first, int last, std::vector<ProjectPlacement>* spans) {
-  std::vector<ProjectPlacement> kept;
-  for (ProjectPlacement& span : *spans) {
-    ProjectPlacement before = span, after = span;
-    before.last_frame = std::min(span.last_frame, first);
-    after.first_frame = std::max(span.first_frame, last);
-    if (before.first_frame < before.last_frame) kept.push_back(before);
-    if (after.first_frame < after.last_frame) kept.push_back(after);
-  }
-  *spans = std::move(kept);
-}
-
-Result<Done> Place(Session* session, const Parameters& p) {
-  const Result<PlacementKind> kind = ValueNamed<PlacementKind>(
-      p.text("kind"), "kind",
-      {PlacementKind::kKeyed, PlacementKind::kPinned, PlacementKind::kGravity}, &NameOf);
-  if (!kind.ok()) return kind.error();
-  return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
-    ProjectPlacement span;
-    span.kind = kind.value();
-    span.first_frame = p.integer("first");
-    span.last_frame = p.integer("last");
-    span.pin = p.text("pin");
-    span.landing_pin = p.text("landing_pin");
-    MakeRoom(span.first_frame, span.last_frame, &project->placements);
-    const auto later = [](const ProjectPlacement& a, const ProjectPlacement& b) {
-      return a.first_frame < b.first_frame;
-    };
-    auto& spans = project->placements;
-    if (span.kind != PlacementKind::kKeyed) {
-      spans.insert(std::upper_bound(spans.begin(), spans.end(), span, later), span);
-    }
-    return Done();
-  });
-}
-
-Result<Done> Hold(Session* session, const Parameters& p) {
-  return session->Edit("Hold joint", [&](Project* project) -> Result<Done> {
-    ProjectHold hold;
-    hold.joint = p.text("joint");
-    hold.orientation = p.yes("orientation");
-    hold.first_frame = p.integer("first");
-    hold.last_frame = p.integer("last");
-    project->holds.push_back(std::move(hold));
-    return Done();
-  });
-}
-
-Result<Done> RemoveHold(Session* session, const Parameters& p) {
-  return session->Edit("Remove hold", [&](Project* project) -> Result<Done> {
-    const int index = p.integer("index");
-    if (index < 0 || index >= static_cast<int>(project->holds.size())) {
-      return Refusal("index", "there is no such hold");
-    }
-    project->holds.erase(project->holds.begin() + index);
-    return Done();
-  });
-}
-
 }  // namespace
 
 std::vector<Operator> RegionOperators() {
@@ -302,25 +240,7 @@ std::vector<Operator> RegionOperators() {
            "Bake region to keys",
            "Makes a key of each frame of a region and takes the region away.",
            {kRegion},
-           BakeToKeys},
-          {"placement.set",
-           "Place figure",
-           "Says what places the figure for some frames; what was said of them before gives way.",
-           {{"kind", kText, true, "keyed, pinned or gravity"},
-            first,
-            last,
-            {"pin", kText, false, "the pinned joint"},
-            {"landing_pin", kText, false, "with gravity: the joint pinned after a landing"}},
-           Place},
-          {"hold.add",
-           "Hold joint",
-           "Keeps a joint where it is by inverse kinematics.",
-           {{"joint", kText, true, "a joint"},
-            first,
-            last,
-            {"orientation", kYesNo, false, "true: also how it is turned"}},
-           Hold},
-          {"hold.remove", "Remove hold", "Takes a hold away.", {kIndex}, RemoveHold}};
+           BakeToKeys}};
 }
 
 }  // namespace hazumi::edit

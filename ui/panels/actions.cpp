@@ -6,6 +6,7 @@
 #include "ui/edit/operator.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/sheet_actions.h"
+#include "ui/panels/span_actions.h"
 #include "ui/panels/viewport_actions.h"
 #include "ui/panels/viewport_tools.h"
 
@@ -282,7 +283,7 @@ const std::vector<Action>& AllActions() {
        sheet::SelectAll},
       {"sheet.delete",
        "Delete",
-       "Takes the selected keys away; without any, the region that was clicked.",
+       "Takes the selected keys away; without any, the bar that was clicked.",
        {},
        sheet::Delete},
       {"sheet.mark_region",
@@ -310,6 +311,21 @@ const std::vector<Action>& AllActions() {
        "Draws each curve as high as the graph, or to scale.",
        {},
        sheet::Normalize},
+      {"span.pin",
+       "Pin figure from here",
+       "The selected joint stays where it is from the current frame on; the figure turns about it.",
+       {},
+       span::Pin},
+      {"span.gravity",
+       "Place by gravity from here",
+       "Gravity and contact place the figure from the current frame on.",
+       {},
+       span::Gravity},
+      {"span.hold",
+       "Hold joint from here",
+       "Inverse kinematics keeps the selected joint where it is from the current frame on.",
+       {},
+       span::Hold},
       {"sheet.frame_all", "Show all frames", "Shows the whole animation.", {}, sheet::FrameAll},
       {"sheet.frame_selected",
        "Show selected keys",

@@ -1,5 +1,6 @@
 #include "ui/panels/dope_sheet_input.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sheet_bars.h"
 #include "ui/panels/sheet_drawing.h"
 
 namespace hazumi::ui {
@@ -9,7 +10,11 @@ namespace {
 class DopeSheetPainter {
  public:
   DopeSheetPainter(ImDrawList* list, Editor* editor, const DopeSheetLayout& layout)
-      : list_(list), editor_(editor), theme_(editor->theme()), layout_(layout) {}
+      : list_(list),
+        editor_(editor),
+        theme_(editor->theme()),
+        layout_(layout),
+        chosen_(ChosenBar(editor->session().project(), editor->sheet)) {}
 
   void Draw() {
     const SheetFrame& frame = layout_.frame;
@@ -90,40 +95,58 @@ class DopeSheetPainter {
   }
 
   std::string TextOf(const RowBar& bar) const {
-    const Project& project = editor_->session().project();
-    if (bar.is_region) {
-      const std::string& name = project.regions[bar.index].name;
-      if (bar.num_held == bar.num_hinges) return name;
-      return name + "  " + std::to_string(bar.num_held) + "/" + std::to_string(bar.num_hinges);
+    const std::string title = TitleOf(editor_->session().project(), bar.ref);
+    if (bar.num_held == bar.num_hinges) return title;
+    return title + "  " + std::to_string(bar.num_held) + "/" + std::to_string(bar.num_hinges);
+  }
+
+  SrgbColor ColorOf(const RowBar& bar) const {
+    switch (bar.ref.kind) {
+      case BarKind::kRegion:
+        return colors::kDynamics;
+      case BarKind::kPlacement:
+        return theme_.faint_text;
+      case BarKind::kHold:
+        break;
     }
-    const ProjectPlacement& span = project.placements[bar.index];
-    if (span.kind == PlacementKind::kGravity) return Tr("Gravity and contact");
-    return std::string(Tr("Pinned")) + ": " + span.pin;
+    return colors::kHeld;
   }
 
   void DrawBar(const RowBar& bar) {
     const Rect& rect = bar.rect;
-    const Rect& tracks = layout_.frame.tracks;
-    const bool is_active = bar.is_region && editor_->session().project().regions[bar.index].name ==
-                                                editor_->sheet.region;
-    const SrgbColor color = bar.is_region ? colors::kDynamics : theme_.faint_text;
+    const SrgbColor color = ColorOf(bar);
     const bool is_whole = bar.num_held == bar.num_hinges;
+    const bool is_chosen = chosen_ && *chosen_ == bar.ref;
     list_->AddRectFilled(UpperLeft(rect), LowerRight(rect), ToIm(color, is_whole ? 0.42f : 0.22f),
                          Px(3.0));
-    if (bar.is_region) DrawHatch(list_, rect, tracks, ToIm(color, 0.55f), Px(7.0));
+    if (bar.ref.kind == BarKind::kRegion) {
+      DrawHatch(list_, rect, layout_.frame.tracks, ToIm(color, 0.55f), Px(7.0));
+    }
     list_->AddRect(UpperLeft(rect), LowerRight(rect),
-                   is_active ? ToIm(colors::kSelected) : ToIm(color, 0.95f), Px(3.0), 0,
-                   is_active ? Px(1.6) : 1.0f);
-    const SheetRow& row = layout_.rows[bar.row];
-    if (row.depth > 0 || rect.h < Px(12.0)) return;
-    // The name is above the keys, and stays in sight while the bar begins before the left edge.
-    const float left = std::max(rect.x, tracks.x) + Px(6.0);
-    const Rect label = {left, rect.y + Px(1.0), rect.right() - left - Px(3.0), Px(15.0)};
+                   is_chosen ? ToIm(colors::kSelected) : ToIm(color, 0.95f), Px(3.0), 0,
+                   is_chosen ? Px(1.6) : 1.0f);
+    if (layout_.rows[bar.row].depth == 0 && rect.h >= Px(12.0)) DrawTitle(bar);
+  }
+
+  // Where there is no room for "held: r_toe" the joint alone.
+  std::string TextOf(const RowBar& bar, float room) const {
     const std::string text = TextOf(bar);
+    const size_t colon = text.find(": ");
+    const bool is_short = ImGui::CalcTextSize(text.c_str()).x > room;
+    const bool has_joint = bar.ref.kind != BarKind::kRegion && colon != std::string::npos;
+    return is_short && has_joint ? text.substr(colon + 2) : text;
+  }
+
+  // Above the keys; it stays in sight while the bar begins before the left edge.
+  void DrawTitle(const RowBar& bar) {
+    const Rect& rect = bar.rect;
+    const float left = std::max(rect.x, layout_.frame.tracks.x) + Px(6.0);
+    const Rect label = {left, rect.y, rect.right() - left - Px(3.0), std::min(rect.h, Px(15.0))};
+    const std::string text = TextOf(bar, label.w);
     const float width = std::min(ImGui::CalcTextSize(text.c_str()).x, label.w);
     if (width < Px(8.0)) return;
-    if (bar.is_region) {
-      list_->AddRectFilled({label.x - Px(3.0), label.y},
+    if (bar.ref.kind == BarKind::kRegion) {
+      list_->AddRectFilled({label.x - Px(3.0), label.y + 1.0f},
                            {label.x + width + Px(3.0), label.bottom()}, ToIm(theme_.panel, 0.72f),
                            Px(2.0));
     }
@@ -158,6 +181,7 @@ class DopeSheetPainter {
   Editor* editor_;
   const Theme& theme_;
   const DopeSheetLayout& layout_;
+  std::optional<BarRef> chosen_;
 };
 
 }  // namespace

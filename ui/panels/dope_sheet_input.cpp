@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "ui/panels/bar_tool.h"
 #include "ui/panels/key_tools.h"
 #include "ui/panels/region_tools.h"
+#include "ui/panels/sheet_bars.h"
+#include "ui/panels/sheet_drag.h"
 #include "ui/panels/sheet_drawing.h"
 
 namespace hazumi::ui {
@@ -32,7 +35,7 @@ void ToggleRow(Editor* editor, const std::string& id) {
 
 void ClickKey(Editor* editor, const DopeSheetLayout& layout, const RowKey& key, Point mouse) {
   const ImGuiIO& io = ImGui::GetIO();
-  editor->sheet.region.clear();
+  ChooseNoBar(&editor->sheet);
   if (io.KeyAlt) {
     editor->Do("keys.select_column",
                {{"frame", key.frame}, {"mode", io.KeyShift ? "add" : "replace"}});
@@ -50,14 +53,25 @@ void ClickKey(Editor* editor, const DopeSheetLayout& layout, const RowKey& key, 
   editor->Take(MakeMoveKeys(editor, mouse, options));
 }
 
+SheetPopup PopupOf(BarKind kind) {
+  switch (kind) {
+    case BarKind::kRegion:
+      return SheetPopup::kRegion;
+    case BarKind::kPlacement:
+      return SheetPopup::kPlacement;
+    case BarKind::kHold:
+      break;
+  }
+  return SheetPopup::kHold;
+}
+
 void ClickBar(Editor* editor, const RowBar& bar, SheetPart part, Point mouse) {
-  if (!bar.is_region) return editor->Take(MakeBoxSelect(editor, mouse, true));
-  editor->sheet.region = editor->session().project().regions[bar.index].name;
+  ChooseBar(editor, bar.ref);
   if (!editor->session().selected_keys().empty()) SelectKeys(editor, {}, "replace");
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    editor->sheet.popup = SheetPopup::kRegion;
+    editor->sheet.popup = PopupOf(bar.ref.kind);
   } else if (!ImGui::GetIO().KeyShift) {
-    editor->Take(MakeDragRegion(editor, mouse, editor->sheet.region, part));
+    editor->Take(MakeDragBar(editor, mouse, part));
   } else {
     editor->Take(MakeBoxSelect(editor, mouse, true));
   }
@@ -81,7 +95,7 @@ void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, P
       return ClickBar(editor, layout.bars[hit.index], hit.part, mouse);
     case SheetPart::kTrack:
     case SheetPart::kNothing:
-      editor->sheet.region.clear();
+      ChooseNoBar(&editor->sheet);
       if (layout.frame.tracks.Contains(mouse)) editor->Take(MakeBoxSelect(editor, mouse, true));
       return;
     case SheetPart::kRuler:
@@ -91,13 +105,13 @@ void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, P
   }
 }
 
+bool IsEnd(SheetPart part) { return part == SheetPart::kBarStart || part == SheetPart::kBarEnd; }
+
 // The right button opens what can be done with what is under it.
 void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
-  const bool is_bar = hit.part == SheetPart::kBar || hit.part == SheetPart::kBarStart ||
-                      hit.part == SheetPart::kBarEnd;
-  if (is_bar && layout.bars[hit.index].is_region) {
-    editor->sheet.region = editor->session().project().regions[layout.bars[hit.index].index].name;
-    editor->sheet.popup = SheetPopup::kRegion;
+  if (hit.part == SheetPart::kBar || IsEnd(hit.part)) {
+    ChooseBar(editor, layout.bars[hit.index].ref);
+    editor->sheet.popup = PopupOf(layout.bars[hit.index].ref.kind);
   } else if (hit.part == SheetPart::kKey ||
              layout.frame.tracks.Contains(FromIm(ImGui::GetIO().MousePos))) {
     if (hit.part == SheetPart::kKey && !layout.keys[hit.index].is_selected) {
@@ -108,16 +122,22 @@ void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& h
   }
 }
 
+void ExplainBar(const Project& project, const BarRef& bar) {
+  const ProjectFrames frames = FramesOf(project, bar);
+  std::string text =
+      TitleOf(project, bar) + "   " + Tr("frames") + " " + SpanText(frames.first, frames.last);
+  const std::string details = DetailsOf(project, bar);
+  if (!details.empty()) text += "\n" + details;
+  const bool is_region = bar.kind == BarKind::kRegion;
+  Tooltip(text, Tr(is_region ? "Drag it or its ends; double click for friction and more"
+                             : "Drag it or its ends; double click to change it, X deletes it"));
+}
+
 void ShowWhatIsUnder(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
-  if (hit.part == SheetPart::kBarStart || hit.part == SheetPart::kBarEnd) {
-    if (layout.bars[hit.index].is_region) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  }
+  if (IsEnd(hit.part)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (hit.part == SheetPart::kCorner) Tooltip(Tr("Shows the rows of the selected joints alone"));
-  if (hit.part != SheetPart::kBar || !layout.bars[hit.index].is_region) return;
-  const ProjectRegion& region = editor->session().project().regions[layout.bars[hit.index].index];
-  Tooltip(region.name + "   " + Tr("frames") + " " + std::to_string(region.first_frame) + " - " +
-              std::to_string(region.last_frame),
-          Tr("Drag it or its ends; double click for friction and more"));
+  if (hit.part != SheetPart::kBar) return;
+  ExplainBar(editor->session().project(), layout.bars[hit.index].ref);
 }
 
 void ScrollRows(SheetState* sheet, const DopeSheetLayout& layout) {

@@ -6,29 +6,116 @@
 
 #include "engine/project/joint_names.h"
 #include "ui/edit/edits.h"
+#include "ui/panels/sheet_bars.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-constexpr double kRow = 20.0, kTallRow = 30.0;  // heights at scale 1 [px]
+// At scale 1 [px].
+constexpr double kRow = 20.0, kTallRow = 30.0;   // heights, at least
+constexpr double kLane = 9.0, kTallLane = 16.0;  // of several bars, one below the other
+constexpr double kHold = 6.0, kTallHold = 15.0;  // bars of holds, at most
 
 bool IsTall(const SheetRow& row) {
   return row.kind == RowKind::kLimb || row.kind == RowKind::kPlacement;
 }
 
-void PlaceRows(const SheetState& state, DopeSheetLayout* layout) {
-  const SheetFrame& frame = layout->frame;
-  float y = 0.0f;
-  for (const SheetRow& row : layout->rows) {
-    const auto h = static_cast<float>(std::round((IsTall(row) ? kTallRow : kRow) * frame.scale));
-    layout->row_rects.push_back({frame.rect.x, y, frame.rect.w, h});
-    y += h;
+float Px(const DopeSheetLayout& layout, double at_scale_1) {
+  return static_cast<float>(std::round(at_scale_1 * layout.frame.scale));
+}
+
+// The bars of a row, without their places.
+class BarList {
+ public:
+  explicit BarList(const edit::Session& session)
+      : figure_(session.figure()), project_(session.project()) {
+    for (const ProjectRegion& region : project_.regions) held_.push_back(JointsOf(region, figure_));
   }
-  layout->content_height = y;
-  const double most = std::max(0.0f, y - frame.tracks.h);
-  const auto scroll = static_cast<float>(std::round(std::clamp(state.scroll_px, 0.0, most)));
-  for (Rect& rect : layout->row_rects) rect.y += frame.tracks.y - scroll;
+
+  std::vector<RowBar> On(const SheetRow& row) const {
+    std::vector<RowBar> bars;
+    if (row.kind == RowKind::kSummary) return bars;
+    for (int i = 0; i < NumOf(project_.placements); ++i) {
+      if (row.kind == RowKind::kPlacement) bars.push_back({0, {BarKind::kPlacement, i}});
+    }
+    for (int i = 0; i < NumOf(project_.regions); ++i) AddRegion(row, i, &bars);
+    for (int i = 0; i < NumOf(project_.holds); ++i) {
+      if (IsOn(project_.holds[i], row)) bars.push_back({0, {BarKind::kHold, i}});
+    }
+    return bars;
+  }
+
+ private:
+  template <typename T>
+  static int NumOf(const std::vector<T>& list) {
+    return static_cast<int>(list.size());
+  }
+
+  void AddRegion(const SheetRow& row, int index, std::vector<RowBar>* bars) const {
+    RowBar bar = {0, {BarKind::kRegion, index}};
+    bar.num_hinges = NumOf(row.hinges);
+    for (const JointIndex j : row.hinges) bar.num_held += held_[index][j.value()] ? 1 : 0;
+    const bool turns_root =
+        row.kind == RowKind::kPlacement && DrivesRoot(project_.regions[index], figure_);
+    if (bar.num_held > 0 || turns_root) bars->push_back(bar);
+  }
+
+  // A joint is held as a whole: its hinges' rows show nothing of it.
+  bool IsOn(const ProjectHold& hold, const SheetRow& row) const {
+    if (row.kind != RowKind::kLimb && row.kind != RowKind::kJoint) return false;
+    const std::optional<GroupIndex> joint = figure_.FindGroup(hold.joint);
+    return std::any_of(row.hinges.begin(), row.hinges.end(),
+                       [&](JointIndex j) { return joint && figure_.joint(j).group == *joint; });
+  }
+
+  const Figure& figure_;
+  const Project& project_;
+  std::vector<std::vector<bool>> held_;  // by region and joint
+};
+
+// Puts bars that overlap in time into lanes of their own. Returns how many lanes there are.
+int TakeLanes(const Project& project, std::vector<RowBar>* bars) {
+  const auto first = [&](const RowBar& bar) { return FramesOf(project, bar.ref).first; };
+  std::stable_sort(bars->begin(), bars->end(),
+                   [&](const RowBar& a, const RowBar& b) { return first(a) < first(b); });
+  std::vector<int> ends;  // of lanes
+  for (RowBar& bar : *bars) {
+    const ProjectFrames frames = FramesOf(project, bar.ref);
+    const auto is_free = [&](int end) { return end <= frames.first; };
+    const auto lane = std::find_if(ends.begin(), ends.end(), is_free);
+    bar.lane = static_cast<int>(lane - ends.begin());
+    if (lane == ends.end()) ends.push_back(0);
+    ends[bar.lane] = frames.last;
+  }
+  return static_cast<int>(ends.size());
+}
+
+// A bar alone fills its row; several share it, and in tall rows leave the keys' half free.
+Rect PlaceOf(const RowBar& bar, const Project& project, int num_lanes,
+             const DopeSheetLayout& layout) {
+  const bool is_tall = IsTall(layout.rows[bar.row]);
+  const Rect& row = layout.row_rects[bar.row];
+  const ProjectFrames frames = FramesOf(project, bar.ref);
+  const float left = layout.frame.axis.XOf(frames.first);
+  Rect rect = {left, row.y + 1.0f, layout.frame.axis.XOf(frames.last) - left, row.h - 2.0f};
+  if (num_lanes > 1) {
+    const float lane = Px(layout, is_tall ? kTallLane : kLane);
+    rect.y += lane * static_cast<float>(bar.lane);
+    rect.h = lane - 1.0f;
+  }
+  if (bar.ref.kind == BarKind::kHold) {
+    rect.h = std::min(rect.h, Px(layout, is_tall ? kTallHold : kHold));
+  }
+  return rect;
+}
+
+float HeightOf(const SheetRow& row, int num_lanes, const DopeSheetLayout& layout) {
+  const float least = Px(layout, IsTall(row) ? kTallRow : kRow);
+  if (num_lanes < 2) return least;
+  const double keys = IsTall(row) ? kTallRow - kTallLane : 0.0;
+  const double lanes = num_lanes * (IsTall(row) ? kTallLane : kLane);
+  return std::max(least, Px(layout, lanes + keys) + 1.0f);
 }
 
 bool IsSeen(const DopeSheetLayout& layout, int row) {
@@ -68,66 +155,54 @@ void PlaceKeys(const edit::Session& session, int row, DopeSheetLayout* layout) {
   }
 }
 
-RowBar BarOn(const DopeSheetLayout& layout, int row, bool is_region, int index, int first,
-             int last) {
-  const Rect& rect = layout.row_rects[row];
-  const float left = layout.frame.axis.XOf(first), right = layout.frame.axis.XOf(last);
-  return {row, is_region, index, {left, rect.y + 1.0f, right - left, rect.h - 2.0f}};
-}
-
-void PlaceRegions(const edit::Session& session, int row, DopeSheetLayout* layout) {
-  const SheetRow& of = layout->rows[row];
-  const std::vector<ProjectRegion>& regions = session.project().regions;
-  for (size_t i = 0; i < regions.size(); ++i) {
-    const std::vector<bool> held = JointsOf(regions[i], session.figure());
-    RowBar bar = BarOn(*layout, row, true, static_cast<int>(i), regions[i].first_frame,
-                       regions[i].last_frame);
-    bar.num_hinges = static_cast<int>(of.hinges.size());
-    for (const JointIndex j : of.hinges) bar.num_held += held[j.value()] ? 1 : 0;
-    const bool turns_root =
-        of.kind == RowKind::kPlacement && DrivesRoot(regions[i], session.figure());
-    if (of.kind == RowKind::kSummary || (bar.num_held == 0 && !turns_root)) continue;
-    layout->bars.push_back(bar);
+// Rows one below the other, as high as their bars ask for; scrolled. Returns their lanes.
+std::vector<int> PlaceRows(const edit::Session& session, const SheetState& state,
+                           DopeSheetLayout* layout) {
+  const BarList list(session);
+  std::vector<int> num_lanes;
+  float y = 0.0f;
+  for (int row = 0; row < static_cast<int>(layout->rows.size()); ++row) {
+    std::vector<RowBar> bars = list.On(layout->rows[row]);
+    for (RowBar& bar : bars) bar.row = row;
+    num_lanes.push_back(TakeLanes(session.project(), &bars));
+    layout->bars.insert(layout->bars.end(), bars.begin(), bars.end());
+    const float h = HeightOf(layout->rows[row], num_lanes.back(), *layout);
+    layout->row_rects.push_back({layout->frame.rect.x, y, layout->frame.rect.w, h});
+    y += h;
   }
-}
-
-// Regions of one limb that overlap in time share the height of the row.
-void ShareHeight(size_t begin, std::vector<RowBar>* bars) {
-  std::vector<float> ends;  // of lanes
-  std::vector<size_t> lanes;
-  for (size_t i = begin; i < bars->size(); ++i) {
-    const Rect& rect = (*bars)[i].rect;
-    size_t lane = 0;
-    while (lane < ends.size() && ends[lane] > rect.x + 0.5f) ++lane;
-    if (lane == ends.size()) ends.push_back(0.0f);
-    ends[lane] = rect.right();
-    lanes.push_back(lane);
-  }
-  for (size_t i = begin; i < bars->size() && ends.size() > 1; ++i) {
-    Rect& rect = (*bars)[i].rect;
-    rect.h /= static_cast<float>(ends.size());
-    rect.y += rect.h * static_cast<float>(lanes[i - begin]);
-  }
-}
-
-void PlaceBars(const edit::Session& session, int row, DopeSheetLayout* layout) {
-  const size_t begin = layout->bars.size();
-  if (layout->rows[row].kind == RowKind::kPlacement) {
-    const std::vector<ProjectPlacement>& spans = session.project().placements;
-    for (size_t i = 0; i < spans.size(); ++i) {
-      layout->bars.push_back(BarOn(*layout, row, false, static_cast<int>(i), spans[i].first_frame,
-                                   spans[i].last_frame));
-    }
-  }
-  PlaceRegions(session, row, layout);
-  std::sort(layout->bars.begin() + static_cast<long>(begin), layout->bars.end(),
-            [](const RowBar& a, const RowBar& b) { return a.rect.x < b.rect.x; });
-  ShareHeight(begin, &layout->bars);
+  layout->content_height = y;
+  const double most = std::max(0.0f, y - layout->frame.tracks.h);
+  const auto scroll = static_cast<float>(std::round(std::clamp(state.scroll_px, 0.0, most)));
+  for (Rect& rect : layout->row_rects) rect.y += layout->frame.tracks.y - scroll;
+  return num_lanes;
 }
 
 bool Touches(Point mark, Point p, double scale) {
   const auto reach = static_cast<float>(6.0 * scale);
   return std::abs(mark.x - p.x) + std::abs(mark.y - p.y) <= 1.4f * reach;
+}
+
+// Of a short bar the middle stays for moving it. Beside its ends there is room for them, unless
+// another bar is there.
+SheetHit HitBars(const DopeSheetLayout& layout, int row, Point p) {
+  const auto edge = static_cast<float>(5.0 * layout.frame.scale);
+  SheetHit beside = {SheetPart::kTrack, -1, row};
+  for (size_t i = 0; i < layout.bars.size(); ++i) {
+    const RowBar& bar = layout.bars[i];
+    if (bar.row != row || p.y < bar.rect.y || p.y >= bar.rect.bottom()) continue;
+    const float within = std::min(edge, bar.rect.w / 4.0f);
+    const float from_left = p.x - bar.rect.x, from_right = p.x - bar.rect.right();
+    const int index = static_cast<int>(i);
+    if (from_left >= 0.0f && from_right < 0.0f) {
+      const SheetPart part = from_right >= -within ? SheetPart::kBarEnd
+                             : from_left <= within ? SheetPart::kBarStart
+                                                   : SheetPart::kBar;
+      return {part, index, row};
+    }
+    if (from_right >= 0.0f && from_right <= edge) beside = {SheetPart::kBarEnd, index, row};
+    if (from_left < 0.0f && from_left >= -edge) beside = {SheetPart::kBarStart, index, row};
+  }
+  return beside;
 }
 
 SheetHit HitTracks(const DopeSheetLayout& layout, int row, Point p) {
@@ -137,23 +212,7 @@ SheetHit HitTracks(const DopeSheetLayout& layout, int row, Point p) {
       return {SheetPart::kKey, static_cast<int>(i), row};
     }
   }
-  const auto edge = static_cast<float>(5.0 * scale);
-  SheetHit inside = {SheetPart::kTrack, -1, row};
-  for (size_t i = 0; i < layout.bars.size(); ++i) {
-    const RowBar& bar = layout.bars[i];
-    if (bar.row != row || p.y < bar.rect.y || p.y >= bar.rect.bottom()) continue;
-    // Of a short bar the middle stays for moving it; outside its ends there is room for them.
-    const float within = std::min(edge, bar.rect.w / 4.0f);
-    const float from_left = p.x - bar.rect.x, from_right = p.x - bar.rect.right();
-    const int index = static_cast<int>(i);
-    if (from_right >= -within && from_right <= edge) return {SheetPart::kBarEnd, index, row};
-    if (from_left >= -edge && from_left <= within) {
-      inside = {SheetPart::kBarStart, index, row};
-    } else if (from_left > 0.0f && from_right < 0.0f) {
-      inside = {SheetPart::kBar, index, row};
-    }
-  }
-  return inside;
+  return HitBars(layout, row, p);
 }
 
 }  // namespace
@@ -163,11 +222,13 @@ DopeSheetLayout LayOutDopeSheet(const edit::Session& session, const SheetState& 
   DopeSheetLayout layout;
   layout.frame = LayOutSheetFrame(session, state, rect, scale);
   layout.rows = SheetRows(session, state);
-  PlaceRows(state, &layout);
+  const std::vector<int> num_lanes = PlaceRows(session, state, &layout);
+  std::erase_if(layout.bars, [&](const RowBar& bar) { return !IsSeen(layout, bar.row); });
+  for (RowBar& bar : layout.bars) {
+    bar.rect = PlaceOf(bar, session.project(), num_lanes[bar.row], layout);
+  }
   for (int row = 0; row < static_cast<int>(layout.rows.size()); ++row) {
-    if (!IsSeen(layout, row)) continue;
-    PlaceKeys(session, row, &layout);
-    PlaceBars(session, row, &layout);
+    if (IsSeen(layout, row)) PlaceKeys(session, row, &layout);
   }
   return layout;
 }

@@ -35,13 +35,14 @@ struct RowKey {
   bool is_selected = false;                         // any of them
 };
 
-// A region, or what places the figure, on a row.
+// A region, what places the figure, or a hold, on a row. Those that overlap in time lie in lanes,
+// one below the other.
 struct RowBar {
   int row = 0;
-  bool is_region = true;
-  int index = 0;  // of Project::regions or placements
-  Rect rect;
-  int num_held = 0, num_hinges = 0;  // of the row's hinges; not for placement
+  BarRef ref;
+  int lane = 0;
+  Rect rect = {};
+  int num_held = 0, num_hinges = 0;  // regions: of the row's hinges
 };
 
 struct DopeSheetLayout {

@@ -62,6 +62,7 @@ double Editor::NextDeadline() const {
   if (session_.bake() && session_.bake()->is_busy()) {
     return playback.is_on() ? std::min(kBakingEvery, UntilNextFrame()) : kBakingEvery;
   }
+  if (!ground.is_done()) return 0.0;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();

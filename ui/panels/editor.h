@@ -11,6 +11,7 @@
 #include "ui/edit/session.h"
 #include "ui/panels/catalogue.h"
 #include "ui/panels/dialogs_state.h"
+#include "ui/panels/ground_watch.h"
 #include "ui/panels/playback.h"
 #include "ui/panels/recovery_state.h"
 #include "ui/panels/sheet_state.h"
@@ -93,6 +94,7 @@ class Editor {
   SideState side;
   RecoveryState recovery;
   DialogsState dialogs;
+  GroundWatch ground;
   std::optional<Splitter> dragged_splitter;
   bool wants_to_quit = false;
   ScenePainter paint_scene;

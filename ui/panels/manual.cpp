@@ -16,7 +16,11 @@ const std::vector<ManualPart>& ManualParts() {
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "
-        "by itself."}},
+        "by itself.",
+        "A joint can be held besides: its limb bends so that it stays in its place. The Scene menu "
+        "begins each of these on the current frame. In the dope sheet they are bars like regions: "
+        "drag them or their ends, double click to change them, X deletes the one that was "
+        "clicked."}},
       {"Working",
        {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
         "undone. F3 finds whatever Hazumi can do by its name.",

@@ -157,12 +157,15 @@ MenuEntry RegionMenu() {
 }
 
 MenuEntry SceneMenu() {
-  return Submenu("Scene", {{"placement.set"},
-                           {"scene.gravity"},
-                           Line(),
+  return Submenu("Scene", {{"scene.gravity"},
                            {"object.add_box"},
                            {"object.add_plane"},
                            {"object.remove"},
+                           Line(),
+                           {"span.pin"},
+                           {"span.gravity"},
+                           {"span.hold"},
+                           {"placement.set"},
                            Line(),
                            {"camera.set"}});
 }

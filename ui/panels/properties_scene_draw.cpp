@@ -7,82 +7,69 @@
 #include "ui/panels/properties_fields.h"
 #include "ui/panels/properties_layout.h"
 #include "ui/panels/properties_sections.h"
+#include "ui/panels/sheet_bars.h"
+#include "ui/panels/sheet_drag.h"
+#include "ui/panels/span_fields.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-std::string SpanText(int first, int last) {
-  return std::to_string(first) + " – " + std::to_string(last);
-}
-
-// A line of a list with a button that takes it away; true if that was clicked.
-bool DrawEntry(const std::string& text, int index) {
-  ImGui::PushID(index);
-  const float button = ImGui::GetFrameHeight();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
-  const bool is_clicked = ImGui::Button("×", {button, 0.0f});
+// A line of a list that a click chooses, with a button that takes it away; below it the fields of
+// the chosen one. False if it was taken away.
+bool DrawSpan(Editor* editor, const BarRef& bar) {
+  const Project& project = editor->session().project();
+  const ProjectFrames frames = FramesOf(project, bar);
+  const std::string text = SpanText(frames.first, frames.last) + "   " + TitleOf(project, bar);
+  const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
+  const bool is_chosen = chosen && *chosen == bar;
+  ImGui::PushID(bar.index);
+  const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - button - gap;
+  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+  if (ImGui::Selectable(text.c_str(), is_chosen, 0, {room, button})) ChooseBar(editor, bar);
+  ImGui::PopStyleVar();
+  Tooltip(DetailsOf(project, bar));
+  ImGui::SameLine(0.0f, gap);
+  const bool is_removed = ImGui::Button("×", {button, 0.0f});
   Tooltip(Tr("Remove"));
+  if (is_removed) {
+    ChooseBar(editor, bar);
+    (void)RemoveChosenBar(editor);
+  } else if (is_chosen) {
+    DrawSpanFields(editor);
+  }
   ImGui::PopID();
-  return is_clicked;
+  return !is_removed;
 }
 
-std::string ActiveName(Editor* editor) {
-  const edit::Session& session = editor->session();
-  const auto active = ActiveJoint(session.figure(), session.selected_joints(), editor->side.active);
-  return active ? session.figure().group(*active).name : "";
-}
-
-// From the current frame to the end.
-void Place(Editor* editor, const char* kind, const std::string& pin) {
-  const edit::Session& session = editor->session();
-  Json span = {{"kind", kind},
-               {"first", static_cast<int>(std::lround(session.frame()))},
-               {"last", session.project().frames.last}};
-  if (!pin.empty()) span["pin"] = pin;
-  editor->Do("placement.set", span);
+// Stops when the list is another one.
+void DrawSpans(Editor* editor, BarKind kind, size_t count) {
+  const long revision = editor->session().document().revision();
+  for (size_t i = 0; i < count; ++i) {
+    if (!DrawSpan(editor, {kind, static_cast<int>(i)})) return;
+    if (editor->session().document().revision() != revision) return;
+  }
 }
 
 void DrawPlacement(Editor* editor) {
   if (!DrawHeading(Tr("Placement"))) return;
-  const std::vector<ProjectPlacement> spans = editor->session().project().placements;
-  for (size_t i = 0; i < spans.size(); ++i) {
-    const ProjectPlacement& span = spans[i];
-    std::string text = SpanText(span.first_frame, span.last_frame) + "  " +
-                       Tr(hazumi::NameOf(span.kind)) + "  " + span.pin;
-    if (!span.landing_pin.empty()) text += " / " + span.landing_pin;
-    if (!DrawEntry(text, static_cast<int>(i))) continue;
-    editor->Do("placement.set",
-               {{"kind", "keyed"}, {"first", span.first_frame}, {"last", span.last_frame}});
-  }
-  if (spans.empty()) DrawNote(Tr("The root's keys place the figure."));
-  const std::string joint = ActiveName(editor);
-  const char* help = HelpOf("placement.set");
-  if (DrawButton(Tr("Pin from here"), help, 2)) {
-    joint.empty() ? editor->Say(Tr("Select the joint that is to be pinned."), true)
-                  : Place(editor, "pinned", joint);
-  }
+  ImGui::PushID("placement");
+  const size_t count = editor->session().project().placements.size();
+  DrawSpans(editor, BarKind::kPlacement, count);
+  ImGui::PopID();
+  if (count == 0) DrawNote(Tr("The root's keys place the figure."));
+  if (DrawButton(Tr("Pin from here"), HelpOf("span.pin"), 2)) editor->Do("span.pin");
   ImGui::SameLine();
-  if (DrawButton(Tr("Gravity from here"), help, 2)) Place(editor, "gravity", "");
+  if (DrawButton(Tr("Gravity from here"), HelpOf("span.gravity"), 2)) editor->Do("span.gravity");
 }
 
 void DrawHolds(Editor* editor) {
-  if (!DrawHeading(Tr("Holds"), false)) return;
-  const std::vector<ProjectHold> holds = editor->session().project().holds;
-  for (size_t i = 0; i < holds.size(); ++i) {
-    const std::string text =
-        SpanText(holds[i].first_frame, holds[i].last_frame) + "  " + holds[i].joint;
-    if (!DrawEntry(text, static_cast<int>(i))) continue;
-    editor->Do("hold.remove", {{"index", static_cast<int>(i)}});
-  }
-  if (!DrawButton(Tr("Hold from here"), HelpOf("hold.add"))) return;
-  const std::string joint = ActiveName(editor);
-  if (joint.empty()) return editor->Say(Tr("Select the joint that is to be held."), true);
-  editor->Do("hold.add", {{"joint", joint},
-                          {"first", static_cast<int>(std::lround(editor->session().frame()))},
-                          {"last", editor->session().project().frames.last}});
+  if (!DrawHeading(Tr("Holds"), !editor->session().project().holds.empty())) return;
+  ImGui::PushID("holds");
+  DrawSpans(editor, BarKind::kHold, editor->session().project().holds.size());
+  ImGui::PopID();
+  if (DrawButton(Tr("Hold from here"), HelpOf("span.hold"))) editor->Do("span.hold");
 }
 
 void MoveObject(Editor* editor, const std::string& object, int axis, double by,

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/sheet_bars.h"
 #include "ui/panels/sheet_drag.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-std::string Span(int first, int last) {
-  return std::to_string(first) + " - " + std::to_string(last);
-}
 
 int FrameUnder(const Editor& editor, Point mouse) {
   return static_cast<int>(std::lround(SheetAxis(editor).FrameAt(mouse.x)));
@@ -42,55 +39,6 @@ class ScrubTool : public SheetDrag {
   double frame_before_;
 };
 
-class DragRegionTool : public SheetDrag {
- public:
-  DragRegionTool(Editor* editor, Point start, const ProjectRegion& region, SheetPart part)
-      : SheetDrag(editor, start, true),
-        name_(region.name),
-        part_(part),
-        first_before_(region.first_frame),
-        last_before_(region.last_frame),
-        first_(first_before_),
-        last_(last_before_) {}
-
-  std::string hint() const override {
-    const char* what = part_ == SheetPart::kBar ? "Move region" : "Stretch region";
-    const std::string text = std::string(Tr(what)) + "  " + name_ + "  " + Span(first_, last_);
-    return text + "   " + (trouble_.empty() ? DragKeys(false) : "! " + trouble_);
-  }
-
- protected:
-  void Follow(Editor* editor, const ToolInput& input) override {
-    if (!has_moved()) return;
-    const ProjectFrames& all = editor->session().project().frames;
-    const double px = SheetAxis(*editor).px_per_frame();
-    int by = static_cast<int>(std::lround((input.mouse.x - start().x) / px));
-    int first = first_before_, last = last_before_;
-    if (part_ == SheetPart::kBarStart) {
-      first = std::clamp(first + by, std::min(all.first, first), last - 1);
-    } else if (part_ == SheetPart::kBarEnd) {
-      last = std::clamp(last + by, first + 1, std::max(all.last, last));
-    } else {
-      by = std::clamp(by, std::min(0, all.first - first), std::max(0, all.last - last));
-      first += by;
-      last += by;
-    }
-    if (first == first_ && last == last_) return;
-    first_ = first;
-    last_ = last;
-    const Result<Done> done = editor->Invoke(
-        "region.set", {{"region", name_}, {"first", first}, {"last", last}, {"drag", drag()}});
-    trouble_ = done.ok() ? "" : done.error().message;
-  }
-
- private:
-  std::string name_;
-  SheetPart part_;
-  int first_before_, last_before_;
-  int first_, last_;     // asked for
-  std::string trouble_;  // why they were refused; the region stays where it could be last
-};
-
 class PaintRegionTool : public SheetDrag {
  public:
   PaintRegionTool(Editor* editor, Point start, bool by_button)
@@ -98,7 +46,7 @@ class PaintRegionTool : public SheetDrag {
     const edit::Session& session = editor->session();
     if (session.selected_joints().empty()) return;
     const ProjectFrames frames = FramesToMark(session);
-    marks_ = Span(frames.first, frames.last);
+    marks_ = SpanText(frames.first, frames.last);
   }
 
   std::string hint() const override {
@@ -125,7 +73,7 @@ class PaintRegionTool : public SheetDrag {
     const int b = std::clamp(FrameUnder(*editor, where_), all.first, all.last);
     paint.first_frame = std::min(a, b);
     paint.last_frame = std::max(a, b);
-    painted_ = Span(paint.first_frame, paint.last_frame);
+    painted_ = SpanText(paint.first_frame, paint.last_frame);
     Show(editor, paint, RegionOn(layout, paint.first_row, paint.last_row));
     // As soon as the region is there its own bar shows it.
     editor->sheet.paint.reset();
@@ -170,7 +118,8 @@ class PaintRegionTool : public SheetDrag {
   }
 
   static void ChooseLast(Editor* editor) {
-    editor->sheet.region = editor->session().project().regions.back().name;
+    const int last = static_cast<int>(editor->session().project().regions.size()) - 1;
+    ChooseBar(editor, {BarKind::kRegion, last});
   }
 
   static void MarkSelected(Editor* editor) {
@@ -230,7 +179,7 @@ class PreviewRangeTool : public SheetDrag {
     const ProjectFrames& all = editor->session().project().frames;
     const int a = std::clamp(FrameUnder(*editor, start()), all.first, all.last);
     const int b = std::clamp(FrameUnder(*editor, where_), all.first, all.last);
-    const std::string range = Span(std::min(a, b), std::max(a, b));
+    const std::string range = SpanText(std::min(a, b), std::max(a, b));
     if (range == range_) return;
     range_ = range;
     editor->Do("time.preview",
@@ -256,14 +205,6 @@ std::unique_ptr<Tool> MakePreviewRange(Editor* editor, Point start) {
 
 std::unique_ptr<Tool> MakeScrub(Editor* editor, Point start) {
   return std::make_unique<ScrubTool>(editor, start);
-}
-
-std::unique_ptr<Tool> MakeDragRegion(Editor* editor, Point start, const std::string& region,
-                                     SheetPart part) {
-  for (const ProjectRegion& each : editor->session().project().regions) {
-    if (each.name == region) return std::make_unique<DragRegionTool>(editor, start, each, part);
-  }
-  return nullptr;
 }
 
 std::unique_ptr<Tool> MakePaintRegion(Editor* editor, Point start) {

@@ -11,10 +11,6 @@ namespace hazumi::ui {
 // The playhead follows the mouse; so does the pose.
 std::unique_ptr<Tool> MakeScrub(Editor* editor, Point start);
 
-// A region is moved in time, or one of its ends is. `part`: kBar, kBarStart or kBarEnd.
-std::unique_ptr<Tool> MakeDragRegion(Editor* editor, Point start, const std::string& region,
-                                     SheetPart part);
-
 // Waits for the button, then paints a new region over rows and frames. Enter instead marks the
 // selected joints.
 std::unique_ptr<Tool> MakePaintRegion(Editor* editor, Point start);

@@ -9,6 +9,7 @@
 #include "ui/panels/graph_layout.h"
 #include "ui/panels/key_tools.h"
 #include "ui/panels/region_tools.h"
+#include "ui/panels/sheet_bars.h"
 #include "ui/panels/sheet_drag.h"
 
 namespace hazumi::ui::sheet {
@@ -73,10 +74,8 @@ Result<Done> SelectAll(Editor* editor, const Parameters&) {
 
 Result<Done> Delete(Editor* editor, const Parameters&) {
   if (!editor->session().selected_keys().empty()) return editor->session().Run("keys.delete");
-  const std::string region = editor->sheet.region;
-  if (region.empty()) return NoKeys();
-  editor->sheet.region.clear();
-  return editor->session().Run("region.remove", {{"region", region}});
+  if (!ChosenBar(editor->session().project(), editor->sheet)) return NoKeys();
+  return RemoveChosenBar(editor);
 }
 
 Result<Done> MarkRegion(Editor* editor, const Parameters&) {

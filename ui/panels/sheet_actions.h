@@ -16,7 +16,7 @@ Result<Done> BoxSelect(Editor* editor, const Parameters&);
 
 // All keys of the rows or curves that are shown.
 Result<Done> SelectAll(Editor* editor, const Parameters&);
-// Takes the selected keys away; if there are none, the region that was clicked last.
+// Takes the selected keys away; if there are none, what the bar stands for that was clicked last.
 Result<Done> Delete(Editor* editor, const Parameters&);
 Result<Done> MarkRegion(Editor* editor, const Parameters&);
 Result<Done> PreviewRange(Editor* editor, const Parameters&);

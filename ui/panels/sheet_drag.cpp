@@ -43,6 +43,10 @@ std::string DragKeys(bool takes_numbers) {
   return takes_numbers ? keys + "   " + Tr("or type a number") : keys;
 }
 
+std::string SpanText(int first, int last) {
+  return std::to_string(first) + " - " + std::to_string(last);
+}
+
 std::string Signed(double value) { return (value > 0.0 ? "+" : "") + FormatShort(value); }
 
 }  // namespace hazumi::ui

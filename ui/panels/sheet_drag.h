@@ -41,6 +41,8 @@ TimeAxis SheetAxis(const Editor& editor);
 
 // What the keys do in every such tool, for the status bar.
 std::string DragKeys(bool takes_numbers);
+// "5 - 15"
+std::string SpanText(int first, int last);
 // A number as a hint shows it, with its sign.
 std::string Signed(double value);
 

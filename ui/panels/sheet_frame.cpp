@@ -50,6 +50,29 @@ const EventMark* EventMarkAt(const std::vector<EventMark>& marks, Point p, doubl
   return nullptr;
 }
 
+std::vector<SinkingMark> SinkingMarks(const std::vector<Sinking>& sinkings,
+                                      const SheetFrame& frame) {
+  std::vector<SinkingMark> marks;
+  const float high = Whole(6.0 * frame.scale), half = Whole(3.0 * frame.scale);
+  for (const Sinking& sinking : sinkings) {
+    if (sinking.last < frame.axis.first || sinking.first > frame.axis.last) continue;
+    const float left = frame.axis.XOf(sinking.first) - half;
+    const float right = frame.axis.XOf(sinking.last) + half;
+    marks.push_back({{left, frame.ruler.bottom() - high, right - left, high}, sinking});
+  }
+  return marks;
+}
+
+const SinkingMark* SinkingMarkAt(const std::vector<SinkingMark>& marks, Point p, double scale) {
+  const float reach = Whole(2.0 * scale);
+  for (const SinkingMark& mark : marks) {
+    const Rect& rect = mark.rect;
+    if (p.x < rect.x || p.x > rect.right()) continue;
+    if (p.y >= rect.y - reach && p.y <= rect.bottom()) return &mark;
+  }
+  return nullptr;
+}
+
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p) {
   if (!frame.markers.Contains(p)) return -1;
   const std::vector<ProjectMarker>& markers = session.project().markers;

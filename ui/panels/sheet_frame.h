@@ -5,6 +5,7 @@
 
 #include "ui/edit/session.h"
 #include "ui/panels/geometry.h"
+#include "ui/panels/ground_watch.h"
 #include "ui/panels/sheet_state.h"
 #include "ui/panels/time_axis.h"
 
@@ -31,6 +32,15 @@ struct EventMark {
 std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame);
 // The one under a point, or null.
 const EventMark* EventMarkAt(const std::vector<EventMark>& marks, Point p, double scale);
+
+// Frames in which the figure is in the ground, on the lower edge of the ruler.
+struct SinkingMark {
+  Rect rect;
+  Sinking sinking;
+};
+std::vector<SinkingMark> SinkingMarks(const std::vector<Sinking>& sinkings,
+                                      const SheetFrame& frame);
+const SinkingMark* SinkingMarkAt(const std::vector<SinkingMark>& marks, Point p, double scale);
 
 // The marker under a point, or -1.
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p);

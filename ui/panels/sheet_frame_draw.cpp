@@ -6,13 +6,15 @@
 #include "engine/base/text.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/region_tools.h"
+#include "ui/panels/sheet_drag.h"
 #include "ui/panels/sheet_drawing.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-constexpr double kNumberPx = 46.0;  // between numbers, at scale 1
+constexpr double kNumberPx = 46.0;    // between numbers, at scale 1
+constexpr int kFramesToLookAt = 256;  // in a redraw, for marks of the ground
 
 void Shade(ImDrawList* list, const Rect& tracks, float from, float to, float strength) {
   const float left = std::max(tracks.x, from), right = std::min(tracks.right(), to);
@@ -35,6 +37,17 @@ void DrawEvent(ImDrawList* list, const EventMark& mark, float r, ImU32 color) {
     case EventKind::kPinChange:
     case EventKind::kRelease:
       return list->AddCircleFilled(c, 0.8f * r, color, 12);
+  }
+}
+
+// A row of teeth that point down, about as wide as they are high.
+void DrawTeeth(ImDrawList* list, const Rect& rect, ImU32 color) {
+  const int num = std::max(1, static_cast<int>(rect.w / (1.3f * rect.h)));
+  const float step = rect.w / static_cast<float>(num);
+  for (int i = 0; i < num; ++i) {
+    const float x = rect.x + step * static_cast<float>(i);
+    list->AddTriangleFilled({x, rect.y}, {x + step, rect.y}, {x + 0.5f * step, rect.bottom()},
+                            color);
   }
 }
 
@@ -62,17 +75,36 @@ std::string TextOf(const EventMark& mark) {
   return text + "\n" + Tr("frame") + " " + FormatShort(mark.frame);
 }
 
+std::string TextOf(const Sinking& sinking, const Figure& figure) {
+  const std::string joint = sinking.joint.is_valid() ? figure.group(sinking.joint).name : "";
+  return std::string(Tr("In the ground")) + "  " + joint + "  " +
+         FormatShort(std::round(1000.0 * sinking.depth) / 10.0) + " cm\n" + Tr("frames") + " " +
+         SpanText(sinking.first, sinking.last) + ", " + Tr("deepest on") + " " +
+         std::to_string(sinking.deepest);
+}
+
+// Frames in the ground, then what happens, and what is under the mouse of it.
 void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
-  const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
+  edit::Session& session = editor->session();
+  const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
   if (!motion.ok()) return;
+  editor->ground.Look(&session, kFramesToLookAt);
+  const std::vector<SinkingMark> sinkings = SinkingMarks(editor->ground.sinkings(), frame);
+  for (const SinkingMark& mark : sinkings) {
+    DrawTeeth(list, mark.rect, ToIm(colors::kSinking));
+  }
   const std::vector<EventMark> marks = EventMarks(*motion.value(), frame);
   const auto radius = static_cast<float>(3.5 * frame.scale);
   for (const EventMark& mark : marks) {
     DrawEvent(list, mark, radius, ToIm(colors::kChanged));
   }
+  if (editor->has_tool()) return;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
-  const EventMark* hovered = EventMarkAt(marks, mouse, frame.scale);
-  if (hovered && !editor->has_tool()) ImGui::SetTooltip("%s", TextOf(*hovered).c_str());
+  if (const EventMark* hovered = EventMarkAt(marks, mouse, frame.scale)) {
+    ImGui::SetTooltip("%s", TextOf(*hovered).c_str());
+  } else if (const SinkingMark* deep = SinkingMarkAt(sinkings, mouse, frame.scale)) {
+    ImGui::SetTooltip("%s", TextOf(deep->sinking, session.figure()).c_str());
+  }
 }
 
 void DrawMarkers(ImDrawList* list, const Editor& editor, const SheetFrame& frame) {

@@ -1,4 +1,4 @@
-// Small windows over the sheets: interpolation, handles, keys, a region.
+// Small windows over the sheets: interpolation, handles, keys, and what bars stand for.
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,8 @@
 
 #include "ui/panels/actions.h"
 #include "ui/panels/dope_sheet_input.h"
+#include "ui/panels/sheet_bars.h"
+#include "ui/panels/span_fields.h"
 #include "ui/panels/widgets.h"
 
 namespace hazumi::ui {
@@ -21,6 +23,10 @@ const char* IdOf(SheetPopup popup) {
       return "##handles";
     case SheetPopup::kRegion:
       return "##region";
+    case SheetPopup::kPlacement:
+      return "##placement";
+    case SheetPopup::kHold:
+      return "##hold";
     case SheetPopup::kKeys:
       return "##keys";
     case SheetPopup::kNone:
@@ -58,10 +64,11 @@ void HandleItems(Editor* editor) {
 
 void KeyItems(Editor* editor) {
   const bool has_keys = !editor->session().selected_keys().empty();
+  const bool has_bar = ChosenBar(editor->session().project(), editor->sheet).has_value();
   const bool has_copy = !editor->session().key_clipboard().empty();
   Item(editor, LabelOf("keys.copy"), "keys.copy", Json::object(), has_keys);
   Item(editor, LabelOf("keys.paste"), "keys.paste", Json::object(), has_copy);
-  Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys);
+  Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys || has_bar);
   ImGui::Separator();
   if (ImGui::BeginMenu(Tr("Interpolation"), has_keys)) {
     InterpolationItems(editor);
@@ -73,6 +80,10 @@ void KeyItems(Editor* editor) {
   }
   ImGui::Separator();
   Item(editor, LabelOf("sheet.mark_region"), "sheet.mark_region", Json::object());
+  for (const char* id : {"span.hold", "span.pin", "span.gravity"}) {
+    Item(editor, LabelOf(id), id, Json::object());
+  }
+  ImGui::Separator();
   Item(editor, LabelOf("sheet.frame_all"), "sheet.frame_all", Json::object());
 }
 
@@ -131,26 +142,53 @@ void RegionItems(Editor* editor) {
   Item(editor, LabelOf("region.remove"), "region.remove", {{"region", name}});
 }
 
+void SpanItems(Editor* editor, SheetPopup popup) {
+  const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
+  const bool is_hold = popup == SheetPopup::kHold;
+  if (!bar || bar->kind != (is_hold ? BarKind::kHold : BarKind::kPlacement)) {
+    return ImGui::CloseCurrentPopup();
+  }
+  Title(Tr(is_hold ? "Held joint" : "Placement"));
+  ImGui::Dummy({18.0f * ImGui::GetFontSize(), 0.0f});
+  DrawSpanFields(editor);
+  ImGui::Separator();
+  const char* remove = is_hold ? "hold.remove" : "placement.remove";
+  if (ImGui::MenuItem(LabelOf(remove), KeyOf("sheet.delete", Json::object()).c_str())) {
+    (void)RemoveChosenBar(editor);
+  }
+  Tooltip(HelpOf(remove));
+}
+
+void Items(Editor* editor, SheetPopup popup) {
+  switch (popup) {
+    case SheetPopup::kInterpolation:
+      Title(Tr("Interpolation"));
+      return InterpolationItems(editor);
+    case SheetPopup::kHandles:
+      Title(Tr("Handles"));
+      return HandleItems(editor);
+    case SheetPopup::kRegion:
+      return RegionItems(editor);
+    case SheetPopup::kPlacement:
+    case SheetPopup::kHold:
+      return SpanItems(editor, popup);
+    case SheetPopup::kKeys:
+      return KeyItems(editor);
+    case SheetPopup::kNone:
+      break;
+  }
+}
+
 }  // namespace
 
 void DrawSheetPopups(Editor* editor) {
   SheetPopup& wanted = editor->sheet.popup;
   if (wanted != SheetPopup::kNone) ImGui::OpenPopup(IdOf(wanted));
   wanted = SheetPopup::kNone;
-  for (const SheetPopup popup :
-       {SheetPopup::kInterpolation, SheetPopup::kHandles, SheetPopup::kRegion, SheetPopup::kKeys}) {
+  using enum SheetPopup;
+  for (const SheetPopup popup : {kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
-    if (popup == SheetPopup::kInterpolation) {
-      Title(Tr("Interpolation"));
-      InterpolationItems(editor);
-    } else if (popup == SheetPopup::kHandles) {
-      Title(Tr("Handles"));
-      HandleItems(editor);
-    } else if (popup == SheetPopup::kRegion) {
-      RegionItems(editor);
-    } else {
-      KeyItems(editor);
-    }
+    Items(editor, popup);
     ImGui::EndPopup();
   }
 }

@@ -53,9 +53,11 @@ void DrawHatch(ImDrawList* list, const Rect& rect, const Rect& clip, ImU32 color
 }
 
 void DrawLabel(ImDrawList* list, const Rect& rect, const std::string& text, ImU32 color) {
-  list->PushClipRect(UpperLeft(rect), LowerRight(rect), true);
-  const float y = rect.y + 0.5f * (rect.h - ImGui::GetFontSize());
-  list->AddText({rect.x, std::round(y)}, color, text.c_str());
+  // A low rectangle leaves letters whole, and underscores below them.
+  const float high = ImGui::GetFontSize(), y = std::round(rect.y + 0.5f * (rect.h - high));
+  list->PushClipRect({rect.x, std::min(rect.y, y)},
+                     {rect.right(), std::max(rect.bottom(), y + 1.15f * high)}, true);
+  list->AddText({rect.x, y}, color, text.c_str());
   list->PopClipRect();
 }
 

@@ -13,7 +13,16 @@ namespace hazumi::ui {
 enum class SheetKind { kDopeSheet, kGraph };
 
 // Small windows that a key opens at the mouse.
-enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kKeys };
+enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys };
+
+// What a bar of the dope sheet stands for: a region, what places the figure, a held joint.
+enum class BarKind { kRegion, kPlacement, kHold };
+// One of them, by its index in the project's list of them.
+struct BarRef {
+  BarKind kind = BarKind::kRegion;
+  int index = 0;
+  bool operator==(const BarRef&) const = default;
+};
 
 // Values from the lower to the upper edge of the graph.
 struct ValueRange {
@@ -28,7 +37,8 @@ struct SheetState {
   double scroll_px = 0.0;            // rows above the top edge
   std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
   bool only_selected = false;        // rows of the selected joints alone
-  std::string region;                // that was clicked last
+  std::string region;                // whose bar was clicked last; empty: another's was, or none
+  std::optional<BarRef> span;        // of placement or a hold, whose bar was clicked last
   Rect rect;                         // where it was drawn last [px]
 
   // The graph.
@@ -48,6 +58,13 @@ struct SheetState {
   // ImGui's number of the frame in which a tool ended: the click that ended it does no more.
   int quiet_frame = -1;
   int num_drags = 0;  // so far: each has a name of its own
+  // The drag in which a span of placement was edited last, its index when that began, and the
+  // document's revision after the last edit of it.
+  struct SpanDrag {
+    std::string drag;
+    int index = 0;
+    long revision = 0;
+  } span_drag;
   // A field of the timeline's range while it is dragged.
   struct EditedRange {
     std::optional<int> frame;

@@ -111,15 +111,5 @@ TEST(RegionOperators, ARegionTakesTheProjectsMethodAgain) {
   EXPECT_EQ(session.project().regions, before);
 }
 
-TEST(RegionOperators, ANewPlacementTakesTheFramesItIsGiven) {
-  Session session;
-  Do(&session, "placement.set", {{"kind", "pinned"}, {"pin", "l_toe"}, {"first", 0}, {"last", 30}});
-  Do(&session, "placement.set", {{"kind", "gravity"}, {"first", 10}, {"last", 20}});
-  ASSERT_EQ(session.project().placements.size(), 3u);
-  EXPECT_EQ(session.project().placements[2].first_frame, 20);
-  Do(&session, "placement.set", {{"kind", "keyed"}, {"first", 0}, {"last", 30}});
-  EXPECT_TRUE(session.project().placements.empty());
-}
-
 }  // namespace
 }  // namespace hazumi::test
