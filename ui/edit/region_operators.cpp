@@ -11,8 +11,9 @@ namespace {
 
 using enum ParameterKind;
 
-const ParameterInfo kRegion = {"region", kText, true, "the region's name"};
-const ParameterInfo kIndex = {"index", kInteger, true, "which of them, counted from 0"};
+const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
+const ParameterInfo kIndex = {"index", kInteger, true, "which of them, counted from 0",
+                              Thing::kHold};
 
 bool IsTaken(const std::string& name, const Project& project) {
   return std::any_of(project.regions.begin(), project.regions.end(),
@@ -232,14 +233,18 @@ Result<Done> RemoveHold(Session* session, const Parameters& p) {
 std::vector<Operator> RegionOperators() {
   const ParameterInfo first = {"first", kInteger, true, "first frame"};
   const ParameterInfo last = {"last", kInteger, true, "last frame"};
+  const ParameterInfo joints = {
+      "joints", kNames, false,
+      "joints, with + behind the name all beyond too; not given: the selected ones", Thing::kJoint};
+  const ParameterInfo landing_pin = {
+      "landing_pin", kText, false, "with gravity: the joint pinned after a landing", Thing::kJoint};
   return {{"region.add",
            "Add dynamics region",
            "Lets joints swing by their own inertia for some frames.",
            {{"name", kText, false, "its name"},
             first,
             last,
-            {"joints", kNames, false,
-             "joints, with + behind the name all beyond too; not given: the selected ones"},
+            joints,
             {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8"},
             kDrag},
            Add},
@@ -250,8 +255,8 @@ std::vector<Operator> RegionOperators() {
             {"name", kText, false, "a new name"},
             {"first", kInteger, false, "first frame"},
             {"last", kInteger, false, "last frame"},
-            {"joints", kNames, false, "joints, with + behind the name all beyond too"},
-            {"method", kText, false, "exact or paper"},
+            {"joints", kNames, false, "its joints instead", Thing::kJoint},
+            {"method", kText, false, "exact or paper", "exact paper"},
             {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
             {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
             kDrag},
@@ -262,7 +267,8 @@ std::vector<Operator> RegionOperators() {
            {kRegion,
             {"factor", kNumber, false,
              "0 frozen, 1 no friction; not given: the joint has none of its own any more"},
-            {"joint", kText, false, "a joint or hinge; not given: all without one of their own"},
+            {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
+             Thing::kJointOrHinge},
             kDrag},
            SetFriction},
           {"region.split",
@@ -279,16 +285,16 @@ std::vector<Operator> RegionOperators() {
           {"placement.set",
            "Place figure",
            "Says what places the figure for some frames; what was said of them before gives way.",
-           {{"kind", kText, true, "keyed, pinned or gravity"},
+           {{"kind", kText, true, "keyed, pinned or gravity", "pinned gravity keyed"},
             first,
             last,
-            {"pin", kText, false, "the pinned joint"},
-            {"landing_pin", kText, false, "with gravity: the joint pinned after a landing"}},
+            {"pin", kText, false, "the pinned joint", Thing::kJoint},
+            landing_pin},
            Place},
           {"hold.add",
            "Hold joint",
            "Keeps a joint where it is by inverse kinematics.",
-           {{"joint", kText, true, "a joint"},
+           {{"joint", kText, true, "a joint", Thing::kJoint},
             first,
             last,
             {"orientation", kYesNo, false, "true: also how it is turned"}},
