@@ -67,6 +67,8 @@ TEST(ParameterForm, PutsWhatMustBeGivenFirstAndAxesIntoOneRow) {
   edit::Session session;
   EXPECT_EQ(LabelsOf(MakeForm("object.add_box", Json::object(), &session)),
             (std::vector<std::string>{"Name", "Position", "Size", "Color"}));
+  FormState key = MakeForm("key.set", Json::object(), &session);
+  EXPECT_EQ(Find("interpolation", &key)->text, "");  // as it is
   EXPECT_EQ(LabelsOf(MakeForm("region.add", Json::object(), &session)),
             (std::vector<std::string>{"Frames", "Joints", "Friction", "Name"}));
 }
@@ -98,7 +100,7 @@ TEST(ParameterForm, EveryOfferIsTakenByItsOperator) {
           info.kind == edit::ParameterKind::kText || info.kind == edit::ParameterKind::kNames;
       const bool is_number =
           info.offer.thing == edit::Thing::kMarker || info.offer.thing == edit::Thing::kHold;
-      if (is_offered) EXPECT_TRUE(is_text || is_number) << op.id << " " << info.name;
+      EXPECT_TRUE(!is_offered || is_text || is_number) << op.id << " " << info.name;
     }
   }
 }
@@ -146,6 +148,33 @@ TEST(ParameterForm, EnterPlacesTheFigureAsItIsSuggested) {
   const ProjectPlacement& placed = user.project().placements[0];
   EXPECT_EQ(placed.kind, PlacementKind::kPinned);
   EXPECT_EQ(placed.first_frame, 2);
+}
+
+TEST(ParameterForm, TypesIntoALongListToFindAJoint) {
+  test::User user("", {900, 560});
+  Editor& editor = user.editor();
+  ASSERT_TRUE(RunOrAsk(&editor, "hold.add", {{"first", 0}, {"last", 9}}).ok());
+  user.Wait();
+  const auto open_list = [&] {
+    for (float y = 200.0f; y < 400.0f && !editor.dialogs.has_list; y += 8.0f) {
+      user.Click({600.0f, y});
+    }
+    return editor.dialogs.has_list;
+  };
+  ASSERT_TRUE(open_list());
+  user.Press(kEscape);  // closes the list alone
+  user.Wait();
+  EXPECT_FALSE(editor.dialogs.has_list);
+  EXPECT_EQ(editor.dialogs.modal, Modal::kForm);
+  ASSERT_TRUE(open_list());
+  user.Type("l_wri");
+  user.Press(kEnter);
+  user.Wait();
+  EXPECT_EQ(Find("joint", &editor.dialogs.form)->text, "l_wrist");
+  EXPECT_EQ(editor.dialogs.modal, Modal::kForm);
+  user.Press(kEnter);
+  EXPECT_EQ(editor.dialogs.modal, Modal::kNone) << editor.dialogs.form.error;
+  EXPECT_EQ(user.project().holds.at(0).joint, "l_wrist");
 }
 
 }  // namespace

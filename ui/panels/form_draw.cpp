@@ -61,6 +61,7 @@ void DrawOptions(const std::vector<FormOption>& options, bool takes_first, FormF
 }
 
 void DrawOpenList(const std::vector<FormOption>& options, FormState* form, FormField* field) {
+  if (ImGui::IsKeyPressed(kEscape, false)) ImGui::CloseCurrentPopup();
   bool takes_first = false;
   if (options.size() > kManyOptions) {
     if (ImGui::IsWindowAppearing()) {

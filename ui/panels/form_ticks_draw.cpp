@@ -83,9 +83,13 @@ std::vector<std::vector<FormOption>> ByGroup(const std::vector<FormOption>& opti
 }
 
 // How many there are, and quick ways to change them.
-void DrawSummary(const Editor& editor, Names* names) {
+void DrawSummary(const Editor& editor, bool is_main, Names* names) {
   ImGui::AlignTextToFramePadding();
-  ImGui::Text(Tr("%d chosen"), static_cast<int>(names->size()));
+  if (names->empty() && !is_main) {
+    ImGui::TextUnformatted(Tr("(not given)"));
+  } else {
+    ImGui::Text(Tr("%d chosen"), static_cast<int>(names->size()));
+  }
   const edit::Session& session = editor.session();
   ImGui::SameLine();
   if (ImGui::Button(Tr("The selected ones"))) {
@@ -104,7 +108,7 @@ void DrawTicks(const std::vector<FormOption>& options, FormField* field, Editor*
   const std::vector<std::vector<FormOption>> groups = ByGroup(options);
   const float lines = std::min(8.0f, static_cast<float>(groups.size() + !others.empty()));
   ImGui::BeginGroup();
-  DrawSummary(*editor, &names);
+  DrawSummary(*editor, field->is_main, &names);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
   ImGui::BeginChild("##ticks", {0.0f, lines * line + ImGui::GetStyle().WindowPadding.y * 2.0f},
                     true);
