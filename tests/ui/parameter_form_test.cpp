@@ -7,6 +7,7 @@
 #include "tests/ui/user.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/form_options.h"
+#include "ui/panels/form_suggestions.h"
 
 namespace hazumi::ui {
 namespace {
@@ -103,6 +104,24 @@ TEST(ParameterForm, EveryOfferIsTakenByItsOperator) {
       EXPECT_TRUE(!is_offered || is_text || is_number) << op.id << " " << info.name;
     }
   }
+}
+
+TEST(ParameterForm, ShowsWhatARegionHasWhereNothingIsTyped) {
+  edit::Session session;
+  ASSERT_TRUE(
+      session.Run("region.add", {{"first", 5}, {"last", 15}, {"joints", {"r_elbow"}}}).ok());
+  FormState form = MakeForm("region.set", Json::object(), &session);
+  EXPECT_EQ(PresentValue(form, "last", session), "15");
+  EXPECT_EQ(Find("last", &form)->text, "");  // it stays as it is
+  FormState limits = MakeForm("figure.joint_limits", {{"joint", "r_knee"}}, &session);
+  EXPECT_EQ(PresentValue(limits, "upper", session), "130");
+}
+
+TEST(ParameterForm, SuggestsTheProjectsNumbersUnrounded) {
+  edit::Session session;
+  ASSERT_TRUE(session.Run("scene.gravity", {{"gravity", 9.80665}}).ok());
+  FormState form = MakeForm("scene.gravity", Json::object(), &session);
+  EXPECT_EQ(ValuesOf(form).value(), (Json{{"gravity", 9.80665}}));
 }
 
 TEST(ParameterForm, FiltersALongListByAnyPartOfAName) {

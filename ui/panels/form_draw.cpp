@@ -10,6 +10,7 @@
 
 #include "engine/base/text.h"
 #include "ui/panels/form_parts.h"
+#include "ui/panels/form_suggestions.h"
 #include "ui/panels/form_texts.h"
 
 namespace hazumi::ui {
@@ -105,20 +106,31 @@ void DrawColorField(FormField* field) {
   field->text = text;
 }
 
-// Beside the field if it fits in there, else below.
+// What an empty field means: what stays as it is, or the parameter's help if it is alone.
+std::string HintOf(const FormState& form, const FormField& field, const edit::Session& session,
+                   bool is_alone) {
+  const std::string present = PresentValue(form, field.info.name, session);
+  return !present.empty() ? present : is_alone ? Tr(field.info.help) : "";
+}
+
+// The hint is inside the field if it fits there, else below, as is what a number means.
 void DrawTyped(const FormState& form, FormField* field, Editor* editor, bool is_alone) {
   const std::string meaning = MeaningOf(form.id, field->info.name);
-  const char* help = !is_alone ? "" : meaning.empty() ? Tr(field->info.help) : Tr(meaning.c_str());
+  const std::string hint = HintOf(form, *field, editor->session(), is_alone);
   const float room = ImGui::CalcItemWidth() - 2.0f * ImGui::GetStyle().FramePadding.x;
-  const bool fits = meaning.empty() && ImGui::CalcTextSize(help).x <= room;
+  const bool fits = ImGui::CalcTextSize(hint.c_str()).x <= room;
   const bool is_number =
       field->info.kind == ParameterKind::kNumber || field->info.kind == ParameterKind::kInteger;
-  ImGui::BeginGroup();
   const ImGuiInputTextFlags flags = is_number ? ImGuiInputTextFlags_CharsScientific : 0;
-  if (ImGui::InputTextWithHint("##text", fits ? help : "", &field->text, flags)) {
+  ImGui::BeginGroup();
+  if (ImGui::InputTextWithHint("##text", fits ? hint.c_str() : "", &field->text, flags)) {
     editor->NeedGlyphs(field->text);
   }
-  if (!fits) FaintText(*editor, help);
+  if (!meaning.empty()) {
+    FaintText(*editor, Tr(meaning.c_str()));
+  } else if (!fits) {
+    FaintText(*editor, hint.c_str());
+  }
   ImGui::EndGroup();
 }
 

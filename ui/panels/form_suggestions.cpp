@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "engine/base/text.h"
 #include "ui/panels/form_options.h"
 #include "ui/panels/limbs.h"
 #include "ui/panels/properties_layout.h"
@@ -120,7 +122,41 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
   return words.empty() || !info.is_required ? Json() : Json(words.front());
 }
 
+std::string OfRegion(const ProjectRegion& region, const std::string& name) {
+  if (name == "name") return region.name;
+  if (name == "first") return std::to_string(region.first_frame);
+  if (name == "last") return std::to_string(region.last_frame);
+  return name == "tolerance" && region.tolerance_deg ? FormatNumber(*region.tolerance_deg) : "";
+}
+
+std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
+  constexpr double kRadian = 180.0 / std::numbers::pi;  // [degrees]
+  if (name == "lower") return FormatShort(hinge.lower * kRadian);
+  return name == "upper" ? FormatShort(hinge.upper * kRadian) : "";
+}
+
+std::string OfBox(const ProjectSceneObject& object, const std::string& name) {
+  const auto* box = std::get_if<ProjectBox>(&object.shape);
+  if (!box || !name.starts_with("size_")) return "";
+  return FormatShort(box->size_m[name.back() - 'x']);
+}
+
 }  // namespace
+
+std::string PresentValue(const FormState& form, const std::string& name,
+                         const edit::Session& session) {
+  const std::string& subject = form.fields.front().text;
+  const Project& project = session.project();
+  for (const ProjectRegion& region : project.regions) {
+    if (form.id == "region.set" && region.name == subject) return OfRegion(region, name);
+  }
+  for (const ProjectSceneObject& object : project.scene.objects) {
+    if (form.id == "object.set" && object.name == subject) return OfBox(object, name);
+  }
+  const auto hinge = session.figure().FindJoint(subject);
+  if (form.id != "figure.joint_limits" || !hinge) return "";
+  return OfHinge(session.figure().joint(*hinge), name);
+}
 
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
   const Json present = Present(id, info.name, session->project());

@@ -4,6 +4,7 @@
 
 #include "ui/edit/parameters.h"
 #include "ui/edit/session.h"
+#include "ui/panels/parameter_form.h"
 
 namespace hazumi::ui {
 
@@ -12,5 +13,10 @@ namespace hazumi::ui {
 // guessed.
 edit::Json Suggestion(const std::string& id, const edit::ParameterInfo& info,
                       edit::Session* session);
+
+// What the project has now of what the form may change, for a field that is left empty: the frames
+// of the region that was chosen, the limits of the hinge. Empty: nothing is known.
+std::string PresentValue(const FormState& form, const std::string& name,
+                         const edit::Session& session);
 
 }  // namespace hazumi::ui

@@ -39,6 +39,7 @@ constexpr Label kLabels[] = {{"first", "First frame"},
                              {"about", "About frame"},
                              {"subframe", "Between frames"},
                              {"path", "File"},
+                             {"step", "Time step"},
                              {"dark", "Dark"},
                              {"feet_stay", "Feet stay"},
                              {"drag", "Drag"}};
@@ -66,7 +67,6 @@ constexpr Meaning kMeanings[] = {
      "One joint, such as a toe, stays where it is; the figure turns about it."},
     {"placement.set", "gravity", "The figure falls or flies, lands and stands by itself."},
     {"region.add", "friction", "Speed that is left after 1/30 s: 0 frozen, 1 no friction"},
-    {"region.friction", "factor", "Speed that is left after 1/30 s: 0 frozen, 1 no friction"},
     {"placement.set", "keyed", "The keys of the root say where the figure is."}};
 
 constexpr Row kMain[] = {{"region.add", "joints", ""},

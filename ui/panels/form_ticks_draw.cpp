@@ -82,18 +82,34 @@ std::vector<std::vector<FormOption>> ByGroup(const std::vector<FormOption>& opti
   return groups;
 }
 
+// Of curves those of the selected hinges, of joints the selected ones.
+Names SelectedOf(const FormField& field, const std::vector<FormOption>& options,
+                 const edit::Session& session) {
+  const std::set<std::string>& selected = session.selected_joints();
+  if (field.info.offer.thing != edit::Thing::kCurve) {
+    return WithSelected({}, session.figure(), selected);
+  }
+  const bool has_root = selected.contains(session.figure().root_name());
+  Names names;
+  for (const FormOption& option : options) {
+    const bool is_of_root = option.group == "Root" && has_root;
+    if (is_of_root || selected.contains(option.value)) names.push_back(option.value);
+  }
+  return names;
+}
+
 // How many there are, and quick ways to change them.
-void DrawSummary(const Editor& editor, bool is_main, Names* names) {
+void DrawSummary(const Editor& editor, const FormField& field,
+                 const std::vector<FormOption>& options, Names* names) {
   ImGui::AlignTextToFramePadding();
-  if (names->empty() && !is_main) {
+  if (names->empty() && !field.is_main) {
     ImGui::TextUnformatted(Tr("(not given)"));
   } else {
     ImGui::Text(Tr("%d chosen"), static_cast<int>(names->size()));
   }
-  const edit::Session& session = editor.session();
   ImGui::SameLine();
   if (ImGui::Button(Tr("The selected ones"))) {
-    *names = WithSelected({}, session.figure(), session.selected_joints());
+    *names = SelectedOf(field, options, editor.session());
   }
   ImGui::SameLine();
   if (ImGui::Button(Tr("None"))) names->clear();
@@ -108,7 +124,7 @@ void DrawTicks(const std::vector<FormOption>& options, FormField* field, Editor*
   const std::vector<std::vector<FormOption>> groups = ByGroup(options);
   const float lines = std::min(8.0f, static_cast<float>(groups.size() + !others.empty()));
   ImGui::BeginGroup();
-  DrawSummary(*editor, field->is_main, &names);
+  DrawSummary(*editor, *field, options, &names);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
   ImGui::BeginChild("##ticks", {0.0f, lines * line + ImGui::GetStyle().WindowPadding.y * 2.0f},
                     true);

@@ -18,7 +18,7 @@ using edit::ParameterKind;
 
 std::string TextOf(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return FormatShort(value.get<double>());
+  if (value.is_number()) return FormatNumber(value.get<double>());
   std::string list;
   if (value.is_array()) {
     for (const Json& item : value) list += (list.empty() ? "" : ", ") + TextOf(item);
