@@ -99,8 +99,9 @@ TEST(ParameterForm, EveryOfferIsTakenByItsOperator) {
       const bool is_offered = info.offer.thing != edit::Thing::kAny || *info.offer.words;
       const bool is_text =
           info.kind == edit::ParameterKind::kText || info.kind == edit::ParameterKind::kNames;
-      const bool is_number =
-          info.offer.thing == edit::Thing::kMarker || info.offer.thing == edit::Thing::kHold;
+      const bool is_number = info.offer.thing == edit::Thing::kMarker ||
+                             info.offer.thing == edit::Thing::kHold ||
+                             info.offer.thing == edit::Thing::kShare;
       EXPECT_TRUE(!is_offered || is_text || is_number) << op.id << " " << info.name;
     }
   }

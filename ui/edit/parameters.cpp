@@ -43,7 +43,8 @@ const char* Describe(Thing thing) {
                                             "names a link",
                                             "number of a marker",
                                             "number of a hold",
-                                            "a colour"};
+                                            "a colour",
+                                            "from 0 to 1"};
   return kThings[static_cast<int>(thing)];
 }
 

@@ -28,6 +28,7 @@ enum class Thing {
   kMarker,  // by its number, as is a hold
   kHold,
   kColor,  // "#rrggbb"
+  kShare,  // a number from 0 to 1
 };
 
 // What forms offer for a value: one of some words, or what the project has of a thing.

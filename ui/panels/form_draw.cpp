@@ -134,6 +134,24 @@ void DrawTyped(const FormState& form, FormField* field, Editor* editor, bool is_
   ImGui::EndGroup();
 }
 
+// Typed, or pulled beside it.
+void DrawShare(const FormState& form, FormField* field, Editor* editor) {
+  constexpr double kTypedWidth = 70.0;
+  ImGui::BeginGroup();
+  ImGui::SetNextItemWidth(Px(*editor, kTypedWidth));
+  ImGui::InputText("##text", &field->text, ImGuiInputTextFlags_CharsScientific);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1.0f);
+  auto share = static_cast<float>(std::atof(field->text.c_str()));
+  const char* format = field->text.empty() ? Tr("(not given)") : "";
+  if (ImGui::SliderFloat("##share", &share, 0.0f, 1.0f, format)) {
+    field->text = FormatShort(std::round(100.0 * share) / 100.0);
+  }
+  const std::string meaning = MeaningOf(form.id, field->info.name);
+  FaintText(*editor, Tr(meaning.empty() ? field->info.help : meaning.c_str()));
+  ImGui::EndGroup();
+}
+
 // "true: ..." goes without saying beside a tick.
 const char* WithoutTrue(const char* help) {
   constexpr std::string_view kTrue = "true: ";
@@ -142,7 +160,9 @@ const char* WithoutTrue(const char* help) {
 
 // True if it has a field for the keyboard.
 bool IsTyped(const edit::ParameterInfo& info) {
-  return info.offer.words[0] == '\0' && info.offer.thing == edit::Thing::kAny &&
+  const edit::Thing thing = info.offer.thing;
+  return info.offer.words[0] == '\0' &&
+         (thing == edit::Thing::kAny || thing == edit::Thing::kShare) &&
          info.kind != ParameterKind::kYesNo;
 }
 
@@ -157,6 +177,8 @@ void DrawField(FormState* form, FormField* field, bool is_alone, Editor* editor)
     DrawTicks(options, field, editor);
   } else if (field->info.offer.thing == edit::Thing::kColor) {
     DrawColorField(field);
+  } else if (field->info.offer.thing == edit::Thing::kShare) {
+    DrawShare(*form, field, editor);
   } else if (are_words && options.size() <= kFewWords) {
     DrawWords(*form, options, field, *editor);
   } else if (!options.empty()) {

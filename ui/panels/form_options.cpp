@@ -103,6 +103,7 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
     case Thing::kHold:
       return Holds(project);
     case Thing::kColor:
+    case Thing::kShare:
     case Thing::kAny:
       break;
   }

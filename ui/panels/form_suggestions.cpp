@@ -115,6 +115,7 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kHold:
       return OptionsOf(info, *session).empty() ? Json() : Json(0);
     case Thing::kColor:
+    case Thing::kShare:
     case Thing::kAny:
       break;
   }
