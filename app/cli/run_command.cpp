@@ -117,8 +117,10 @@ namespace {
 
 void PrintParameters(const std::vector<edit::ParameterInfo>& infos) {
   for (const edit::ParameterInfo& info : infos) {
-    PrintLine(stdout, "    %s%s: %s, %s", info.name, info.is_required ? "" : " (optional)",
-              edit::Describe(info.kind), info.help);
+    const std::string offered = edit::Describe(info.offer.thing);
+    PrintLine(stdout, "    %s%s: %s, %s%s", info.name, info.is_required ? "" : " (optional)",
+              edit::Describe(info.kind), info.help,
+              offered.empty() ? "" : (" (" + offered + ")").c_str());
   }
 }
 

@@ -279,7 +279,7 @@ class CommandLine(unittest.TestCase):
     def test_the_operators_are_listed_with_their_parameters(self):
         lines = run("--operators").stdout.splitlines()
         self.assertIn("region.split: Makes two regions of one.", lines)
-        self.assertIn("    region: a text, the region's name", lines)
+        self.assertIn("    region: a text, the region's name (names a region)", lines)
 
     def test_another_frame_rate_is_the_same_motion(self):
         at_30 = json.loads(run("--bake", "-", JUMP).stdout)

@@ -11,6 +11,8 @@
 #include "ui/edit/operator.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/first_steps.h"
+#include "ui/panels/form_options.h"
+#include "ui/panels/form_texts.h"
 #include "ui/panels/manual.h"
 #include "ui/panels/menus.h"
 
@@ -75,11 +77,16 @@ TEST(Catalogue, HasEveryTextOfTheSources) {
 
 void ExpectHasAll(const char* id, const char* label, const char* help,
                   const std::vector<edit::ParameterInfo>& parameters) {
+  static const edit::Session session;
   ExpectHas(label, id);
   ExpectHas(help, id);
   for (const edit::ParameterInfo& info : parameters) {
-    ExpectHas(info.name, id);
+    ExpectHas(LabelOf(info).c_str(), id);
     ExpectHas(info.help, id);
+    if (info.offer.words[0] == '\0') continue;
+    for (const FormOption& option : OptionsOf(info, session)) {
+      ExpectHas(option.label.c_str(), id);
+    }
   }
 }
 
@@ -90,6 +97,10 @@ TEST(Catalogue, HasEveryOperatorAndAction) {
   for (const Action& action : AllActions()) {
     ExpectHasAll(action.id, action.label, action.help, action.parameters);
   }
+}
+
+TEST(Catalogue, HasTheTextsOfForms) {
+  for (const std::string& text : AllFormTexts()) ExpectHas(text.c_str(), "forms");
 }
 
 // Of transactions that are called otherwise than their operator.

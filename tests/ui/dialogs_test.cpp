@@ -37,11 +37,13 @@ class Dialogs : public testing::Test {
   void Press(Chord chord) {
     if (chord.ctrl) shell_->PressKey(kLeftControl, true);
     if (chord.shift) shell_->PressKey(kLeftShift, true);
+    if (chord.alt) shell_->PressKey(kLeftAlt, true);
     shell_->PressKey(chord.key, true);
     shell_->Frame();
     shell_->PressKey(chord.key, false);
     if (chord.ctrl) shell_->PressKey(kLeftControl, false);
     if (chord.shift) shell_->PressKey(kLeftShift, false);
+    if (chord.alt) shell_->PressKey(kLeftAlt, false);
     Frames();
   }
   void Type(const std::string& text) {
@@ -122,6 +124,43 @@ TEST_F(Dialogs, LeavingAsksAboutUnsavedChangesAndCanBeCancelled) {
   Press({'Q', true});
   AnswerDiscard(&editor_);
   EXPECT_TRUE(editor_.wants_to_quit);
+}
+
+TEST_F(Dialogs, DLeavesWithoutSaving) {
+  Change();
+  Press({'Q', true});
+  Press({'D'});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_TRUE(editor_.wants_to_quit);
+}
+
+TEST_F(Dialogs, AltIDeletesTheKeysOfTheFrame) {
+  Change();
+  Press({'I', false, false, true});
+  EXPECT_TRUE(editor_.session().project().joints.at(0).value.keys.empty());
+  Press({'I', false, false, true});
+  EXPECT_EQ(editor_.message.text, "Delete key (frame): there is no key on frame 0");
+}
+
+TEST_F(Dialogs, FilesAreLookedForWhereTheProjectIsElseWhereTheLastOneWas) {
+  fs::create_directories(folder_ / "a");
+  fs::create_directories(folder_ / "b");
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("b/one.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a/one.kfa")}}));
+  OpenFileDialog(&editor_, false);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
+  ASSERT_TRUE(editor_.Do("file.new"));
+  OpenFileDialog(&editor_, false);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
+  fs::remove_all(folder_ / "a");
+  OpenFileDialog(&editor_, true);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("b"));
+}
+
+TEST_F(Dialogs, ErrorsInFilesSayFileAndLine) {
+  std::ofstream(File("throw.kfa")) << "{\n  bad";
+  EXPECT_FALSE(editor_.Do("file.open", {{"path", File("throw.kfa")}}));
+  EXPECT_EQ(editor_.message.text.rfind("throw.kfa, line 2", 0), 0u) << editor_.message.text;
 }
 
 TEST_F(Dialogs, LeavingAfterSaveWaitsForTheName) {
@@ -223,6 +262,62 @@ TEST_F(Dialogs, TheCurrentFrameIsDrawnBesideTheInterface) {
   EXPECT_EQ(modal(), Modal::kNone);
 }
 
+TEST_F(Dialogs, ARangeIsRenderedAfterItIsSaidWhatIsWritten) {
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a.kfa")}}));
+  OpenRenderDialog(&editor_, true);
+  RenderState& render = editor_.dialogs.render;
+  EXPECT_EQ(
+      SummaryOf(OutlineOf(editor_)),
+      "31 pictures, 1280 x 720, Untitled_0000.png - Untitled_0030.png, into " + File("render"));
+  render.first = 4;
+  render.last = 5;
+  render.width = render.height = 32;
+  fs::create_directories(File("render"));
+  std::ofstream(File("render/Untitled_0005.png")) << "mine";
+  Frames();
+  EXPECT_EQ(render.num_existing, 1);
+  StartRender(&editor_);
+  ASSERT_TRUE(render.job) << render.error;
+  while (!render.job->result()) shell_->Frame();
+  EXPECT_EQ(render.job->result()->value(), 2);
+  EXPECT_TRUE(fs::exists(File("render/Untitled_0004.png")));
+  EXPECT_FALSE(fs::exists(File("render/Untitled_0006.png")));
+}
+
+TEST_F(Dialogs, ARangeOutsideOfTheAnimationIsNotRendered) {
+  OpenRenderDialog(&editor_, true);
+  RenderState& render = editor_.dialogs.render;
+  render.last = 31;
+  StartRender(&editor_);
+  EXPECT_EQ(render.error, "The animation has the frames from 0 to 30.");
+  render.first = 12;
+  render.last = 11;
+  StartRender(&editor_);
+  EXPECT_EQ(render.error, "The first frame must not come after the last one.");
+  EXPECT_EQ(modal(), Modal::kRender);
+}
+
+TEST_F(Dialogs, TheFolderOfPicturesIsChosenFromAListThatComesBack) {
+  fs::create_directories(folder_ / "shots");
+  std::ofstream(File("a.kfa")) << "{}";
+  OpenRenderDialog(&editor_, false);
+  RenderState& render = editor_.dialogs.render;
+  render.folder = File("not yet/made");
+  OpenFolderDialog(&editor_);
+  EXPECT_EQ(editor_.dialogs.files.folder, folder_.string());
+  ASSERT_EQ(editor_.dialogs.files.entries.size(), 1u);  // files are none of its business
+  Frames();
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kRender);
+  EXPECT_EQ(render.folder, File("not yet/made"));
+  OpenFolderDialog(&editor_);
+  Frames();
+  Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kRender);
+  EXPECT_EQ(render.folder, File("shots"));
+}
+
 TEST_F(Dialogs, ARenderThatIsCancelledEndsEarly) {
   OpenRenderDialog(&editor_, true);
   RenderState& render = editor_.dialogs.render;
@@ -258,6 +353,15 @@ TEST_F(Dialogs, AFolderThatCannotBeMadeIsSaid) {
   while (!job->result()) shell_->Frame();
   ASSERT_FALSE(job->result()->ok());
   EXPECT_EQ(job->result()->error().code, ErrorCode::kCannotWrite);
+}
+
+TEST(StatusBar, LeavesOutWholeKeysOfAHintAndNeverItsValue) {
+  const auto width_of = [](const std::string& text) { return static_cast<float>(text.size()); };
+  const std::string hint = "Move: 1.0 m   Enter: confirm   Esc: cancel";
+  EXPECT_EQ(FittingHint(hint, 100.0f, width_of), hint);
+  EXPECT_EQ(FittingHint(hint, 30.0f, width_of), "Move: 1.0 m   Enter: confirm");
+  EXPECT_EQ(FittingHint(hint, 5.0f, width_of), "Move: 1.0 m");
+  EXPECT_EQ(FittingHint("", 5.0f, width_of), "");
 }
 
 TEST_F(Dialogs, TheStatusBarSaysFileFrameAndMemory) {

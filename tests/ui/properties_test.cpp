@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/project/project_writer.h"
+#include "ui/panels/number_text.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/viewport_drag_tool.h"
 #include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::test {
@@ -131,6 +135,42 @@ TEST_F(Properties, ATypedAngleIsKeyedWhenItIsConfirmed) {
   shell_->Frame();
   EXPECT_EQ(editor_.session().document().num_steps(), steps + 1);
   EXPECT_NEAR(editor_.session().ValueNow("l_elbow_flexion").value(), 42.0, 1e-6);
+  EXPECT_EQ(editor_.message.text, "");
+}
+
+TEST_F(Properties, AnAngleBeyondItsLimitIsSaidUntilOneIsTaken) {
+  Do("select.joints", {{"joints", {"l_elbow"}}});
+  shell_->Frame();
+  shell_->Frame();
+  const auto type = [&](const char* number) {
+    const Rect content = Content();
+    MoveTo(content.x + 0.7f * content.w, content.y + 38.0f);
+    for (int i = 0; i < 2; ++i) {
+      Button(true);
+      Button(false);
+    }
+    shell_->Type(number);
+    shell_->Frame();
+    shell_->PressKey(kEnter, true);
+    shell_->Frame();
+    shell_->PressKey(kEnter, false);
+    for (int i = 0; i < 40; ++i) shell_->Frame();  // no double click with what comes next
+  };
+  type("170");
+  EXPECT_EQ(editor_.message.text,
+            "l_elbow_flexion: 170\u00b0 is beyond its limit, 150\u00b0 is set");
+  EXPECT_NEAR(editor_.session().ValueNow("l_elbow_flexion").value(), 150.0, 1e-6);
+  type("20");
+  EXPECT_NEAR(editor_.session().ValueNow("l_elbow_flexion").value(), 20.0, 1e-6);
+  EXPECT_EQ(editor_.message.text, "");
+}
+
+TEST(NumberText, NeverShowsMinusZero) {
+  EXPECT_FALSE(std::signbit(WithoutMinusZero(-0.0, 1)));
+  EXPECT_FALSE(std::signbit(WithoutMinusZero(-0.049, 1)));
+  EXPECT_EQ(WithoutMinusZero(-0.051, 1), -0.051);
+  EXPECT_EQ(WithoutMinusZero(-0.4, 0), 0.0);
+  EXPECT_EQ(Signed(-0.04, 1), "+0.0");
 }
 
 }  // namespace

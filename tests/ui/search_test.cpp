@@ -70,8 +70,10 @@ TEST(ParameterForm, AsksForWhatIsMissingAndSuggestsTheFrame) {
   }
   const Result<Json> values = ValuesOf(form);
   ASSERT_TRUE(values.ok());
-  EXPECT_EQ(values.value(),
-            (Json{{"first", 7.0}, {"last", 30.0}, {"joints", {"l_shoulder+", "r_wrist"}}}));
+  EXPECT_EQ(values.value(), (Json{{"first", 7.0},
+                                  {"last", 30.0},
+                                  {"joints", {"l_shoulder+", "r_wrist"}},
+                                  {"friction", 0.8}}));
 }
 
 TEST(ParameterForm, SaysWhichNumberIsNone) {

@@ -83,6 +83,10 @@ class User {
     shell_->PressKey(modifier, false);
     Wait(1);
   }
+  void Type(const std::string& text) {
+    shell_->Type(text);
+    Wait();
+  }
   void Turn(float notches) {
     shell_->TurnWheel(notches);
     shell_->Frame();

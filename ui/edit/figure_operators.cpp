@@ -50,7 +50,7 @@ std::vector<Operator> FigureOperators() {
            "Set joint limits",
            "Sets how far a hinge turns; its rest angle is moved inside. Both sides of a mirrored "
            "one.",
-           {{"joint", kText, true, "a hinge"},
+           {{"joint", kText, true, "a hinge", Thing::kHinge},
             {"lower", kNumber, false, "degrees"},
             {"upper", kNumber, false, "degrees; as the lower one: the hinge is fixed there"},
             kDrag},
@@ -58,7 +58,7 @@ std::vector<Operator> FigureOperators() {
           {"figure.link",
            "Change link",
            "Sets the mass and the thickness of a link; both sides of a mirrored one.",
-           {{"link", kText, true, "a link's name"},
+           {{"link", kText, true, "a link's name", Thing::kLink},
             {"mass", kNumber, false, "kilograms"},
             {"radius", kNumber, false, "of its capsule, which touches things, in metres"},
             kDrag},

@@ -63,17 +63,18 @@ Result<Done> Lock(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> JointStateOperators() {
-  const ParameterInfo joints = {"joints", kNames, false, "joints; not given: the selected ones"};
+  const ParameterInfo joints = {"joints", kNames, false, "joints; not given: the selected ones",
+                                Thing::kJoint};
   return {{"joint.hide",
            "Hide joints",
            "Takes the marks of joints away, so that they are not in the way of others.",
-           {joints, {"on", kYesNo, false, "false: shows them again"}},
+           {joints, {"on", kYesNo, false, "false: shows them again", kOnUnlessGiven}},
            Hide},
           {"joint.show_all", "Show all joints", "Shows what was hidden again.", {}, ShowAll},
           {"joint.lock",
            "Lock joints",
            "Keeps joints from being posed.",
-           {joints, {"on", kYesNo, false, "false: unlocks them"}},
+           {joints, {"on", kYesNo, false, "false: unlocks them", kOnUnlessGiven}},
            Lock}};
 }
 

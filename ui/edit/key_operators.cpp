@@ -11,7 +11,8 @@ namespace {
 
 using enum ParameterKind;
 
-const ParameterInfo kCurve = {"curve", kText, true, "a hinge, or root.x to root.angle_x"};
+const ParameterInfo kCurve = {"curve", kText, true, "a hinge, or root.x to root.angle_x",
+                              Thing::kCurve};
 const ParameterInfo kFrame = {"frame", kNumber, true, "the key's frame"};
 
 Error NoKey(const std::string& curve, double frame) {
@@ -67,13 +68,26 @@ Result<Done> SetRate(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+// On the curves that are chosen and have one there.
 Result<Done> Delete(Session* session, const Parameters& p) {
+  const double frame = p.number("frame", session->frame());
+  const std::vector<std::string> names =
+      p.has("curve") ? std::vector{p.text("curve")} : ChosenCurves(*session, p);
   return session->Edit("Delete key", [&](Project* project) -> Result<Done> {
-    const Result<Place> place = PlaceOf(p, session->figure(), project);
-    if (!place.ok()) return place.error();
-    auto& keys = place.value().curve->keys;
-    keys.erase(keys.begin() + (place.value().key - keys.data()));
-    return Done();
+    size_t count = 0;
+    for (const std::string& name : names) {
+      if (!p.has("curve") && !FindCurve(name, *project)) continue;
+      const Result<ProjectCurve*> curve = CurveNamed(name, session->figure(), project);
+      if (!curve.ok()) return curve.error();
+      count += std::erase_if(curve.value()->keys,
+                             [&](const ProjectKey& key) { return key.frame == frame; });
+    }
+    if (count > 0) return Done();
+    if (p.has("curve")) return NoKey(p.text("curve"), frame);
+    const bool is_part = !session->selected_joints().empty();
+    return Refusal(
+        "frame", (is_part ? "what is selected has no key on frame " : "there is no key on frame ") +
+                     FormatShort(frame));
   });
 }
 
@@ -177,7 +191,14 @@ std::vector<std::string> ChosenCurves(const Session& session, const Parameters& 
 
 std::vector<Operator> KeyOperators() {
   const ParameterInfo curves = {"curves", kNames, false,
-                                "curves; not given: those of the selected joints, else all"};
+                                "curves; not given: those of the selected joints, else all",
+                                Thing::kCurve};
+  const ParameterInfo interpolation = {"interpolation", kText, false,
+                                       "hold, linear, quadratic or cubic",
+                                       "hold linear quadratic cubic"};
+  const ParameterInfo hinges = {
+      "curves", kNames, false,
+      "hinges; not given: those of the selected joints, else all of the figure", Thing::kCurve};
   return {{"key.set",
            "Set key",
            "Sets a key of a curve, or makes one.",
@@ -186,7 +207,7 @@ std::vector<Operator> KeyOperators() {
             {"value", kNumber, false, "degrees, of root positions metres"},
             {"rate", kNumber, false, "per second"},
             {"auto_rate", kYesNo, false, "true: the rate follows from the neighbours again"},
-            {"interpolation", kText, false, "hold, linear, quadratic or cubic"},
+            interpolation,
             kDrag},
            Set},
           {"key.rate",
@@ -197,7 +218,12 @@ std::vector<Operator> KeyOperators() {
             {"rate", kNumber, true, "degrees per second, of root positions m/s"},
             kDrag},
            SetRate},
-          {"key.delete", "Delete key", "Takes a key away.", {kCurve, kFrame}, Delete},
+          {"key.delete",
+           "Delete key",
+           "Takes the keys of the selected joints, else of all, on this frame away.",
+           {{"curve", kText, false, "only of this curve", Thing::kCurve},
+            {"frame", kNumber, false, "not given: the current one"}},
+           Delete},
           {"key.move",
            "Move key",
            "Moves a key in time, up or down.",
@@ -220,8 +246,7 @@ std::vector<Operator> KeyOperators() {
           {"key.insert",
            "Insert key",
            "Keys the pose as it is at the current frame.",
-           {{"curves", kNames, false,
-             "hinges; not given: those of the selected joints, else all of the figure"}},
+           {hinges},
            Insert}};
 }
 

@@ -12,8 +12,10 @@ namespace {
 using enum ParameterKind;
 
 const ParameterInfo kMode = {"mode", kText, false,
-                             "replace (what was selected), add, remove or toggle"};
-const ParameterInfo kCurves = {"curves", kNames, false, "only these curves; not given: all"};
+                             "replace (what was selected), add, remove or toggle",
+                             "replace add remove toggle"};
+const ParameterInfo kCurves = {"curves", kNames, false, "only these curves; not given: all",
+                               Thing::kCurve};
 
 // What becomes of the selected keys when `chosen` ones are named.
 Result<Done> Combine(Session* session, const std::string& mode, const KeySelection& chosen) {
@@ -113,7 +115,7 @@ std::vector<Operator> KeySelectionOperators() {
       {"keys.select_side",
        "Select keys before or after",
        "Selects all keys on one side of a frame, and on it.",
-       {{"side", kText, true, "before or after"},
+       {{"side", kText, true, "before or after", "before after"},
         {"frame", kNumber, false, "not given: the current frame"},
         kCurves,
         kMode},

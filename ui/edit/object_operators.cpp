@@ -35,11 +35,11 @@ std::vector<Operator> ObjectOperators() {
   return {{"object.set",
            "Change object",
            "Sets the size and the colour of an object; what is not given stays.",
-           {{"object", kText, true, "the object's name"},
+           {{"object", kText, true, "the object's name", Thing::kObject},
             {"size_x", kNumber, false, "length of a box's edges in metres"},
             {"size_y", kNumber, false, "metres"},
             {"size_z", kNumber, false, "metres"},
-            {"color", kText, false, "#rrggbb"},
+            {"color", kText, false, "#rrggbb", Thing::kColor},
             kDrag},
            SetObject}};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace hazumi::edit {
 
@@ -22,6 +23,30 @@ const char* Describe(ParameterKind kind) {
       return "a list of numbers";
   }
   return "";
+}
+
+std::vector<std::string> WordsOf(const Offer& offer) {
+  std::istringstream stream(offer.words);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+const char* Describe(Thing thing) {
+  static constexpr const char* kThings[] = {"",
+                                            "names a joint",
+                                            "names a hinge",
+                                            "names a joint or hinge",
+                                            "names a curve",
+                                            "names a region",
+                                            "names an object",
+                                            "names a link",
+                                            "number of a marker",
+                                            "number of a span of placement",
+                                            "number of a hold",
+                                            "a colour",
+                                            "from 0 to 1"};
+  return kThings[static_cast<int>(thing)];
 }
 
 namespace {

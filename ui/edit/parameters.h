@@ -15,12 +15,48 @@ enum class ParameterKind { kText, kNumber, kInteger, kYesNo, kNames, kNumbers };
 // "a text", "a number" and so on.
 const char* Describe(ParameterKind kind);
 
+// What a parameter may name, or each entry of a list of names.
+enum class Thing {
+  kAny,
+  kJoint,
+  kHinge,
+  kJointOrHinge,
+  kCurve,
+  kRegion,
+  kObject,
+  kLink,
+  kMarker,     // by its number, as are the next two
+  kPlacement,  // a span of it
+  kHold,
+  kColor,  // "#rrggbb"
+  kShare,  // a number from 0 to 1
+};
+
+// What forms offer for a value: one of some words, or what the project has of a thing.
+struct Offer {
+  constexpr Offer() = default;
+  constexpr Offer(const char* with_words) : words(with_words) {}
+  constexpr Offer(Thing named) : thing(named) {}
+  const char* words = "";  // with spaces between them
+  Thing thing = Thing::kAny;
+  bool is_on = false;  // of a yes or no: yes unless no is given
+};
+inline constexpr Offer kOnUnlessGiven = [] {
+  Offer offer;
+  offer.is_on = true;
+  return offer;
+}();
+// "names a joint"; empty if it names nothing.
+const char* Describe(Thing thing);
+std::vector<std::string> WordsOf(const Offer& offer);
+
 // One parameter of an operator.
 struct ParameterInfo {
   const char* name;
   ParameterKind kind;
   bool is_required;
   const char* help;
+  Offer offer = {};
 };
 
 // What an operator was called with, checked against what it takes.

@@ -153,12 +153,15 @@ Result<Done> RemoveHold(Session* session, const Parameters& p) {
   });
 }
 
-const ParameterInfo kIndex = {"index", kInteger, true, "which of them, counted from 0"};
+const ParameterInfo kPlacement = {"index", kInteger, true, "which of them, counted from 0",
+                                  Thing::kPlacement};
+const ParameterInfo kHold = {"index", kInteger, true, "which of them, counted from 0",
+                             Thing::kHold};
 const ParameterInfo kFirst = {"first", kInteger, false, "first frame"};
 const ParameterInfo kLast = {"last", kInteger, false, "last frame"};
-const ParameterInfo kPin = {"pin", kText, false, "the pinned joint"};
+const ParameterInfo kPin = {"pin", kText, false, "the pinned joint", Thing::kJoint};
 const ParameterInfo kLandingPin = {"landing_pin", kText, false,
-                                   "with gravity: the joint pinned after a landing"};
+                                   "with gravity: the joint pinned after a landing", Thing::kJoint};
 const ParameterInfo kOrientation = {"orientation", kYesNo, false, "true: also how it is turned"};
 
 ParameterInfo Required(ParameterInfo info) {
@@ -172,7 +175,7 @@ std::vector<Operator> PlacementOperators() {
   return {{"placement.set",
            "Place figure",
            "Says what places the figure for some frames; what was said of them before gives way.",
-           {{"kind", kText, true, "keyed, pinned or gravity"},
+           {{"kind", kText, true, "keyed, pinned or gravity", "pinned gravity keyed"},
             Required(kFirst),
             Required(kLast),
             kPin,
@@ -181,8 +184,8 @@ std::vector<Operator> PlacementOperators() {
           {"placement.edit",
            "Change placement",
            "Changes what is given of a span of placement; what is said of its frames gives way.",
-           {kIndex,
-            {"kind", kText, false, "keyed, pinned or gravity"},
+           {kPlacement,
+            {"kind", kText, false, "keyed, pinned or gravity", "pinned gravity keyed"},
             kFirst,
             kLast,
             kPin,
@@ -192,19 +195,27 @@ std::vector<Operator> PlacementOperators() {
           {"placement.remove",
            "Remove placement",
            "Takes a span of placement away: the root's keys place the figure there.",
-           {kIndex},
+           {kPlacement},
            RemovePlacement},
           {"hold.add",
            "Hold joint",
            "Keeps a joint where it is by inverse kinematics.",
-           {{"joint", kText, true, "a joint"}, Required(kFirst), Required(kLast), kOrientation},
+           {{"joint", kText, true, "a joint", Thing::kJoint},
+            Required(kFirst),
+            Required(kLast),
+            kOrientation},
            Hold},
           {"hold.set",
            "Change hold",
            "Changes what is given of a hold.",
-           {kIndex, {"joint", kText, false, "a joint"}, kFirst, kLast, kOrientation, kDrag},
+           {kHold,
+            {"joint", kText, false, "a joint", Thing::kJoint},
+            kFirst,
+            kLast,
+            kOrientation,
+            kDrag},
            SetHold},
-          {"hold.remove", "Remove hold", "Takes a hold away.", {kIndex}, RemoveHold}};
+          {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};
 }
 
 }  // namespace hazumi::edit

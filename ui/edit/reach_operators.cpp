@@ -90,7 +90,7 @@ std::vector<Operator> ReachOperators() {
   return {{"pose.reach",
            "Reach",
            "Turns a limb, within its limits, so that a joint comes to a place or near it; keys it.",
-           {{"joint", kText, true, "a joint, e.g. a wrist"},
+           {{"joint", kText, true, "a joint, e.g. a wrist", Thing::kJoint},
             {"x", kNumber, true, "where to, metres in the world"},
             {"y", kNumber, true, "metres"},
             {"z", kNumber, true, "metres"},

@@ -11,7 +11,7 @@ namespace {
 
 using enum ParameterKind;
 
-const ParameterInfo kRegion = {"region", kText, true, "the region's name"};
+const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
 bool IsTaken(const std::string& name, const Project& project) {
   return std::any_of(project.regions.begin(), project.regions.end(),
@@ -196,15 +196,17 @@ Result<Done> BakeToKeys(Session* session, const Parameters& p) {
 std::vector<Operator> RegionOperators() {
   const ParameterInfo first = {"first", kInteger, true, "first frame"};
   const ParameterInfo last = {"last", kInteger, true, "last frame"};
+  const ParameterInfo joints = {
+      "joints", kNames, false,
+      "joints, with + behind the name all beyond too; not given: the selected ones", Thing::kJoint};
   return {{"region.add",
            "Add dynamics region",
            "Lets joints swing by their own inertia for some frames.",
            {{"name", kText, false, "its name"},
             first,
             last,
-            {"joints", kNames, false,
-             "joints, with + behind the name all beyond too; not given: the selected ones"},
-            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8"},
+            joints,
+            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8", Thing::kShare},
             kDrag},
            Add},
           {"region.set",
@@ -214,8 +216,8 @@ std::vector<Operator> RegionOperators() {
             {"name", kText, false, "a new name"},
             {"first", kInteger, false, "first frame"},
             {"last", kInteger, false, "last frame"},
-            {"joints", kNames, false, "joints, with + behind the name all beyond too"},
-            {"method", kText, false, "exact or paper"},
+            {"joints", kNames, false, "its joints instead", Thing::kJoint},
+            {"method", kText, false, "exact or paper", "exact paper"},
             {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
             {"as_project", kYesNo, false, "true: method and tolerance are the project's again"},
             {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
@@ -226,8 +228,10 @@ std::vector<Operator> RegionOperators() {
            "Sets the factor of speed that is left after 1/30 s.",
            {kRegion,
             {"factor", kNumber, false,
-             "0 frozen, 1 no friction; not given: the joint has none of its own any more"},
-            {"joint", kText, false, "a joint or hinge; not given: all without one of their own"},
+             "0 frozen, 1 no friction; not given: the joint has none of its own any more",
+             Thing::kShare},
+            {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
+             Thing::kJointOrHinge},
             kDrag},
            SetFriction},
           {"region.split",

@@ -210,7 +210,7 @@ std::vector<Operator> RootOperators() {
            {{"x", kNumber, true, "where to, metres in the world"},
             {"y", kNumber, true, "metres"},
             {"z", kNumber, true, "metres"},
-            {"feet_stay", kYesNo, false, "false: the whole figure moves"},
+            {"feet_stay", kYesNo, false, "false: the whole figure moves", kOnUnlessGiven},
             kDrag},
            Move},
           {"root.turn",

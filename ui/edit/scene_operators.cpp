@@ -10,7 +10,7 @@ namespace {
 
 using enum ParameterKind;
 
-const ParameterInfo kObject = {"object", kText, true, "the object's name"};
+const ParameterInfo kObject = {"object", kText, true, "the object's name", Thing::kObject};
 
 Result<Done> AddBox(Session* session, const Parameters& p) {
   return session->Edit("Add box", [&](Project* project) -> Result<Done> {
@@ -125,7 +125,7 @@ std::vector<Operator> SceneOperators() {
             {"size_x", kNumber, false, "length of its edges in metres"},
             {"size_y", kNumber, false, "length of its edges"},
             {"size_z", kNumber, false, "length of its edges"},
-            {"color", kText, false, "#rrggbb"}},
+            {"color", kText, false, "#rrggbb", Thing::kColor}},
            AddBox},
           {"object.add_plane",
            "Add plane",
@@ -135,7 +135,7 @@ std::vector<Operator> SceneOperators() {
             {"normal_y", kNumber, false, "of the normal, whose length does not matter"},
             {"normal_z", kNumber, false, "of the normal"},
             {"offset", kNumber, false, "from the origin along the normal in metres"},
-            {"color", kText, false, "#rrggbb"}},
+            {"color", kText, false, "#rrggbb", Thing::kColor}},
            AddPlane},
           {"object.move",
            "Move object",
@@ -150,7 +150,7 @@ std::vector<Operator> SceneOperators() {
           {"solver.set",
            "Change solver",
            "Sets what regions use that say nothing themselves.",
-           {{"method", kText, false, "exact or paper"},
+           {{"method", kText, false, "exact or paper", "exact paper"},
             {"tolerance", kNumber, false, "of exact, in degrees"},
             {"step", kNumber, false, "of paper, in seconds"},
             kDrag},

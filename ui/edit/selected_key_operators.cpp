@@ -227,12 +227,13 @@ std::vector<Operator> SelectedKeyOperators() {
           {"keys.interpolation",
            "Interpolation of keys",
            "Sets how the curve goes on from the selected keys.",
-           {{"interpolation", kText, true, "hold, linear, quadratic or cubic"}},
+           {{"interpolation", kText, true, "hold, linear, quadratic or cubic",
+             "hold linear quadratic cubic"}},
            Interpolate},
           {"keys.handles",
            "Handles of keys",
            "Sets the rates at the selected keys.",
-           {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0"}},
+           {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0", "auto flat"}},
            SetHandles}};
 }
 

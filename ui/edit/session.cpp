@@ -84,7 +84,8 @@ Result<Done> Session::RunUnobserved(const std::string& id, const Json& parameter
   Result<Done> done = checked.ok() ? op->run(this, checked.value()) : checked.error();
   if (!done.ok()) {
     Error error = done.error();
-    error.place = error.place.empty() ? id : id + "." + error.place;
+    // What lies in a file lies there whoever reads it.
+    if (error.file.empty()) error.place = error.place.empty() ? id : id + "." + error.place;
     return error;
   }
   return done;

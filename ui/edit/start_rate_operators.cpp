@@ -80,8 +80,8 @@ std::vector<Operator> StartRateOperators() {
            "Set start rate",
            "Sets how fast a region lets a joint go: the rate of the key on its first frame, which "
            "is made if there is none.",
-           {{"region", kText, true, "the region's name"},
-            {"joint", kText, true, "a hinge of the region"},
+           {{"region", kText, true, "the region's name", Thing::kRegion},
+            {"joint", kText, true, "a hinge of the region", Thing::kHinge},
             {"rate", kNumber, true, "degrees per second"},
             kDrag},
            SetStartRate}};

@@ -10,7 +10,8 @@ namespace {
 
 using enum ParameterKind;
 
-const ParameterInfo kIndex = {"index", kInteger, true, "which marker, counted from 0"};
+const ParameterInfo kIndex = {"index", kInteger, true, "which marker, counted from 0",
+                              Thing::kMarker};
 
 Result<Done> AddMarker(Session* session, const Parameters& p) {
   return session->Edit("Add marker", [&](Project* project) -> Result<Done> {

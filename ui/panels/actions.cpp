@@ -201,7 +201,7 @@ const std::vector<Action>& AllActions() {
       {"view.side",
        "View from side",
        "Looks from a side.",
-       {{"side", kText, true, "front, back, left, right, top"}},
+       {{"side", kText, true, "front, back, left, right, top", "front back left right top"}},
        Look},
       {"view.camera",
        "Through camera",
@@ -236,7 +236,8 @@ const std::vector<Action>& AllActions() {
       {"view.overlay",
        "Overlay",
        "Shows or hides something beside the figure.",
-       {{"name", kText, true, "paths, ghosts, marks, tint, limits, shadow"},
+       {{"name", kText, true, "paths, ghosts, marks, tint, limits, shadow",
+         "paths ghosts marks tint limits shadow"},
         {"on", kYesNo, false, "not given: the other way round"}},
        Overlay},
       {"view.theme",
@@ -247,7 +248,7 @@ const std::vector<Action>& AllActions() {
       {"view.language",
        "Language",
        "The language of the interface.",
-       {{"language", kText, true, "en or ja"}},
+       {{"language", kText, true, "en or ja", "en ja"}},
        ChooseLanguage},
       {"view.scale",
        "Interface scale",
@@ -257,7 +258,7 @@ const std::vector<Action>& AllActions() {
       {"view.properties",
        "Properties",
        "Which properties are shown.",
-       {{"section", kText, true, "pose, region, scene, project"}},
+       {{"section", kText, true, "pose, region, scene, project", "pose region scene project"}},
        ChooseSection},
       {"view.sheet",
        "Dope sheet or graph editor",
@@ -299,7 +300,7 @@ const std::vector<Action>& AllActions() {
       {"sheet.open",
        "Choose for keys",
        "Opens the choice of interpolation or handles.",
-       {{"popup", kText, true, "interpolation or handles"}},
+       {{"popup", kText, true, "interpolation or handles", "interpolation handles"}},
        sheet::Open},
       {"sheet.only_selected",
        "Only selected",
@@ -346,6 +347,17 @@ const Action* FindAction(const std::string& id) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Action& a) { return id == a.id; });
   return found == all.end() ? nullptr : &*found;
+}
+
+std::string TextOf(const Error& error, const std::string& id) {
+  if (!error.file.empty()) {
+    return NameIn(error.file) + (error.place.empty() ? "" : ", " + error.place) + ": " +
+           error.message;
+  }
+  if (!error.place.starts_with(id)) return error.ToString();
+  const std::string place = error.place.size() > id.size() ? error.place.substr(id.size() + 1) : "";
+  return std::string(LabelOf(id)) + (place.empty() ? "" : " (" + place + ")") + ": " +
+         error.message;
 }
 
 const char* LabelOf(const std::string& id) {

@@ -36,6 +36,10 @@ const Shortcut* FindShortcut(const Chord& chord, Place place);
 // The key of an action or operator as menus and tooltips show it; empty if it has none.
 std::string KeyOf(const std::string& id, const Json& parameters = Json::object());
 
+// What was wrong with an action or operator, as an animator reads it: "throw.kfa, line 2: ...",
+// "Set gravity (gravity): ...".
+std::string TextOf(const Error& error, const std::string& id);
+
 // The label and the help of an action or operator, in the interface's language.
 const char* LabelOf(const std::string& id);
 const char* HelpOf(const std::string& id);

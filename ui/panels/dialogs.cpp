@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ui/edit/operator.h"
+
 namespace hazumi::ui {
 
 namespace {
@@ -67,6 +69,16 @@ Result<Done> ShowSearch(Editor* editor, const Parameters&) {
   return Done();
 }
 
+Result<Done> ShowForm(Editor* editor, const Parameters& p) {
+  const std::string id = p.text("id");
+  if (!FindAction(id) && !edit::FindOperator(id)) {
+    return Error{ErrorCode::kSchema, "", "id", "there is no \"" + id + "\""};
+  }
+  editor->dialogs.form = MakeForm(id, Json::object(), &editor->session());
+  Open(Modal::kForm, editor);
+  return Done();
+}
+
 Result<Done> ShowRender(Editor* editor, const Parameters& p) {
   OpenRenderDialog(editor, p.yes("whole"));
   return Done();
@@ -93,6 +105,11 @@ std::vector<Action> DialogActions() {
            "Finds whatever Hazumi can do by its name, and does it.",
            {},
            ShowSearch},
+          {"app.form",
+           "Form",
+           "Asks for the parameters of an action or operator, and does it.",
+           {{"id", kText, true, "what is to be done, such as placement.set"}},
+           ShowForm},
           {"help.manual", "Manual", "What a region is, and the keys.", {}, Opener(Modal::kManual)},
           {"help.about", "About Hazumi", "Version and licence.", {}, Opener(Modal::kAbout)},
           {"help.first_steps",
@@ -141,6 +158,12 @@ void AnswerCancel(Editor* editor) {
   if (editor->dialogs.render.job) Open(Modal::kProgress, editor);
 }
 
+float MiddleOfDialog(float width, const Rect& window, const Rect& card) {
+  const float middle = window.x + 0.5f * window.w;
+  const bool is_clear = middle + 0.5f * width < card.x;
+  return is_clear || card.x - window.x < width ? middle : 0.5f * (window.x + card.x);
+}
+
 Result<Done> RunOrAsk(Editor* editor, const std::string& id, const Json& parameters) {
   if (!NeedsForm(id, parameters)) return editor->Invoke(id, parameters);
   editor->dialogs.form = MakeForm(id, parameters, &editor->session());
@@ -158,7 +181,7 @@ void SubmitForm(Editor* editor) {
     done = values.error();
   }
   if (!done.ok()) {
-    form.error = done.error().ToString();
+    form.error = TextOf(done.error(), form.id);
   } else if (editor->dialogs.modal == Modal::kForm) {
     Close(editor);
   }

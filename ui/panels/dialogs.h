@@ -26,12 +26,20 @@ void AnswerCancel(Editor* editor);
 
 // Shows the file dialog; `then` is done after a project was saved.
 void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
+// Shows it to choose the render dialog's folder; that dialog comes back after either answer.
+void OpenFolderDialog(Editor* editor);
+void ChooseFolder(Editor* editor);
+void LeaveFileDialog(Editor* editor);
 void GoToFolder(const std::string& folder, Editor* editor);
 void ReadFolder(Editor* editor);
 void SelectEntry(int entry, Editor* editor);
 // Opens the folder or the project that the name says, or saves; asks before it overwrites.
 void ChooseFile(Editor* editor);
 void ConfirmOverwrite(Editor* editor);
+
+// Where the middle of a dialog is from the left [px]: that of the window, or beside a card that it
+// would cover, if it fits there.
+float MiddleOfDialog(float width, const Rect& window, const Rect& card);
 
 // Runs an action or operator, after a form if it needs to know more.
 Result<Done> RunOrAsk(Editor* editor, const std::string& id, const Json& parameters);

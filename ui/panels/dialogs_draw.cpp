@@ -15,15 +15,16 @@ struct Frame {
 Frame FrameOf(const DialogsState& dialogs) {
   switch (dialogs.modal) {
     case Modal::kFiles:
+      if (dialogs.files.picks_folder) return {"Choose folder", 680, 430};
       return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
     case Modal::kUnsaved:
       return {"Unsaved changes", 400, 0};
     case Modal::kSearch:
       return {"Search", 480, 0};
     case Modal::kForm:
-      return {"Parameters", 480, 0};
+      return {"Parameters", 580, 0};
     case Modal::kRender:
-      return {"Render", 460, 0};
+      return {"Render", 520, 0};
     case Modal::kProgress:
       return {"Rendering", 420, 0};
     case Modal::kManual:
@@ -43,11 +44,11 @@ void DrawUnsaved(Editor* editor) {
   ImGui::Spacing();
   const int clicked =
       DrawButtons(*editor, {{Tr("Save"), Tr("Saves the project, then goes on.")},
-                            {Tr("Don't save"), Tr("Goes on; the changes are lost.")},
+                            {Tr("Don't save (D)"), Tr("Goes on; the changes are lost.")},
                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) AnswerSave(editor);
-  if (clicked == 1) AnswerDiscard(editor);
-  if (clicked == 2 || IsEscapePressed()) AnswerCancel(editor);
+  if (clicked == 1 || ImGui::IsKeyPressed('D', false)) AnswerDiscard(editor);
+  if (clicked == 2 || IsEscapePressed(*editor)) AnswerCancel(editor);
 }
 
 void DrawContent(Editor* editor) {
@@ -81,10 +82,13 @@ std::string TitleOf(const DialogsState& dialogs) {
 
 }  // namespace
 
-bool IsEnterPressed() {
-  return ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false);
+bool IsEnterPressed(const Editor& editor) {
+  return !editor.dialogs.has_list &&
+         (ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false));
 }
-bool IsEscapePressed() { return ImGui::IsKeyPressed(kEscape, false); }
+bool IsEscapePressed(const Editor& editor) {
+  return !editor.dialogs.has_list && ImGui::IsKeyPressed(kEscape, false);
+}
 
 void DrawError(const std::string& error, const Theme& theme) {
   if (error.empty()) return;
@@ -112,7 +116,7 @@ int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons)
     ++i;
   }
   // Not the key that opened the dialog.
-  if (clicked < 0 && IsEnterPressed() && !editor.dialogs.just_opened) clicked = 0;
+  if (clicked < 0 && IsEnterPressed(editor) && !editor.dialogs.just_opened) clicked = 0;
   return clicked;
 }
 
@@ -125,8 +129,10 @@ void DrawDialogs(Editor* editor, const Rect& window) {
   const float width = std::min(Px(*editor, frame.width), 0.96f * window.w);
   const float height = std::min(Px(*editor, frame.height), 0.92f * window.h);
   const bool is_search = dialogs.modal == Modal::kSearch;
-  ImGui::SetNextWindowPos({0.5f * window.w, (is_search ? 0.15f : 0.5f) * window.h},
-                          ImGuiCond_Always, {0.5f, is_search ? 0.0f : 0.5f});
+  const Rect card = dialogs.shows_first_steps ? dialogs.first_steps_card : Rect();
+  ImGui::SetNextWindowPos(
+      {MiddleOfDialog(width, window, card), (is_search ? 0.15f : 0.5f) * window.h},
+      ImGuiCond_Always, {0.5f, is_search ? 0.0f : 0.5f});
   ImGui::SetNextWindowSize({width, height});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavFocus |
@@ -141,6 +147,7 @@ void DrawDialogs(Editor* editor, const Rect& window) {
   DrawContent(editor);
   // Unless what was drawn has opened another.
   if (was_just_opened && dialogs.modal == drawn) dialogs.just_opened = false;
+  dialogs.has_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
   if (dialogs.modal == Modal::kNone) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

@@ -23,8 +23,9 @@ void DrawFirstSteps(Editor* editor, const Rect& window);
 inline float Px(const Editor& editor, double at_scale_1) {
   return static_cast<float>(at_scale_1 * editor.settings.scale);
 }
-bool IsEnterPressed();
-bool IsEscapePressed();
+// Neither counts while a list of the dialog is open.
+bool IsEnterPressed(const Editor& editor);
+bool IsEscapePressed(const Editor& editor);
 // An error, with a sign, on as many lines as it needs; nothing if it is empty.
 void DrawError(const std::string& error, const Theme& theme);
 

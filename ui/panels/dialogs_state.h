@@ -7,6 +7,7 @@
 #include "ui/edit/parameters.h"
 #include "ui/panels/first_steps.h"
 #include "ui/panels/folder_list.h"
+#include "ui/panels/geometry.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/panels/render_job.h"
 #include "ui/panels/search.h"
@@ -21,9 +22,10 @@ enum class Modal { kNone, kFiles, kUnsaved, kSearch, kForm, kRender, kProgress, 
 // What goes on once a question is answered. An error is shown where it was asked.
 using Then = std::function<Result<Done>(Editor*)>;
 
-// The dialog to open a project or to save it.
+// The dialog to open a project or to save it, or to choose a folder.
 struct FileDialogState {
   bool is_save = false;
+  bool picks_folder = false;  // for the pictures of the render dialog
   std::string folder;
   FolderFilter filter;
   std::vector<FileEntry> entries;  // of the folder
@@ -37,6 +39,7 @@ struct FileDialogState {
 struct DialogsState {
   Modal modal = Modal::kNone;
   bool just_opened = false;  // nothing of it was drawn yet
+  bool has_list = false;     // one of its lists is open, which has the keys
   Then then;                 // after the question about unsaved changes
   FileDialogState files;
   SearchState search;
@@ -44,6 +47,7 @@ struct DialogsState {
   RenderState render;
   bool shows_first_steps = false;
   FirstSteps first_steps;
+  Rect first_steps_card;  // where it is, as long as it is shown
 };
 
 }  // namespace hazumi::ui

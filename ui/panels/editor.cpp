@@ -29,7 +29,7 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
   } else {
     done = session_.Run(id, parameters);
   }
-  if (!done.ok()) Say(done.error().ToString(), true);
+  if (!done.ok()) Say(TextOf(done.error(), id), true);
   const bool is_stale = message.is_error && message.text == before.text;
   if (done.ok() && is_stale && IsNewDeed(id)) Say("");
   if (done.ok()) Note(id, parameters);
@@ -69,9 +69,7 @@ double Editor::NextDeadline() const {
   return UntilNextFrame();
 }
 
-double Editor::UntilNextFrame() const {
-  return std::max(0.0, playback.NextFrameTime() - now_);
-}
+double Editor::UntilNextFrame() const { return std::max(0.0, playback.NextFrameTime() - now_); }
 
 void Editor::Take(std::unique_ptr<Tool> next) {
   ToolInput cancel;

@@ -12,7 +12,10 @@ namespace {
 std::string FirstFolder(const Editor& editor) {
   const std::string& path = editor.session().document().path();
   std::error_code unknown;
-  if (!path.empty()) return ParentOf(std::filesystem::absolute(path).string());
+  if (!path.empty()) {
+    const std::string folder = ParentOf(std::filesystem::absolute(path).string());
+    if (std::filesystem::is_directory(folder, unknown)) return folder;
+  }
   for (const std::string& file : editor.settings.recent_files) {
     if (std::filesystem::is_directory(ParentOf(file), unknown)) return ParentOf(file);
   }
@@ -33,7 +36,7 @@ std::string ChosenPath(const FileDialogState& files) {
 void Finish(const Result<Done>& done, Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   if (!done.ok()) {
-    files.error = done.error().ToString();
+    files.error = TextOf(done.error(), files.is_save ? "file.save" : "file.open");
     return;
   }
   const Then then = files.then;
@@ -67,6 +70,7 @@ void ReadFolder(Editor* editor) {
     return;
   }
   files.entries = std::move(entries).value();
+  if (files.picks_folder) std::erase_if(files.entries, [](const auto& e) { return !e.is_folder; });
   editor->NeedGlyphs(files.folder);
   for (const FileEntry& entry : files.entries) editor->NeedGlyphs(entry.name);
 }
@@ -88,6 +92,32 @@ void OpenFileDialog(Editor* editor, bool is_save, Then then) {
   if (is_save) files.name = FirstName(*editor);
   GoToFolder(FirstFolder(*editor), editor);
   Open(Modal::kFiles, editor);
+}
+
+// The nearest folder above that is there, for one that is yet to be made.
+void OpenFolderDialog(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  files = {};
+  files.picks_folder = true;
+  std::string folder = PathOf(HomeFolder(), editor->dialogs.render.folder, HomeFolder());
+  std::error_code unknown;
+  while (!std::filesystem::is_directory(folder, unknown) && folder != ParentOf(folder)) {
+    folder = ParentOf(folder);
+  }
+  GoToFolder(folder, editor);
+  Open(Modal::kFiles, editor);
+}
+
+void ChooseFolder(Editor* editor) {
+  const FileDialogState& files = editor->dialogs.files;
+  editor->dialogs.render.folder =
+      files.name.empty() ? files.folder : PathOf(files.folder, files.name, HomeFolder());
+  Open(Modal::kRender, editor);
+}
+
+void LeaveFileDialog(Editor* editor) {
+  if (editor->dialogs.files.picks_folder) return Open(Modal::kRender, editor);
+  Close(editor);
 }
 
 void SelectEntry(int entry, Editor* editor) {

@@ -30,7 +30,8 @@ void DrawShelves(Editor* editor) {
     ImGui::PopID();
     Tooltip(shelf.path);
   }
-  if (editor->dialogs.files.is_save || editor->settings.recent_files.empty()) return;
+  const FileDialogState& files = editor->dialogs.files;
+  if (files.is_save || files.picks_folder || editor->settings.recent_files.empty()) return;
   ImGui::Spacing();
   ImGui::TextDisabled("%s", Tr("Recent files"));
   const std::vector<std::string> recent = editor->settings.recent_files;
@@ -56,8 +57,9 @@ void DrawTop(Editor* editor) {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
   };
-  const float choices_width =
-      width_of(Tr("Newest first")) + width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
+  const float files_width =
+      files.picks_folder ? 0.0f : width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
+  const float choices_width = width_of(Tr("Newest first")) + files_width;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - choices_width;
   ImGui::PushClipRect(at, {at.x + width, at.y + Px(*editor, 40)}, true);
@@ -69,9 +71,11 @@ void DrawTop(Editor* editor) {
   bool is_changed = ImGui::Checkbox(Tr("Newest first"), &is_newest);
   Tooltip(Tr("Sorts by the time of the last change instead of the name."));
   files.filter.order = is_newest ? FileOrder::kNewest : FileOrder::kName;
-  ImGui::SameLine();
-  is_changed |= ImGui::Checkbox(Tr("All files"), &files.filter.all_files);
-  Tooltip(Tr("Also shows files that are no projects."));
+  if (!files.picks_folder) {
+    ImGui::SameLine();
+    is_changed |= ImGui::Checkbox(Tr("All files"), &files.filter.all_files);
+    Tooltip(Tr("Also shows files that are no projects."));
+  }
   if (is_changed) ReadFolder(editor);
 }
 
@@ -91,7 +95,10 @@ void DrawList(Editor* editor) {
   const float date_x = ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize("2026-12-31  23:59").x - Px(*editor, 16);
   std::optional<int> chosen;
-  if (files.entries.empty()) ImGui::TextDisabled("%s", Tr("There is no project in this folder."));
+  if (files.entries.empty()) {
+    ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
+                                                 : Tr("There is no project in this folder."));
+  }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
     ImGui::PushID(i);
     DrawRow(files.entries[i], i == files.selected, date_x);
@@ -165,20 +172,21 @@ void DrawOverwrite(Editor* editor) {
   const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) ConfirmOverwrite(editor);
-  if (clicked == 1 || IsEscapePressed()) editor->dialogs.files.asks_overwrite = false;
+  if (clicked == 1 || IsEscapePressed(*editor)) editor->dialogs.files.asks_overwrite = false;
 }
 
 void DrawBottom(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   if (files.asks_overwrite) return DrawOverwrite(editor);
   DrawError(files.error, editor->theme());
-  const char* verb = files.is_save ? Tr("Save") : Tr("Open");
+  const ButtonText choose =
+      files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
+      : files.is_save    ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
+                         : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
   const int clicked =
-      DrawButtons(*editor, {{verb, files.is_save ? Tr("Saves under this name.")
-                                                 : Tr("Opens the project, or the folder.")},
-                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
-  if (clicked == 0) ChooseFile(editor);
-  if (clicked == 1 || IsEscapePressed()) Close(editor);
+      DrawButtons(*editor, {choose, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  if (clicked == 0) files.picks_folder ? ChooseFolder(editor) : ChooseFile(editor);
+  if (clicked == 1 || IsEscapePressed(*editor)) LeaveFileDialog(editor);
 }
 
 }  // namespace

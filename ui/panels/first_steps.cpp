@@ -72,7 +72,7 @@ const StepText& TextOfStep(int step) {
        "Select the joints of an arm and choose Region > Add dynamics region, from frame 5 to 15. "
        "There no key moves them: they go on with the speed they have."},
       {"Put a foot on the ground",
-       "Choose Scene > Place figure, kind pinned, pin l_toe, from frame 0 to 30. The figure now "
+       "Choose Scene > Place figure: pinned, frames 0 to 30, pinned joint l_toe. The figure now "
        "stands on that foot."},
       {"Play", "Press Space. The arm swings out by itself and then follows your keys again."}};
   return texts[step];

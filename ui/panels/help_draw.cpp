@@ -87,7 +87,7 @@ void DrawManual(Editor* editor) {
   }
   DrawKeys(editor->theme());
   ImGui::EndChild();
-  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed()) Close(editor);
+  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
 }
 
 void DrawAbout(Editor* editor) {
@@ -98,7 +98,7 @@ void DrawAbout(Editor* editor) {
   ImGui::TextDisabled("%s", Tr("Licence: see the file LICENSE."));
   ImGui::TextDisabled("Dear ImGui %s, GLFW, Mesa, Eigen, nlohmann/json, libpng", IMGUI_VERSION);
   ImGui::Spacing();
-  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed()) Close(editor);
+  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
 }
 
 void DrawFirstSteps(Editor* editor, const Rect& window) {
@@ -116,6 +116,8 @@ void DrawFirstSteps(Editor* editor, const Rect& window) {
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   DrawSteps(*editor);
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  editor->dialogs.first_steps_card = {at.x, at.y, size.x, size.y};
   ImGui::End();
   ImGui::PopStyleVar();
   if (!stays) editor->Do("help.first_steps", {{"on", false}});

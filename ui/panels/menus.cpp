@@ -124,6 +124,7 @@ MenuEntry KeyMenu() {
   };
   return Submenu(
       "Key", {{"key.insert"},
+              {"key.delete", Json::object(), "Delete keys of this frame"},
               {"keys.delete"},
               Line(),
               {"keys.copy"},

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "engine/base/text.h"
 #include "ui/edit/session.h"
 #include "ui/panels/actions.h"
+#include "ui/panels/form_suggestions.h"
+#include "ui/panels/form_texts.h"
 
 namespace hazumi::ui {
 
@@ -17,7 +18,7 @@ using edit::ParameterKind;
 
 std::string TextOf(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return FormatShort(value.get<double>());
+  if (value.is_number()) return FormatNumber(value.get<double>());
   std::string list;
   if (value.is_array()) {
     for (const Json& item : value) list += (list.empty() ? "" : ", ") + TextOf(item);
@@ -25,22 +26,10 @@ std::string TextOf(const Json& value) {
   return list;
 }
 
-// What is meant most of the time.
-Json Suggestion(const ParameterInfo& info, const edit::Session& session) {
-  const std::string name = info.name;
-  const Project& project = session.project();
-  const double now = std::round(session.frame());
-  if (name == "first") return now;
-  if (name == "frame" || name == "to_first") return now;
-  if (name == "last" || name == "to_last") return project.frames.last;
-  if (name == "region" && !project.regions.empty()) return project.regions.front().name;
-  if (name == "object" && !project.scene.objects.empty()) {
-    return project.scene.objects.back().name;
-  }
-  const std::set<std::string>& joints = session.selected_joints();
-  const bool is_one = name == "joint" || name == "curve";
-  return is_one && !joints.empty() ? Json(*joints.begin()) : Json();
-}
+// Operators that change what they are told, and nothing that they are not.
+bool DoesNothingAlone(const std::string& id) { return id == "time.range" || id == "solver.set"; }
+
+}  // namespace
 
 std::vector<std::string> Parts(const std::string& text) {
   std::vector<std::string> parts;
@@ -54,6 +43,14 @@ std::vector<std::string> Parts(const std::string& text) {
     first = comma + 1;
   }
   return parts;
+}
+
+namespace {
+
+// A tick that is as it would be without it need not be given.
+bool IsGiven(const FormField& field) {
+  if (field.info.kind != ParameterKind::kYesNo) return !field.text.empty();
+  return field.info.is_required || field.yes != field.info.offer.is_on;
 }
 
 Result<Json> NumberIn(const std::string& text, const ParameterInfo& info) {
@@ -103,6 +100,7 @@ const std::vector<ParameterInfo>& ParametersOf(const std::string& id) {
 }
 
 bool NeedsForm(const std::string& id, const Json& given) {
+  if (given.empty() && DoesNothingAlone(id)) return true;
   const std::vector<ParameterInfo>& infos = ParametersOf(id);
   return std::any_of(infos.begin(), infos.end(), [&](const ParameterInfo& info) {
     return info.is_required && !given.contains(info.name);
@@ -114,26 +112,55 @@ FormState MakeForm(const std::string& id, const Json& given, edit::Session* sess
   form.id = id;
   for (const ParameterInfo& info : ParametersOf(id)) {
     if (std::string(info.name) == "drag") continue;
-    FormField field{info, "", false};
+    FormField field{info, "", false,
+                    info.is_required || IsMain(id, info.name) || DoesNothingAlone(id)};
     const bool is_given = given.contains(info.name);
-    const Json value = is_given           ? given[info.name]
-                       : info.is_required ? Suggestion(info, *session)
-                                          : Json();
+    const Json value = is_given        ? given[info.name]
+                       : field.is_main ? Suggestion(id, info, session)
+                                       : Json();
     field.text = TextOf(value);
-    field.yes = value.is_boolean() && value.get<bool>();
+    field.yes = value.is_boolean() ? value.get<bool>() : info.offer.is_on;
     form.fields.push_back(std::move(field));
   }
-  std::stable_partition(form.fields.begin(), form.fields.end(),
+  const auto others = std::stable_partition(form.fields.begin(), form.fields.end(),
+                                            [](const FormField& field) { return field.is_main; });
+  std::stable_partition(form.fields.begin(), others,
                         [](const FormField& field) { return field.info.is_required; });
   return form;
+}
+
+bool IsAsked(const FormState& form, const FormField& field) {
+  if (form.id != "placement.set") return true;
+  const std::string name = field.info.name;
+  const std::string& kind = form.fields.front().text;
+  return name == "landing_pin" ? kind == "gravity" : name != "pin" || kind != "keyed";
+}
+
+std::vector<FormRow> RowsOf(FormState* form) {
+  std::vector<FormRow> rows;
+  std::vector<std::string> expected;  // in the present row
+  for (FormField& field : form->fields) {
+    if (!IsAsked(*form, field)) continue;
+    const bool is_next = !expected.empty() && expected.front() == field.info.name &&
+                         rows.back().fields.front()->is_main == field.is_main;
+    if (is_next) {
+      rows.back().fields.push_back(&field);
+      expected.erase(expected.begin());
+      continue;
+    }
+    const std::string label = LabelOfRow(form->id, field.info.name);
+    rows.push_back({label.empty() ? LabelOf(field.info) : label, {&field}});
+    expected = NamesInRow(field.info.name);
+    if (!expected.empty()) expected.erase(expected.begin());
+  }
+  return rows;
 }
 
 Result<Json> ValuesOf(const FormState& form) {
   Json values = Json::object();
   for (const FormField& field : form.fields) {
-    const bool is_ticked = field.info.kind == ParameterKind::kYesNo;
-    const bool is_empty = is_ticked ? !field.yes : field.text.empty();
-    if (is_empty && !(is_ticked && field.info.is_required)) continue;
+    if (!IsAsked(form, field)) continue;
+    if (!IsGiven(field)) continue;
     const Result<Json> value = ValueOf(field);
     if (!value.ok()) return value.error();
     values[field.info.name] = value.value();

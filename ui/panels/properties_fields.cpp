@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/number_text.h"
 #include "ui/panels/properties_layout.h"
 #include "ui/panels/signs.h"
 
@@ -69,6 +70,11 @@ class FieldColors {
   ~FieldColors() { ImGui::PopStyleColor(4); }
 };
 
+// What the field says: 0 where that would be "-0.0".
+double Shown(const NumberField& field) {
+  return WithoutMinusZero(field.value, ImParseFormatPrecision(field.format, 3));
+}
+
 // A number that a region computes: hatched, and not to be changed.
 void DrawComputed(Editor* editor, const NumberField& field, const Rect& rect) {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -78,7 +84,7 @@ void DrawComputed(Editor* editor, const NumberField& field, const Rect& rect) {
   DrawHatch(list, rect, ToIm(colors::kDynamics, 0.45f));
   list->AddRect(low, high, ToIm(colors::kDynamics, 0.8f), round);
   char text[64];
-  std::snprintf(text, sizeof text, field.format, field.value);
+  std::snprintf(text, sizeof text, field.format, Shown(field));
   const ImVec2 size = ImGui::CalcTextSize(text);
   list->AddText({rect.x + 0.5f * (rect.w - size.x), rect.y + 0.5f * (rect.h - size.y)},
                 ToIm(editor->theme().text), text);
@@ -166,7 +172,7 @@ bool DrawNumber(Editor* editor, const NumberField& field, const SubmitNumber& su
   double speed = field.is_slider ? (field.upper - field.lower) / parts.field.w : field.speed;
   if (ImGui::GetIO().KeyShift) speed *= 0.01;  // ImGui makes it ten times as fast
   const bool was_typed = ImGui::TempInputIsActive(id);
-  double value = was_typed && typed && typed->id == id ? typed->value : field.value;
+  double value = was_typed && typed && typed->id == id ? typed->value : Shown(field);
   const bool is_changed =
       ImGui::DragScalar(name.c_str(), ImGuiDataType_Double, &value, static_cast<float>(speed),
                         &field.lower, &field.upper, field.format);

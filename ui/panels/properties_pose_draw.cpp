@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/text.h"
 #include "engine/figure/mirror.h"
 #include "ui/edit/root_curves.h"
 #include "ui/panels/actions.h"
@@ -72,6 +73,22 @@ void ToggleKey(Editor* editor, const std::string& curve, bool has_key) {
   }
 }
 
+// Says that an angle was not taken as it was wanted; takes that back once one is.
+void TellLimit(const HingeNow& hinge, double wanted_deg, Editor* editor) {
+  const double lower = hinge.joint->lower * kRadian, upper = hinge.joint->upper * kRadian;
+  constexpr double kEpsilon = 1e-6;
+  const std::string about = hinge.name + ": ";
+  if (wanted_deg >= lower - kEpsilon && wanted_deg <= upper + kEpsilon) {
+    if (editor->message.text.starts_with(about)) editor->Say("");
+    return;
+  }
+  char text[200];
+  std::snprintf(text, sizeof text, Tr("%s° is beyond its limit, %s° is set"),
+                FormatShort(wanted_deg).c_str(),
+                FormatShort(std::clamp(wanted_deg, lower, upper)).c_str());
+  editor->Say(about + text);
+}
+
 void DrawAngles(Editor* editor, const std::vector<HingeNow>& hinges) {
   for (const HingeNow& hinge : hinges) {
     NumberField field{"angle " + hinge.name, Tr(hinge.label.c_str()), hinge.angle_deg, "%.1f°",
@@ -79,7 +96,9 @@ void DrawAngles(Editor* editor, const std::vector<HingeNow>& hinges) {
     field.state = hinge.state;
     field.has_key_button = true;
     const bool toggles = DrawNumber(editor, field, [&](double value, const std::string& drag) {
-      editor->Do("pose.rotate", {{"joint", hinge.name}, {"to", value}, {"drag", drag}});
+      if (editor->Do("pose.rotate", {{"joint", hinge.name}, {"to", value}, {"drag", drag}})) {
+        TellLimit(hinge, value, editor);
+      }
     });
     if (toggles) ToggleKey(editor, hinge.name, hinge.key.has_value());
   }

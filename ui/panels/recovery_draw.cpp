@@ -37,7 +37,7 @@ enum class Answer { kRecover, kThrowAway, kLater };
 std::optional<Answer> Ask(const Editor& editor, bool can_recover) {
   const ButtonText recover = {Tr("Recover"), ""}, throw_away = {Tr("Throw away"), ""};
   const ButtonText later = {Tr("Ask again next time"), ""};
-  if (IsEscapePressed()) return Answer::kLater;
+  if (IsEscapePressed(editor)) return Answer::kLater;
   const int clicked = can_recover ? DrawButtons(editor, {recover, throw_away, later})
                                   : DrawButtons(editor, {later, throw_away});
   if (clicked < 0) return std::nullopt;

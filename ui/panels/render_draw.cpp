@@ -15,6 +15,28 @@ void Label(const char* text, const Editor& editor) {
   ImGui::SameLine(Px(editor, 130));
 }
 
+struct Preset {
+  int width, height;
+  const char* name;
+};
+
+void DrawPresets(RenderState* render) {
+  static constexpr Preset kPresets[] = {{640, 360, ""},          {1280, 720, "HD"},
+                                        {1920, 1080, "Full HD"}, {3840, 2160, "4K"},
+                                        {1080, 1080, "1:1"},     {1080, 1920, "9:16"}};
+  if (!ImGui::BeginCombo("##presets", Tr("Presets"), ImGuiComboFlags_NoPreview)) {
+    return Tooltip(Tr("Usual sizes"));
+  }
+  for (const Preset& preset : kPresets) {
+    const std::string size = std::to_string(preset.width) + " x " + std::to_string(preset.height);
+    const bool is_now = preset.width == render->width && preset.height == render->height;
+    if (!ImGui::Selectable((size + "  " + preset.name).c_str(), is_now)) continue;
+    render->width = preset.width;
+    render->height = preset.height;
+  }
+  ImGui::EndCombo();
+}
+
 void DrawSize(Editor* editor) {
   RenderState& render = editor->dialogs.render;
   Label(Tr("Size"), *editor);
@@ -27,19 +49,49 @@ void DrawSize(Editor* editor) {
   ImGui::SetNextItemWidth(Px(*editor, 80));
   ImGui::InputInt("##height", &render.height, 0);
   Tooltip(Tr("Height in pixels"));
+  ImGui::SameLine();
+  DrawPresets(&render);
+}
+
+void SetRange(const ProjectFrames& frames, RenderState* render) {
+  render->whole = true;
+  render->first = frames.first;
+  render->last = frames.last;
+}
+
+void DrawRange(Editor* editor) {
+  RenderState& render = editor->dialogs.render;
+  const Project& project = editor->session().project();
+  ImGui::SetNextItemWidth(Px(*editor, 60));
+  bool is_changed = ImGui::InputInt("##first", &render.first, 0);
+  Tooltip(Tr("First frame"));
+  ImGui::SameLine();
+  ImGui::TextUnformatted("-");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(Px(*editor, 60));
+  is_changed |= ImGui::InputInt("##last", &render.last, 0);
+  Tooltip(Tr("Last frame"));
+  if (is_changed) render.whole = true;
+  ImGui::SameLine();
+  if (ImGui::Button(Tr("All"))) SetRange(project.frames, &render);
+  Tooltip(Tr("All frames of the animation"));
+  if (!project.preview) return;
+  ImGui::SameLine();
+  if (ImGui::Button(Tr("Preview range"))) SetRange(*project.preview, &render);
+  Tooltip(Tr("The frames that are played"));
 }
 
 void DrawFrames(Editor* editor) {
   RenderState& render = editor->dialogs.render;
   Label(Tr("Frames"), *editor);
   const std::string now = std::to_string(std::lround(editor->session().frame()));
-  const ProjectFrames& all = editor->session().project().frames;
-  const std::string range = std::to_string(all.first) + " - " + std::to_string(all.last);
   if (ImGui::RadioButton((Tr("current: ") + now).c_str(), !render.whole)) render.whole = false;
   Tooltip(Tr("One picture, of the current frame"));
-  ImGui::SameLine();
-  if (ImGui::RadioButton((Tr("all: ") + range).c_str(), render.whole)) render.whole = true;
+  Label("", *editor);
+  if (ImGui::RadioButton(Tr("range"), render.whole)) render.whole = true;
   Tooltip(Tr("A picture of each frame"));
+  ImGui::SameLine();
+  DrawRange(editor);
 }
 
 void DrawView(Editor* editor) {
@@ -65,6 +117,36 @@ void DrawResult(const Editor& editor, const RenderJob& job, const Result<int>& r
   ImGui::TextWrapped(Tr("%d pictures are in %s"), result.value(), folder);
 }
 
+void DrawFolder(Editor* editor) {
+  RenderState& render = editor->dialogs.render;
+  Label(Tr("Folder"), *editor);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const char* choose = Tr("Choose...");
+  const float button = ImGui::CalcTextSize(choose).x + 2.0f * style.FramePadding.x;
+  ImGui::SetNextItemWidth(-(button + style.ItemSpacing.x));
+  if (ImGui::InputText("##folder", &render.folder)) editor->NeedGlyphs(render.folder);
+  Tooltip(Tr("Where the pictures go; it is made if it is not there"));
+  ImGui::SameLine();
+  if (ImGui::Button(choose)) OpenFolderDialog(editor);
+}
+
+// What will be written, and what will be lost.
+void DrawSummary(Editor* editor) {
+  RenderState& render = editor->dialogs.render;
+  const RenderTask task = OutlineOf(*editor);
+  const std::string summary = SummaryOf(task);
+  if (render.counted != summary) {
+    render.counted = summary;
+    render.num_existing = CountExisting(task);
+  }
+  ImGui::TextWrapped("%s", summary.c_str());
+  if (render.num_existing == 0) return;
+  char text[200];
+  std::snprintf(text, sizeof text, Tr("%d of these files exist and will be overwritten."),
+                render.num_existing);
+  DrawError(text, editor->theme());
+}
+
 }  // namespace
 
 void DrawRenderDialog(Editor* editor) {
@@ -72,16 +154,15 @@ void DrawRenderDialog(Editor* editor) {
   DrawSize(editor);
   DrawFrames(editor);
   DrawView(editor);
-  Label(Tr("Folder"), *editor);
-  ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::InputText("##folder", &render.folder)) editor->NeedGlyphs(render.folder);
-  Tooltip(Tr("Where the pictures go; it is made if it is not there"));
+  DrawFolder(editor);
+  ImGui::Spacing();
+  DrawSummary(editor);
   DrawError(render.error, editor->theme());
   ImGui::Spacing();
   const int clicked = DrawButtons(*editor, {{Tr("Render"), Tr("Draws the pictures.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) StartRender(editor);
-  if (clicked == 1 || IsEscapePressed()) Close(editor);
+  if (clicked == 1 || IsEscapePressed(*editor)) Close(editor);
 }
 
 void DrawProgress(Editor* editor) {
@@ -95,11 +176,11 @@ void DrawProgress(Editor* editor) {
     ImGui::TextDisabled("%s", job.is_cancelled() ? Tr("Ending...") : job.task().folder.c_str());
     const bool wants_end =
         DrawButtons(*editor, {{Tr("Cancel"), Tr("Ends after the picture at hand.")}}) == 0;
-    if (wants_end || IsEscapePressed()) job.Cancel();
+    if (wants_end || IsEscapePressed(*editor)) job.Cancel();
     return;
   }
   DrawResult(*editor, job, *result);
-  if (DrawButtons(*editor, {{Tr("Close"), ""}}) < 0 && !IsEscapePressed()) return;
+  if (DrawButtons(*editor, {{Tr("Close"), ""}}) < 0 && !IsEscapePressed(*editor)) return;
   render.job.reset();
   Close(editor);
 }

@@ -43,24 +43,31 @@ render::Overlays OverlaysFor(const Editor& editor) {
 }
 
 Result<RenderTask> TaskFor(Editor* editor) {
-  const RenderState& render = editor->dialogs.render;
   edit::Session& session = editor->session();
   const Result<const Motion*> motion = session.WholeMotion();
   if (!motion.ok()) return motion.error();
-  RenderTask task;
+  RenderTask task = OutlineOf(*editor);
   task.animation = *session.animation();
   task.motion = *motion.value();
   task.camera = CameraFor(*editor);
   task.overlays = OverlaysFor(*editor);
-  task.width = render.width;
-  task.height = render.height;
-  const ProjectFrames& frames = session.project().frames;
-  const int now = static_cast<int>(std::lround(session.frame()));
-  task.first = render.whole ? frames.first : std::clamp(now, frames.first, frames.last);
-  task.last = render.whole ? frames.last : task.first;
-  task.folder = PathOf(HomeFolder(), render.folder, HomeFolder());
-  task.project = session.project().name;
   return task;
+}
+
+std::string Filled(const char* format, int a, int b) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+// What the dialog asks for that cannot be drawn; empty: nothing.
+std::string TroubleWith(const RenderTask& task, const ProjectFrames& frames) {
+  constexpr int kLargest = 8192;  // [px]
+  const auto [low, high] = std::minmax(task.width, task.height);
+  if (low < 1 || high > kLargest) return Tr("Width and height must be from 1 to 8192.");
+  if (task.first > task.last) return Tr("The first frame must not come after the last one.");
+  if (task.first >= frames.first && task.last <= frames.last) return "";
+  return Filled(Tr("The animation has the frames from %d to %d."), frames.first, frames.last);
 }
 
 }  // namespace
@@ -70,6 +77,43 @@ std::string PictureName(const RenderTask& task, int frame) {
   std::snprintf(number, sizeof number, "%s%04d", frame < 0 ? "-" : "", std::abs(frame));
   const std::string name = FileNameFrom(task.project) + "_" + number + ".png";
   return (std::filesystem::path(task.folder) / name).string();
+}
+
+RenderTask OutlineOf(const Editor& editor) {
+  const RenderState& render = editor.dialogs.render;
+  const edit::Session& session = editor.session();
+  RenderTask task;
+  task.width = render.width;
+  task.height = render.height;
+  const ProjectFrames& frames = session.project().frames;
+  const int now = static_cast<int>(std::lround(session.frame()));
+  task.first = render.whole ? render.first : std::clamp(now, frames.first, frames.last);
+  task.last = render.whole ? render.last : task.first;
+  task.folder = PathOf(HomeFolder(), render.folder, HomeFolder());
+  task.project = session.project().name;
+  return task;
+}
+
+std::string SummaryOf(const RenderTask& task) {
+  const long count = std::max(0L, static_cast<long>(task.last) - task.first + 1);
+  const std::string size = std::to_string(task.width) + " x " + std::to_string(task.height);
+  const std::string first = NameIn(PictureName(task, task.first));
+  const std::string last = NameIn(PictureName(task, task.last));
+  const std::string number = count == 1 ? Tr("1 picture") : std::to_string(count) + Tr(" pictures");
+  const std::string names = count == 1 ? first : first + " - " + last;
+  return number + ", " + size + ", " + names + Tr(", into ") + task.folder;
+}
+
+int CountExisting(const RenderTask& task) {
+  int count = 0;
+  std::error_code unknown;
+  constexpr long kMost = 100'000;  // of a range that was typed and is no animation's
+  const bool is_range = static_cast<long>(task.last) - task.first < kMost;
+  if (!is_range || !std::filesystem::is_directory(task.folder, unknown)) return 0;
+  for (int frame = task.first; frame <= task.last; ++frame) {
+    count += std::filesystem::exists(PictureName(task, frame), unknown) ? 1 : 0;
+  }
+  return count;
 }
 
 RenderJob::RenderJob(RenderTask task, PictureWriter writer)
@@ -90,6 +134,10 @@ void OpenRenderDialog(Editor* editor, bool whole) {
   RenderState& render = editor->dialogs.render;
   render.whole = whole;
   render.error.clear();
+  render.counted.clear();
+  const ProjectFrames& frames = editor->session().project().frames;
+  render.first = frames.first;
+  render.last = frames.last;
   if (render.folder.empty()) {
     const std::string& path = editor->session().document().path();
     const std::string folder =
@@ -102,12 +150,8 @@ void OpenRenderDialog(Editor* editor, bool whole) {
 
 void StartRender(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  constexpr int kLargest = 8192;  // [px]
-  if (std::min(render.width, render.height) < 1 ||
-      std::max(render.width, render.height) > kLargest) {
-    render.error = Tr("Width and height must be from 1 to 8192.");
-    return;
-  }
+  render.error = TroubleWith(OutlineOf(*editor), editor->session().project().frames);
+  if (!render.error.empty()) return;
   Result<RenderTask> task = TaskFor(editor);
   if (!task.ok()) {
     render.error = task.error().ToString();

@@ -15,6 +15,8 @@
 
 namespace hazumi::ui {
 
+class Editor;
+
 // Pictures to be drawn into files; all that is needed, so that the editor may go on meanwhile.
 struct RenderTask {
   Animation animation;
@@ -62,12 +64,24 @@ class RenderJob {
 // The settings of the render dialog.
 struct RenderState {
   int width = 1280, height = 720;
-  bool whole = false;  // all frames, else the current one
+  bool whole = false;  // from `first` to `last`, else the current frame
+  int first = 0, last = 0;
   bool through_project_camera = false;
   bool overlays = false;  // paths, marks and tint as in the viewport
   std::string folder;
   std::string error;
   std::shared_ptr<RenderJob> job;
+  // How many of the files that will be written are there already, and of which files that was
+  // counted.
+  int num_existing = 0;
+  std::string counted;
 };
+
+// What the dialog says would be drawn: files and frames, of a project that need not be baked.
+RenderTask OutlineOf(const Editor& editor);
+// "31 pictures, 1280 x 720, Untitled_0000.png to Untitled_0030.png in /home/me/render".
+std::string SummaryOf(const RenderTask& task);
+// How many of a task's files are there already.
+int CountExisting(const RenderTask& task);
 
 }  // namespace hazumi::ui

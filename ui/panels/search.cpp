@@ -15,7 +15,7 @@ namespace {
 bool IsHidden(const std::string& id) {
   for (const char* hidden :
        {"file.new", "file.open", "file.save", "edit.end_drag", "edit.cancel_drag", "app.open",
-        "app.search", "keys.move", "keys.scale", "keys.duplicate", "keys.select_all"}) {
+        "app.search", "app.form", "keys.move", "keys.scale", "keys.duplicate", "keys.select_all"}) {
     if (id == hidden) return true;
   }
   return false;

@@ -1,4 +1,4 @@
-// The search box, and the form of what was found.
+// The search box.
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -34,27 +34,9 @@ std::optional<Command> DrawFound(const std::vector<Command>& found, const Editor
     ImGui::PopID();
   }
   const bool can_choose = search.selected < static_cast<int>(found.size());
-  if (IsEnterPressed() && can_choose && !editor.dialogs.just_opened)
+  if (IsEnterPressed(editor) && can_choose && !editor.dialogs.just_opened)
     chosen = found[search.selected];
   return chosen;
-}
-
-void DrawField(FormField* field, bool has_focus, const Editor& editor) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(Tr(field->info.name));
-  ImGui::SameLine(Px(editor, 120));
-  ImGui::PushID(field->info.name);
-  ImGui::SetNextItemWidth(-1.0f);
-  if (has_focus) ImGui::SetKeyboardFocusHere();
-  if (field->info.kind == edit::ParameterKind::kYesNo) {
-    ImGui::Checkbox("##yes", &field->yes);
-  } else {
-    const std::string hint =
-        std::string(field->info.is_required ? "" : Tr("optional: ")) + Tr(field->info.help);
-    ImGui::InputTextWithHint("##text", hint.c_str(), &field->text);
-  }
-  ImGui::PopID();
-  Tooltip(Tr(field->info.help));
 }
 
 }  // namespace
@@ -71,29 +53,10 @@ void DrawSearch(Editor* editor) {
   if (found.empty()) ImGui::TextDisabled("%s", Tr("Nothing is called so."));
   MoveSelection(static_cast<int>(found.size()), &search);
   const std::optional<Command> chosen = DrawFound(found, *editor);
-  if (IsEscapePressed()) return Close(editor);
+  if (IsEscapePressed(*editor)) return Close(editor);
   if (!chosen) return;
   Close(editor);
   RunOrAsk(editor, chosen->id, chosen->parameters).ok();  // the status bar says what is refused
-}
-
-void DrawForm(Editor* editor) {
-  FormState& form = editor->dialogs.form;
-  ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(editor->theme().faint_text));
-  ImGui::TextWrapped("%s", HelpOf(form.id));
-  ImGui::PopStyleColor();
-  ImGui::Spacing();
-  bool is_first = editor->dialogs.just_opened;
-  for (FormField& field : form.fields) {
-    DrawField(&field, is_first, *editor);
-    is_first = false;
-  }
-  DrawError(form.error, editor->theme());
-  ImGui::Spacing();
-  const int clicked = DrawButtons(
-      *editor, {{Tr("Run"), HelpOf(form.id)}, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
-  if (clicked == 0) SubmitForm(editor);
-  if (clicked == 1 || IsEscapePressed()) Close(editor);
 }
 
 }  // namespace hazumi::ui

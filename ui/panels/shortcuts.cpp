@@ -22,6 +22,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'V', true}, kViewport, "pose.paste"},
       {{'V', true, true}, kAnywhere, "pose.paste", {{"flipped", true}}},
       {{'I'}, kAnywhere, "key.insert"},
+      {{'I', false, false, true}, kAnywhere, "key.delete"},
       {{'A'}, kViewport, "select.all"},
       {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},
       {{'R', false, false, true}, kViewport, "pose.clear"},

@@ -6,27 +6,26 @@ namespace hazumi::ui {
 
 namespace {
 
-// Returns where it begins [px from the left].
-float DrawRight(const Editor& editor, float width) {
+float WidthOf(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// The last parts are left out where they would take more than `room`; the first one stays unless a
+// tool needs the room. Returns where it begins [px from the left].
+float DrawRight(const Editor& editor, float width, float room) {
   constexpr const char* kBetween = "   |   ";
-  std::vector<std::string> parts = StatusParts(editor);
   std::string text;
-  // The last ones are left out where they would take more than half of the bar.
-  for (const std::string& part : parts) {
-    std::string longer = text;
-    if (!text.empty()) longer += kBetween;
-    longer += part;
-    if (!text.empty() && ImGui::CalcTextSize(longer.c_str()).x > 0.55f * width) break;
+  for (const std::string& part : StatusParts(editor)) {
+    const std::string longer = text.empty() ? part : text + kBetween + part;
+    if ((editor.has_tool() || !text.empty()) && WidthOf(longer) > room) break;
     text = longer;
   }
-  const float left = width - ImGui::CalcTextSize(text.c_str()).x - 10.0f;
+  const float left = width - WidthOf(text) - 10.0f;
   ImGui::SameLine(left);
   ImGui::TextDisabled("%s", text.c_str());
   return left;
 }
 
-void DrawLeft(const Editor& editor) {
-  const std::string hint = editor.tool_hint(), baking = BakingText(editor);
+void DrawLeft(const Editor& editor, const std::string& hint) {
+  const std::string baking = BakingText(editor);
   if (!hint.empty()) {
     ImGui::TextUnformatted(hint.c_str());
   } else if (!baking.empty()) {
@@ -46,10 +45,13 @@ void DrawStatusBar(Editor* editor, const Rect& rect) {
   const float y = 0.5f * (rect.h - ImGui::GetTextLineHeight());
   ImGui::SetCursorPosY(y);
   ImGui::Dummy({0.0f, 0.0f});
-  const float left = DrawRight(*editor, rect.w);
+  const float margin = ImGui::GetStyle().WindowPadding.x + 20.0f;
+  const std::string hint = FittingHint(editor->tool_hint(), rect.w - margin, WidthOf);
+  const float room = hint.empty() ? 0.55f * rect.w : rect.w - margin - WidthOf(hint);
+  const float left = DrawRight(*editor, rect.w, room);
   ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x, y});
   ImGui::PushClipRect({rect.x, rect.y}, {rect.x + left - 10.0f, rect.bottom()}, true);
-  DrawLeft(*editor);
+  DrawLeft(*editor, hint);
   ImGui::PopClipRect();
   EndPanel();
 }

@@ -26,6 +26,18 @@ std::string BakingText(const Editor& editor) {
          " / " + std::to_string(editor.last_frame()) + "   Esc: " + Tr("stop");
 }
 
+std::string FittingHint(const std::string& hint, float room,
+                        const std::function<float(const std::string&)>& width_of) {
+  constexpr const char* kBetween = "   ";
+  size_t end = hint.find(kBetween);
+  while (end != std::string::npos) {
+    const size_t next = hint.find(kBetween, hint.find_first_not_of(' ', end));
+    if (width_of(hint.substr(0, next)) > room) return hint.substr(0, end);
+    end = next;
+  }
+  return hint;
+}
+
 std::vector<std::string> StatusParts(const Editor& editor) {
   const edit::Session& session = editor.session();
   const edit::Document& document = session.document();

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "ui/panels/number_text.h"
+
 namespace hazumi::ui {
 
 DragTool::DragTool(Editor* editor, const char* kind, bool is_held)
@@ -44,14 +46,14 @@ Point DragTool::MouseMoved(const ToolInput& input) {
 
 std::string Signed(double value, int digits) {
   char text[40];
-  std::snprintf(text, sizeof text, "%+.*f", digits, value);
+  std::snprintf(text, sizeof text, "%+.*f", digits, WithoutMinusZero(value, digits));
   return text;
 }
 
 std::string KeysHint(const char* axis) {
-  return std::string("    X Y Z: ") + axis + "   0-9: " + Tr("number") +
-         "   Shift: " + Tr("precise") + "   Ctrl: " + Tr("snap") + "   Enter: " + Tr("confirm") +
-         "   Esc: " + Tr("cancel");
+  return std::string("   Enter: ") + Tr("confirm") + "   Esc: " + Tr("cancel") +
+         "   X Y Z: " + axis + "   0-9: " + Tr("number") + "   Shift: " + Tr("precise") +
+         "   Ctrl: " + Tr("snap");
 }
 
 }  // namespace hazumi::ui

@@ -35,7 +35,8 @@ class DragTool : public Tool {
 
 // "+12.5"; with so many digits after the point.
 std::string Signed(double value, int digits);
-// The keys that tools understand, for their hints.
+// The keys that tools understand, for their hints; those that matter most go first, for the last
+// ones are left out where there is no room.
 std::string KeysHint(const char* axis);
 
 }  // namespace hazumi::ui

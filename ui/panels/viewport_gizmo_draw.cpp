@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/panels/number_text.h"
 #include "ui/panels/viewport_marks.h"
 #include "ui/panels/widgets.h"
 
@@ -70,7 +71,8 @@ void DrawAngle(const Editor& editor, const View& view, const LimitArc& arc) {
   constexpr double kDegree = kPi / 180.0;
   char text[160];
   std::snprintf(text, sizeof text, "%s  %.1f\u00b0  (%.0f\u00b0 \u2013 %.0f\u00b0)",
-                joint.name.c_str(), arc.angle / kDegree, arc.lower / kDegree, arc.upper / kDegree);
+                joint.name.c_str(), WithoutMinusZero(arc.angle / kDegree, 1),
+                WithoutMinusZero(arc.lower / kDegree, 0), WithoutMinusZero(arc.upper / kDegree, 0));
   const ImVec2 size = ImGui::CalcTextSize(text);
   const float s = static_cast<float>(editor.settings.scale);
   const Rect& rect = view.rect();

@@ -48,6 +48,39 @@ TEST(KeyOperators, WhatAFileCouldNotHoldIsRefused) {
       << error.ToString();
 }
 
+TEST(KeyOperators, DeleteTakesTheKeysOfTheFrameFromWhatIsSelected) {
+  Session session;
+  for (const char* curve : {"r_knee", "l_knee", "root.z"}) {
+    for (const int frame : {0, 5}) {
+      Do(&session, "key.set", {{"curve", curve}, {"frame", frame}, {"value", 1}});
+    }
+  }
+  session.set_frame(5.0);
+  session.set_selected_joints({"r_knee"});
+  Do(&session, "key.delete");
+  EXPECT_EQ(KeysOf(session, "r_knee").size(), 1u);
+  EXPECT_EQ(KeysOf(session, "l_knee").size(), 2u);
+  session.set_selected_joints({});
+  Do(&session, "key.delete");
+  EXPECT_EQ(KeysOf(session, "r_knee").size(), 1u);
+  EXPECT_EQ(KeysOf(session, "l_knee").size(), 1u);
+  EXPECT_EQ(session.project().root.curves[2].keys.back().frame, 0.0);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(KeysOf(session, "l_knee").size(), 2u);
+}
+
+TEST(KeyOperators, DeleteSaysWhereThereIsNoKey) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 1}});
+  session.set_frame(7.0);
+  const size_t steps = session.document().num_steps();
+  EXPECT_EQ(session.Run("key.delete").error().message, "there is no key on frame 7");
+  session.set_selected_joints({"l_knee"});
+  EXPECT_EQ(session.Run("key.delete", {{"frame", 5}}).error().message,
+            "what is selected has no key on frame 5");
+  EXPECT_EQ(session.document().num_steps(), steps);
+}
+
 TEST(KeyOperators, DraggingAKeyIsOneStep) {
   Session session;
   Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 5}, {"value", 30}});
