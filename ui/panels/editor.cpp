@@ -41,6 +41,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
   FrameNewDocument(this);
+  if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
 }
 
