@@ -15,6 +15,7 @@ constexpr int kDampedSteps = 240;
 constexpr int kStarts = 4;
 constexpr double kLargestStep = 0.4;  // [rad] an iteration
 constexpr double kConverged = 1e-12;  // [m, rad]
+constexpr double kBeyond = 1e-9;      // [rad]
 
 // The position error and, for six constraints, sine times axis of the orientation error.
 template <typename T>
@@ -76,6 +77,7 @@ HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target
     double distance = 0.0;
     if (!ConvergeFromAfar(problem, &distance)) return {false, distance};
   }
+  if (Excess() > kBeyond) PreferTheLimits(problem);
   FindRates(problem);
   for (int r = 0; r < n_; ++r) (*q)[joints()[r].value()] = x_jet_[r];
   return {true, 0.0};
@@ -113,6 +115,34 @@ bool HoldSolver::Converge(const Problem& problem, int iterations, Hessian hessia
     if (!x_.allFinite()) return false;
   }
   return false;
+}
+
+// How far any angle is beyond its limits, those that keys put there left out [rad].
+double HoldSolver::Excess() const {
+  double excess = 0.0;
+  for (int r = 0; r < n_; ++r) {
+    const double lower = std::min(chain_.joint(r).lower, keyed_[r]);
+    const double upper = std::max(chain_.joint(r).upper, keyed_[r]);
+    excess = std::max({excess, lower - x_[r], x_[r] - upper});
+  }
+  return excess;
+}
+
+// Looks for a solution about as near to the keyed pose as that in x_ that is less far beyond the
+// limits; if there is none, leaves x_ as it is. From a straight limb the other one is about its
+// mirror image.
+void HoldSolver::PreferTheLimits(const Problem& problem) {
+  constexpr double kAsNear = 1.5;  // of squares
+  const VecX first = x_;
+  const double near = (first.head(n_) - keyed_).squaredNorm(), excess = Excess();
+  x_.setZero();
+  x_.head(n_) = 2.0 * keyed_ - first.head(n_);
+  LeastDistance(problem);
+  const bool is_better = Converge(problem, kNewtonSteps, Hessian::kFull) && Excess() < excess &&
+                         (x_.head(n_) - keyed_).squaredNorm() <= kAsNear * near;
+  if (is_better) return;
+  x_ = first;
+  Converge(problem, kNewtonSteps, Hessian::kFull);
 }
 
 // First onto the target from several starts, then along it to the nearest solution.

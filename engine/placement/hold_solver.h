@@ -29,7 +29,9 @@ struct HoldSolution {
 // sits on). With multipliers l this is  F = (q - q_keyed + J^T l, c) = 0, solved by Newton's method
 // from the keyed pose, so that the keyed pose picks the branch. The solution's rates and
 // accelerations follow exactly from F = 0 differentiated in time, with q_keyed and the root's pose
-// given as jets. The result depends on the arguments alone, not on what was solved before.
+// given as jets. The limits of the hinges are no constraints, but of two poses that are about as
+// near to the keyed one, as those of a straight knee are, the one that is less far beyond them is
+// taken. The result depends on the arguments alone, not on what was solved before.
 class HoldSolver {
  public:
   // `figure` must outlive the solver.
@@ -55,6 +57,8 @@ class HoldSolver {
   enum class Hessian { kFull, kWithoutChain };
 
   bool Converge(const Problem& problem, int iterations, Hessian hessian);
+  double Excess() const;
+  void PreferTheLimits(const Problem& problem);
   bool ConvergeFromAfar(const Problem& problem, double* distance);
   void StartFrom(int start);
   double LeastDistance(const Problem& problem);

@@ -266,22 +266,21 @@ TEST_F(Dialogs, ARangeIsRenderedAfterItIsSaidWhatIsWritten) {
   ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a.kfa")}}));
   OpenRenderDialog(&editor_, true);
   RenderState& render = editor_.dialogs.render;
-  EXPECT_EQ(
-      SummaryOf(OutlineOf(editor_)),
-      "31 pictures, 1280 x 720, Untitled_0000.png - Untitled_0030.png, into " + File("render"));
+  EXPECT_EQ(SummaryOf(OutlineOf(editor_)),
+            "31 pictures, 1280 x 720, a_0000.png - a_0030.png, into " + File("render"));
   render.first = 4;
   render.last = 5;
   render.width = render.height = 32;
   fs::create_directories(File("render"));
-  std::ofstream(File("render/Untitled_0005.png")) << "mine";
+  std::ofstream(File("render/a_0005.png")) << "mine";
   Frames();
   EXPECT_EQ(render.num_existing, 1);
   StartRender(&editor_);
   ASSERT_TRUE(render.job) << render.error;
   while (!render.job->result()) shell_->Frame();
   EXPECT_EQ(render.job->result()->value(), 2);
-  EXPECT_TRUE(fs::exists(File("render/Untitled_0004.png")));
-  EXPECT_FALSE(fs::exists(File("render/Untitled_0006.png")));
+  EXPECT_TRUE(fs::exists(File("render/a_0004.png")));
+  EXPECT_FALSE(fs::exists(File("render/a_0006.png")));
 }
 
 TEST_F(Dialogs, ARangeOutsideOfTheAnimationIsNotRendered) {

@@ -91,6 +91,15 @@ TEST_F(EditorWindow, PlaysInRealTime) {
   EXPECT_FALSE(editor_.playback.is_on());
 }
 
+TEST_F(EditorWindow, EscapeEndsPlaybackWhereItBegan) {
+  ASSERT_TRUE(editor_.Do("time.frame", {{"frame", 4}}));
+  Press(kSpace);
+  shell_->Frame(0.5);
+  Press(kEscape);
+  EXPECT_FALSE(editor_.playback.is_on());
+  EXPECT_EQ(editor_.session().frame(), 4.0);
+}
+
 // A motion that takes far longer than a picture may take: a swing of six seconds, nearly without
 // friction, from stop to stop, as accurate as can be.
 class LongMotion : public EditorWindow {

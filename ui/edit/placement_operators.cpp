@@ -118,15 +118,18 @@ Result<Done> RemovePlacement(Session* session, const Parameters& p) {
 }
 
 Result<Done> Hold(Session* session, const Parameters& p) {
-  return session->Edit("Hold joint", [&](Project* project) -> Result<Done> {
-    ProjectHold hold;
-    hold.joint = p.text("joint");
-    hold.orientation = p.yes("orientation");
-    hold.first_frame = p.integer("first");
-    hold.last_frame = p.integer("last");
-    project->holds.push_back(std::move(hold));
-    return Done();
-  });
+  return session->Edit(
+      "Hold joint",
+      [&](Project* project) -> Result<Done> {
+        ProjectHold hold;
+        hold.joint = p.text("joint");
+        hold.orientation = p.yes("orientation");
+        hold.first_frame = p.integer("first");
+        hold.last_frame = p.integer("last");
+        project->holds.push_back(std::move(hold));
+        return Done();
+      },
+      p.text("drag"));
 }
 
 Result<Done> SetHold(Session* session, const Parameters& p) {
@@ -203,7 +206,8 @@ std::vector<Operator> PlacementOperators() {
            {{"joint", kText, true, "a joint", Thing::kJoint},
             Required(kFirst),
             Required(kLast),
-            kOrientation},
+            kOrientation,
+            kDrag},
            Hold},
           {"hold.set",
            "Change hold",

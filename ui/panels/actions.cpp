@@ -153,9 +153,11 @@ Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
 }
 
 // Without anything to stop it is no mistake: the key for it is pressed for many reasons.
-Result<Done> StopBaking(Editor* editor, const Parameters&) {
+Result<Done> Stop(Editor* editor, const Parameters&) {
   editor->session().StopBaking();
-  return Done();
+  if (!editor->playback.is_on()) return Done();
+  editor->playback.Stop();
+  return editor->session().Run("time.frame", {{"frame", editor->playback.start_frame()}});
 }
 
 Result<Done> ResumeBaking(Editor* editor, const Parameters&) {
@@ -177,10 +179,10 @@ const std::vector<Action>& AllActions() {
   static const std::vector<Action> actions = {
       {"app.quit", "Quit", "Leaves Hazumi; asks what to do with unsaved changes.", {}, Quit},
       {"motion.stop",
-       "Stop computing",
-       "Ends the computation of a motion that takes long; it begins again with the next edit.",
+       "Stop",
+       "Ends playback where it began, and the computation of a motion that takes long.",
        {},
-       StopBaking},
+       Stop},
       {"motion.compute",
        "Compute motion",
        "Computes the motion that was stopped.",

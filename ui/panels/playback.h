@@ -11,6 +11,7 @@ class Playback {
   // From `frame`, of a loop over [first, last], at so many frames a second.
   void Start(double now, int frame, int first, int last, double rate);
   void Stop() { is_on_ = false; }
+  int start_frame() const { return start_frame_; }
 
   // Goes on to the frame to be shown now.
   int Advance(double now);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/project/joint_names.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/properties_fields.h"
 #include "ui/panels/properties_layout.h"
@@ -106,7 +107,7 @@ void DrawFriction(Editor* editor, const ProjectRegion& region) {
   const edit::Session& session = editor->session();
   const Figure& figure = session.figure();
   const auto active = ActiveJoint(figure, session.selected_joints(), editor->side.active);
-  if (!active) return;
+  if (!active || !JointsOf(region, figure)[figure.group(*active).first.value()]) return;
   const std::string& joint = figure.group(*active).name;
   const auto is_own = [&](const auto& entry) { return entry.name == joint; };
   if (std::any_of(friction.joints.begin(), friction.joints.end(), is_own)) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "ui/edit/new_project.h"
 #include "ui/panels/dialogs.h"
 
 namespace hazumi::ui {
@@ -90,7 +91,11 @@ RenderTask OutlineOf(const Editor& editor) {
   task.first = render.whole ? render.first : std::clamp(now, frames.first, frames.last);
   task.last = render.whole ? render.last : task.first;
   task.folder = PathOf(HomeFolder(), render.folder, HomeFolder());
-  task.project = session.project().name;
+  const std::string& path = session.document().path();
+  static const std::string unnamed = edit::NewProject().name;
+  const bool is_named = session.project().name != unnamed;
+  task.project = is_named || path.empty() ? session.project().name
+                                          : std::filesystem::path(path).stem().string();
   return task;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit/limb_chain.h"
 #include "ui/panels/properties_layout.h"
 #include "ui/panels/sheet_bars.h"
+#include "ui/panels/viewport_figure.h"
 
 namespace hazumi::ui::span {
 
@@ -55,6 +57,22 @@ int HoldUntil(const Project& project, const std::string& joint, int now) {
   });
 }
 
+// A limb of six hinges or more, such as a leg, can keep the foot turned as it is, too.
+Result<Done> HoldFromNow(Editor* editor, GroupIndex joint, const std::string& drag) {
+  const Figure& figure = editor->session().figure();
+  const std::string& name = figure.group(joint).name;
+  int num_hinges = 0;
+  for (const GroupIndex g : edit::ChainOf(joint, std::nullopt, figure)) {
+    num_hinges += figure.group(g).size;
+  }
+  const int now = FrameNow(*editor);
+  return editor->Invoke("hold.add", {{"joint", name},
+                                     {"orientation", num_hinges >= 6},
+                                     {"first", now},
+                                     {"last", HoldUntil(editor->session().project(), name, now)},
+                                     {"drag", drag}});
+}
+
 }  // namespace
 
 Result<Done> Pin(Editor* editor, const Parameters&) {
@@ -65,15 +83,22 @@ Result<Done> Pin(Editor* editor, const Parameters&) {
 Result<Done> Gravity(Editor* editor, const Parameters&) { return Place(editor, "gravity", ""); }
 
 Result<Done> Hold(Editor* editor, const Parameters&) {
-  const Result<std::string> joint = JointOf(*editor, "Select the joint that is to be held.");
-  if (!joint.ok()) return joint.error();
-  const Project& project = editor->session().project();
-  const int now = FrameNow(*editor), last = HoldUntil(project, joint.value(), now);
-  const Result<Done> done =
-      editor->Invoke("hold.add", {{"joint", joint.value()}, {"first", now}, {"last", last}});
-  if (!done.ok()) return done;
-  ChooseBar(editor, {BarKind::kHold, static_cast<int>(project.holds.size()) - 1});
-  return done;
+  const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
+  if (joints.empty()) {
+    return Error{ErrorCode::kSchema, "", "", Tr("Select the joint that is to be held.")};
+  }
+  const std::string drag = "span.hold " + std::to_string(++editor->viewport.drags);
+  editor->Do("edit.end_drag");
+  for (const GroupIndex joint : joints) {
+    const Result<Done> done = HoldFromNow(editor, joint, drag);
+    if (done.ok()) continue;
+    editor->Do("edit.cancel_drag");
+    return done;
+  }
+  editor->Do("edit.end_drag");
+  const size_t num_holds = editor->session().project().holds.size();
+  ChooseBar(editor, {BarKind::kHold, static_cast<int>(num_holds) - 1});
+  return Done();
 }
 
 }  // namespace hazumi::ui::span

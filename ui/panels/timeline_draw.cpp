@@ -154,6 +154,9 @@ void ShownRate(Editor* editor, const Rect& rect) {
   } else {
     std::snprintf(text.data(), text.size(), "%.1f fps", playback.shown_rate());
   }
+  if (ImGui::CalcTextSize(text.data()).x > rect.w) {
+    std::snprintf(text.data(), text.size(), "-%d", playback.dropped());
+  }
   const ImVec2 size = ImGui::CalcTextSize(text.data());
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({rect.x, rect.y}, {rect.right(), rect.bottom()}, true);

@@ -49,6 +49,8 @@ std::optional<double> EnterEllipsoid(const Ray& ray, const hazumi::Pose& X_WE, c
   return distance > 0.0 ? std::optional(distance) : std::nullopt;
 }
 
+constexpr double kRootFirst = 2.0;  // the root's mark counts as so much nearer [px]
+
 // The mark that is nearest; an invalid joint is the root.
 std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure& figure,
                                    double scale) {
@@ -56,7 +58,8 @@ std::optional<GroupIndex> MarkerAt(const View& view, Point at, const PosedFigure
   double least = kMarkerReach * scale;
   const std::optional<Point> root = view.ToWindow(figure.frame().X_WR.p);
   if (root && !figure.is_root_hidden() && std::hypot(root->x - at.x, root->y - at.y) < least) {
-    least = std::hypot(root->x - at.x, root->y - at.y);
+    // From the side the hips lie on it.
+    least = std::hypot(root->x - at.x, root->y - at.y) - kRootFirst * scale;
     best = GroupIndex();
   }
   for (int g = 0; g < static_cast<int>(figure.figure().groups().size()); ++g) {

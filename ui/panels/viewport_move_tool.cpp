@@ -81,6 +81,12 @@ bool LimitTool::Follow(Editor* editor, const ToolInput& input) {
              {{"joint", name_}, {is_upper_ ? "upper" : "lower", angle}});
 }
 
+// One joint that sits on the root: it moves with it, and not by itself.
+bool IsOnRoot(const std::vector<GroupIndex>& joints, const edit::Session& session) {
+  const Figure& figure = session.figure();
+  return joints.size() == 1 && !figure.joint(figure.group(joints[0]).first).parent.is_valid();
+}
+
 Result<Done> TakeObjectTool(Editor* editor) {
   const std::string& name = editor->viewport.selected_object;
   for (const ProjectSceneObject& object : editor->session().project().scene.objects) {
@@ -97,7 +103,7 @@ Result<Done> TakeObjectTool(Editor* editor) {
 Result<Done> TakeMoveTool(Editor* editor) {
   editor->Take(nullptr);
   const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
-  const bool moves_root = IsRootSelected(editor->session());
+  const bool moves_root = IsRootSelected(editor->session()) || IsOnRoot(joints, editor->session());
   if (joints.empty() && !moves_root) return TakeObjectTool(editor);
   if (moves_root && PoseNow(&editor->session())) {
     TakeRootMoveTool(editor, std::nullopt);

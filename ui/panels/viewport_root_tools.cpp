@@ -17,7 +17,7 @@ bool IsFeetKey(const Chord& chord) { return chord.key == 'F' && !chord.ctrl && !
 
 // What F does now.
 std::string FeetHint(bool feet_stay) {
-  return std::string("   F: ") + Tr(feet_stay ? "feet come along" : "feet stay");
+  return std::string("   F: ") + Tr(feet_stay ? "let the feet come along" : "let the feet stay");
 }
 
 class RootMoveTool : public PointMoveTool {

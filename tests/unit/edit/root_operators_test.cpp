@@ -162,5 +162,23 @@ TEST(RootOperators, ASelectedRootIsKeyedCopiedAndMirrored) {
   EXPECT_EQ(session.ValueNow("root.y").value(), -0.3);
 }
 
+TEST(RootOperators, AboveHeldFeetStraightKneesBendTheWayTheyCan) {
+  Session session;
+  Do(&session, "key.insert");
+  for (const char* toe : {"l_toe", "r_toe"}) {
+    Do(&session, "hold.add", {{"joint", toe}, {"orientation", true}, {"first", 0}, {"last", 30}});
+  }
+  Do(&session, "time.frame", {{"frame", 10}});
+  Do(&session, "root.move", MoveTo(RootOf(&session).p - Vec3(0.0, 0.0, 0.25)));
+  double before = 0.0;
+  for (int frame = 1; frame <= 10; ++frame) {
+    Do(&session, "time.frame", {{"frame", frame}});
+    const double knee = session.ValueNow("l_knee").value();
+    EXPECT_GT(knee, before) << frame;
+    EXPECT_NEAR(session.ValueNow("r_knee").value(), knee, 1e-6) << frame;
+    before = knee;
+  }
+}
+
 }  // namespace
 }  // namespace hazumi::test
