@@ -119,8 +119,7 @@ class LongMotion : public EditorWindow {
     shell_->Frame();
   }
   void Key(const char* curve, int frame, double value) {
-    ASSERT_TRUE(
-        editor_.Do("key.set", {{"curve", curve}, {"frame", frame}, {"value", value}}));
+    ASSERT_TRUE(editor_.Do("key.set", {{"curve", curve}, {"frame", frame}, {"value", value}}));
   }
   bool IsBusy() const { return editor_.session().bake()->is_busy(); }
 };
