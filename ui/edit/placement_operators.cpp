@@ -97,7 +97,7 @@ Result<Done> EditPlacement(Session* session, const Parameters& p) {
         const Result<ProjectPlacement*> entry = EntryAt(p, "placement", &spans);
         if (!entry.ok()) return entry.error();
         ProjectPlacement span = *entry.value();
-        const Result<Done> changed = Change(p, &span);
+        Result<Done> changed = Change(p, &span);
         if (!changed.ok()) return changed;
         spans.erase(spans.begin() + (entry.value() - spans.data()));
         // A span of keys that a file has stays one, unless it becomes one now.

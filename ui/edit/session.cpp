@@ -129,7 +129,7 @@ Result<const Motion*> Session::MotionTo(int frame) {
 }
 
 Result<const Motion*> Session::ShownMotionTo(int frame) {
-  const Result<const Motion*> motion = MotionTo(frame);
+  Result<const Motion*> motion = MotionTo(frame);
   if (motion.ok() || compile_error_) return motion;
   const std::vector<MotionFrame>& frames = bake_->motion().frames;
   const size_t count = frame - project().frames.first + 1;

@@ -95,7 +95,7 @@ class DopeSheetPainter {
   }
 
   std::string TextOf(const RowBar& bar) const {
-    const std::string title = TitleOf(editor_->session().project(), bar.ref);
+    std::string title = TitleOf(editor_->session().project(), bar.ref);
     if (bar.num_held == bar.num_hinges) return title;
     return title + "  " + std::to_string(bar.num_held) + "/" + std::to_string(bar.num_hinges);
   }

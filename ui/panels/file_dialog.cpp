@@ -13,7 +13,7 @@ std::string FirstFolder(const Editor& editor) {
   const std::string& path = editor.session().document().path();
   std::error_code unknown;
   if (!path.empty()) {
-    const std::string folder = ParentOf(std::filesystem::absolute(path).string());
+    std::string folder = ParentOf(std::filesystem::absolute(path).string());
     if (std::filesystem::is_directory(folder, unknown)) return folder;
   }
   for (const std::string& file : editor.settings.recent_files) {

@@ -51,6 +51,7 @@ std::vector<FormOption> Curves(const Figure& figure) {
 template <typename T>
 std::vector<FormOption> NamesIn(const std::vector<T>& list) {
   std::vector<FormOption> options;
+  options.reserve(list.size());
   for (const T& entry : list) options.push_back({entry.name, entry.name, ""});
   return options;
 }

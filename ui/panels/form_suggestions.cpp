@@ -161,7 +161,7 @@ std::string PresentValue(const FormState& form, const std::string& name,
 }
 
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
-  const Json present = Present(id, info.name, session->project());
+  Json present = Present(id, info.name, session->project());
   if (!present.is_null()) return present;
   const Json frame = Frame(info.name, *session);
   // A pin after a landing is left to gravity unless it is chosen.

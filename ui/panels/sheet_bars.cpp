@@ -83,7 +83,7 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
   const ProjectPlacement& span = project.placements[bar.index];
   if (span.kind == PlacementKind::kKeyed) return Tr("The root's keys place the figure.");
   if (span.kind == PlacementKind::kPinned) return Tr("The figure turns about this joint.");
-  const std::string flies = Tr("The figure flies until it touches something.");
+  std::string flies = Tr("The figure flies until it touches something.");
   if (span.landing_pin.empty()) return flies;
   return flies + "\n" + Tr("Pinned after a landing") + ": " + span.landing_pin;
 }

@@ -40,7 +40,7 @@ Result<Done> Place(Editor* editor, const char* kind, const std::string& pin) {
                          [](const ProjectPlacement&) { return true; });
   Json span = {{"kind", kind}, {"first", now}, {"last", last}};
   if (!pin.empty()) span["pin"] = pin;
-  const Result<Done> done = editor->Invoke("placement.set", span);
+  Result<Done> done = editor->Invoke("placement.set", span);
   for (size_t i = 0; done.ok() && i < project.placements.size(); ++i) {
     if (project.placements[i].first_frame != now) continue;
     ChooseBar(editor, {BarKind::kPlacement, static_cast<int>(i)});
@@ -90,7 +90,7 @@ Result<Done> Hold(Editor* editor, const Parameters&) {
   const std::string drag = "span.hold " + std::to_string(++editor->viewport.drags);
   editor->Do("edit.end_drag");
   for (const GroupIndex joint : joints) {
-    const Result<Done> done = HoldFromNow(editor, joint, drag);
+    Result<Done> done = HoldFromNow(editor, joint, drag);
     if (done.ok()) continue;
     editor->Do("edit.cancel_drag");
     return done;

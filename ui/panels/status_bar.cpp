@@ -14,9 +14,11 @@ float DrawRight(const Editor& editor, float width, float room) {
   constexpr const char* kBetween = "   |   ";
   std::string text;
   for (const std::string& part : StatusParts(editor)) {
-    const std::string longer = text.empty() ? part : text + kBetween + part;
+    std::string longer = text;
+    if (!text.empty()) longer += kBetween;
+    longer += part;
     if ((editor.has_tool() || !text.empty()) && WidthOf(longer) > room) break;
-    text = longer;
+    text = std::move(longer);
   }
   const float left = width - WidthOf(text) - 10.0f;
   ImGui::SameLine(left);
