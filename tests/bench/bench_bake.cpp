@@ -76,7 +76,7 @@ double LeastSeconds(const Animation& animation, Key* key, const Animation& edite
   IncrementalBake bake(animation, options);
   bake.Finish();
   double step = 0.01, least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 10; ++i, step = -step) {
+  for (int i = 0; i < 40; ++i, step = -step) {
     key->value += step;
     const Clock::time_point start = Clock::now();
     bake.Update(edited);
