@@ -88,6 +88,8 @@ Result<Done> Session::RunUnobserved(const std::string& id, const Json& parameter
     if (error.file.empty()) error.place = error.place.empty() ? id : id + "." + error.place;
     return error;
   }
+  // Undo may have brought another figure back: what figure() gives stays as it is until the next.
+  Compile();
   return done;
 }
 
