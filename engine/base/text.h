@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -26,6 +27,12 @@ inline std::string FormatShort(double value) {
                                  std::chars_format::general, digits)
                        .ptr;
   return std::string(buffer.data(), end);
+}
+
+// Of ASCII; other letters keep their case.
+inline std::string LowerCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
 }
 
 }  // namespace hazumi

@@ -7,15 +7,11 @@
 
 namespace hazumi {
 
-namespace {
-
 Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift) {
   const BodyScratch& body = ws.body(link.joint);
   const Vec3 p = body.p + shift;
   return {p + body.R * link.capsule.a, p + body.R * link.capsule.b, link.capsule.radius};
 }
-
-}  // namespace
 
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
                                       const DynamicsWorkspace& ws, const Vec3& shift) {

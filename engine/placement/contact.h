@@ -20,6 +20,10 @@ struct Contact {
 };
 
 // All of these need ComputePositions and see the figure moved by `shift` [m].
+
+// What touches things of a link, in the world.
+Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift = Vec3::Zero());
+
 // No contact if the scene or the figure has no shapes.
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
                                       const DynamicsWorkspace& ws,

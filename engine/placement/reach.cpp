@@ -8,8 +8,8 @@
 #include "engine/placement/hold_chain.h"
 
 // Levenberg and Marquardt's method on |e(x)|^2 / 2 with bounds, e being p(x) - target and, where an
-// orientation is given, the rotation vector from it to R(x): a hinge at a limit that
-// would be pushed on is left out of the step, and every step is cut to the limits.
+// orientation is given, the rotation vector from it to R(x). A hinge at a limit that would be
+// pushed on is left out of the step, and every step is cut to the limits.
 
 namespace hazumi {
 
@@ -143,10 +143,6 @@ class ReachSolver {
   ErrorVec e_;                                                     // at pose_
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6> J_;  // of e, by row of the chain
 };
-
-}  // namespace
-
-namespace {
 
 // From `q`; leaves the nearest angles there.
 double Solve(const Figure& figure, const ReachProblem& problem, VecX* q) {

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/project/project.h"
+
 namespace hazumi {
 
 namespace {

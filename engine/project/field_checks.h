@@ -12,8 +12,7 @@ namespace hazumi {
 void CheckPositive(double value, const Site& site);
 void CheckPositive(const Vec3& value, const Site& site);  // each component
 void CheckNotNegative(double value, const Site& site);
-// Files hold numbers up to this size; with it, anything can be added up and written.
-inline constexpr double kLargestNumber = 1e9;
+// Finite, and no larger than files hold.
 void CheckNumber(double value, const Site& site);
 void CheckNumber(const Vec3& value, const Site& site);  // each component
 void CheckUnitVector(const Vec3& value, const Site& site);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/project/field_checks.h"
+#include "engine/project/project.h"
 #include "engine/project/read_value.h"
 
 namespace hazumi {

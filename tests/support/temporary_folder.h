@@ -13,8 +13,9 @@ namespace hazumi::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    // mkdtemp puts other letters in the place of the six.
-    std::string name = (std::filesystem::temp_directory_path() / "hazumi_XXXXXX").string();
+    // mkdtemp puts letters of its own in the place of the last six, which must be these.
+    const std::string pattern = "hazumi_" + std::string(6, 'X');
+    std::string name = (std::filesystem::temp_directory_path() / pattern).string();
     EXPECT_NE(::mkdtemp(name.data()), nullptr);
     path_ = name;
   }

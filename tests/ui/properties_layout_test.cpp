@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/edit/at_frame.h"
 #include "ui/panels/catalogue.h"
 #include "ui/panels/field_state.h"
 
@@ -33,16 +34,16 @@ TEST(FieldState, ARegionComputesAfterItsFirstFrame) {
   region.last_frame = 20;
   region.joints = {JointIndex(3), JointIndex(4)};
   animation.regions = {region};
-  EXPECT_FALSE(IsComputed(animation, JointIndex(3), 10.0));
-  EXPECT_TRUE(IsComputed(animation, JointIndex(3), 10.5));
-  EXPECT_TRUE(IsComputed(animation, JointIndex(3), 20.0));
-  EXPECT_FALSE(IsComputed(animation, JointIndex(3), 21.0));
-  EXPECT_FALSE(IsComputed(animation, JointIndex(5), 15.0));
+  EXPECT_FALSE(edit::IsSwung(animation, JointIndex(3), 10.0));
+  EXPECT_TRUE(edit::IsSwung(animation, JointIndex(3), 10.5));
+  EXPECT_TRUE(edit::IsSwung(animation, JointIndex(3), 20.0));
+  EXPECT_FALSE(edit::IsSwung(animation, JointIndex(3), 21.0));
+  EXPECT_FALSE(edit::IsSwung(animation, JointIndex(5), 15.0));
   // What another region leaves behind where this one begins is computed as well.
   region.first_frame = 0;
   region.last_frame = 10;
   animation.regions.push_back(region);
-  EXPECT_TRUE(IsComputed(animation, JointIndex(3), 10.0));
+  EXPECT_TRUE(edit::IsSwung(animation, JointIndex(3), 10.0));
 }
 
 TEST(PropertiesLayout, TabsAreBesideTheContentAndFoundByTheMouse) {

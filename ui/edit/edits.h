@@ -2,6 +2,7 @@
 
 // Internal: what the operators are made of.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -84,6 +85,17 @@ Result<T*> EntryNamed(const std::string& name, const char* what, std::vector<T>*
   }
   return Refusal(
       what, "there is no \"" + name + "\"; there " + (known.empty() ? "are none" : "is " + known));
+}
+
+// The name, or with a number behind it if an entry of the list has it.
+template <typename T>
+std::string FreeName(const std::string& wanted, const std::vector<T>& list) {
+  std::string name = wanted;
+  const auto is_taken = [&](const T& entry) { return entry.name == name; };
+  for (int i = 2; std::any_of(list.begin(), list.end(), is_taken); ++i) {
+    name = wanted + " " + std::to_string(i);
+  }
+  return name;
 }
 
 // Of an enumeration by its file name, e.g. "exact"; `all`: every value.

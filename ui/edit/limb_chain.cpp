@@ -1,35 +1,24 @@
 #include "ui/edit/limb_chain.h"
 
-#include <algorithm>
+#include "ui/edit/at_frame.h"
 
 namespace hazumi::edit {
 
-namespace {
-
-int NumChildren(GroupIndex joint, const Figure& figure) {
-  return static_cast<int>(
-      std::count_if(figure.groups().begin(), figure.groups().end(), [&](const JointGroup& g) {
-        return figure.joint(g.first).parent == figure.group(joint).last();
-      }));
+std::vector<GroupIndex> ChildrenOf(JointIndex body, const Figure& figure) {
+  std::vector<GroupIndex> children;
+  for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
+    if (figure.joint(figure.groups()[g].first).parent == body) children.emplace_back(g);
+  }
+  return children;
 }
-
-bool IsKeyed(JointIndex hinge, double frame, const Animation& animation) {
-  if (animation.figure->joint(hinge).is_fixed()) return false;
-  return std::none_of(
-      animation.regions.begin(), animation.regions.end(), [&](const DynamicsRegion& region) {
-        return frame > region.first_frame && frame <= region.last_frame &&
-               std::binary_search(region.joints.begin(), region.joints.end(), hinge);
-      });
-}
-
-}  // namespace
 
 std::vector<GroupIndex> ChainOf(GroupIndex moved, std::optional<int> count, const Figure& figure) {
   std::vector<GroupIndex> joints;
   for (JointIndex j = figure.joint(figure.group(moved).first).parent; j.is_valid();) {
     const GroupIndex group = figure.joint(j).group;
     if (count && *count > 0 && static_cast<int>(joints.size()) == *count) break;
-    if (!count && !joints.empty() && NumChildren(group, figure) > 1) break;
+    if (!count && !joints.empty() && ChildrenOf(figure.group(group).last(), figure).size() > 1)
+      break;
     joints.push_back(group);
     j = figure.joint(figure.group(group).first).parent;
   }
@@ -42,7 +31,10 @@ std::vector<JointIndex> KeyedHinges(const std::vector<GroupIndex>& joints, doubl
   for (const GroupIndex g : joints) {
     const JointGroup& group = animation.figure->group(g);
     for (int j = group.first.value(); j <= group.last().value(); ++j) {
-      if (IsKeyed(JointIndex(j), frame, animation)) hinges.push_back(JointIndex(j));
+      const JointIndex hinge(j);
+      const bool is_keyed =
+          !animation.figure->joint(hinge).is_fixed() && !IsSwung(animation, hinge, frame);
+      if (is_keyed) hinges.push_back(hinge);
     }
   }
   return hinges;

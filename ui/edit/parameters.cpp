@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "engine/project/project.h"
+
 namespace hazumi::edit {
 
 const char* Describe(ParameterKind kind) {
@@ -59,8 +61,7 @@ bool IsWhole(const Json& value) {
 
 // As large as a project file may hold.
 bool IsFinite(const Json& value) {
-  constexpr double kLargest = 1e9;
-  return value.is_number() && std::abs(value.get<double>()) <= kLargest;
+  return value.is_number() && std::abs(value.get<double>()) <= kLargestNumber;
 }
 
 bool IsOf(ParameterKind kind, const Json& value) {

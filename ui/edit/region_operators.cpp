@@ -13,17 +13,6 @@ using enum ParameterKind;
 
 const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
-bool IsTaken(const std::string& name, const Project& project) {
-  return std::any_of(project.regions.begin(), project.regions.end(),
-                     [&](const ProjectRegion& region) { return region.name == name; });
-}
-
-std::string FreeName(const std::string& wanted, const Project& project) {
-  std::string name = wanted;
-  for (int i = 2; IsTaken(name, project); ++i) name = wanted + " " + std::to_string(i);
-  return name;
-}
-
 // "r_shoulder+" is that joint and all beyond it.
 JointRef RefFrom(std::string name) {
   JointRef ref;
@@ -42,7 +31,7 @@ Result<Done> Add(Session* session, const Parameters& p) {
         const Document::State* start = session->document().drag_start(merge);
         if (start) project->regions = start->project.regions;
         ProjectRegion region;
-        region.name = FreeName(p.text("name", "region"), *project);
+        region.name = FreeName(p.text("name", "region"), project->regions);
         region.first_frame = p.integer("first");
         region.last_frame = p.integer("last");
         std::vector<std::string> names = p.names("joints");
@@ -85,7 +74,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
       region->joints.clear();
       for (const std::string& name : p.names("joints")) region->joints.push_back(RefFrom(name));
     }
-    if (p.has("name")) region->name = FreeName(p.text("name"), *project);
+    if (p.has("name")) region->name = FreeName(p.text("name"), project->regions);
     if (!p.has("method")) return Result<Done>(Done());
     const Result<Method> method =
         ValueNamed<Method>(p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);
@@ -125,7 +114,7 @@ Result<Done> Split(Session* session, const Parameters& p) {
       return Result<Done>(Refusal("frame", "must lie inside the region, between its ends"));
     }
     ProjectRegion second = *region;
-    second.name = FreeName(region->name, *project);
+    second.name = FreeName(region->name, project->regions);
     second.first_frame = region->last_frame = frame;
     project->regions.insert(project->regions.begin() + (region - project->regions.data()) + 1,
                             std::move(second));

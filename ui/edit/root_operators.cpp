@@ -6,7 +6,9 @@
 
 #include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
+#include "engine/placement/contact.h"
 #include "engine/placement/reach.h"
+#include "ui/edit/at_frame.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/limb_chain.h"
 #include "ui/edit/root_curves.h"
@@ -39,29 +41,24 @@ Result<Now> NowOf(Session* session) {
 }
 
 bool Stands(const Link& link, const Now& now) {
-  const BodyScratch& body = now.ws.body(link.joint);
-  const Capsule capsule = {body.p + body.R * link.capsule.a, body.p + body.R * link.capsule.b,
-                           link.capsule.radius};
-  return std::any_of(now.animation.scene.begin(), now.animation.scene.end(),
-                     [&](const SceneObject& object) {
-                       return SignedDistance(capsule, object.shape).value < kStanding;
-                     });
+  const Capsule capsule = InWorld(link, now.ws);
+  const auto& scene = now.animation.scene;
+  return std::any_of(scene.begin(), scene.end(), [&](const SceneObject& object) {
+    return SignedDistance(capsule, object.shape).value < kStanding;
+  });
 }
 
 // The joint that says where a link is, and how it is turned: the one beyond it, or its own.
 GroupIndex JointOf(const Link& link, const Figure& figure) {
-  std::vector<GroupIndex> beyond;
-  for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
-    if (figure.joint(figure.groups()[g].first).parent == link.joint) beyond.emplace_back(g);
-  }
+  const std::vector<GroupIndex> beyond = ChildrenOf(link.joint, figure);
   return beyond.size() == 1 ? beyond[0] : figure.joint(link.joint).group;
 }
 
 bool IsHeld(GroupIndex joint, const Now& now) {
-  return std::any_of(
-      now.animation.holds.begin(), now.animation.holds.end(), [&](const IkHold& hold) {
-        return hold.joint == joint && now.frame > hold.first_frame && now.frame <= hold.last_frame;
-      });
+  const auto& holds = now.animation.holds;
+  return std::any_of(holds.begin(), holds.end(), [&](const IkHold& hold) {
+    return hold.joint == joint && HasTakenOver(hold, now.frame);
+  });
 }
 
 // The joints on which the figure stands, or by which it is pinned; not those that a hold keeps in
@@ -86,17 +83,6 @@ std::vector<GroupIndex> StandingJoints(const Now& now) {
   return joints;
 }
 
-// The placement that says where the figure is; the root's keys do if there is none, and on the
-// first frame of one.
-const PlacementSpan* PlacementAt(const Now& now) {
-  const auto& spans = now.animation.placements;
-  const auto span = std::find_if(spans.begin(), spans.end(), [&](const PlacementSpan& s) {
-    return s.kind != PlacementKind::kKeyed && now.frame > s.first_frame &&
-           now.frame <= s.last_frame;
-  });
-  return span == spans.end() ? nullptr : &*span;
-}
-
 // Turns a joint of one hinge, such as that of the toes, so that what is beyond it stays turned as
 // it was although what carries it is not. Its hinge, if there was anything to turn.
 std::optional<JointIndex> KeepTurned(GroupIndex joint, const hazumi::Pose& X_WR, const Now& now,
@@ -118,7 +104,6 @@ std::optional<JointIndex> KeepTurned(GroupIndex joint, const hazumi::Pose& X_WR,
 // Angles with which the standing joints stay where they are while the root goes to `X_WR`.
 Result<Pose> Standing(const hazumi::Pose& X_WR, const Now& now, const Session& session) {
   const Figure& figure = now.figure();
-  constexpr size_t kFullyMovable = 6;  // hinges that it takes to keep an orientation, too
   VecX q = now.motion.q;
   Pose pose;
   for (const GroupIndex joint : StandingJoints(now)) {
@@ -133,7 +118,7 @@ Result<Pose> Standing(const hazumi::Pose& X_WR, const Now& now, const Session& s
     }
     const JointIndex first = figure.group(joint).first;
     ReachProblem problem = {X_WR, first, now.ws.body(first).p, hinges, std::nullopt};
-    if (hinges.size() >= kFullyMovable) {
+    if (static_cast<int>(hinges.size()) >= kFullyMovable) {
       problem.orientation = now.ws.body(figure.joint(first).parent).R;
     }
     Reach(figure, problem, &q);
@@ -155,7 +140,7 @@ Result<Done> Move(Session* session, const Parameters& p) {
   const Result<Now> now = NowOf(session);
   if (!now.ok()) return now.error();
   const Vec3 to(p.number("x"), p.number("y"), p.number("z"));
-  const PlacementSpan* placement = PlacementAt(now.value());
+  const bool is_placed = IsPlaced(now.value().animation, now.value().frame);
   const bool feet_stay = p.yes("feet_stay", true);
   Pose pose;
   if (feet_stay) {
@@ -163,14 +148,14 @@ Result<Done> Move(Session* session, const Parameters& p) {
     if (!standing.ok()) return standing.error();
     pose = std::move(standing).value();
   }
-  if (placement && now.value().motion.pinned && !feet_stay) {
+  if (is_placed && now.value().motion.pinned && !feet_stay) {
     const JointGroup& pinned = session->figure().group(*now.value().motion.pinned);
     return Refusal("feet_stay", "\"" + pinned.name +
                                     "\" is pinned in this frame and stays where it is; move the "
                                     "root on the first frame of the placement");
   }
-  if (placement && pose.empty()) return InFlight();
-  for (int i = 0; i < 3 && !placement; ++i) pose.push_back({kRootCurveNames[i], to[i]});
+  if (is_placed && pose.empty()) return InFlight();
+  for (int i = 0; i < 3 && !is_placed; ++i) pose.push_back({kRootCurveNames[i], to[i]});
   return KeyPose(session, "Move root", pose, p.text("drag"));
 }
 
@@ -180,10 +165,7 @@ Result<Done> Turn(Session* session, const Parameters& p) {
   const Vec3 axis(p.number("x"), p.number("y"), p.number("z"));
   if (axis.norm() < 1e-9) return Refusal("x", "x, y and z are all 0: they give no axis");
   for (const DynamicsRegion& region : now.value().animation.regions) {
-    if (!region.root || now.value().frame <= region.first_frame ||
-        now.value().frame > region.last_frame) {
-      continue;
-    }
+    if (!region.root || !HasTakenOver(region, now.value().frame)) continue;
     return Refusal("", "the region \"" + region.name + "\" turns the root in this frame");
   }
   hazumi::Pose X_WR = now.value().motion.X_WR;

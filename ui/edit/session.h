@@ -53,6 +53,7 @@ class Session {
   double frame() const { return frame_; }
   void set_frame(double frame) { frame_ = frame; }
   const std::set<std::string>& selected_joints() const { return selected_joints_; }
+  bool is_root_selected() const { return selected_joints_.contains(figure_->root_name()); }
   void set_selected_joints(std::set<std::string> names) { selected_joints_ = std::move(names); }
   // Hinges without marks, and hinges that are not posed.
   const std::set<std::string>& hidden_joints() const { return hidden_joints_; }

@@ -66,7 +66,7 @@ Result<Done> ToKey(Editor* editor, const Parameters& p) {
   for (const auto& [name, curve] : session.project().joints) {
     if (chosen.empty() || chosen.contains(name)) look(curve);
   }
-  if (chosen.empty() || chosen.contains(session.figure().root_name())) {
+  if (chosen.empty() || session.is_root_selected()) {
     for (const ProjectCurve& curve : session.project().root.curves) look(curve);
   }
   if (best) return editor->session().Run("time.frame", {{"frame", *best}});

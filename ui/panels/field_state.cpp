@@ -15,20 +15,4 @@ FieldState StateOfField(const ProjectCurve* curve, double frame, double shown, b
   return std::abs(key->value - shown) < kSame ? FieldState::kKeyed : FieldState::kChanged;
 }
 
-bool IsPlaced(const Animation& animation, double frame) {
-  return std::any_of(animation.placements.begin(), animation.placements.end(),
-                     [&](const PlacementSpan& span) {
-                       return span.kind != PlacementKind::kKeyed && frame > span.first_frame &&
-                              frame <= span.last_frame;
-                     });
-}
-
-bool IsComputed(const Animation& animation, JointIndex hinge, double frame) {
-  return std::any_of(animation.regions.begin(), animation.regions.end(),
-                     [&](const DynamicsRegion& region) {
-                       return frame > region.first_frame && frame <= region.last_frame &&
-                              std::binary_search(region.joints.begin(), region.joints.end(), hinge);
-                     });
-}
-
 }  // namespace hazumi::ui

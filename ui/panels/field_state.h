@@ -15,13 +15,7 @@ enum class FieldState {
 };
 
 // `curve`: null if there is none. `shown`: the value as it is at the frame, in the curve's units.
-// `is_computed`: by a region, see IsComputed.
+// `is_computed`: by a region, see edit::IsSwung.
 FieldState StateOfField(const ProjectCurve* curve, double frame, double shown, bool is_computed);
-
-// Whether a region moves the hinge at a frame. On its first frame the hinge is still where its
-// curve has it, unless another region ends there.
-bool IsComputed(const Animation& animation, JointIndex hinge, double frame);
-// Whether a pin, or gravity and contact, say where the root is.
-bool IsPlaced(const Animation& animation, double frame);
 
 }  // namespace hazumi::ui

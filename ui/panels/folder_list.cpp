@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/base/text.h"
+
 namespace hazumi::ui {
 
 namespace fs = std::filesystem;
@@ -13,12 +15,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kSuffix = ".kfa";
-
-// ASCII alone: other letters keep their case.
-std::string Lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
@@ -42,11 +38,11 @@ std::int64_t ChangedAt(const fs::directory_entry& entry) {
 
 bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (entry.name.starts_with('.')) return false;
-  return entry.is_folder || filter.all_files || Lower(entry.name).ends_with(kSuffix);
+  return entry.is_folder || filter.all_files || LowerCase(entry.name).ends_with(kSuffix);
 }
 
 bool ComesBefore(const std::string& a, const std::string& b) {
-  const std::string left = Lower(a), right = Lower(b);
+  const std::string left = LowerCase(a), right = LowerCase(b);
   size_t i = 0, j = 0;
   while (i < left.size() && j < right.size()) {
     if (IsDigit(left[i]) && IsDigit(right[j])) {
@@ -108,14 +104,14 @@ std::string PathOf(const std::string& folder, const std::string& typed, const st
 }
 
 std::string WithProjectSuffix(const std::string& name) {
-  return Lower(name).ends_with(kSuffix) ? name : name + kSuffix;
+  return LowerCase(name).ends_with(kSuffix) ? name : name + kSuffix;
 }
 
 int FirstBeginningWith(const std::vector<FileEntry>& entries, const std::string& typed) {
-  const std::string wanted = Lower(typed);
+  const std::string wanted = LowerCase(typed);
   if (wanted.empty()) return -1;
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const FileEntry& entry) {
-    return Lower(entry.name).starts_with(wanted);
+    return LowerCase(entry.name).starts_with(wanted);
   });
   return found == entries.end() ? -1 : static_cast<int>(found - entries.begin());
 }

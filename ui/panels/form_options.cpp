@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/base/text.h"
 #include "ui/edit/root_curves.h"
 #include "ui/panels/limbs.h"
+#include "ui/panels/sheet_bars.h"
+#include "ui/panels/sheet_drag.h"
 
 namespace hazumi::ui {
 
@@ -65,34 +68,16 @@ std::vector<FormOption> Markers(const Project& project) {
   return options;
 }
 
-template <typename Span>
-FormOption Numbered(size_t number, const std::string& what, const Span& span) {
-  const std::string frames =
-      std::to_string(span.first_frame) + " - " + std::to_string(span.last_frame);
-  return {std::to_string(number), what + " (" + frames + ")", ""};
-}
-
-std::vector<FormOption> Placements(const Project& project) {
+std::vector<FormOption> Spans(const Project& project, BarKind kind, size_t count) {
   std::vector<FormOption> options;
-  for (const ProjectPlacement& span : project.placements) {
-    std::string what = NameOf(span.kind);
-    if (!span.pin.empty()) what += " " + span.pin;
-    options.push_back(Numbered(options.size(), what, span));
+  for (size_t i = 0; i < count; ++i) {
+    const BarRef bar = {kind, static_cast<int>(i)};
+    const ProjectFrames frames = FramesOf(project, bar);
+    options.push_back({std::to_string(i),
+                       TitleOf(project, bar) + " (" + SpanText(frames.first, frames.last) + ")",
+                       ""});
   }
   return options;
-}
-
-std::vector<FormOption> Holds(const Project& project) {
-  std::vector<FormOption> options;
-  for (const ProjectHold& hold : project.holds) {
-    options.push_back(Numbered(options.size(), hold.joint, hold));
-  }
-  return options;
-}
-
-std::string Lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 }  // namespace
@@ -117,9 +102,9 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
     case Thing::kMarker:
       return Markers(project);
     case Thing::kPlacement:
-      return Placements(project);
+      return Spans(project, BarKind::kPlacement, project.placements.size());
     case Thing::kHold:
-      return Holds(project);
+      return Spans(project, BarKind::kHold, project.holds.size());
     case Thing::kColor:
     case Thing::kShare:
     case Thing::kAny:
@@ -131,7 +116,7 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
 std::vector<FormOption> Filtered(const std::vector<FormOption>& options, const std::string& typed) {
   std::vector<FormOption> kept;
   for (const FormOption& option : options) {
-    if (Lower(option.label).find(Lower(typed)) != std::string::npos) kept.push_back(option);
+    if (LowerCase(option.label).find(LowerCase(typed)) != std::string::npos) kept.push_back(option);
   }
   return kept;
 }

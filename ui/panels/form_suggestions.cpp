@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "ui/edit/edits.h"
 #include "ui/panels/form_options.h"
 #include "ui/panels/limbs.h"
 #include "ui/panels/properties_layout.h"
@@ -29,17 +30,6 @@ Json Frame(const std::string& name, const edit::Session& session) {
   return Json();
 }
 
-std::string FreeName(const std::string& wanted, const Project& project) {
-  const auto is_taken = [&](const std::string& name) {
-    const auto& objects = project.scene.objects;
-    return std::any_of(objects.begin(), objects.end(),
-                       [&](const ProjectSceneObject& object) { return object.name == name; });
-  };
-  std::string name = wanted;
-  for (int i = 2; is_taken(name); ++i) name = wanted + " " + std::to_string(i);
-  return name;
-}
-
 // What the project has now, of operators that change it.
 Json Present(const std::string& id, const std::string& name, const Project& project) {
   if (id == "scene.gravity") return project.scene.gravity_m_s2;
@@ -48,7 +38,8 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "project.rename") return project.name;
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
   if (id == "region.add" && name == "friction") return 0.8;
-  if (id.starts_with("object.add_") && name == "name") return FreeName(id.substr(11), project);
+  if (id.starts_with("object.add_") && name == "name")
+    return edit::FreeName(id.substr(11), project.scene.objects);
   if (id == "object.add_box" && name.starts_with("size_")) return 1.0;
   if (id == "object.add_box" && name.size() == 1) return name == "z" ? 0.5 : 0.0;  // on the ground
   return Json();

@@ -89,7 +89,7 @@ Names SelectedOf(const FormField& field, const std::vector<FormOption>& options,
   if (field.info.offer.thing != edit::Thing::kCurve) {
     return WithSelected({}, session.figure(), selected);
   }
-  const bool has_root = selected.contains(session.figure().root_name());
+  const bool has_root = session.is_root_selected();
   Names names;
   for (const FormOption& option : options) {
     const bool is_of_root = option.group == "Root" && has_root;

@@ -82,7 +82,7 @@ std::vector<std::string> ShownCurves(const edit::Session& session, const SheetSt
   for (const Joint& joint : session.figure().joints()) {
     if (session.selected_joints().contains(joint.name)) names.push_back(joint.name);
   }
-  if (session.selected_joints().contains(session.figure().root_name())) {
+  if (session.is_root_selected()) {
     names.insert(names.end(), std::begin(edit::kRootCurveNames), std::end(edit::kRootCurveNames));
   }
   if (!names.empty()) return names;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit/at_frame.h"
 #include "ui/panels/field_state.h"
 #include "ui/panels/outliner_input.h"
 #include "ui/panels/panels.h"
@@ -34,11 +35,11 @@ bool IsMoved(Editor* editor, const OutlinerRow& row) {
   const Figure& figure = session.figure();
   if (row.kind == OutlinerRowKind::kHinge) {
     const auto hinge = figure.FindJoint(row.name);
-    return hinge && IsComputed(*animation, *hinge, session.frame());
+    return hinge && edit::IsSwung(*animation, *hinge, session.frame());
   }
   const JointGroup& joint = figure.group(*figure.FindGroup(row.name));
   for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
-    if (IsComputed(*animation, JointIndex(j), session.frame())) return true;
+    if (edit::IsSwung(*animation, JointIndex(j), session.frame())) return true;
   }
   return false;
 }

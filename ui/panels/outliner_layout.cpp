@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/base/text.h"
+
 namespace hazumi::ui {
 
 namespace {
-
-std::string Lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 // The hinges of a row's joint, or the hinge or the root itself.
 std::vector<std::string> HingesOf(const OutlinerRow& row, const Figure& figure) {
@@ -44,7 +41,7 @@ std::string WithoutJoint(const std::string& hinge, const std::string& joint) {
 class RowList {
  public:
   RowList(const Figure& figure, const SideState& state)
-      : figure_(figure), state_(state), search_(Lower(state.search)) {}
+      : figure_(figure), state_(state), search_(LowerCase(state.search)) {}
 
   void AddFigure() {
     const std::string& root = figure_.root_name();
@@ -73,7 +70,7 @@ class RowList {
 
  private:
   bool Matches(const std::string& name) const {
-    return search_.empty() || Lower(name).find(search_) != std::string::npos;
+    return search_.empty() || LowerCase(name).find(search_) != std::string::npos;
   }
   bool IsShown(const std::string& heading) const {
     return !search_.empty() || !state_.closed.contains(heading);

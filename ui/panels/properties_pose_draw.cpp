@@ -6,6 +6,7 @@
 
 #include "engine/base/text.h"
 #include "engine/figure/mirror.h"
+#include "ui/edit/at_frame.h"
 #include "ui/edit/root_curves.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/properties_fields.h"
@@ -57,7 +58,7 @@ std::vector<HingeNow> HingesOf(Editor* editor, const JointGroup& group) {
     if (now.ok()) {
       hinge.angle_deg = now.value()->q[j] * kRadian;
       hinge.rate_deg_s = now.value()->after.qd[j] * kRadian;
-      const bool is_computed = IsComputed(*session.animation(), hinge.index, session.frame());
+      const bool is_computed = edit::IsSwung(*session.animation(), hinge.index, session.frame());
       hinge.state = StateOfField(curve, session.frame(), hinge.angle_deg, is_computed);
     }
     hinges.push_back(std::move(hinge));
@@ -202,7 +203,7 @@ void DrawRoot(Editor* editor) {
   const auto values = edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
   const auto& names = edit::kRootCurveNames;
   const double frame = session.frame();
-  const bool is_placed = IsPlaced(*session.animation(), frame);
+  const bool is_placed = edit::IsPlaced(*session.animation(), frame);
   const char* labels[] = {"Position  X", "Y", "Z", "Rotation  Z", "Y", "X"};
   for (int i = 0; i < kNumRootCurves; ++i) {
     const ProjectCurve& curve = session.project().root.curves[i];
@@ -230,7 +231,7 @@ void DrawPoseSection(Editor* editor) {
   const Figure& figure = session.figure();
   const auto active = ActiveJoint(figure, session.selected_joints(), editor->side.active);
   const bool is_root_active = !active || editor->side.active == figure.root_name();
-  if (is_root_active && session.selected_joints().contains(figure.root_name())) {
+  if (is_root_active && session.is_root_selected()) {
     if (DrawHeading((figure.root_name() + "##root").c_str())) DrawRoot(editor);
     return DrawLinks(editor, figure.root_name());
   }

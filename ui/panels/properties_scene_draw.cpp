@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit/edits.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/properties_fields.h"
 #include "ui/panels/properties_layout.h"
@@ -123,25 +124,16 @@ void DrawObject(Editor* editor, const ProjectSceneObject& object) {
   ImGui::PopID();
 }
 
-std::string FreeName(const char* wanted, const ProjectScene& scene) {
-  std::string name = wanted;
-  const auto is_taken = [&](const auto& object) { return object.name == name; };
-  for (int i = 2; std::any_of(scene.objects.begin(), scene.objects.end(), is_taken); ++i) {
-    name = std::string(wanted) + " " + std::to_string(i);
-  }
-  return name;
-}
-
 void DrawObjects(Editor* editor) {
   if (!DrawHeading(Tr("Objects"))) return;
   const ProjectScene scene = editor->session().project().scene;
   for (const ProjectSceneObject& object : scene.objects) DrawObject(editor, object);
   if (DrawButton(LabelOf("object.add_box"), HelpOf("object.add_box"), 2)) {
-    editor->Do("object.add_box", {{"name", FreeName("box", scene)}, {"z", 0.5}});
+    editor->Do("object.add_box", {{"name", edit::FreeName("box", scene.objects)}, {"z", 0.5}});
   }
   ImGui::SameLine();
   if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {
-    editor->Do("object.add_plane", {{"name", FreeName("plane", scene)}});
+    editor->Do("object.add_plane", {{"name", edit::FreeName("plane", scene.objects)}});
   }
   DrawNumber(editor, {"gravity", Tr("Gravity"), scene.gravity_m_s2, "%.2f m/s²", 0.02},
              [&](double value, const std::string& drag) {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "engine/base/text.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/menus.h"
 
@@ -21,13 +22,8 @@ bool IsHidden(const std::string& id) {
   return false;
 }
 
-std::string Lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 std::vector<std::string> Words(const std::string& query) {
-  std::istringstream stream(Lower(query));
+  std::istringstream stream(LowerCase(query));
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
   return words;
@@ -44,7 +40,7 @@ int PlaceIn(const std::string& text, const std::string& word) {
 
 // 0: some word is not there.
 int Rank(const Command& command, const std::vector<std::string>& words) {
-  const std::string label = Lower(command.label), english = Lower(command.english);
+  const std::string label = LowerCase(command.label), english = LowerCase(command.english);
   int rank = 1;
   for (const std::string& word : words) {
     const int place = std::max(2 * std::max(PlaceIn(label, word), PlaceIn(english, word)),

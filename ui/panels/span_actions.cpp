@@ -67,7 +67,7 @@ Result<Done> HoldFromNow(Editor* editor, GroupIndex joint, const std::string& dr
   }
   const int now = FrameNow(*editor);
   return editor->Invoke("hold.add", {{"joint", name},
-                                     {"orientation", num_hinges >= 6},
+                                     {"orientation", num_hinges >= edit::kFullyMovable},
                                      {"first", now},
                                      {"last", HoldUntil(editor->session().project(), name, now)},
                                      {"drag", drag}});

@@ -42,7 +42,7 @@ Result<Done> FrameSelected(Editor* editor) {
   if (!figure) return CannotBeAnimated();
   Eigen::AlignedBox3d bounds;
   for (const GroupIndex joint : SelectedJoints(session)) bounds.extend(figure->CenterOf(joint));
-  if (IsRootSelected(session)) bounds.extend(figure->frame().X_WR.p);
+  if (session.is_root_selected()) bounds.extend(figure->frame().X_WR.p);
   for (const SceneObject& object : session.animation()->scene) {
     const Box* box = std::get_if<Box>(&object.shape);
     if (!box || object.name != editor->viewport.selected_object) continue;

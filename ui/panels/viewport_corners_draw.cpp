@@ -86,7 +86,7 @@ void DrawCaption(const Editor& editor, const Rect& rect) {
   DrawText({rect.x + edge, rect.y + edge}, ViewName(editor).c_str());
   std::string second = std::string(Tr("Frame")) + " " + std::to_string(FrameShown(editor));
   const std::vector<GroupIndex> joints = SelectedJoints(editor.session());
-  if (IsRootSelected(editor.session())) {
+  if (editor.session().is_root_selected()) {
     second += "   " + editor.session().figure().root_name();
   } else if (joints.size() == 1) {
     second += "   " + editor.session().figure().group(joints[0]).name;

@@ -22,6 +22,11 @@ Dial::Dial(const View& view, const Vec3& center, const Vec3& axis, const Vec3& t
   if (std::hypot(tangent.x, tangent.y) >= 1.0f) tangent_ = tangent;
 }
 
+void Dial::GoOnFrom(const Dial& other) {
+  mouse_ = other.mouse_;
+  degrees_ = other.degrees_;
+}
+
 void Dial::Move(Point by) {
   const Point from = *mouse_, to = {from.x + by.x, from.y + by.y};
   mouse_ = to;

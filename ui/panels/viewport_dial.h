@@ -17,6 +17,8 @@ class Dial {
   bool is_tangential() const { return tangent_.has_value(); }
   void BeginAt(Point mouse) { mouse_ = mouse; }
   bool has_begun() const { return mouse_.has_value(); }
+  // Keeps what another one has turned so far, and its mouse.
+  void GoOnFrom(const Dial& other);
   void Move(Point by);
   // So far: counter-clockwise on the screen, or about the axis of a ring seen from its edge.
   double degrees() const { return degrees_; }

@@ -44,6 +44,19 @@ Point DragTool::MouseMoved(const ToolInput& input) {
   return {share * (input.mouse.x - from.x), share * (input.mouse.y - from.y)};
 }
 
+bool TypedAxis::Take(const Chord& chord) {
+  if (chord.key < 'X' || chord.key > 'Z' || chord.ctrl || chord.alt) return false;
+  const bool is_again = chord.key == letter_;
+  letter_ = is_again && is_own_ ? 0 : static_cast<char>(chord.key);
+  is_own_ = is_again && !is_own_;
+  return true;
+}
+
+std::string TypedAxis::shown() const {
+  if (is_none()) return "";
+  return std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + letter_;
+}
+
 std::string Signed(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%+.*f", digits, WithoutMinusZero(value, digits));

@@ -33,6 +33,23 @@ class DragTool : public Tool {
   std::optional<Point> last_mouse_;
 };
 
+// An axis that is chosen by its letter: typed once it is the world's, twice that of what is turned,
+// a third time there is none.
+class TypedAxis {
+ public:
+  // True if it was one of the letters.
+  bool Take(const Chord& chord);
+  int index() const { return letter_ - 'X'; }  // of x, y, z, if there is one
+  bool is_none() const { return letter_ == 0; }
+  bool is_own() const { return is_own_; }
+  // "  world X"; empty if there is none.
+  std::string shown() const;
+
+ private:
+  char letter_ = 0;
+  bool is_own_ = false;
+};
+
 // "+12.5"; with so many digits after the point.
 std::string Signed(double value, int digits);
 // The keys that tools understand, for their hints; those that matter most go first, for the last

@@ -3,19 +3,11 @@
 #include <algorithm>
 
 #include "engine/dynamics/kinematics.h"
+#include "ui/edit/limb_chain.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-std::vector<GroupIndex> ChildrenOf(GroupIndex joint, const Figure& figure) {
-  std::vector<GroupIndex> children;
-  for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
-    const Joint& first = figure.joint(figure.groups()[g].first);
-    if (first.parent == figure.group(joint).last()) children.push_back(GroupIndex(g));
-  }
-  return children;
-}
 
 std::optional<GroupIndex> ParentOf(GroupIndex joint, const Figure& figure) {
   const JointIndex parent = figure.joint(figure.group(joint).first).parent;
@@ -53,7 +45,7 @@ Vec3 PosedFigure::LimbOf(GroupIndex joint) const {
     }
   }
   Vec3 limb = PoseOf(last).R * end;
-  const std::vector<GroupIndex> children = ChildrenOf(joint, *figure_);
+  const std::vector<GroupIndex> children = edit::ChildrenOf(last, *figure_);
   if (children.size() == 1) limb = CenterOf(children[0]) - CenterOf(joint);
   return limb.norm() > 1e-9 ? Vec3(limb.normalized()) : Vec3(PoseOf(last).R.col(2));
 }
@@ -74,10 +66,6 @@ std::vector<GroupIndex> SelectedJoints(const edit::Session& session) {
   return joints;
 }
 
-bool IsRootSelected(const edit::Session& session) {
-  return session.selected_joints().contains(session.figure().root_name());
-}
-
 std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex joint) {
   const Figure& figure = session.figure();
   const JointGroup& group = figure.group(joint);
@@ -95,8 +83,9 @@ std::vector<GroupIndex> HandleJoints(const Figure& figure) {
   for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
     const auto parent = ParentOf(GroupIndex(g), figure);
     const auto next = parent ? ParentOf(*parent, figure) : std::nullopt;
-    if (!next || ChildrenOf(*parent, figure).size() > 1) continue;
-    if (ChildrenOf(*next, figure).size() == 1) handles.push_back(GroupIndex(g));
+    if (!next || edit::ChildrenOf(figure.group(*parent).last(), figure).size() > 1) continue;
+    if (edit::ChildrenOf(figure.group(*next).last(), figure).size() == 1)
+      handles.push_back(GroupIndex(g));
   }
   return handles;
 }

@@ -45,7 +45,6 @@ std::optional<PosedFigure> PoseNow(edit::Session* session);
 
 // Joints of which at least one hinge is selected, in the figure's order.
 std::vector<GroupIndex> SelectedJoints(const edit::Session& session);
-bool IsRootSelected(const edit::Session& session);
 // Of a joint, those that can turn and, if some of its hinges are selected, are.
 std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex joint);
 

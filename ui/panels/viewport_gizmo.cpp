@@ -66,7 +66,7 @@ Vec3 LimitArc::At(double at_angle) const {
 std::optional<Gizmo> GizmoOf(const View& view, const edit::Session& session,
                              const PosedFigure& figure, const std::string& active, bool with_limits,
                              double scale) {
-  if (IsRootSelected(session)) return GizmoOfRoot(view, figure, scale);
+  if (session.is_root_selected()) return GizmoOfRoot(view, figure, scale);
   const std::vector<GroupIndex> joints = SelectedJoints(session);
   if (joints.size() != 1) return std::nullopt;
   const std::vector<JointIndex> hinges = TurnableHinges(session, joints[0]);

@@ -48,7 +48,7 @@ void Click(Editor* editor, const ViewportHit& hit, bool toggles) {
   if (hit.joint) names.push_back(session.figure().group(*hit.joint).name);
   if (hit.is_root) names.push_back(session.figure().root_name());
   const bool is_on =
-      hit.is_root ? IsRootSelected(session) : hit.joint && IsSelected(session, *hit.joint);
+      hit.is_root ? session.is_root_selected() : hit.joint && IsSelected(session, *hit.joint);
   const char* mode = !toggles ? "replace" : is_on ? "remove" : "add";
   editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
   if (!toggles || !hit.object.empty()) editor->viewport.selected_object = hit.object;

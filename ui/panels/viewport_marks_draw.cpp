@@ -30,7 +30,7 @@ void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
 void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& figure) {
   const std::optional<Point> root = view.ToWindow(figure.frame().X_WR.p);
   if (root && !figure.is_root_hidden()) {
-    const bool is_selected = IsRootSelected(editor.session());
+    const bool is_selected = editor.session().is_root_selected();
     DrawHandle(*root, Px(editor, is_selected ? 8.0 : 7.0),
                is_selected ? ToIm(colors::kSelected) : ToIm(kWhite, 0.75f), ToIm(kDark, 0.8f));
   }

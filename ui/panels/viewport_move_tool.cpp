@@ -103,7 +103,8 @@ Result<Done> TakeObjectTool(Editor* editor) {
 Result<Done> TakeMoveTool(Editor* editor) {
   editor->Take(nullptr);
   const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
-  const bool moves_root = IsRootSelected(editor->session()) || IsOnRoot(joints, editor->session());
+  const bool moves_root =
+      editor->session().is_root_selected() || IsOnRoot(joints, editor->session());
   if (joints.empty() && !moves_root) return TakeObjectTool(editor);
   if (moves_root && PoseNow(&editor->session())) {
     TakeRootMoveTool(editor, std::nullopt);

@@ -49,7 +49,6 @@ class RootTurnTool : public DragTool {
         name_(figure.figure().root_name()),
         X_WR_(figure.frame().X_WR),
         to_viewer_(view.ToViewer(X_WR_.p)),
-        axis_(to_viewer_),
         dial_(view.ToWindow(X_WR_.p).value_or(Point{})) {}
   // By one of its rings.
   RootTurnTool(Editor* editor, const PosedFigure& figure, const View& view, const GizmoHit& ring,
@@ -58,19 +57,16 @@ class RootTurnTool : public DragTool {
         name_(figure.figure().root_name()),
         X_WR_(figure.frame().X_WR),
         to_viewer_(view.ToViewer(X_WR_.p)),
-        axis_(X_WR_.R.col(ring.axis)),
-        is_own_(true),
-        letter_(static_cast<char>('X' + ring.axis)),
-        has_ring_(true),
-        dial_(view, X_WR_.p, axis_, ring.at) {
+        ring_axis_(ring.axis),
+        dial_(view, X_WR_.p, Axis(), ring.at) {
     BeginAt(held.mouse);
     dial_.BeginAt(held.mouse);
   }
 
   std::string hint() const override {
     std::string text = std::string(Tr("Rotate")) + " " + name_;
-    if (letter_) text += std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + letter_;
-    text += ": " + (typed_.is_empty() ? Signed(applied_.by_deg, 1) : typed_.shown()) + "\u00b0";
+    text += letter_.shown() + ": " +
+            (typed_.is_empty() ? Signed(applied_.by_deg, 1) : typed_.shown()) + "\u00b0";
     return text + FeetHint(wanted_feet_stay_) + KeysHint(Tr("axis, twice: its own"));
   }
 
@@ -84,52 +80,48 @@ class RootTurnTool : public DragTool {
   };
 
   bool Follow(Editor* editor, const ToolInput& input) override;
-  void TakeAxis(const Chord& chord);
+  Vec3 Axis() const;
 
   std::string name_;
   hazumi::Pose X_WR_;
-  Vec3 to_viewer_, axis_;
-  bool is_own_ = false;
-  char letter_ = 0;  // 'X' to 'Z' once it was typed
-  bool has_ring_ = false;
+  Vec3 to_viewer_;
+  std::optional<int> ring_axis_;  // of the root, if a ring was taken
+  TypedAxis letter_;
   Dial dial_;
   TypedNumber typed_;
   bool wanted_feet_stay_ = false;
   Turned applied_;
 };
 
-// A letter once is the world's axis, twice the root's own, a third time the view's.
-void RootTurnTool::TakeAxis(const Chord& chord) {
-  if (has_ring_ || chord.key < 'X' || chord.key > 'Z' || chord.ctrl || chord.alt) return;
-  const bool is_again = chord.key == letter_;
-  letter_ = is_again && is_own_ ? 0 : static_cast<char>(chord.key);
-  is_own_ = is_again && !is_own_;
-  axis_ = to_viewer_;
-  if (letter_) axis_ = is_own_ ? Vec3(X_WR_.R.col(letter_ - 'X')) : Vec3::Unit(letter_ - 'X');
+Vec3 RootTurnTool::Axis() const {
+  if (ring_axis_) return X_WR_.R.col(*ring_axis_);
+  if (letter_.is_none()) return to_viewer_;
+  return letter_.is_own() ? Vec3(X_WR_.R.col(letter_.index())) : Vec3::Unit(letter_.index());
 }
 
 bool RootTurnTool::Follow(Editor* editor, const ToolInput& input) {
   for (const Chord& chord : input.keys) {
     if (typed_.Take(chord)) continue;
     if (IsFeetKey(chord)) wanted_feet_stay_ = !wanted_feet_stay_;
-    TakeAxis(chord);
+    if (!ring_axis_) letter_.Take(chord);
   }
   if (!dial_.has_begun()) dial_.BeginAt(input.mouse);
   dial_.Move(MouseMoved(input));
   // The mouse turns what is seen, a number is about the axis.
-  const bool turns_away = !dial_.is_tangential() && axis_.dot(to_viewer_) < 0.0;
+  const Vec3 axis = Axis();
+  const bool turns_away = !dial_.is_tangential() && axis.dot(to_viewer_) < 0.0;
   double by = turns_away ? -dial_.degrees() : dial_.degrees();
   if (input.snap) by = kStep * std::round(by / kStep);
   if (!typed_.is_empty()) by = typed_.value();
-  const Turned turned = {axis_, by, wanted_feet_stay_};
+  const Turned turned = {axis, by, wanted_feet_stay_};
   if (turned == applied_) return true;
   applied_ = turned;
   TakeBack(editor);
   if (by == 0.0) return true;
   return Run(editor, "root.turn",
-             {{"x", axis_.x()},
-              {"y", axis_.y()},
-              {"z", axis_.z()},
+             {{"x", axis.x()},
+              {"y", axis.y()},
+              {"z", axis.z()},
               {"by", by},
               {"feet_stay", wanted_feet_stay_}});
 }

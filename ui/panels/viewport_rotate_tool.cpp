@@ -53,15 +53,13 @@ class RotateTool : public DragTool {
   void ChooseHinges(Editor* editor);
   JointIndex HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
                      const PosedFigure& figure) const;
-  bool TakeAxis(const Chord& chord);
   void AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure, const View& view);
   bool Apply(Editor* editor, double by_deg);
 
   std::vector<GroupIndex> joints_;
   std::optional<JointIndex> only_;
   Vec3 ring_at_ = Vec3::Zero();  // where the ring was taken [m]
-  char axis_ = 0;                // 'X' to 'Z' once it was typed
-  bool is_own_ = false;  // of the figure at rest, as the rings are coloured; else the world's
+  TypedAxis axis_;
   std::vector<Turn> turns_;
   Dial dial_{Point{}};
   double applied_deg_ = 0.0;
@@ -82,30 +80,22 @@ void RotateTool::ChooseHinges(Editor* editor) {
     if (hinges.empty()) continue;
     AddTurn(editor, HingeOf(hinges, view.ToViewer(center), *figure), *figure, view);
   }
-  dial_ = Dial(view.ToWindow(pivot).value_or(Point{}));
-  if (!only_) return;
   // A ring seen from its edge is pulled along, not turned around its centre.
-  dial_ = Dial(view, figure->PoseOf(*only_).p, figure->AxisOf(*only_), ring_at_);
-  if (dial_.is_tangential() && !turns_.empty()) turns_[0].sign = 1.0;
+  Dial dial = only_ ? Dial(view, figure->PoseOf(*only_).p, figure->AxisOf(*only_), ring_at_)
+                    : Dial(view.ToWindow(pivot).value_or(Point{}));
+  if (dial.is_tangential() && !turns_.empty()) turns_[0].sign = 1.0;
+  dial.GoOnFrom(dial_);
+  dial_ = dial;
 }
 
 JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
                                const PosedFigure& figure) const {
   if (only_) return *only_;
-  const Vec3 direction = axis_ ? Vec3(Vec3::Unit(axis_ - 'X')) : to_viewer;
+  const Vec3 direction = axis_.is_none() ? to_viewer : Vec3(Vec3::Unit(axis_.index()));
   return Nearest(hinges, direction, [&](JointIndex hinge) -> Vec3 {
     const Joint& joint = figure.figure().joint(hinge);
-    return is_own_ ? Vec3(joint.X_PJ.R * joint.axis) : figure.AxisOf(hinge);
+    return axis_.is_own() ? Vec3(joint.X_PJ.R * joint.axis) : figure.AxisOf(hinge);
   });
-}
-
-// A letter once is the world's axis, twice the joint's own, a third time none. True if it was one.
-bool RotateTool::TakeAxis(const Chord& chord) {
-  if (only_ || chord.key < 'X' || chord.key > 'Z' || chord.ctrl || chord.alt) return false;
-  const bool is_again = chord.key == axis_;
-  axis_ = is_again && is_own_ ? 0 : static_cast<char>(chord.key);
-  is_own_ = is_again && !is_own_;
-  return true;
 }
 
 void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
@@ -121,7 +111,7 @@ void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& fi
 bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
   if (turns_.empty()) return false;
   for (const Chord& chord : input.keys) {
-    if (typed_.Take(chord) || !TakeAxis(chord)) continue;
+    if (typed_.Take(chord) || only_ || !axis_.Take(chord)) continue;
     TakeBack(editor);
     applied_deg_ = 0.0;
     ChooseHinges(editor);
@@ -150,7 +140,7 @@ std::string RotateTool::hint() const {
   const Turn& turn = turns_[0];
   std::string text = std::string(Tr("Rotate")) + " " + turn.name;
   if (turns_.size() > 1) text += " +" + std::to_string(turns_.size() - 1);
-  if (axis_) text += std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + axis_;
+  text += axis_.shown();
   text += ": " + (typed_.is_empty() ? Signed(turn.now_deg - turn.start_deg, 1) : typed_.shown());
   text += "\u00b0  =  " + Signed(turn.now_deg, 1) + "\u00b0";
   if (turn.now_deg == turn.lower_deg || turn.now_deg == turn.upper_deg) {
@@ -163,7 +153,7 @@ std::string RotateTool::hint() const {
 }  // namespace
 
 Result<Done> TakeRotateTool(Editor* editor) {
-  if (IsRootSelected(editor->session()) && PoseNow(&editor->session())) {
+  if (editor->session().is_root_selected() && PoseNow(&editor->session())) {
     editor->Take(nullptr);
     TakeRootTurnTool(editor);
     return Done();

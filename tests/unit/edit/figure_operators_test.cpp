@@ -58,5 +58,17 @@ TEST(FigureOperators, SayWhatIsWrong) {
   EXPECT_EQ(refused("figure.embed", Json::object()), "figure.embed.figure: is embedded already");
 }
 
+TEST(FigureOperators, UndoBringsTheFigureBackAtOnce) {
+  Session session;
+  const auto upper = [&] {
+    return session.figure().joint(*session.figure().FindJoint("r_knee")).upper;
+  };
+  const double before = upper();
+  Do(&session, "figure.joint_limits", {{"joint", "r_knee"}, {"upper", 60}});
+  EXPECT_NE(upper(), before);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(upper(), before);
+}
+
 }  // namespace
 }  // namespace hazumi::test
