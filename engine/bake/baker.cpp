@@ -167,7 +167,7 @@ void Baker::Restore(const Checkpoint& checkpoint) {
   holds_.clear();
   for (const Checkpoint::Hold& held : checkpoint.holds) {
     const IkHold& hold = animation_.holds[held.index];
-    holds_.push_back({&hold, HoldSolver(figure_, hold.joint, hold.hold_orientation), held.target});
+    holds_.push_back({&hold, HoldSolver(figure_, hold), held.target});
   }
 }
 

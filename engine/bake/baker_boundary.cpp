@@ -258,7 +258,7 @@ bool Baker::BeginHolds(int frame) {
     ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
     const JointIndex held = figure_.group(hold.joint).first;
     const HoldTarget target{ws_.body(held).p, ws_.body(figure_.joint(held).parent).R};
-    holds_.push_back({&hold, HoldSolver(figure_, hold.joint, hold.hold_orientation), target});
+    holds_.push_back({&hold, HoldSolver(figure_, hold), target});
   }
   return any;
 }

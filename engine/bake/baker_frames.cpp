@@ -184,8 +184,10 @@ Baker::Failure Baker::SolveHold(ActiveHold* active, double frame, Side side,
     return CannotGoOn("holds[" + std::to_string(index) + "]",
                       "\"" + figure_.group(active->hold->joint).name +
                           "\" is out of reach at frame " + FormatShort(frame) + ": " +
-                          FormatShort(solution.distance) +
-                          " m short; move the root nearer or shorten the hold");
+                          FormatShort(solution.distance) + " m short; move the root nearer" +
+                          (active->hold->reach == HoldReach::kLimb
+                               ? ", give the hold the reach \"body\", or shorten it"
+                               : " or shorten the hold"));
   }
   for (const JointIndex j : joints) {
     const Jet& jet = (*q)[j.value()];

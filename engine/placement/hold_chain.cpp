@@ -20,13 +20,16 @@ Jet As<Jet>(const Jet& jet) {
 
 }  // namespace
 
-HoldChain::HoldChain(const Figure& figure, JointIndex held) : figure_(&figure), held_(held) {
-  for (JointIndex j = figure.joint(held).parent; j.is_valid(); j = figure.joint(j).parent) {
+HoldChain::HoldChain(const Figure& figure, GroupIndex held, const std::vector<GroupIndex>& solved)
+    : figure_(&figure), held_(figure.group(held).first) {
+  for (JointIndex j = figure.joint(held_).parent; j.is_valid(); j = figure.joint(j).parent) {
     hinges_.push_back({j, -1});
   }
   std::reverse(hinges_.begin(), hinges_.end());
   for (Hinge& hinge : hinges_) {
-    if (figure.joint(hinge.joint).is_fixed()) continue;
+    const Joint& joint = figure.joint(hinge.joint);
+    const bool is_solved = std::find(solved.begin(), solved.end(), joint.group) != solved.end();
+    if (joint.is_fixed() || !is_solved) continue;
     hinge.row = size();
     unknowns_.push_back(hinge.joint);
   }

@@ -23,11 +23,11 @@ struct ChainPose {
   explicit ChainPose(int rows) : axis(rows), origin(rows), J(rows) {}
 };
 
-// The hinges between the root and a held joint, the latter's own left out. Those that are not fixed
-// are the unknowns of inverse kinematics.
+// The hinges between the root and a held joint, the latter's own left out. Those of the `solved`
+// joints that are not fixed are the unknowns of inverse kinematics.
 class HoldChain {
  public:
-  HoldChain(const Figure& figure, JointIndex held);
+  HoldChain(const Figure& figure, GroupIndex held, const std::vector<GroupIndex>& solved);
 
   const std::vector<JointIndex>& unknowns() const { return unknowns_; }
   int size() const { return static_cast<int>(unknowns_.size()); }

@@ -49,10 +49,10 @@ bool IsTurnedOver(const ChainPose<double>& pose, const HoldTarget& target) {
 
 }  // namespace
 
-HoldSolver::HoldSolver(const Figure& figure, GroupIndex held, bool hold_orientation)
-    : chain_(figure, figure.group(held).first),
+HoldSolver::HoldSolver(const Figure& figure, const IkHold& hold)
+    : chain_(figure, hold.joint, SolvedJoints(hold, figure)),
       n_(chain_.size()),
-      m_(hold_orientation ? 6 : 3),
+      m_(hold.hold_orientation ? 6 : 3),
       pose_(n_),
       pose_jet_(n_),
       keyed_(n_),

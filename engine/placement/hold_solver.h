@@ -7,6 +7,7 @@
 
 #include "engine/placement/hold_chain.h"
 #include "engine/placement/pivoted_lu.h"
+#include "engine/timeline/placement_span.h"
 
 namespace hazumi {
 
@@ -23,7 +24,7 @@ struct HoldSolution {
   double distance = 0.0;
 };
 
-// Finds the angles between the root and a held joint:
+// Finds the angles of the joints that a hold moves:
 //   minimise |q - q_keyed|^2 / 2  subject to  c(q) = 0,
 // c being the held joint's position error (and, if asked for, the orientation error of the body it
 // sits on). With multipliers l this is  F = (q - q_keyed + J^T l, c) = 0, solved by Newton's method
@@ -35,9 +36,9 @@ struct HoldSolution {
 class HoldSolver {
  public:
   // `figure` must outlive the solver.
-  HoldSolver(const Figure& figure, GroupIndex held, bool hold_orientation);
+  HoldSolver(const Figure& figure, const IkHold& hold);
 
-  // The joints that are solved, ascending: between root and held joint, fixed hinges left out.
+  // The joints that are solved, ascending: those within the hold's reach, fixed hinges left out.
   const std::vector<JointIndex>& joints() const { return chain_.unknowns(); }
 
   // `q`: all joints of the figure as jets, keyed on entry; the solved ones are replaced if the

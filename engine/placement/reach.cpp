@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/figure/limb.h"
 #include "engine/placement/hold_chain.h"
 
 // Levenberg and Marquardt's method on |e(x)|^2 / 2 with bounds, e being p(x) - target and, where an
@@ -27,10 +28,15 @@ constexpr double kTurnWeight = 0.2;     // [m/rad]
 using ErrorVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6>;
 using ErrorMat = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
+std::vector<GroupIndex> JointsUpTo(JointIndex moved, const Figure& figure) {
+  constexpr int kRoot = 0;
+  return ChainOf(figure.joint(moved).group, kRoot, figure);
+}
+
 class ReachSolver {
  public:
   ReachSolver(const Figure& figure, const ReachProblem& problem, const VecX& q)
-      : chain_(figure, problem.moved),
+      : chain_(figure, figure.joint(problem.moved).group, JointsUpTo(problem.moved, figure)),
         X_WR_{problem.X_WR.R.cast<Jet>(), problem.X_WR.p.cast<Jet>()},
         target_(problem.target),
         orientation_(problem.orientation),

@@ -102,11 +102,12 @@ constexpr CheckText kTexts[] = {
      "no joint lies between the root and {}, so nothing can hold it in place; pin it instead"},
     {Check::kHoldsConflict, kSemantics,
      "{} and {} ({}) are held in frames {} to {} and both need {}, so they cannot be solved "
-     "together; let go of one"},
+     "together; let go of one{}"},
     {Check::kHoldOnPin, kSemantics,
      "{} is pinned by {} in frames {} to {} already; remove the hold there"},
     {Check::kHoldConflictsPin, kSemantics,
-     "holding {} needs {}, which also carries {}, pinned by {} in frames {} to {}; let go of one"},
+     "holding {} needs {}, which also carries {}, pinned by {} in frames {} to {}; let go of "
+     "one{}"},
     {Check::kHoldInGravity, kSemantics,
      "{} is held while gravity places the figure ({}) in frames {} to {}; hold it before or after, "
      "or pin it"},

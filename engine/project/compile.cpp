@@ -193,8 +193,8 @@ class Compiler {
   }
 
   void AddHold(const ProjectHold& source) {
-    animation_.holds.push_back(
-        {*GroupOf(source.joint), source.first_frame, source.last_frame, source.orientation});
+    animation_.holds.push_back({*GroupOf(source.joint), source.first_frame, source.last_frame,
+                                source.orientation, source.reach});
   }
 
   const Project& project_;

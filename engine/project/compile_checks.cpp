@@ -27,6 +27,12 @@ JointSet Common(const JointSet& a, const JointSet& b) {
   return both;
 }
 
+JointSet Either(const JointSet& a, const JointSet& b) {
+  JointSet either(a.size());
+  for (size_t j = 0; j < a.size(); ++j) either[j] = a[j] || b[j];
+  return either;
+}
+
 std::optional<JointIndex> FirstOf(const JointSet& set) {
   const auto it = std::find(set.begin(), set.end(), true);
   if (it == set.end()) return std::nullopt;
@@ -51,7 +57,10 @@ class AnimationChecker {
   AnimationChecker(const Animation& animation, FirstError* errors)
       : animation_(animation), figure_(*animation.figure), errors_(errors) {
     for (const DynamicsRegion& region : animation.regions) driven_.push_back(JointsOf(region));
-    for (const IkHold& hold : animation.holds) needed_.push_back(ChainTo(hold.joint));
+    for (const IkHold& hold : animation.holds) {
+      needed_.push_back(ChainTo(hold.joint));
+      solved_.push_back(SolvedBy(hold));
+    }
     for (size_t i = 0; i < animation.placements.size(); ++i) CollectPins(i);
   }
 
@@ -84,6 +93,15 @@ class AnimationChecker {
     JointIndex j = figure_.joint(figure_.group(group).first).parent;
     for (; j.is_valid(); j = figure_.joint(j).parent) chain[j.value()] = true;
     return chain;
+  }
+
+  JointSet SolvedBy(const IkHold& hold) const {
+    JointSet solved(figure_.joints().size());
+    for (const GroupIndex g : SolvedJoints(hold, figure_)) {
+      const JointGroup& group = figure_.group(g);
+      for (int j = group.first.value(); j <= group.last().value(); ++j) solved[j] = true;
+    }
+    return solved;
   }
 
   void CollectPins(size_t i) {
@@ -224,18 +242,21 @@ class AnimationChecker {
 
   void CheckPair(size_t i, size_t k) {
     const Span both = Common(SpanOf(animation_.holds[i]), SpanOf(animation_.holds[k]));
-    const JointSet shared = Common(needed_[i], needed_[k]);
-    if (both.is_empty() || !FirstOf(shared)) return;
+    if (both.is_empty()) return;
     const std::string one = Quoted(NameOf(animation_.holds[i].joint));
     const std::string other = Quoted(NameOf(animation_.holds[k].joint));
-    if (const auto driver = FindDriver(shared, both)) {
+    if (const auto driver = FindDriver(Common(needed_[i], needed_[k]), both)) {
       return errors_->Report(Check::kLoopOfHolds, At("holds", i),
                              {driver->region, driver->joint, one, other, Text(driver->span.first),
                               Text(driver->span.last)});
     }
+    const JointSet contested =
+        Either(Common(solved_[i], needed_[k]), Common(solved_[k], needed_[i]));
+    const auto joint = FirstOf(contested);
+    if (!joint) return;
     errors_->Report(Check::kHoldsConflict, At("holds", i),
                     {one, other, At("holds", k), Text(both.first), Text(both.last),
-                     Quoted(GroupNameOf(*FirstOf(shared)))});
+                     Quoted(GroupNameOf(*joint)), OrByTheLimb(i, k)});
   }
 
   void CheckAgainstPin(size_t i, const Pin& pin) {
@@ -247,23 +268,33 @@ class AnimationChecker {
       return errors_->Report(Check::kHoldOnPin, At("holds", i),
                              {held, pin.place, Text(both.first), Text(both.last)});
     }
-    const JointSet shared = Common(needed_[i], ChainTo(pin.joint));
-    if (!FirstOf(shared)) return;
-    if (const auto driver = FindDriver(shared, both)) {
+    const JointSet carries = ChainTo(pin.joint);
+    if (const auto driver = FindDriver(Common(needed_[i], carries), both)) {
       return errors_->Report(Check::kLoopWithPin, At("holds", i),
                              {driver->region, driver->joint, held, pinned, Text(driver->span.first),
                               Text(driver->span.last)});
     }
+    const auto joint = FirstOf(Common(solved_[i], carries));
+    if (!joint) return;
     errors_->Report(Check::kHoldConflictsPin, At("holds", i),
-                    {held, Quoted(GroupNameOf(*FirstOf(shared))), pinned, pin.place,
-                     Text(both.first), Text(both.last)});
+                    {held, Quoted(GroupNameOf(*joint)), pinned, pin.place, Text(both.first),
+                     Text(both.last), OrByTheLimb(i, i)});
+  }
+
+  // A remedy, where one of two holds reaches with the body.
+  std::string OrByTheLimb(size_t i, size_t k) const {
+    const auto is_body = [&](size_t hold) {
+      return animation_.holds[hold].reach == HoldReach::kBody;
+    };
+    return is_body(i) || is_body(k) ? " or give it the reach \"limb\"" : "";
   }
 
   const Animation& animation_;
   const Figure& figure_;
   FirstError* errors_;
   std::vector<JointSet> driven_;  // by region
-  std::vector<JointSet> needed_;  // by hold
+  std::vector<JointSet> needed_;  // by hold: the joints that it depends on
+  std::vector<JointSet> solved_;  // by hold: those among them that it moves
   std::vector<Pin> pins_;
 };
 

@@ -50,6 +50,13 @@ struct EnumNames<PlacementKind> {
 };
 
 template <>
+struct EnumNames<HoldReach> {
+  static constexpr const char* kWhat = "reach";
+  static constexpr EnumName<HoldReach> kNames[] = {{HoldReach::kLimb, NameOf(HoldReach::kLimb)},
+                                                   {HoldReach::kBody, NameOf(HoldReach::kBody)}};
+};
+
+template <>
 struct EnumNames<Look::Shape> {
   static constexpr const char* kWhat = "shape";
   static constexpr EnumName<Look::Shape> kNames[] = {

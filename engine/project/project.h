@@ -118,6 +118,7 @@ struct ProjectPlacement {
 struct ProjectHold {
   std::string joint;
   bool orientation = false;
+  HoldReach reach = HoldReach::kLimb;
   int first_frame = 0, last_frame = 0;
   ExtraFields extra;
   bool operator==(const ProjectHold&) const = default;

@@ -104,6 +104,7 @@ template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectHold> hold) {
   ar.Required("joint", hold.joint);
   ar.Optional("orientation", hold.orientation);
+  ar.Optional("reach", hold.reach);
   ar.Required("first_frame", hold.first_frame);
   ar.Required("last_frame", hold.last_frame);
 }

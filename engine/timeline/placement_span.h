@@ -1,8 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "engine/figure/indices.h"
+#include "engine/figure/figure.h"
 
 namespace hazumi {
 
@@ -37,14 +38,33 @@ struct PlacementSpan {
   bool operator==(const PlacementSpan&) const = default;
 };
 
+// Which joints inverse kinematics moves to hold one.
+enum class HoldReach {
+  kLimb,  // its limb, which ends before a joint that carries others too (ChainOf)
+  kBody,  // all up to the root
+};
+constexpr const char* NameOf(HoldReach reach) {
+  switch (reach) {
+    case HoldReach::kLimb:
+      return "limb";
+    case HoldReach::kBody:
+      return "body";
+  }
+  return "";
+}
+
 // Inverse kinematics: the joint stays where it was at `first_frame`, up to and including the moment
-// of `last_frame`. The joints between the root and it are solved, the keyed pose picks the branch.
+// of `last_frame`. Joints between the root and it are solved, the keyed pose picks the branch.
 struct IkHold {
   GroupIndex joint;
   int first_frame = 0;
   int last_frame = 0;
   bool hold_orientation = false;  // also of the body that the joint sits on
+  HoldReach reach = HoldReach::kLimb;
   bool operator==(const IkHold&) const = default;
 };
+
+// The joints that a hold moves, from it towards the root.
+std::vector<GroupIndex> SolvedJoints(const IkHold& hold, const Figure& figure);
 
 }  // namespace hazumi

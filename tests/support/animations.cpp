@@ -72,7 +72,8 @@ PlacementSpan& AddGravity(Animation* animation, int first, int last) {
 }
 
 IkHold& AddHold(Animation* animation, int first, int last, const char* joint, bool orientation) {
-  animation->holds.push_back({GroupOf(*animation, joint), first, last, orientation});
+  animation->holds.push_back(
+      {GroupOf(*animation, joint), first, last, orientation, HoldReach::kLimb});
   return animation->holds.back();
 }
 

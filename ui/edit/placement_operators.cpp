@@ -117,15 +117,28 @@ Result<Done> RemovePlacement(Session* session, const Parameters& p) {
   });
 }
 
+// What is given of it.
+Result<Done> Change(const Parameters& p, ProjectHold* hold) {
+  if (p.has("reach")) {
+    const Result<HoldReach> reach = ValueNamed<HoldReach>(
+        p.text("reach"), "reach", {HoldReach::kLimb, HoldReach::kBody}, &NameOf);
+    if (!reach.ok()) return reach.error();
+    hold->reach = reach.value();
+  }
+  hold->joint = p.text("joint", hold->joint);
+  hold->orientation = p.yes("orientation", hold->orientation);
+  hold->first_frame = p.integer("first", hold->first_frame);
+  hold->last_frame = p.integer("last", hold->last_frame);
+  return Done();
+}
+
 Result<Done> Hold(Session* session, const Parameters& p) {
   return session->Edit(
       "Hold joint",
       [&](Project* project) -> Result<Done> {
         ProjectHold hold;
-        hold.joint = p.text("joint");
-        hold.orientation = p.yes("orientation");
-        hold.first_frame = p.integer("first");
-        hold.last_frame = p.integer("last");
+        Result<Done> changed = Change(p, &hold);
+        if (!changed.ok()) return changed;
         project->holds.push_back(std::move(hold));
         return Done();
       },
@@ -138,11 +151,7 @@ Result<Done> SetHold(Session* session, const Parameters& p) {
       [&](Project* project) -> Result<Done> {
         const Result<ProjectHold*> hold = EntryAt(p, "hold", &project->holds);
         if (!hold.ok()) return hold.error();
-        hold.value()->joint = p.text("joint", hold.value()->joint);
-        hold.value()->orientation = p.yes("orientation", hold.value()->orientation);
-        hold.value()->first_frame = p.integer("first", hold.value()->first_frame);
-        hold.value()->last_frame = p.integer("last", hold.value()->last_frame);
-        return Done();
+        return Change(p, hold.value());
       },
       p.text("drag"));
 }
@@ -166,6 +175,9 @@ const ParameterInfo kPin = {"pin", kText, false, "the pinned joint", Thing::kJoi
 const ParameterInfo kLandingPin = {"landing_pin", kText, false,
                                    "with gravity: the joint pinned after a landing", Thing::kJoint};
 const ParameterInfo kOrientation = {"orientation", kYesNo, false, "true: also how it is turned"};
+
+const ParameterInfo kReach = {"reach", kText, false, "what moves to hold it: limb or body",
+                              "limb body"};
 
 ParameterInfo Required(ParameterInfo info) {
   info.is_required = true;
@@ -207,6 +219,7 @@ std::vector<Operator> PlacementOperators() {
             Required(kFirst),
             Required(kLast),
             kOrientation,
+            kReach,
             kDrag},
            Hold},
           {"hold.set",
@@ -217,6 +230,7 @@ std::vector<Operator> PlacementOperators() {
             kFirst,
             kLast,
             kOrientation,
+            kReach,
             kDrag},
            SetHold},
           {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};

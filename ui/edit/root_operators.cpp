@@ -183,6 +183,37 @@ Result<Done> Turn(Session* session, const Parameters& p) {
   return KeyPose(session, "Turn root", pose, p.text("drag"));
 }
 
+// How far the figure must be lifted until nothing of it is inside the scene [m].
+double LiftOut(const Now& now) {
+  constexpr int kMost = 1000;
+  constexpr double kLeast = 1e-6;  // a normal that points sideways gives no height
+  double lift = 0.0;
+  for (int i = 0; i < kMost; ++i) {
+    const auto contact =
+        NearestContact(now.figure(), now.animation.scene, now.ws, {0.0, 0.0, lift});
+    if (!contact || contact->clearance >= 0.0) break;
+    lift += std::max(-contact->clearance, kLeast);
+  }
+  return lift;
+}
+
+Result<Done> ToGround(Session* session, const Parameters&) {
+  constexpr double kFar = 1000.0;  // [m]
+  const Result<Now> now = NowOf(session);
+  if (!now.ok()) return now.error();
+  if (IsPlaced(now.value().animation, now.value().frame)) {
+    return Refusal("",
+                   "a pin or gravity says where the figure is in this frame; end its span "
+                   "before, or go to its first frame");
+  }
+  const double lift = LiftOut(now.value());
+  const auto touch = FirstTouchOfFigure(now.value().figure(), now.value().animation.scene,
+                                        now.value().ws, {0.0, 0.0, lift}, {0.0, 0.0, -kFar});
+  if (!touch) return Refusal("", "there is nothing under the figure; add a ground to the scene");
+  const double z = now.value().motion.X_WR.p.z() + lift - *touch * kFar;
+  return KeyPose(session, "Put on the ground", {{kRootCurveNames[kRootZ], WithoutRoundOff(z)}});
+}
+
 }  // namespace
 
 std::vector<Operator> RootOperators() {
@@ -204,7 +235,12 @@ std::vector<Operator> RootOperators() {
             {"by", kNumber, true, "degrees"},
             {"feet_stay", kYesNo, false, "true: legs bend so that feet stay where they stand"},
             kDrag},
-           Turn}};
+           Turn},
+          {"root.to_ground",
+           "Put on the ground",
+           "Keys the root's height so that the figure just touches what is under it.",
+           {},
+           ToGround}};
 }
 
 }  // namespace hazumi::edit

@@ -111,16 +111,25 @@ Result<Done> Duplicate(Session* session, const Parameters& p) {
   });
 }
 
+double MeanValue(const std::vector<ProjectKey>& keys) {
+  double sum = 0.0;
+  for (const ProjectKey& key : keys) sum += key.value;
+  return keys.empty() ? 0.0 : sum / static_cast<double>(keys.size());
+}
+
 // Given rates follow, so that the curve keeps its shape.
 Result<Done> Scale(Session* session, const Parameters& p) {
-  const double about = p.number("about", session->frame()), factor = p.number("factor");
+  const double about = p.number("about", session->frame()), factor = p.number("factor", 1.0);
+  const double values = p.number("values", 1.0);
   if (factor <= 0.0) return Refusal("factor", "must be greater than 0");
   return EditSelected(session, "keys.scale", p.text("drag"), [&](const SelectedCurve& of) {
     std::vector<ProjectKey> keys = SelectedOf(of);
     TakeSelected(of);
+    const double mean = MeanValue(keys);
     for (ProjectKey& key : keys) {
-      key.frame = Snapped(about + factor * (key.frame - about), p);
-      if (key.rate) *key.rate /= factor;
+      if (factor != 1.0) key.frame = Snapped(about + factor * (key.frame - about), p);
+      if (values != 1.0) key.value = mean + values * (key.value - mean);
+      if (key.rate) *key.rate *= values / factor;
     }
     return PutKeys(std::move(keys), of);
   });
@@ -206,9 +215,10 @@ std::vector<Operator> SelectedKeyOperators() {
            Move},
           {"keys.scale",
            "Scale keys",
-           "Stretches the selected keys in time; those that they land on give way.",
-           {{"factor", kNumber, true, "greater than 0; 2: twice as long"},
+           "Stretches the selected keys in time, or their values about each curve's mean.",
+           {{"factor", kNumber, false, "of time, greater than 0; 2: twice as long"},
             {"about", kNumber, false, "the frame that stays; not given: the current one"},
+            {"values", kNumber, false, "of values; 2: twice as far from the mean"},
             kSubframe,
             kDragFromStart},
            Scale},

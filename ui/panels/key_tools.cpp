@@ -73,29 +73,47 @@ class MoveKeysTool : public SheetDrag {
 
 class ScaleKeysTool : public SheetDrag {
  public:
-  ScaleKeysTool(Editor* editor, Point start) : SheetDrag(editor, start, false) {}
+  ScaleKeysTool(Editor* editor, Point start)
+      : SheetDrag(editor, start, false), has_values_(editor->sheet.kind == SheetKind::kGraph) {}
 
   std::string hint() const override {
-    return std::string(Tr("Scale keys")) + "  " +
-           (typed_.is_empty() ? FormatShort(factor_) : typed_.shown()) + "   " + DragKeys(true);
+    std::string text = Tr(is_up_ ? "Scale values" : "Scale keys");
+    text += "  " + (typed_.is_empty() ? FormatShort(factor_) : typed_.shown());
+    text += "   " + DragKeys(true);
+    return has_values_ ? text + "   " + Tr("X: time   Y: values") : text;
   }
 
  protected:
   void Follow(Editor* editor, const ToolInput& input) override {
-    for (const Chord& chord : input.keys) typed_.Take(chord);
-    const float about = SheetAxis(*editor).XOf(editor->session().frame());
-    // Beside the playhead the least motion would mean the world.
-    const double reach = std::max(20.0f, std::abs(start().x - about));
-    const double side = start().x < about ? -1.0 : 1.0;
-    double factor = 1.0 + side * (input.mouse.x - start().x) / reach;
-    factor = std::max(0.01, std::round(100.0 * factor) / 100.0);
+    const bool was_up = is_up_;
+    for (const Chord& chord : input.keys) TakeKey(chord);
+    const double by = is_up_ ? Above(input) : Beside(*editor, input);
+    double factor = std::max(0.01, std::round(100.0 * (1.0 + by)) / 100.0);
     if (!typed_.is_empty()) factor = typed_.value();
-    if (factor == factor_ || factor <= 0.0) return;
+    if ((factor == factor_ && is_up_ == was_up) || (factor <= 0.0 && !is_up_)) return;
     factor_ = factor;
-    editor->Do("keys.scale", {{"factor", factor}, {"drag", drag()}});
+    editor->Do("keys.scale", {{is_up_ ? "values" : "factor", factor}, {"drag", drag()}});
   }
 
  private:
+  void TakeKey(const Chord& chord) {
+    if (typed_.Take(chord) || !has_values_) return;
+    if (chord.key == 'X') is_up_ = false;
+    if (chord.key == 'Y') is_up_ = true;
+  }
+  // How much greater, by the distance from the playhead. Beside it the least motion would mean the
+  // world.
+  double Beside(const Editor& editor, const ToolInput& input) const {
+    const float about = SheetAxis(editor).XOf(editor.session().frame());
+    const double reach = std::max(20.0f, std::abs(start().x - about));
+    return (start().x < about ? -1.0 : 1.0) * (input.mouse.x - start().x) / reach;
+  }
+  double Above(const ToolInput& input) const {
+    constexpr double kTwice = 100.0;  // px
+    return (start().y - input.mouse.y) / kTwice;
+  }
+
+  bool has_values_, is_up_ = false;  // values, not time
   TypedNumber typed_;
   double factor_ = 1.0;
 };

@@ -110,6 +110,7 @@ MenuEntry PoseMenu() {
                   {"tool.rotate"},
                   {"tool.move"},
                   {"pose.clear"},
+                  {"root.to_ground"},
                   Line(),
                   {"pose.rotate"},
                   {"pose.reach"},

@@ -26,6 +26,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'A'}, kViewport, "select.all"},
       {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},
       {{'R', false, false, true}, kViewport, "pose.clear"},
+      {{'G', false, false, true}, kViewport, "root.to_ground"},
       {{'H'}, kViewport, "joint.hide"},
       {{'H', false, false, true}, kViewport, "joint.show_all"},
       {{kSpace}, kAnywhere, "time.play"},

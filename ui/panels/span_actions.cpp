@@ -62,7 +62,7 @@ Result<Done> HoldFromNow(Editor* editor, GroupIndex joint, const std::string& dr
   const Figure& figure = editor->session().figure();
   const std::string& name = figure.group(joint).name;
   int num_hinges = 0;
-  for (const GroupIndex g : edit::ChainOf(joint, std::nullopt, figure)) {
+  for (const GroupIndex g : ChainOf(joint, std::nullopt, figure)) {
     num_hinges += figure.group(g).size;
   }
   const int now = FrameNow(*editor);

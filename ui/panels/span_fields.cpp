@@ -55,6 +55,10 @@ void DrawHold(Editor* editor, const ProjectHold& hold) {
   DrawCheck(editor, "orientation", Tr("Keep orientation"), hold.orientation, [&](bool on) {
     Set(editor, {{"orientation", on}});
   });
+  DrawChoice(editor, "reach", Tr("Moves"), {"limb", "body"}, hazumi::NameOf(hold.reach),
+             [&](const std::string& reach) {
+               Set(editor, {{"reach", reach}});
+             });
 }
 
 void DrawFrame(Editor* editor, const char* id, const char* label, int frame) {

@@ -45,7 +45,7 @@ Vec3 PosedFigure::LimbOf(GroupIndex joint) const {
     }
   }
   Vec3 limb = PoseOf(last).R * end;
-  const std::vector<GroupIndex> children = edit::ChildrenOf(last, *figure_);
+  const std::vector<GroupIndex> children = ChildrenOf(last, *figure_);
   if (children.size() == 1) limb = CenterOf(children[0]) - CenterOf(joint);
   return limb.norm() > 1e-9 ? Vec3(limb.normalized()) : Vec3(PoseOf(last).R.col(2));
 }
@@ -83,8 +83,8 @@ std::vector<GroupIndex> HandleJoints(const Figure& figure) {
   for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
     const auto parent = ParentOf(GroupIndex(g), figure);
     const auto next = parent ? ParentOf(*parent, figure) : std::nullopt;
-    if (!next || edit::ChildrenOf(figure.group(*parent).last(), figure).size() > 1) continue;
-    if (edit::ChildrenOf(figure.group(*next).last(), figure).size() == 1)
+    if (!next || ChildrenOf(figure.group(*parent).last(), figure).size() > 1) continue;
+    if (ChildrenOf(figure.group(*next).last(), figure).size() == 1)
       handles.push_back(GroupIndex(g));
   }
   return handles;

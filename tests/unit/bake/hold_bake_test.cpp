@@ -93,6 +93,52 @@ TEST(Hold, OutOfReachIsAnErrorWithFrameAndDistance) {
   EXPECT_NE(error.message.find(expected), std::string::npos) << error.message << expected;
 }
 
+// The human bows by its keys while both hands hold on, elbows bent to begin with.
+Animation HoldOn(double bow) {
+  Animation animation = Still(Human());
+  animation.root_keys[kRootZ] = {{0, 0.9, {}, kCubic}};
+  KeysOf(&animation, "waist_y") = {{0, 0.0, {}, kCubic}, {10, bow, {}, kCubic}};
+  for (const char* side : {"r", "l"}) {
+    KeysOf(&animation, (std::string(side) + "_shoulder_y").c_str()) = {{0, -0.6, {}, kCubic}};
+    KeysOf(&animation, (std::string(side) + "_elbow").c_str()) = {{0, -1.2, {}, kCubic}};
+  }
+  AddHold(&animation, 0, 10, "r_wrist", false);
+  AddHold(&animation, 0, 10, "l_wrist", false);
+  KeyTheRest(&animation);
+  return animation;
+}
+
+TEST(Hold, MovesTheLimbAlone) {
+  const Animation animation = HoldOn(0.3);
+  const Motion motion = BakeOrFail(animation);
+  Animation free = animation;
+  free.holds.clear();
+  const Motion keyed = BakeOrFail(free);
+  const Figure& figure = *animation.figure;
+  for (int f = 0; f <= 10; ++f) {
+    for (const char* wrist : {"r_wrist", "l_wrist"}) {
+      const Vec3 held = OriginOf(animation, motion.frames[0], wrist);
+      EXPECT_LE((OriginOf(animation, motion.frames[f], wrist) - held).norm(), 1e-9) << wrist << f;
+    }
+    for (const char* hinge : {"waist_y", "waist_x", "chest_y", "chest_x", "neck_y"}) {
+      const int j = figure.FindJoint(hinge)->value();
+      EXPECT_EQ(motion.frames[f].q[j], keyed.frames[f].q[j]) << hinge << f;
+    }
+  }
+}
+
+TEST(Hold, OutOfTheLimbsReachMayTakeTheBody) {
+  Animation animation = HoldOn(-0.6);
+  animation.holds.pop_back();
+  const Error error = BakeError(animation);
+  EXPECT_NE(error.message.find("give the hold the reach \"body\""), std::string::npos)
+      << error.message;
+  animation.holds[0].reach = HoldReach::kBody;
+  const Motion motion = BakeOrFail(animation);
+  const Vec3 held = OriginOf(animation, motion.frames[0], "r_wrist");
+  EXPECT_LE((OriginOf(animation, motion.frames[10], "r_wrist") - held).norm(), 1e-9);
+}
+
 TEST(Hold, MayStartLaterAndLetGoInTheAir) {
   Animation animation = Still(Leg());
   animation.root_keys[kRootZ] = {

@@ -122,8 +122,8 @@ TEST(HoldOperators, SetChangesWhatIsGivenOfOneHold) {
   Do(&session, "hold.set", {{"index", 0}, {"joint", "r_toe"}, {"orientation", true}});
   EXPECT_EQ(session.document().num_steps(), steps + 2);
   const std::vector<ProjectHold>& holds = session.project().holds;
-  EXPECT_EQ(holds[0], (ProjectHold{"r_toe", true, 0, 10, {}}));
-  EXPECT_EQ(holds[1], (ProjectHold{"l_wrist", false, 5, 20, {}}));
+  EXPECT_EQ(holds[0], (ProjectHold{"r_toe", true, HoldReach::kLimb, 0, 10, {}}));
+  EXPECT_EQ(holds[1], (ProjectHold{"l_wrist", false, HoldReach::kLimb, 5, 20, {}}));
 }
 
 TEST(HoldOperators, WhatCannotBeHeldIsRefused) {
@@ -131,6 +131,8 @@ TEST(HoldOperators, WhatCannotBeHeldIsRefused) {
   Do(&session, "hold.add", {{"joint", "r_ankle"}, {"first", 0}, {"last", 10}});
   Refused(&session, "hold.set", {{"index", 0}, {"last", 0}});
   Refused(&session, "hold.set", {{"index", 0}, {"joint", "nobody"}});
+  EXPECT_EQ(Refused(&session, "hold.set", {{"index", 0}, {"reach", "arm"}}).ToString(),
+            "hold.set.reach: \"arm\" is none of limb, body");
   EXPECT_EQ(Refused(&session, "hold.set", {{"index", 1}, {"last", 5}}).ToString(),
             "hold.set.index: there is no hold 1; there are 1, counted from 0");
 }

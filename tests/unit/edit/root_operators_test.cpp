@@ -162,6 +162,21 @@ TEST(RootOperators, ASelectedRootIsKeyedCopiedAndMirrored) {
   EXPECT_EQ(session.ValueNow("root.y").value(), -0.3);
 }
 
+TEST(RootOperators, TheFigureIsPutOnTheGroundFromAboveAndFromInside) {
+  Session session;
+  const double standing = RootOf(&session).p.z();
+  for (const double z : {standing + 0.4, standing - 0.3}) {
+    Do(&session, "root.move", MoveTo({0.1, 0.2, z}, false));
+    Do(&session, "root.to_ground");
+    EXPECT_LE((RootOf(&session).p - Vec3(0.1, 0.2, standing)).norm(), 2e-6);
+  }
+  Do(&session, "placement.set", {{"kind", "pinned"}, {"pin", "l_toe"}, {"first", 0}, {"last", 9}});
+  Do(&session, "time.frame", {{"frame", 5}});
+  EXPECT_EQ(Refused(&session, "root.to_ground", Json::object()).ToString(),
+            "root.to_ground: a pin or gravity says where the figure is in this frame; end its span "
+            "before, or go to its first frame");
+}
+
 TEST(RootOperators, AboveHeldFeetStraightKneesBendTheWayTheyCan) {
   Session session;
   Do(&session, "key.insert");

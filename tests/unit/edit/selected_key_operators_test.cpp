@@ -86,6 +86,16 @@ TEST(SelectedKeys, ScaleAboutAFrameAndKeepTheShape) {
   EXPECT_EQ(KeysOf(session, "r_knee")[2].rate, 20.0);
 }
 
+TEST(SelectedKeys, ScaleValuesAboutTheirMean) {
+  Session session = Knee();
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 10}, {"rate", 30}});
+  for (const double values : {3.0, -1.0, 2.0}) {
+    Do(&session, "keys.scale", {{"values", values}, {"drag", "s"}});
+  }
+  EXPECT_EQ(PointsOf(session, "r_knee"), (Points{{0, 0}, {5, 70}, {10, -10}, {20, 20}}));
+  EXPECT_EQ(KeysOf(session, "r_knee")[2].rate, 60.0);
+}
+
 TEST(SelectedKeys, ScaledOntoEachOtherAreRefused) {
   Session session = Knee();
   EXPECT_EQ(Refused(&session, "keys.scale", {{"factor", 0.01}, {"about", 5}}).ToString(),

@@ -30,7 +30,7 @@ struct Rig {
   Rig(Figure f, const char* joint, bool orientation)
       : figure(std::move(f)),
         held(*figure.FindGroup(joint)),
-        solver(figure, held, orientation),
+        solver(figure, IkHold{held, 0, 0, orientation, HoldReach::kBody}),
         ws(figure),
         with_orientation(orientation) {}
 

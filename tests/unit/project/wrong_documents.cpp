@@ -7,12 +7,18 @@ namespace {
 
 const std::string kHoldBoth = R"([{"joint": "r_wrist", "first_frame": 0, "last_frame": 5},
                                   {"joint": "l_wrist", "first_frame": 3, "last_frame": 5}])";
+const std::string kHoldTwice = R"([{"joint": "r_elbow", "first_frame": 0, "last_frame": 5},
+                                  {"joint": "r_wrist", "first_frame": 3, "last_frame": 5}])";
+const std::string kHoldByBody =
+    R"([{"joint": "r_wrist", "reach": "body", "first_frame": 0, "last_frame": 5},
+        {"joint": "l_wrist", "first_frame": 3, "last_frame": 5}])";
 const std::string kWaistRegion = R"([{"name": "trunk", "first_frame": 4, "last_frame": 9,
                                       "joints": ["waist"]}])";
 const std::string kPinWrist = R"([{"kind": "pinned", "joint": "l_wrist", "first_frame": 0,
                                    "last_frame": 5}])";
 const std::string kFall = R"([{"kind": "gravity", "first_frame": 0, "last_frame": 5}])";
-const std::string kHoldWrist = R"([{"joint": "r_wrist", "first_frame": 2, "last_frame": 8}])";
+const std::string kHoldWrist = R"([{"joint": "r_wrist", "reach": "body", "first_frame": 2,
+                                   "last_frame": 8}])";
 // Regions that swing the root.
 const std::string kTumble = R"({"name": "tumble", "first_frame": 5, "last_frame": 10,
                                 "joints": ["pelvis", "r_elbow"], "method": "exact"})";
@@ -185,9 +191,12 @@ std::vector<WrongProject> Contradictions() {
       {Check::kNothingToSolve, Compile({{"/holds/0/joint", "\"r_hip\""}}),
        "holds[0]: no joint lies between the root and \"r_hip\", so nothing can hold it in place; "
        "pin it instead"},
-      {Check::kHoldsConflict, Compile({{"/holds", kHoldBoth}}),
+      {Check::kHoldsConflict, Compile({{"/holds", kHoldByBody}}),
        "holds[1]: \"l_wrist\" and \"r_wrist\" (holds[0]) are held in frames 3 to 5 and both need "
-       "\"waist\", so they cannot be solved together; let go of one"},
+       "\"waist\", so they cannot be solved together; let go of one or give it the reach \"limb\""},
+      {Check::kHoldsConflict, Compile({{"/holds", kHoldTwice}}),
+       "holds[1]: \"r_wrist\" and \"r_elbow\" (holds[0]) are held in frames 3 to 5 and both need "
+       "\"r_shoulder\", so they cannot be solved together; let go of one"},
       {Check::kLoopOfHolds, Compile({{"/holds", kHoldBoth}, {"/regions", kWaistRegion}}),
        "holds[1]: region \"trunk\" drives \"waist\", which lies between the root and both "
        "\"l_wrist\" and \"r_wrist\", held in frames 4 to 5: a closed loop, which cannot swing; let "
@@ -198,7 +207,7 @@ std::vector<WrongProject> Contradictions() {
        "there"},
       {Check::kHoldConflictsPin, Compile({{"/holds", kHoldWrist}, {"/placements", kPinWrist}}),
        "holds[0]: holding \"r_wrist\" needs \"waist\", which also carries \"l_wrist\", pinned by "
-       "placements[0] in frames 2 to 5; let go of one"},
+       "placements[0] in frames 2 to 5; let go of one or give it the reach \"limb\""},
       {Check::kHoldConflictsPin,
        Compile({{"/placements/1/joint", "\"r_knee\""}, {"/holds/0/last_frame", "7"}}),
        "holds[0]: holding \"r_ankle\" needs \"r_hip\", which also carries \"r_knee\", pinned by "
