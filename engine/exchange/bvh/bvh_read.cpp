@@ -104,11 +104,9 @@ void WarnOfPartPositions(const BvhSkeleton& skeleton, const std::vector<BoneColu
     for (int axis = 0; axis < 3 && columns[i].has_position; ++axis) {
       if (columns[i].positions[static_cast<size_t>(axis)] >= 0 || bone.rest.p[axis] == 0.0)
         continue;
-      const BvhChannel missing{0, axis, false};
-      warnings->push_back(
-          {QuotedWord(bone.name), "there is no " + ChannelName(missing) +
-                                      " beside its other positions: it was taken as 0 "
-                                      "and not as in OFFSET"});
+      warnings->push_back({LinePlace(skeleton.lines[i]),
+                           QuotedWord(bone.name) + " has no " + ChannelName({0, axis, false}) +
+                               " beside its other positions: it was taken as 0, not as in OFFSET"});
     }
   }
 }

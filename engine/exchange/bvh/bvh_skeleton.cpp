@@ -62,7 +62,6 @@ class SkeletonReader {
   std::vector<Warning>& warnings_;
   BvhSkeleton skeleton_;
   std::vector<Open> open_;
-  std::vector<int> lines_;      // of the bones
   std::vector<int> open_ends_;  // bones without child or end site
 };
 
@@ -81,8 +80,9 @@ Result<BvhSkeleton> SkeletonReader::Read() {
   }
   WarnOfOpenEnds();
   for (const RenamedBone& renamed : MakeNamesUnique(&skeleton_.bones)) {
-    Warn(lines_[renamed.bone], "a second joint " + QuotedWord(renamed.old_name) + " was renamed " +
-                                   QuotedWord(bones()[renamed.bone].name));
+    Warn(skeleton_.lines[renamed.bone], "a second joint " + QuotedWord(renamed.old_name) +
+                                            " was renamed " +
+                                            QuotedWord(bones()[renamed.bone].name));
   }
   return std::move(skeleton_);
 }
@@ -149,7 +149,7 @@ void SkeletonReader::AddBone(std::string_view name) {
     open_.back().has_child = true;
   }
   skeleton_.bones.push_back(std::move(bone));
-  lines_.push_back(line);
+  skeleton_.lines.push_back(line);
   open_.push_back({static_cast<int>(bones().size()) - 1, line});
 }
 
@@ -282,7 +282,7 @@ void SkeletonReader::WarnOfOpenEnds() {
   for (size_t i = 0; i < open_ends_.size() && i < 8; ++i)
     names += (i ? ", " : "") + QuotedWord(bones()[static_cast<size_t>(open_ends_[i])].name);
   if (open_ends_.size() > 8) names += " and others";
-  Warn(lines_[static_cast<size_t>(open_ends_[0])],
+  Warn(skeleton_.lines[static_cast<size_t>(open_ends_[0])],
        "no End Site says how long these bones are: " + names);
 }
 

@@ -17,6 +17,7 @@ inline constexpr double kMaxBvhLength = 1e8;  // unit of the file
 
 struct BvhSkeleton {
   std::vector<Bone> bones;
+  std::vector<int> lines;            // of the bones, in the file
   std::vector<BvhChannel> channels;  // in the order of the motion's columns
 };
 

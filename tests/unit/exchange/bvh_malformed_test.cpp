@@ -212,7 +212,7 @@ TEST(MalformedBvh, PartOfThePositionsIsSaid) {
   text = Replaced(Replaced(text, "1 51 -20", "1 -20"), "2 52 -19", "2 -19");
   const Character read = ReadWell(Replaced(text, "2.5 53 -18", "2.5 -18"));
   EXPECT_EQ(read.clips[0].tracks[0].translations[0], Vec3(1, 0, -20));
-  EXPECT_NE(Warnings(read).find("\"Hips\": there is no Yposition"), std::string::npos);
+  EXPECT_NE(Warnings(read).find("line 2: \"Hips\" has no Yposition"), std::string::npos);
 }
 
 TEST(MalformedBvh, NamesThatAreNotUtf8AreReplacedAndSaid) {
