@@ -89,9 +89,10 @@ Result<BvhSkeleton> SkeletonReader::Read() {
 
 Result<Done> SkeletonReader::Take(std::string_view word) {
   if (IsKeyword(word, "root")) return OpenJoint(true);
-  if (IsKeyword(word, "motion"))
+  if (IsKeyword(word, "motion")) {
     return open_.empty() ? Fault("MOTION comes before any ROOT; export the file again")
                          : Unclosed();
+  }
   if (word == "}") return Close();
   if (open_.empty()) {
     return Fault(
