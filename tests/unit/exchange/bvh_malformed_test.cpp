@@ -43,7 +43,7 @@ std::vector<Broken> Hierarchies() {
       {"solid cube\n", "line 1", "begins with \"solid\", a BVH file begins with HIERARCHY"},
       {std::string("Kaydara FBX Binary  \0", 21), "line 1", "binary"},
       {SmallBvh() + std::string(1, '\0'), "line 36", "binary"},
-      {"\xff\xfeH\0I\0", "line 1", "UTF-16"},
+      {"\xff\xfeH", "line 1", "UTF-16"},
       With("}\nMOTION", second, "line 30", "a second root \"Other\" after \"Hips\""),
       With("ROOT Hips", "JOINT Hips", "line 2", "where ROOT should be"),
       With("ROOT Hips", "ROOT", "line 2", "has no name"),
