@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "engine/exchange/character/character.h"
+
+namespace hazumi {
+
+// The character of a BVH file with its one clip, both named as the file. `file` is its path, for
+// messages. Lengths and axes are those of the file, angles are radians; see README.md for what is
+// accepted and how it is read. What was repaired is in `warnings`, each with its line.
+Result<Character> ReadBvh(std::string_view text, const std::string& file);
+
+}  // namespace hazumi

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "engine/exchange/character/character.h"
+
+namespace hazumi {
+
+// A skeleton and one of its clips as a BVH file, in the axes and the unit of the character. `clip`
+// has a track for every bone.
+//
+// The root has six channels, positions X Y Z and then rotations; others have three, and six if
+// they are moved in their parent. Rotations are in the order of the bone, or Z X Y where that is
+// unknown: `angles` as they are, where they are given, else angles that go on from frame to frame
+// without a jump. Numbers have six decimals, angles are degrees. A bone without a child has an End
+// Site, at the bone itself if `end_site` is not given. Several roots are put under one that does
+// not move. What BVH cannot say is not written: scales, meshes; and a rest rotation goes into
+// every frame.
+std::string BvhText(const Character& character, const Clip& clip);
+
+}  // namespace hazumi

@@ -1,0 +1,28 @@
+#include "engine/exchange/bvh/unique_names.h"
+
+#include <map>
+#include <set>
+
+namespace hazumi {
+
+std::vector<RenamedBone> MakeNamesUnique(std::vector<Bone>* bones) {
+  std::vector<RenamedBone> renamed;
+  std::set<std::string> given, seen;
+  std::map<std::string, int> last_number;
+  for (const Bone& bone : *bones) given.insert(bone.name);
+  for (size_t i = 0; i < bones->size(); ++i) {
+    std::string& name = (*bones)[i].name;
+    if (seen.insert(name).second) continue;
+    renamed.push_back({i, name});
+    int& number = last_number.try_emplace(name, 1).first->second;
+    std::string unique;
+    do {
+      unique = name + "_" + std::to_string(++number);
+    } while (given.contains(unique));
+    given.insert(unique);
+    name = unique;
+  }
+  return renamed;
+}
+
+}  // namespace hazumi
