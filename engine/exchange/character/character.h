@@ -5,13 +5,12 @@
 // warning. Readers make one, figures are made from one.
 
 #include <Eigen/Geometry>
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/warning.h"
+#include "engine/figure/skin.h"
 #include "engine/spatial/pose.h"
 #include "engine/spatial/types.h"
 
@@ -44,41 +43,13 @@ struct Clip {
   std::vector<BoneTrack> tracks;  // by bone
 };
 
-struct Texture {
-  std::string name;
-  std::vector<uint8_t> encoded;  // a PNG or JPEG file
-};
-
-struct Material {
-  std::string name;
-  std::array<float, 4> base_color = {0.8f, 0.8f, 0.8f, 1.0f};  // linear RGB, alpha
-  int texture = -1;                                            // index of Character::textures
-};
-
-// A mesh that follows bones. A vertex in the world, of weights w and bones B of its binds, is the
-// sum of w X_WB inverse_bind v.
-struct SkinMesh {
-  struct Bind {
-    int bone = 0;
-    Eigen::Matrix4d inverse_bind = Eigen::Matrix4d::Identity();
-  };
-  std::string name;
-  std::vector<Bind> binds;
-  std::vector<Eigen::Vector3f> positions, normals;    // normals: as many, unit
-  std::vector<Eigen::Vector2f> texture_coordinates;   // as many, or none; v downwards as in glTF
-  std::vector<std::array<uint16_t, 4>> bind_indices;  // as many; into `binds`
-  std::vector<std::array<float, 4>> weights;          // as many; sums are 1
-  std::vector<std::array<uint32_t, 3>> triangles;     // counter-clockwise outside
-  int material = -1;                                  // index of Character::materials
-};
-
 enum class UpAxis { kY, kZ };
 
 struct Character {
   std::string name;
   std::vector<Bone> bones;
   std::vector<Clip> clips;
-  std::vector<SkinMesh> meshes;
+  std::vector<SkinMesh> meshes;  // their binds count `bones`
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::optional<UpAxis> up;               // not given: the file does not say

@@ -1,0 +1,55 @@
+#pragma once
+
+// A mesh that follows the bodies of a figure: linear blend skinning. Drawing only; no effect on
+// motion or contact.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hazumi {
+
+struct Texture {
+  std::string name;
+  std::vector<uint8_t> encoded;  // a PNG or JPEG file
+  bool operator==(const Texture&) const = default;
+};
+
+struct Material {
+  std::string name;
+  std::array<float, 4> base_color = {0.8f, 0.8f, 0.8f, 1.0f};  // linear RGB, alpha
+  int texture = -1;                                            // index of a texture, or none
+  bool operator==(const Material&) const = default;
+};
+
+// A vertex in the world, of weights w and bones B of its binds, is the sum of w X_WB inverse_bind
+// v.
+struct SkinMesh {
+  struct Bind {
+    int bone = 0;
+    Eigen::Matrix4d inverse_bind = Eigen::Matrix4d::Identity();
+    bool operator==(const Bind&) const = default;
+  };
+  std::string name;
+  std::vector<Bind> binds;
+  std::vector<Eigen::Vector3f> positions, normals;    // normals: as many, unit
+  std::vector<Eigen::Vector2f> texture_coordinates;   // as many, or none; v downwards as in glTF
+  std::vector<std::array<uint16_t, 4>> bind_indices;  // as many; into `binds`
+  std::vector<std::array<float, 4>> weights;          // as many; sums are 1
+  std::vector<std::array<uint32_t, 3>> triangles;     // counter-clockwise outside
+  int material = -1;                                  // index of a material, or none
+  bool operator==(const SkinMesh&) const = default;
+};
+
+// The skin of a figure, in metres; binds are to its bodies.
+struct Skin {
+  std::vector<std::string> bones;  // joints, or the root, by name; counted by SkinMesh::Bind::bone
+  std::vector<SkinMesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  bool operator==(const Skin&) const = default;
+};
+
+}  // namespace hazumi
