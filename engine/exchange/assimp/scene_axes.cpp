@@ -8,7 +8,7 @@ namespace {
 // FBX: assimp 5.2.5 leaves lengths and axes alone and says them in the metadata.
 void TakeFbx(const aiScene& scene, Character* character) {
   int32_t up = 1, sign = 1;
-  double centimetres = 1.0;
+  float centimetres = 1.0f;
   if (!scene.mMetaData) return;
   const bool says_up = scene.mMetaData->Get("UpAxis", up);
   scene.mMetaData->Get("UpAxisSign", sign);
@@ -17,8 +17,8 @@ void TakeFbx(const aiScene& scene, Character* character) {
   else if (says_up)
     character->warnings.push_back(
         {"up", "the file's up axis is neither +Y nor +Z; say which one is meant"});
-  if (scene.mMetaData->Get("UnitScaleFactor", centimetres) && centimetres > 0.0)
-    character->metres_per_unit = 0.01 * centimetres;
+  if (scene.mMetaData->Get("UnitScaleFactor", centimetres) && centimetres > 0.0f)
+    character->metres_per_unit = 0.01 * static_cast<double>(centimetres);
 }
 
 // Collada: assimp makes the root R s, with the unit s [m] and R from the file's axes to y up.

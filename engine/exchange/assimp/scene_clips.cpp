@@ -17,8 +17,10 @@ double TicksPerSecond(const aiAnimation& animation) {
   return rate > 0.0 && rate < 1e9 ? rate : 25.0;  // assimp's word for "unknown"
 }
 
+// A single key says nothing of time: assimp puts one at 0 where a channel has none of a kind.
 template <typename Key>
 void AddTimes(const Key* keys, unsigned count, std::vector<double>* ticks) {
+  if (count < 2) return;
   for (unsigned i = 0; i < count; ++i) ticks->push_back(keys[i].mTime);
 }
 
@@ -67,8 +69,9 @@ class ClipReader {
                      "has key times that do not increase, or values that are not numbers");
       sampler.AddChannel(channel, StepsOf(channel, index));
     }
-    const std::vector<double> ticks = KeyTicks(sampler.channels());
-    if (ticks.empty()) return Done{};  // it moves something else
+    if (sampler.channels().empty()) return Done{};  // it moves something else
+    std::vector<double> ticks = KeyTicks(sampler.channels());
+    if (ticks.empty()) ticks = {0.0};  // a pose
     if (Result<Done> timed = Time(animation, ticks, &clip); !timed.ok()) return timed;
     const double ticks_per_frame = clip.seconds_per_frame * TicksPerSecond(animation);
     clip.tracks = sampler.Sample(ticks.front(), ticks_per_frame, clip.num_frames);

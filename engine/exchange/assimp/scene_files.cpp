@@ -73,8 +73,8 @@ std::optional<std::string> SceneFiles::Contents(const std::string& name) {
     Result<std::string> bytes = WholeFile(*path, kLongestFile);
     if (bytes.ok()) return std::move(bytes).value();
   }
-  if (std::find(refused_.begin(), refused_.end(), name) == refused_.end() && refused_.size() < 20)
-    refused_.push_back(name);
+  const bool is_long = name.starts_with(folder_ + "/");
+  if (refused_.size() < 20) refused_.push_back(is_long ? name.substr(folder_.size() + 1) : name);
   return std::nullopt;
 }
 

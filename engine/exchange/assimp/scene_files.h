@@ -16,6 +16,8 @@ class SceneFiles : public Assimp::IOSystem {
   SceneFiles(std::string bytes, const std::string& path, const std::string& suffix);
 
   const std::string& main_name() const { return main_name_; }
+  const std::string& main_bytes() const { return bytes_; }
+  void SetMainBytes(std::string bytes) { bytes_ = std::move(bytes); }
   // Names that lead out of the folder; files that are not there.
   const std::vector<std::string>& refused() const { return refused_; }
   // A file of the folder, by a name as scenes have it: with / or \, or percent-encoded.

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "engine/base/utf8.h"
-#include "engine/exchange/assimp/gltf_notes.h"
+#include "engine/exchange/assimp/gltf_repair.h"
 #include "engine/exchange/assimp/scene_axes.h"
 #include "engine/exchange/assimp/scene_clips.h"
 #include "engine/exchange/assimp/scene_files.h"
@@ -75,14 +75,30 @@ Error CannotRead(const std::string& file, CharacterFormat format, const std::str
   if (!files.refused().empty())
     return {ErrorCode::kSyntax, file, "",
             message + ": " + ValidUtf8(files.refused()[0]) +
-                " must lie in the same folder or below it; put it there, or embed it"};
+                " is missing or lies outside the file's folder; put it beside the file, or embed "
+                "it"};
   return {ErrorCode::kSyntax, file, "",
           message + "; the file is probably broken: export it again, or in another format"};
 }
 
+// Materials of no mesh: assimp adds one for meshes without, whether there are such or not.
+void DropUnused(Character* character) {
+  std::vector<int> kept(character->materials.size(), -1);
+  std::vector<Material> materials;
+  for (SkinMesh& mesh : character->meshes) {
+    if (mesh.material < 0) continue;
+    int& index = kept[static_cast<size_t>(mesh.material)];
+    if (index < 0) {
+      index = static_cast<int>(materials.size());
+      materials.push_back(character->materials[static_cast<size_t>(mesh.material)]);
+    }
+    mesh.material = index;
+  }
+  character->materials = std::move(materials);
+}
+
 Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNotes& notes,
-                          SceneFiles* files, const std::string& path) {
-  Character character;
+                          SceneFiles* files, const std::string& path, Character character) {
   character.name = ValidUtf8(std::filesystem::path(path).stem().string());
   TakeAxesAndUnit(format, scene, &character);
   const Result<SceneTree> tree = FlattenScene(*scene, path);
@@ -102,35 +118,46 @@ Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNote
   if (!meshes.ok()) return meshes.error();
   character.meshes = std::move(meshes).value();
   ReadMaterials(*scene, files, &character);
+  DropUnused(&character);
   character.bones = std::move(skeleton.value().bones);
   return character;
+}
+
+// glTF as assimp reads it correctly, and what it will not say.
+Result<GltfNotes> Prepare(const std::string& path, SceneFiles* files,
+                          std::vector<Warning>* warnings) {
+  Result<GltfDocument> document = ParseGltf(files->main_bytes(), path);
+  if (!document.ok()) return document.error();
+  const Result<Done> repaired = RepairGltf(&document.value(), files, path, warnings);
+  if (!repaired.ok()) return repaired.error();
+  files->SetMainBytes(GltfBytes(document.value()));
+  return NotesOf(document.value());
 }
 
 }  // namespace
 
 Result<Character> ReadScene(CharacterFormat format, std::string bytes, const std::string& path) {
   const AssimpFormat known = AssimpFormatOf(format);
-  GltfNotes notes;
-  if (IsGltf(format)) {
-    Result<GltfNotes> inspected = InspectGltf(bytes, path);
-    if (!inspected.ok()) return inspected.error();
-    notes = std::move(inspected).value();
-  }
-  // assimp's glTF reader takes a byte order mark for broken JSON.
-  if (format == CharacterFormat::kGltf && bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  auto* files = new SceneFiles(std::move(bytes), path, known.suffix);  // the importer owns it
+  auto* files = new SceneFiles(std::move(bytes), path, known.suffix);
   Assimp::Importer importer;
+  importer.SetIOHandler(files);  // which then owns it
   if (!known.importer) return CannotRead(path, format, "this build has no reader of it", *files);
+  GltfNotes notes;
+  Character character;
+  if (IsGltf(format)) {
+    Result<GltfNotes> prepared = Prepare(path, files, &character.warnings);
+    if (!prepared.ok()) return prepared.error();
+    notes = std::move(prepared).value();
+  }
   KeepOnly(known.importer, &importer);
   SetProperties(&importer);
-  importer.SetIOHandler(files);
   // Not JoinIdenticalVertices: in 5.2.5 it mixes up weights.
   importer.ReadFile(files->main_name(),
                     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals);
   const std::string why = importer.GetErrorString();
   aiScene* scene = importer.GetOrphanedScene();
   if (!scene || !scene->mRootNode) return CannotRead(path, format, why, *files);
-  return Convert(format, scene, notes, files, path);
+  return Convert(format, scene, notes, files, path, std::move(character));
 }
 
 }  // namespace hazumi

@@ -59,7 +59,8 @@ Result<Character> Judge(const std::string& file, const ChildOutcome& outcome,
   }
   if (outcome.code == kReaderOutOfMemory) return Failed(file, MemoryMessage(limits));
   if (outcome.code != kReaderAnswered)
-    return Failed(file, "the reader gave up (exit " + std::to_string(outcome.code) + ")" + kRemedy);
+    return Failed(file,
+                  "the reader crashed on it (exit " + std::to_string(outcome.code) + ")" + kRemedy);
   return CharacterFromBytes(outcome.output, file);
 }
 

@@ -17,7 +17,7 @@ struct ReadOptions {
   ReadLimits limits;
   std::function<bool()> is_cancelled;  // asked every 20 ms; may be empty
   std::string reader;                  // path of hazumi-reader; empty: ReaderPath()
-  std::string trouble;                 // for tests: "crash", "hang", "allocate", "garbage"
+  std::string trouble;                 // for tests: see reader_main.cpp
 };
 
 // Where the program is that reads files: $HAZUMI_READER if that is set, else `hazumi-reader` in the

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "engine/base/atomic_file.h"
 #include "engine/exchange/character/character_bytes.h"
@@ -44,6 +45,10 @@ void LimitYourself(rlim_t memory, rlim_t cpu_seconds) {
 void MakeTrouble(const char* kind) {
   if (std::strcmp(kind, "crash") == 0) ::raise(SIGSEGV);
   while (std::strcmp(kind, "hang") == 0) ::pause();
+  volatile unsigned turns = 0;
+  while (std::strcmp(kind, "spin") == 0) turns = turns + 1;
+  while (std::strcmp(kind, "flood") == 0)
+    hazumi::WriteAll(hazumi::kChildOutput, std::string(1u << 20, 'x'));
   if (std::strcmp(kind, "allocate") == 0)
     for (int i = 0; i < 64; ++i) std::memset(::operator new(64u << 20), 1, 64u << 20);  // 4 GB
   if (std::strcmp(kind, "garbage") == 0) {
