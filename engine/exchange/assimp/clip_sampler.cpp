@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStillAngle = 1e-5;   // [rad]
 constexpr double kStillLength = 1e-6;  // of the skeleton's size
-constexpr double kStillScale = 1e-5;
+constexpr double kStillScale = 1e-5;   // of the scale at rest
 
 // Whether helper nodes of this name are parts of a node's transform.
 bool Helps(const char* helper, const char* node) {
@@ -110,7 +110,7 @@ BoneTrack ClipSampler::SampleBone(size_t bone, double start, double step, int nu
     track.scales.push_back(parts.scale);
     angle = std::max(angle, q.angularDistance(rest_rotation));
     length = std::max(length, (parts.X.p - rest.rest.p).norm());
-    scale = std::max(scale, (parts.scale - rest.rest_scale).cwiseAbs().maxCoeff());
+    scale = std::max(scale, (parts.scale - rest.rest_scale).norm() / rest.rest_scale.norm());
   }
   if (angle < kStillAngle) track.rotations = {};
   if (length < kStillLength * skeleton_.size) track.translations = {};

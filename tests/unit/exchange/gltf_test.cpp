@@ -20,6 +20,10 @@ double TurnAt(const Character& c, size_t frame) {
   return 2.0 * std::atan2(q.z(), q.w()) * 180.0 / std::numbers::pi;
 }
 
+size_t Input(const Json& document) {
+  return document["animations"][0]["samplers"][0]["input"].get<size_t>();
+}
+
 TEST(Gltf, IsInMetresWithYUp) {
   const Character c = test::ReadSmall("a.gltf", test::SmallGltf().dump());
   EXPECT_EQ(c.up, UpAxis::kY);
@@ -41,6 +45,60 @@ TEST(Gltf, ClipsRunFromTheFirstKeyToTheLast) {
   EXPECT_NEAR(TurnAt(c, 5), 30.0, 1e-4);
   EXPECT_NEAR(TurnAt(c, 15), 90.0, 1e-4);
   EXPECT_TRUE(c.clips[0].tracks[0].rotations.empty());
+}
+
+TEST(Gltf, TheFrameRateIsThatOfTheKeys) {
+  for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 100.0, 120.0, 29.97}) {
+    std::vector<float> times;
+    for (int i = 0; i < 100; ++i) times.push_back(static_cast<float>(i / rate));
+    const Character c = test::ReadSmall("a.gltf", test::SmallGltfWithTimes(times).dump());
+    ASSERT_EQ(c.clips.size(), 1u);
+    EXPECT_NEAR(1.0 / c.clips[0].seconds_per_frame, rate, 1e-4 * rate);
+    EXPECT_EQ(c.clips[0].num_frames, 100) << rate;
+    EXPECT_TRUE(c.warnings.empty()) << rate;
+  }
+}
+
+TEST(Gltf, KeysOfNoUsualRateAreSaidToBeResampled) {
+  const Character c =
+      test::ReadSmall("a.gltf", test::SmallGltfWithTimes({0.0f, 0.0137f, 0.411f, 1.0f}).dump());
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_EQ(c.warnings[0].place, "clip turn");
+  EXPECT_NE(c.warnings[0].message.find("30 times a second"), std::string::npos);
+  EXPECT_EQ(c.clips.at(0).num_frames, 31);
+  EXPECT_NEAR(TurnAt(c, 30), 90.0, 1e-4);
+}
+
+// Such as Blender writes: the armature in centimetres, half turned, above bones in metres.
+TEST(Gltf, WhatLiesAboveTheBonesIsAPartOfTheFirst) {
+  Json document = test::SmallGltf();
+  document["nodes"].push_back({{"name", "Armature"},
+                               {"scale", {0.01, 0.01, 0.01}},
+                               {"rotation", {0, 0, 1, 0}},
+                               {"translation", {5, 0, 0}},
+                               {"children", {1}}});
+  document["scenes"][0]["nodes"] = {0, 3};
+  document["nodes"][1]["translation"] = {0, 100, 0};
+  const Character c = test::ReadSmall("a.gltf", document.dump());
+  ASSERT_EQ(c.bones.size(), 2u);
+  EXPECT_TRUE(c.bones[0].rest.p.isApprox(Vec3(5, -1, 0), 1e-6)) << c.bones[0].rest.p.transpose();
+  EXPECT_TRUE(c.bones[0].rest.R.isApprox(Vec3(-1, -1, 1).asDiagonal().toDenseMatrix(), 1e-6));
+  EXPECT_TRUE(c.bones[0].rest_scale.isApprox(Vec3::Constant(0.01), 1e-6));
+  EXPECT_TRUE(c.bones[1].rest.p.isApprox(Vec3(0, 1, 0), 1e-6));
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_NE(c.warnings[0].message.find("scaled at rest: lower"), std::string::npos);
+}
+
+TEST(Gltf, SplinesAreReadAtTheirKeysWithAWarning) {
+  Json document = test::SmallGltfWithTimes({0.0f, 0.25f, 0.5f, 0.75f, 1.0f, 1.25f});
+  // Six values are two keys: tangent, value, tangent; those of index 1 and 4, 18 and 72 degrees.
+  document["accessors"][Input(document)]["count"] = 2;
+  document["animations"][0]["samplers"][0]["interpolation"] = "CUBICSPLINE";
+  const Character c = test::ReadSmall("a.gltf", document.dump());
+  ASSERT_EQ(c.warnings.size(), 1u);
+  EXPECT_NE(c.warnings[0].message.find("1 channels are cubic splines"), std::string::npos);
+  EXPECT_NEAR(TurnAt(c, 0), 18.0, 1e-4);
+  EXPECT_NEAR(TurnAt(c, static_cast<size_t>(c.clips[0].num_frames) - 1), 72.0, 1e-4);
 }
 
 TEST(Gltf, StepsStayUntilTheNextKey) {

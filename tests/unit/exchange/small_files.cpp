@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "engine/exchange/base64.h"
 #include "engine/exchange/read_character.h"
@@ -143,8 +144,20 @@ size_t AddWeights(Buffer* buffer, const std::vector<double>& weights, double one
   return buffer->Add(values, 4, type);
 }
 
+// A quaternion xyzw for each time, about z from 0 to 90 degrees.
+std::vector<float> Turns(size_t count) {
+  std::vector<float> turns;
+  for (size_t i = 0; i < count; ++i) {
+    const double half = 0.25 * std::numbers::pi * static_cast<double>(i) / (count - 1.0);
+    for (const double part : {0.0, 0.0, std::sin(half), std::cos(half)})
+      turns.push_back(static_cast<float>(part));
+  }
+  return turns;
+}
+
 // `weight_bytes`: 0 for floats.
-Json MakeGltf(const std::vector<double>& weights, size_t weight_bytes) {
+Json MakeGltf(const std::vector<double>& weights, size_t weight_bytes,
+              const std::vector<float>& key_times = {0.5f, 1.0f}) {
   Json document = {{"asset", {{"version", "2.0"}}},
                    {"scene", 0},
                    {"scenes", {{{"nodes", {0, 1}}}}},
@@ -165,9 +178,8 @@ Json MakeGltf(const std::vector<double>& weights, size_t weight_bytes) {
   const size_t binds = buffer.Floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
                                       1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1},
                                      16);
-  const size_t times = buffer.Floats({0.5f, 1.0f}, 1);
-  const float h = std::sqrt(0.5f);
-  const size_t turns = buffer.Floats({0, 0, 0, 1, 0, 0, h, h}, 4);
+  const size_t times = buffer.Floats(key_times, 1);
+  const size_t turns = buffer.Floats(Turns(key_times.size()), 4);
   buffer.Close();
   document["meshes"] = {
       {{"primitives",
@@ -192,7 +204,10 @@ Result<Character> Read(const std::string& name, const std::string& contents) {
 
 std::string SmallFbx(const std::string& extra) { return kFbxBefore + extra + kFbxAfter; }
 std::string SmallCollada() { return kCollada; }
-Json SmallGltf() { return MakeGltf({1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, 0); }
+Json SmallGltf() { return SmallGltfWithTimes({0.5f, 1.0f}); }
+Json SmallGltfWithTimes(const std::vector<float>& times) {
+  return MakeGltf({1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, 0, times);
+}
 Json SmallGltfWithIntegerWeights(size_t bytes) {
   return MakeGltf({1, 0, 0, 0, 1, 0, 0, 0, 0.2, 0.8, 0, 0, 0.2, 0.8, 0, 0}, bytes);
 }

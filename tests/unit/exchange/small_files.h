@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/exchange/character/character.h"
@@ -21,6 +22,8 @@ std::string SmallCollada();
 // degrees between 0.5 and 1 s; a strip of four vertices at y = 0, 0, 2, 2, the first two on "lower"
 // and the others on "upper". Everything in the JSON.
 nlohmann::json SmallGltf();
+// The same with these key times [s], the angles going evenly from 0 to 90 degrees.
+nlohmann::json SmallGltfWithTimes(const std::vector<float>& times);
 // The same with weights of `bytes` (1 or 2) bytes: 1, 1, 0.2, 0.2 on "lower", the rest on "upper".
 nlohmann::json SmallGltfWithIntegerWeights(size_t bytes);
 
