@@ -112,9 +112,10 @@ const char* FormatsThatAreRead() {
 
 Result<CharacterFormat> FormatOf(std::string_view bytes, const std::string& file) {
   if (const std::optional<CharacterFormat> format = Known(bytes)) return *format;
-  if (AfterBlanks(bytes).empty())
+  if (AfterBlanks(bytes).empty()) {
     return Error{ErrorCode::kSyntax, file, "",
                  std::string("is empty; export it again as one of ") + FormatsThatAreRead()};
+}
   return Error{ErrorCode::kSyntax, file, "",
                "is " + Resembles(bytes) + DespiteItsName(file) + "; Hazumi reads " +
                    FormatsThatAreRead() + ": export it as one of these"};

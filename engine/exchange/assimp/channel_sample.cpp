@@ -41,10 +41,11 @@ bool IsFinite(const aiQuatKey& key) {
 
 template <typename Key>
 bool AreSound(const Key* keys, unsigned count) {
-  for (unsigned i = 0; i < count; ++i)
+  for (unsigned i = 0; i < count; ++i) {
     if (!IsFinite(keys[i]) || !(std::abs(keys[i].mTime) < 1e12) ||
         (i > 0 && keys[i].mTime < keys[i - 1].mTime))
       return false;
+  }
   return true;
 }
 

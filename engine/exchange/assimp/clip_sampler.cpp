@@ -32,11 +32,12 @@ ClipSampler::ClipSampler(const SceneTree& tree, const SceneSkeleton& skeleton)
       matters_(tree.nodes.size(), 0),
       rest_(tree.nodes.size()),
       moved_(tree.nodes.size()) {
-  for (const std::vector<int>& chain : skeleton.chains)
+  for (const std::vector<int>& chain : skeleton.chains) {
     for (const int node : chain) {
       matters_[static_cast<size_t>(node)] = 1;
       rest_[static_cast<size_t>(node)] = Decompose(tree.nodes[static_cast<size_t>(node)].local);
     }
+  }
 }
 
 void ClipSampler::AddChannel(const aiNodeAnim& channel, const ChannelSteps& steps) {
@@ -84,10 +85,11 @@ MatrixParts ClipSampler::NodeAt(int node, double tick) const {
 MatrixParts ClipSampler::ChainAt(const std::vector<int>& chain, double tick) const {
   if (chain.size() == 1) return NodeAt(chain[0], tick);
   Eigen::Matrix4d product = Eigen::Matrix4d::Identity();
-  for (const int node : chain)
+  for (const int node : chain) {
     product = product * (moved_[static_cast<size_t>(node)].channel
                              ? Compose(NodeAt(node, tick))
                              : tree_.nodes[static_cast<size_t>(node)].local);
+  }
   return Decompose(product);
 }
 

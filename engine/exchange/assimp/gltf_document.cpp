@@ -71,15 +71,16 @@ Result<GltfDocument> ParseGltf(std::string_view bytes, const std::string& file) 
   if (!document.json.is_object())
     return Error{ErrorCode::kSyntax, file, "", "its JSON is broken; export the file again"};
   const std::string version = Text(Member(Member(document.json, "asset"), "version"));
-  if (!version.starts_with("2."))
+  if (!version.starts_with("2.")) {
     return Error{ErrorCode::kSchema, file, "asset.version",
                  (version.empty() ? "is missing" : "is " + version) +
                      ", but Hazumi reads glTF 2.0; export the file as glTF 2.0"};
+  }
   return document;
 }
 
 std::string GltfBytes(const GltfDocument& document) {
-  const std::string text = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!document.is_glb) return text;
   std::string chunks;
   AppendChunk(kJsonChunk, text, ' ', &chunks);
@@ -94,17 +95,19 @@ GltfNotes NotesOf(const GltfDocument& document) {
   GltfNotes notes;
   const Json& nodes = Member(document.json, "nodes");
   const Json& animations = Member(document.json, "animations");
-  for (size_t a = 0; animations.is_array() && a < animations.size(); ++a)
+  for (size_t a = 0; animations.is_array() && a < animations.size(); ++a) {
     for (const Json& channel : Member(animations[a], "channels")) {
       const Json& sampler = Element(Member(animations[a], "samplers"), Member(channel, "sampler"));
       const std::string interpolation = Text(Member(sampler, "interpolation"));
       const Json& target = Member(channel, "target");
       if (interpolation == "CUBICSPLINE") ++notes.num_splines;
-      if (interpolation == "STEP")
+      if (interpolation == "STEP") {
         notes.stepped.insert(std::to_string(a) + "/" +
                              Text(Member(Element(nodes, Member(target, "node")), "name")) + "/" +
                              Text(Member(target, "path")));
+      }
     }
+  }
   return notes;
 }
 

@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-struct GltfDocument {
+struct GltfDocument {   // NOLINT(bugprone-exception-escape): null JSON does not throw
   nlohmann::json json;  // an object
   std::string binary;   // the BIN chunk of a GLB
   bool is_glb = false;

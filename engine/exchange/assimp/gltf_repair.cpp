@@ -34,14 +34,16 @@ class WeightRepair {
   std::set<size_t> IntegerWeights() const {
     std::set<size_t> found;
     const Json& accessors = Member(json(), "accessors");
-    for (const Json& mesh : Member(json(), "meshes"))
+    for (const Json& mesh : Member(json(), "meshes")) {
       for (const Json& primitive : Member(mesh, "primitives")) {
         const Json& attributes = Member(primitive, "attributes");
-        for (auto it = attributes.begin(); attributes.is_object() && it != attributes.end(); ++it)
+        for (auto it = attributes.begin(); attributes.is_object() && it != attributes.end(); ++it) {
           if (it.key().starts_with("WEIGHTS_") && Element(accessors, it.value()).is_object() &&
               Count(Element(accessors, it.value()), "componentType", kFloat) != kFloat)
             found.insert(it.value().get<size_t>());
+        }
       }
+    }
     return found;
   }
 

@@ -12,11 +12,12 @@ void TakeFbx(const aiScene& scene, Character* character) {
   if (!scene.mMetaData) return;
   const bool says_up = scene.mMetaData->Get("UpAxis", up);
   scene.mMetaData->Get("UpAxisSign", sign);
-  if (says_up && sign > 0 && (up == 1 || up == 2))
+  if (says_up && sign > 0 && (up == 1 || up == 2)) {
     character->up = up == 1 ? UpAxis::kY : UpAxis::kZ;
-  else if (says_up)
+  } else if (says_up) {
     character->warnings.push_back(
         {"up", "the file's up axis is neither +Y nor +Z; say which one is meant"});
+  }
   if (scene.mMetaData->Get("UnitScaleFactor", centimetres) && centimetres > 0.0f)
     character->metres_per_unit = 0.01 * static_cast<double>(centimetres);
 }
@@ -32,9 +33,10 @@ void TakeCollada(aiScene* scene, Character* character) {
   if (is_z_up) {
     character->up = UpAxis::kZ;
   } else {
-    for (int row = 0; row < 3; ++row)
+    for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column)
         kept[static_cast<unsigned>(row)][column] = static_cast<float>(root.X.R(row, column));
+    }
   }
   scene->mRootNode->mTransformation = kept;
 }

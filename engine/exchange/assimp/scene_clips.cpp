@@ -64,9 +64,10 @@ class ClipReader {
     ClipSampler sampler(tree_, skeleton_);
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
       const aiNodeAnim& channel = *animation.mChannels[c];
-      if (!IsSoundChannel(channel))
+      if (!IsSoundChannel(channel)) {
         return Wrong(clip.name + ": " + ValidUtf8(channel.mNodeName.C_Str()),
                      "has key times that do not increase, or values that are not numbers");
+      }
       sampler.AddChannel(channel, StepsOf(channel, index));
     }
     if (sampler.channels().empty()) return Done{};  // it moves something else
@@ -97,6 +98,7 @@ class ClipReader {
   Result<Done> Time(const aiAnimation& animation, const std::vector<double>& ticks, Clip* clip) {
     const double per_second = TicksPerSecond(animation);
     std::vector<double> seconds;
+    seconds.reserve(ticks.size());
     for (const double tick : ticks) seconds.push_back((tick - ticks.front()) / per_second);
     double rate = FrameRateOf(seconds, ticks_are_frames_ ? per_second : 0.0);
     if (rate == 0.0) {
@@ -107,9 +109,10 @@ class ClipReader {
     }
     const double frames = std::ceil(seconds.back() * rate - 0.02) + 1.0;
     samples_ += frames * 3.0 * static_cast<double>(skeleton_.bones.size());
-    if (!(samples_ <= kMostSamples))
+    if (!(samples_ <= kMostSamples)) {
       return Wrong(clip->name, "lasts " + FormatShort(seconds.back()) +
                                    " s, which with the clips before is more than is read");
+    }
     clip->seconds_per_frame = 1.0 / rate;
     clip->num_frames = static_cast<int>(frames);
     return Done{};
@@ -147,9 +150,10 @@ Result<std::vector<Clip>> ReadClips(const aiScene& scene, const SceneTree& tree,
                                     std::vector<Warning>* warnings) {
   ClipReader reader(tree, skeleton, ticks_are_frames, stepped, file, warnings);
   std::vector<Clip> clips;
-  for (unsigned i = 0; i < scene.mNumAnimations; ++i)
+  for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
     if (Result<Done> added = reader.Add(*scene.mAnimations[i], i, &clips); !added.ok())
       return added.error();
+  }
   return clips;
 }
 

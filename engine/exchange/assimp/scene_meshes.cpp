@@ -28,7 +28,7 @@ class MeshReader {
 
   Result<std::vector<SkinMesh>> Read() {
     std::vector<SkinMesh> meshes;
-    for (size_t node = 0; node < tree_.nodes.size(); ++node)
+    for (size_t node = 0; node < tree_.nodes.size(); ++node) {
       for (unsigned i = 0; i < tree_.nodes[node].node->mNumMeshes; ++i) {
         const unsigned index = tree_.nodes[node].node->mMeshes[i];
         if (index >= scene_.mNumMeshes) return Wrong("of a node is not there");
@@ -40,6 +40,7 @@ class MeshReader {
         if (!read.ok()) return read.error();
         if (!read.value().triangles.empty()) meshes.push_back(std::move(read).value());
       }
+    }
     return meshes;
   }
 
@@ -111,12 +112,14 @@ class MeshReader {
       }
       cut += AddWeights(&of_vertex, skin);
     }
-    if (cut > 0)
+    if (cut > 0) {
       Warn(*skin, std::to_string(cut) +
                       " vertices follow more than four bones; the strongest four were kept");
-    if (loose > 0 && mesh.HasBones())
+    }
+    if (loose > 0 && mesh.HasBones()) {
       Warn(*skin, std::to_string(loose) + " vertices follow no bone; they were hung on " +
                       skeleton_.bones[static_cast<size_t>(skin->binds.back().bone)].name);
+    }
     return true;
   }
 

@@ -53,9 +53,10 @@ bool IsFbx(CharacterFormat format) {
 
 // Leaves one reader: none of the others, some of which crash on broken files, may try.
 void KeepOnly(const char* name, Assimp::Importer* importer) {
-  for (size_t i = importer->GetImporterCount(); i-- > 0;)
+  for (size_t i = importer->GetImporterCount(); i-- > 0;) {
     if (std::strcmp(importer->GetImporterInfo(i)->mName, name) != 0)
       importer->UnregisterLoader(importer->GetImporter(i));
+  }
 }
 
 void SetProperties(Assimp::Importer* importer) {
@@ -72,11 +73,12 @@ Error CannotRead(const std::string& file, CharacterFormat format, const std::str
                  const SceneFiles& files) {
   std::string message = std::string("cannot be read as ") + FormatName(format) + " (" +
                         ValidUtf8(why.empty() ? "no reason given" : why) + ")";
-  if (!files.refused().empty())
+  if (!files.refused().empty()) {
     return {ErrorCode::kSyntax, file, "",
             message + ": " + ValidUtf8(files.refused()[0]) +
                 " is missing or lies outside the file's folder; put it beside the file, or embed "
                 "it"};
+  }
   return {ErrorCode::kSyntax, file, "",
           message + "; the file is probably broken: export it again, or in another format"};
 }
@@ -105,10 +107,11 @@ Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNote
   if (!tree.ok()) return tree.error();
   Result<SceneSkeleton> skeleton = FindSkeleton(tree.value(), path, &character.warnings);
   if (!skeleton.ok()) return skeleton.error();
-  if (notes.num_splines > 0)
+  if (notes.num_splines > 0) {
     character.warnings.push_back(
         {"clips", std::to_string(notes.num_splines) +
                       " channels are cubic splines; they are read as straight between their keys"});
+  }
   Result<std::vector<Clip>> clips = ReadClips(*scene, tree.value(), skeleton.value(), IsFbx(format),
                                               notes.stepped, path, &character.warnings);
   if (!clips.ok()) return clips.error();

@@ -161,21 +161,24 @@ class Builder {
 
   void WarnOfRest() {
     if (!scaled_.empty()) warnings_->push_back({"bones", "scaled at rest: " + Listed(scaled_)});
-    if (!sheared_.empty())
+    if (!sheared_.empty()) {
       warnings_->push_back({"bones",
                             "sheared at rest, which bones cannot be; the nearest "
                             "rotations were taken: " +
                                 Listed(sheared_)});
+    }
   }
 
   void WarnOfOmissions() {
     std::vector<std::string> left;
-    for (int i = 0; i < static_cast<int>(tree_.nodes.size()); ++i)
+    for (int i = 0; i < static_cast<int>(tree_.nodes.size()); ++i) {
       if (At(i).is_animated && !selection_.is_bone(i) && !selection_.IsAbove(i, selection_.top()))
         left.push_back(ValidUtf8(At(i).node->mName.C_Str()));
-    if (!left.empty())
+    }
+    if (!left.empty()) {
       warnings_->push_back(
           {"bones", "left out, because they carry no mesh (controls, ends): " + Listed(left)});
+    }
   }
 
   const SceneTree& tree_;
@@ -189,9 +192,10 @@ class Builder {
 }  // namespace
 
 int SceneSkeleton::Carrier(const SceneTree& tree, int node) const {
-  for (; node >= 0; node = tree.nodes[static_cast<size_t>(node)].parent)
+  for (; node >= 0; node = tree.nodes[static_cast<size_t>(node)].parent) {
     if (bone_of_node[static_cast<size_t>(node)] >= 0)
       return bone_of_node[static_cast<size_t>(node)];
+  }
   return 0;
 }
 
@@ -202,10 +206,11 @@ const Eigen::Matrix4d& SceneSkeleton::World(const SceneTree& tree, int bone) con
 Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& file,
                                    std::vector<Warning>* warnings) {
   const Selection selection(tree);
-  if (selection.top() < 0)
+  if (selection.top() < 0) {
     return Error{ErrorCode::kSemantics, file, "",
                  "has neither a skin nor an animation, so that there is nothing to move; export "
                  "the character with its armature"};
+  }
   return Builder(tree, selection, warnings).Build();
 }
 

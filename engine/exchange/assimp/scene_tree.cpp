@@ -27,31 +27,35 @@ SceneNode MakeNode(const aiNode* node, int parent, const SceneTree& tree) {
 }
 
 void MarkMeshes(const aiScene& scene, SceneTree* tree) {
-  for (SceneNode& node : tree->nodes)
+  for (SceneNode& node : tree->nodes) {
     for (unsigned i = 0; i < node.node->mNumMeshes; ++i) {
       const unsigned mesh = node.node->mMeshes[i];
       if (mesh < scene.mNumMeshes && !scene.mMeshes[mesh]->HasBones()) node.has_rigid_mesh = true;
     }
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+  }
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b) {
       const aiBone& bone = *scene.mMeshes[m]->mBones[b];
       const int node = tree->Find(bone.mName);
       // assimp lists bones without weight with a weight of 0.
-      for (unsigned w = 0; node >= 0 && w < bone.mNumWeights; ++w)
+      for (unsigned w = 0; node >= 0 && w < bone.mNumWeights; ++w) {
         if (bone.mWeights[w].mWeight > 0.0f)
           tree->nodes[static_cast<size_t>(node)].is_weighted = true;
+      }
     }
+  }
 }
 
 // A channel of a helper moves the node that it helps.
 void MarkAnimated(const aiScene& scene, SceneTree* tree) {
-  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a) {
     for (unsigned c = 0; c < scene.mAnimations[a]->mNumChannels; ++c) {
       int node = tree->Find(scene.mAnimations[a]->mChannels[c]->mNodeName);
       // A node is followed by its first child.
       while (node >= 0 && tree->nodes[static_cast<size_t>(node)].is_helper) ++node;
       if (node >= 0) tree->nodes[static_cast<size_t>(node)].is_animated = true;
     }
+  }
 }
 
 }  // namespace
@@ -101,14 +105,16 @@ Result<SceneTree> FlattenScene(const aiScene& scene, const std::string& file) {
     if (tree.nodes.size() >= kMostNodes) return Broken(file, "there are more than 100,000");
     if (next.depth > kDeepest) return Broken(file, "they hang more than 1,000 deep");
     tree.nodes.push_back(MakeNode(next.node, next.parent, tree));
-    if (!tree.nodes.back().world.allFinite())
+    if (!tree.nodes.back().world.allFinite()) {
       return Broken(
           file, std::string("the transform of ") + next.node->mName.C_Str() + " is not a number");
+    }
     const int index = static_cast<int>(tree.nodes.size()) - 1;
     tree.by_name.emplace(next.node->mName.C_Str(), index);
-    for (unsigned i = next.node->mNumChildren; i-- > 0;)
+    for (unsigned i = next.node->mNumChildren; i-- > 0;) {
       if (next.node->mChildren[i])
         waiting.push_back({next.node->mChildren[i], index, next.depth + 1});
+    }
   }
   MarkMeshes(scene, &tree);
   MarkAnimated(scene, &tree);

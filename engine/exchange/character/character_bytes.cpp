@@ -197,10 +197,11 @@ template <typename Archive>
 void Visit(Archive& a, Error& error) {
   uint8_t code = static_cast<uint8_t>(error.code);
   a.Value(code);
-  if constexpr (Archive::kReads)
+  if constexpr (Archive::kReads) {
     error.code = code <= static_cast<uint8_t>(ErrorCode::kInterrupted)
                      ? static_cast<ErrorCode>(code)
                      : ErrorCode::kFailed;
+  }
   a.Text(error.file);
   a.Text(error.place);
   a.Text(error.message);

@@ -31,9 +31,10 @@ class Checker {
     if (ok()) wrong_ = {place, message};
   }
   void AtMost(const char* what, size_t count, size_t most) {
-    if (count > most)
+    if (count > most) {
       Say(what, "there are " + std::to_string(count) + ", more than the " + std::to_string(most) +
                     " that are read");
+    }
   }
   template <typename Vector>
   bool IsLength(const Vector& v) const {
@@ -45,9 +46,10 @@ class Checker {
     AtMost("clips", c_.clips.size(), limits_.clips);
     AtMost("meshes", c_.meshes.size(), limits_.meshes);
     size_t samples = 0, vertices = 0, triangles = 0;
-    for (const Clip& clip : c_.clips)
+    for (const Clip& clip : c_.clips) {
       for (const BoneTrack& t : clip.tracks)
         samples += t.rotations.size() + t.angles.size() + t.translations.size() + t.scales.size();
+    }
     for (const SkinMesh& mesh : c_.meshes) {
       vertices += mesh.positions.size();
       triangles += mesh.triangles.size();
@@ -87,9 +89,10 @@ class Checker {
     AtMost((place + ": frames").c_str(), static_cast<size_t>(std::max(0, clip.num_frames)),
            limits_.frames);
     if (clip.tracks.size() != c_.bones.size()) Say(place, "it has not one track a bone");
-    for (size_t i = 0; ok() && i < clip.tracks.size(); ++i)
+    for (size_t i = 0; ok() && i < clip.tracks.size(); ++i) {
       CheckTrack(clip.tracks[i], static_cast<size_t>(clip.num_frames),
                  place + ", bone " + c_.bones[i].name);
+    }
   }
 
   void CheckTrack(const BoneTrack& track, size_t frames, const std::string& place) {
@@ -99,9 +102,10 @@ class Checker {
       Say(place, "its track has not one entry a frame");
     for (const Eigen::Quaterniond& q : track.rotations)
       if (!(std::abs(q.norm() - 1.0) < 1e-6)) Say(place, "a rotation is not a unit quaternion");
-    for (const auto* lengths : {&track.angles, &track.translations, &track.scales})
+    for (const auto* lengths : {&track.angles, &track.translations, &track.scales}) {
       for (const Vec3& v : *lengths)
         if (!IsLength(v)) Say(place, "a value is not a number of sensible size");
+    }
   }
 
   void CheckMesh(const SkinMesh& mesh, size_t index) {
@@ -110,15 +114,17 @@ class Checker {
     if (mesh.normals.size() != n || mesh.bind_indices.size() != n || mesh.weights.size() != n ||
         (!mesh.texture_coordinates.empty() && mesh.texture_coordinates.size() != n))
       return Say(place, "its vertices' lists differ in length");
-    for (const SkinMesh::Bind& bind : mesh.binds)
+    for (const SkinMesh::Bind& bind : mesh.binds) {
       if (bind.bone < 0 || static_cast<size_t>(bind.bone) >= c_.bones.size() ||
           !bind.inverse_bind.allFinite())
         Say(place, "a bind is not that of a bone");
+    }
     if (mesh.material < -1 || mesh.material >= static_cast<int>(c_.materials.size()))
       Say(place, "its material is not there");
-    for (const auto& triangle : mesh.triangles)
+    for (const auto& triangle : mesh.triangles) {
       for (const uint32_t v : triangle)
         if (v >= n) Say(place, "a triangle's vertex is not there");
+    }
     for (size_t v = 0; ok() && v < n; ++v) CheckVertex(mesh, v, place);
   }
 

@@ -90,6 +90,7 @@ class SpawnSettings {
   // 0 or errno.
   int Spawn(const std::vector<std::string>& arguments, pid_t* pid) const {
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (const std::string& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

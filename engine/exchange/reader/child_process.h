@@ -9,8 +9,8 @@
 namespace hazumi {
 
 struct ChildLimits {
-  double seconds = 10.0;             // on the clock, from start to end
-  size_t output_bytes = 1ull << 30;  // more is taken for garbage
+  double seconds = 10.0;               // on the clock, from start to end
+  size_t output_bytes = 512ull << 20;  // more is taken for garbage
 };
 
 // How a child process ended.

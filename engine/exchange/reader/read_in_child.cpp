@@ -58,9 +58,10 @@ Result<Character> Judge(const std::string& file, const ChildOutcome& outcome,
       break;
   }
   if (outcome.code == kReaderOutOfMemory) return Failed(file, MemoryMessage(limits));
-  if (outcome.code != kReaderAnswered)
+  if (outcome.code != kReaderAnswered) {
     return Failed(file,
                   "the reader crashed on it (exit " + std::to_string(outcome.code) + ")" + kRemedy);
+  }
   return CharacterFromBytes(outcome.output, file);
 }
 
@@ -80,17 +81,19 @@ std::string ReaderPath() {
 
 Result<Character> ReadInChild(const std::string& path, const ReadOptions& options) {
   const std::string reader = options.reader.empty() ? ReaderPath() : options.reader;
-  if (std::error_code ignored; reader.empty() || !fs::is_regular_file(reader, ignored))
+  if (std::error_code ignored; reader.empty() || !fs::is_regular_file(reader, ignored)) {
     return Failed(path, std::string("cannot be read, because the program ") +
                             (reader.empty() ? kReaderName : reader) +
                             " is missing; it belongs beside hazumi: install Hazumi again, or set "
                             "HAZUMI_READER to where it is");
+  }
   std::vector<std::string> arguments = {
       reader, path, std::to_string(options.limits.memory),
       std::to_string(static_cast<long>(std::ceil(options.limits.seconds)) + 1)};
   if (!options.trouble.empty()) arguments.push_back(options.trouble);
   ChildLimits limits;
   limits.seconds = options.limits.seconds;
+  limits.output_bytes = options.limits.answer;
   Result<ChildOutcome> outcome = RunChild(arguments, limits, options.is_cancelled);
   if (!outcome.ok()) return outcome.error();
   return Judge(path, outcome.value(), options.limits);

@@ -11,6 +11,7 @@ namespace hazumi {
 struct ReadLimits {
   double seconds = 10.0;          // on the clock
   size_t memory = 2048ull << 20;  // address space of the reading process [bytes]
+  size_t answer = 512ull << 20;   // what it sends back [bytes]
 };
 
 struct ReadOptions {

@@ -85,6 +85,7 @@ TEST_F(ReadInChildTest, GarbageIsAnError) {
 
 TEST_F(ReadInChildTest, EndlessOutputIsAnError) {
   options_.trouble = "flood";
+  options_.limits.answer = 16u << 20;
   ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kFailed, {"far too much"});
 }
 
