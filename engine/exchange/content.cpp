@@ -115,7 +115,7 @@ Result<CharacterFormat> FormatOf(std::string_view bytes, const std::string& file
   if (AfterBlanks(bytes).empty()) {
     return Error{ErrorCode::kSyntax, file, "",
                  std::string("is empty; export it again as one of ") + FormatsThatAreRead()};
-}
+  }
   return Error{ErrorCode::kSyntax, file, "",
                "is " + Resembles(bytes) + DespiteItsName(file) + "; Hazumi reads " +
                    FormatsThatAreRead() + ": export it as one of these"};
