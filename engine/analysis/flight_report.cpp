@@ -63,15 +63,21 @@ std::string DriftText(const AngularMomentumDrift& drift) {
                 drift.change.norm());
 }
 
+// "gravity 9.80 +- 0.08 m/s^2, CoM within 1.5 mm (rms) of its parabola"
+std::string GravityOf(const Parabola& parabola) {
+  constexpr double kShown = 0.001;  // of gravity: smaller errors are not
+  const bool uncertain = parabola.gravity_error > kShown * parabola.gravity;
+  return Format("gravity %.3g", parabola.gravity) +
+         (uncertain ? Format(" +- %.2g", parabola.gravity_error) : "") +
+         Format(" m/s^2, CoM within %.1f mm (rms) of its parabola", 1000.0 * parabola.rms);
+}
+
 void Describe(const Flight& flight, double frame_time, std::vector<std::string>* lines) {
   lines->push_back("flight     " + PlaceText(flight));
   lines->push_back(Format("           %.3f s, CoM rises %.3f m, %.2f m/s over the ground",
                           flight.duration_frames() * frame_time, flight.rise,
                           flight.horizontal_speed));
-  lines->push_back(
-      Format("           gravity %.3g +- %.2g m/s^2, CoM within %.1f mm (rms) of its "
-             "parabola",
-             flight.parabola.gravity, flight.parabola.gravity_error, 1000.0 * flight.parabola.rms));
+  lines->push_back("           " + GravityOf(flight.parabola));
   if (!flight.angular_momentum) return;
   lines->push_back("           " + DriftText(*flight.angular_momentum));
 }

@@ -1,17 +1,18 @@
 // How flights are found, without a word of gravity, seconds or metres:
 //
 // 1. The clearance c of the lower foot (foot_contact.h) is cut into hills: peaks that rise above
-// the
-//    valleys on both sides. A walk has none, its lower foot stays on the ground; the ground itself
-//    may rise and fall (drift of a capture, stairs), for a hill is measured from its own valleys. A
-//    valley high above the ground, where legs are tucked or spread in the air, parts no hills.
-// 2. Take-off and landing are where the hill crosses 2 cm (of 1.7 m) above its valley: above the
-//    noise of captures, and at speeds of 2 m/s within 10 ms of the true ones.
-// 3. Between them the CoM must be on a parabola that opens downwards, and move uniformly over the
+//    the valleys on both sides. A walk has none, its lower foot stays on the ground; the ground
+//    itself may rise and fall (drift of a capture, stairs), for a hill is measured from its own
+//    valleys. A valley high above the ground, where legs are tucked or spread in the air, parts no
+//    hills, unless a foot stands there: a box.
+// 2. The figure is in the air where the hill is 2 cm (of 1.7 m) above its valleys: above the noise
+//    of captures, and at speeds of 2 m/s within 10 ms of the true take-off and landing.
+// 3. In the air the CoM must be on a parabola that opens downwards, and move uniformly over the
 //    ground, within tolerances that go with the arc's height and the noise of the clip. Where it is
-//    not (hands or back on the ground, a bar), the end with the worse residual is cut until it is;
-//    what is left of the hill
-//    must be three quarters, for the top of anything is a parabola.
+//    not (hands or back on the ground, a bar), the end with the worse residual is cut until it is.
+//    Three quarters must be left, for the top of anything is a parabola.
+// 4. Frames before and after that are on the parabola as well belong to it: a foot that is drawn up
+//    slowly, or stretched for the ground.
 //
 // So a flight in slow motion is found like any other, and its gravity comes out as it may.
 
@@ -68,17 +69,42 @@ std::vector<Hill> HillsOf(const std::vector<double>& c, double swing) {
   return hills;
 }
 
-// Hills of one flight: the valley between them is far above those outside.
-bool BelongTogether(const std::vector<double>& c, const Hill& a, const Hill& b) {
-  constexpr double kHigh = 0.3;  // of the lower peak
-  const double ground = std::max(c[a.left], c[b.right]);
-  return c[a.right] - ground > kHigh * (std::min(c[a.peak], c[b.peak]) - ground);
+struct Heights {
+  double contact = 0.0, hill = 0.0;  // kContact and kHill of this figure [m]
+};
+
+// The height at which the foot stands still on the way from the peak to the valley at `end`, by
+// `step`, 1 or -1: level for half as long as the way was. In flight it never is: in that time it
+// falls further than it fell before.
+std::optional<double> PlateauBeside(const std::vector<double>& c, int peak, int end, int step,
+                                    const Heights& heights) {
+  for (int i = peak; i != end; i += step) {
+    if (c[i] > c[peak] - heights.hill) continue;
+    const int frames = std::max(kFewestFrames, std::abs(i - peak) / 2);
+    if (std::abs(end - i) < frames) return std::nullopt;
+    const auto from = c.begin() + (step > 0 ? i : i - frames);
+    const auto [low, high] = std::minmax_element(from, from + frames + 1);
+    if (*high - *low < heights.contact) return 0.5 * (*high + *low);
+  }
+  return std::nullopt;
 }
 
-std::vector<Hill> Merged(const std::vector<double>& c, const std::vector<Hill>& hills) {
+// Hills of one flight: the valley between them is far above those outside, and no foot stands
+// there.
+bool BelongTogether(const std::vector<double>& c, const Hill& a, const Hill& b,
+                    const Heights& heights) {
+  constexpr double kHigh = 0.3;  // of the lower peak
+  const double ground = std::max(c[a.left], c[b.right]);
+  return c[a.right] - ground > kHigh * (std::min(c[a.peak], c[b.peak]) - ground) &&
+         !PlateauBeside(c, a.peak, b.peak, 1, heights) &&
+         !PlateauBeside(c, b.peak, a.peak, -1, heights);
+}
+
+std::vector<Hill> Merged(const std::vector<double>& c, const std::vector<Hill>& hills,
+                         const Heights& heights) {
   std::vector<Hill> merged;
   for (Hill hill : hills) {
-    while (!merged.empty() && BelongTogether(c, merged.back(), hill)) {
+    while (!merged.empty() && BelongTogether(c, merged.back(), hill, heights)) {
       const Hill& before = merged.back();
       hill.left = before.left;
       if (c[before.peak] > c[hill.peak]) hill.peak = before.peak;
@@ -96,9 +122,10 @@ struct Edge {
   double ground = 0.0;  // [m]
 };
 
-// The ground between `peak` and the valley at `end`: a tenth of the frames within three times the
-// way down to half the height are lower. Where the clip ends before, its padding is the ground.
-double GroundBeside(const std::vector<double>& c, int peak, int end, int step) {
+// The lowest ground between `peak` and the valley at `end`: a tenth of the frames within three
+// times the way down to half the height are lower. Where the clip ends before, its padding is the
+// ground.
+double LowestGround(const std::vector<double>& c, int peak, int end, int step) {
   const double half = 0.5 * (c[peak] + c[end]);
   int i = peak;
   while (i != end && c[i] > half) i += step;
@@ -112,9 +139,13 @@ double GroundBeside(const std::vector<double>& c, int peak, int end, int step) {
   return std::max(Quantile(std::move(beside), 0.1), c[end]);
 }
 
-// From the peak towards the valley at `end`, by `step`, 1 or -1.
-Edge EdgeOf(const std::vector<double>& c, int peak, int end, int step, double contact) {
-  const double ground = GroundBeside(c, peak, end, step);
+// From the peak towards the valley at `end`, by `step`, 1 or -1. A box on which the figure stands
+// goes before the ground.
+Edge EdgeOf(const std::vector<double>& c, int peak, int end, int step, const Heights& heights) {
+  const double contact = heights.contact;
+  const double lowest = LowestGround(c, peak, end, step);
+  const double box = PlateauBeside(c, peak, end, step, heights).value_or(lowest);
+  const double ground = box > lowest + 1.5 * contact ? box : lowest;
   for (int i = peak; i != end; i += step) {
     const double here = c[i], next = c[i + step], level = ground + contact;
     if (next <= level) return {i + step * (here - level) / (here - next), ground};
@@ -147,13 +178,16 @@ double NoiseOf(const std::vector<Vec3>& com) {
 class Finder {
  public:
   explicit Finder(const MotionSeries& series)
-      : series_(series), clearance_(Padded(FootClearance(series))), noise_(NoiseOf(series.com)) {}
+      : series_(series),
+        clearance_(Padded(FootClearance(series))),
+        noise_(NoiseOf(series.com)),
+        heights_{kContact * series.stature, kHill * series.stature} {}
 
   std::vector<Flight> Find() const {
     std::vector<Flight> flights;
     if (clearance_.empty()) return flights;
-    const auto hills = HillsOf(clearance_, kHill * series_.stature);
-    for (const Hill& hill : Merged(clearance_, hills)) {
+    const auto hills = HillsOf(clearance_, heights_.hill);
+    for (const Hill& hill : Merged(clearance_, hills, heights_)) {
       if (const auto flight = FlightOver(hill)) flights.push_back(*flight);
     }
     return flights;
@@ -164,24 +198,35 @@ class Finder {
   double SecondsAt(double index) const { return index * series_.frame_time; }
 
   std::optional<Flight> FlightOver(const Hill& hill) const {
-    const double contact = kContact * series_.stature;
-    const Edge before = EdgeOf(clearance_, hill.peak, hill.left, -1, contact);
-    const Edge after = EdgeOf(clearance_, hill.peak, hill.right, 1, contact);
+    const Edge before = EdgeOf(clearance_, hill.peak, hill.left, -1, heights_);
+    const Edge after = EdgeOf(clearance_, hill.peak, hill.right, 1, heights_);
     const double height = clearance_[hill.peak] - std::max(before.ground, after.ground);
-    if (height < kHill * series_.stature) return std::nullopt;
+    if (height < heights_.hill) return std::nullopt;
     const double left = before.at - 1.0, right = after.at - 1.0;  // without the padding
     int first = std::max(static_cast<int>(std::ceil(left)), 0);
     int last = std::min(static_cast<int>(std::floor(right)), last_frame());
-    const auto fit = LongestParabola(&first, &last);
+    auto fit = LongestParabola(&first, &last);
     if (!fit) return std::nullopt;
     Flight flight;
-    flight.parabola = *fit;
-    flight.begins_before_clip = left < 0.0 && first == 0;
-    flight.ends_after_clip = right > last_frame() && last == last_frame();
     flight.take_off = std::max({left, first - 1.0, 0.0});
     flight.landing = std::min({right, last + 1.0, static_cast<double>(last_frame())});
+    if (Extend(*fit, -1, std::max(hill.left - 1, 0), &first)) flight.take_off = first - 0.5;
+    if (Extend(*fit, 1, std::min(hill.right - 1, last_frame()), &last)) flight.landing = last + 0.5;
+    flight.parabola = FitParabola(series_.com, series_.frame_time, first, last);
+    flight.begins_before_clip = left < 0.0 && first == 0;
+    flight.ends_after_clip = right > last_frame() && last == last_frame();
     Describe(first, last, &flight);
     return flight;
+  }
+
+  // A foot may stay low after take-off, or be low before landing: frames beyond `end`, by `step`,
+  // as far as they are on the parabola too. Within the residual of those that are on it, so that
+  // nothing is won where it is rough; at least 0.1 mm.
+  bool Extend(const Parabola& fit, int step, int limit, int* end) const {
+    const double tolerance = std::max(fit.rms, 1e-4 / 1.7 * series_.stature);
+    const int before = *end;
+    while (*end != limit && Residual(fit, *end + step) <= tolerance) *end += step;
+    return *end != before;
   }
 
   // Cuts frames first..last until they are on a parabola; nothing if too few are left.
@@ -246,6 +291,7 @@ class Finder {
   const MotionSeries& series_;
   std::vector<double> clearance_;  // padded: frame i is at i + 1
   double noise_;                   // [m]
+  Heights heights_;
 };
 
 }  // namespace
