@@ -91,6 +91,22 @@ TEST(FlightFinder, TakesOffFromABoxWhereTheFootLeavesTheBox) {
   }
 }
 
+// A jump seen backwards is a jump, onto a box.
+TEST(FlightFinder, FindsTheJumpOntoABoxAndTheOneDownAgain) {
+  Jump down;
+  down.ground_before = 0.3;
+  down.v = 1.8;
+  const MotionSeries second = SeriesOf(down, 120.0, 120.0);
+  const MotionSeries both = test::Joined(test::Reversed(second), second);
+  const std::vector<Flight> flights = FindFlights(both);
+  ASSERT_EQ(flights.size(), 2u);
+  const double n = static_cast<double>(second.com.size());
+  EXPECT_NEAR(flights[0].take_off, n - 1.0 - down.landing() * 120.0, 2.0);
+  EXPECT_NEAR(flights[0].landing, n - 1.0 - down.take_off() * 120.0, 2.0);
+  EXPECT_NEAR(flights[1].take_off, n + down.take_off() * 120.0, 2.0);
+  EXPECT_NEAR(flights[1].landing, n + down.landing() * 120.0, 2.0);
+}
+
 TEST(FlightFinder, FindsNoneInAWalk) {
   for (const double fps : {24.0, 30.0, 120.0}) {
     for (const double slope : {0.0, 0.03, -0.05}) {

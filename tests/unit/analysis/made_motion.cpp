@@ -151,6 +151,31 @@ MotionSeries Run(double fps, int steps) {
   return series;
 }
 
+MotionSeries Reversed(const MotionSeries& series) {
+  MotionSeries reversed = series;
+  std::ranges::reverse(reversed.com);
+  std::ranges::reverse(reversed.angular_momentum);
+  for (FootTrack& foot : reversed.feet) {
+    for (auto& point : foot.points) std::ranges::reverse(point);
+  }
+  return reversed;
+}
+
+MotionSeries Joined(const MotionSeries& first, const MotionSeries& second) {
+  MotionSeries joined = first;
+  const auto append = [](const std::vector<Vec3>& more, std::vector<Vec3>* track) {
+    track->insert(track->end(), more.begin(), more.end());
+  };
+  append(second.com, &joined.com);
+  append(second.angular_momentum, &joined.angular_momentum);
+  for (size_t f = 0; f < joined.feet.size(); ++f) {
+    for (size_t k = 0; k < joined.feet[f].points.size(); ++k) {
+      append(second.feet[f].points[k], &joined.feet[f].points[k]);
+    }
+  }
+  return joined;
+}
+
 MotionSeries Cut(const MotionSeries& series, int first, int last) {
   MotionSeries cut = series;
   const auto keep = [&](std::vector<Vec3>* track) {

@@ -35,6 +35,10 @@ MotionSeries Walk(double fps, double seconds, double slope = 0.0, double noise =
 // Steps of 0.36 s, 0.12 s of which in the air.
 MotionSeries Run(double fps, int steps);
 
+// The same from the last frame to the first; one after the other.
+MotionSeries Reversed(const MotionSeries& series);
+MotionSeries Joined(const MotionSeries& first, const MotionSeries& second);
+
 // Frames first to last of a series.
 MotionSeries Cut(const MotionSeries& series, int first, int last);
 
