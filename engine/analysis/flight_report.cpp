@@ -1,5 +1,6 @@
 #include "engine/analysis/flight_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -45,11 +46,21 @@ std::string GravityText(const TimeScale& time) {
   return Format("gravity comes out as %.3g m/s^2 instead of %.3g", time.gravity, time.true_gravity);
 }
 
+// "1.53 times too great"
+std::string LengthsText(const TimeScale& time) {
+  return Format("%.2f times too %s", std::max(time.length_factor, 1.0 / time.length_factor),
+                time.length_factor < 1.0 ? "great" : "small");
+}
+
 std::string WrongLength(const TimeScale& time) {
-  return GravityText(time) +
-         Format(": lengths are probably %.2f times too %s (or frames %.3g s apart)",
-                std::max(time.length_factor, 1.0 / time.length_factor),
-                time.length_factor < 1.0 ? "great" : "small", time.true_frame_time);
+  return GravityText(time) + ": lengths are probably " + LengthsText(time) +
+         Format(" (or frames %.3g s apart)", time.true_frame_time);
+}
+
+std::string WrongFrameTime(const TimeScale& time) {
+  return "this clip plays at " + SpeedText(time.speed) + ": its frame time is " +
+         TrueFrameTime(time) + ", not " + FrameTimeText(time.frame_time) +
+         (time.is_human ? " (or lengths are " + LengthsText(time) + ")" : "");
 }
 
 std::string PlaceText(const Flight& flight) {
@@ -98,8 +109,7 @@ std::string TimeSentence(const TimeScale& time) {
       return Format("gravity is right within %.0f %%: the clip plays at its natural speed",
                     std::ceil(100.0 * std::abs(time.gravity / time.true_gravity - 1.0)));
     case TimeVerdict::kWrongFrameTime:
-      return "this clip plays at " + SpeedText(time.speed) + ": its frame time is " +
-             TrueFrameTime(time) + ", not " + FrameTimeText(time.frame_time);
+      return WrongFrameTime(time);
     case TimeVerdict::kWrongLength:
       return WrongLength(time);
   }

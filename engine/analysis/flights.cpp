@@ -113,8 +113,9 @@ class Finder {
     while (*last - *first + 1 >= fewest) {
       const Parabola fit = FitParabola(series_.com, series_.frame_time, *first, *last);
       if (IsBallistic(fit)) return fit;
+      const int cut = 1 + (*last - *first) / 100;  // long ones soon
       const double begin = Residual(fit, *first), end = Residual(fit, *last);
-      (begin > end ? * first += 1 : * last -= 1);
+      (begin > end ? *first : *last) += begin > end ? cut : -cut;
     }
     return std::nullopt;
   }

@@ -58,10 +58,10 @@ TimeScale JudgeTime(const std::vector<GravityEstimate>& flights, double frame_ti
   time.frame_rate = NearestRate(time.true_frame_time);
   time.length_factor = true_gravity / mean.gravity;
   const double true_stature = stature * time.length_factor;
-  const bool plausible = true_stature >= kShortest && true_stature <= kTallest;
+  time.is_human = true_stature >= kShortest && true_stature <= kTallest;
   time.verdict = std::abs(mean.gravity / true_gravity - 1.0) <= kRight ? TimeVerdict::kTrue
-                 : !scale_known && plausible                           ? TimeVerdict::kWrongLength
-                                             : TimeVerdict::kWrongFrameTime;
+                 : !scale_known && time.is_human                       ? TimeVerdict::kWrongLength
+                                                 : TimeVerdict::kWrongFrameTime;
   return time;
 }
 

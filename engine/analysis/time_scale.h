@@ -28,7 +28,8 @@ struct TimeScale {
   std::optional<int> frame_rate;
   // If the frame time is right: lengths times this are true.
   double length_factor = 1.0;
-  double stature = 0.0;  // as stated [m]
+  double stature = 0.0;   // as stated [m]
+  bool is_human = false;  // with the lengths that gravity calls for the figure is 0.8 to 2.3 m tall
   bool scale_known = true;
 };
 

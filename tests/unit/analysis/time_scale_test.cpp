@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/analysis/flight_report.h"
 
 namespace hazumi {
@@ -51,7 +53,11 @@ TEST(TimeScale, DoubtsAGuessedUnitOfLengthIfTheFigureStaysOfHumanHeight) {
   EXPECT_EQ(TimeSentence(child),
             "gravity comes out as 15 m/s^2 instead of 9.81: lengths are probably 1.53 times too "
             "great (or frames 0.0103 s apart)");
-  EXPECT_EQ(Judge(15.0, 1.0 / 120.0, 1.7, true).verdict, TimeVerdict::kWrongFrameTime);
+  const TimeScale stated = Judge(15.0, 1.0 / 120.0, 1.7, true);
+  EXPECT_EQ(stated.verdict, TimeVerdict::kWrongFrameTime);
+  EXPECT_EQ(TimeSentence(stated),
+            "this clip plays at 1.24 of its speed: its frame time is probably 1/100 s, not 1/120 s "
+            "(or lengths are 1.53 times too great)");
   EXPECT_EQ(Judge(9.81 / 16.0, 1.0 / 30.0, 1.7, false).verdict, TimeVerdict::kWrongFrameTime);
 }
 
