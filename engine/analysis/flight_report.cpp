@@ -132,7 +132,8 @@ std::vector<std::string> FlightReport(const FlightAnalysis& analysis) {
   for (const Flight& flight : analysis.flights) {
     Describe(flight, analysis.time.frame_time, &lines);
   }
-  if (analysis.flights.empty()) lines.push_back("flight     none: a foot is always on the ground");
+  if (analysis.flights.empty())
+    lines.push_back("flight     none: a foot is on the ground, or the CoM is on no parabola");
   const std::string time = TimeSentence(analysis.time), length = LengthSentence(analysis.time);
   if (!time.empty()) lines.push_back("time       " + time);
   if (!length.empty()) lines.push_back("lengths    " + length);

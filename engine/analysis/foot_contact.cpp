@@ -10,6 +10,7 @@ namespace {
 // Height of a point over where it stands, by frame [m].
 std::vector<double> HeightOf(const std::vector<Vec3>& point) {
   std::vector<double> heights;
+  heights.reserve(point.size());
   for (const Vec3& p : point) heights.push_back(p.z());
   const double level = Quantile(heights, 0.1);
   for (double& height : heights) height -= level;
