@@ -19,6 +19,8 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunCheck(options);
     case hazumi::Task::kInfo:
       return hazumi::RunInfo(options);
+    case hazumi::Task::kFlight:
+      return hazumi::RunFlight(options);
     case hazumi::Task::kRun:
       return hazumi::RunEdits(options);
     case hazumi::Task::kOperators:

@@ -11,6 +11,7 @@ int RunRender(const Options& options);
 int RunBake(const Options& options);
 int RunCheck(const Options& options);
 int RunInfo(const Options& options);
+int RunFlight(const Options& options);
 int RunWindow(const Options& options);
 int RunEdits(const Options& options);
 int RunOperators();

@@ -10,6 +10,7 @@ const char* const kHelpText =
   hazumi --bake OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
+  hazumi --flight [options] FILE
   hazumi --run SCRIPT [--size WxH] [FILE]
 
 FILE is a project (.kfa).
@@ -21,6 +22,9 @@ Tasks
                     output, as JSON
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
+  --flight          find the flights: take-off, apex, landing, the gravity that
+                    the path of the centre of mass implies, and whether the
+                    clip plays too slow or fast; how far the feet slide
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
                     operators, such as
                     {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
@@ -55,10 +59,10 @@ Motion, with any task, instead of what the file and its regions say
 Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
                     30000/1001; the motion is the same         (the file's)
-                    with --render, --bake, --info
+                    with --render, --bake, --info, --flight
   --timings         with --bake: reports carry microseconds, off by default so
                     that two bakes are equal bytes
-  --json            with --check, --info: answer in JSON
+  --json            with --check, --info, --flight: answer in JSON
 
 Editor
   --trace           say in the end how long events took until the picture was

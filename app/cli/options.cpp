@@ -24,10 +24,11 @@ enum TaskBits : unsigned {
   kBake = 2,
   kCheck = 4,
   kInfo = 8,
-  kMotion = 15,  // all of those
-  kRun = 16,
-  kOperators = 32,
-  kWindow = 64,  // no task named
+  kFlight = 16,
+  kMotion = 31,  // all of those
+  kRun = 32,
+  kOperators = 64,
+  kWindow = 128,  // no task named
 };
 
 // An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
@@ -105,6 +106,7 @@ constexpr OptionRule kTasks[] = {
     {"--bake", kBake, "the name must end in .json or .csv, or be -", ReadMotionFile},
     {"--check", kCheck, nullptr, Choose<Task::kCheck>},
     {"--info", kInfo, nullptr, Choose<Task::kInfo>},
+    {"--flight", kFlight, nullptr, Choose<Task::kFlight>},
     {"--run", kRun, "name a script, a JSON list of operators", ReadScript},
     {"--operators", kOperators, nullptr, Choose<Task::kOperators>},
 };
@@ -135,12 +137,12 @@ constexpr OptionRule kRules[] = {
     {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
     {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
     {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},
-    {"--fps", kRender | kBake | kInfo,
+    {"--fps", kRender | kBake | kInfo | kFlight,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
     {"--timings", kBake, nullptr, Set<&Options::timings>},
     {"--trace", kWindow, nullptr, Set<&Options::trace>},
-    {"--json", kCheck | kInfo, nullptr, Set<&Options::json>},
+    {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
 
 // "--check and --info"

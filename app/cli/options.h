@@ -11,7 +11,7 @@
 namespace hazumi {
 
 // kWindow: no other task was named.
-enum class Task { kWindow, kRender, kBake, kCheck, kInfo, kRun, kOperators };
+enum class Task { kWindow, kRender, kBake, kCheck, kInfo, kFlight, kRun, kOperators };
 
 struct FrameRange {
   int first = 0, last = 0;  // inclusive
