@@ -11,9 +11,11 @@ const char* const kHelpText =
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
   hazumi --flight [options] FILE
+  hazumi --import CHARACTER --save OUT.kfa [options]
   hazumi --run SCRIPT [--size WxH] [FILE]
 
-FILE is a project (.kfa).
+FILE is a project (.kfa); --render, --bake, --info and --flight read BVH, FBX,
+glTF, GLB and Collada as well.
 
 Tasks
   --render OUT      draw frames as PNG pictures; OUT is a folder, or a name with
@@ -25,6 +27,9 @@ Tasks
   --flight          find the flights: take-off, apex, landing, the gravity that
                     the path of the centre of mass implies, and whether the
                     clip plays too slow or fast; how far the feet slide
+  --import CHARACTER --save OUT.kfa
+                    make a project of a character and its clip: BVH, FBX, glTF,
+                    GLB or Collada; says what was guessed and what is dropped
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
                     operators, such as
                     {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
@@ -49,6 +54,17 @@ Drawing, with --render
   --tint            tint the joints that a dynamics region moves
   --frame-number    draw the frame number
   --no-shadow       draw no shadow
+
+Reading files of other programs
+  --clip NAME       which of its clips                         (the first)
+  --up y|z          the axis that is up              (the file's, or guessed)
+  --unit M          metres of its unit of length; or
+  --height M        how tall the character is        (the file's, or guessed)
+  --mass KG         of all of it                     (of a person so tall)
+  --reduce DEG      keys only where they are needed, so that angles stay within
+                    DEG degrees of the clip          (a key every frame)
+  --limits L        clip: joints go a little farther than in the clip; none
+  --no-skin         leave out its meshes
 
 Motion, with any task, instead of what the file and its regions say
   --method M        exact, or paper: the steps of the published method

@@ -34,6 +34,7 @@ struct ImportReport {
   std::vector<Warning> warnings;   // what was guessed, dropped or repaired
   UpAxis up = UpAxis::kY;
   double metres_per_unit = 1.0;
+  bool unit_is_guessed = false;
   double height_m = 0.0;          // of the figure at rest
   double position_error_m = 0.0;  // of a joint at any frame, the largest, against the file
   int num_joints = 0, num_keys = 0;

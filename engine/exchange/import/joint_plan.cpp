@@ -11,7 +11,7 @@ namespace hazumi {
 namespace {
 
 constexpr EulerAxes kRootAxes = {2, 1, 0};
-constexpr double kStill = 1e-9;  // of a translation, in units of the file
+constexpr double kStill = 1e-5;  // of a translation [m]
 constexpr double kSameScale = 1e-4;
 
 // Least and greatest by component.
@@ -80,8 +80,8 @@ class Planner {
     if (scales.width() > kSameScale) Drop(k, "scale", scales, 1.0, "");
     if (moved.translations.empty()) return bone(k).rest.p;
     const Range range = RangeOf(moved.translations);
-    if (range.width() <= kStill) return moved.translations.front();
     const double scale = skeleton_.rest[bone(k).parent].scale;
+    if (range.width() * world_.metres * scale <= kStill) return range.sum / range.num;
     Drop(k, "translation", range, 100.0 * world_.metres * scale, " cm");
     return range.sum / range.num;
   }

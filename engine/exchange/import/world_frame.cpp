@@ -146,6 +146,7 @@ WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, co
     const Unit unit = GuessUnit(tall);
     world.metres = unit.metres;
     why = std::string("guessed: ") + unit.name;
+    report->unit_is_guessed = true;
   }
   world.height = tall * world.metres;
   SayUnit(world.metres, why, world.height, report);
