@@ -27,6 +27,7 @@ std::vector<Operator> RegionOperators();
 std::vector<Operator> RootOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
+std::vector<Operator> ImportOperators();
 std::vector<Operator> SessionOperators();
 std::vector<Operator> StartRateOperators();
 std::vector<Operator> TimeOperators();

@@ -20,7 +20,7 @@ std::vector<Operator> Collect() {
        {FigureOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
         ObjectOperators(), PlacementOperators(), PoseOperators(), ReachOperators(),
         RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
-        SessionOperators(), StartRateOperators(), TimeOperators()}) {
+        ImportOperators(), SessionOperators(), StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -20,8 +20,12 @@ Result<Done> New(Editor* editor, const Parameters&) {
 
 Result<Done> OpenPath(Editor* editor, const Parameters& p) {
   const std::string path = p.text("path");
-  return AskToSave(editor, [path](Editor* asked) {
+  return AskToSave(editor, [path](Editor* asked) -> Result<Done> {
     asked->message = {};
+    if (IsOfOtherProgram(path)) {
+      OpenImport(path, asked);
+      return Done();
+    }
     return asked->Invoke("file.open", {{"path", path}});
   });
 }
@@ -29,6 +33,13 @@ Result<Done> OpenPath(Editor* editor, const Parameters& p) {
 Result<Done> OpenWithDialog(Editor* editor, const Parameters&) {
   return AskToSave(editor, [](Editor* asked) -> Result<Done> {
     OpenFileDialog(asked, false);
+    return Done();
+  });
+}
+
+Result<Done> ImportWithDialog(Editor* editor, const Parameters&) {
+  return AskToSave(editor, [](Editor* asked) -> Result<Done> {
+    OpenImportFileDialog(asked);
     return Done();
   });
 }
@@ -94,10 +105,15 @@ std::vector<Action> DialogActions() {
            New},
           {"app.open",
            "Open file",
-           "Opens a project. Asks about unsaved changes.",
-           {{"path", kText, true, "a .kfa file"}},
+           "Opens a project, or imports a character. Asks about unsaved changes.",
+           {{"path", kText, true, "a .kfa file, or one of another program"}},
            OpenPath},
           {"file.open_dialog", "Open", "Chooses a project to open.", {}, OpenWithDialog},
+          {"file.import_dialog",
+           "Import character",
+           "Makes a project of a character and its clip: BVH, FBX, glTF, GLB or Collada.",
+           {},
+           ImportWithDialog},
           {"app.save", "Save", "Saves the project; asks for a name if it has none.", {}, Save},
           {"file.save_as", "Save as", "Saves the project under another name.", {}, SaveAs},
           {"app.search",

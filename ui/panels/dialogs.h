@@ -26,6 +26,8 @@ void AnswerCancel(Editor* editor);
 
 // Shows the file dialog; `then` is done after a project was saved.
 void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
+// Shows it to choose a character of another program; its import dialog comes after it.
+void OpenImportFileDialog(Editor* editor);
 // Shows it to choose the render dialog's folder; that dialog comes back after either answer.
 void OpenFolderDialog(Editor* editor);
 void ChooseFolder(Editor* editor);

@@ -15,6 +15,7 @@ struct Frame {
 Frame FrameOf(const DialogsState& dialogs) {
   switch (dialogs.modal) {
     case Modal::kFiles:
+      if (dialogs.files.imports) return {"Import character", 680, 430};
       if (dialogs.files.picks_folder) return {"Choose folder", 680, 430};
       return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
     case Modal::kUnsaved:
@@ -23,6 +24,8 @@ Frame FrameOf(const DialogsState& dialogs) {
       return {"Search", 480, 0};
     case Modal::kForm:
       return {"Parameters", 580, 0};
+    case Modal::kImport:
+      return {"Import character", 560, 0};
     case Modal::kRender:
       return {"Render", 520, 0};
     case Modal::kProgress:
@@ -61,6 +64,8 @@ void DrawContent(Editor* editor) {
       return DrawSearch(editor);
     case Modal::kForm:
       return DrawForm(editor);
+    case Modal::kImport:
+      return DrawImport(editor);
     case Modal::kRender:
       return DrawRenderDialog(editor);
     case Modal::kProgress:

@@ -12,6 +12,7 @@ namespace hazumi::ui {
 void DrawFileDialog(Editor* editor);
 void DrawSearch(Editor* editor);
 void DrawForm(Editor* editor);
+void DrawImport(Editor* editor);
 void DrawRenderDialog(Editor* editor);
 void DrawProgress(Editor* editor);
 void DrawManual(Editor* editor);

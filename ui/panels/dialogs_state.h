@@ -8,6 +8,7 @@
 #include "ui/panels/first_steps.h"
 #include "ui/panels/folder_list.h"
 #include "ui/panels/geometry.h"
+#include "ui/panels/import_job.h"
 #include "ui/panels/parameter_form.h"
 #include "ui/panels/render_job.h"
 #include "ui/panels/search.h"
@@ -17,7 +18,18 @@ namespace hazumi::ui {
 class Editor;
 
 // What is on top of the panels and has all keys; one at a time.
-enum class Modal { kNone, kFiles, kUnsaved, kSearch, kForm, kRender, kProgress, kManual, kAbout };
+enum class Modal {
+  kNone,
+  kFiles,
+  kUnsaved,
+  kSearch,
+  kForm,
+  kImport,
+  kRender,
+  kProgress,
+  kManual,
+  kAbout
+};
 
 // What goes on once a question is answered. An error is shown where it was asked.
 using Then = std::function<Result<Done>(Editor*)>;
@@ -26,6 +38,7 @@ using Then = std::function<Result<Done>(Editor*)>;
 struct FileDialogState {
   bool is_save = false;
   bool picks_folder = false;  // for the pictures of the render dialog
+  bool imports = false;       // a character of another program
   std::string folder;
   FolderFilter filter;
   std::vector<FileEntry> entries;  // of the folder
@@ -44,6 +57,7 @@ struct DialogsState {
   FileDialogState files;
   SearchState search;
   FormState form;
+  ImportState import;
   RenderState render;
   bool shows_first_steps = false;
   FirstSteps first_steps;

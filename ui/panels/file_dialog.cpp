@@ -94,6 +94,14 @@ void OpenFileDialog(Editor* editor, bool is_save, Then then) {
   Open(Modal::kFiles, editor);
 }
 
+void OpenImportFileDialog(Editor* editor) {
+  OpenFileDialog(editor, false);
+  FileDialogState& files = editor->dialogs.files;
+  files.imports = true;
+  files.filter.kind = FolderFilter::Kind::kCharacters;
+  ReadFolder(editor);
+}
+
 // The nearest folder above that is there, for one that is yet to be made.
 void OpenFolderDialog(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
@@ -141,6 +149,9 @@ void ChooseFile(Editor* editor) {
   if (std::filesystem::is_directory(folder, unknown)) {
     if (!is_on_folder) files.name.clear();
     return GoToFolder(folder, editor);
+  }
+  if (files.imports || (!files.is_save && IsOfOtherProgram(wanted))) {
+    return OpenImport(ChosenPath(files), editor);
   }
   if (!files.is_save) {
     return Finish(editor->Invoke("file.open", {{"path", ExistingPath(files)}}), editor);

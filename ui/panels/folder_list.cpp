@@ -36,9 +36,18 @@ std::int64_t ChangedAt(const fs::directory_entry& entry) {
 
 }  // namespace
 
+bool IsOfOtherProgram(const std::string& path) {
+  const std::string name = LowerCase(path);
+  constexpr const char* kSuffixes[] = {".bvh", ".fbx", ".gltf", ".glb", ".dae"};
+  return std::any_of(std::begin(kSuffixes), std::end(kSuffixes),
+                     [&](const char* suffix) { return name.ends_with(suffix); });
+}
+
 bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (entry.name.starts_with('.')) return false;
-  return entry.is_folder || filter.all_files || LowerCase(entry.name).ends_with(kSuffix);
+  if (entry.is_folder || filter.all_files) return true;
+  if (filter.kind == FolderFilter::Kind::kCharacters) return IsOfOtherProgram(entry.name);
+  return LowerCase(entry.name).ends_with(kSuffix);
 }
 
 bool ComesBefore(const std::string& a, const std::string& b) {

@@ -19,10 +19,14 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  bool all_files = false;  // else folders and .kfa alone; what begins with a dot is never shown
+  // What begins with a dot is never shown; of files those alone, unless all are to be seen:
+  enum class Kind { kProjects, kCharacters } kind = Kind::kProjects;
+  bool all_files = false;
   FileOrder order = FileOrder::kName;
 };
 
+// Called as files of other programs are that can be imported.
+bool IsOfOtherProgram(const std::string& path);
 bool IsShown(const FileEntry& entry, const FolderFilter& filter);
 // Folders first. Names as people count: "shot 2" before "shot 10", upper case as lower.
 void SortEntries(FileOrder order, std::vector<FileEntry>* entries);

@@ -19,6 +19,7 @@ MenuEntry FileMenu() {
   return Submenu("File", {{"app.new"},
                           {"file.open_dialog"},
                           {"app.open"},  // drawn as the list of recent files
+                          {"file.import_dialog"},
                           Line(),
                           {"app.save"},
                           {"file.save_as"},
@@ -210,7 +211,8 @@ std::vector<MenuEntry> FlatMenus() {
 std::string LabelOf(const MenuEntry& entry) {
   std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
   const std::string id = entry.id ? entry.id : "";
-  const bool asks = id == "file.open_dialog" || id == "file.save_as" || id == "render.dialog";
+  const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
+                    id == "file.save_as" || id == "render.dialog";
   if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
   return label;
 }
