@@ -6,8 +6,8 @@ namespace hazumi::render::shaders {
 // named *_srgb are written as they are; the picture is stored sRGB-encoded and is never encoded by
 // the framebuffer, which keeps the cost to once a fragment.
 
-// Solids, lit. a_0 position, a_1 normal (world), a_2 linear colour. With SKIN: a_2 tint (linear
-// colour times share, share), a_3 place in the texture; both sides are seen. With SKIN and CUTOUT,
+// Solids, lit. a_0 position, a_1 normal (world), a_2 linear colour. With SKIN: a_2 tint (root of
+// linear colour times share, share), a_3 place in the texture; both sides are seen. With SKIN and CUTOUT,
 // the texture's alpha cuts holes.
 extern const char* const kSolidVertex;
 extern const char* const kSolidFragment;

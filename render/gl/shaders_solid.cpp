@@ -95,7 +95,9 @@ void main() {
 #endif
   vec3 n = SeenNormal(v);
   vec3 shadow = (shadow_from_world * vec4(world + shadow_offset_m * n, 1.0)).xyz;
-  vec4 color = vec4(texel.rgb * base_linear.rgb * (1.0 - tint.a) + tint.rgb, alpha);
+  // Mixed about as seen: roots are near to displayed colours.
+  vec3 root = sqrt(texel.rgb * base_linear.rgb) * (1.0 - tint.a) + tint.rgb;
+  vec4 color = vec4(root * root, alpha);
 #else
   vec3 n = normalize(normal);
 #endif

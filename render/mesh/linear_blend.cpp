@@ -18,12 +18,13 @@ using Columns = Eigen::Matrix<float, 4, 4>;
 
 struct Bound {
   Columns M_WV;          // takes the mesh's coordinates to the world
-  Eigen::Vector4f tint;  // premultiplied, linear, times 255
+  Eigen::Vector4f tint;  // as in SkinnedVertex, before rounding
 };
 
 Eigen::Vector4f Premultiplied(const BoneTint& tint) {
   const LinearColor c = ToLinear(tint);
-  return 255.0f * Eigen::Vector4f(c.r * c.a, c.g * c.a, c.b * c.a, c.a);
+  const Eigen::Vector3f root = Eigen::Vector3f(c.r, c.g, c.b).cwiseSqrt() * c.a;
+  return 255.0f * Eigen::Vector4f(root.x(), root.y(), root.z(), c.a);
 }
 
 std::vector<Bound> BindsOf(const SkinMesh& mesh, const SkinnedFigure& figure) {

@@ -12,7 +12,7 @@ namespace hazumi::render {
 struct SkinnedVertex {
   float position[3];
   float normal[3];
-  std::uint8_t tint[4];  // linear colour times share, share; as blended by the weights
+  std::uint8_t tint[4];  // root of linear colour times share, share
 };
 
 // Linear blend skinning: a vertex v of weights w_i, binds B_i is (sum of w_i X_WB_i inverse_bind_i)
