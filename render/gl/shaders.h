@@ -7,8 +7,8 @@ namespace hazumi::render::shaders {
 // the framebuffer, which keeps the cost to once a fragment.
 
 // Solids, lit. a_0 position, a_1 normal (world), a_2 linear colour. With SKIN: a_2 tint (root of
-// linear colour times share, share), a_3 place in the texture; both sides are seen. With SKIN and CUTOUT,
-// the texture's alpha cuts holes.
+// linear colour times share, share), a_3 place in the texture; with TWO_SIDED too, both sides are
+// seen; with CUTOUT too, the texture's alpha cuts holes.
 extern const char* const kSolidVertex;
 extern const char* const kSolidFragment;
 

@@ -22,8 +22,10 @@ in vec2 a_3;
 out vec4 tint;
 out vec2 texture_at;
 #else
-out vec3 shadow;
 flat out vec4 color;
+#endif
+#ifndef TWO_SIDED
+out vec3 shadow;
 #endif
 invariant gl_Position;
 void main() {
@@ -34,8 +36,10 @@ void main() {
   tint = a_2;
   texture_at = a_3;
 #else
-  shadow = (shadow_from_world * vec4(a_0 + shadow_offset_m * a_1, 1.0)).xyz;
   color = a_2;
+#endif
+#ifndef TWO_SIDED
+  shadow = (shadow_from_world * vec4(a_0 + shadow_offset_m * a_1, 1.0)).xyz;
 #endif
 }
 )";
@@ -58,17 +62,19 @@ in vec3 world;
 uniform sampler2D base_texture;
 uniform vec4 base_linear;   // factor on the texture
 uniform float alpha;
-uniform mat4 shadow_from_world;
-uniform float shadow_offset_m;
 in vec4 tint;
 in vec2 texture_at;
 #else
-in vec3 shadow;
 flat in vec4 color;
 #endif
 out vec4 picture;
 
-#ifdef SKIN
+#ifndef TWO_SIDED
+in vec3 shadow;
+#else
+uniform mat4 shadow_from_world;
+uniform float shadow_offset_m;
+
 // The normal on the seen side of the triangle, whichever way its vertices go around; of a surface
 // without normals, the triangle's own.
 vec3 SeenNormal(vec3 v) {
@@ -93,11 +99,13 @@ void main() {
 #ifdef CUTOUT
   if (texel.a < 0.5) discard;
 #endif
-  vec3 n = SeenNormal(v);
-  vec3 shadow = (shadow_from_world * vec4(world + shadow_offset_m * n, 1.0)).xyz;
   // Mixed about as seen: roots are near to displayed colours.
   vec3 root = sqrt(texel.rgb * base_linear.rgb) * (1.0 - tint.a) + tint.rgb;
   vec4 color = vec4(root * root, alpha);
+#endif
+#ifdef TWO_SIDED
+  vec3 n = SeenNormal(v);
+  vec3 shadow = (shadow_from_world * vec4(world + shadow_offset_m * n, 1.0)).xyz;
 #else
   vec3 n = normalize(normal);
 #endif

@@ -5,18 +5,6 @@
 namespace hazumi::render {
 namespace {
 
-std::vector<std::uint32_t> IndicesOf(const SkinModel& model) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(model.num_indices);
-  for (const SkinModel::Part& part : model.parts) {
-    const auto first = static_cast<std::uint32_t>(part.first_vertex);
-    for (const auto& triangle : model.skin->meshes[part.mesh].triangles) {
-      for (const std::uint32_t vertex : triangle) indices.push_back(first + vertex);
-    }
-  }
-  return indices;
-}
-
 std::vector<Eigen::Vector2f> TexturePlacesOf(const SkinModel& model) {
   std::vector<Eigen::Vector2f> places;
   places.reserve(model.num_vertices);
@@ -66,7 +54,7 @@ SkinBuffers::SkinBuffers(const GlFunctions& gl, const std::shared_ptr<const Skin
     : gl_(&gl),
       model_(model),
       texture_places_(Filled(gl, TexturePlacesOf(*model))),
-      indices_(Filled(gl, IndicesOf(*model))) {
+      indices_(Filled(gl, model->indices)) {
   for (const Image& image : model->textures) textures_.push_back(TextureOf(gl, image));
   textures_.push_back(TextureOf(gl, White()));
 }

@@ -1,6 +1,7 @@
 #include "render/gl/skin_pass.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "render/gl/shaders.h"
 
@@ -14,9 +15,10 @@ bool IsGhost(const SkinnedFigure& figure, const SkinModel::Part& part) {
   return figure.AlphaOf(part) < 1.0f;
 }
 
-bool IsCutout(const SkinModel& model, const SkinModel::Part& part) {
-  return part.texture >= 0 && model.is_cutout[static_cast<size_t>(part.texture)] != 0;
-}
+constexpr SkinModel::Surface kSurfaces[] = {SkinModel::Surface::kClosed, SkinModel::Surface::kOpen,
+                                            SkinModel::Surface::kCutout};
+constexpr const char* kDefines[] = {"#define SKIN\n", "#define SKIN\n#define TWO_SIDED\n",
+                                    "#define SKIN\n#define TWO_SIDED\n#define CUTOUT\n"};
 
 }  // namespace
 
@@ -31,17 +33,10 @@ SkinBuffers& SkinPass::BuffersOf(const std::shared_ptr<const SkinModel>& model) 
 void SkinPass::Compile() {
   if (is_compiled_) return;
   is_compiled_ = true;
-  for (const bool is_cutout : {false, true}) {
-    const std::string defines = is_cutout ? "#define SKIN\n#define CUTOUT\n" : "#define SKIN\n";
-    Program(Look::kLit, is_cutout) =
-        ShaderProgram(*gl_, defines, shaders::kSolidVertex, shaders::kSolidFragment);
-    Program(Look::kDepth, is_cutout) =
-        ShaderProgram(*gl_, defines, shaders::kDepthVertex, shaders::kDepthFragment);
+  for (size_t i = 0; i < std::size(kDefines); ++i) {
+    lit_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kSolidVertex, shaders::kSolidFragment);
+    depth_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kDepthVertex, shaders::kDepthFragment);
   }
-}
-
-ShaderProgram& SkinPass::Program(Look look, bool is_cutout) {
-  return programs_[(look == Look::kLit ? 2 : 0) + (is_cutout ? 1 : 0)];
 }
 
 void SkinPass::Upload(const Scene& scene) {
@@ -61,66 +56,72 @@ void SkinPass::Upload(const Scene& scene) {
   gl_->ActiveTexture(GL_TEXTURE0);
 }
 
+void SkinPass::Cull(const SkinModel::Part& part, Side side) const {
+  if (part.surface != Surface::kClosed) return gl_->Disable(GL_CULL_FACE);
+  gl_->Enable(GL_CULL_FACE);
+  gl_->CullFace((side == Side::kSeen) != part.is_mirrored ? GL_BACK : GL_FRONT);
+}
+
 template <typename Visit>
-void SkinPass::ForEachPart(SolidKind kind, bool is_cutout, const Visit& visit) {
+void SkinPass::ForEachPart(SolidKind kind, Surface surface, Side side, const Visit& visit) {
+  gl_->ActiveTexture(kTextureUnit);
   for (const Posed& posed : posed_) {
     posed.buffers->BindPose(posed.pose);
     for (const SkinModel::Part& part : posed.figure->model->parts) {
-      const bool is_wanted = IsGhost(*posed.figure, part) == (kind == SolidKind::kGhost) &&
-                             IsCutout(*posed.figure->model, part) == is_cutout;
-      if (!is_wanted || part.num_indices == 0) continue;
+      const bool is_wanted = IsGhost(*posed.figure, part) == (kind == SolidKind::kGhost);
+      if (!is_wanted || part.surface != surface) continue;
+      Cull(part, side);
       visit(posed, part);
       posed.buffers->DrawPart(part);
     }
   }
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->Enable(GL_CULL_FACE);
+  gl_->CullFace(GL_BACK);
 }
 
-// Pushed away from the light: unlike those of closed solids, the lit sides are drawn as well.
+// Pushed away from the light: of open surfaces, the lit sides are drawn as well.
 void SkinPass::DrawShadow(const ShadowView& shadow) {
   if (posed_.empty()) return;
   gl_->Enable(GL_POLYGON_OFFSET_FILL);
   gl_->PolygonOffset(2.0f, 4.0f);
-  DrawDepth(SolidKind::kOpaque, shadow.clip_from_world);
+  DrawDepth(SolidKind::kOpaque, Side::kAway, shadow.clip_from_world);
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SkinPass::DrawDepth(SolidKind kind, const Mat4& clip_from_world) {
+  DrawDepth(kind, Side::kSeen, clip_from_world);
+}
+
+void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world) {
   if (posed_.empty()) return;
-  gl_->Disable(GL_CULL_FACE);
-  gl_->ActiveTexture(kTextureUnit);
-  for (const bool is_cutout : {false, true}) {
-    const ShaderProgram& program = Program(Look::kDepth, is_cutout);
+  for (const Surface surface : kSurfaces) {
+    const ShaderProgram& program = depth_[static_cast<size_t>(surface)];
     program.Use();
     program.Set("clip_from_world", clip_from_world);
-    if (is_cutout) program.Set("base_texture", kTextureSampler);
-    ForEachPart(kind, is_cutout, [&](const Posed& posed, const SkinModel::Part& part) {
-      if (is_cutout) posed.buffers->BindTexture(part);
+    if (surface == Surface::kCutout) program.Set("base_texture", kTextureSampler);
+    ForEachPart(kind, surface, side, [&](const Posed& posed, const SkinModel::Part& part) {
+      if (surface == Surface::kCutout) posed.buffers->BindTexture(part);
     });
   }
-  gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->Enable(GL_CULL_FACE);
 }
 
 void SkinPass::DrawLit(SolidKind kind, const Scene& scene, const FrameView& view) {
   if (posed_.empty()) return;
-  gl_->Disable(GL_CULL_FACE);
-  gl_->ActiveTexture(kTextureUnit);
-  for (const bool is_cutout : {false, true}) {
-    const ShaderProgram& program = Program(Look::kLit, is_cutout);
+  for (const Surface surface : kSurfaces) {
+    const ShaderProgram& program = lit_[static_cast<size_t>(surface)];
     program.Use();
     SetSolidLight(program, scene, view);
     program.Set("ghost", kind == SolidKind::kGhost ? 1.0f : 0.0f);
     program.Set("shadow_map", 0);
     program.Set("base_texture", kTextureSampler);
-    ForEachPart(kind, is_cutout, [&](const Posed& posed, const SkinModel::Part& part) {
+    ForEachPart(kind, surface, Side::kSeen, [&](const Posed& posed, const SkinModel::Part& part) {
       const std::array<float, 4>& c = part.base_color;
       program.Set("base_linear", LinearColor{c[0], c[1], c[2], c[3]});
       program.Set("alpha", posed.figure->AlphaOf(part));
       posed.buffers->BindTexture(part);
     });
   }
-  gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->Enable(GL_CULL_FACE);
 }
 
 }  // namespace hazumi::render

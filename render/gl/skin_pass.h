@@ -10,8 +10,7 @@
 
 namespace hazumi::render {
 
-// Draws the skins of a frame, in the passes of the other solids. Both sides of a triangle are seen:
-// capes and skirts are often one layer.
+// Draws the skins of a frame, in the passes of the other solids.
 class SkinPass {
  public:
   SkinPass() = default;
@@ -33,16 +32,19 @@ class SkinPass {
     SkinBuffers* buffers;
     size_t pose;
   };
-  enum class Look { kLit, kDepth };
+  using Surface = SkinModel::Surface;
+  enum class Side { kSeen, kAway };  // of closed surfaces
 
   SkinBuffers& BuffersOf(const std::shared_ptr<const SkinModel>& model);
   void Compile();
+  void DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world);
   template <typename Visit>
-  void ForEachPart(SolidKind kind, bool is_cutout, const Visit& visit);
-  ShaderProgram& Program(Look look, bool is_cutout);
+  void ForEachPart(SolidKind kind, Surface surface, Side side, const Visit& visit);
+  // Leaves out the sides that are not to be seen.
+  void Cull(const SkinModel::Part& part, Side side) const;
 
   const GlFunctions* gl_ = nullptr;
-  std::array<ShaderProgram, 4> programs_;  // compiled for the first skin
+  std::array<ShaderProgram, 3> lit_, depth_;  // by Surface; compiled for the first skin
   bool is_compiled_ = false;
   std::vector<std::unique_ptr<SkinBuffers>> buffers_;
   std::vector<Posed> posed_;

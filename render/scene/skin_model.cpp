@@ -1,10 +1,12 @@
 #include "render/scene/skin_model.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
 #include "render/image/decode.h"
+#include "render/scene/skin_surface.h"
 
 namespace hazumi::render {
 namespace {
@@ -38,22 +40,45 @@ void DecodeTextures(SkinModel* model) {
                                             std::to_string(kMostTexturePixels) + " pixels"});
       decoded = Image();
     }
-    model->is_cutout.push_back(CutsHoles(decoded));
     model->textures.push_back(std::move(decoded));
   }
 }
 
-SkinModel::Part PartOf(const SkinModel& model, size_t mesh_index) {
-  const SkinMesh& mesh = model.skin->meshes[mesh_index];
+SkinModel::Part PartOf(const SkinModel& model, const SkinMesh& mesh) {
   const Material material =
       mesh.material < 0 ? Material() : model.skin->materials[static_cast<size_t>(mesh.material)];
-  SkinModel::Part part{mesh_index,          model.num_vertices,
-                       model.num_indices,   3 * mesh.triangles.size(),
-                       material.base_color, material.texture};
+  SkinModel::Part part;
+  part.base_color = material.base_color;
+  part.texture = material.texture;
   const bool has_texture = part.texture >= 0 && !mesh.texture_coordinates.empty() &&
                            model.textures[static_cast<size_t>(part.texture)].width > 0;
   if (!has_texture) part.texture = -1;
+  part.is_mirrored =
+      !mesh.binds.empty() && mesh.binds[0].inverse_bind.topLeftCorner<3, 3>().determinant() < 0.0;
   return part;
+}
+
+void AddPart(const std::vector<std::uint32_t>& indices, SkinModel::Surface surface,
+             SkinModel::Part part, SkinModel* model) {
+  if (indices.empty()) return;
+  part.surface = surface;
+  part.first_index = model->indices.size();
+  part.num_indices = indices.size();
+  for (const std::uint32_t i : indices) {
+    model->indices.push_back(static_cast<std::uint32_t>(model->num_vertices) + i);
+  }
+  model->parts.push_back(part);
+}
+
+void AddParts(const SkinMesh& mesh, SkinModel* model) {
+  using Surface = SkinModel::Surface;
+  const SkinModel::Part part = PartOf(*model, mesh);
+  const SkinSurface surface = SplitSurface(mesh);
+  const bool has_holes =
+      part.texture >= 0 && CutsHoles(model->textures[static_cast<size_t>(part.texture)]);
+  AddPart(surface.closed, has_holes ? Surface::kCutout : Surface::kClosed, part, model);
+  AddPart(surface.open, has_holes ? Surface::kCutout : Surface::kOpen, part, model);
+  model->num_vertices += mesh.positions.size();
 }
 
 // Vertices that no triangle uses are not seen and must not enlarge what is.
@@ -97,11 +122,7 @@ Result<std::shared_ptr<const SkinModel>> MakeSkinModel(std::shared_ptr<const Ski
   auto model = std::make_shared<SkinModel>();
   model->skin = std::move(skin);
   DecodeTextures(model.get());
-  for (size_t i = 0; i < model->skin->meshes.size(); ++i) {
-    model->parts.push_back(PartOf(*model, i));
-    model->num_vertices += model->skin->meshes[i].positions.size();
-    model->num_indices += model->parts.back().num_indices;
-  }
+  for (const SkinMesh& mesh : model->skin->meshes) AddParts(mesh, model.get());
   FindBoxes(model.get());
   return std::shared_ptr<const SkinModel>(std::move(model));
 }

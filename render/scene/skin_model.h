@@ -26,19 +26,25 @@ struct Extent {
 // A skin made ready for drawing: checked, textures decoded, sizes found. Immutable, made once for a
 // skin and shared by all its pictures; what a renderer keeps for it goes when it goes.
 struct SkinModel {
-  // The triangles of a mesh, in the skin's indices and vertices counted over all meshes.
+  enum class Surface {
+    kClosed,  // only its outer side is seen
+    kOpen,    // both sides are (skin_surface.h)
+    kCutout,  // so, with holes where the texture is clear
+  };
+  // Triangles of a mesh that are drawn alike.
   struct Part {
-    size_t mesh = 0;
-    size_t first_vertex = 0, first_index = 0, num_indices = 0;
+    size_t first_index = 0, num_indices = 0;
+    Surface surface = Surface::kOpen;
+    bool is_mirrored = false;         // the binds turn the winding around
     std::array<float, 4> base_color;  // linear RGB, alpha
     int texture = -1;                 // one that has pixels, or none
   };
 
   std::shared_ptr<const Skin> skin;
-  std::vector<Part> parts;      // by Skin::meshes
-  std::vector<Image> textures;  // by Skin::textures; without pixels: could not be read
-  std::vector<char> is_cutout;  // by texture: its alpha cuts holes
-  size_t num_vertices = 0, num_indices = 0;
+  std::vector<Part> parts;
+  std::vector<std::uint32_t> indices;  // in threes; vertices counted over all meshes
+  std::vector<Image> textures;         // by Skin::textures; without pixels: could not be read
+  size_t num_vertices = 0;
   // By bone, in its frame: what it moves at all, and what it moves more than other bones do.
   std::vector<Extent> reach, bulk;
   std::vector<Warning> warnings;  // textures that could not be read: their colour is used alone
