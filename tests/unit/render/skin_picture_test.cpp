@@ -105,6 +105,89 @@ TEST_F(SkinPicture, GhostsLetTheBackgroundThroughAndTintsShow) {
   EXPECT_TRUE(IsGreen(At(tinted, 68, 66)));
 }
 
+// A box of 0.5 m around the origin of the bone "lower", with flat faces; its normals are outward.
+std::shared_ptr<Skin> BoxSkin() {
+  auto skin = std::make_shared<Skin>(*TubeSkin(kLength, 8, 2));
+  skin->materials[0] = {"red", {0.6f, 0.02f, 0.02f, 1.0f}, -1};
+  SkinMesh mesh;
+  mesh.material = 0;
+  mesh.binds.resize(1);
+  for (int face = 0; face < 6; ++face) {
+    const int k = face / 2, i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      Eigen::Vector3f p, n = Eigen::Vector3f::Zero();
+      n[k] = face % 2 == 0 ? 1.0f : -1.0f;
+      p[k] = n[k], p[i] = float(a), p[j] = float(b);
+      mesh.positions.push_back(0.25f * p);
+      mesh.normals.push_back(n);
+      mesh.bind_indices.push_back({});
+      mesh.weights.push_back({1, 0, 0, 0});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  skin->meshes = {mesh};
+  return skin;
+}
+
+Scene BoxScene(const std::shared_ptr<const Skin>& skin) {
+  SkinnedFigure figure = RestingTube(ModelOf(skin), kLength);
+  figure.X_WB[0].p = {0, 0, 1};
+  return SceneOf(figure);
+}
+
+// All the other way around first; then a mirror, which turns them once more.
+TEST_F(SkinPicture, ClosedPiecesAreSeenFromOutsideHoweverTheyAreWoundOrMirrored) {
+  const auto skin = BoxSkin();
+  auto facing = std::make_shared<Skin>(*skin);
+  for (size_t i = 0; i < facing->meshes[0].triangles.size(); ++i) {
+    auto& t = facing->meshes[0].triangles[i];
+    if (i / 2 % 2 == 1) std::swap(t[1], t[2]);
+  }
+  const auto model = ModelOf(facing);
+  ASSERT_EQ(model->parts.size(), 1u);
+  EXPECT_EQ(model->parts[0].surface, SkinModel::Surface::kClosed);
+  const Image image = Draw(BoxScene(facing));
+  const Pixel lit = At(image, 64, 48);
+  EXPECT_GT(lit.r, 180);
+  for (auto& t : facing->meshes[0].triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(Draw(BoxScene(facing)).rgba, image.rgba);
+  facing->meshes[0].binds[0].inverse_bind(1, 1) = -1.0;
+  EXPECT_NEAR(At(Draw(BoxScene(facing)), 64, 48).r, lit.r, 1);
+}
+
+TEST_F(SkinPicture, ATubeWithoutEndsShowsItsInside) {
+  const auto model = ModelOf(TubeSkin(kLength, 32, 20));
+  ASSERT_EQ(model->parts.size(), 1u);
+  EXPECT_EQ(model->parts[0].surface, SkinModel::Surface::kOpen);
+  Scene scene = SceneOf(RestingTube(model, kLength));
+  scene.camera.eye = {0.5, 0, 4.0};  // from above, into it
+  scene.camera.target = {0, 0, 1.8};
+  const Pixel p = At(Draw(scene), 64, 48);
+  EXPECT_GT(p.g, p.b + 60);  // where green and yellow meet
+}
+
+// The clear right half of the texture lets the background through; alpha that is nowhere clear is
+// no hole.
+TEST_F(SkinPicture, ClearTexelsAreHoles) {
+  auto skin = std::make_shared<Skin>(*TubeSkin(kLength, 32, 20));
+  skin->meshes[0].texture_coordinates.clear();
+  for (const Eigen::Vector3f& p : skin->meshes[0].positions) {
+    skin->meshes[0].texture_coordinates.push_back({p.y() > 0.0f ? 0.75f : 0.25f, 0.5f});
+  }
+  // A PNG of two pixels, RGBA: green that is opaque and green that is clear.
+  skin->textures[0].encoded = {
+      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
+      0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x06, 0x00, 0x00, 0x00, 0xf4,
+      0x22, 0x7f, 0x8a, 0x00, 0x00, 0x00, 0x0f, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0x60,
+      0x38, 0xc1, 0xf0, 0x1f, 0x88, 0x19, 0x00, 0x0c, 0xd4, 0x02, 0x90, 0x08, 0x92, 0xb0, 0x37,
+      0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  const Image image = Draw(SceneOf(RestingTube(ModelOf(skin), kLength)));
+  EXPECT_TRUE(IsGreen(At(image, 58, 48)));
+  EXPECT_FALSE(IsGreen(At(image, 71, 48)));
+}
+
 // It is darker below the tube than beside it.
 TEST_F(SkinPicture, ThrowsAShadowOnTheGround) {
   Scene scene = SceneOf(RestingTube(ModelOf(TubeSkin(kLength, 32, 20)), kLength));
