@@ -1,6 +1,9 @@
 #include "render/gl/skin_buffers.h"
 
+#include <algorithm>
 #include <cstddef>
+
+#include "render/image/halve.h"
 
 namespace hazumi::render {
 namespace {
@@ -26,10 +29,19 @@ GlBuffer Filled(const GlFunctions& gl, const std::vector<T>& data) {
   return buffer;
 }
 
+// As large as the driver takes.
+Image Fitting(const GlFunctions& gl, Image image) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  while (std::max(image.width, image.height) > std::max(most, 1)) image = Halved(image);
+  return image;
+}
+
 // Repeats in both directions. Read as linear colour; the fourth component as it is.
-GlTexture TextureOf(const GlFunctions& gl, const Image& image) {
+GlTexture TextureOf(const GlFunctions& gl, const Image& whole) {
   GlTexture texture(gl);
-  if (image.width == 0) return texture;
+  if (whole.width == 0) return texture;
+  const Image image = Fitting(gl, whole);
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA,

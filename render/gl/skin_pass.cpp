@@ -57,8 +57,8 @@ void SkinPass::Upload(const Scene& scene) {
 }
 
 void SkinPass::Cull(const SkinModel::Part& part, Side side) const {
-  if (part.surface != Surface::kClosed) return gl_->Disable(GL_CULL_FACE);
-  gl_->Enable(GL_CULL_FACE);
+  const bool is_closed = part.surface == Surface::kClosed;
+  is_closed ? gl_->Enable(GL_CULL_FACE) : gl_->Disable(GL_CULL_FACE);
   gl_->CullFace((side == Side::kSeen) != part.is_mirrored ? GL_BACK : GL_FRONT);
 }
 

@@ -26,21 +26,25 @@ bool CutsHoles(const Image& image) {
   return clear * 200 > texels && opaque * 200 > texels;
 }
 
+// `pixels`: of the textures before.
+Result<Image> Decoded(const Texture& texture, std::int64_t pixels) {
+  if (pixels > kMostTexturePixels) {
+    return Error{ErrorCode::kSemantics, "", "",
+                 "is left out: the textures before it have more than " +
+                     std::to_string(kMostTexturePixels) + " pixels; make them smaller"};
+  }
+  return DecodeImage(texture.encoded);
+}
+
 void DecodeTextures(SkinModel* model) {
   std::int64_t pixels = 0;
   for (size_t i = 0; i < model->skin->textures.size(); ++i) {
     const Texture& texture = model->skin->textures[i];
-    Result<Image> image = DecodeImage(texture.encoded);
+    Result<Image> image = Decoded(texture, pixels);
     const std::string place = "textures[" + std::to_string(i) + "] " + texture.name;
     if (!image.ok()) model->warnings.push_back({place, image.error().message});
-    Image decoded = image.ok() ? std::move(image).value() : Image();
-    pixels += std::int64_t{decoded.width} * decoded.height;
-    if (pixels > kMostTexturePixels) {
-      model->warnings.push_back({place, "is left out: all textures together may have " +
-                                            std::to_string(kMostTexturePixels) + " pixels"});
-      decoded = Image();
-    }
-    model->textures.push_back(std::move(decoded));
+    model->textures.push_back(image.ok() ? std::move(image).value() : Image());
+    pixels += std::int64_t{model->textures.back().width} * model->textures.back().height;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 
+#include "render/image/halve.h"
 #include "render/image/png.h"
 
 namespace hazumi::render {
@@ -135,6 +136,16 @@ TEST(DecodeImage, SurvivesAnyChangedByte) {
                 size_t{4} * decoded.value().width * decoded.value().height);
     }
   }
+}
+
+TEST(Halved, IsTheMeanOfFourPixelsAndKeepsOne) {
+  Image image(3, 1);  // the third column of an odd width is dropped
+  image.rgba = {0, 100, 0, 255, 50, 200, 0, 255, 9, 9, 9, 9};
+  const Image half = Halved(image);
+  ASSERT_EQ(half.width, 1);
+  ASSERT_EQ(half.height, 1);
+  EXPECT_EQ(half.rgba, (Bytes{25, 150, 0, 255}));
+  EXPECT_EQ(Halved(half).rgba, half.rgba);
 }
 
 TEST(DecodeImage, RefusesPicturesTooLargeForMemoryBeforeTakingIt) {
