@@ -13,6 +13,7 @@
 #include "app/cli/version.h"
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
+#include "render/motion/figure_skin.h"
 #include "render/motion/framing.h"
 #include "render/motion/motion_scene.h"
 #include "render/pipeline/sequence.h"
@@ -139,9 +140,14 @@ int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Optio
   overlays.contact_marks = options.marks;
   overlays.region_tint = options.tint;
   overlays.frame_number = options.frame_number;
+  render::SkinCache skins;
+  const Result<render::FigureSkin> skin =
+      skins.On(*baked.animation.figure, baked.project.skin.skin);
+  if (!skin.ok()) return Complain(skin.error());
+  if (skin.value()) PrintWarnings(options.files[0], skin.value().model->warnings);
   Pictures pictures{baked, frames, names.value(),
                     render::MotionScene(baked.animation, baked.motion, path_motion.value(),
-                                        CameraFor(baked, options), overlays),
+                                        CameraFor(baked, options), overlays, skin.value()),
                     Progress("render", frames.last - frames.first + 1)};
   const Result<int> written = RenderSequence(SettingsFrom(options), SequenceOf(&pictures));
   pictures.progress.Finish();

@@ -34,6 +34,7 @@ FrameDrawer::FrameDrawer(const GlFunctions& gl, const RendererOptions& options)
       solid_stream_(gl, {3, 3, 4}),
       sky_stream_(gl, {2, 3}),
       flat_stream_(gl, {3, 2, 4}),
+      skins_(gl),
       ground_(gl),
       shadow_map_(gl, options_.shadow_map_px) {
   gl.Enable(GL_CULL_FACE);
@@ -61,10 +62,12 @@ void FrameDrawer::Draw(const Scene& scene, GLuint framebuffer) {
   const MarkMeshes marks = BuildMarks(scene, Projector(scene.camera, target_.size()));
   gl_.Enable(GL_DEPTH_TEST);
   UploadSolids(scene, SolidKind::kOpaque);
+  skins_.Upload(scene);
   DrawShadowMap(view.shadow);
   target_.Begin(scene.sky.horizon);
   gl_.BindTexture(GL_TEXTURE_2D, shadow_map_.texture());
   DrawSolids(scene, view, false);
+  skins_.DrawLit(SolidKind::kOpaque, scene, view);
   DrawSurroundings(scene, view, casters);
   DrawFlat(marks.hidden_by_solids, true);
   DrawGhosts(scene, view);
@@ -83,7 +86,9 @@ void FrameDrawer::UploadSolids(const Scene& scene, SolidKind kind) {
 // Draws the sides away from the light: what faces the light is then never shadowed by itself.
 void FrameDrawer::DrawShadowMap(const ShadowView& shadow) {
   shadow_map_.Begin();
-  if (!options_.shadow || solid_mesh_.indices.empty()) return;
+  if (!options_.shadow) return;
+  skins_.DrawShadow(shadow);
+  if (solid_mesh_.indices.empty()) return;
   depth_.Use();
   depth_.Set("clip_from_world", shadow.clip_from_world);
   gl_.CullFace(GL_FRONT);
@@ -112,14 +117,16 @@ void FrameDrawer::DrawSurroundings(const Scene& scene, const FrameView& view,
 // First only their depth, then the nearest surface: a ghost does not show its own inside.
 void FrameDrawer::DrawGhosts(const Scene& scene, const FrameView& view) {
   UploadSolids(scene, SolidKind::kGhost);
-  if (solid_mesh_.indices.empty()) return;
+  if (solid_mesh_.indices.empty() && !skins_.has_ghosts()) return;
   gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   depth_.Use();
   depth_.Set("clip_from_world", view.clip_from_world);
   solid_stream_.DrawIndexedTriangles();
+  skins_.DrawDepth(SolidKind::kGhost, view.clip_from_world);
   gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.Enable(GL_BLEND);
   DrawSolids(scene, view, true);
+  skins_.DrawLit(SolidKind::kGhost, scene, view);
   gl_.Disable(GL_BLEND);
 }
 

@@ -5,6 +5,7 @@
 #include "render/gl/picture_target.h"
 #include "render/gl/renderer.h"
 #include "render/gl/shadow_map.h"
+#include "render/gl/skin_pass.h"
 #include "render/gl/vertex_stream.h"
 #include "render/mesh/mark_mesh.h"
 #include "render/mesh/solid_mesh.h"
@@ -35,6 +36,7 @@ class FrameDrawer {
   ShaderProgram solid_, depth_, sky_, flat_;
   VertexStream solid_stream_, sky_stream_, flat_stream_;
   SolidMesh solid_mesh_;
+  SkinPass skins_;
   GroundPass ground_;
   ShadowMap shadow_map_;
   PictureTarget target_;

@@ -8,8 +8,8 @@
 
 namespace hazumi::render {
 
-// A linked program. Vertex attributes 0, 1, 2 are a_0, a_1, a_2. A source that does not compile is
-// our bug: it stops the program with the driver's message.
+// A linked program. Vertex attributes 0, 1, 2, 3 are a_0, a_1, a_2, a_3. A source that does not
+// compile is our bug: it stops the program with the driver's message.
 class ShaderProgram {
  public:
   ShaderProgram() = default;

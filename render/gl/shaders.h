@@ -6,11 +6,13 @@ namespace hazumi::render::shaders {
 // named *_srgb are written as they are; the picture is stored sRGB-encoded and is never encoded by
 // the framebuffer, which keeps the cost to once a fragment.
 
-// Solids, lit. a_0 position, a_1 normal (world), a_2 linear colour.
+// Solids, lit. a_0 position, a_1 normal (world), a_2 linear colour. With SKIN: a_2 tint (root of
+// linear colour times share, share), a_3 place in the texture; with TWO_SIDED too, both sides are
+// seen; with CUTOUT too, the texture's alpha cuts holes.
 extern const char* const kSolidVertex;
 extern const char* const kSolidFragment;
 
-// Solids, depth only.
+// Solids, depth only. With SKIN and CUTOUT as above.
 extern const char* const kDepthVertex;
 extern const char* const kDepthFragment;
 

@@ -17,15 +17,30 @@ in vec3 a_1;
 in vec4 a_2;
 out vec3 normal;
 out vec3 world;
-out vec3 shadow;
+#ifdef SKIN
+in vec2 a_3;
+out vec4 tint;
+out vec2 texture_at;
+#else
 flat out vec4 color;
+#endif
+#ifndef TWO_SIDED
+out vec3 shadow;
+#endif
 invariant gl_Position;
 void main() {
   gl_Position = clip_from_world * vec4(a_0, 1.0);
   normal = a_1;
   world = a_0;
-  shadow = (shadow_from_world * vec4(a_0 + shadow_offset_m * a_1, 1.0)).xyz;
+#ifdef SKIN
+  tint = a_2;
+  texture_at = a_3;
+#else
   color = a_2;
+#endif
+#ifndef TWO_SIDED
+  shadow = (shadow_from_world * vec4(a_0 + shadow_offset_m * a_1, 1.0)).xyz;
+#endif
 }
 )";
 
@@ -43,9 +58,32 @@ uniform float ground_height;
 uniform float ghost;        // 1: see-through in the middle, denser at the rim
 in vec3 normal;
 in vec3 world;
-in vec3 shadow;
+#ifdef SKIN
+uniform sampler2D base_texture;
+uniform vec4 base_linear;   // factor on the texture
+uniform float alpha;
+in vec4 tint;
+in vec2 texture_at;
+#else
 flat in vec4 color;
+#endif
 out vec4 picture;
+
+#ifndef TWO_SIDED
+in vec3 shadow;
+#else
+uniform mat4 shadow_from_world;
+uniform float shadow_offset_m;
+
+// The normal on the seen side of the triangle, whichever way its vertices go around; of a surface
+// without normals, the triangle's own.
+vec3 SeenNormal(vec3 v) {
+  vec3 facet = cross(dFdx(world), dFdy(world));
+  facet *= dot(facet, v) < 0.0 ? -1.0 : 1.0;
+  if (dot(normal, normal) < 1e-4) return normalize(facet);
+  return normalize(normal) * (dot(normal, facet) < 0.0 ? -1.0 : 1.0);
+}
+#endif
 
 // Linear to sRGB by a fit in roots, within 0.1 % of the exact curve.
 vec3 Encode(vec3 c) {
@@ -55,7 +93,22 @@ vec3 Encode(vec3 c) {
 }
 
 void main() {
-  vec3 n = normalize(normal), v = normalize(eye.xyz - world);
+  vec3 v = normalize(eye.xyz - world);
+#ifdef SKIN
+  vec4 texel = texture(base_texture, texture_at);
+#ifdef CUTOUT
+  if (texel.a < 0.5) discard;
+#endif
+  // Mixed about as seen: roots are near to displayed colours.
+  vec3 root = sqrt(texel.rgb * base_linear.rgb) * (1.0 - tint.a) + tint.rgb;
+  vec4 color = vec4(root * root, alpha);
+#endif
+#ifdef TWO_SIDED
+  vec3 n = SeenNormal(v);
+  vec3 shadow = (shadow_from_world * vec4(world + shadow_offset_m * n, 1.0)).xyz;
+#else
+  vec3 n = normalize(normal);
+#endif
   float facing = dot(n, to_light.xyz);
   float lit = texture(shadow_map, shadow) * smoothstep(-0.05, 0.25, facing);
   float wrap = clamp(0.86 * facing + 0.14, 0.0, 1.0);
@@ -77,10 +130,29 @@ void main() {
 const char* const kDepthVertex = R"(
 uniform mat4 clip_from_world;
 in vec3 a_0;
+#ifdef CUTOUT
+in vec2 a_3;
+out vec2 texture_at;
+#endif
 invariant gl_Position;
-void main() { gl_Position = clip_from_world * vec4(a_0, 1.0); }
+void main() {
+  gl_Position = clip_from_world * vec4(a_0, 1.0);
+#ifdef CUTOUT
+  texture_at = a_3;
+#endif
+}
 )";
 
-const char* const kDepthFragment = "void main() {}\n";
+const char* const kDepthFragment = R"(
+#ifdef CUTOUT
+uniform sampler2D base_texture;
+in vec2 texture_at;
+#endif
+void main() {
+#ifdef CUTOUT
+  if (texture(base_texture, texture_at).a < 0.5) discard;
+#endif
+}
+)";
 
 }  // namespace hazumi::render::shaders

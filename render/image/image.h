@@ -6,8 +6,8 @@
 
 namespace hazumi::render {
 
-// A picture in memory: 4 bytes a pixel (sRGB-encoded red, green, blue; the fourth is ignored), rows
-// from the top without gaps.
+// A picture in memory: 4 bytes a pixel (sRGB-encoded red, green, blue; the fourth is alpha in
+// what was decoded and ignored in what is written), rows from the top without gaps.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;

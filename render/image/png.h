@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ Result<std::vector<std::uint8_t>> EncodePng(const Image& image, const std::vecto
 // Encodes and writes atomically (engine/base/atomic_file.h).
 Result<Done> WritePng(const std::filesystem::path& path, const Image& image,
                       const std::vector<PngText>& texts);
+
+// The picture in the bytes of any PNG as 8-bit RGBA, at most as large as decode.h allows; `texts`
+// (optional) receives its text chunks. Fails with kSyntax.
+Result<Image> DecodePng(std::span<const std::uint8_t> file, std::vector<PngText>* texts = nullptr);
 
 // Reads back any PNG as 8-bit RGBA; `texts` (optional) receives its text chunks.
 // Fails with kNoInput (cannot be read) or kSyntax (not a PNG).

@@ -1,36 +1,67 @@
+// libpng reports errors by longjmp: between setjmp and its calls nothing lives on the stack that
+// needs a destructor.
+
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
-#include <cstdio>
-#include <memory>
+#include <fstream>
+#include <iterator>
 
+#include "render/image/decode.h"
 #include "render/image/png.h"
 
 namespace hazumi::render {
 namespace {
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+struct DecodeJob {
+  std::span<const std::uint8_t> rest;
+  char problem[128] = "";
+  std::string size_problem;
+  Image image;
+  std::vector<png_bytep> rows;
 };
 
-void OnError(png_structp png, png_const_charp) { std::longjmp(png_jmpbuf(png), 1); }
+void OnError(png_structp png, png_const_charp message) {
+  auto* job = static_cast<DecodeJob*>(png_get_error_ptr(png));
+  std::snprintf(job->problem, sizeof(job->problem), "%s", message);
+  std::longjmp(png_jmpbuf(png), 1);
+}
+
 void OnWarning(png_structp, png_const_charp) {}
 
-bool ReadPixels(png_structp png, png_infop info, std::FILE* file, Image& image) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_init_io(png, file);
-  png_read_info(png, info);
+void OnRead(png_structp png, png_bytep to, size_t size) {
+  auto* job = static_cast<DecodeJob*>(png_get_io_ptr(png));
+  if (size > job->rest.size()) png_error(png, "it ends too early");
+  std::copy_n(job->rest.begin(), size, to);
+  job->rest = job->rest.subspan(size);
+}
+
+// To 8-bit RGBA, whatever the file holds.
+void AskForRgba(png_structp png, png_infop info) {
   png_set_expand(png);
   png_set_strip_16(png);
   png_set_gray_to_rgb(png);
   png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  png_set_interlace_handling(png);
   png_read_update_info(png, info);
-  image = Image(static_cast<int>(png_get_image_width(png, info)),
-                static_cast<int>(png_get_image_height(png, info)));
-  const size_t stride = static_cast<size_t>(image.width) * 4;
-  for (int row = 0; row < image.height; ++row) {
-    png_read_row(png, image.rgba.data() + row * stride, nullptr);
+}
+
+bool ReadPixels(png_structp png, png_infop info, DecodeJob* job) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);  // ComplaintOnSize has a better message
+  png_set_read_fn(png, job, OnRead);
+  png_read_info(png, info);
+  const png_uint_32 width = png_get_image_width(png, info);
+  const png_uint_32 height = png_get_image_height(png, info);
+  job->size_problem = ComplaintOnSize(width, height);
+  if (!job->size_problem.empty()) return false;
+  AskForRgba(png, info);
+  job->image = Image(static_cast<int>(width), static_cast<int>(height));
+  for (size_t row = 0; row < height; ++row) {
+    job->rows.push_back(job->image.rgba.data() + row * width * 4);
   }
+  png_read_image(png, job->rows.data());
   png_read_end(png, info);
   return true;
 }
@@ -43,17 +74,31 @@ void CopyTexts(png_structp png, png_infop info, std::vector<PngText>& texts) {
 
 }  // namespace
 
-Result<Image> ReadPng(const std::filesystem::path& path, std::vector<PngText>* texts) {
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-  if (!file) return Error{ErrorCode::kNoInput, path.string(), "", "the file cannot be opened"};
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, OnError, OnWarning);
+Result<Image> DecodePng(std::span<const std::uint8_t> file, std::vector<PngText>* texts) {
+  DecodeJob job;
+  job.rest = file;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, OnError, OnWarning);
   png_infop info = png_create_info_struct(png);
-  Image image;
-  const bool read = ReadPixels(png, info, file.get(), image);
+  const bool read = ReadPixels(png, info, &job);
   if (read && texts != nullptr) CopyTexts(png, info, *texts);
   png_destroy_read_struct(&png, &info, nullptr);
-  if (!read) return Error{ErrorCode::kSyntax, path.string(), "", "the file is not a whole PNG"};
-  return image;
+  if (read) return std::move(job.image);
+  if (!job.size_problem.empty()) return Error{ErrorCode::kSyntax, "", "", job.size_problem};
+  return Error{ErrorCode::kSyntax, "", "",
+               std::string("the file is not a whole PNG (") + job.problem +
+                   "); save it anew with another program"};
+}
+
+Result<Image> ReadPng(const std::filesystem::path& path, std::vector<PngText>* texts) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{ErrorCode::kNoInput, path.string(), "", "the file cannot be opened"};
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  Result<Image> image =
+      DecodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, texts);
+  if (image.ok()) return image;
+  Error error = image.error();
+  error.file = path.string();
+  return error;
 }
 
 }  // namespace hazumi::render

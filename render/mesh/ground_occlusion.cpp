@@ -32,6 +32,16 @@ Blocker LongestAxis(const Pose& X, const Vec3& half, double ground_height) {
   return MakeBlocker(X.p - arm, X.p + arm, radius, radius, ground_height);
 }
 
+// What a bone moves covers about as much as the capsule along its box.
+void AddSkin(const SkinnedFigure& figure, double ground_height, std::vector<Blocker>* all) {
+  for (size_t i = 0; i < figure.model->bulk.size(); ++i) {
+    const Extent& box = figure.model->bulk[i];
+    if (box.is_empty()) continue;
+    const Pose& X_WB = figure.X_WB[i];
+    all->push_back(LongestAxis({X_WB.R, X_WB * box.center()}, box.half_size(), ground_height));
+  }
+}
+
 bool Matters(const Blocker& b) {
   const float lowest = std::min(b.a.z(), b.a.z() + b.ab.z());
   const float radius = std::max(b.radius_a, b.radius_a + b.radius_slope);
@@ -49,6 +59,9 @@ std::vector<Blocker> Blockers(const Scene& scene) {
   }
   for (const BoxShape& b : scene.boxes) {
     if (b.color.a >= 1.0f) all.push_back(LongestAxis(b.X_WB, b.half_size, height));
+  }
+  for (const SkinnedFigure& skin : scene.skins) {
+    if (skin.alpha >= 1.0f) AddSkin(skin, height, &all);
   }
   std::erase_if(all, [](const Blocker& b) { return !Matters(b); });
   return all;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
@@ -15,8 +16,12 @@ constexpr SrgbColor kRegionAccent = FromHex(0x2f8fff);
 constexpr SrgbColor kHighlight = FromHex(0xffbe33);
 constexpr SrgbColor kComPath = FromHex(0xffbe33);
 constexpr SrgbColor kPinMark = FromHex(0xff3352);
+constexpr SrgbColor kBoneLine = FromHex(0xf4f6f8, 0.9f);
+constexpr float kRegionShare = 0.45f, kHighlightShare = 0.5f;
 constexpr float kGhostAlpha = 0.16f;
-constexpr double kLift = 0.004;  // of flat marks above the ground [m]
+constexpr float kSkinOverLinksAlpha = 0.35f;
+constexpr double kShortestBone = 1e-6;  // hinges of one group are in one place [m]
+constexpr double kLift = 0.004;         // of flat marks above the ground [m]
 
 SrgbColor Mix(const SrgbColor& a, const SrgbColor& b, float share_of_b) {
   const float s = share_of_b, r = 1.0f - s;
@@ -51,12 +56,14 @@ std::vector<Look> LooksOf(const Link& link) {
 }
 
 MotionScene::MotionScene(const Animation& animation, const Motion& motion,
-                         const Motion& path_motion, const Camera& camera, const Overlays& overlays)
+                         const Motion& path_motion, const Camera& camera, const Overlays& overlays,
+                         FigureSkin skin)
     : animation_(animation),
       motion_(motion),
       path_motion_(path_motion),
       camera_(camera),
       overlays_(overlays),
+      skin_(std::move(skin)),
       ws_(*animation.figure) {
   if (overlays_.paths) CollectPaths();
 }
@@ -69,6 +76,7 @@ Scene MotionScene::At(int index) {
   AddFigure(frame, 1.0f, overlays_.region_tint, &scene);
   AddHeldObjects(frame, 1.0f, &scene);
   if (overlays_.ghost_every > 0) AddGhosts(index, &scene);
+  if (overlays_.bones) AddBones(frame, &scene);
   if (overlays_.paths) AddPaths(frame.com, &scene);
   if (overlays_.contact_marks) AddContactMark(frame, &scene);
   if (overlays_.frame_number) {
@@ -84,18 +92,65 @@ void MotionScene::AddWorld(Scene* scene) const {
 
 void MotionScene::AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene) {
   ComputePositions(*animation_.figure, frame.X_WR, frame.q, &ws_);
+  if (skin_ && overlays_.look != FigureLook::kLinks) {
+    const bool shows_links = overlays_.look == FigureLook::kLinksInSkin;
+    AddSkin(frame, shows_links ? alpha * kSkinOverLinksAlpha : alpha, tint, scene);
+    if (!shows_links) return;
+  }
+  AddLinks(frame, alpha, tint, scene);
+}
+
+void MotionScene::AddLinks(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const {
   for (const Link& link : animation_.figure->links()) {
     const BodyScratch& body = ws_.body(link.joint);
-    const bool tinted = tint && link.joint.is_valid() && frame.in_region[link.joint.value()];
-    const bool is_highlighted = alpha == 1.0f && IsHighlighted(link.joint);
+    const BoneTint over = TintOf(link.joint, frame, alpha, tint);
     for (const Look& look : LooksOf(link)) {
-      SrgbColor color = ColorFromText(look.color);
-      if (tinted) color = Mix(color, kRegionAccent, 0.45f);
-      if (is_highlighted) color = Mix(color, kHighlight, 0.5f);
+      SrgbColor color = Mix(ColorFromText(look.color), over, over.a);
       color.a = alpha;
       AddLook(look, {body.R, body.p}, color, scene);
     }
   }
+}
+
+// Where bodies of different tints meet, the skin takes of each what its weights say.
+void MotionScene::AddSkin(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const {
+  SkinnedFigure skin{skin_.model, skin_.PosesIn(ws_), {}, alpha};
+  for (const JointIndex body : skin_.bodies) {
+    skin.tints.push_back(TintOf(body, frame, alpha, tint));
+  }
+  scene->skins.push_back(std::move(skin));
+}
+
+void MotionScene::AddBones(const MotionFrame& frame, Scene* scene) {
+  const Figure& figure = *animation_.figure;
+  ComputePositions(figure, frame.X_WR, frame.q, &ws_);
+  const auto add = [&](const Vec3& from, const Vec3& to) {
+    scene->polylines.push_back({{from, to}, 1.5, kBoneLine, 0.0, true});
+  };
+  for (int i = 0; i < figure.num_joints(); ++i) {
+    const JointIndex parent = figure.joint(JointIndex(i)).parent;
+    const Vec3& from = parent.is_valid() ? ws_.body(parent).p : ws_.bodies[0].p;
+    const Vec3& to = ws_.body(JointIndex(i)).p;
+    if ((to - from).norm() > kShortestBone) add(from, to);
+  }
+  for (const JointIndex end : EndJoints(figure)) {
+    const BodyScratch& body = ws_.body(end);
+    add(body.p, body.p + body.R * TipOf(figure, end));
+  }
+}
+
+// The accent of a region, and over it that of what is highlighted; ghosts have neither.
+BoneTint MotionScene::TintOf(JointIndex body, const MotionFrame& frame, float alpha,
+                             bool tint) const {
+  BoneTint over{0.0f, 0.0f, 0.0f, 0.0f};
+  if (tint && body.is_valid() && frame.in_region[body.value()]) {
+    over = kRegionAccent;
+    over.a = kRegionShare;
+  }
+  if (alpha < 1.0f || !IsHighlighted(body)) return over;
+  SrgbColor highlight = kHighlight;
+  highlight.a = kHighlightShare;
+  return LaidOver(highlight, over);
 }
 
 bool MotionScene::IsHighlighted(JointIndex body) const {

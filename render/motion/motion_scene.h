@@ -8,12 +8,22 @@
 #include "engine/bake/motion.h"
 #include "engine/dynamics/workspace.h"
 #include "engine/timeline/animation.h"
+#include "render/motion/figure_skin.h"
 #include "render/scene/scene.h"
 
 namespace hazumi::render {
 
-// What is drawn beside the figure and its scene.
+// What stands for a figure with a skin. One without has links.
+enum class FigureLook {
+  kSkin,
+  kLinks,
+  kLinksInSkin,  // the skin is see-through
+};
+
+// What is drawn beside the figure and its scene, and how the figure looks.
 struct Overlays {
+  FigureLook look = FigureLook::kSkin;
+  bool bones = false;   // thin lines from joint to joint, seen through what is before them
   int ghost_every = 0;  // a translucent figure every so many frames; 0: none
   int ghost_first = 0;  // frames, counted from 0, that may have one
   int ghost_last = std::numeric_limits<int>::max();
@@ -31,8 +41,9 @@ std::vector<Look> LooksOf(const Link& link);
 class MotionScene {
  public:
   // `path_motion`: the same motion at as many frames a second as the paths shall have points.
+  // `skin`: on the animation's figure, or none.
   MotionScene(const Animation& animation, const Motion& motion, const Motion& path_motion,
-              const Camera& camera, const Overlays& overlays);
+              const Camera& camera, const Overlays& overlays, FigureSkin skin = {});
 
   // `index` counts the motion's frames from 0.
   Scene At(int index);
@@ -40,6 +51,10 @@ class MotionScene {
  private:
   void AddWorld(Scene* scene) const;
   void AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene);
+  void AddLinks(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const;
+  void AddSkin(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const;
+  void AddBones(const MotionFrame& frame, Scene* scene);
+  BoneTint TintOf(JointIndex body, const MotionFrame& frame, float alpha, bool tint) const;
   bool IsHighlighted(JointIndex body) const;
   void AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color, Scene* scene) const;
   void AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const;
@@ -54,6 +69,7 @@ class MotionScene {
   const Motion& path_motion_;
   Camera camera_;
   Overlays overlays_;
+  FigureSkin skin_;
   DynamicsWorkspace ws_;
   std::vector<std::vector<Vec3>> end_paths_;  // of every end of the figure, a point a frame
 };

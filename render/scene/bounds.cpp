@@ -7,6 +7,16 @@ namespace {
 
 constexpr double kLongestShadow = 20.0;  // [m]
 
+// A vertex is a mean of points that lie in the boxes of its bones.
+void AddSkin(const SkinnedFigure& figure, std::vector<BoundingSphere>* spheres) {
+  for (size_t i = 0; i < figure.model->reach.size(); ++i) {
+    const Extent& box = figure.model->reach[i];
+    if (!box.is_empty()) {
+      spheres->push_back({figure.X_WB[i] * box.center(), box.half_size().norm()});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<BoundingSphere> CasterSpheres(const Scene& scene) {
@@ -21,6 +31,9 @@ std::vector<BoundingSphere> CasterSpheres(const Scene& scene) {
   }
   for (const BoxShape& b : scene.boxes) {
     if (b.color.a >= 1.0f) spheres.push_back({b.X_WB.p, b.half_size.norm()});
+  }
+  for (const SkinnedFigure& skin : scene.skins) {
+    if (skin.alpha >= 1.0f) AddSkin(skin, &spheres);
   }
   return spheres;
 }

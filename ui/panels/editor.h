@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/mesh/flat_mesh.h"
+#include "render/motion/figure_skin.h"
 #include "render/scene/scene.h"
 #include "ui/edit/session.h"
 #include "ui/panels/catalogue.h"
@@ -90,6 +91,7 @@ class Editor {
   Message message;
   Playback playback;
   ViewportState viewport;
+  render::SkinCache skins;  // of the document
   SheetState sheet;
   SideState side;
   RecoveryState recovery;

@@ -50,6 +50,7 @@ Result<RenderTask> TaskFor(Editor* editor) {
   RenderTask task = OutlineOf(*editor);
   task.animation = *session.animation();
   task.motion = *motion.value();
+  task.skin = session.project().skin;
   task.camera = CameraFor(*editor);
   task.overlays = OverlaysFor(*editor);
   return task;

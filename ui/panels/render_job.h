@@ -9,6 +9,7 @@
 
 #include "engine/bake/motion.h"
 #include "engine/base/result.h"
+#include "engine/project/project_skin.h"
 #include "engine/timeline/animation.h"
 #include "render/motion/motion_scene.h"
 #include "render/scene/camera.h"
@@ -21,6 +22,7 @@ class Editor;
 struct RenderTask {
   Animation animation;
   Motion motion;
+  ProjectSkin skin;
   render::Camera camera;
   render::Overlays overlays;
   bool shadow = true;

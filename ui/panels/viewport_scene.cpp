@@ -150,9 +150,12 @@ Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
   if (editor->viewport.overlays.paths) {
     paths = Refined(*motion.value(), window.first, window.last);
   }
+  const Result<render::FigureSkin> skin =
+      editor->skins.On(session.figure(), session.project().skin.skin);
+  if (!skin.ok()) return skin.error();
   render::MotionScene scene(*session.animation(), *motion.value(), paths.motion,
                             CameraNow(editor->viewport, session.project(), rect),
-                            OverlaysOf(*editor, window));
+                            OverlaysOf(*editor, window), skin.value());
   ViewportScene shown;
   shown.scene = scene.At(FrameShown(*editor) - first);
   shown.ticks = TicksOf(shown.scene, paths.at_frames);

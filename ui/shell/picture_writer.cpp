@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "render/motion/figure_skin.h"
 #include "render/pipeline/sequence.h"
 
 namespace hazumi::ui {
@@ -22,7 +23,11 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   if (failed) {
     return Error{ErrorCode::kCannotWrite, task.folder, "", "cannot be made: " + failed.message()};
   }
-  render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays);
+  render::SkinCache skins;
+  const Result<render::FigureSkin> skin = skins.On(*task.animation.figure, task.skin.skin);
+  if (!skin.ok()) return skin.error();
+  render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays,
+                             skin.value());
   render::SequenceOptions options;
   options.width = task.width;
   options.height = task.height;

@@ -59,6 +59,95 @@ TEST(MotionScene, TintsTheJointsOfARegionOnly) {
   EXPECT_LT(changed, in.capsules.size());
 }
 
+// A skin of one triangle on each body of the figure, bound by the bones' names.
+FigureSkin SkinOn(const Figure& figure) {
+  const auto skin = std::make_shared<Skin>();
+  SkinMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0.1f, 0, 0}, {0, 0, 0.1f}};
+  mesh.normals.assign(3, Eigen::Vector3f::UnitY());
+  mesh.weights.assign(3, {1.0f, 0.0f, 0.0f, 0.0f});
+  mesh.bind_indices.resize(3);
+  mesh.triangles = {{0, 1, 2}};
+  skin->bones.push_back(figure.root_name());
+  for (const Joint& joint : figure.joints()) skin->bones.push_back(joint.name);
+  for (size_t i = 0; i < skin->bones.size(); ++i) {
+    mesh.binds.resize(1);
+    mesh.binds[0].bone = static_cast<int>(i);
+    skin->meshes.push_back(mesh);
+  }
+  SkinCache cache;
+  const Result<FigureSkin> result = cache.On(figure, skin);
+  EXPECT_TRUE(result.ok());
+  return result.value();
+}
+
+Scene SkinnedSceneOf(const Animation& animation, int frame, const Overlays& overlays) {
+  const Motion motion = BakeOrFail(animation);
+  return MotionScene(animation, motion, motion, {}, overlays, SkinOn(*animation.figure)).At(frame);
+}
+
+TEST(MotionScene, DrawsTheSkinInsteadOfTheLinksOrAroundThem) {
+  const Animation animation = Still(test::TwoLinks());
+  const size_t links = animation.figure->links().size();
+  const Scene skin = SkinnedSceneOf(animation, 0, {});
+  ASSERT_EQ(skin.skins.size(), 1u);
+  EXPECT_TRUE(skin.capsules.empty());
+  EXPECT_EQ(skin.skins[0].alpha, 1.0f);
+  const Scene bare = SkinnedSceneOf(animation, 0, {.look = FigureLook::kLinks});
+  EXPECT_TRUE(bare.skins.empty());
+  EXPECT_EQ(bare.capsules.size(), links);
+  const Scene both = SkinnedSceneOf(animation, 0, {.look = FigureLook::kLinksInSkin});
+  EXPECT_LT(both.skins[0].alpha, 1.0f);
+  EXPECT_EQ(both.capsules.size(), links);
+}
+
+TEST(MotionScene, TheSkinsBonesAreTheBodies) {
+  const Animation animation = Still(test::TwoLinks());
+  const Motion motion = BakeOrFail(animation);
+  const Scene scene = SkinnedSceneOf(animation, 3, {.bones = true});
+  const SkinnedFigure& skin = scene.skins[0];
+  ASSERT_EQ(skin.X_WB.size(), size_t(animation.figure->num_joints()) + 1);
+  EXPECT_EQ(skin.X_WB[0], motion.frames[3].X_WR);
+  // The line to a joint ends where its bone is.
+  const Vec3 last = skin.X_WB.back().p;
+  const bool found = std::any_of(scene.polylines.begin(), scene.polylines.end(),
+                                 [&](const Polyline& line) { return line.points[0] == last; });
+  EXPECT_TRUE(found);
+}
+
+TEST(MotionScene, SkinsOfGhostsAreSeeThroughAndRegionsTintTheSkin) {
+  Animation animation = Still(test::TwoLinks());
+  test::AddRegion(&animation, "shank", 5, 15, {"knee"});
+  test::KeyTheRest(&animation);
+  const Scene scene = SkinnedSceneOf(animation, 10, {.ghost_every = 20, .region_tint = true});
+  ASSERT_EQ(scene.skins.size(), 3u);  // frames 10, 0, 20
+  EXPECT_LT(scene.skins[1].alpha, 0.5f);
+  const JointIndex knee = *animation.figure->FindJoint("knee");
+  EXPECT_GT(scene.skins[0].tints[knee.value() + 1].a, 0.0f);
+  EXPECT_EQ(scene.skins[0].tints[0].a, 0.0f);
+  EXPECT_EQ(scene.skins[1].tints[knee.value() + 1].a, 0.0f);
+}
+
+TEST(FigureSkin, NamesABoneThatTheFigureDoesNotHave) {
+  const Animation animation = Still(test::TwoLinks());
+  const auto skin = std::make_shared<Skin>();
+  skin->bones = {"tail"};
+  SkinCache cache;
+  const Result<FigureSkin> result = cache.On(*animation.figure, skin);
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().message.find("\"tail\""), std::string::npos);
+}
+
+TEST(FigureSkin, IsMadeReadyOnceForASkin) {
+  const Animation animation = Still(test::TwoLinks());
+  const auto skin = std::make_shared<Skin>();
+  SkinCache cache;
+  const auto first = cache.On(*animation.figure, skin).value().model;
+  EXPECT_EQ(cache.On(*animation.figure, skin).value().model, first);
+  EXPECT_NE(cache.On(*animation.figure, std::make_shared<Skin>()).value().model, first);
+  EXPECT_FALSE(cache.On(*animation.figure, nullptr).value());
+}
+
 TEST(MotionScene, MarksTheCentreOfMassAndWhatIsBelowIt) {
   Animation animation = Still(test::Pogo());
   test::AddFloor(&animation, -0.7);

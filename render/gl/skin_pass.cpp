@@ -1,0 +1,127 @@
+#include "render/gl/skin_pass.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "render/gl/shaders.h"
+
+namespace hazumi::render {
+namespace {
+
+constexpr GLenum kTextureUnit = GL_TEXTURE2;
+constexpr int kTextureSampler = 2;
+
+bool IsGhost(const SkinnedFigure& figure, const SkinModel::Part& part) {
+  return figure.AlphaOf(part) < 1.0f;
+}
+
+constexpr SkinModel::Surface kSurfaces[] = {SkinModel::Surface::kClosed, SkinModel::Surface::kOpen,
+                                            SkinModel::Surface::kCutout};
+constexpr const char* kDefines[] = {"#define SKIN\n", "#define SKIN\n#define TWO_SIDED\n",
+                                    "#define SKIN\n#define TWO_SIDED\n#define CUTOUT\n"};
+
+}  // namespace
+
+SkinBuffers& SkinPass::BuffersOf(const std::shared_ptr<const SkinModel>& model) {
+  const auto found = std::find_if(buffers_.begin(), buffers_.end(),
+                                  [&](const auto& b) { return b->IsOf(model.get()); });
+  if (found != buffers_.end()) return **found;
+  buffers_.push_back(std::make_unique<SkinBuffers>(*gl_, model));
+  return *buffers_.back();
+}
+
+void SkinPass::Compile() {
+  if (is_compiled_) return;
+  is_compiled_ = true;
+  for (size_t i = 0; i < std::size(kDefines); ++i) {
+    lit_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kSolidVertex, shaders::kSolidFragment);
+    depth_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kDepthVertex, shaders::kDepthFragment);
+  }
+}
+
+void SkinPass::Upload(const Scene& scene) {
+  posed_.clear();
+  has_ghosts_ = false;
+  gl_->ActiveTexture(kTextureUnit);
+  std::erase_if(buffers_, [](const auto& b) { return b->IsGone(); });
+  for (const auto& buffers : buffers_) buffers->BeginFrame();
+  if (!scene.skins.empty()) Compile();
+  for (const SkinnedFigure& figure : scene.skins) {
+    SkinBuffers& buffers = BuffersOf(figure.model);
+    PoseSkin(figure, &vertices_);
+    posed_.push_back({&figure, &buffers, buffers.AddPose(vertices_)});
+    for (const SkinModel::Part& part : figure.model->parts) has_ghosts_ |= IsGhost(figure, part);
+  }
+  for (const auto& buffers : buffers_) buffers->EndFrame();
+  gl_->ActiveTexture(GL_TEXTURE0);
+}
+
+void SkinPass::Cull(const SkinModel::Part& part, Side side) const {
+  const bool is_closed = part.surface == Surface::kClosed;
+  is_closed ? gl_->Enable(GL_CULL_FACE) : gl_->Disable(GL_CULL_FACE);
+  gl_->CullFace((side == Side::kSeen) != part.is_mirrored ? GL_BACK : GL_FRONT);
+}
+
+template <typename Visit>
+void SkinPass::ForEachPart(SolidKind kind, Surface surface, Side side, const Visit& visit) {
+  gl_->ActiveTexture(kTextureUnit);
+  for (const Posed& posed : posed_) {
+    posed.buffers->BindPose(posed.pose);
+    for (const SkinModel::Part& part : posed.figure->model->parts) {
+      const bool is_wanted = IsGhost(*posed.figure, part) == (kind == SolidKind::kGhost);
+      if (!is_wanted || part.surface != surface) continue;
+      Cull(part, side);
+      visit(posed, part);
+      posed.buffers->DrawPart(part);
+    }
+  }
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->Enable(GL_CULL_FACE);
+  gl_->CullFace(GL_BACK);
+}
+
+// Pushed away from the light: of open surfaces, the lit sides are drawn as well.
+void SkinPass::DrawShadow(const ShadowView& shadow) {
+  if (posed_.empty()) return;
+  gl_->Enable(GL_POLYGON_OFFSET_FILL);
+  gl_->PolygonOffset(2.0f, 4.0f);
+  DrawDepth(SolidKind::kOpaque, Side::kAway, shadow.clip_from_world);
+  gl_->Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SkinPass::DrawDepth(SolidKind kind, const Mat4& clip_from_world) {
+  DrawDepth(kind, Side::kSeen, clip_from_world);
+}
+
+void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world) {
+  if (posed_.empty()) return;
+  for (const Surface surface : kSurfaces) {
+    const ShaderProgram& program = depth_[static_cast<size_t>(surface)];
+    program.Use();
+    program.Set("clip_from_world", clip_from_world);
+    if (surface == Surface::kCutout) program.Set("base_texture", kTextureSampler);
+    ForEachPart(kind, surface, side, [&](const Posed& posed, const SkinModel::Part& part) {
+      if (surface == Surface::kCutout) posed.buffers->BindTexture(part);
+    });
+  }
+}
+
+void SkinPass::DrawLit(SolidKind kind, const Scene& scene, const FrameView& view) {
+  if (posed_.empty()) return;
+  for (const Surface surface : kSurfaces) {
+    const ShaderProgram& program = lit_[static_cast<size_t>(surface)];
+    program.Use();
+    SetSolidLight(program, scene, view);
+    program.Set("ghost", kind == SolidKind::kGhost ? 1.0f : 0.0f);
+    program.Set("shadow_map", 0);
+    program.Set("base_texture", kTextureSampler);
+    ForEachPart(kind, surface, Side::kSeen, [&](const Posed& posed, const SkinModel::Part& part) {
+      const std::array<float, 4>& c = part.base_color;
+      program.Set("base_linear", LinearColor{c[0], c[1], c[2], c[3]});
+      program.Set("alpha", posed.figure->AlphaOf(part));
+      posed.buffers->BindTexture(part);
+    });
+  }
+}
+
+}  // namespace hazumi::render

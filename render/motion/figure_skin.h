@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/dynamics/workspace.h"
+#include "engine/figure/figure.h"
+#include "render/scene/skinned.h"
+
+namespace hazumi::render {
+
+// A skin on a figure. Without a model there is none.
+struct FigureSkin {
+  std::shared_ptr<const SkinModel> model;
+  std::vector<JointIndex> bodies;  // by Skin::bones; invalid: the root body
+
+  explicit operator bool() const { return model != nullptr; }
+  // Where the bones are; needs ComputePositions.
+  std::vector<Pose> PosesIn(const DynamicsWorkspace& ws) const;
+};
+
+// Finds the bones among the figure's joints: by the name of the root, a hinge, or a group of
+// hinges, whose body is beyond the last one. Fails with kSemantics naming a bone it does not find.
+Result<FigureSkin> PutOn(const Figure& figure, std::shared_ptr<const SkinModel> model);
+
+// Keeps the model of the skin that was asked for last: textures are decoded and buffers filled once
+// for all pictures. For one document; use it on one thread.
+class SkinCache {
+ public:
+  // The skin on the figure; none for a null skin. Errors: MakeSkinModel's and PutOn's.
+  Result<FigureSkin> On(const Figure& figure, const std::shared_ptr<const Skin>& skin);
+
+ private:
+  std::shared_ptr<const SkinModel> model_;
+};
+
+}  // namespace hazumi::render

@@ -1,0 +1,134 @@
+#include "render/scene/skin_model.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <utility>
+
+#include "render/image/decode.h"
+#include "render/scene/skin_surface.h"
+
+namespace hazumi::render {
+namespace {
+
+constexpr std::int64_t kMostTexturePixels = 2 * kMostPixels;  // of all textures together
+constexpr float kBulkWeight = 0.4f;
+
+// Alpha cuts holes where a good part of the texels is (nearly) clear and another one opaque. What
+// is merely less than opaque, or clear everywhere, is alpha that was never meant.
+bool CutsHoles(const Image& image) {
+  size_t clear = 0, opaque = 0;
+  const size_t texels = image.rgba.size() / 4;
+  for (size_t i = 0; i < texels; ++i) {
+    clear += image.rgba[4 * i + 3] < 32;
+    opaque += image.rgba[4 * i + 3] > 223;
+  }
+  return clear * 200 > texels && opaque * 200 > texels;
+}
+
+// `pixels`: of the textures before.
+Result<Image> Decoded(const Texture& texture, std::int64_t pixels) {
+  if (pixels > kMostTexturePixels) {
+    return Error{ErrorCode::kSemantics, "", "",
+                 "is left out: the textures before it have more than " +
+                     std::to_string(kMostTexturePixels) + " pixels; make them smaller"};
+  }
+  return DecodeImage(texture.encoded);
+}
+
+void DecodeTextures(SkinModel* model) {
+  std::int64_t pixels = 0;
+  for (size_t i = 0; i < model->skin->textures.size(); ++i) {
+    const Texture& texture = model->skin->textures[i];
+    Result<Image> image = Decoded(texture, pixels);
+    const std::string place = "textures[" + std::to_string(i) + "] " + texture.name;
+    if (!image.ok()) model->warnings.push_back({place, image.error().message});
+    model->textures.push_back(image.ok() ? std::move(image).value() : Image());
+    pixels += std::int64_t{model->textures.back().width} * model->textures.back().height;
+  }
+}
+
+SkinModel::Part PartOf(const SkinModel& model, const SkinMesh& mesh) {
+  const Material material =
+      mesh.material < 0 ? Material() : model.skin->materials[static_cast<size_t>(mesh.material)];
+  SkinModel::Part part;
+  part.base_color = material.base_color;
+  part.texture = material.texture;
+  const bool has_texture = part.texture >= 0 && !mesh.texture_coordinates.empty() &&
+                           model.textures[static_cast<size_t>(part.texture)].width > 0;
+  if (!has_texture) part.texture = -1;
+  part.is_mirrored =
+      !mesh.binds.empty() && mesh.binds[0].inverse_bind.topLeftCorner<3, 3>().determinant() < 0.0;
+  return part;
+}
+
+void AddPart(const std::vector<std::uint32_t>& indices, SkinModel::Surface surface,
+             SkinModel::Part part, SkinModel* model) {
+  if (indices.empty()) return;
+  part.surface = surface;
+  part.first_index = model->indices.size();
+  part.num_indices = indices.size();
+  for (const std::uint32_t i : indices) {
+    model->indices.push_back(static_cast<std::uint32_t>(model->num_vertices) + i);
+  }
+  model->parts.push_back(part);
+}
+
+void AddParts(const SkinMesh& mesh, SkinModel* model) {
+  using Surface = SkinModel::Surface;
+  const SkinModel::Part part = PartOf(*model, mesh);
+  const SkinSurface surface = SplitSurface(mesh);
+  const bool has_holes =
+      part.texture >= 0 && CutsHoles(model->textures[static_cast<size_t>(part.texture)]);
+  AddPart(surface.closed, has_holes ? Surface::kCutout : Surface::kClosed, part, model);
+  AddPart(surface.open, has_holes ? Surface::kCutout : Surface::kOpen, part, model);
+  model->num_vertices += mesh.positions.size();
+}
+
+// Vertices that no triangle uses are not seen and must not enlarge what is.
+std::vector<char> UsedVertices(const SkinMesh& mesh) {
+  std::vector<char> used(mesh.positions.size(), 0);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) used[vertex] = 1;
+  }
+  return used;
+}
+
+void IncludeVertex(const SkinMesh& mesh, size_t i, SkinModel* model) {
+  const std::array<float, 4> weights = SaneWeights(mesh.weights[i]);
+  for (size_t k = 0; k < 4; ++k) {
+    if (weights[k] <= 0.0f) continue;
+    const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[i][k]];
+    const Eigen::Vector4d v = mesh.positions[i].cast<double>().homogeneous();
+    const Vec3 p = (bind.inverse_bind * v).head<3>();
+    const size_t bone = static_cast<size_t>(bind.bone);
+    model->reach[bone].Include(p);
+    if (weights[k] >= kBulkWeight) model->bulk[bone].Include(p);
+  }
+}
+
+void FindBoxes(SkinModel* model) {
+  model->reach.resize(model->skin->bones.size());
+  model->bulk.resize(model->skin->bones.size());
+  for (const SkinMesh& mesh : model->skin->meshes) {
+    const std::vector<char> used = UsedVertices(mesh);
+    for (size_t i = 0; i < used.size(); ++i) {
+      if (used[i] != 0) IncludeVertex(mesh, i, model);
+    }
+  }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const SkinModel>> MakeSkinModel(std::shared_ptr<const Skin> skin) {
+  const Result<Done> checked = CheckSkin(*skin);
+  if (!checked.ok()) return checked.error();
+  auto model = std::make_shared<SkinModel>();
+  model->skin = std::move(skin);
+  DecodeTextures(model.get());
+  for (const SkinMesh& mesh : model->skin->meshes) AddParts(mesh, model.get());
+  FindBoxes(model.get());
+  return std::shared_ptr<const SkinModel>(std::move(model));
+}
+
+}  // namespace hazumi::render

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/figure/skin.h"
+
+namespace hazumi::render {
+
+// The triangles of a mesh, as indices in threes: those whose inner side is never seen, which takes
+// half the time to draw, and those that are seen from both sides, like capes and skirts of one
+// layer. Triangles that are wound against their normals are turned; degenerate ones are left out.
+struct SkinSurface {
+  std::vector<std::uint32_t> closed, open;
+};
+
+// Decided for each connected piece of the mesh (vertices in one place are one): closed is what has
+// so little border for its area (squared length over area at most 2; a square sheet has 16, a
+// hemisphere 6) that its holes, at the neck or the wrists, are those where another piece goes in.
+// Pieces with a vertex without normal are open. The mesh must have passed CheckSkin.
+SkinSurface SplitSurface(const SkinMesh& mesh);
+
+}  // namespace hazumi::render
