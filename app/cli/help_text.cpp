@@ -8,6 +8,7 @@ const char* const kHelpText =
   hazumi [FILE]                         the editor, in a window
   hazumi --render OUT [options] FILE
   hazumi --bake OUT [options] FILE
+  hazumi --export OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
   hazumi --run SCRIPT [--size WxH] [FILE]
@@ -19,6 +20,8 @@ Tasks
                     #### where the frame number goes
   --bake OUT        write the motion: OUT ends in .json or .csv; - is standard
                     output, as JSON
+  --export OUT      write the motion for other programs; OUT ends in .bvh, .gltf,
+                    .glb (both with the figure's mesh), .csv, .json or .mp4
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
@@ -30,10 +33,12 @@ Tasks
   --operators       list the operators and their parameters
   --help, --version
 
-Drawing, with --render
+Drawing, with --render and --export to .mp4
   --frames A..B     only these frames, or one: N               (default: all)
-                    --frames counts output frames when --fps is given
+                    --frames counts output frames when --fps is given, and
+                    belongs to --export of any format
   --size WxH        picture size in pixels, 16 to 16384        (1280x720)
+                    of videos even: an odd one grows by a pixel
   --camera VIEW     front, back, left, right, top, three-quarter, or
                     EX,EY,EZ,TX,TY,TZ[,FOV]: eye and target in metres, angle
                     in degrees                  (the file's, or three-quarter)
@@ -55,8 +60,10 @@ Motion, with any task, instead of what the file and its regions say
 Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
                     30000/1001; the motion is the same         (the file's)
-                    with --render, --bake, --info
-  --timings         with --bake: reports carry microseconds, off by default so
+                    with --render, --bake, --export, --info
+  --up y|z          of --export to .bvh: the axis that points up      (y)
+  --unit m|cm       of --export to .bvh: its unit of length          (cm)
+  --timings         with --bake and .json: reports carry microseconds, off by default so
                     that two bakes are equal bytes
   --json            with --check, --info: answer in JSON
 
@@ -73,6 +80,8 @@ Examples
   hazumi --render out/t_####.png --frames 5..15 --size 640x360 throw.kfa
   hazumi --bake motion.json --fps 60 jump.kfa
   hazumi --bake - jump.kfa | less
+  hazumi --export throw.glb throw.kfa
+  hazumi --export throw.mp4 --size 640x360 throw.kfa
   hazumi --check *.kfa
 )";
 
