@@ -20,8 +20,8 @@ Tasks
                     #### where the frame number goes
   --bake OUT        write the motion: OUT ends in .json or .csv; - is standard
                     output, as JSON
-  --export OUT      write the motion for other programs; OUT ends in .bvh, .gltf,
-                    .glb (both with the figure's mesh), .csv, .json or .mp4
+  --export OUT      write the motion for other programs: OUT ends in .bvh,
+                    .gltf, .glb (with the figure's mesh), .csv, .json or .mp4
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
@@ -63,8 +63,8 @@ Output
                     with --render, --bake, --export, --info
   --up y|z          of --export to .bvh: the axis that points up      (y)
   --unit m|cm       of --export to .bvh: its unit of length          (cm)
-  --timings         with --bake and .json: reports carry microseconds, off by default so
-                    that two bakes are equal bytes
+  --timings         with --bake and --export to .json: reports carry
+                    microseconds, off by default so that two are equal bytes
   --json            with --check, --info: answer in JSON
 
 Editor
