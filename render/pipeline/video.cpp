@@ -37,6 +37,13 @@ std::vector<std::string> Arguments(const VideoFormat& format, const fs::path& te
           "-f", "mp4", "file:" + temporary.string()};
 }
 
+// The file that a link leads to, so that the video does not replace the link.
+fs::path FollowLinks(const fs::path& path) {
+  std::error_code failed;
+  const fs::path target = fs::canonical(path, failed);
+  return failed ? path : target;
+}
+
 // Hidden beside the file, so that it can take its name at once.
 fs::path TemporaryPath(const fs::path& path) {
   const std::string name = "." + path.filename().string() + "." + std::to_string(getpid());
@@ -58,7 +65,7 @@ std::string OneLine(const std::string& text) {
 // ffmpeg at work.
 struct VideoWriter::Process {
   VideoFormat format;
-  fs::path temporary;
+  fs::path target, temporary;
   pid_t id = -1;    // -1: ended
   int input = -1;   // a socket: writing to it raises no signal when ffmpeg has gone
   int output = -1;  // what it says, a file in memory
@@ -130,7 +137,8 @@ Result<VideoWriter> VideoWriter::Start(const VideoFormat& format) {
   }
   auto process = std::make_unique<Process>();
   process->format = format;
-  process->temporary = TemporaryPath(format.path);
+  process->target = FollowLinks(format.path);
+  process->temporary = TemporaryPath(process->target);
   process->output = memfd_create("ffmpeg", MFD_CLOEXEC);
   int ends[2];
   if (process->output < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -175,7 +183,7 @@ Result<Done> VideoWriter::Write(const Image& image) {
 Result<Done> VideoWriter::Finish() {
   if (!process_->Wait()) return process_->Complaint();
   std::error_code failed;
-  fs::rename(process_->temporary, process_->format.path, failed);
+  fs::rename(process_->temporary, process_->target, failed);
   if (!failed) return Done{};
   return Error{ErrorCode::kCannotWrite, process_->format.path.string(), "",
                "cannot be written: " + failed.message()};

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "temp_folder.h"
@@ -61,6 +62,19 @@ TEST(VideoWriter, LeavesNothingUnlessFinished) {
     ASSERT_TRUE(writer.value().Write(Grey(64, 48, 100)).ok());
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(VideoWriter, WritesThroughALink) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  TempFolder folder;
+  std::ofstream(folder.path() / "target.mp4") << "old";
+  std::filesystem::create_symlink("target.mp4", folder.path() / "link.mp4");
+  auto writer = VideoWriter::Start({folder.path() / "link.mp4", 64, 48, 30, 1});
+  ASSERT_TRUE(writer.ok());
+  ASSERT_TRUE(writer.value().Write(Grey(64, 48, 100)).ok());
+  ASSERT_TRUE(writer.value().Finish().ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.mp4"));
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "target.mp4"), 500u);
 }
 
 TEST(VideoWriter, PassesOnWhatFfmpegSays) {
