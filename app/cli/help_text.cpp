@@ -61,8 +61,8 @@ Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
                     30000/1001; the motion is the same         (the file's)
                     with --render, --bake, --export, --info
-  --up y|z          of --export to .bvh: the axis that points up      (y)
-  --unit m|cm       of --export to .bvh: its unit of length          (cm)
+  --bvh-up y|z      of --export to .bvh: the axis that is up   (y)
+  --bvh-unit m|cm   of --export to .bvh: its unit of length    (cm)
   --timings         with --bake and --export to .json: reports carry
                     microseconds, off by default so that two are equal bytes
   --json            with --check, --info: answer in JSON

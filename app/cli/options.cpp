@@ -96,12 +96,12 @@ bool ReadExport(const std::string& text, Options* options) {
   return MotionFormatOf(text) || IsVideo(text);
 }
 
-bool ReadUp(const std::string& text, Options* options) {
+bool ReadBvhUp(const std::string& text, Options* options) {
   options->z_up = text == "z";
   return text == "y" || text == "z";
 }
 
-bool ReadUnit(const std::string& text, Options* options) {
+bool ReadBvhUnit(const std::string& text, Options* options) {
   options->in_metres = text == "m";
   return text == "m" || text == "cm";
 }
@@ -164,8 +164,8 @@ constexpr OptionRule kRules[] = {
     {"--fps", kRender | kBake | kInfo | kExport,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
-    {"--up", kBvh, "give y or z", ReadUp},
-    {"--unit", kBvh, "give m or cm", ReadUnit},
+    {"--bvh-up", kBvh, "give y or z", ReadBvhUp},
+    {"--bvh-unit", kBvh, "give m or cm", ReadBvhUnit},
     {"--timings", kBake | kJson, nullptr, Set<&Options::timings>},
     {"--trace", kWindow, nullptr, Set<&Options::trace>},
     {"--json", kCheck | kInfo, nullptr, Set<&Options::json>},

@@ -63,9 +63,9 @@ class Export(unittest.TestCase):
         motion = json.loads(self.export("m.json").read_text())
         x, y, z = motion["frames"][0]["root"]["position"]
         for options, wanted in (((), (100 * y, 100 * z, 100 * x)),
-                                (("--unit", "m"), (y, z, x)),
-                                (("--up", "z"), (100 * x, 100 * y, 100 * z)),
-                                (("--up", "z", "--unit", "m"), (x, y, z))):
+                                (("--bvh-unit", "m"), (y, z, x)),
+                                (("--bvh-up", "z"), (100 * x, 100 * y, 100 * z)),
+                                (("--bvh-up", "z", "--bvh-unit", "m"), (x, y, z))):
             lines = self.export("m.bvh", *options).read_text().splitlines()
             first = lines[lines.index("MOTION") + 3].split()
             for number, value in zip(first, wanted):
