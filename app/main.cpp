@@ -21,6 +21,10 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunCheck(options);
     case hazumi::Task::kInfo:
       return hazumi::RunInfo(options);
+    case hazumi::Task::kFlight:
+      return hazumi::RunFlight(options);
+    case hazumi::Task::kImport:
+      return hazumi::RunImport(options);
     case hazumi::Task::kRun:
       return hazumi::RunEdits(options);
     case hazumi::Task::kOperators:

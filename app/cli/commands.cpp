@@ -9,6 +9,8 @@
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
+#include "engine/exchange/import/import_project.h"
+#include "engine/exchange/read_character.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 
@@ -69,12 +71,33 @@ std::optional<Error> CheckLength(const Animation& animation, const Options& opti
                FormatNumber(frames) + " output frames; 1000000 are the most, choose a lower rate"};
 }
 
+// Projects are told by their suffix, all else by content.
+Result<Project> LoadOrImport(const std::string& file, const ImportOptions& options,
+                             ImportReport* report) {
+  if (file.ends_with(".kfa")) return LoadProject(file);
+  Result<Imported> imported = Import(file, options);
+  if (!imported.ok()) return imported.error();
+  *report = std::move(imported.value().report);
+  return std::move(imported.value().project);
+}
+
 }  // namespace
 
 Error InterruptedError() { return {ErrorCode::kInterrupted, "", "", "interrupted"}; }
 
+Result<Imported> Import(const std::string& file, const ImportOptions& options) {
+  ReadOptions reading;
+  reading.is_cancelled = [] { return Interrupted().load(); };
+  const Result<Character> character = ReadCharacter(file, reading);
+  if (!character.ok()) return character.error();
+  Result<Imported> imported = ImportProject(character.value(), options);
+  if (!imported.ok()) return InFile(imported.error(), file);
+  return imported;
+}
+
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options) {
-  Result<Project> project = LoadProject(file);
+  ImportReport report;
+  Result<Project> project = LoadOrImport(file, options.import, &report);
   if (!project.ok()) return InFile(project.error(), file);
   ApplySolverOptions(options, &project.value());
   Result<Compiled> compiled = CompileAnimation(project.value());
@@ -84,12 +107,14 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
       Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
-  std::vector<Warning> warnings = compiled.value().warnings;
+  std::vector<Warning> warnings = report.warnings;
+  const std::vector<Warning>& of_compiling = compiled.value().warnings;
+  warnings.insert(warnings.end(), of_compiling.begin(), of_compiling.end());
   WarnAboutSolverOptions(options, compiled.value().animation, &warnings);
   const std::vector<Warning>& baked = motion.value().warnings;
   warnings.insert(warnings.end(), baked.begin(), baked.end());
   return BakedProject{std::move(project).value(), std::move(compiled.value().animation),
-                      std::move(motion).value(), std::move(warnings)};
+                      std::move(motion).value(), std::move(warnings), report.unit_is_guessed};
 }
 
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {

@@ -12,6 +12,8 @@ int RunExport(const Options& options);
 int RunBake(const Options& options);
 int RunCheck(const Options& options);
 int RunInfo(const Options& options);
+int RunImport(const Options& options);
+int RunFlight(const Options& options);
 int RunWindow(const Options& options);
 int RunEdits(const Options& options);
 int RunOperators();
@@ -24,10 +26,13 @@ struct BakedProject {
   Project project;
   Animation animation;
   Motion motion;
-  std::vector<Warning> warnings;  // of compiling and of baking
+  std::vector<Warning> warnings;  // of importing, compiling and baking
+  bool length_is_guessed = false;
 };
-// Errors: also kInterrupted.
+// A project, or a file of another program as one. Errors: also kInterrupted.
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
+// A file of another program as a project. Errors: also kInterrupted.
+Result<Imported> Import(const std::string& file, const ImportOptions& options);
 // Prints the warnings to standard error.
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings);
 // For a bake that the user broke off.

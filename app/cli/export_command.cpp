@@ -36,14 +36,14 @@ std::optional<Error> CheckPlace(const std::string& output) {
 std::string Generator() { return std::string("Hazumi ") + kVersion; }
 
 int ExportFile(const BakedProject& baked, const FrameRange& frames, const Options& options) {
-  const Skin skin = render::FigureSkin(*baked.animation.figure);
+  const Skin capsules = baked.project.skin ? Skin() : render::FigureSkin(*baked.animation.figure);
   MotionExportOptions settings;
   settings.format = MotionFormatOf(options.output).value();
   if (!baked.project.name.empty()) settings.name = baked.project.name;
   settings.generator = Generator();
   settings.up = options.z_up ? UpAxis::kZ : UpAxis::kY;
   settings.metres_per_unit = options.in_metres ? 1.0 : 0.01;
-  settings.skin = &skin;
+  settings.skin = baked.project.skin ? baked.project.skin.skin.get() : &capsules;
   settings.timings = options.timings;
   const Motion motion = PartOf(baked.motion, frames.first, frames.last);
   const Result<std::string> bytes = ExportMotion(baked.animation, motion, settings);

@@ -11,9 +11,12 @@ const char* const kHelpText =
   hazumi --export OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
+  hazumi --flight [options] FILE
+  hazumi --import CHARACTER --save OUT.kfa [options]
   hazumi --run SCRIPT [--size WxH] [FILE]
 
-FILE is a project (.kfa).
+FILE is a project (.kfa); --render, --bake, --export, --info and --flight read
+BVH, FBX, glTF, GLB and Collada as well.
 
 Tasks
   --render OUT      draw frames as PNG pictures; OUT is a folder, or a name with
@@ -24,6 +27,12 @@ Tasks
                     .gltf, .glb (with the figure's mesh), .csv, .json or .mp4
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
+  --flight          find the flights: take-off, apex, landing, the gravity that
+                    the path of the centre of mass implies, and whether the
+                    clip plays too slow or fast; how far the feet slide
+  --import CHARACTER --save OUT.kfa
+                    make a project of a character and its clip: BVH, FBX, glTF,
+                    GLB or Collada; says what was guessed and what is dropped
   --run SCRIPT      edit the project, or a new one: SCRIPT is a JSON list of
                     operators, such as
                     {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 1}
@@ -51,6 +60,17 @@ Drawing, with --render and --export to .mp4
   --frame-number    draw the frame number
   --no-shadow       draw no shadow
 
+Reading files of other programs
+  --clip NAME       which of its clips                         (the first)
+  --up y|z          the axis that is up              (the file's, or guessed)
+  --unit M          metres of its unit of length; or
+  --height M        how tall the character is        (the file's, or guessed)
+  --mass KG         of all of it                     (of a person so tall)
+  --reduce DEG      keys only where they are needed, so that angles stay within
+                    DEG degrees of the clip          (a key every frame)
+  --limits L        clip: joints go a little farther than in the clip; none
+  --no-skin         leave out its meshes
+
 Motion, with any task, instead of what the file and its regions say
   --method M        exact, or paper: the steps of the published method
   --tolerance DEG   of method exact: greatest error of an angle in a region, in
@@ -60,12 +80,12 @@ Motion, with any task, instead of what the file and its regions say
 Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
                     30000/1001; the motion is the same         (the file's)
-                    with --render, --bake, --export, --info
+                    with --render, --bake, --export, --info, --flight
   --bvh-up y|z      of --export to .bvh: the axis that is up   (y)
   --bvh-unit m|cm   of --export to .bvh: its unit of length    (cm)
   --timings         with --bake and --export to .json: reports carry
                     microseconds, off by default so that two are equal bytes
-  --json            with --check, --info: answer in JSON
+  --json            with --check, --info, --flight: answer in JSON
 
 Editor
   --trace           say in the end how long events took until the picture was

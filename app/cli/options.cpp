@@ -25,17 +25,21 @@ enum TaskBits : unsigned {
   kBake = 2,
   kCheck = 4,
   kInfo = 8,
-  kRun = 16,
-  kOperators = 32,
-  kWindow = 64,  // no task named
+  kFlight = 16,
+  kImport = 32,
+  kRun = 64,
+  kOperators = 128,
+  kWindow = 256,  // no task named
   // --export, by the format
-  kBvh = 128,
-  kVideo = 256,
-  kJson = 512,
-  kPlain = 1024,  // others
+  kBvh = 512,
+  kVideo = 1024,
+  kJson = 2048,
+  kPlain = 4096,  // others
   kExport = kBvh | kVideo | kJson | kPlain,
   kDraw = kRender | kVideo,
-  kMotion = kRender | kBake | kCheck | kInfo | kExport,
+  kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,
+  // Those that read files of other programs.
+  kForeign = kRender | kBake | kInfo | kFlight | kImport | kExport,
 };
 
 // An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
@@ -112,6 +116,34 @@ bool ReadScript(const std::string& text, Options* options) {
   return !text.empty();
 }
 
+bool ReadImported(const std::string& text, Options* options) {
+  options->task = Task::kImport;
+  options->files.push_back(text);
+  return !text.empty();
+}
+
+bool ReadSaved(const std::string& text, Options* options) {
+  options->output = text;
+  return text.ends_with(".kfa");
+}
+
+bool ReadUp(const std::string& text, Options* options) {
+  if (text == "y") options->import.up = UpAxis::kY;
+  if (text == "z") options->import.up = UpAxis::kZ;
+  return options->import.up.has_value();
+}
+
+bool ReadLimits(const std::string& text, Options* options) {
+  if (text == "none") options->import.limits = ImportLimits::kNone;
+  return text == "none" || text == "clip";
+}
+
+// A positive number, `most` at most.
+bool KeepPositive(const std::string& text, double most, std::optional<double>* field) {
+  const auto number = ReadFinite(text);
+  return number && *number > 0.0 && *number <= most && Keep(number, field);
+}
+
 template <bool Options::*kField, bool kValue = true>
 bool Set(const std::string&, Options* options) {
   options->*kField = kValue;
@@ -131,6 +163,8 @@ constexpr OptionRule kTasks[] = {
      ReadExport},
     {"--check", kCheck, nullptr, Choose<Task::kCheck>},
     {"--info", kInfo, nullptr, Choose<Task::kInfo>},
+    {"--flight", kFlight, nullptr, Choose<Task::kFlight>},
+    {"--import", kImport, "name a file: BVH, FBX, glTF, GLB or Collada", ReadImported},
     {"--run", kRun, "name a script, a JSON list of operators", ReadScript},
     {"--operators", kOperators, nullptr, Choose<Task::kOperators>},
 };
@@ -158,17 +192,46 @@ constexpr OptionRule kRules[] = {
     {"--tint", kDraw, nullptr, Set<&Options::tint>},
     {"--frame-number", kDraw, nullptr, Set<&Options::frame_number>},
     {"--no-shadow", kDraw, nullptr, Set<&Options::shadow, false>},
+    {"--save", kImport, "the name must end in .kfa", ReadSaved},
+    {"--clip", kForeign, "name a clip of the file",
+     [](const std::string& text, Options* o) {
+       o->import.clip = text;
+       return !text.empty();
+     }},
+    {"--up", kForeign, "give y or z", ReadUp},
+    {"--unit", kForeign, "give the metres of the file's unit, such as 0.01",
+     [](const std::string& text, Options* o) {
+       return KeepPositive(text, 1e6, &o->import.metres_per_unit);
+     }},
+    {"--height", kForeign, "give metres, such as 1.75",
+     [](const std::string& text, Options* o) {
+       return KeepPositive(text, 1000.0, &o->import.height_m);
+     }},
+    {"--mass", kForeign, "give kilograms, such as 70",
+     [](const std::string& text, Options* o) {
+       return KeepPositive(text, 1e6, &o->import.mass_kg);
+     }},
+    {"--reduce", kForeign, "give degrees, such as 1",
+     [](const std::string& text, Options* o) {
+       return KeepPositive(text, 90.0, &o->import.reduce_deg);
+     }},
+    {"--limits", kForeign, "give clip or none", ReadLimits},
+    {"--no-skin", kForeign, nullptr,
+     [](const std::string&, Options* o) {
+       o->import.skin = false;
+       return true;
+     }},
     {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
     {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
     {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},
-    {"--fps", kRender | kBake | kInfo | kExport,
+    {"--fps", kRender | kBake | kInfo | kFlight | kImport | kExport,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
     {"--bvh-up", kBvh, "give y or z", ReadBvhUp},
     {"--bvh-unit", kBvh, "give m or cm", ReadBvhUnit},
     {"--timings", kBake | kJson, nullptr, Set<&Options::timings>},
     {"--trace", kWindow, nullptr, Set<&Options::trace>},
-    {"--json", kCheck | kInfo, nullptr, Set<&Options::json>},
+    {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
 
 // "--check and --info", "--export to .bvh"
@@ -259,6 +322,12 @@ void ReadOptions(const CLI::App& app, Options* options) {
                        ", not to " + TaskText(task, *options));
     }
     Read(app, rule, options);
+  }
+  if (task.tasks & kImport) {
+    if (options->files.size() > 1) throw UsageError("--import takes one file, and no FILE beside");
+    if (options->output.empty()) throw UsageError("--import wants --save OUT.kfa beside it");
+    if (options->rate) options->import.fps = options->rate->FrameAt(1.0);
+    return;
   }
   if (task.tasks & kOperators) {
     if (!options->files.empty()) throw UsageError("--operators takes no FILE");

@@ -5,13 +5,25 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/exchange/import/import_options.h"
 #include "engine/spatial/types.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
 
 // kWindow: no other task was named.
-enum class Task { kWindow, kRender, kExport, kBake, kCheck, kInfo, kRun, kOperators };
+enum class Task {
+  kWindow,
+  kRender,
+  kExport,
+  kBake,
+  kCheck,
+  kInfo,
+  kFlight,
+  kImport,
+  kRun,
+  kOperators
+};
 
 struct FrameRange {
   int first = 0, last = 0;  // inclusive
@@ -31,7 +43,7 @@ struct CameraChoice {
 // What the command line asks for. See `hazumi --help`.
 struct Options {
   Task task = Task::kWindow;
-  std::string output;  // of --render, --export and --bake
+  std::string output;  // of --render, --export, --bake and --save
   std::string script;  // of --run
   std::vector<std::string>
       files;  // --check takes several, --run and the window one or none, the others one
@@ -47,6 +59,8 @@ struct Options {
   bool tint = false;
   bool shadow = true;
   bool frame_number = false;
+
+  ImportOptions import;  // how files of other programs are read
 
   std::optional<Method> method;
   std::optional<double> step_s;

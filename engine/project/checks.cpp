@@ -53,6 +53,8 @@ constexpr CheckText kTexts[] = {
     {Check::kFigureUnreadable, kNoInput,
      "the figure {} {}; looked for as {}; paths are relative to the project file"},
 
+    {Check::kNotBytes, kSchema, "must be base64 of whole entries"},
+    {Check::kBadMesh, kSchema, "does not fit together: {}"},
     {Check::kBadFrameRate, kSchema, "must lie between 0.1 and 10000 frames a second, is {}/{}"},
     {Check::kFramesReversed, kSchema, "the last frame {} is before the first, {}"},
     {Check::kTooManyFrames, kSchema, "{} frames; a project has 1000000 at most"},

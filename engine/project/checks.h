@@ -47,6 +47,8 @@ enum class Check {
   kUnknownParent,
   kTooManyJoints,
   kFigureUnreadable,
+  kNotBytes,
+  kBadMesh,
   // The document
   kBadFrameRate,
   kFramesReversed,

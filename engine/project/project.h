@@ -13,6 +13,7 @@
 #include "engine/project/extra_fields.h"
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
+#include "engine/project/project_skin.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -144,6 +145,7 @@ struct Project {
   ProjectFrames frames;
   ProjectSolver solver;
   ProjectFigure figure;
+  ProjectSkin skin;
   ProjectScene scene;
   ProjectRoot root;
   std::vector<Named<ProjectCurve>> joints;  // by hinge; a hinge not named rests

@@ -118,6 +118,9 @@ void Describe(Ar& ar, Ref<Ar, ProjectMarker> marker) {
 // A reference to a figure file, or the figure itself.
 void ReadValue(const Json& json, const Site& site, ProjectFigure& figure);
 Json ToJson(const ProjectFigure& figure);
+// Arrays of numbers are base64 of their little-endian bytes.
+void ReadValue(const Json& json, const Site& site, ProjectSkin& skin);
+Json ToJson(const ProjectSkin& skin);
 
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, Project> project) {
@@ -128,6 +131,7 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Required("frames", project.frames);
   ar.Required("solver", project.solver);
   ar.Required("figure", project.figure);
+  ar.Optional("skin", project.skin);
   ar.Stated("scene", project.scene);
   ar.Optional("root", project.root);
   ar.Map("joints", project.joints,

@@ -104,7 +104,7 @@ class CommandLine(unittest.TestCase):
                 (["--render", "out/pic.png", THROW], "put #### where the frame number goes"),
                 (["--render", "o", "--frames", "40..50", THROW], "has frames 0..30"),
                 (["--bake", "-", "--ghosts", "3", THROW], "--ghosts belongs to --render"),
-                (["--bake", "-", "--json", THROW], "--json belongs to --check and --info"),
+                (["--bake", "-", "--json", THROW], "--json belongs to --check, --info and --flight"),
                 (["--render", "o", "--timings", THROW], "--timings belongs to --bake"),
                 (["--check", "--method", "magic", THROW],
                  "--method magic: the methods are: exact, paper"),
@@ -114,7 +114,7 @@ class CommandLine(unittest.TestCase):
                 (["--check", "--json=no", THROW], "--json takes no value"),
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
                 (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
-                (["--json", THROW], "--json belongs to --check and --info, not to the editor"),
+                (["--json", THROW], "--json belongs to --check, --info and --flight, not to the editor"),
                 (["--export", "x.fbx", THROW],
                  "the name must end in .bvh, .gltf, .glb, .csv, .json or .mp4"),
                 (["--export", "x.glb", "--bvh-up", "z", THROW],
@@ -128,8 +128,9 @@ class CommandLine(unittest.TestCase):
     def test_help_fits_a_terminal_and_names_every_option(self):
         lines = run("--help").stdout.splitlines()
         self.assertLessEqual(max(map(len, lines)), 80)
-        for option in ("render", "bake", "export", "bvh-up", "bvh-unit", "check", "info", "run", "operators", "frames", "size", "samples", "camera",
-                       "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
+        for option in ("render", "bake", "export", "bvh-up", "bvh-unit",
+                       "check", "info", "flight", "run", "operators", "frames", "size", "samples",
+                       "camera", "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
                        "method", "tolerance", "step", "fps", "timings", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
 
@@ -314,6 +315,25 @@ class CommandLine(unittest.TestCase):
         for name in (f"frame_{i:04}.png" for i in range(4, 9)):
             self.assertEqual((self.folder / "1" / name).read_bytes(),
                              (self.folder / "16" / name).read_bytes())
+
+    def test_flight_finds_the_jump_at_the_frames_that_its_bake_states(self):
+        done = run("--flight", "--json", "--fps", "120", JUMP)
+        self.assertEqual(done.returncode, 0)
+        report = json.loads(done.stdout)
+        (flight,) = report["flights"]
+        info = json.loads(run("--info", "--json", "--fps", "120", JUMP).stdout)
+        at = {event["kind"]: 120.0 * event["time_s"] for event in info["events"]}
+        for name in ("take_off", "apex", "landing"):
+            self.assertLess(abs(flight[name] - at[name]), 2.0, name)
+        self.assertLess(abs(flight["gravity_m_s2"] / 9.81 - 1.0), 0.01)
+        self.assertEqual(report["time"]["verdict"], "true")
+
+    def test_flight_says_in_words_where_and_that_time_is_right(self):
+        done = run("--flight", "--fps", "120", JUMP)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"(?m)^flight     F\d+\.\d to F\d+\.\d, apex F\d+\.\d$")
+        self.assertIn("the clip plays at its natural speed", done.stdout)
+        self.assertIn("flight     none", run("--flight", THROW).stdout)
 
     def test_an_interrupted_render_exits_with_130_and_leaves_whole_pictures(self):
         out = self.folder / "frames"

@@ -1,0 +1,98 @@
+#include "engine/exchange/assimp/scene_files.h"
+
+#include <assimp/MemoryIOWrapper.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "engine/exchange/reader/whole_file.h"
+
+namespace hazumi {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t kLongestFile = 512u << 20;
+
+int HexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+// "my%20file.png" as URIs have it.
+std::string PercentDecoded(const std::string& text) {
+  std::string decoded;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const bool is_code = text[i] == '%' && i + 2 < text.size() && HexDigit(text[i + 1]) >= 0 &&
+                         HexDigit(text[i + 2]) >= 0;
+    decoded +=
+        is_code ? static_cast<char>(HexDigit(text[i + 1]) * 16 + HexDigit(text[i + 2])) : text[i];
+    if (is_code) i += 2;
+  }
+  return decoded;
+}
+
+bool IsAbsolute(const std::string& name) {
+  return name.starts_with("/") || (name.size() > 1 && name[1] == ':');
+}
+
+// Links followed, so that none of them leads out.
+bool IsWithin(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inside = fs::relative(fs::canonical(file, error), folder, error);
+  return !error && !inside.empty() && *inside.begin() != "..";
+}
+
+}  // namespace
+
+SceneFiles::SceneFiles(std::string bytes, const std::string& path, const std::string& suffix)
+    : bytes_(std::move(bytes)) {
+  std::error_code error;
+  folder_ = fs::canonical(fs::absolute(path, error).parent_path(), error).string();
+  main_name_ = folder_ + "/" + fs::path(path).stem().string() + suffix;
+}
+
+std::optional<std::string> SceneFiles::Resolve(std::string name) const {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  if (name.starts_with(folder_ + "/")) name.erase(0, folder_.size() + 1);
+  // Other people's absolute paths: the file may lie beside the scene.
+  if (IsAbsolute(name)) name = fs::path(name).filename().string();
+  std::error_code error;
+  for (const std::string& candidate : {name, PercentDecoded(name)}) {
+    const fs::path file = fs::path(folder_) / candidate;
+    if (!candidate.empty() && fs::is_regular_file(file, error) && IsWithin(file, folder_))
+      return file.string();
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> SceneFiles::Contents(const std::string& name) {
+  if (const std::optional<std::string> path = Resolve(name)) {
+    Result<std::string> bytes = WholeFile(*path, kLongestFile);
+    if (bytes.ok()) return std::move(bytes).value();
+  }
+  const bool is_long = name.starts_with(folder_ + "/");
+  if (refused_.size() < 20) refused_.push_back(is_long ? name.substr(folder_.size() + 1) : name);
+  return std::nullopt;
+}
+
+bool SceneFiles::Exists(const char* name) const {
+  return name == main_name_ || Resolve(name).has_value();
+}
+
+Assimp::IOStream* SceneFiles::Open(const char* name, const char* mode) {
+  if (std::strchr(mode, 'w') || std::strchr(mode, 'a')) return nullptr;
+  std::optional<std::string> contents;
+  if (name != main_name_) contents = Contents(name);
+  if (name != main_name_ && !contents) return nullptr;
+  const std::string& bytes = contents ? *contents : bytes_;
+  auto* copy = new uint8_t[bytes.size() + 1]();
+  std::memcpy(copy, bytes.data(), bytes.size());
+  return new Assimp::MemoryIOStream(copy, bytes.size(), true);
+}
+
+void SceneFiles::Close(Assimp::IOStream* stream) { delete stream; }
+
+}  // namespace hazumi

@@ -1,0 +1,254 @@
+#include "engine/exchange/character/character_bytes.h"
+
+#include <cstring>
+
+#include "engine/exchange/character/character_check.h"
+
+namespace hazumi {
+namespace {
+
+constexpr uint32_t kMagic = 0x43'4d'5a'48;  // "HZMC"
+constexpr uint32_t kVersion = 1;
+enum : uint8_t { kIsError = 0, kIsCharacter = 1 };
+
+class ByteWriter {
+ public:
+  static constexpr bool kReads = false;
+
+  template <typename T>
+  void Value(T& value) {
+    Raw(&value, sizeof(T));
+  }
+  void Flag(bool& flag) {
+    uint8_t byte = flag;
+    Value(byte);
+  }
+  void Text(std::string& text) {
+    Size(text.size());
+    Raw(text.data(), text.size());
+  }
+  // Elements without pointers, as they lie in memory.
+  template <typename T>
+  void Flat(std::vector<T>& list) {
+    Size(list.size());
+    Raw(list.data(), list.size() * sizeof(T));
+  }
+  template <typename T>
+  void List(std::vector<T>& list) {
+    Size(list.size());
+    for (T& element : list) Visit(*this, element);
+  }
+  bool ok() const { return true; }
+  std::string Take() { return std::move(bytes_); }
+
+ private:
+  void Size(uint64_t size) { Value(size); }
+  void Raw(const void* data, size_t size) {
+    if (size > 0) bytes_.append(static_cast<const char*>(data), size);
+  }
+  std::string bytes_;
+};
+
+// Stays at its place, with ok() false, once something is missing; values are then as they were.
+class ByteReader {
+ public:
+  static constexpr bool kReads = true;
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+
+  template <typename T>
+  void Value(T& value) {
+    Raw(&value, sizeof(T));
+  }
+  void Flag(bool& flag) {
+    uint8_t byte = 0;
+    Value(byte);
+    ok_ = ok_ && byte <= 1;
+    flag = byte == 1;
+  }
+  void Text(std::string& text) {
+    text.resize(Size(1));
+    Raw(text.data(), text.size());
+  }
+  template <typename T>
+  void Flat(std::vector<T>& list) {
+    list.resize(Size(sizeof(T)));
+    Raw(list.data(), list.size() * sizeof(T));
+  }
+  template <typename T>
+  void List(std::vector<T>& list) {
+    // Every kind of element takes 8 bytes at least; growing by steps keeps a false count cheap.
+    const size_t count = Size(8);
+    for (size_t i = 0; ok_ && i < count; ++i) Visit(*this, list.emplace_back());
+  }
+  bool ok() const { return ok_; }
+  bool at_end() const { return ok_ && rest_.empty(); }
+
+ private:
+  // A number of elements that the rest has room for.
+  size_t Size(size_t least_bytes) {
+    uint64_t size = 0;
+    Value(size);
+    ok_ = ok_ && size <= rest_.size() / least_bytes;
+    return ok_ ? static_cast<size_t>(size) : 0;
+  }
+  void Raw(void* data, size_t size) {
+    ok_ = ok_ && size <= rest_.size();
+    if (!ok_ || size == 0) return;
+    std::memcpy(data, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+  std::string_view rest_;
+  bool ok_ = true;
+};
+
+template <typename Archive, typename T>
+void Maybe(Archive& a, std::optional<T>& value) {
+  bool is_there = value.has_value();
+  a.Flag(is_there);
+  if (!is_there) return;
+  if (!value) value.emplace();
+  a.Value(*value);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Bone& bone) {
+  a.Text(bone.name);
+  a.Value(bone.parent);
+  a.Value(bone.rest.R);
+  a.Value(bone.rest.p);
+  a.Value(bone.rest_scale);
+  a.Text(bone.rotation_order);
+  Maybe(a, bone.end_site);
+  a.Flag(bone.is_joint);
+}
+
+template <typename Archive>
+void Visit(Archive& a, BoneTrack& track) {
+  a.Flat(track.rotations);
+  a.Flat(track.angles);
+  a.Flat(track.translations);
+  a.Flat(track.scales);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Clip& clip) {
+  a.Text(clip.name);
+  a.Value(clip.seconds_per_frame);
+  a.Value(clip.num_frames);
+  a.List(clip.tracks);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Texture& texture) {
+  a.Text(texture.name);
+  a.Flat(texture.encoded);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Material& material) {
+  a.Text(material.name);
+  a.Value(material.base_color);
+  a.Value(material.texture);
+}
+
+template <typename Archive>
+void Visit(Archive& a, SkinMesh::Bind& bind) {
+  a.Value(bind.bone);
+  a.Value(bind.inverse_bind);
+}
+
+template <typename Archive>
+void Visit(Archive& a, SkinMesh& mesh) {
+  a.Text(mesh.name);
+  a.List(mesh.binds);
+  a.Flat(mesh.positions);
+  a.Flat(mesh.normals);
+  a.Flat(mesh.texture_coordinates);
+  a.Flat(mesh.bind_indices);
+  a.Flat(mesh.weights);
+  a.Flat(mesh.triangles);
+  a.Value(mesh.material);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Warning& warning) {
+  a.Text(warning.place);
+  a.Text(warning.message);
+}
+
+template <typename Archive>
+void Visit(Archive& a, Character& c) {
+  bool knows_up = c.up.has_value(), is_z = c.up == UpAxis::kZ;
+  a.Text(c.name);
+  a.List(c.bones);
+  a.List(c.clips);
+  a.List(c.meshes);
+  a.List(c.materials);
+  a.List(c.textures);
+  a.Flag(knows_up);
+  a.Flag(is_z);
+  Maybe(a, c.metres_per_unit);
+  a.List(c.warnings);
+  if constexpr (Archive::kReads)
+    if (knows_up) c.up = is_z ? UpAxis::kZ : UpAxis::kY;
+}
+
+template <typename Archive>
+void Visit(Archive& a, Error& error) {
+  uint8_t code = static_cast<uint8_t>(error.code);
+  a.Value(code);
+  if constexpr (Archive::kReads) {
+    error.code = code <= static_cast<uint8_t>(ErrorCode::kInterrupted)
+                     ? static_cast<ErrorCode>(code)
+                     : ErrorCode::kFailed;
+  }
+  a.Text(error.file);
+  a.Text(error.place);
+  a.Text(error.message);
+}
+
+Error Garbled(const std::string& file) {
+  return {ErrorCode::kFailed, file, "",
+          "reading it gave no usable answer, so the file is probably broken; export it again, or "
+          "in another format"};
+}
+
+}  // namespace
+
+std::string CharacterToBytes(const Result<Character>& result) {
+  ByteWriter writer;
+  uint32_t magic = kMagic, version = kVersion;
+  uint8_t kind = result.ok() ? kIsCharacter : kIsError;
+  writer.Value(magic);
+  writer.Value(version);
+  writer.Value(kind);
+  // Visiting to write changes nothing.
+  if (result.ok()) {
+    Visit(writer, const_cast<Character&>(result.value()));
+  } else {
+    Visit(writer, const_cast<Error&>(result.error()));
+  }
+  return writer.Take();
+}
+
+Result<Character> CharacterFromBytes(std::string_view bytes, const std::string& file) {
+  ByteReader reader(bytes);
+  uint32_t magic = 0, version = 0;
+  uint8_t kind = 0xff;
+  reader.Value(magic);
+  reader.Value(version);
+  reader.Value(kind);
+  if (magic != kMagic || version != kVersion || kind > kIsCharacter) return Garbled(file);
+  if (kind == kIsError) {
+    Error error;
+    Visit(reader, error);
+    return reader.at_end() && !error.message.empty() ? error : Garbled(file);
+  }
+  Character character;
+  Visit(reader, character);
+  if (!reader.at_end()) return Garbled(file);
+  if (Result<Done> checked = CheckCharacter(character, file); !checked.ok()) return checked.error();
+  return character;
+}
+
+}  // namespace hazumi

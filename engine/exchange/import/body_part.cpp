@@ -1,0 +1,127 @@
+#include "engine/exchange/import/body_part.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace hazumi {
+
+namespace {
+
+struct PartWords {
+  BodyPart part;
+  std::vector<const char*> words;
+};
+
+// The first row with a word that the name contains counts.
+const std::vector<PartWords>& Words() {
+  static const std::vector<PartWords> words = {
+      {BodyPart::kHand,
+       {"hand", "wrist", "palm", "finger", "thumb", "index", "middle", "ring", "pinky", "pinkie",
+        "little"}},
+      {BodyPart::kFoot, {"foot", "feet", "toe", "ankle", "heel", "ball"}},
+      {BodyPart::kHead, {"head", "skull", "jaw", "eye", "face", "nose", "brow", "hair"}},
+      {BodyPart::kNeck, {"neck"}},
+      {BodyPart::kPelvis, {"hipjoint", "pelvis", "hips"}},
+      {BodyPart::kThigh, {"upleg", "upperleg", "legupper", "thigh", "femur"}},
+      {BodyPart::kShank,
+       {"lowleg", "lowerleg", "leglower", "foreleg", "shin", "calf", "knee", "tibia", "shank"}},
+      {BodyPart::kForearm,
+       {"forearm", "lowarm", "lowerarm", "armlower", "elbow", "radius", "ulna"}},
+      {BodyPart::kUpperArm, {"uparm", "upperarm", "armupper", "humerus", "shldr"}},
+      {BodyPart::kTrunk,
+       {"spine", "chest", "thorax", "torso", "abdomen", "back", "waist", "collar", "clavicle",
+        "scapula", "breast"}}};
+  return words;
+}
+
+bool IsLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool IsUpper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+
+// Letters in lower case, in words: at anything else and where a capital follows a small letter a
+// new one begins.
+std::vector<std::string> WordsOf(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (size_t i = 0; i < name.size(); ++i) {
+    const bool is_new = !IsLetter(name[i]) || (IsUpper(name[i]) && i > 0 && IsLetter(name[i - 1]) &&
+                                               !IsUpper(name[i - 1]));
+    if (is_new && !words.back().empty()) words.emplace_back();
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (IsLetter(name[i])) words.back() += static_cast<char>(std::tolower(c));
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// Takes the word that names a side away: "left", "l". "LHipJoint" begins with one.
+BodySide TakeSide(const std::string& name, std::vector<std::string>* words) {
+  for (auto word = words->begin(); word != words->end(); ++word) {
+    for (const auto& [text, side] :
+         {std::pair{"left", BodySide::kLeft}, {"right", BodySide::kRight}}) {
+      if (!word->starts_with(text)) continue;
+      word->erase(0, std::string(text).size());
+      return side;
+    }
+    if (*word != "l" && *word != "r") continue;
+    const BodySide side = *word == "l" ? BodySide::kLeft : BodySide::kRight;
+    words->erase(word);
+    return side;
+  }
+  const bool is_prefixed = name.size() > 2 && (name[0] == 'L' || name[0] == 'R') &&
+                           IsUpper(name[1]) && IsLetter(name[2]) && !IsUpper(name[2]);
+  if (!is_prefixed || words->empty()) return BodySide::kMiddle;
+  words->front().erase(0, 1);
+  return name[0] == 'L' ? BodySide::kLeft : BodySide::kRight;
+}
+
+// "leg", "arm", "hip" and "shoulder" mean different bones in different rigs.
+BodyPart PartOf(const std::string& text, BodySide side, Naming naming) {
+  for (const PartWords& row : Words()) {
+    for (const char* word : row.words) {
+      if (text.find(word) != std::string::npos) return row.part;
+    }
+  }
+  const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+  const bool is_middle = side == BodySide::kMiddle;
+  if (has("hip")) return is_middle ? BodyPart::kPelvis : BodyPart::kThigh;
+  if (has("shoulder")) {
+    return naming == Naming::kByJoint ? BodyPart::kUpperArm : BodyPart::kTrunk;
+  }
+  if (has("leg")) return naming == Naming::kByJoint ? BodyPart::kThigh : BodyPart::kShank;
+  if (has("arm") && !has("armature")) return BodyPart::kUpperArm;
+  return BodyPart::kOther;
+}
+
+}  // namespace
+
+BodyName BodyNameOf(const std::string& bone, Naming naming) {
+  const size_t space = bone.rfind(':');  // "mixamorig:Hips"
+  const std::string name = space == std::string::npos ? bone : bone.substr(space + 1);
+  std::vector<std::string> words = WordsOf(name);
+  BodyName body;
+  body.side = TakeSide(name, &words);
+  std::string text;
+  for (const std::string& word : words) text += word;
+  body.part = PartOf(text, body.side, naming);
+  return body;
+}
+
+double MassShareOf(BodyPart part) {
+  constexpr double kShares[kNumBodyParts] = {0.1117, 0.3229, 0.0139, 0.0555, 0.0271, 0.0162,
+                                             0.0061, 0.1416, 0.0433, 0.0137, 0.0};
+  return kShares[static_cast<int>(part)];
+}
+
+double ComShareOf(BodyPart part) {
+  constexpr double kShares[kNumBodyParts] = {0.5,    0.5,    0.5,    0.5,    0.5772, 0.4574,
+                                             0.3624, 0.4095, 0.4459, 0.4415, 0.5};
+  return kShares[static_cast<int>(part)];
+}
+
+double RadiusShareOf(BodyPart part) {
+  constexpr double kShares[kNumBodyParts] = {0.055, 0.06,  0.03,  0.055, 0.027, 0.022,
+                                             0.012, 0.042, 0.029, 0.014, 0.012};
+  return kShares[static_cast<int>(part)];
+}
+
+}  // namespace hazumi

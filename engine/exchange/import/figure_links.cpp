@@ -1,0 +1,161 @@
+#include "engine/exchange/import/figure_links.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kShortest = 0.01;     // of a segment, as a share of the height
+constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
+constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
+constexpr double kWater = 1000.0;      // [kg/m^3]
+constexpr int kFewVertices = 12;
+
+// The skin's vertices that follow each kept bone most, at rest in its body's frame [m].
+std::vector<std::vector<Vec3>> VerticesOf(const Skin& skin, size_t num_bodies) {
+  std::vector<std::vector<Vec3>> vertices(num_bodies);
+  for (const SkinMesh& mesh : skin.meshes) {
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+      const auto& weights = mesh.weights[v];
+      const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][most]];
+      vertices[bind.bone].push_back(
+          (bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous()).head<3>());
+    }
+  }
+  return vertices;
+}
+
+double DistanceFrom(const LinkSpec& link, const Vec3& p) {
+  const Vec3 along = link.to - link.from;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - link.from).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (p - link.from - t * along).norm();
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double VolumeOf(const LinkSpec& link) {
+  const double r = link.radius;
+  return std::numbers::pi * r * r * ((link.to - link.from).norm() + 4.0 / 3.0 * r);
+}
+
+class LinkMaker {
+ public:
+  LinkMaker(const Character& character, const Skeleton& skeleton, const FigurePlan& plan,
+            const Skin& skin, const WorldFrame& world)
+      : character_(character),
+        skeleton_(skeleton),
+        plan_(plan),
+        world_(world),
+        vertices_(VerticesOf(skin, skeleton.bones.size())) {}
+
+  std::vector<std::vector<LinkSpec>> Make(double mass) {
+    for (size_t k = 0; k < skeleton_.bones.size(); ++k) links_.push_back(LinksOn(k));
+    Weigh(mass);
+    return std::move(links_);
+  }
+
+ private:
+  const BodyName& body(size_t k) const { return skeleton_.bones[k].body; }
+
+  std::vector<LinkSpec> LinksOn(size_t k) const {
+    std::vector<LinkSpec> links;
+    for (const Vec3& end : EndsOf(k)) {
+      LinkSpec link;
+      link.to = end;
+      link.radius = RadiusOf(k, link);
+      link.name = plan_.joints[k].name;
+      if (!links.empty()) link.name += "_" + std::to_string(links.size() + 1);
+      links.push_back(std::move(link));
+    }
+    return links;
+  }
+
+  // The joints beyond, or where the bone ends.
+  std::vector<Vec3> EndsOf(size_t k) const {
+    std::vector<Vec3> ends;
+    const auto add = [&](const Vec3& end) {
+      if (end.norm() > kShortest * world_.height) ends.push_back(end);
+    };
+    for (const int child : skeleton_.bones[k].children) add(plan_.joints[child].offset);
+    const BonePose& rest = skeleton_.rest[skeleton_.bones[k].bone];
+    const Bone& bone = character_.bones[skeleton_.bones[k].bone];
+    if (bone.end_site) {
+      add(world_.Placed((k == 0 ? rest.R : Mat3(Mat3::Identity())) *
+                        (rest.scale * *bone.end_site)));
+    }
+    if (ends.empty() && !vertices_[k].empty()) {
+      Vec3 mean = Vec3::Zero();
+      for (const Vec3& p : vertices_[k]) mean += p;
+      add(1.6 * mean / static_cast<double>(vertices_[k].size()));
+    }
+    const bool is_leaf = skeleton_.bones[k].children.empty();
+    if (ends.empty() && is_leaf) ends.emplace_back(0.0, 0.0, 0.0);  // a ball
+    return ends;
+  }
+
+  double RadiusOf(size_t k, const LinkSpec& link) const {
+    const double length = (link.to - link.from).norm();
+    const double usual = RadiusShareOf(body(k).part) * world_.height;
+    if (static_cast<int>(vertices_[k].size()) >= kFewVertices) {
+      std::vector<double> distances;
+      distances.reserve(vertices_[k].size());
+      for (const Vec3& p : vertices_[k]) distances.push_back(DistanceFrom(link, p));
+      return std::clamp(Median(std::move(distances)), 0.2 * usual, kMostOfHeight * world_.height);
+    }
+    if (length == 0.0) return usual;
+    return body(k).part == BodyPart::kOther ? std::min(usual, kThickest * length) : usual;
+  }
+
+  // Parts of a body first weigh as their volume, then all of one part as they shall together.
+  void Weigh(double mass) {
+    std::array<double, 3 * kNumBodyParts> volumes = {};
+    const auto slot = [&](size_t k) {
+      return static_cast<size_t>(3 * static_cast<int>(body(k).part) +
+                                 static_cast<int>(body(k).side));
+    };
+    for (size_t k = 0; k < links_.size(); ++k) {
+      for (const LinkSpec& link : links_[k]) volumes[slot(k)] += VolumeOf(link);
+    }
+    double sum = 0.0;
+    for (size_t k = 0; k < links_.size(); ++k) {
+      const double share = MassShareOf(body(k).part);
+      const bool is_alone = links_[k].size() == 1;
+      for (LinkSpec& link : links_[k]) {
+        link.mass = share > 0.0 ? share * mass * VolumeOf(link) / volumes[slot(k)]
+                                : kWater * VolumeOf(link);
+        sum += *link.mass;
+        if (is_alone) link.com = link.from + ComShareOf(body(k).part) * (link.to - link.from);
+      }
+    }
+    for (auto& links : links_) {
+      for (LinkSpec& link : links) *link.mass *= mass / sum;
+    }
+  }
+
+  const Character& character_;
+  const Skeleton& skeleton_;
+  const FigurePlan& plan_;
+  const WorldFrame& world_;
+  std::vector<std::vector<Vec3>> vertices_;
+  std::vector<std::vector<LinkSpec>> links_;
+};
+
+}  // namespace
+
+std::vector<std::vector<LinkSpec>> LinksOf(const Character& character, const Skeleton& skeleton,
+                                           const FigurePlan& plan, const Skin& skin,
+                                           const WorldFrame& world, double mass) {
+  return LinkMaker(character, skeleton, plan, skin, world).Make(mass);
+}
+
+}  // namespace hazumi

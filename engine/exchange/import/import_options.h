@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/warning.h"
+#include "engine/exchange/character/character.h"
+#include "engine/project/project.h"
+
+namespace hazumi {
+
+// Where hinges stop.
+enum class ImportLimits {
+  kClip,  // as far as the clip goes, and somewhat beyond
+  kNone,  // nowhere
+};
+
+struct ImportOptions {
+  std::string clip;                       // by name; empty: the first one
+  std::optional<UpAxis> up;               // not given: the file's, or guessed
+  std::optional<double> metres_per_unit;  // not given: the file's, or guessed from the height
+  std::optional<double> height_m;         // instead of metres_per_unit: how tall it shall be
+  std::optional<double> mass_kg;          // not given: that of a person so tall
+  std::optional<double> fps;              // not given: the clip's
+  std::optional<double> reduce_deg;  // fewer keys, this far off at most; not given: every frame
+  ImportLimits limits = ImportLimits::kClip;
+  bool skin = true;
+};
+
+// What an import did, for the person who asked for it.
+struct ImportReport {
+  std::vector<std::string> facts;  // sentences: size, axes, clip, keys
+  std::vector<Warning> warnings;   // what was guessed, dropped or repaired
+  UpAxis up = UpAxis::kY;
+  double metres_per_unit = 1.0;
+  bool unit_is_guessed = false;
+  double height_m = 0.0;          // of the figure at rest
+  double position_error_m = 0.0;  // of a joint at any frame, the largest, against the file
+  int num_joints = 0, num_keys = 0;
+};
+
+struct Imported {
+  Project project;
+  ImportReport report;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,245 @@
+#include "engine/exchange/import/import_project.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/text.h"
+#include "engine/exchange/import/figure_links.h"
+#include "engine/exchange/import/import_skin.h"
+#include "engine/exchange/import/joint_plan.h"
+#include "engine/exchange/import/key_reduction.h"
+#include "engine/exchange/units.h"
+#include "engine/figure/figure_builder.h"
+#include "engine/project/figure_writer.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);         // [kg/m^2]
+constexpr double kMargin = 15.0 * std::numbers::pi / 180.0;  // beyond the clip [rad]
+constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
+constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
+constexpr double kWorthAWord = 1e-4;                         // [m]
+
+Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
+  if (name.empty()) return character.clips.empty() ? nullptr : &character.clips.front();
+  std::string names;
+  for (const Clip& clip : character.clips) {
+    if (clip.name == name) return &clip;
+    names += (names.empty() ? "\"" : ", \"") + clip.name + "\"";
+  }
+  return Error{ErrorCode::kSemantics, "", "clip",
+               "there is no \"" + name + "\"; there " +
+                   (names.empty() ? std::string("are none") : "are " + names)};
+}
+
+// Frames per second as a ratio: a whole number, or one of 1/1.001 of it.
+ProjectRate RateOf(double fps) {
+  const double whole = std::round(fps);
+  if (whole >= 1.0 && std::abs(fps - whole) <= 1e-4 * fps) return {static_cast<int>(whole), 1, {}};
+  const double more = std::round(1.001 * fps);
+  if (std::abs(1.001 * fps - more) <= 1e-4 * fps) {
+    return {static_cast<int>(1000.0 * more), 1001, {}};
+  }
+  return {static_cast<int>(std::round(1000.0 * fps)), 1000, {}};
+}
+
+class Importer {
+ public:
+  Importer(const Character& character, const ImportOptions& options)
+      : character_(character), options_(options) {}
+
+  Result<Imported> Import() {
+    Result<Skeleton> skeleton = SkeletonOf(character_);
+    if (!skeleton.ok()) return skeleton.error();
+    skeleton_ = std::move(skeleton).value();
+    const Result<const Clip*> clip = ClipOf(character_, options_.clip);
+    if (!clip.ok()) return clip.error();
+    clip_ = clip.value();
+    report_.warnings = character_.warnings;
+    SayBones();
+    world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
+    plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
+    skin_ = SkinFor(character_, skeleton_, plan_, world_);
+    SetTime();
+    SetKeys();
+    SayError();
+    if (auto error = SetFigure()) return *error;
+    SetScene();
+    if (options_.skin && !skin_.meshes.empty()) {
+      project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
+    }
+    return Imported{std::move(project_), std::move(report_)};
+  }
+
+ private:
+  void SayBones() {
+    report_.num_joints = static_cast<int>(skeleton_.bones.size()) - 1;
+    report_.facts.push_back(std::to_string(report_.num_joints) + " joints below \"" + RootName() +
+                            "\"");
+    if (skeleton_.left_out.empty()) return;
+    std::string names;
+    for (const std::string& name : skeleton_.left_out) names += (names.empty() ? "" : ", ") + name;
+    report_.warnings.push_back(
+        {RootName(), "bones beside it that carry no skin are left out: " + names});
+  }
+
+  const std::string& RootName() const { return character_.bones[skeleton_.bones[0].bone].name; }
+
+  void SetTime() {
+    project_.name = character_.name;
+    const double fps = options_.fps.value_or(clip_ ? 1.0 / clip_->seconds_per_frame : 30.0);
+    project_.fps = RateOf(fps);
+    num_frames_ = clip_ ? clip_->num_frames : 1;
+    project_.frames.last = clip_ ? std::max(num_frames_ - 1, 1) : 60;
+    if (!clip_) return;
+    report_.facts.push_back("clip \"" + clip_->name + "\", " + std::to_string(num_frames_) +
+                            " frames at " + FormatShort(fps) + " a second");
+  }
+
+  // One curve from its values by frame, in the file's units; these become what the keys say.
+  ProjectCurve CurveOf(std::vector<double>* values, double tolerance) {
+    ProjectCurve curve;
+    const bool is_still = std::all_of(values->begin(), values->end(),
+                                      [&](double value) { return value == values->front(); });
+    if (is_still) {
+      curve.keys.push_back({0.0, values->front(), {}, Interpolation::kCubic, {}});
+    } else if (options_.reduce_deg) {
+      const std::vector<ReducedKey> keys = ReduceKeys(*values, tolerance);
+      const double per_second = static_cast<double>(project_.fps.num) / project_.fps.den;
+      for (const ReducedKey& key : keys) {
+        const double frame = key.frame;
+        curve.keys.push_back({frame, key.value, key.rate * per_second, Interpolation::kCubic, {}});
+      }
+      *values = ValuesOf(keys);
+    } else {
+      for (int f = 0; f < num_frames_; ++f) {
+        const double frame = f;
+        curve.keys.push_back({frame, (*values)[f], {}, Interpolation::kCubic, {}});
+      }
+    }
+    report_.num_keys += static_cast<int>(curve.keys.size());
+    return curve;
+  }
+
+  // Curve of one component; what its keys say goes back there.
+  ProjectCurve CurveOf(std::vector<Vec3>* vectors, int component, double unit, double tolerance) {
+    std::vector<double> values;
+    values.reserve(vectors->size());
+    for (const Vec3& v : *vectors) values.push_back(v[component] / unit);
+    ProjectCurve curve = CurveOf(&values, tolerance);
+    for (size_t f = 0; f < values.size(); ++f) (*vectors)[f][component] = values[f] * unit;
+    return curve;
+  }
+
+  void SetKeys() {
+    const double tolerance = options_.reduce_deg.value_or(0.0);
+    const double degree = std::numbers::pi / 180.0;
+    for (int i = 0; i < 3; ++i) {
+      project_.root.curves[kRootX + i] =
+          CurveOf(&plan_.root_position, i, 1.0, kMetresPerDegree * tolerance);
+      project_.root.curves[kRootAngleZ + i] = CurveOf(&plan_.root_angles, i, degree, tolerance);
+    }
+    for (size_t k = 1; k < plan_.joints.size(); ++k) {
+      PlannedJoint& joint = plan_.joints[k];
+      for (int h = 0; h < joint.num_hinges; ++h) {
+        ProjectCurve curve = CurveOf(&joint.angles, h, degree, tolerance);
+        if (clip_) project_.joints.push_back({HingeOf(joint, h), std::move(curve)});
+      }
+    }
+    report_.facts.push_back(std::to_string(report_.num_keys) + " keys" +
+                            (options_.reduce_deg
+                                 ? ", within " + FormatShort(tolerance) + " degrees of the clip"
+                                 : std::string(", one a frame")));
+  }
+
+  static std::string HingeOf(const PlannedJoint& joint, int hinge) {
+    return joint.name + "_" + HingeName(joint.axes[hinge]);
+  }
+
+  void SayError() {
+    std::string where;
+    for (int f = 0; f < num_frames_; ++f) {
+      const std::vector<Vec3> here = PositionsOf(plan_, f);
+      const std::vector<Vec3> there = FilePositions(character_, skeleton_, clip_, world_, f);
+      for (size_t k = 0; k < here.size(); ++k) {
+        const double off = (here[k] - there[k]).norm();
+        if (off <= report_.position_error_m) continue;
+        report_.position_error_m = off;
+        where = "\"" + plan_.joints[k].name + "\" at frame " + std::to_string(f);
+      }
+    }
+    if (report_.position_error_m < kWorthAWord) return;
+    report_.facts.push_back("joints are up to " + FormatShort(100.0 * report_.position_error_m) +
+                            " cm from where the file has them: " + where);
+  }
+
+  HingeSpec HingeFor(const PlannedJoint& joint, int h) const {
+    HingeSpec hinge;
+    hinge.name = HingeName(joint.axes[h]);
+    hinge.axis = Vec3::Unit(joint.axes[h]);
+    double low = 0.0, high = 0.0;  // at rest
+    for (const Vec3& angles : joint.angles) {
+      low = std::min(low, angles[h]);
+      high = std::max(high, angles[h]);
+    }
+    const double more = options_.limits == ImportLimits::kNone ? kFree : kMargin;
+    hinge.lower = low - more;
+    hinge.upper = high + more;
+    return hinge;
+  }
+
+  std::optional<Error> SetFigure() {
+    const double mass = options_.mass_kg.value_or(kMassOfHeight * world_.height * world_.height);
+    const auto links = LinksOf(character_, skeleton_, plan_, skin_, world_, mass);
+    FigureSpec spec;
+    spec.name = character_.name;
+    spec.root_name = plan_.joints[0].name;
+    spec.root_links = links[0];
+    for (size_t k = 1; k < plan_.joints.size(); ++k) {
+      const PlannedJoint& planned = plan_.joints[k];
+      JointSpec joint;
+      joint.name = planned.name;
+      joint.parent = plan_.joints[planned.parent].name;
+      joint.offset = planned.offset;
+      joint.orientation = planned.orientation;
+      for (int h = 0; h < planned.num_hinges; ++h) joint.hinges.push_back(HingeFor(planned, h));
+      joint.links = links[k];
+      spec.joints.push_back(std::move(joint));
+    }
+    const Result<Figure> figure = BuildFigure(spec);
+    if (!figure.ok()) return figure.error();
+    project_.figure.embedded_json = FigureText(spec);
+    project_.figure.spec = std::move(spec);
+    report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg");
+    return std::nullopt;
+  }
+
+  void SetScene() {
+    ProjectSceneObject ground;
+    ground.name = "ground";
+    ground.shape = ProjectPlane();
+    project_.scene.objects.push_back(std::move(ground));
+  }
+
+  const Character& character_;
+  const ImportOptions& options_;
+  Skeleton skeleton_;
+  const Clip* clip_ = nullptr;
+  WorldFrame world_;
+  FigurePlan plan_;
+  Skin skin_;
+  int num_frames_ = 1;
+  Project project_;
+  ImportReport report_;
+};
+
+}  // namespace
+
+Result<Imported> ImportProject(const Character& character, const ImportOptions& options) {
+  return Importer(character, options).Import();
+}
+
+}  // namespace hazumi

@@ -1,0 +1,138 @@
+#include "engine/exchange/import/skeleton.h"
+
+#include <algorithm>
+
+namespace hazumi {
+
+namespace {
+
+template <typename T>
+const T& Of(const std::vector<T>& list, int frame, const T& otherwise) {
+  return list.empty() ? otherwise : list[frame];
+}
+
+BonePose Below(const BonePose& parent, const Mat3& R, const Vec3& p, const Vec3& scale) {
+  return {parent.R * R, parent.p + parent.R * (parent.scale * p), parent.scale * scale.mean()};
+}
+
+std::vector<char> Weighted(const Character& character) {
+  std::vector<char> weighted(character.bones.size(), 0);
+  for (const SkinMesh& mesh : character.meshes) {
+    std::vector<char> used(mesh.binds.size(), 0);
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+      for (int k = 0; k < 4; ++k) {
+        if (mesh.weights[v][k] > 0.0f) used[mesh.bind_indices[v][k]] = 1;
+      }
+    }
+    for (size_t b = 0; b < used.size(); ++b) {
+      if (used[b]) weighted[mesh.binds[b].bone] = 1;
+    }
+  }
+  return weighted;
+}
+
+// By bone: whether it or anything below it is one of these.
+std::vector<char> CarriersOf(const Character& character, std::vector<char> these) {
+  for (int b = static_cast<int>(character.bones.size()) - 1; b > 0; --b) {
+    const int parent = character.bones[b].parent;
+    if (these[b] && parent >= 0) these[parent] = 1;
+  }
+  return these;
+}
+
+// From the top down as long as one child alone carries anything and the bone itself is none of it.
+int LowestCommon(const Character& character, const std::vector<char>& wanted,
+                 const std::vector<char>& carriers) {
+  const int num = static_cast<int>(character.bones.size());
+  const auto child_of = [&](int parent) {
+    int only = -1;
+    for (int b = 0; b < num; ++b) {
+      if (character.bones[b].parent != parent || !carriers[b]) continue;
+      if (only >= 0) return -1;
+      only = b;
+    }
+    return only;
+  };
+  int root = child_of(-1);
+  while (root >= 0 && !wanted[root]) {
+    const int below = child_of(root);
+    if (below < 0) break;
+    root = below;
+  }
+  return root;
+}
+
+Naming NamingOf(const Character& character) {
+  const auto has = [&](const char* word) {
+    return std::any_of(character.bones.begin(), character.bones.end(), [&](const Bone& bone) {
+      std::string lower;
+      for (const char c : bone.name) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+      return lower.find(word) != std::string::npos;
+    });
+  };
+  return has("elbow") || has("knee") ? Naming::kByJoint : Naming::kByBone;
+}
+
+// A bone without a name that says what it is belongs to what its parent belongs to: fingers to a
+// hand.
+BodyName Inherited(BodyName own, const BodyName& parent) {
+  const bool ends = parent.part == BodyPart::kHand || parent.part == BodyPart::kFoot ||
+                    parent.part == BodyPart::kHead;
+  if (ends) own.part = parent.part;
+  if (own.side == BodySide::kMiddle) own.side = parent.side;
+  return own;
+}
+
+}  // namespace
+
+std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int frame) {
+  static const BoneTrack kStill;
+  std::vector<BonePose> poses(character.bones.size());
+  for (size_t b = 0; b < poses.size(); ++b) {
+    const Bone& bone = character.bones[b];
+    const BoneTrack& track = clip ? clip->tracks[b] : kStill;
+    const Mat3 R =
+        track.rotations.empty() ? bone.rest.R : track.rotations[frame].toRotationMatrix();
+    const BonePose parent = bone.parent < 0 ? BonePose() : poses[bone.parent];
+    poses[b] = Below(parent, R, Of(track.translations, frame, bone.rest.p),
+                     Of(track.scales, frame, bone.rest_scale));
+  }
+  return poses;
+}
+
+Result<Skeleton> SkeletonOf(const Character& character) {
+  const size_t num = character.bones.size();
+  std::vector<char> wanted = Weighted(character);
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
+    for (size_t b = 0; b < num; ++b) wanted[b] = character.bones[b].is_joint;
+  }
+  const std::vector<char> carriers = CarriersOf(character, wanted);
+  const int root = LowestCommon(character, wanted, carriers);
+  if (root < 0) {
+    return Error{ErrorCode::kSemantics, "", "",
+                 num == 0 ? "there is no skeleton in it"
+                          : "its bones have no common root; join them under one bone"};
+  }
+  Skeleton skeleton;
+  skeleton.rest = PosesAt(character, nullptr, 0);
+  skeleton.kept.assign(num, -1);
+  const Naming naming = NamingOf(character);
+  for (int b = 0; b < static_cast<int>(num); ++b) {
+    const int above = character.bones[b].parent;
+    const int parent = above < 0 ? -1 : skeleton.kept[above];
+    const bool is_in = b == root || (parent >= 0 && carriers[b]);
+    if (!is_in) {
+      if (character.bones[b].is_joint) skeleton.left_out.push_back(character.bones[b].name);
+      continue;
+    }
+    KeptBone kept{b, b == root ? -1 : parent, {}, BodyNameOf(character.bones[b].name, naming)};
+    if (b == root && kept.body.part == BodyPart::kOther) kept.body.part = BodyPart::kPelvis;
+    if (parent >= 0) kept.body = Inherited(kept.body, skeleton.bones[parent].body);
+    skeleton.kept[b] = static_cast<int>(skeleton.bones.size());
+    if (parent >= 0) skeleton.bones[parent].children.push_back(skeleton.kept[b]);
+    skeleton.bones.push_back(std::move(kept));
+  }
+  return skeleton;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,46 @@
+#pragma once
+
+// Internal. The bones of a character that become a figure, and where they are: at rest and frame by
+// frame. In the file's axes and unit.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/exchange/character/character.h"
+#include "engine/exchange/import/body_part.h"
+
+namespace hazumi {
+
+// A bone in the world of the file.
+struct BonePose {
+  Mat3 R = Mat3::Identity();
+  Vec3 p = Vec3::Zero();
+  double scale = 1.0;  // of what lies in its frame; the mean of the axes'
+};
+
+// Of all bones at a frame; without a clip, at rest.
+std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int frame);
+
+// A bone that becomes a joint, or the root.
+struct KeptBone {
+  int bone = 0;
+  int parent = -1;  // index of a kept bone; -1: it is the root
+  std::vector<int> children;
+  BodyName body;
+};
+
+struct Skeleton {
+  std::vector<KeptBone> bones;  // parents first; the first one is the root
+  std::vector<int> kept;        // by bone of the character: index in `bones`, or -1
+  std::vector<BonePose> rest;   // by bone of the character
+  std::vector<std::string> left_out;
+};
+
+// The root is the lowest bone that carries all joints of which anything hangs: what is above it
+// moves it, what stands beside it and carries no skin, such as handles of a rig, is left out.
+// Errors: kSemantics if there is no bone.
+Result<Skeleton> SkeletonOf(const Character& character);
+
+}  // namespace hazumi

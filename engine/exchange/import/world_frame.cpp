@@ -1,0 +1,159 @@
+#include "engine/exchange/import/world_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/text.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kShortest = 1.2, kTallest = 2.2;  // of what is taken for a person [m]
+constexpr double kUsual = 1.7;                     // [m]
+constexpr double kSmallest = 0.2, kLargest = 5.0;  // of what needs no word [m]
+
+struct Extent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  void Take(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  Vec3 size() const { return high - low; }
+};
+
+Extent ExtentOf(const Character& character, const Skeleton& skeleton,
+                const std::vector<BonePose>& poses) {
+  Extent extent;
+  for (const KeptBone& kept : skeleton.bones) {
+    const BonePose& pose = poses[kept.bone];
+    extent.Take(pose.p);
+    const auto& end = character.bones[kept.bone].end_site;
+    if (end) extent.Take(pose.p + pose.R * (pose.scale * *end));
+  }
+  return extent;
+}
+
+// Vertices where the skin is when the skeleton rests, but for the skin's own rest.
+Extent SkinExtent(const Character& character, const Skeleton& skeleton) {
+  Extent extent;
+  for (const SkinMesh& mesh : character.meshes) {
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][0]];
+      const BonePose& pose = skeleton.rest[bind.bone];
+      const Vec3 p = (bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous()).head<3>();
+      extent.Take(pose.p + pose.R * (pose.scale * p));
+    }
+  }
+  return extent;
+}
+
+// Heads are above feet, whatever they do, nearly all of the time.
+std::optional<Vec3> FromFeetToHead(const Character& character, const Skeleton& skeleton,
+                                   const Clip* clip) {
+  const auto middle = [&](BodyPart part, const std::vector<BonePose>& poses) {
+    Vec3 sum = Vec3::Zero();
+    int num = 0;
+    for (const KeptBone& kept : skeleton.bones) {
+      if (kept.body.part != part) continue;
+      sum += poses[kept.bone].p;
+      ++num;
+    }
+    return num == 0 ? std::optional<Vec3>() : Vec3(sum / num);
+  };
+  constexpr int kLooks = 16;
+  const int num_frames = clip ? clip->num_frames : 1;
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < kLooks; ++i) {
+    const std::vector<BonePose> poses = PosesAt(character, clip, i * (num_frames - 1) / kLooks);
+    const auto head = middle(BodyPart::kHead, poses), feet = middle(BodyPart::kFoot, poses);
+    if (!head || !feet) return std::nullopt;
+    sum += *head - *feet;
+  }
+  return sum;
+}
+
+UpAxis GuessUp(const Character& character, const Skeleton& skeleton, const Clip* clip) {
+  Vec3 tall = ExtentOf(character, skeleton, skeleton.rest).size();
+  if (const auto upright = FromFeetToHead(character, skeleton, clip)) tall = *upright;
+  return std::abs(tall.z()) > std::abs(tall.y()) ? UpAxis::kZ : UpAxis::kY;
+}
+
+struct Unit {
+  double metres;
+  const char* name;
+};
+constexpr Unit kUnits[] = {{1.0, "metres"},
+                           {0.01, "centimetres"},
+                           {0.0254, "inches"},
+                           {0.056444, "2.54 cm / 0.45, the unit of the CMU mocap library"},
+                           {0.001, "millimetres"}};
+
+// The unit that makes a person of something so tall; the nearest to 1.7 m of those that do.
+Unit GuessUnit(double tall) {
+  Unit best = {kUsual / tall, "such that it is 1.7 m tall"};
+  double off = std::numeric_limits<double>::infinity();
+  for (const Unit& unit : kUnits) {
+    const double height = tall * unit.metres;
+    const double now = std::abs(std::log(height / kUsual));
+    if (height < kShortest || height > kTallest || now >= off) continue;
+    off = now;
+    best = unit;
+  }
+  return best;
+}
+
+void SayUnit(double metres, const std::string& why, double height, ImportReport* report) {
+  const std::string said =
+      "1 unit is " + FormatShort(metres) + " m (" + why + "): " + FormatShort(height) + " m tall";
+  report->facts.push_back(said);
+  if (height >= kSmallest && height <= kLargest) return;
+  report->warnings.push_back({"unit", "the figure is " + FormatShort(height) +
+                                          " m tall; if that is wrong, give its height"});
+}
+
+}  // namespace
+
+Mat3 AxesOf(UpAxis up) {
+  Mat3 C = Mat3::Identity();
+  if (up == UpAxis::kY) C << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  return C;
+}
+
+WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, const Clip* clip,
+                        const ImportOptions& options, ImportReport* report) {
+  WorldFrame world;
+  const char* who = options.up ? "as asked for" : character.up ? "as the file says" : "guessed";
+  world.up = options.up ? *options.up : character.up.value_or(GuessUp(character, skeleton, clip));
+  world.C = AxesOf(world.up);
+  report->facts.push_back(std::string(world.up == UpAxis::kY ? "y" : "z") + " is up (" + who + ")");
+  Extent extent = ExtentOf(character, skeleton, skeleton.rest);
+  if (!character.meshes.empty()) extent = SkinExtent(character, skeleton);
+  // A skeleton that rests with all bones in a row is not as tall as it then looks.
+  double tall = extent.size()[world.up == UpAxis::kY ? 1 : 2];
+  if (!(tall > 0.0)) tall = std::max(extent.size().maxCoeff(), 1e-9);
+  std::string why = "as asked for";
+  if (options.height_m) {
+    world.metres = *options.height_m / tall;
+  } else if (options.metres_per_unit) {
+    world.metres = *options.metres_per_unit;
+  } else if (character.metres_per_unit) {
+    world.metres = *character.metres_per_unit;
+    why = "as the file says";
+  } else {
+    const Unit unit = GuessUnit(tall);
+    world.metres = unit.metres;
+    why = std::string("guessed: ") + unit.name;
+    report->unit_is_guessed = true;
+  }
+  world.height = tall * world.metres;
+  SayUnit(world.metres, why, world.height, report);
+  report->up = world.up;
+  report->metres_per_unit = world.metres;
+  report->height_m = world.height;
+  return world;
+}
+
+}  // namespace hazumi

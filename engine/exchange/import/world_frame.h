@@ -1,0 +1,33 @@
+#pragma once
+
+// Internal. From the axes and the unit of a file to Hazumi's: z up, x forward, y left, metres.
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "engine/exchange/import/import_options.h"
+#include "engine/exchange/import/skeleton.h"
+
+namespace hazumi {
+
+struct WorldFrame {
+  UpAxis up = UpAxis::kY;
+  Mat3 C = Mat3::Identity();  // of the file's axes in the world's
+  double metres = 1.0;        // per unit
+  double height = 0.0;        // of the figure at rest [m]
+
+  Mat3 Turned(const Mat3& R) const { return C * R * C.transpose(); }
+  Vec3 Placed(const Vec3& p) const { return metres * (C * p); }
+};
+
+// A file's z goes forward where y is up (x is left); where z is up, x goes forward.
+Mat3 AxesOf(UpAxis up);
+
+// What neither the options nor the file say is guessed from the skeleton: along which axis it is
+// tall, standing in the clip or at rest, and which unit makes it as tall as a person. What was
+// decided, and why, is added to `report`.
+WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, const Clip* clip,
+                        const ImportOptions& options, ImportReport* report);
+
+}  // namespace hazumi

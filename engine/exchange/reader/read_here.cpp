@@ -1,0 +1,33 @@
+#include "engine/exchange/reader/read_here.h"
+
+#include "engine/exchange/assimp/scene_read.h"
+#include "engine/exchange/bvh/bvh_read.h"
+#include "engine/exchange/character/character_check.h"
+#include "engine/exchange/content.h"
+#include "engine/exchange/reader/whole_file.h"
+
+namespace hazumi {
+namespace {
+
+constexpr size_t kLongestFile = 512u << 20;
+
+Result<Character> ReadAs(CharacterFormat format, std::string bytes, const std::string& path) {
+  if (format == CharacterFormat::kBvh) return ReadBvh(bytes, path);
+  return ReadScene(format, std::move(bytes), path);
+}
+
+}  // namespace
+
+Result<Character> ReadHere(const std::string& path) {
+  Result<std::string> bytes = WholeFile(path, kLongestFile);
+  if (!bytes.ok()) return bytes.error();
+  const Result<CharacterFormat> format = FormatOf(bytes.value(), path);
+  if (!format.ok()) return format.error();
+  Result<Character> character = ReadAs(format.value(), std::move(bytes).value(), path);
+  if (!character.ok()) return character;
+  if (Result<Done> checked = CheckCharacter(character.value(), path); !checked.ok())
+    return checked.error();
+  return character;
+}
+
+}  // namespace hazumi

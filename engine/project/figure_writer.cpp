@@ -1,0 +1,95 @@
+#include "engine/project/figure_writer.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "engine/project/enum_names.h"
+#include "engine/project/field_writer.h"
+#include "engine/project/figure_fields.h"
+#include "engine/project/json.h"
+
+namespace hazumi {
+
+namespace {
+
+double Degrees(double radians) { return radians / kRadiansPerDegree; }
+
+// Angles z, y, x [deg] of R = Rz Ry Rx.
+Vec3 AnglesOf(const Mat3& R) {
+  const double y = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+  if (std::hypot(R(0, 0), R(1, 0)) < 1e-12) {
+    return {Degrees(std::atan2(-R(0, 1), R(1, 1))), Degrees(y), 0.0};
+  }
+  return {Degrees(std::atan2(R(1, 0), R(0, 0))), Degrees(y), Degrees(std::atan2(R(2, 1), R(2, 2)))};
+}
+
+Json ToJson(const Look& look) {
+  Json json = {{"shape", NameOf(look.shape)}};
+  if (look.shape == Look::Shape::kTaperedCapsule) {
+    json["from_m"] = hazumi::ToJson(look.from);
+    json["to_m"] = hazumi::ToJson(look.to);
+    json["radii_m"] = Json::array({look.radius_from, look.radius_to});
+  } else {
+    json["center_m"] = hazumi::ToJson(look.center);
+    json["half_axes_m"] = hazumi::ToJson(look.half_axes);
+  }
+  json["color"] = look.color;
+  if (!look.mirror_color.empty()) json["mirror_color"] = look.mirror_color;
+  return json;
+}
+
+Json ToJson(const LinkSpec& link) {
+  Json json = {{"name", link.name},
+               {"from_m", hazumi::ToJson(link.from)},
+               {"to_m", hazumi::ToJson(link.to)},
+               {"radius_m", link.radius}};
+  if (link.mass) json["mass_kg"] = *link.mass;
+  if (link.density) json["density_kg_m3"] = *link.density;
+  if (link.com) json["com_m"] = hazumi::ToJson(*link.com);
+  if (link.inertia) {
+    const Mat3& I = *link.inertia;
+    json["inertia_kg_m2"] = Json::array({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
+  }
+  for (const Look& look : link.looks) json["look"].push_back(ToJson(look));
+  return json;
+}
+
+Json ToJson(const std::vector<LinkSpec>& links) {
+  Json list = Json::array();
+  for (const LinkSpec& link : links) list.push_back(ToJson(link));
+  return list;
+}
+
+Json ToJson(const HingeSpec& hinge) {
+  Json json = Json::object();
+  if (!hinge.name.empty()) json["name"] = hinge.name;
+  json["axis"] = hazumi::ToJson(hinge.axis);
+  json["limits_deg"] = Json::array({Degrees(hinge.lower), Degrees(hinge.upper)});
+  json["rest_deg"] = Degrees(hinge.rest);
+  return json;
+}
+
+Json ToJson(const JointSpec& joint) {
+  Json json = {
+      {"name", joint.name}, {"parent", joint.parent}, {"offset_m", hazumi::ToJson(joint.offset)}};
+  if (!joint.orientation.isIdentity(0.0)) {
+    json["orientation_deg"] = hazumi::ToJson(AnglesOf(joint.orientation));
+  }
+  for (const HingeSpec& hinge : joint.hinges) json["hinges"].push_back(ToJson(hinge));
+  if (!joint.links.empty()) json["links"] = ToJson(joint.links);
+  return json;
+}
+
+}  // namespace
+
+std::string FigureText(const FigureSpec& spec) {
+  Json json = {{"format", "hazumi-figure"}, {"version", 1}, {"name", spec.name}};
+  json["root"] = {{"name", spec.root_name}};
+  if (!spec.root_links.empty()) json["root"]["links"] = ToJson(spec.root_links);
+  json["joints"] = Json::array();
+  for (const JointSpec& joint : spec.joints) json["joints"].push_back(ToJson(joint));
+  if (spec.mirror) json["mirror"] = {{"from", spec.mirror->from}, {"to", spec.mirror->to}};
+  return CompactJson(json);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,139 @@
+// A skin in a project: what is large is base64 of little-endian bytes.
+
+#include <bit>
+#include <cstring>
+
+#include "engine/base/base64.h"
+#include "engine/project/project_fields.h"
+
+namespace hazumi {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "bytes are written as they lie");
+
+// Any list of plain numbers, or of arrays or small vectors of them.
+template <typename T>
+Json Bytes(const std::vector<T>& values) {
+  return ToBase64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+template <typename T>
+void ReadBytes(FieldReader& in, const char* name, std::vector<T>& values) {
+  std::string text;
+  in.Required(name, text);
+  const std::optional<std::string> bytes = FromBase64(text);
+  if (!bytes || bytes->size() % sizeof(T) != 0) return in.At(name).Report(Check::kNotBytes);
+  values.resize(bytes->size() / sizeof(T));
+  if (!bytes->empty()) std::memcpy(static_cast<void*>(values.data()), bytes->data(), bytes->size());
+}
+
+Json ToJson(const SkinMesh::Bind& bind) {
+  Json matrix = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) matrix.push_back(bind.inverse_bind(row, column));
+  }
+  return {{"bone", bind.bone}, {"inverse_bind", std::move(matrix)}};
+}
+
+Json ToJson(const SkinMesh& mesh) {
+  Json binds = Json::array();
+  for (const SkinMesh::Bind& bind : mesh.binds) binds.push_back(ToJson(bind));
+  return {{"name", mesh.name},
+          {"material", mesh.material},
+          {"binds", std::move(binds)},
+          {"positions", Bytes(mesh.positions)},
+          {"normals", Bytes(mesh.normals)},
+          {"texture_coordinates", Bytes(mesh.texture_coordinates)},
+          {"bind_indices", Bytes(mesh.bind_indices)},
+          {"weights", Bytes(mesh.weights)},
+          {"triangles", Bytes(mesh.triangles)}};
+}
+
+Json ToJson(const Material& material) {
+  const auto& c = material.base_color;
+  return {{"name", material.name},
+          {"base_color", Json::array({c[0], c[1], c[2], c[3]})},
+          {"texture", material.texture}};
+}
+
+Json ToJson(const Texture& texture) {
+  return {{"name", texture.name}, {"image", Bytes(texture.encoded)}};
+}
+
+template <typename T>
+Json ListToJson(const std::vector<T>& items) {
+  Json list = Json::array();
+  for (const T& item : items) list.push_back(ToJson(item));
+  return list;
+}
+
+}  // namespace
+
+static void Describe(FieldReader& in, SkinMesh::Bind& bind) {
+  std::array<double, 12> matrix{};
+  in.Required("bone", bind.bone);
+  in.Required("inverse_bind", matrix);
+  for (int i = 0; i < 12; ++i) bind.inverse_bind(i / 4, i % 4) = matrix[i];
+}
+
+static void Describe(FieldReader& in, SkinMesh& mesh) {
+  in.Required("name", mesh.name);
+  in.Required("material", mesh.material);
+  in.Required("binds", mesh.binds);
+  ReadBytes(in, "positions", mesh.positions);
+  ReadBytes(in, "normals", mesh.normals);
+  ReadBytes(in, "texture_coordinates", mesh.texture_coordinates);
+  ReadBytes(in, "bind_indices", mesh.bind_indices);
+  ReadBytes(in, "weights", mesh.weights);
+  ReadBytes(in, "triangles", mesh.triangles);
+}
+
+static void Describe(FieldReader& in, Material& material) {
+  std::array<double, 4> color{};
+  in.Required("name", material.name);
+  in.Required("base_color", color);
+  in.Required("texture", material.texture);
+  for (size_t i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[i]);
+}
+
+static void Describe(FieldReader& in, Texture& texture) {
+  in.Required("name", texture.name);
+  ReadBytes(in, "image", texture.encoded);
+}
+
+static void Describe(FieldReader& in, Skin& skin) {
+  in.Required("bones", skin.bones);
+  in.Required("meshes", skin.meshes);
+  in.Optional("materials", skin.materials);
+  in.Optional("textures", skin.textures);
+}
+
+void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {
+  Skin skin;
+  ReadValue(json, site, skin);
+  if (!site.errors->ok()) return;
+  const Site meshes = site.Field("meshes");
+  for (size_t i = 0; i < skin.meshes.size(); ++i) {
+    const std::string wrong = WhatIsWrongWith(skin.meshes[i], skin);
+    if (!wrong.empty()) return meshes.Item(i).Report(Check::kBadMesh, {wrong});
+  }
+  const int num_textures = static_cast<int>(skin.textures.size());
+  for (size_t i = 0; i < skin.materials.size(); ++i) {
+    const int texture = skin.materials[i].texture;
+    if (texture >= -1 && texture < num_textures) continue;
+    return site.Field("materials").Item(i).Report(Check::kBadMesh, {"its texture is not there"});
+  }
+  value.skin = std::make_shared<const Skin>(std::move(skin));
+}
+
+Json ToJson(const ProjectSkin& value) {
+  if (!value) return nullptr;
+  const Skin& skin = *value.skin;
+  return {{"bones", skin.bones},
+          {"meshes", ListToJson(skin.meshes)},
+          {"materials", ListToJson(skin.materials)},
+          {"textures", ListToJson(skin.textures)}};
+}
+
+}  // namespace hazumi
