@@ -13,6 +13,8 @@ int Run(const hazumi::Options& options) {
   switch (options.task) {
     case hazumi::Task::kRender:
       return hazumi::RunRender(options);
+    case hazumi::Task::kExport:
+      return hazumi::RunExport(options);
     case hazumi::Task::kBake:
       return hazumi::RunBake(options);
     case hazumi::Task::kCheck:

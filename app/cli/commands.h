@@ -8,6 +8,7 @@ namespace hazumi {
 
 // Each does one task of the command line and returns the exit code.
 int RunRender(const Options& options);
+int RunExport(const Options& options);
 int RunBake(const Options& options);
 int RunCheck(const Options& options);
 int RunInfo(const Options& options);

@@ -8,20 +8,23 @@ const char* const kHelpText =
   hazumi [FILE]                         the editor, in a window
   hazumi --render OUT [options] FILE
   hazumi --bake OUT [options] FILE
+  hazumi --export OUT [options] FILE
   hazumi --check [options] FILE...
   hazumi --info [options] FILE
   hazumi --flight [options] FILE
   hazumi --import CHARACTER --save OUT.kfa [options]
   hazumi --run SCRIPT [--size WxH] [FILE]
 
-FILE is a project (.kfa); --render, --bake, --info and --flight read BVH, FBX,
-glTF, GLB and Collada as well.
+FILE is a project (.kfa); --render, --bake, --export, --info and --flight read
+BVH, FBX, glTF, GLB and Collada as well.
 
 Tasks
   --render OUT      draw frames as PNG pictures; OUT is a folder, or a name with
                     #### where the frame number goes
   --bake OUT        write the motion: OUT ends in .json or .csv; - is standard
                     output, as JSON
+  --export OUT      write the motion for other programs: OUT ends in .bvh,
+                    .gltf, .glb (with the figure's mesh), .csv, .json or .mp4
   --check           say of each file whether it can be animated, and if not, why
   --info            say what is in the file, and its events
   --flight          find the flights: take-off, apex, landing, the gravity that
@@ -39,10 +42,12 @@ Tasks
   --operators       list the operators and their parameters
   --help, --version
 
-Drawing, with --render
+Drawing, with --render and --export to .mp4
   --frames A..B     only these frames, or one: N               (default: all)
-                    --frames counts output frames when --fps is given
+                    --frames counts output frames when --fps is given, and
+                    belongs to --export of any format
   --size WxH        picture size in pixels, 16 to 16384        (1280x720)
+                    of videos even: an odd one grows by a pixel
   --camera VIEW     front, back, left, right, top, three-quarter, or
                     EX,EY,EZ,TX,TY,TZ[,FOV]: eye and target in metres, angle
                     in degrees                  (the file's, or three-quarter)
@@ -75,9 +80,11 @@ Motion, with any task, instead of what the file and its regions say
 Output
   --fps N           output frames a second, 0.1 to 10000, such as 60, 29.97 or
                     30000/1001; the motion is the same         (the file's)
-                    with --render, --bake, --info, --flight
-  --timings         with --bake: reports carry microseconds, off by default so
-                    that two bakes are equal bytes
+                    with --render, --bake, --export, --info, --flight
+  --bvh-up y|z      of --export to .bvh: the axis that is up   (y)
+  --bvh-unit m|cm   of --export to .bvh: its unit of length    (cm)
+  --timings         with --bake and --export to .json: reports carry
+                    microseconds, off by default so that two are equal bytes
   --json            with --check, --info, --flight: answer in JSON
 
 Editor
@@ -93,6 +100,8 @@ Examples
   hazumi --render out/t_####.png --frames 5..15 --size 640x360 throw.kfa
   hazumi --bake motion.json --fps 60 jump.kfa
   hazumi --bake - jump.kfa | less
+  hazumi --export throw.glb throw.kfa
+  hazumi --export throw.mp4 --size 640x360 throw.kfa
   hazumi --check *.kfa
 )";
 

@@ -2,8 +2,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
+#include <string>
 #include <vector>
+
+#include "engine/base/text.h"
 
 namespace hazumi {
 
@@ -82,6 +86,10 @@ std::optional<FrameRate> ReadRate(std::string_view text) {
   const FrameRate rate{fraction->first / divisor, fraction->second / divisor};
   if (!is_good(rate.frames_per_second()) || rate.num > kLargest) return std::nullopt;
   return rate;
+}
+
+bool IsVideo(std::string_view path) {
+  return LowerCase(std::filesystem::path(path).extension().string()) == ".mp4";
 }
 
 std::optional<CameraChoice> ReadCamera(std::string_view text) {

@@ -17,6 +17,8 @@ std::optional<FrameRange> ReadRange(std::string_view text);
 std::optional<PictureSize> ReadSize(std::string_view text);
 // "30", "29.97" (to three decimals) or "30000/1001": 0.1 to 10000 frames a second.
 std::optional<FrameRate> ReadRate(std::string_view text);
+// Whether a file's name is that of a video: .mp4 in any case.
+bool IsVideo(std::string_view path);
 // The name of a side, or six or seven numbers.
 std::optional<CameraChoice> ReadCamera(std::string_view text);
 

@@ -11,6 +11,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "app/cli/version.h"
+#include "engine/exchange/export_motion.h"
 #include "engine/project/did_you_mean.h"
 
 namespace hazumi {
@@ -25,13 +26,20 @@ enum TaskBits : unsigned {
   kCheck = 4,
   kInfo = 8,
   kFlight = 16,
-  kMotion = 31,  // all of those
   kImport = 32,
   kRun = 64,
   kOperators = 128,
   kWindow = 256,  // no task named
+  // --export, by the format
+  kBvh = 512,
+  kVideo = 1024,
+  kJson = 2048,
+  kPlain = 4096,  // others
+  kExport = kBvh | kVideo | kJson | kPlain,
+  kDraw = kRender | kVideo,
+  kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,
   // Those that read files of other programs.
-  kForeign = kRender | kBake | kInfo | kFlight | kImport,
+  kForeign = kRender | kBake | kInfo | kFlight | kImport | kExport,
 };
 
 // An option, the tasks it belongs to, and how its value is read. A flag has no `remedy`; another
@@ -86,6 +94,22 @@ bool ReadMotionFile(const std::string& text, Options* options) {
   return text == "-" || text.ends_with(".json") || text.ends_with(".csv");
 }
 
+bool ReadExport(const std::string& text, Options* options) {
+  options->task = Task::kExport;
+  options->output = text;
+  return MotionFormatOf(text) || IsVideo(text);
+}
+
+bool ReadBvhUp(const std::string& text, Options* options) {
+  options->z_up = text == "z";
+  return text == "y" || text == "z";
+}
+
+bool ReadBvhUnit(const std::string& text, Options* options) {
+  options->in_metres = text == "m";
+  return text == "m" || text == "cm";
+}
+
 bool ReadScript(const std::string& text, Options* options) {
   options->task = Task::kRun;
   options->script = text;
@@ -135,6 +159,8 @@ bool Choose(const std::string&, Options* options) {
 constexpr OptionRule kTasks[] = {
     {"--render", kRender, "put #### where the frame number goes, or name a folder", ReadPictures},
     {"--bake", kBake, "the name must end in .json or .csv, or be -", ReadMotionFile},
+    {"--export", kExport, "the name must end in .bvh, .gltf, .glb, .csv, .json or .mp4",
+     ReadExport},
     {"--check", kCheck, nullptr, Choose<Task::kCheck>},
     {"--info", kInfo, nullptr, Choose<Task::kInfo>},
     {"--flight", kFlight, nullptr, Choose<Task::kFlight>},
@@ -144,28 +170,28 @@ constexpr OptionRule kTasks[] = {
 };
 
 constexpr OptionRule kRules[] = {
-    {"--frames", kRender, "give a frame, or A..B with A <= B",
+    {"--frames", kRender | kExport, "give a frame, or A..B with A <= B",
      [](const std::string& text, Options* o) { return Keep(ReadRange(text), &o->frames); }},
-    {"--size", kRender | kRun, "give WxH, each from 16 to 16384",
+    {"--size", kDraw | kRun, "give WxH, each from 16 to 16384",
      [](const std::string& text, Options* o) { return Keep(ReadSize(text), &o->size); }},
-    {"--samples", kRender, "give 1 or 4",
+    {"--samples", kDraw, "give 1 or 4",
      [](const std::string& text, Options* o) {
        return KeepInt(text, 1, 4, &o->samples) && (o->samples == 1 || o->samples == 4);
      }},
-    {"--camera", kRender,
+    {"--camera", kDraw,
      "give front, back, left, right, top, three-quarter, or EX,EY,EZ,TX,TY,TZ[,FOV]",
      [](const std::string& text, Options* o) { return Keep(ReadCamera(text), &o->camera); }},
-    {"--threads", kRender, "give a whole number from 1",
+    {"--threads", kDraw, "give a whole number from 1",
      [](const std::string& text, Options* o) {
        return KeepInt(text, 1, std::numeric_limits<int>::max(), &o->threads);
      }},
-    {"--ghosts", kRender, "give a whole number from 1 to 1000000",
+    {"--ghosts", kDraw, "give a whole number from 1 to 1000000",
      [](const std::string& text, Options* o) { return KeepInt(text, 1, 1000000, &o->ghosts); }},
-    {"--paths", kRender, nullptr, Set<&Options::paths>},
-    {"--marks", kRender, nullptr, Set<&Options::marks>},
-    {"--tint", kRender, nullptr, Set<&Options::tint>},
-    {"--frame-number", kRender, nullptr, Set<&Options::frame_number>},
-    {"--no-shadow", kRender, nullptr, Set<&Options::shadow, false>},
+    {"--paths", kDraw, nullptr, Set<&Options::paths>},
+    {"--marks", kDraw, nullptr, Set<&Options::marks>},
+    {"--tint", kDraw, nullptr, Set<&Options::tint>},
+    {"--frame-number", kDraw, nullptr, Set<&Options::frame_number>},
+    {"--no-shadow", kDraw, nullptr, Set<&Options::shadow, false>},
     {"--save", kImport, "the name must end in .kfa", ReadSaved},
     {"--clip", kForeign, "name a clip of the file",
      [](const std::string& text, Options* o) {
@@ -198,23 +224,43 @@ constexpr OptionRule kRules[] = {
     {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
     {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
     {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},
-    {"--fps", kRender | kBake | kInfo | kFlight | kImport,
+    {"--fps", kRender | kBake | kInfo | kFlight | kImport | kExport,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
-    {"--timings", kBake, nullptr, Set<&Options::timings>},
+    {"--bvh-up", kBvh, "give y or z", ReadBvhUp},
+    {"--bvh-unit", kBvh, "give m or cm", ReadBvhUnit},
+    {"--timings", kBake | kJson, nullptr, Set<&Options::timings>},
     {"--trace", kWindow, nullptr, Set<&Options::trace>},
     {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
 
-// "--check and --info"
+// "--check and --info", "--export to .bvh"
 std::string TaskNames(unsigned tasks) {
   std::string text;
-  for (const OptionRule& task : kTasks) {
-    if (!(task.tasks & tasks)) continue;
-    tasks &= ~task.tasks;
-    text += (text.empty() ? "" : tasks ? ", " : " and ") + std::string(task.name);
-  }
+  const auto add = [&](unsigned named, const std::string& name) {
+    if ((named & tasks) != named) return;
+    tasks &= ~named;
+    text += (text.empty() ? "" : tasks ? ", " : " and ") + name;
+  };
+  for (const OptionRule& task : kTasks) add(task.tasks, task.name);
+  add(kBvh, "--export to .bvh");
+  add(kJson, "--export to .json");
+  add(kVideo, "--export to .mp4");
   return text;
+}
+
+// Of --export, those of the format that is asked for.
+unsigned TasksOf(const OptionRule& task, const Options& options) {
+  if (task.tasks != kExport) return task.tasks;
+  if (IsVideo(options.output)) return kVideo;
+  const auto format = MotionFormatOf(options.output);
+  if (format == MotionFormat::kBvh) return kBvh;
+  return format == MotionFormat::kJson ? kJson : kPlain;
+}
+
+// "--bake", "--export to x.glb".
+std::string TaskText(const OptionRule& task, const Options& options) {
+  return task.tasks == kExport ? "--export to " + options.output : task.name;
 }
 
 void RefuseUnknown(const CLI::App& app) {
@@ -269,10 +315,11 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
 void ReadOptions(const CLI::App& app, Options* options) {
   RefuseUnknown(app);
   const OptionRule& task = ReadTask(app, options);
+  const unsigned tasks = TasksOf(task, *options);
   for (const OptionRule& rule : kRules) {
-    if (app.count(rule.name) != 0 && !(rule.tasks & task.tasks)) {
+    if (app.count(rule.name) != 0 && !(rule.tasks & tasks)) {
       throw UsageError(std::string(rule.name) + " belongs to " + TaskNames(rule.tasks) +
-                       ", not to " + task.name);
+                       ", not to " + TaskText(task, *options));
     }
     Read(app, rule, options);
   }

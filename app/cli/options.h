@@ -12,7 +12,18 @@
 namespace hazumi {
 
 // kWindow: no other task was named.
-enum class Task { kWindow, kRender, kBake, kCheck, kInfo, kFlight, kImport, kRun, kOperators };
+enum class Task {
+  kWindow,
+  kRender,
+  kExport,
+  kBake,
+  kCheck,
+  kInfo,
+  kFlight,
+  kImport,
+  kRun,
+  kOperators
+};
 
 struct FrameRange {
   int first = 0, last = 0;  // inclusive
@@ -32,7 +43,7 @@ struct CameraChoice {
 // What the command line asks for. See `hazumi --help`.
 struct Options {
   Task task = Task::kWindow;
-  std::string output;  // of --render, --bake and --save
+  std::string output;  // of --render, --export, --bake and --save
   std::string script;  // of --run
   std::vector<std::string>
       files;  // --check takes several, --run and the window one or none, the others one
@@ -55,6 +66,8 @@ struct Options {
   std::optional<double> step_s;
   std::optional<double> tolerance_deg;
   std::optional<FrameRate> rate;
+  bool z_up = false;       // of BVH; else y up
+  bool in_metres = false;  // of BVH; else in centimetres
   bool timings = false;
   bool trace = false;  // of the window
   bool json = false;

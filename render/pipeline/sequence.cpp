@@ -12,9 +12,14 @@ bool IsCancelled(const Sequence& sequence) {
   return sequence.cancel != nullptr && sequence.cancel->load();
 }
 
-Result<Done> WriteFrame(const Sequence& sequence, int frame, const Image& image) {
+Result<Done> WriteFile(const Sequence& sequence, int frame, const Image& image) {
   const auto texts = sequence.metadata ? sequence.metadata(frame) : std::vector<PngText>{};
-  Result<Done> written = WritePng(sequence.path(frame), image, texts);
+  return WritePng(sequence.path(frame), image, texts);
+}
+
+Result<Done> WriteFrame(const Sequence& sequence, int frame, const Image& image) {
+  Result<Done> written =
+      sequence.write ? sequence.write(frame, image) : WriteFile(sequence, frame, image);
   if (written.ok() && sequence.progress) sequence.progress(frame + 1);
   return written;
 }

@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "render/gl/renderer.h"
+#include "render/image/image.h"
 #include "render/image/png.h"
 #include "render/scene/scene.h"
 
@@ -25,8 +26,10 @@ struct Sequence {
   std::function<Scene(int frame)> scene;                    // called on the calling thread
   std::function<std::filesystem::path(int frame)> path;     // called on either thread
   std::function<std::vector<PngText>(int frame)> metadata;  // either thread; may be empty
-  std::function<void(int written)> progress;  // after each file, in order, on the writing thread;
-                                              // may be empty
+  // Takes each picture in place of a PNG file, in order, on the writing thread; may be empty.
+  std::function<Result<Done>(int frame, const Image& image)> write;
+  std::function<void(int written)> progress;  // after each picture, in order, on the writing
+                                              // thread; may be empty
   const std::atomic<bool>* cancel = nullptr;  // set it to stop after the frame at hand
 };
 

@@ -83,6 +83,11 @@ class CommandLine(unittest.TestCase):
                       ["--bake", "-", "--fps", "30/0", THROW],
                       ["--bake", "-", "--fps", "99999999999/1", THROW],
                       ["--bake", "-", "--fps", "30", "--fps", "60", THROW],
+                      ["--export", "x.fbx", THROW], ["--export", "", THROW], ["--export", "x.glb"],
+                      ["--export", "x.glb", "--bvh-unit", "m", THROW],
+                      ["--export", "x.bvh", "--bvh-up", "x", THROW],
+                      ["--export", "x.bvh", "--size", "64x48", THROW],
+                      ["--export", "x.mp4", "--frames", "40..50", THROW],
                       ["--render", "o", "--camera", "sideways", THROW]):
             done = run(*wrong, cwd=self.folder)
             self.assertEqual((done.returncode, done.stdout), (2, ""), wrong)
@@ -110,6 +115,10 @@ class CommandLine(unittest.TestCase):
                 (["--bake", "-", THROW, "--fps"], "--fps wants a value"),
                 (["--bake", "-", "--fps", "30", "--fps", "60", THROW], "--fps is given twice"),
                 (["--json", THROW], "--json belongs to --check, --info and --flight, not to the editor"),
+                (["--export", "x.fbx", THROW],
+                 "the name must end in .bvh, .gltf, .glb, .csv, .json or .mp4"),
+                (["--export", "x.glb", "--bvh-up", "z", THROW],
+                 "--bvh-up belongs to --export to .bvh, not to --export to x.glb"),
                 (["--info"], "no FILE"),
                 (["--info", THROW, JUMP], "only --check takes several")):
             done = run(*wrong, cwd=self.folder)
@@ -119,7 +128,8 @@ class CommandLine(unittest.TestCase):
     def test_help_fits_a_terminal_and_names_every_option(self):
         lines = run("--help").stdout.splitlines()
         self.assertLessEqual(max(map(len, lines)), 80)
-        for option in ("render", "bake", "check", "info", "flight", "run", "operators", "frames", "size", "samples",
+        for option in ("render", "bake", "export", "bvh-up", "bvh-unit",
+                       "check", "info", "flight", "run", "operators", "frames", "size", "samples",
                        "camera", "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
                        "method", "tolerance", "step", "fps", "timings", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)

@@ -1,0 +1,100 @@
+#include <filesystem>
+
+#include "app/cli/commands.h"
+#include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/option_values.h"
+#include "app/cli/pictures.h"
+#include "app/cli/progress.h"
+#include "app/cli/terminal.h"
+#include "app/cli/version.h"
+#include "engine/base/atomic_file.h"
+#include "engine/exchange/export_motion.h"
+#include "render/motion/links_skin.h"
+#include "render/pipeline/video.h"
+
+namespace hazumi {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Before anything is computed for it.
+std::optional<Error> CheckPlace(const std::string& output) {
+  std::error_code ignored;
+  const fs::path folder = fs::path(output).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+    return Error{ErrorCode::kCannotWrite, output, "",
+                 "there is no folder " + folder.string() + "; make it, or name another"};
+  }
+  if (fs::is_directory(output, ignored)) {
+    return Error{ErrorCode::kCannotWrite, output, "", "is a folder; name a file in it"};
+  }
+  return std::nullopt;
+}
+
+std::string Generator() { return std::string("Hazumi ") + kVersion; }
+
+int ExportFile(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  const Skin capsules = baked.project.skin ? Skin() : render::SkinOfLinks(*baked.animation.figure);
+  MotionExportOptions settings;
+  settings.format = MotionFormatOf(options.output).value();
+  if (!baked.project.name.empty()) settings.name = baked.project.name;
+  settings.generator = Generator();
+  settings.up = options.z_up ? UpAxis::kZ : UpAxis::kY;
+  settings.metres_per_unit = options.in_metres ? 1.0 : 0.01;
+  settings.skin = baked.project.skin ? baked.project.skin.skin.get() : &capsules;
+  settings.timings = options.timings;
+  const Motion motion = PartOf(baked.motion, frames.first, frames.last);
+  const Result<std::string> bytes = ExportMotion(baked.animation, motion, settings);
+  if (Interrupted()) return Complain(InterruptedError());
+  if (!bytes.ok()) return Complain(bytes.error());
+  const auto written = WriteFileAtomically(options.output, bytes.value(), WriteMode::kDurable);
+  return written.ok() ? kExitOk : Complain(written.error());
+}
+
+// Each side a pixel more where it is odd: colours are stored for two by two pixels.
+PictureSize EvenSize(const PictureSize& size) {
+  const PictureSize even{size.width + size.width % 2, size.height + size.height % 2};
+  if (even.width != size.width || even.height != size.height) {
+    PrintLine(stderr, "hazumi: warning: --size %dx%d: videos have even sizes; drawing %dx%d",
+              size.width, size.height, even.width, even.height);
+  }
+  return even;
+}
+
+int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  const Result<Motion> path_motion = PathMotion(baked, options);
+  if (!path_motion.ok()) return Complain(path_motion.error());
+  const PictureSize size = EvenSize(PictureSizeOf(options));
+  const Result<render::FigureSkin> skin = SkinOn(baked, options.files[0]);
+  if (!skin.ok()) return Complain(skin.error());
+  Pictures pictures(baked, frames, path_motion.value(), skin.value(), size, options);
+  Progress progress("export", pictures.count());
+  render::Sequence sequence = pictures.Sequence();
+  sequence.progress = [&](int done) {
+    progress.Report(done, "frame " + std::to_string(pictures.FrameOf(done - 1)));
+  };
+  const FrameRate& rate = baked.motion.rate;
+  const Result<int> drawn =
+      RenderVideo(SequenceOptionsOf(options, size), sequence,
+                  {options.output, size.width, size.height, rate.num, rate.den});
+  progress.Finish();
+  if (Interrupted()) return Complain(InterruptedError());
+  return drawn.ok() ? kExitOk : Complain(drawn.error());
+}
+
+}  // namespace
+
+int RunExport(const Options& options) {
+  if (const auto error = CheckPlace(options.output)) return Complain(*error);
+  const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
+  if (!baked.ok()) return Complain(baked.error());
+  PrintWarnings(options.files[0], baked.value().warnings);
+  const auto frames = ChosenFrames(baked.value().motion, options, "writing");
+  if (!frames) return kExitUsage;
+  return IsVideo(options.output) ? ExportVideo(baked.value(), *frames, options)
+                                 : ExportFile(baked.value(), *frames, options);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,116 @@
+#include "app/cli/pictures.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/terminal.h"
+#include "engine/bake/bake.h"
+#include "render/motion/framing.h"
+
+namespace hazumi {
+
+namespace {
+
+std::string Text(const FrameRange& range) {
+  if (range.first == range.last) return std::to_string(range.first);
+  return std::to_string(range.first) + ".." + std::to_string(range.last);
+}
+
+render::Camera CameraFor(const BakedProject& baked, PictureSize size, const Options& options) {
+  const double aspect = static_cast<double>(size.width) / size.height;
+  render::Camera camera;
+  if (options.camera && options.camera->side.empty()) {
+    camera.eye = options.camera->eye;
+    camera.target = options.camera->target;
+    camera.vertical_fov_deg = options.camera->vertical_fov_deg;
+  } else if (options.camera || !baked.project.camera) {
+    const std::string side = options.camera ? options.camera->side : "three-quarter";
+    camera = render::FrameMotion(baked.animation, baked.motion, side, aspect);
+  } else {
+    camera.eye = baked.project.camera->eye_m;
+    camera.target = baked.project.camera->target_m;
+    camera.vertical_fov_deg = baked.project.camera->vertical_fov_deg;
+  }
+  return camera;
+}
+
+render::Overlays OverlaysOf(const Options& options) {
+  render::Overlays overlays;
+  overlays.ghost_every = options.ghosts;
+  overlays.paths = options.paths;
+  overlays.contact_marks = options.marks;
+  overlays.region_tint = options.tint;
+  overlays.frame_number = options.frame_number;
+  return overlays;
+}
+
+}  // namespace
+
+std::optional<FrameRange> ChosenFrames(const Motion& motion, const Options& options,
+                                       const char* doing) {
+  if (motion.frames.empty()) {  // at an --fps so low that all fall outside
+    ComplainOfUsage("--fps: no output frame lies within " + options.files[0]);
+    return std::nullopt;
+  }
+  const FrameRange all{motion.frames.front().frame, motion.frames.back().frame};
+  const FrameRange asked = options.frames.value_or(all);
+  const FrameRange chosen{std::max(asked.first, all.first), std::min(asked.last, all.last)};
+  const std::string has =
+      "--frames " + Text(asked) + ": " + options.files[0] + " has frames " + Text(all);
+  if (chosen.first > chosen.last) {
+    ComplainOfUsage(has);
+    return std::nullopt;
+  }
+  if (chosen.first != asked.first || chosen.last != asked.last) {
+    PrintLine(stderr, "hazumi: warning: %s; %s %s", has.c_str(), doing, Text(chosen).c_str());
+  }
+  return chosen;
+}
+
+PictureSize PictureSizeOf(const Options& options) {
+  return options.size.value_or(PictureSize{1280, 720});
+}
+
+render::SequenceOptions SequenceOptionsOf(const Options& options, PictureSize size) {
+  render::SequenceOptions settings;
+  settings.width = size.width;
+  settings.height = size.height;
+  settings.renderer.samples = options.samples;
+  settings.renderer.shadow = options.shadow;
+  settings.threads = std::min(options.threads, 2);
+  return settings;
+}
+
+Result<Motion> PathMotion(const BakedProject& baked, const Options& options) {
+  if (!options.paths) return Motion();
+  FrameRate rate = baked.motion.rate;
+  if (rate.num <= std::numeric_limits<int>::max() / 4) rate.num *= 4;
+  return Bake(baked.animation, {rate, &Interrupted()});
+}
+
+Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& file) {
+  Result<render::FigureSkin> skin =
+      render::SkinCache().On(*baked.animation.figure, baked.project.skin.skin);
+  if (skin.ok() && skin.value()) PrintWarnings(file, skin.value().model->warnings);
+  return skin;
+}
+
+Pictures::Pictures(const BakedProject& baked, const FrameRange& frames, const Motion& path_motion,
+                   render::FigureSkin skin, PictureSize size, const Options& options)
+    : baked_(baked),
+      frames_(frames),
+      scenes_(baked.animation, baked.motion, path_motion, CameraFor(baked, size, options),
+              OverlaysOf(options), std::move(skin)) {}
+
+render::Sequence Pictures::Sequence() {
+  render::Sequence sequence;
+  sequence.frame_count = count();
+  // A motion has all frames from its first to its last.
+  const int offset = frames_.first - baked_.motion.frames.front().frame;
+  sequence.scene = [this, offset](int i) { return scenes_.At(offset + i); };
+  sequence.cancel = &Interrupted();
+  return sequence;
+}
+
+}  // namespace hazumi

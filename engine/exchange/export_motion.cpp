@@ -1,0 +1,76 @@
+#include "engine/exchange/export_motion.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include "engine/base/text.h"
+#include "engine/exchange/bvh/bvh_write.h"
+#include "engine/exchange/character/from_motion.h"
+#include "engine/exchange/gltf/gltf_write.h"
+#include "engine/exchange/gltf/motion_extras.h"
+#include "engine/exchange/motion_csv.h"
+#include "engine/exchange/motion_json.h"
+
+namespace hazumi {
+
+namespace {
+
+Result<std::string> ExportBvh(const Animation& animation, const Motion& motion,
+                              const MotionExportOptions& options) {
+  const FromMotionOptions from{options.name, options.up, options.metres_per_unit, nullptr};
+  const Result<Character> character = CharacterFromMotion(*animation.figure, motion, from);
+  if (!character.ok()) return character.error();
+  return BvhText(character.value(), character.value().clips.front());
+}
+
+Result<std::string> ExportGltf(const Animation& animation, const Motion& motion,
+                               const MotionExportOptions& options) {
+  const FromMotionOptions from{options.name, UpAxis::kY, 1.0, options.skin};
+  const Result<Character> character = CharacterFromMotion(*animation.figure, motion, from);
+  if (!character.ok()) return character.error();
+  const auto container =
+      options.format == MotionFormat::kGlb ? GltfContainer::kBinary : GltfContainer::kText;
+  return GltfFile(character.value(),
+                  {container, options.generator, MotionExtras(animation, motion)});
+}
+
+}  // namespace
+
+std::optional<MotionFormat> MotionFormatOf(const std::string& path) {
+  const std::string suffix = LowerCase(std::filesystem::path(path).extension().string());
+  if (suffix == ".bvh") return MotionFormat::kBvh;
+  if (suffix == ".gltf") return MotionFormat::kGltf;
+  if (suffix == ".glb") return MotionFormat::kGlb;
+  if (suffix == ".csv") return MotionFormat::kCsv;
+  if (suffix == ".json") return MotionFormat::kJson;
+  return std::nullopt;
+}
+
+Result<std::string> ExportMotion(const Animation& animation, const Motion& motion,
+                                 const MotionExportOptions& options) {
+  switch (options.format) {
+    case MotionFormat::kBvh:
+      return ExportBvh(animation, motion, options);
+    case MotionFormat::kGltf:
+    case MotionFormat::kGlb:
+      return ExportGltf(animation, motion, options);
+    case MotionFormat::kCsv:
+      return MotionToCsv(animation, motion);
+    case MotionFormat::kJson:
+      return MotionToJson(animation, motion, {options.timings});
+  }
+  return Error{ErrorCode::kFailed, "", "", "unknown format"};
+}
+
+Motion PartOf(const Motion& motion, int first, int last) {
+  Motion part{motion.rate, {}, {}, motion.regions, motion.warnings};
+  std::copy_if(motion.frames.begin(), motion.frames.end(), std::back_inserter(part.frames),
+               [&](const MotionFrame& f) { return f.frame >= first && f.frame <= last; });
+  const double start = motion.rate.SecondsAt(first), end = motion.rate.SecondsAt(last);
+  std::copy_if(motion.events.begin(), motion.events.end(), std::back_inserter(part.events),
+               [&](const MotionEvent& e) { return e.time >= start && e.time <= end; });
+  return part;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,206 @@
+#include "render/pipeline/video.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+extern char** environ;
+
+namespace hazumi::render {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> Arguments(const VideoFormat& format, const fs::path& temporary) {
+  const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
+  const std::string rate = std::to_string(format.rate_num) + "/" + std::to_string(format.rate_den);
+  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+          // what comes: rows of red, green, blue and a byte that says nothing
+          "-f", "rawvideo", "-pixel_format", "rgb0", "-video_size", size, "-framerate", rate, "-i",
+          "pipe:0",
+          // what shall become of it: plays everywhere, begins to play before it is all there
+          "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-c:v",
+          "libx264", "-preset", "medium", "-crf", "18", "-color_range", "tv", "-colorspace",
+          "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-movflags", "+faststart",
+          "-f", "mp4", "file:" + temporary.string()};
+}
+
+// The file that a link leads to, so that the video does not replace the link.
+fs::path FollowLinks(const fs::path& path) {
+  std::error_code failed;
+  const fs::path target = fs::canonical(path, failed);
+  return failed ? path : target;
+}
+
+// Hidden beside the file, so that it can take its name at once.
+fs::path TemporaryPath(const fs::path& path) {
+  const std::string name = "." + path.filename().string() + "." + std::to_string(getpid());
+  return path.parent_path() / (name + ".tmp");
+}
+
+// The lines of a text in one.
+std::string OneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text.substr(0, text.find_last_not_of(" \r\n") + 1)) {
+    if (c == '\n') line += "; ";
+    if (c != '\n' && c != '\r') line += c;
+  }
+  return line;
+}
+
+}  // namespace
+
+// ffmpeg at work.
+struct VideoWriter::Process {
+  VideoFormat format;
+  fs::path target, temporary;
+  pid_t id = -1;    // -1: ended
+  int input = -1;   // a socket: writing to it raises no signal when ffmpeg has gone
+  int output = -1;  // what it says, a file in memory
+
+  ~Process();
+  // 0, or errno.
+  int Spawn(int its_input);
+  // Lets it end by itself. True: it did its work.
+  bool Wait();
+  Error Complaint() const;
+};
+
+VideoWriter::Process::~Process() {
+  if (input >= 0) close(input);
+  if (id > 0) {
+    kill(id, SIGKILL);
+    Wait();
+  }
+  if (output >= 0) close(output);
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+}
+
+int VideoWriter::Process::Spawn(int its_input) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, its_input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
+  // In a group of its own: Ctrl+C is for us to deal with.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  std::vector<std::string> arguments = Arguments(format, temporary);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  pid_t child = -1;
+  const int failed = posix_spawnp(&child, "ffmpeg", &files, &attributes, pointers.data(), environ);
+  if (failed == 0) id = child;
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  return failed;
+}
+
+bool VideoWriter::Process::Wait() {
+  if (input >= 0) close(std::exchange(input, -1));
+  int status = 0;
+  while (id > 0 && waitpid(id, &status, 0) < 0 && errno == EINTR) {
+  }
+  id = -1;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+Error VideoWriter::Process::Complaint() const {
+  std::string text(2000, '\0');
+  const ssize_t count = pread(output, text.data(), text.size(), 0);
+  text = OneLine(text.substr(0, static_cast<size_t>(std::max<ssize_t>(count, 0))));
+  return {ErrorCode::kFailed, format.path.string(), "ffmpeg",
+          text.empty() ? "ended before the video was whole, and says nothing" : text};
+}
+
+Result<VideoWriter> VideoWriter::Start(const VideoFormat& format) {
+  const std::string file = format.path.string();
+  if (format.width % 2 != 0 || format.height % 2 != 0) {
+    return Error{ErrorCode::kFailed, file, "",
+                 "H.264 with 4:2:0 colours has even sizes only; choose a size a pixel larger"};
+  }
+  auto process = std::make_unique<Process>();
+  process->format = format;
+  process->target = FollowLinks(format.path);
+  process->temporary = TemporaryPath(process->target);
+  process->output = memfd_create("ffmpeg", MFD_CLOEXEC);
+  int ends[2];
+  if (process->output < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    return Error{ErrorCode::kFailed, file, "",
+                 std::string("no pipe to ffmpeg: ") + std::strerror(errno)};
+  }
+  process->input = ends[0];
+  const int failed = process->Spawn(ends[1]);
+  close(ends[1]);
+  if (failed == ENOENT) {
+    return Error{ErrorCode::kFailed, file, "",
+                 "the program ffmpeg, which makes videos, is not installed; "
+                 "on Debian: apt install ffmpeg"};
+  }
+  if (failed != 0) {
+    return Error{ErrorCode::kFailed, file, "ffmpeg",
+                 std::string("cannot be started: ") + std::strerror(failed)};
+  }
+  return VideoWriter(std::move(process));
+}
+
+VideoWriter::VideoWriter(std::unique_ptr<Process> process) : process_(std::move(process)) {}
+VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
+VideoWriter::~VideoWriter() = default;
+
+Result<Done> VideoWriter::Write(const Image& image) {
+  HAZUMI_DEMAND_EQ(image.width, process_->format.width);
+  HAZUMI_DEMAND_EQ(image.height, process_->format.height);
+  for (size_t sent = 0; sent < image.rgba.size();) {
+    const ssize_t count =
+        send(process_->input, image.rgba.data() + sent, image.rgba.size() - sent, MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      process_->Wait();
+      return process_->Complaint();
+    }
+    sent += static_cast<size_t>(count);
+  }
+  return Done{};
+}
+
+Result<Done> VideoWriter::Finish() {
+  if (!process_->Wait()) return process_->Complaint();
+  std::error_code failed;
+  fs::rename(process_->temporary, process_->target, failed);
+  if (!failed) return Done{};
+  return Error{ErrorCode::kCannotWrite, process_->format.path.string(), "",
+               "cannot be written: " + failed.message()};
+}
+
+Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,
+                        const VideoFormat& format) {
+  Result<VideoWriter> writer = VideoWriter::Start(format);
+  if (!writer.ok()) return writer.error();
+  Sequence into_video = sequence;
+  into_video.write = [&](int, const Image& image) { return writer.value().Write(image); };
+  const Result<int> drawn = RenderSequence(options, into_video);
+  const bool is_cancelled = sequence.cancel != nullptr && sequence.cancel->load();
+  if (!drawn.ok() || is_cancelled) return drawn;
+  const Result<Done> finished = writer.value().Finish();
+  if (!finished.ok()) return finished.error();
+  return drawn;
+}
+
+}  // namespace hazumi::render

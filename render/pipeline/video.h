@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/base/result.h"
+#include "render/image/image.h"
+#include "render/pipeline/sequence.h"
+
+namespace hazumi::render {
+
+// An MP4 file (H.264, 4:2:0, BT.709) of pictures of one size, made by the program ffmpeg, which
+// takes them through a pipe. The file appears when it is whole; until then it is a hidden one
+// beside it.
+struct VideoFormat {
+  std::filesystem::path path;
+  int width = 1280, height = 720;   // [px], even
+  int rate_num = 30, rate_den = 1;  // frames a second = num / den
+};
+
+class VideoWriter {
+ public:
+  // Errors, kFailed: a size that is odd; ffmpeg is not installed.
+  static Result<VideoWriter> Start(const VideoFormat& format);
+  // Without Finish nothing is left of the file.
+  ~VideoWriter();
+  VideoWriter(VideoWriter&&) noexcept;
+  VideoWriter& operator=(VideoWriter&&) = delete;
+
+  // Errors of both: what ffmpeg says (kFailed), or why the file cannot take its name.
+  Result<Done> Write(const Image& image);
+  Result<Done> Finish();
+
+ private:
+  struct Process;
+  explicit VideoWriter(std::unique_ptr<Process> process);
+  std::unique_ptr<Process> process_;
+};
+
+// Renders a sequence into a video; its `path` and `metadata` are not heeded. Stops at the first
+// error; then, and when it is cancelled, no file is left. Returns the number of frames.
+Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,
+                        const VideoFormat& format);
+
+}  // namespace hazumi::render

@@ -1,0 +1,184 @@
+#!/usr/bin/env -S /usr/bin/python3
+"""What hazumi --export writes, and what it leaves behind when it cannot. usage: export_test.py
+HAZUMI"""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+THROW = ROOT / "assets" / "examples" / "throw.kfa"
+JUMP = ROOT / "assets" / "examples" / "jump.kfa"
+HAZUMI = None
+HAS_FFMPEG = shutil.which("ffmpeg") and shutil.which("ffprobe")
+
+
+def run(*arguments, **more):
+    return subprocess.run([HAZUMI, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=120, **more)
+
+
+def read_glb(path):
+    """The JSON and the buffer of a .glb."""
+    data = path.read_bytes()
+    magic, version, length, size, kind = struct.unpack("<4sIII4s", data[:20])
+    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON")
+    return json.loads(data[20:20 + size]), data[20 + size + 8:]
+
+
+class Export(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-export-"))
+
+    def tearDown(self):
+        shutil.rmtree(self.folder)
+
+    def export(self, name, *options, project=THROW):
+        path = self.folder / name
+        done = run("--export", path, *options, project)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        return path
+
+    def test_every_format_is_written_whole_and_alone(self):
+        for suffix in ("bvh", "gltf", "glb", "csv", "json", "GLB"):
+            self.assertGreater(self.export(f"throw.{suffix}").stat().st_size, 1000, suffix)
+        self.assertEqual(len(list(self.folder.iterdir())), 6)
+
+    def test_tables_are_those_of_bake(self):
+        for suffix in ("csv", "json"):
+            baked = self.folder / f"baked.{suffix}"
+            run("--bake", baked, THROW)
+            self.assertEqual(self.export(f"a.{suffix}").read_text(), baked.read_text())
+
+    def test_bvh_is_y_up_in_centimetres_unless_it_is_told_otherwise(self):
+        """The root's first position in all four ways."""
+        motion = json.loads(self.export("m.json").read_text())
+        x, y, z = motion["frames"][0]["root"]["position"]
+        for options, wanted in (((), (100 * y, 100 * z, 100 * x)),
+                                (("--bvh-unit", "m"), (y, z, x)),
+                                (("--bvh-up", "z"), (100 * x, 100 * y, 100 * z)),
+                                (("--bvh-up", "z", "--bvh-unit", "m"), (x, y, z))):
+            lines = self.export("m.bvh", *options).read_text().splitlines()
+            first = lines[lines.index("MOTION") + 3].split()
+            for number, value in zip(first, wanted):
+                self.assertAlmostEqual(float(number), value, delta=1e-6)
+
+    def test_bvh_has_the_frames_that_are_asked_for(self):
+        lines = self.export("m.bvh", "--frames", "3..7", "--fps", "60").read_text().splitlines()
+        self.assertIn("Frames: 5", lines)
+        time = next(line for line in lines if line.startswith("Frame Time: "))
+        self.assertAlmostEqual(float(time.split()[2]), 1.0 / 60.0, places=12)
+
+    def test_gltf_says_what_was_dynamic(self):
+        gltf, _ = read_glb(self.export("throw.glb"))
+        extras = gltf["animations"][0]["extras"]["hazumi"]
+        project = json.loads(THROW.read_text())
+        self.assertEqual([r["name"] for r in extras["regions"]],
+                         [r["name"] for r in project["regions"]])
+        region = extras["regions"][0]
+        self.assertEqual(len(region["joints"]), len(region["friction"]))
+        self.assertAlmostEqual(region["start_s"], region["first_frame"] / 30.0)
+        gltf, _ = read_glb(self.export("jump.glb", project=JUMP))
+        extras = gltf["animations"][0]["extras"]["hazumi"]
+        self.assertIn("gravity", [p["kind"] for p in extras["placements"]])
+        self.assertEqual({"take_off", "landing"} & {e["kind"] for e in extras["events"]},
+                         {"take_off", "landing"})
+
+    def test_gltf_stands_on_y_with_its_meshes_bound_to_the_bones(self):
+        gltf, buffer = read_glb(self.export("jump.glb", project=JUMP))
+        self.assertTrue(all("skin" in n for n in gltf["nodes"] if "mesh" in n))
+        low, high = math.inf, -math.inf
+        for mesh in gltf["meshes"]:
+            accessor = gltf["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]
+            low, high = min(low, accessor["min"][1]), max(high, accessor["max"][1])
+        self.assertAlmostEqual(high - low, 1.7, delta=0.1)
+        self.assertEqual(len(buffer), gltf["buffers"][0]["byteLength"])
+
+    def test_a_place_that_is_not_there_is_named_and_nothing_is_computed(self):
+        for name in ("no/such.glb", "no/such.mp4"):
+            done = run("--export", self.folder / name, THROW)
+            self.assertEqual((done.returncode, done.stdout), (73, ""))
+            self.assertIn(f"there is no folder {self.folder / 'no'}; make it", done.stderr)
+        (self.folder / "x.glb").mkdir()
+        done = run("--export", self.folder / "x.glb", THROW)
+        self.assertEqual(done.returncode, 73)
+        self.assertIn("is a folder", done.stderr)
+
+    def test_an_error_leaves_the_old_file(self):
+        old = self.folder / "old.glb"
+        old.write_text("old")
+        done = run("--export", old, self.folder / "missing.kfa")
+        self.assertEqual(done.returncode, 66)
+        self.assertEqual(old.read_text(), "old")
+        self.assertEqual(len(list(self.folder.iterdir())), 1)
+
+    def test_a_video_without_ffmpeg_says_what_to_install(self):
+        done = run("--export", self.folder / "v.mp4", "--size", "64x48", THROW,
+                   env={**os.environ, "PATH": str(self.folder)})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("apt install ffmpeg", done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg or ffprobe is not installed")
+    def test_a_video_has_its_size_and_every_frame(self):
+        path = self.folder / "throw.mp4"
+        done = run("--export", path, "--size", "97x64", THROW)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--size 97x64: videos have even sizes; drawing 98x64", done.stderr)
+        self.assertIn("export 31/31 frame 30", done.stderr)
+        asked = "stream=codec_name,width,height,nb_read_frames,r_frame_rate"
+        probe = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", asked,
+                                "-of", "json", path], capture_output=True, text=True, check=True)
+        self.assertEqual(json.loads(probe.stdout)["streams"],
+                         [{"codec_name": "h264", "width": 98, "height": 64,
+                           "r_frame_rate": "30/1", "nb_read_frames": "31"}])
+        data = path.read_bytes()
+        self.assertLess(data.index(b"moov"), data.index(b"mdat"))  # plays before it is all there
+        self.assertEqual(len(list(self.folder.iterdir())), 1)
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg is not installed")
+    def test_an_interrupted_video_leaves_the_old_one(self):
+        path = self.folder / "v.mp4"
+        path.write_text("old")
+        process = subprocess.Popen(
+            [HAZUMI, "--export", path, "--fps", "600", "--size", "320x240", THROW], text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        for _ in range(3):
+            process.stderr.readline()
+        process.send_signal(signal.SIGINT)
+        _, complaint = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertTrue(complaint.endswith("hazumi: interrupted\n"), complaint)
+        self.assertEqual(path.read_text(), "old")
+        self.assertEqual(len(list(self.folder.iterdir())), 1)
+
+    def test_what_ffmpeg_says_is_passed_on(self):
+        fake = self.folder / "ffmpeg"
+        fake.write_text("#!/bin/sh\necho 'the encoder is on holiday' >&2\nexit 1\n")
+        fake.chmod(0o755)
+        done = run("--export", self.folder / "v.mp4", "--size", "64x48", THROW,
+                   env={**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("v.mp4: ffmpeg: the encoder is on holiday", done.stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["ffmpeg"])
+
+    def test_ten_thousand_frames_of_gltf_take_two_seconds(self):
+        before = os.times()
+        self.export("big.glb", "--fps", "10000")
+        after = os.times()
+        spent = after.children_user - before.children_user
+        self.assertLess(spent, 2.0)
+
+
+if __name__ == "__main__":
+    HAZUMI = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,116 @@
+#include "render/pipeline/video.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "temp_folder.h"
+
+namespace hazumi::render {
+namespace {
+
+bool Has(const std::string& program) {
+  return std::system((program + " -version >/dev/null 2>&1").c_str()) == 0;
+}
+
+std::string OutputOf(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  pclose(pipe);
+  return text;
+}
+
+Image Grey(int width, int height, int level) {
+  Image image(width, height);
+  std::fill(image.rgba.begin(), image.rgba.end(), static_cast<std::uint8_t>(level));
+  return image;
+}
+
+TEST(VideoWriter, WritesEveryPicture) {
+  if (!Has("ffmpeg") || !Has("ffprobe")) GTEST_SKIP() << "ffmpeg or ffprobe is not installed";
+  TempFolder folder;
+  const std::filesystem::path path = folder.path() / "it's a video.mp4";
+  auto writer = VideoWriter::Start({path, 64, 48, 30000, 1001});
+  ASSERT_TRUE(writer.ok()) << writer.error().ToString();
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(writer.value().Write(Grey(64, 48, 30 * i)).ok());
+  EXPECT_FALSE(std::filesystem::exists(path));
+  ASSERT_TRUE(writer.value().Finish().ok());
+  const std::string seen = OutputOf(
+      "ffprobe -v error -count_frames -show_entries "
+      "stream=codec_name,width,height,pix_fmt,r_frame_rate,nb_read_frames "
+      "-of default=noprint_wrappers=1 \"" +
+      path.string() + "\"");
+  for (const char* wanted : {"codec_name=h264\n", "width=64\n", "height=48\n", "pix_fmt=yuv420p\n",
+                             "r_frame_rate=30000/1001\n", "nb_read_frames=7\n"}) {
+    EXPECT_NE(seen.find(wanted), std::string::npos) << wanted << "not in:\n" << seen;
+  }
+}
+
+TEST(VideoWriter, LeavesNothingUnlessFinished) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  TempFolder folder;
+  {
+    auto writer = VideoWriter::Start({folder.path() / "v.mp4", 64, 48, 30, 1});
+    ASSERT_TRUE(writer.ok());
+    ASSERT_TRUE(writer.value().Write(Grey(64, 48, 100)).ok());
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(VideoWriter, WritesThroughALink) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  TempFolder folder;
+  std::ofstream(folder.path() / "target.mp4") << "old";
+  std::filesystem::create_symlink("target.mp4", folder.path() / "link.mp4");
+  auto writer = VideoWriter::Start({folder.path() / "link.mp4", 64, 48, 30, 1});
+  ASSERT_TRUE(writer.ok());
+  ASSERT_TRUE(writer.value().Write(Grey(64, 48, 100)).ok());
+  ASSERT_TRUE(writer.value().Finish().ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.mp4"));
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "target.mp4"), 500u);
+}
+
+TEST(VideoWriter, PassesOnWhatFfmpegSays) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  auto writer = VideoWriter::Start({"/no/such/folder/v.mp4", 64, 48, 30, 1});
+  ASSERT_TRUE(writer.ok());
+  const Image image = Grey(64, 48, 100);
+  Result<Done> written = writer.value().Write(image);
+  while (written.ok()) written = writer.value().Write(image);
+  EXPECT_NE(written.error().message.find("No such file or directory"), std::string::npos)
+      << written.error().ToString();
+}
+
+TEST(VideoWriter, WantsEvenSizesAndSaysSo) {
+  const auto writer = VideoWriter::Start({"v.mp4", 65, 48, 30, 1});
+  ASSERT_FALSE(writer.ok());
+  EXPECT_NE(writer.error().message.find("even"), std::string::npos);
+}
+
+TEST(RenderVideo, IsCancelledWithoutATrace) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  TempFolder folder;
+  std::atomic<bool> cancel = false;
+  Sequence sequence;
+  sequence.frame_count = 50;
+  sequence.scene = [](int) { return Scene(); };
+  sequence.progress = [&](int done) { cancel = done >= 2; };
+  sequence.cancel = &cancel;
+  SequenceOptions options;
+  options.width = 64;
+  options.height = 48;
+  const auto drawn = RenderVideo(options, sequence, {folder.path() / "v.mp4", 64, 48, 30, 1});
+  ASSERT_TRUE(drawn.ok());
+  EXPECT_LT(drawn.value(), 50);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace hazumi::render
