@@ -10,6 +10,7 @@
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
 #include "engine/exchange/import/import_project.h"
+#include "engine/exchange/import/import_report.h"
 #include "engine/exchange/read_character.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
@@ -107,7 +108,8 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
       Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
-  std::vector<Warning> warnings = report.warnings;
+  std::vector<Warning> warnings =
+      Shortened(report.warnings, options.all_warnings ? 0 : kShortReport);
   const std::vector<Warning>& of_compiling = compiled.value().warnings;
   warnings.insert(warnings.end(), of_compiling.begin(), of_compiling.end());
   WarnAboutSolverOptions(options, compiled.value().animation, &warnings);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kShortest = 1.2, kTallest = 2.2;  // of what is taken for a person [m]
 constexpr double kUsual = 1.7;                     // [m]
+constexpr double kLying = 0.4;                     // this tall for its length it lies
 constexpr double kSmallest = 0.2, kLargest = 5.0;  // of what needs no word [m]
 
 struct Extent {
@@ -41,7 +42,9 @@ Extent SkinExtent(const Character& character, const Skeleton& skeleton) {
   Extent extent;
   for (const SkinMesh& mesh : character.meshes) {
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
-      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][0]];
+      const auto& weights = mesh.weights[v];
+      const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][most]];
       const BonePose& pose = skeleton.rest[bind.bone];
       const Vec3 p = (bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous()).head<3>();
       extent.Take(pose.p + pose.R * (pose.scale * p));
@@ -131,9 +134,10 @@ WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, co
   report->facts.push_back(std::string(world.up == UpAxis::kY ? "y" : "z") + " is up (" + who + ")");
   Extent extent = ExtentOf(character, skeleton, skeleton.rest);
   if (!character.meshes.empty()) extent = SkinExtent(character, skeleton);
-  // A skeleton that rests with all bones in a row is not as tall as it then looks.
+  // A skeleton may rest lying, or with all bones in a row.
   double tall = extent.size()[world.up == UpAxis::kY ? 1 : 2];
-  if (!(tall > 0.0)) tall = std::max(extent.size().maxCoeff(), 1e-9);
+  if (!(tall > kLying * extent.size().maxCoeff())) tall = extent.size().maxCoeff();
+  tall = std::max(tall, 1e-9);
   std::string why = "as asked for";
   if (options.height_m) {
     world.metres = *options.height_m / tall;
