@@ -69,6 +69,7 @@ class LinkMaker {
 
   std::vector<LinkSpec> LinksOn(size_t k) const {
     std::vector<LinkSpec> links;
+    if (IsShapedBySkin(k)) return {LinkAround(k)};
     for (const Vec3& end : EndsOf(k)) {
       LinkSpec link;
       link.to = end;
@@ -78,6 +79,35 @@ class LinkMaker {
       links.push_back(std::move(link));
     }
     return links;
+  }
+
+  // Whether nothing but the skin says how far the bone goes.
+  bool IsShapedBySkin(size_t k) const {
+    return skeleton_.bones[k].children.empty() &&
+           !character_.bones[skeleton_.bones[k].bone].end_site &&
+           static_cast<int>(vertices_[k].size()) >= kFewVertices;
+  }
+
+  // Along the line from the joint through the middle of the vertices, as far as they go.
+  LinkSpec LinkAround(size_t k) const {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : vertices_[k]) mean += p / static_cast<double>(vertices_[k].size());
+    const Vec3 along = mean.norm() > kShortest * world_.height ? mean.normalized() : Vec3::UnitZ();
+    std::vector<double> heights, distances;
+    for (const Vec3& p : vertices_[k]) {
+      heights.push_back(p.dot(along));
+      distances.push_back((p - heights.back() * along).norm());
+    }
+    std::sort(heights.begin(), heights.end());
+    const size_t few = heights.size() / 20;
+    const double low = heights[few], high = heights[heights.size() - 1 - few];
+    LinkSpec link;
+    link.name = plan_.joints[k].name;
+    link.radius = std::clamp(Median(std::move(distances)), kShortest * world_.height,
+                             kMostOfHeight * world_.height);
+    link.from = std::min(low + link.radius, 0.5 * (low + high)) * along;
+    link.to = std::max(high - link.radius, 0.5 * (low + high)) * along;
+    return link;
   }
 
   // The joints beyond, or where the bone ends.

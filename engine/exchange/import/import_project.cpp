@@ -219,7 +219,7 @@ class Importer {
     project_.figure.embedded_json = FigureText(spec);
     project_.figure.spec = std::move(spec);
     report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg");
-    SetGround(GroundUnder(plan_, links));
+    SetGround(GroundUnder(plan_, skin_, links));
     return std::nullopt;
   }
 

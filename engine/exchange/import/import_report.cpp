@@ -20,8 +20,11 @@ std::vector<Group> ByMessage(const std::vector<Warning>& warnings) {
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
       return group.message == warning.message;
     });
-    if (same == groups.end()) groups.push_back({{warning.place}, warning.message});
-    if (same != groups.end()) same->places.push_back(warning.place);
+    if (same == groups.end()) {
+      groups.push_back({{warning.place}, warning.message});
+    } else {
+      same->places.push_back(warning.place);
+    }
   }
   return groups;
 }

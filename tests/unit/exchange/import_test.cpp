@@ -1,0 +1,301 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/bake/bake.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_project.h"
+#include "engine/exchange/import/import_report.h"
+#include "engine/figure/figure_builder.h"
+#include "engine/project/compile.h"
+#include "engine/project/project_reader.h"
+#include "engine/project/project_writer.h"
+#include "tests/unit/exchange/made_characters.h"
+
+namespace hazumi::test {
+namespace {
+
+Motion BakeWell(const Project& project) {
+  const Result<Compiled> compiled = CompileAnimation(project);
+  if (!compiled.ok()) {
+    ADD_FAILURE() << compiled.error().ToString();
+    return {};
+  }
+  Result<Motion> motion = Bake(compiled.value().animation);
+  if (!motion.ok()) {
+    ADD_FAILURE() << motion.error().ToString();
+    return {};
+  }
+  return std::move(motion).value();
+}
+
+// How far joints of the baked motion are from where the file has them at most [m].
+double PositionError(const Character& character, const Project& project) {
+  const Figure figure = BuildFigure(project.figure.spec).value();
+  const Motion motion = BakeWell(project);
+  const Planned planned = PlanOf(character);
+  DynamicsWorkspace ws(figure);
+  double most = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    ComputePositions(figure, frame.X_WR, frame.q, &ws);
+    const auto there =
+        FilePositions(character, planned.skeleton, &character.clips[0], planned.world, frame.frame);
+    for (size_t k = 1; k < there.size(); ++k) {
+      const JointGroup& group = figure.group(*figure.FindGroup(planned.plan.joints[k].name));
+      most = std::max(most, (ws.body(group.first).p - there[k]).norm());
+    }
+  }
+  return most;
+}
+
+TEST(Import, BakesToWhatTheFileHas) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Character character = RandomCharacter(&random);
+    const Imported imported = ImportWell(character);
+    EXPECT_LE(imported.report.position_error_m, 1e-9);
+    EXPECT_LE(PositionError(character, imported.project), 1e-8);
+  }
+}
+
+TEST(Import, SaysHowFarReducedKeysAreOff) {
+  for (uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Character character = RandomCharacter(&random, 8, 80);
+    ImportOptions options;
+    options.reduce_deg = 2.0;
+    const Imported imported = ImportWell(character, options);
+    const Imported whole = ImportWell(character);
+    EXPECT_LT(imported.report.num_keys, whole.report.num_keys / 2);
+    EXPECT_GT(imported.report.position_error_m, 1e-5);
+    EXPECT_NEAR(PositionError(character, imported.project), imported.report.position_error_m, 1e-8);
+  }
+}
+
+TEST(Import, IsTheSameAfterSavingAndReading) {
+  Random random(7);
+  Character character = RandomCharacter(&random);
+  AddSkin(&random, &character);
+  const Project project = ImportWell(character).project;
+  ASSERT_TRUE(project.skin);
+  const std::string text = WriteProject(project);
+  const Result<Project> read = ParseProject(text, "again.kfa");
+  ASSERT_TRUE(read.ok()) << read.error().ToString();
+  EXPECT_TRUE(read.value() == project);
+  EXPECT_EQ(WriteProject(read.value()), text);
+  EXPECT_TRUE(read.value().read.warnings.empty());
+  EXPECT_EQ(WriteProject(ImportWell(character).project), text);  // every time
+}
+
+TEST(Import, WeighsWhatItIsToldTo) {
+  Random random(3);
+  ImportOptions options;
+  options.mass_kg = 63.5;
+  const Imported imported = ImportWell(RandomCharacter(&random), options);
+  const Figure figure = BuildFigure(imported.project.figure.spec).value();
+  EXPECT_NEAR(figure.total_mass(), 63.5, 1e-9);
+  for (const JointSpec& joint : imported.project.figure.spec.joints) {
+    for (const LinkSpec& link : joint.links) EXPECT_GT(*link.mass, 0.0) << link.name;
+  }
+}
+
+TEST(Import, IsAsTallAsItIsToldTo) {
+  Random random(4);
+  ImportOptions options;
+  options.height_m = 1.8;
+  EXPECT_NEAR(ImportWell(RandomCharacter(&random), options).report.height_m, 1.8, 1e-12);
+}
+
+TEST(Import, LimitsHoldTheClipAndRest) {
+  Random random(5);
+  const Project project = ImportWell(RandomCharacter(&random)).project;
+  const Result<Compiled> compiled = CompileAnimation(project);
+  ASSERT_TRUE(compiled.ok());
+  EXPECT_TRUE(compiled.value().warnings.empty());  // no key is outside
+  for (const JointSpec& joint : project.figure.spec.joints) {
+    for (const HingeSpec& hinge : joint.hinges) {
+      EXPECT_LT(hinge.lower, -0.2);
+      EXPECT_GT(hinge.upper, 0.2);
+    }
+  }
+}
+
+TEST(Import, PutsTheGroundUnderTheFeet) {
+  Random random(6);
+  Character character = RandomCharacter(&random);
+  for (Vec3& p : character.clips[0].tracks[1].translations) p += Vec3::Constant(500.0);
+  const Imported imported = ImportWell(character);
+  const auto& plane = std::get<ProjectPlane>(imported.project.scene.objects.at(0).shape);
+  const Motion motion = BakeWell(imported.project);
+  double lowest = 1e9;
+  for (const MotionFrame& frame : motion.frames) lowest = std::min(lowest, frame.X_WR.p.z());
+  EXPECT_GT(std::abs(plane.offset_m), 0.03);
+  EXPECT_LT(plane.offset_m, lowest + 1.0);
+  const auto& facts = imported.report.facts;
+  EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [](const std::string& fact) {
+    return fact.starts_with("the ground is at z = ");
+  }));
+}
+
+// A forearm, a hand of almost nothing, a bone of no length in it, three fingers of two bones.
+Character Hand() {
+  Character character;
+  character.up = UpAxis::kZ;
+  character.metres_per_unit = 1.0;
+  const auto add = [&](const std::string& name, int parent, const Vec3& p) {
+    Bone bone;
+    bone.name = name;
+    bone.parent = parent;
+    bone.rest.p = p;
+    character.bones.push_back(bone);
+  };
+  add("LeftForeArm", -1, Vec3(0, 0, 1));
+  add("LeftHand", 0, Vec3(0.25, 0, 0));
+  add("LeftHandSame", 1, Vec3::Zero());
+  for (int i = 0; i < 3; ++i) {
+    add("LeftFinger" + std::to_string(i), 2, Vec3(0.08, 0.02 * (i - 1), 0));
+    add("LeftFingerTip" + std::to_string(i), static_cast<int>(character.bones.size()) - 1,
+        Vec3(0.03, 0, 0));
+  }
+  Clip clip;
+  clip.num_frames = 31;
+  clip.tracks.resize(character.bones.size());
+  for (int f = 0; f < 31; ++f) {
+    clip.tracks[0].rotations.emplace_back(Eigen::AngleAxisd(0.05 * f, Vec3::UnitY()));
+  }
+  character.clips = {clip};
+  return character;
+}
+
+TEST(Import, FingersSwing) {
+  Project project = ImportWell(Hand()).project;
+  ProjectRegion region;
+  region.name = "fingers";
+  region.first_frame = 3;
+  region.last_frame = 30;
+  for (int i = 0; i < 3; ++i) region.joints.push_back({"LeftFinger" + std::to_string(i), true, {}});
+  project.regions = {region};
+  const Motion motion = BakeWell(project);
+  ASSERT_EQ(motion.frames.size(), 31u);
+  for (const MotionFrame& frame : motion.frames) {
+    EXPECT_TRUE(frame.q.allFinite() && frame.after.qd.allFinite());
+  }
+  EXPECT_GT(motion.frames.back().q.norm(), 0.05);
+}
+
+TEST(Import, ABoneOfNoLengthSwingsWithTheHandOrIsRefusedByName) {
+  Project project = ImportWell(Hand()).project;
+  ProjectRegion region;
+  region.name = "hand";
+  region.first_frame = 3;
+  region.last_frame = 30;
+  region.joints = {{"LeftHand", true, {}}};
+  project.regions = {region};
+  const Result<Compiled> compiled = CompileAnimation(project);
+  ASSERT_TRUE(compiled.ok()) << compiled.error().ToString();
+  const Result<Motion> motion = Bake(compiled.value().animation);
+  if (!motion.ok()) {
+    EXPECT_NE(motion.error().ToString().find("hand"), std::string::npos);
+    return;
+  }
+  for (const MotionFrame& frame : motion.value().frames) EXPECT_TRUE(frame.q.allFinite());
+}
+
+TEST(Import, OfACharacterWithoutAClipStandsAtRest) {
+  Random random(8);
+  Character character = RandomCharacter(&random);
+  character.clips.clear();
+  const Imported imported = ImportWell(character);
+  EXPECT_EQ(BakeWell(imported.project).frames.size(), 61u);
+  EXPECT_TRUE(imported.project.joints.empty());
+}
+
+TEST(Import, TakesClipsOfOneFrameAndOfNone) {
+  Random random(9);
+  Character character = RandomCharacter(&random, 5, 1);
+  EXPECT_EQ(BakeWell(ImportWell(character).project).frames.size(), 2u);
+  Clip& clip = character.clips[0];
+  clip.num_frames = 0;
+  for (BoneTrack& track : clip.tracks) track = {};
+  EXPECT_EQ(ImportWell(character).report.num_keys, 6);
+}
+
+TEST(Import, FrameRatesAreWhatPeopleCallThem) {
+  Random random(10);
+  Character character = RandomCharacter(&random, 4, 3);
+  const auto rate = [&](double seconds) {
+    character.clips[0].seconds_per_frame = seconds;
+    const ProjectRate fps = ImportWell(character).project.fps;
+    return std::pair(fps.num, fps.den);
+  };
+  EXPECT_EQ(rate(0.0333333), std::pair(30, 1));
+  EXPECT_EQ(rate(0.033367), std::pair(30000, 1001));
+  EXPECT_EQ(rate(0.0083333), std::pair(120, 1));
+  EXPECT_EQ(rate(0.041667), std::pair(24, 1));
+  EXPECT_EQ(rate(0.0417083), std::pair(24000, 1001));
+  EXPECT_EQ(rate(0.08), std::pair(12500, 1000));
+}
+
+TEST(Import, ClipsAreAskedForByName) {
+  Random random(11);
+  const Character character = RandomCharacter(&random);
+  ImportOptions options;
+  options.clip = "jump";
+  const Result<Imported> imported = ImportProject(character, options);
+  ASSERT_FALSE(imported.ok());
+  EXPECT_EQ(imported.error().ToString(), "clip: there is no \"jump\"; there are \"clip\"");
+}
+
+TEST(Import, BonesBelowABoneThatOnlyMovesThemBegin) {
+  Character character = Hand();
+  character.bones[0].name = "root";
+  character.bones[1].name = "pelvis";
+  const Imported imported = ImportWell(character);
+  EXPECT_EQ(imported.project.figure.spec.root_name, "pelvis");
+  EXPECT_TRUE(imported.report.warnings.empty());
+}
+
+TEST(Import, TwoSkeletonsAreRefused) {
+  Character character = Hand();
+  character.bones[1].parent = -1;
+  const Result<Imported> imported = ImportProject(character, {});
+  ASSERT_FALSE(imported.ok());
+  EXPECT_NE(imported.error().ToString().find("no common root"), std::string::npos);
+}
+
+TEST(FigureNames, AreSuchThatAProjectHoldsThem) {
+  ImportReport report;
+  const std::vector<std::string> names =
+      FigureNames({"A", "B", "B_x", "C_y", "C", "D+", "D", "", "A", "e\x01"}, &report);
+  const std::vector<std::string> expected = {"A", "B",   "B_x_2", "C_y", "C_2",
+                                             "D", "D_2", "bone",  "A_2", "e_"};
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(report.warnings.size(), 7u);
+}
+
+TEST(FigureNames, OfACharacterMakeAFigure) {
+  Character character = Hand();
+  const char* const odd[] = {"A", "B", "B_x", "B_x_x", "C+", "C", "\xff", "C_y_2", "root"};
+  for (size_t b = 0; b < character.bones.size(); ++b) character.bones[b].name = odd[b];
+  const Project project = ImportWell(character).project;
+  const Result<Project> read = ParseProject(WriteProject(project), "odd.kfa");
+  ASSERT_TRUE(read.ok()) << read.error().ToString();
+  BakeWell(read.value());
+}
+
+TEST(ImportReport, SaysTheSameOnceAndTheRestAsANumber) {
+  std::vector<Warning> warnings;
+  for (const char* bone : {"a", "b", "c", "d", "e"}) warnings.push_back({bone, "is odd"});
+  for (int i = 0; i < 12; ++i) warnings.push_back({"f", std::to_string(i)});
+  const std::vector<Warning> few = Shortened(warnings, 10);
+  ASSERT_EQ(few.size(), 11u);
+  EXPECT_EQ(few[0].place, "a, b, c and 2 more");
+  EXPECT_EQ(few[10].message, "and 3 more; --all-warnings says them");
+  EXPECT_EQ(Shortened(warnings, 0).size(), warnings.size());
+}
+
+}  // namespace
+}  // namespace hazumi::test
