@@ -123,17 +123,34 @@ TEST(Import, LimitsHoldTheClipAndRest) {
   }
 }
 
+// The lowest point of any capsule, by frame [m].
+std::vector<double> LowestPoints(const Project& project) {
+  const Figure figure = BuildFigure(project.figure.spec).value();
+  DynamicsWorkspace ws(figure);
+  std::vector<double> lowest;
+  for (const MotionFrame& frame : BakeWell(project).frames) {
+    ComputePositions(figure, frame.X_WR, frame.q, &ws);
+    lowest.push_back(1e9);
+    for (const Link& link : figure.links()) {
+      const Pose X_WB =
+          link.joint.is_valid() ? Pose{ws.body(link.joint).R, ws.body(link.joint).p} : frame.X_WR;
+      for (const Vec3& end : {link.capsule.a, link.capsule.b}) {
+        lowest.back() = std::min(lowest.back(), (X_WB * end).z() - link.capsule.radius);
+      }
+    }
+  }
+  return lowest;
+}
+
 TEST(Import, PutsTheGroundUnderTheFeet) {
   Random random(6);
-  Character character = RandomCharacter(&random);
+  Character character = RandomCharacter(&random, 12, 100);
   for (Vec3& p : character.clips[0].tracks[1].translations) p += Vec3::Constant(500.0);
   const Imported imported = ImportWell(character);
   const auto& plane = std::get<ProjectPlane>(imported.project.scene.objects.at(0).shape);
-  const Motion motion = BakeWell(imported.project);
-  double lowest = 1e9;
-  for (const MotionFrame& frame : motion.frames) lowest = std::min(lowest, frame.X_WR.p.z());
-  EXPECT_GT(std::abs(plane.offset_m), 0.03);
-  EXPECT_LT(plane.offset_m, lowest + 1.0);
+  std::vector<double> lowest = LowestPoints(imported.project);
+  std::sort(lowest.begin(), lowest.end());
+  EXPECT_NEAR(plane.offset_m, lowest[5], 1e-8);  // one frame in twenty is a stray one
   const auto& facts = imported.report.facts;
   EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [](const std::string& fact) {
     return fact.starts_with("the ground is at z = ");
@@ -170,39 +187,35 @@ Character Hand() {
   return character;
 }
 
-TEST(Import, FingersSwing) {
+// These joints swing from frame 3 to 30, with the friction that the editor gives a region.
+Project Swinging(const std::vector<JointRef>& joints) {
   Project project = ImportWell(Hand()).project;
   ProjectRegion region;
-  region.name = "fingers";
+  region.name = "loose";
   region.first_frame = 3;
   region.last_frame = 30;
-  for (int i = 0; i < 3; ++i) region.joints.push_back({"LeftFinger" + std::to_string(i), true, {}});
+  region.joints = joints;
+  region.friction.default_factor = 0.8;
   project.regions = {region};
-  const Motion motion = BakeWell(project);
-  ASSERT_EQ(motion.frames.size(), 31u);
-  for (const MotionFrame& frame : motion.frames) {
-    EXPECT_TRUE(frame.q.allFinite() && frame.after.qd.allFinite());
-  }
-  EXPECT_GT(motion.frames.back().q.norm(), 0.05);
+  return project;
 }
 
-TEST(Import, ABoneOfNoLengthSwingsWithTheHandOrIsRefusedByName) {
-  Project project = ImportWell(Hand()).project;
-  ProjectRegion region;
-  region.name = "hand";
-  region.first_frame = 3;
-  region.last_frame = 30;
-  region.joints = {{"LeftHand", true, {}}};
-  project.regions = {region};
-  const Result<Compiled> compiled = CompileAnimation(project);
-  ASSERT_TRUE(compiled.ok()) << compiled.error().ToString();
-  const Result<Motion> motion = Bake(compiled.value().animation);
-  if (!motion.ok()) {
-    EXPECT_NE(motion.error().ToString().find("hand"), std::string::npos);
-    return;
+void ExpectSwing(const Motion& motion) {
+  ASSERT_EQ(motion.frames.size(), 31u);
+  double most = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    EXPECT_TRUE(frame.q.allFinite() && frame.after.qd.allFinite());
+    most = std::max(most, frame.q.cwiseAbs().maxCoeff());
   }
-  for (const MotionFrame& frame : motion.value().frames) EXPECT_TRUE(frame.q.allFinite());
+  EXPECT_GT(most, 0.02);
 }
+
+TEST(Import, FingersSwing) {
+  ExpectSwing(BakeWell(
+      Swinging({{"LeftFinger0", true, {}}, {"LeftFinger1", true, {}}, {"LeftFinger2", true, {}}})));
+}
+
+TEST(Import, ABoneOfNoLengthSwings) { ExpectSwing(BakeWell(Swinging({{"LeftHand", true, {}}}))); }
 
 TEST(Import, OfACharacterWithoutAClipStandsAtRest) {
   Random random(8);
@@ -255,7 +268,7 @@ TEST(Import, BonesBelowABoneThatOnlyMovesThemBegin) {
   character.bones[1].name = "pelvis";
   const Imported imported = ImportWell(character);
   EXPECT_EQ(imported.project.figure.spec.root_name, "pelvis");
-  EXPECT_TRUE(imported.report.warnings.empty());
+  for (const Warning& warning : imported.report.warnings) EXPECT_EQ(warning.place, "unit");
 }
 
 TEST(Import, TwoSkeletonsAreRefused) {

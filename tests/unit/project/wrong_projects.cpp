@@ -245,7 +245,7 @@ std::vector<WrongProject> WrongFigures() {
 
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();
-  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures()}) {
+  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;
