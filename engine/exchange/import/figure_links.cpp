@@ -10,6 +10,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kShortest = 0.01;     // of a segment, as a share of the height
+constexpr double kStub = 0.3;          // of a bone of no known length, as a share of the one before
 constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
 constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
 constexpr double kWater = 1000.0;      // [kg/m^3]
@@ -128,9 +129,18 @@ class LinkMaker {
       for (const Vec3& p : vertices_[k]) mean += p;
       add(1.6 * mean / static_cast<double>(vertices_[k].size()));
     }
-    const bool is_leaf = skeleton_.bones[k].children.empty();
-    if (ends.empty() && is_leaf) ends.emplace_back(0.0, 0.0, 0.0);  // a ball
+    if (ends.empty()) ends.push_back(StubOf(k));
     return ends;
+  }
+
+  // Of a bone of no length: a little farther the way that the bone before it goes. Not a mere ball
+  // about the joint, whose weight would turn it nowhere, so that it would spin for ever in a
+  // dynamics region.
+  Vec3 StubOf(size_t k) const {
+    const PlannedJoint& joint = plan_.joints[k];
+    const double length = std::max(kStub * joint.offset.norm(), kShortest * world_.height);
+    const Vec3 along = joint.orientation.transpose() * joint.offset;
+    return length * (along.norm() > 0.0 ? along.normalized() : Vec3(-Vec3::UnitZ()));
   }
 
   double RadiusOf(size_t k, const LinkSpec& link) const {
