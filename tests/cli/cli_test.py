@@ -351,7 +351,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(out.read_bytes(), first)
         project = json.loads(first)
         self.assertEqual(project["frames"], {"first": 0, "last": 4})
-        self.assertEqual([k["position_m"] for k in project["root"]["z"]["keys"]],
+        self.assertEqual([round(k["position_m"], 9) for k in project["root"]["z"]["keys"]],
                          [0.9, 0.91, 0.92, 0.93, 0.94])
 
     def test_import_obeys_its_options(self):
