@@ -13,6 +13,7 @@ constexpr double kShortest = 0.01;     // of a segment, as a share of the height
 constexpr double kStub = 0.3;          // of a bone of no known length, as a share of the one before
 constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
 constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
+constexpr double kRoundest = 0.25;     // the same of a head or a fist, measured
 constexpr double kWater = 1000.0;      // [kg/m^3]
 constexpr int kFewVertices = 12;
 
@@ -105,8 +106,9 @@ class LinkMaker {
     LinkSpec link;
     link.name = plan_.joints[k].name;
     link.radius = std::clamp(Median(std::move(distances)), kShortest * world_.height,
-                             kMostOfHeight * world_.height);
-    link.from = std::min(low + link.radius, 0.5 * (low + high)) * along;
+                             kRoundest * world_.height);
+    const bool begins_at_joint = low > link.radius;  // the skin of the way there follows others
+    if (!begins_at_joint) link.from = std::min(low + link.radius, 0.5 * (low + high)) * along;
     link.to = std::max(high - link.radius, 0.5 * (low + high)) * along;
     return link;
   }
