@@ -359,7 +359,7 @@ class CommandLine(unittest.TestCase):
         done = run("--import", self.walk(), "--save", out, "--height", "2", "--mass", "80",
                    "--reduce", "1", "--fps", "60", "--limits", "none", "--up", "y")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for fact in ("2 m tall", "80 kg", "y is up (as asked for)", "within 1 degrees",
+        for fact in ("2 m tall", "80 kg", "y is up (as asked for)", "within 1 degree of",
                      "at 60 a second"):
             self.assertIn(fact, done.stdout)
         project = json.loads(out.read_text())

@@ -23,6 +23,7 @@ constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);         // [kg/m^2]
 constexpr double kMargin = 15.0 * std::numbers::pi / 180.0;  // beyond the clip [rad]
 constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
 constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
+constexpr double kFar = 100.0;                               // from the origin [m]
 constexpr double kWorthAWord = 1e-4;                         // [m]
 
 Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
@@ -67,6 +68,7 @@ class Importer {
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
+    SayPlace();
     SetTime();
     SetKeys();
     SayError();
@@ -87,6 +89,15 @@ class Importer {
     for (const std::string& name : skeleton_.left_out) names += (names.empty() ? "" : ", ") + name;
     report_.warnings.push_back(
         {RootName(), "bones beside it that carry no skin are left out: " + names});
+  }
+
+  // Pictures are of single precision, and cameras look for the figure about the origin.
+  void SayPlace() {
+    const double away = plan_.root_position.front().norm();
+    if (away <= kFar) return;
+    report_.warnings.push_back({RootName(), "is " + FormatShort(away) +
+                                                " m from the origin when the clip begins; if that "
+                                                "is wrong, give the unit or the height"});
   }
 
   const std::string& RootName() const { return character_.bones[skeleton_.bones[0].bone].name; }
@@ -156,7 +167,8 @@ class Importer {
     if (!clip_) return;
     report_.facts.push_back(std::to_string(report_.num_keys) + " keys" +
                             (options_.reduce_deg
-                                 ? ", within " + FormatShort(tolerance) + " degrees of the clip"
+                                 ? ", within " + FormatShort(tolerance) +
+                                       (tolerance == 1.0 ? " degree" : " degrees") + " of the clip"
                                  : std::string(", one a frame")));
   }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "engine/bake/bake.h"
+#include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/import/import_project.h"
-#include "engine/exchange/import/import_report.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
@@ -15,20 +15,6 @@
 
 namespace hazumi::test {
 namespace {
-
-Motion BakeWell(const Project& project) {
-  const Result<Compiled> compiled = CompileAnimation(project);
-  if (!compiled.ok()) {
-    ADD_FAILURE() << compiled.error().ToString();
-    return {};
-  }
-  Result<Motion> motion = Bake(compiled.value().animation);
-  if (!motion.ok()) {
-    ADD_FAILURE() << motion.error().ToString();
-    return {};
-  }
-  return std::move(motion).value();
-}
 
 // How far joints of the baked motion are from where the file has them at most [m].
 double PositionError(const Character& character, const Project& project) {
@@ -157,65 +143,34 @@ TEST(Import, PutsTheGroundUnderTheFeet) {
   }));
 }
 
-// A forearm, a hand of almost nothing, a bone of no length in it, three fingers of two bones.
-Character Hand() {
-  Character character;
-  character.up = UpAxis::kZ;
-  character.metres_per_unit = 1.0;
-  const auto add = [&](const std::string& name, int parent, const Vec3& p) {
-    Bone bone;
-    bone.name = name;
-    bone.parent = parent;
-    bone.rest.p = p;
-    character.bones.push_back(bone);
-  };
-  add("LeftForeArm", -1, Vec3(0, 0, 1));
-  add("LeftHand", 0, Vec3(0.25, 0, 0));
-  add("LeftHandSame", 1, Vec3::Zero());
-  for (int i = 0; i < 3; ++i) {
-    add("LeftFinger" + std::to_string(i), 2, Vec3(0.08, 0.02 * (i - 1), 0));
-    add("LeftFingerTip" + std::to_string(i), static_cast<int>(character.bones.size()) - 1,
-        Vec3(0.03, 0, 0));
+TEST(Import, SaysThatAClipBeginsFarAway) {
+  Character character = Hand();
+  character.clips[0].tracks[0].translations.assign(31, Vec3(300, 400, 0));
+  const std::vector<Warning> warnings = ImportWell(character).report.warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_TRUE(warnings[0].message.starts_with("is 500 m from the origin")) << warnings[0].message;
+}
+
+// Y is up: the file's x is the world's y, its y z.
+TEST(Import, JointsOfOneAndTwoHingesKeepThem) {
+  const Result<Character> read = ReadBvh(
+      "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation "
+      "Xrotation Yrotation\nJOINT Knee\n{\nOFFSET 0 -1 0\nCHANNELS 1 Xrotation\nJOINT Foot\n{\n"
+      "OFFSET 0 -1 0\nCHANNELS 2 Yrotation Xrotation\nEnd Site\n{\nOFFSET 0 0 1\n}\n}\n}\n}\n"
+      "MOTION\nFrames: 2\nFrame Time: 0.1\n0 2 0 0 0 0 10 20 30\n0 2 0 0 0 0 11 21 31\n",
+      "legs.bvh");
+  ASSERT_TRUE(read.ok()) << read.error().ToString();
+  ImportOptions options;
+  options.metres_per_unit = 1.0;
+  const Imported imported = ImportWell(read.value(), options);
+  std::string names;
+  for (const auto& joint : imported.project.joints) {
+    names += joint.name + " " + FormatShort(joint.value.keys.at(1).value) + ", ";
   }
-  Clip clip;
-  clip.num_frames = 31;
-  clip.tracks.resize(character.bones.size());
-  for (int f = 0; f < 31; ++f) {
-    clip.tracks[0].rotations.emplace_back(Eigen::AngleAxisd(0.05 * f, Vec3::UnitY()));
-  }
-  character.clips = {clip};
-  return character;
+  EXPECT_EQ(names, "Knee_y 11, Foot_z 21, Foot_y 31, ");
+  EXPECT_LE(imported.report.position_error_m, 1e-12);
+  BakeWell(imported.project);
 }
-
-// These joints swing from frame 3 to 30, with the friction that the editor gives a region.
-Project Swinging(const std::vector<JointRef>& joints) {
-  Project project = ImportWell(Hand()).project;
-  ProjectRegion region;
-  region.name = "loose";
-  region.first_frame = 3;
-  region.last_frame = 30;
-  region.joints = joints;
-  region.friction.default_factor = 0.8;
-  project.regions = {region};
-  return project;
-}
-
-void ExpectSwing(const Motion& motion) {
-  ASSERT_EQ(motion.frames.size(), 31u);
-  double most = 0.0;
-  for (const MotionFrame& frame : motion.frames) {
-    EXPECT_TRUE(frame.q.allFinite() && frame.after.qd.allFinite());
-    most = std::max(most, frame.q.cwiseAbs().maxCoeff());
-  }
-  EXPECT_GT(most, 0.02);
-}
-
-TEST(Import, FingersSwing) {
-  ExpectSwing(BakeWell(
-      Swinging({{"LeftFinger0", true, {}}, {"LeftFinger1", true, {}}, {"LeftFinger2", true, {}}})));
-}
-
-TEST(Import, ABoneOfNoLengthSwings) { ExpectSwing(BakeWell(Swinging({{"LeftHand", true, {}}}))); }
 
 TEST(Import, OfACharacterWithoutAClipStandsAtRest) {
   Random random(8);
@@ -277,37 +232,6 @@ TEST(Import, TwoSkeletonsAreRefused) {
   const Result<Imported> imported = ImportProject(character, {});
   ASSERT_FALSE(imported.ok());
   EXPECT_NE(imported.error().ToString().find("no common root"), std::string::npos);
-}
-
-TEST(FigureNames, AreSuchThatAProjectHoldsThem) {
-  ImportReport report;
-  const std::vector<std::string> names =
-      FigureNames({"A", "B", "B_x", "C_y", "C", "D+", "D", "", "A", "e\x01"}, &report);
-  const std::vector<std::string> expected = {"A", "B",   "B_x_2", "C_y", "C_2",
-                                             "D", "D_2", "bone",  "A_2", "e_"};
-  EXPECT_EQ(names, expected);
-  EXPECT_EQ(report.warnings.size(), 7u);
-}
-
-TEST(FigureNames, OfACharacterMakeAFigure) {
-  Character character = Hand();
-  const char* const odd[] = {"A", "B", "B_x", "B_x_x", "C+", "C", "\xff", "C_y_2", "root"};
-  for (size_t b = 0; b < character.bones.size(); ++b) character.bones[b].name = odd[b];
-  const Project project = ImportWell(character).project;
-  const Result<Project> read = ParseProject(WriteProject(project), "odd.kfa");
-  ASSERT_TRUE(read.ok()) << read.error().ToString();
-  BakeWell(read.value());
-}
-
-TEST(ImportReport, SaysTheSameOnceAndTheRestAsANumber) {
-  std::vector<Warning> warnings;
-  for (const char* bone : {"a", "b", "c", "d", "e"}) warnings.push_back({bone, "is odd"});
-  for (int i = 0; i < 12; ++i) warnings.push_back({"f", std::to_string(i)});
-  const std::vector<Warning> few = Shortened(warnings, 10);
-  ASSERT_EQ(few.size(), 11u);
-  EXPECT_EQ(few[0].place, "a, b, c and 2 more");
-  EXPECT_EQ(few[10].message, "and 3 more; --all-warnings says them");
-  EXPECT_EQ(Shortened(warnings, 0).size(), warnings.size());
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include "engine/bake/bake.h"
+#include "engine/project/compile.h"
 
 namespace hazumi::test {
 
@@ -89,6 +90,49 @@ Imported ImportWell(const Character& character, const ImportOptions& options) {
   if (imported.ok()) return std::move(imported).value();
   ADD_FAILURE() << imported.error().ToString();
   return {};
+}
+
+Character Hand() {
+  Character character;
+  character.up = UpAxis::kZ;
+  character.metres_per_unit = 1.0;
+  const auto add = [&](const std::string& name, int parent, const Vec3& p) {
+    Bone bone;
+    bone.name = name;
+    bone.parent = parent;
+    bone.rest.p = p;
+    character.bones.push_back(bone);
+  };
+  add("LeftForeArm", -1, Vec3(0, 0, 1));
+  add("LeftHand", 0, Vec3(0.25, 0, 0));
+  add("LeftHandSame", 1, Vec3::Zero());
+  for (int i = 0; i < 3; ++i) {
+    add("LeftFinger" + std::to_string(i), 2, Vec3(0.08, 0.02 * (i - 1), 0));
+    add("LeftFingerTip" + std::to_string(i), static_cast<int>(character.bones.size()) - 1,
+        Vec3(0.03, 0, 0));
+  }
+  Clip clip;
+  clip.num_frames = 31;
+  clip.tracks.resize(character.bones.size());
+  for (int f = 0; f < 31; ++f) {
+    clip.tracks[0].rotations.emplace_back(Eigen::AngleAxisd(0.05 * f, Vec3::UnitY()));
+  }
+  character.clips = {clip};
+  return character;
+}
+
+Motion BakeWell(const Project& project) {
+  const Result<Compiled> compiled = CompileAnimation(project);
+  if (!compiled.ok()) {
+    ADD_FAILURE() << compiled.error().ToString();
+    return {};
+  }
+  Result<Motion> motion = Bake(compiled.value().animation);
+  if (!motion.ok()) {
+    ADD_FAILURE() << motion.error().ToString();
+    return {};
+  }
+  return std::move(motion).value();
 }
 
 }  // namespace hazumi::test

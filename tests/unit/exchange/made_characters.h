@@ -2,6 +2,7 @@
 
 // Characters made in memory, with nothing of a file about them.
 
+#include "engine/bake/motion.h"
 #include "engine/exchange/character/character.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/import/joint_plan.h"
@@ -27,5 +28,11 @@ Planned PlanOf(const Character& character, const ImportOptions& options = {});
 
 // An import that must succeed.
 Imported ImportWell(const Character& character, const ImportOptions& options = {});
+
+// A forearm, a hand, a bone of no length in it, three fingers of two bones; it turns for a second.
+Character Hand();
+
+// Compiles and bakes what must compile and bake.
+Motion BakeWell(const Project& project);
 
 }  // namespace hazumi::test
