@@ -9,9 +9,11 @@
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
+#include "engine/exchange/content.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/import/import_report.h"
 #include "engine/exchange/read_character.h"
+#include "engine/exchange/reader/whole_file.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 
@@ -72,10 +74,17 @@ std::optional<Error> CheckLength(const Animation& animation, const Options& opti
                FormatNumber(frames) + " output frames; 1000000 are the most, choose a lower rate"};
 }
 
-// Projects are told by their suffix, all else by content.
+// Projects are told by their suffix, all else by content: a .json may be either.
+bool IsProject(const std::string& file) {
+  if (file.ends_with(".kfa")) return true;
+  if (!file.ends_with(".json")) return false;
+  const Result<std::string> beginning = FileBeginning(file, kContentBytes);
+  return beginning.ok() && !FormatOf(beginning.value(), file).ok();
+}
+
 Result<Project> LoadOrImport(const std::string& file, const ImportOptions& options,
                              ImportReport* report) {
-  if (file.ends_with(".kfa")) return LoadProject(file);
+  if (IsProject(file)) return LoadProject(file);
   Result<Imported> imported = Import(file, options);
   if (!imported.ok()) return imported.error();
   *report = std::move(imported.value().report);
