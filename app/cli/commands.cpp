@@ -9,8 +9,11 @@
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
 #include "engine/base/text.h"
+#include "engine/exchange/content.h"
 #include "engine/exchange/import/import_project.h"
+#include "engine/exchange/import/import_report.h"
 #include "engine/exchange/read_character.h"
+#include "engine/exchange/reader/whole_file.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 
@@ -71,10 +74,17 @@ std::optional<Error> CheckLength(const Animation& animation, const Options& opti
                FormatNumber(frames) + " output frames; 1000000 are the most, choose a lower rate"};
 }
 
-// Projects are told by their suffix, all else by content.
+// Projects are told by their suffix, all else by content: a .json may be either.
+bool IsProject(const std::string& file) {
+  if (file.ends_with(".kfa")) return true;
+  if (!file.ends_with(".json")) return false;
+  const Result<std::string> beginning = FileBeginning(file, kContentBytes);
+  return beginning.ok() && !FormatOf(beginning.value(), file).ok();
+}
+
 Result<Project> LoadOrImport(const std::string& file, const ImportOptions& options,
                              ImportReport* report) {
-  if (file.ends_with(".kfa")) return LoadProject(file);
+  if (IsProject(file)) return LoadProject(file);
   Result<Imported> imported = Import(file, options);
   if (!imported.ok()) return imported.error();
   *report = std::move(imported.value().report);
@@ -107,7 +117,8 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
       Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
-  std::vector<Warning> warnings = report.warnings;
+  std::vector<Warning> warnings =
+      Shortened(report.warnings, options.all_warnings ? 0 : kShortReport);
   const std::vector<Warning>& of_compiling = compiled.value().warnings;
   warnings.insert(warnings.end(), of_compiling.begin(), of_compiling.end());
   WarnAboutSolverOptions(options, compiled.value().animation, &warnings);

@@ -70,6 +70,7 @@ Reading files of other programs
                     DEG degrees of the clip          (a key every frame)
   --limits L        clip: joints go a little farther than in the clip; none
   --no-skin         leave out its meshes
+  --all-warnings    say all that is dropped or changed, not the first ten lines
 
 Motion, with any task, instead of what the file and its regions say
   --method M        exact, or paper: the steps of the published method

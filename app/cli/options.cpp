@@ -221,6 +221,7 @@ constexpr OptionRule kRules[] = {
        o->import.skin = false;
        return true;
      }},
+    {"--all-warnings", kForeign, nullptr, Set<&Options::all_warnings>},
     {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
     {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
     {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},

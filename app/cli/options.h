@@ -61,6 +61,7 @@ struct Options {
   bool frame_number = false;
 
   ImportOptions import;  // how files of other programs are read
+  bool all_warnings = false;
 
   std::optional<Method> method;
   std::optional<double> step_s;

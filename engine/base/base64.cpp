@@ -36,7 +36,8 @@ std::string ToBase64(std::string_view bytes) {
 }
 
 std::optional<std::string> FromBase64(std::string_view text) {
-  while (text.ends_with('=')) text.remove_suffix(1);
+  for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
   const std::array<uint8_t, 256> values = Values();
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
@@ -51,6 +52,7 @@ std::optional<std::string> FromBase64(std::string_view text) {
     num_bits -= 8;
     bytes += static_cast<char>(bits >> num_bits & 0xffu);
   }
+  if ((bits & ((1u << num_bits) - 1u)) != 0) return std::nullopt;  // bits of no byte
   return bytes;
 }
 

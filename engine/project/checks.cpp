@@ -136,6 +136,9 @@ constexpr CheckText kTexts[] = {
 
     {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
     {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},
+    {Check::kTooLargeToSave, kCannotWrite,
+     "would be {}, which Hazumi does not read back (at most 64 MiB and 5000000 values): use fewer "
+     "keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
 };
 static_assert(std::size(kTexts) == static_cast<size_t>(Check::kNumChecks));
 

@@ -97,6 +97,7 @@ enum class Check {
   // Writing
   kCannotWrite,
   kCannotReplace,
+  kTooLargeToSave,
   kNumChecks
 };
 

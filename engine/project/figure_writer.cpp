@@ -14,13 +14,14 @@ namespace {
 
 double Degrees(double radians) { return radians / kRadiansPerDegree; }
 
-// Angles z, y, x [deg] of R = Rz Ry Rx.
+// Angles z, y, x [deg] of R = Rz Ry Rx. Where y is near a right angle z is hardly known; x follows
+// from it, so that together they are right.
 Vec3 AnglesOf(const Mat3& R) {
-  const double y = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
-  if (std::hypot(R(0, 0), R(1, 0)) < 1e-12) {
-    return {Degrees(std::atan2(-R(0, 1), R(1, 1))), Degrees(y), 0.0};
-  }
-  return {Degrees(std::atan2(R(1, 0), R(0, 0))), Degrees(y), Degrees(std::atan2(R(2, 1), R(2, 2)))};
+  const double z = std::atan2(R(1, 0), R(0, 0));
+  const Mat3 rest = Eigen::AngleAxisd(-z, Vec3::UnitZ()).toRotationMatrix() * R;
+  const double y = std::atan2(-rest(2, 0), rest(0, 0));
+  const double x = std::atan2(-rest(1, 2), rest(1, 1));
+  return {Degrees(z), Degrees(y), Degrees(x)};
 }
 
 Json ToJson(const Look& look) {

@@ -16,8 +16,30 @@ Json ToJson(const ProjectFigure& figure) {
 
 std::string WriteProject(const Project& project) { return FormatJson(ToJson(project)); }
 
+// As the reader counts them: objects and arrays among them.
+static size_t CountValues(const Json& json) {
+  size_t count = 1;
+  if (json.is_structured()) {
+    for (const Json& item : json) count += CountValues(item);
+  }
+  return count;
+}
+
+static Error TooLarge(const std::string& size, const std::string& path) {
+  Error error = MakeError(Check::kTooLargeToSave, "", {size});
+  error.file = path;
+  return error;
+}
+
 Result<Done> SaveProject(const Project& project, const std::string& path) {
-  return ReplaceTextFile(path, WriteProject(project));
+  const Json json = ToJson(project);
+  const size_t values = CountValues(json);
+  if (values > kMaxJsonValues) return TooLarge(std::to_string(values) + " values", path);
+  const std::string text = FormatJson(json);
+  if (text.size() > kLargestFile) {
+    return TooLarge(std::to_string(text.size() >> 20) + " MiB", path);
+  }
+  return ReplaceTextFile(path, text);
 }
 
 void RebaseReferences(Project* project, const std::string& from_folder,

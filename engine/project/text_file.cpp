@@ -15,8 +15,6 @@ namespace hazumi {
 
 namespace {
 
-constexpr size_t kLargestFile = 64u << 20;
-
 Error Fail(const std::string& path, Check check,
            std::initializer_list<std::string_view> arguments = {}) {
   Error error = MakeError(check, "", arguments);

@@ -9,6 +9,8 @@
 
 namespace hazumi {
 
+inline constexpr size_t kLargestFile = 64u << 20;  // bytes that are read
+
 // The contents of a regular file of at most 64 MiB. Errors: kNoInput; kSchema if too big.
 Result<std::string> ReadTextFile(const std::string& path);
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/base/assert.h"
-#include "engine/exchange/base64.h"
+#include "engine/base/base64.h"
 #include "engine/exchange/gltf/gltf_clips.h"
 #include "engine/exchange/gltf/gltf_materials.h"
 #include "engine/exchange/gltf/gltf_mesh.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <vector>
 
 namespace hazumi {
@@ -16,6 +17,8 @@ struct PartWords {
 // The first row with a word that the name contains counts.
 const std::vector<PartWords>& Words() {
   static const std::vector<PartWords> words = {
+      {BodyPart::kTrunk, {"spine"}},  // "spine_middle" is no finger
+      {BodyPart::kHead, {"eye"}},     // nor "eyeball" a ball of the foot
       {BodyPart::kHand,
        {"hand", "wrist", "palm", "finger", "thumb", "index", "middle", "ring", "pinky", "pinkie",
         "little"}},
@@ -53,6 +56,17 @@ std::vector<std::string> WordsOf(const std::string& name) {
   return words;
 }
 
+// "lfemur", "rhand": a side, and at once what it is the side of.
+bool IsSided(const std::string& word) {
+  if (word.empty() || (word[0] != 'l' && word[0] != 'r')) return false;
+  const auto begins = [&](const char* part) {
+    return word.compare(1, std::strlen(part), part) == 0;
+  };
+  return std::any_of(Words().begin(), Words().end(), [&](const PartWords& row) {
+    return std::any_of(row.words.begin(), row.words.end(), begins);
+  });
+}
+
 // Takes the word that names a side away: "left", "l". "LHipJoint" begins with one.
 BodySide TakeSide(const std::string& name, std::vector<std::string>* words) {
   for (auto word = words->begin(); word != words->end(); ++word) {
@@ -69,9 +83,10 @@ BodySide TakeSide(const std::string& name, std::vector<std::string>* words) {
   }
   const bool is_prefixed = name.size() > 2 && (name[0] == 'L' || name[0] == 'R') &&
                            IsUpper(name[1]) && IsLetter(name[2]) && !IsUpper(name[2]);
-  if (!is_prefixed || words->empty()) return BodySide::kMiddle;
+  if (words->empty() || !(is_prefixed || IsSided(words->front()))) return BodySide::kMiddle;
+  const char side = words->front()[0];
   words->front().erase(0, 1);
-  return name[0] == 'L' ? BodySide::kLeft : BodySide::kRight;
+  return side == 'l' ? BodySide::kLeft : BodySide::kRight;
 }
 
 // "leg", "arm", "hip" and "shoulder" mean different bones in different rigs.

@@ -10,8 +10,10 @@ namespace hazumi {
 namespace {
 
 constexpr double kShortest = 0.01;     // of a segment, as a share of the height
+constexpr double kStub = 0.3;          // of a bone of no known length, as a share of the one before
 constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
 constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
+constexpr double kRoundest = 0.25;     // the same of a head or a fist, measured
 constexpr double kWater = 1000.0;      // [kg/m^3]
 constexpr int kFewVertices = 12;
 
@@ -69,6 +71,7 @@ class LinkMaker {
 
   std::vector<LinkSpec> LinksOn(size_t k) const {
     std::vector<LinkSpec> links;
+    if (IsShapedBySkin(k)) return {LinkAround(k)};
     for (const Vec3& end : EndsOf(k)) {
       LinkSpec link;
       link.to = end;
@@ -78,6 +81,36 @@ class LinkMaker {
       links.push_back(std::move(link));
     }
     return links;
+  }
+
+  // Whether nothing but the skin says how far the bone goes.
+  bool IsShapedBySkin(size_t k) const {
+    return skeleton_.bones[k].children.empty() &&
+           !character_.bones[skeleton_.bones[k].bone].end_site &&
+           static_cast<int>(vertices_[k].size()) >= kFewVertices;
+  }
+
+  // Along the line from the joint through the middle of the vertices, as far as they go.
+  LinkSpec LinkAround(size_t k) const {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : vertices_[k]) mean += p / static_cast<double>(vertices_[k].size());
+    const Vec3 along = mean.norm() > kShortest * world_.height ? mean.normalized() : Vec3::UnitZ();
+    std::vector<double> heights, distances;
+    for (const Vec3& p : vertices_[k]) {
+      heights.push_back(p.dot(along));
+      distances.push_back((p - heights.back() * along).norm());
+    }
+    std::sort(heights.begin(), heights.end());
+    const size_t few = heights.size() / 20;
+    const double low = heights[few], high = heights[heights.size() - 1 - few];
+    LinkSpec link;
+    link.name = plan_.joints[k].name;
+    link.radius = std::clamp(Median(std::move(distances)), kShortest * world_.height,
+                             kRoundest * world_.height);
+    const bool begins_at_joint = low > link.radius;  // the skin of the way there follows others
+    if (!begins_at_joint) link.from = std::min(low + link.radius, 0.5 * (low + high)) * along;
+    link.to = std::max(high - link.radius, 0.5 * (low + high)) * along;
+    return link;
   }
 
   // The joints beyond, or where the bone ends.
@@ -98,9 +131,18 @@ class LinkMaker {
       for (const Vec3& p : vertices_[k]) mean += p;
       add(1.6 * mean / static_cast<double>(vertices_[k].size()));
     }
-    const bool is_leaf = skeleton_.bones[k].children.empty();
-    if (ends.empty() && is_leaf) ends.emplace_back(0.0, 0.0, 0.0);  // a ball
+    if (ends.empty()) ends.push_back(StubOf(k));
     return ends;
+  }
+
+  // Of a bone of no length: a little farther the way that the bone before it goes. Not a mere ball
+  // about the joint, whose weight would turn it nowhere, so that it would spin for ever in a
+  // dynamics region.
+  Vec3 StubOf(size_t k) const {
+    const PlannedJoint& joint = plan_.joints[k];
+    const double length = std::max(kStub * joint.offset.norm(), kShortest * world_.height);
+    const Vec3 along = joint.orientation.transpose() * joint.offset;
+    return length * (along.norm() > 0.0 ? along.normalized() : Vec3(-Vec3::UnitZ()));
   }
 
   double RadiusOf(size_t k, const LinkSpec& link) const {

@@ -6,6 +6,8 @@
 
 #include "engine/base/text.h"
 #include "engine/exchange/import/figure_links.h"
+#include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_ground.h"
 #include "engine/exchange/import/import_skin.h"
 #include "engine/exchange/import/joint_plan.h"
 #include "engine/exchange/import/key_reduction.h"
@@ -21,6 +23,7 @@ constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);         // [kg/m^2]
 constexpr double kMargin = 15.0 * std::numbers::pi / 180.0;  // beyond the clip [rad]
 constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
 constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
+constexpr double kFar = 100.0;                               // from the origin [m]
 constexpr double kWorthAWord = 1e-4;                         // [m]
 
 Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
@@ -37,13 +40,14 @@ Result<const Clip*> ClipOf(const Character& character, const std::string& name) 
 
 // Frames per second as a ratio: a whole number, or one of 1/1.001 of it.
 ProjectRate RateOf(double fps) {
+  fps = std::clamp(fps, 1e-3, 1e6);  // a project has less, and says so
   const double whole = std::round(fps);
   if (whole >= 1.0 && std::abs(fps - whole) <= 1e-4 * fps) return {static_cast<int>(whole), 1, {}};
   const double more = std::round(1.001 * fps);
   if (std::abs(1.001 * fps - more) <= 1e-4 * fps) {
     return {static_cast<int>(1000.0 * more), 1001, {}};
   }
-  return {static_cast<int>(std::round(1000.0 * fps)), 1000, {}};
+  return {std::max(1, static_cast<int>(std::round(1000.0 * fps))), 1000, {}};
 }
 
 class Importer {
@@ -58,16 +62,17 @@ class Importer {
     const Result<const Clip*> clip = ClipOf(character_, options_.clip);
     if (!clip.ok()) return clip.error();
     clip_ = clip.value();
+    if (clip_ && clip_->num_frames < 1) clip_ = nullptr;
     report_.warnings = character_.warnings;
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
+    SayPlace();
     SetTime();
     SetKeys();
     SayError();
     if (auto error = SetFigure()) return *error;
-    SetScene();
     if (options_.skin && !skin_.meshes.empty()) {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
@@ -86,6 +91,15 @@ class Importer {
         {RootName(), "bones beside it that carry no skin are left out: " + names});
   }
 
+  // Pictures are of single precision, and cameras look for the figure about the origin.
+  void SayPlace() {
+    const double away = plan_.root_position.front().norm();
+    if (away <= kFar) return;
+    report_.warnings.push_back({RootName(), "is " + FormatShort(away) +
+                                                " m from the origin when the clip begins; if that "
+                                                "is wrong, give the unit or the height"});
+  }
+
   const std::string& RootName() const { return character_.bones[skeleton_.bones[0].bone].name; }
 
   void SetTime() {
@@ -94,7 +108,7 @@ class Importer {
     project_.fps = RateOf(fps);
     num_frames_ = clip_ ? clip_->num_frames : 1;
     project_.frames.last = clip_ ? std::max(num_frames_ - 1, 1) : 60;
-    if (!clip_) return;
+    if (!clip_) return report_.facts.push_back("no clip is in it: the figure is at rest");
     report_.facts.push_back("clip \"" + clip_->name + "\", " + std::to_string(num_frames_) +
                             " frames at " + FormatShort(fps) + " a second");
   }
@@ -145,13 +159,16 @@ class Importer {
     for (size_t k = 1; k < plan_.joints.size(); ++k) {
       PlannedJoint& joint = plan_.joints[k];
       for (int h = 0; h < joint.num_hinges; ++h) {
-        ProjectCurve curve = CurveOf(&joint.angles, h, degree, tolerance);
-        if (clip_) project_.joints.push_back({HingeOf(joint, h), std::move(curve)});
+        if (!clip_) continue;
+        project_.joints.push_back(
+            {HingeOf(joint, h), CurveOf(&joint.angles, h, degree, tolerance)});
       }
     }
+    if (!clip_) return;
     report_.facts.push_back(std::to_string(report_.num_keys) + " keys" +
                             (options_.reduce_deg
-                                 ? ", within " + FormatShort(tolerance) + " degrees of the clip"
+                                 ? ", within " + FormatShort(tolerance) +
+                                       (tolerance == 1.0 ? " degree" : " degrees") + " of the clip"
                                  : std::string(", one a frame")));
   }
 
@@ -214,14 +231,17 @@ class Importer {
     project_.figure.embedded_json = FigureText(spec);
     project_.figure.spec = std::move(spec);
     report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg");
+    SetGround(GroundUnder(plan_, skin_, links));
     return std::nullopt;
   }
 
-  void SetScene() {
-    ProjectSceneObject ground;
-    ground.name = "ground";
-    ground.shape = ProjectPlane();
-    project_.scene.objects.push_back(std::move(ground));
+  void SetGround(double height) {
+    ProjectPlane plane;
+    plane.offset_m = height;
+    project_.scene.objects.push_back({"ground", plane, kDefaultObjectColor, {}});
+    if (height == 0.0) return;
+    report_.facts.push_back("the ground is at z = " + FormatShort(height) +
+                            " m, where the figure stands");
   }
 
   const Character& character_;

@@ -41,6 +41,7 @@ Skin SkinFor(const Character& character, const Skeleton& skeleton, const FigureP
       X_BW.topRightCorner<3, 1>() = X_WB.Inverse().p;
       bind.inverse_bind =
           (X_BW * to_world * MatrixOf(skeleton.rest[bind.bone]) * bind.inverse_bind).eval();
+      bind.inverse_bind.row(3) << 0, 0, 0, 1;  // not nearly
       bind.bone = kept;
     }
   }

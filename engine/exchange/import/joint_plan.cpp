@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/exchange/import/figure_names.h"
 
 namespace hazumi {
 
@@ -13,6 +15,7 @@ namespace {
 constexpr EulerAxes kRootAxes = {2, 1, 0};
 constexpr double kStill = 1e-5;  // of a translation [m]
 constexpr double kSameScale = 1e-4;
+constexpr double kJump = std::numbers::pi / 2.0;  // of an angle, from frame to frame
 
 // Least and greatest by component.
 struct Range {
@@ -47,7 +50,13 @@ class Planner {
         num_frames_(clip ? clip->num_frames : 1) {}
 
   FigurePlan Plan() {
-    for (size_t k = 0; k < skeleton_.bones.size(); ++k) plan_.joints.push_back(Joint(k));
+    std::vector<std::string> names;
+    for (size_t k = 0; k < skeleton_.bones.size(); ++k) names.push_back(bone(k).name);
+    names = FigureNames(names, report_);
+    for (size_t k = 0; k < skeleton_.bones.size(); ++k) {
+      plan_.joints.push_back(Joint(k));
+      plan_.joints.back().name = names[k];
+    }
     PlaceRoot();
     return std::move(plan_);
   }
@@ -61,7 +70,6 @@ class Planner {
 
   PlannedJoint Joint(size_t k) {
     PlannedJoint joint;
-    joint.name = bone(k).name;
     joint.parent = skeleton_.bones[k].parent;
     if (joint.parent < 0) return joint;
     const BonePose& parent = skeleton_.rest[bone(k).parent];
@@ -77,23 +85,24 @@ class Planner {
   Vec3 Offset(size_t k) {
     const BoneTrack& moved = track(k);
     const Range scales = RangeOf(moved.scales);
-    if (scales.width() > kSameScale) Drop(k, "scale", scales, 1.0, "");
+    if (scales.width() > kSameScale) Drop(bone(k), "scale", scales, 1.0, "");
     if (moved.translations.empty()) return bone(k).rest.p;
     const Range range = RangeOf(moved.translations);
     const double scale = skeleton_.rest[bone(k).parent].scale;
     if (range.width() * world_.metres * scale <= kStill) return range.sum / range.num;
-    Drop(k, "translation", range, 100.0 * world_.metres * scale, " cm");
+    Drop(bone(k), "translation", range, 100.0 * world_.metres * scale, " cm");
     return range.sum / range.num;
   }
 
-  void Drop(size_t k, const char* what, const Range& range, double unit, const char* unit_name) {
+  void Drop(const Bone& bone, const char* what, const Range& range, double unit,
+            const char* unit_name) {
     std::string message = std::string(what) + " in its parent is dropped:";
     for (int i = 0; i < 3; ++i) {
       if (range.high[i] - range.low[i] <= 1e-12) continue;
       message += std::string(" ") + "xyz"[i] + " " + FormatShort(unit * range.low[i]) + " to " +
                  FormatShort(unit * range.high[i]) + unit_name;
     }
-    report_->warnings.push_back({bone(k).name, message + "; joints only turn"});
+    report_->warnings.push_back({bone.name, message + "; joints only turn"});
   }
 
   // Angles as the file has them, if its order is known, else those of the order whose middle angle
@@ -109,8 +118,28 @@ class Planner {
     } else if (!turned.rotations.empty()) {
       axes = BestAxes(k);
     }
-    joint->angles = has_angles ? turned.angles : Decomposed(k, axes);
+    joint->angles =
+        has_angles ? Continuous(turned.angles, axes, joint->num_hinges) : Decomposed(k, axes);
     for (int i = 0; i < 3; ++i) joint->axes[i] = WorldAxis(axes[i]);
+  }
+
+  // The file's angles, those that jump between two frames, as at 180 degrees, replaced by others
+  // that say the same and do not: what lies between two keys follows them.
+  static std::vector<Vec3> Continuous(std::vector<Vec3> angles, const EulerAxes& axes,
+                                      int num_hinges) {
+    for (size_t f = 1; f < angles.size(); ++f) {
+      const Vec3& before = angles[f - 1];
+      if ((angles[f] - before).cwiseAbs().maxCoeff() <= kJump) continue;
+      if (num_hinges == 3) {
+        angles[f] = EulerAnglesNear(EulerRotation(axes, angles[f]), axes, before);
+        continue;
+      }
+      for (int i = 0; i < num_hinges; ++i) {
+        const double turns = std::round((before[i] - angles[f][i]) / (2.0 * std::numbers::pi));
+        angles[f][i] += 2.0 * std::numbers::pi * turns;
+      }
+    }
+    return angles;
   }
 
   // The world's axis that one of the file is.
@@ -153,6 +182,10 @@ class Planner {
 
   void PlaceRoot() {
     const int root = skeleton_.bones[0].bone;
+    for (int b = root; clip_ && b >= 0; b = character_.bones[b].parent) {
+      const Range scales = RangeOf(clip_->tracks[b].scales);
+      if (scales.width() > kSameScale) Drop(character_.bones[b], "scale", scales, 1.0, "");
+    }
     const Mat3 rest = skeleton_.rest[root].R;
     Vec3 previous = Vec3::Zero();
     for (int f = 0; f < num_frames_; ++f) {
@@ -174,24 +207,27 @@ class Planner {
 
 }  // namespace
 
-std::string HingeName(int axis) { return std::string(1, "xyz"[axis]); }
-
 FigurePlan PlanFigure(const Character& character, const Skeleton& skeleton, const Clip* clip,
                       const WorldFrame& world, ImportReport* report) {
   return Planner(character, skeleton, clip, world, report).Plan();
 }
 
-std::vector<Vec3> PositionsOf(const FigurePlan& plan, int frame) {
-  std::vector<Vec3> p(plan.joints.size());
-  std::vector<Mat3> R(plan.joints.size());
-  p[0] = plan.root_position[frame];
-  R[0] = EulerRotation(kRootAxes, plan.root_angles[frame]);
-  for (size_t k = 1; k < p.size(); ++k) {
+std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame) {
+  std::vector<Pose> X_WB(plan.joints.size());
+  X_WB[0] = {EulerRotation(kRootAxes, plan.root_angles[frame]), plan.root_position[frame]};
+  for (size_t k = 1; k < X_WB.size(); ++k) {
     const PlannedJoint& joint = plan.joints[k];
-    p[k] = p[joint.parent] + R[joint.parent] * joint.offset;
-    R[k] = R[joint.parent] * joint.orientation * EulerRotation(joint.axes, joint.angles[frame]);
+    const Mat3 R = joint.orientation * EulerRotation(joint.axes, joint.angles[frame]);
+    X_WB[k] = X_WB[joint.parent] * Pose{R, joint.offset};
   }
-  return p;
+  return X_WB;
+}
+
+std::vector<Vec3> PositionsOf(const FigurePlan& plan, int frame) {
+  std::vector<Vec3> positions;
+  positions.reserve(plan.joints.size());
+  for (const Pose& X_WB : BodiesOf(plan, frame)) positions.push_back(X_WB.p);
+  return positions;
 }
 
 std::vector<Vec3> FilePositions(const Character& character, const Skeleton& skeleton,

@@ -32,13 +32,13 @@ struct FigurePlan {
   std::vector<Vec3> root_angles;     // by frame, z, y, x [rad]
 };
 
-// "_x", "_y" or "_z" by the axis that it turns about.
-std::string HingeName(int axis);
-
 // Without a clip there is one frame: at rest. What moves a bone in its parent is dropped, with a
 // warning that names it and its range.
 FigurePlan PlanFigure(const Character& character, const Skeleton& skeleton, const Clip* clip,
                       const WorldFrame& world, ImportReport* report);
+
+// The bodies at a frame, in the world [m], by kept bone.
+std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame);
 
 // Where each joint is at a frame [m], by kept bone.
 std::vector<Vec3> PositionsOf(const FigurePlan& plan, int frame);

@@ -40,9 +40,18 @@ std::vector<char> CarriersOf(const Character& character, std::vector<char> these
   return these;
 }
 
-// From the top down as long as one child alone carries anything and the bone itself is none of it.
+// Whether a bone only moves the pelvis about, as game engines have it: it lies on the ground.
+bool IsMover(const Character& character, int bone, int below, const std::vector<char>& weighted) {
+  const auto part = [&](int b) {
+    return BodyNameOf(character.bones[b].name, Naming::kByBone).part;
+  };
+  return !weighted[bone] && part(bone) == BodyPart::kOther && part(below) == BodyPart::kPelvis;
+}
+
+// From the top down as long as one child alone carries anything and the bone itself is none of it,
+// or only moves it.
 int LowestCommon(const Character& character, const std::vector<char>& wanted,
-                 const std::vector<char>& carriers) {
+                 const std::vector<char>& weighted, const std::vector<char>& carriers) {
   const int num = static_cast<int>(character.bones.size());
   const auto child_of = [&](int parent) {
     int only = -1;
@@ -54,10 +63,8 @@ int LowestCommon(const Character& character, const std::vector<char>& wanted,
     return only;
   };
   int root = child_of(-1);
-  while (root >= 0 && !wanted[root]) {
-    const int below = child_of(root);
-    if (below < 0) break;
-    root = below;
+  for (int below; root >= 0 && (below = child_of(root)) >= 0; root = below) {
+    if (wanted[root] && !IsMover(character, root, below, weighted)) break;
   }
   return root;
 }
@@ -102,12 +109,13 @@ std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int 
 
 Result<Skeleton> SkeletonOf(const Character& character) {
   const size_t num = character.bones.size();
-  std::vector<char> wanted = Weighted(character);
+  const std::vector<char> weighted = Weighted(character);
+  std::vector<char> wanted = weighted;
   if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
     for (size_t b = 0; b < num; ++b) wanted[b] = character.bones[b].is_joint;
   }
   const std::vector<char> carriers = CarriersOf(character, wanted);
-  const int root = LowestCommon(character, wanted, carriers);
+  const int root = LowestCommon(character, wanted, weighted, carriers);
   if (root < 0) {
     return Error{ErrorCode::kSemantics, "", "",
                  num == 0 ? "there is no skeleton in it"
@@ -117,12 +125,15 @@ Result<Skeleton> SkeletonOf(const Character& character) {
   skeleton.rest = PosesAt(character, nullptr, 0);
   skeleton.kept.assign(num, -1);
   const Naming naming = NamingOf(character);
+  std::vector<char> above_root(num, 0);
+  for (int b = root; b >= 0; b = character.bones[b].parent) above_root[b] = 1;
   for (int b = 0; b < static_cast<int>(num); ++b) {
     const int above = character.bones[b].parent;
     const int parent = above < 0 ? -1 : skeleton.kept[above];
     const bool is_in = b == root || (parent >= 0 && carriers[b]);
     if (!is_in) {
-      if (character.bones[b].is_joint) skeleton.left_out.push_back(character.bones[b].name);
+      if (character.bones[b].is_joint && !above_root[b])
+        skeleton.left_out.push_back(character.bones[b].name);
       continue;
     }
     KeptBone kept{b, b == root ? -1 : parent, {}, BodyNameOf(character.bones[b].name, naming)};

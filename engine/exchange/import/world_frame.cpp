@@ -11,7 +11,9 @@ namespace hazumi {
 namespace {
 
 constexpr double kShortest = 1.2, kTallest = 2.2;  // of what is taken for a person [m]
+constexpr int kLooks = 16;                         // at frames of a clip
 constexpr double kUsual = 1.7;                     // [m]
+constexpr double kLying = 0.4;                     // this tall for its length it lies
 constexpr double kSmallest = 0.2, kLargest = 5.0;  // of what needs no word [m]
 
 struct Extent {
@@ -25,9 +27,10 @@ struct Extent {
 };
 
 Extent ExtentOf(const Character& character, const Skeleton& skeleton,
-                const std::vector<BonePose>& poses) {
+                const std::vector<BonePose>& poses, std::optional<BodyPart> part = {}) {
   Extent extent;
   for (const KeptBone& kept : skeleton.bones) {
+    if (part && kept.body.part != *part) continue;
     const BonePose& pose = poses[kept.bone];
     extent.Take(pose.p);
     const auto& end = character.bones[kept.bone].end_site;
@@ -41,13 +44,32 @@ Extent SkinExtent(const Character& character, const Skeleton& skeleton) {
   Extent extent;
   for (const SkinMesh& mesh : character.meshes) {
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
-      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][0]];
+      const auto& weights = mesh.weights[v];
+      const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
+      const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][most]];
       const BonePose& pose = skeleton.rest[bind.bone];
       const Vec3 p = (bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous()).head<3>();
       extent.Take(pose.p + pose.R * (pose.scale * p));
     }
   }
   return extent;
+}
+
+// From the lowest point of the feet to the highest of the head along `up`, when the figure stands
+// straightest: at rest, or in the clip. Nothing if no bone is called head, or none foot.
+std::optional<double> StandingHeight(const Character& character, const Skeleton& skeleton,
+                                     const Clip* clip, int up) {
+  double most = 0.0;
+  const auto look = [&](const std::vector<BonePose>& poses) {
+    const Extent head = ExtentOf(character, skeleton, poses, BodyPart::kHead);
+    const Extent feet = ExtentOf(character, skeleton, poses, BodyPart::kFoot);
+    most = std::max(most, head.high[up] - feet.low[up]);
+  };
+  look(skeleton.rest);
+  for (int i = 0; clip && i < kLooks; ++i) {
+    look(PosesAt(character, clip, i * (clip->num_frames - 1) / kLooks));
+  }
+  return most > 0.0 ? std::optional(most) : std::nullopt;
 }
 
 // Heads are above feet, whatever they do, nearly all of the time.
@@ -63,7 +85,6 @@ std::optional<Vec3> FromFeetToHead(const Character& character, const Skeleton& s
     }
     return num == 0 ? std::optional<Vec3>() : Vec3(sum / num);
   };
-  constexpr int kLooks = 16;
   const int num_frames = clip ? clip->num_frames : 1;
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < kLooks; ++i) {
@@ -79,6 +100,20 @@ UpAxis GuessUp(const Character& character, const Skeleton& skeleton, const Clip*
   Vec3 tall = ExtentOf(character, skeleton, skeleton.rest).size();
   if (const auto upright = FromFeetToHead(character, skeleton, clip)) tall = *upright;
   return std::abs(tall.z()) > std::abs(tall.y()) ? UpAxis::kZ : UpAxis::kY;
+}
+
+// In the file's unit.
+double HeightOf(const Character& character, const Skeleton& skeleton, const Clip* clip, int up) {
+  const bool has_skin = !character.meshes.empty();
+  if (!has_skin) {
+    if (const auto height = StandingHeight(character, skeleton, clip, up)) return *height;
+  }
+  const Extent extent =
+      has_skin ? SkinExtent(character, skeleton) : ExtentOf(character, skeleton, skeleton.rest);
+  // A skeleton may rest lying, or with all bones in a row.
+  const double longest = extent.size().maxCoeff();
+  const double tall = extent.size()[up];
+  return std::max(tall > kLying * longest ? tall : longest, 1e-9);
 }
 
 struct Unit {
@@ -129,11 +164,7 @@ WorldFrame WorldFrameOf(const Character& character, const Skeleton& skeleton, co
   world.up = options.up ? *options.up : character.up.value_or(GuessUp(character, skeleton, clip));
   world.C = AxesOf(world.up);
   report->facts.push_back(std::string(world.up == UpAxis::kY ? "y" : "z") + " is up (" + who + ")");
-  Extent extent = ExtentOf(character, skeleton, skeleton.rest);
-  if (!character.meshes.empty()) extent = SkinExtent(character, skeleton);
-  // A skeleton that rests with all bones in a row is not as tall as it then looks.
-  double tall = extent.size()[world.up == UpAxis::kY ? 1 : 2];
-  if (!(tall > 0.0)) tall = std::max(extent.size().maxCoeff(), 1e-9);
+  const double tall = HeightOf(character, skeleton, clip, world.up == UpAxis::kY ? 1 : 2);
   std::string why = "as asked for";
   if (options.height_m) {
     world.metres = *options.height_m / tall;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "engine/exchange/base64.h"
+#include "engine/base/base64.h"
 #include "engine/exchange/character/from_motion.h"
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"

@@ -12,7 +12,7 @@
 #include "engine/project/figure_reader.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
-#include "tests/unit/project/sample.h"
+#include "tests/unit/project/skin_sample.h"
 
 namespace hazumi::testing {
 namespace {
@@ -65,6 +65,16 @@ TEST(Schema, TakesBothMethodsWithAndWithoutTheirNumbers) {
     const std::string text = Changed(SampleProject(), {{"/solver", solver}}).dump();
     EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(text)), "") << solver;
   }
+}
+
+TEST(Schema, KnowsSkins) {
+  const auto complaint = [](const Changes& changes) {
+    return Complaint("kfa.schema.json", PlainJson::parse(WithSkin(changes).dump()));
+  };
+  EXPECT_EQ(complaint({}), "");
+  EXPECT_NE(complaint({{"/skin/bones", ""}}), "");
+  EXPECT_NE(complaint({{"/skin/meshes/0/weights", "\"A*\""}}), "");
+  EXPECT_NE(complaint({{"/skin/meshes/0/binds/0/inverse_bind", "[1]"}}), "");
 }
 
 TEST(Schema, FindsMistakes) {

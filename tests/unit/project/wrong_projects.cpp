@@ -34,6 +34,14 @@ Say SaveTo(std::string name) {
   };
 }
 
+std::string SaveHuge() {
+  const TemporaryFolder folder;
+  Project project = ParseGood(SampleProject());
+  project.name.assign(65u << 20, 'a');
+  const std::string said = Complaint(SaveProject(project, folder / "huge.kfa"));
+  return std::filesystem::exists(folder / "huge.kfa") ? "it is saved" : said;
+}
+
 std::string Repeated(const std::string& text, int count) {
   std::string all;
   for (int i = 0; i < count; ++i) all += text;
@@ -76,6 +84,9 @@ std::vector<WrongProject> WrongFiles() {
        "not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
       {Check::kCannotWrite, SaveTo("missing/a.kfa"),
        "cannot be written: No such file or directory"},
+      {Check::kTooLargeToSave, SaveHuge,
+       "would be 65 MiB, which Hazumi does not read back (at most 64 MiB and 5000000 values): use "
+       "fewer keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
       {Check::kCannotReplace, SaveTo("."), "cannot be replaced: it is not a file"},
   };
 }
@@ -234,7 +245,7 @@ std::vector<WrongProject> WrongFigures() {
 
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();
-  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures()}) {
+  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

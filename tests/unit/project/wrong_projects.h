@@ -21,4 +21,7 @@ std::vector<WrongProject> WrongProjects();
 // The part of them that is well formed: values, names and contradictions.
 std::vector<WrongProject> WrongDocuments();
 
+// Those of a skin.
+std::vector<WrongProject> WrongSkins();
+
 }  // namespace hazumi::testing

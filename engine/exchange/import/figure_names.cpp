@@ -1,0 +1,69 @@
+#include "engine/exchange/import/figure_names.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "engine/base/utf8.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr size_t kLongest = 200;  // bytes
+
+std::string Cleaned(const std::string& bone) {
+  std::string name = bone.substr(0, kLongest);
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '_';
+  }
+  while (name.ends_with('+')) name.pop_back();
+  return name.empty() ? "bone" : ValidUtf8(name);
+}
+
+class Names {
+ public:
+  std::string Claim(const std::string& name, bool has_hinges) {
+    std::string own = name;
+    for (int i = 2; !IsFree(own, has_hinges); ++i) own = name + "_" + std::to_string(i);
+    Take(own, has_hinges);
+    return own;
+  }
+
+ private:
+  bool IsFree(const std::string& name, bool has_hinges) const {
+    if (taken_.contains(name)) return false;
+    for (int axis = 0; has_hinges && axis < 3; ++axis) {
+      if (taken_.contains(name + "_" + HingeName(axis))) return false;
+    }
+    return true;
+  }
+
+  void Take(const std::string& name, bool has_hinges) {
+    taken_.insert(name);
+    for (int axis = 0; has_hinges && axis < 3; ++axis) {
+      taken_.insert(name + "_" + HingeName(axis));
+    }
+  }
+
+  std::unordered_set<std::string> taken_;
+};
+
+}  // namespace
+
+std::string HingeName(int axis) { return std::string(1, "xyz"[axis]); }
+
+std::vector<std::string> FigureNames(const std::vector<std::string>& bones, ImportReport* report) {
+  Names taken;
+  std::vector<std::string> names;
+  for (const std::string& bone : bones) {
+    const bool has_hinges = !names.empty();
+    names.push_back(taken.Claim(Cleaned(bone), has_hinges));
+    if (names.back() == bone) continue;
+    report->warnings.push_back({ValidUtf8(bone), "is called \"" + names.back() +
+                                                     "\" here: a name must be one that nothing "
+                                                     "else has, not empty, and must not end in +"});
+  }
+  return names;
+}
+
+}  // namespace hazumi

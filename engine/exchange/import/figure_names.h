@@ -1,0 +1,20 @@
+#pragma once
+
+// Internal. Names that a project can hold.
+
+#include <string>
+#include <vector>
+
+#include "engine/exchange/import/import_options.h"
+
+namespace hazumi {
+
+// "x", "y" or "z" by the axis that a hinge turns about.
+std::string HingeName(int axis);
+
+// Names of the root, the first one, and of joints, made from those of their bones: no two names are
+// the same, hinges ("A_x") among them; none is empty, holds control characters or ends in "+",
+// which means all beyond. A name that is changed is a warning.
+std::vector<std::string> FigureNames(const std::vector<std::string>& bones, ImportReport* report);
+
+}  // namespace hazumi
