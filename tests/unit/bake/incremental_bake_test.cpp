@@ -100,7 +100,8 @@ Animation Recorded(Animation animation) {
   for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
     animation.joint_keys[j].clear();
     for (const MotionFrame& frame : motion.frames) {
-      animation.joint_keys[j].push_back({frame.frame, frame.q[static_cast<int>(j)]});
+      animation.joint_keys[j].push_back(
+          {frame.frame, frame.q[static_cast<int>(j)], {}, Interpolation::kCubic});
     }
   }
   for (DynamicsRegion& region : animation.regions) region.blend_frames = 8;

@@ -112,7 +112,8 @@ Animation RightArmIsRecorded(int blend_frames) {
   for (const char* joint : {"r_shoulder_y", "r_shoulder_x", "r_elbow_y"}) {
     const double phase = joint[8];
     for (int f = 0; f <= 30; ++f) {
-      KeysOf(&animation, joint).push_back({1.0 * f, -0.6 + 0.4 * std::sin(0.4 * f + phase)});
+      KeysOf(&animation, joint)
+          .push_back({1.0 * f, -0.6 + 0.4 * std::sin(0.4 * f + phase), {}, kCubic});
     }
   }
   KeyTheRest(&animation);
@@ -183,7 +184,7 @@ Animation PendulumTurnsRound(double rate, double lower) {
   spec.joints.push_back(joint);
   Animation animation = Still(BuildFigure(spec).value());
   Keys& keys = KeysOf(&animation, "hinge");
-  for (int f = 0; f <= 30; ++f) keys.push_back({1.0 * f, 0.1});
+  for (int f = 0; f <= 30; ++f) keys.push_back({1.0 * f, 0.1, {}, kCubic});
   keys[3].rate = rate;
   AddRegion(&animation, "swing", 3, 15, {"hinge"}).blend_frames = 8;
   animation.solver.method = animation.regions[0].method = Method::kExact;

@@ -227,7 +227,8 @@ Keys Recording(int frames, double noise) {
   std::normal_distribution<double> error(0.0, 1.0);
   Keys keys;
   for (int f = 0; f <= frames; ++f) {
-    keys.push_back({static_cast<double>(f), std::sin(0.21 * f) + noise * error(random)});
+    keys.push_back(
+        {static_cast<double>(f), std::sin(0.21 * f) + noise * error(random), {}, kCubic});
   }
   return keys;
 }
@@ -274,7 +275,10 @@ TEST(CurveTrack, BlendsIntoItsKeysAndIsThereAsIfNothingHadBeen) {
 }
 
 TEST(CurveTrack, BlendThatKeysDoNotReachEndsAtTheLastKey) {
-  const Keys keys = {{0.0, 0.0}, {5.0, 1.0}, {8.0, 2.0}, {12.0, 3.0}};
+  const Keys keys = {{0.0, 0.0, {}, kCubic},
+                     {5.0, 1.0, {}, kCubic},
+                     {8.0, 2.0, {}, kCubic},
+                     {12.0, 3.0, {}, kCubic}};
   CurveTrack track = Track(keys);
   track.Blend(6.0, 0.1, 0.2, 20.0);
   EXPECT_EQ(track.PieceAt(6.0).last_frame, 12.0);
