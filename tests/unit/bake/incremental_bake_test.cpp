@@ -101,7 +101,7 @@ Animation Recorded(Animation animation) {
     animation.joint_keys[j].clear();
     for (const MotionFrame& frame : motion.frames) {
       animation.joint_keys[j].push_back(
-          {frame.frame, frame.q[static_cast<int>(j)], {}, Interpolation::kCubic});
+          {1.0 * frame.frame, frame.q[static_cast<int>(j)], {}, Interpolation::kCubic});
     }
   }
   for (DynamicsRegion& region : animation.regions) region.blend_frames = 8;
