@@ -29,7 +29,7 @@ def curves(project):
 
 
 def with_keys(project, first, gap, window):
-    """Its keys at first + k gap inside the window only; a curve that never moves keeps its value."""
+    """Its keys at first + k gap inside the window; a curve that never moves keeps its value."""
     sparse = copy.deepcopy(project)
     sparse["frames"] = {"first": window[0], "last": window[1]}
     for curve, _ in curves(sparse):

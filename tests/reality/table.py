@@ -42,8 +42,8 @@ def swings(results):
 
 
 def flights(results):
-    text = ("Flights, placed by gravity (cm, all joints / CoM; angles are those of the keys), and with "
-            f"the arms dynamic as well (cm / degrees, friction {cases.FRICTION}):\n\n")
+    text = ("Flights, placed by gravity (cm, all joints / CoM; angles are those of the keys), and "
+            f"with the arms dynamic as well (cm / degrees, friction {cases.FRICTION}):\n\n")
     text += head(["clip", "keys", "interpolation", "gravity", "interpolation, captured rates",
                   "gravity, captured rates", "arms: interpolation, captured rates",
                   "arms: dynamics, captured rates", "arms: best friction"])
