@@ -70,14 +70,19 @@ class Baker {
   void ReportStep(int region, int frame);
   bool HasRegionFrom(int frame, JointIndex j) const;
   void BeginRoot(int frame);
-  void EndRoot(int frame);
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
-  void ResumeAfterRegion(int frame, size_t region);
-  double Overshoot(int frame, JointIndex j);
-  void LimitTangent(int frame, JointIndex j);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
   std::string PlacementPlace(int frame) const;
+
+  // After a region (baker_resume.cpp).
+  void ResumeAfterRegion(int frame, size_t region);
+  void ResumeJoint(int frame, JointIndex j, double rate, const DynamicsRegion& region);
+  void ResumeCurve(int frame, double angle, double rate, const DynamicsRegion& region,
+                   const Joint* joint, CurveTrack* curve);
+  double Overshoot(int frame, JointIndex j);
+  void LimitTangent(int frame, JointIndex j, size_t region);
+  void EndRoot(int frame, const DynamicsRegion& region);
 
   // If something begins or ends at the frame, or a key lies on it.
   bool ChangesAt(int frame) const { return is_edge_[Index(frame)] || HasKeyAt(frame); }

@@ -19,10 +19,9 @@ bool IsSameOtherwise(const Animation& a, const Animation& b) {
 }
 
 // The frame from which on a curve can differ whose keys are the same up to number `first`: the
-// tangent at the key before looks ahead to it.
+// tangent at the key before looks ahead to it. What leads to the first key may come from anywhere.
 double FirstReach(const Keys& keys, size_t first) {
-  if (first == 0) return -kEver;
-  return keys[first < 2 ? 0 : first - 2].frame;
+  return first < 2 ? -kEver : keys[first - 2].frame;
 }
 
 }  // namespace
@@ -54,7 +53,22 @@ void IncrementalBake::Update(const Animation& animation) {
     ChangeKeys(animation.root_keys[i], &animation_.root_keys[i], &reach);
   }
   if (animation_.regions != animation.regions) ChangeRegions(animation, &reach);
+  IncludeBlends(&reach);
   if (reach.first <= reach.last) MakeStale(reach);
+}
+
+// A blend leads in one piece from where its region ends to its target, beyond all keys that it
+// passes over: an edit that reaches into it reaches back to its start.
+void IncrementalBake::IncludeBlends(Reach* reach) const {
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const DynamicsRegion& region : animation_.regions) {
+      const double start = region.last_frame, end = start + region.blend_frames;
+      if (!(start < reach->first && reach->first < end)) continue;
+      reach->Include(start);
+      grows = true;
+    }
+  }
 }
 
 void IncrementalBake::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {

@@ -58,6 +58,7 @@ class IncrementalBake {
   void StartAnew(const Animation& animation);
   void ChangeKeys(const Keys& next, Keys* keys, Reach* reach);
   void ChangeRegions(const Animation& next, Reach* reach);
+  void IncludeBlends(Reach* reach) const;
   void MakeStale(const Reach& reach);
   void KeepLogs(const Stretch& stretch);
   std::optional<Error> Begin();

@@ -146,6 +146,7 @@ class Compiler {
     region.method = source.method.value_or(project_.solver.method);
     region.step = source.step_s;
     region.limit_tangents = source.limit_tangents;
+    region.blend_frames = source.blend_frames;
     if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kRadiansPerDegree;
     region.root = DrivesRoot(source, *figure_);
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");

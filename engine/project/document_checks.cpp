@@ -109,6 +109,8 @@ void CheckRegion(const ProjectRegion& region, const Site& site) {
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
   CheckFriction(region.friction, site.Field("friction"));
   CheckFineness(region, site);
+  if (region.blend_frames >= 0) return;
+  site.Field("blend_frames").Report(Check::kNegative, {std::to_string(region.blend_frames)});
 }
 
 // Names of one list: none empty, none twice.

@@ -103,6 +103,7 @@ struct ProjectRegion {
   std::optional<Method> method;
   std::optional<double> step_s, tolerance_deg;
   bool limit_tangents = false;
+  int blend_frames = 0;
   ExtraFields extra;
   bool operator==(const ProjectRegion&) const = default;
 };

@@ -86,6 +86,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
   ar.Optional("step_s", region.step_s);
   ar.Optional("tolerance_deg", region.tolerance_deg);
   ar.Optional("limit_tangents", region.limit_tangents);
+  ar.Optional("blend_frames", region.blend_frames);
 }
 
 template <typename Ar>

@@ -66,11 +66,37 @@ void CurveTrack::PlanUpTo(double frame) {
   }
 }
 
-void CurveTrack::Resume(double frame, double value, double rate, bool as_keyed) {
+void CurveTrack::CutAt(double frame) {
   while (segments_.size() > 1 && segments_.back().first_frame >= frame) segments_.pop_back();
   segments_.back().last_frame = frame;
+}
+
+void CurveTrack::Resume(double frame, double value, double rate, bool as_keyed) {
+  CutAt(frame);
   const Key* key = KeyAt(frame);
   Append(frame, value, rate, as_keyed && key ? key->interpolation : Interpolation::kCubic);
+}
+
+const Key* CurveTrack::BlendTarget(double frame, double until) const {
+  if (!HasKeyAfter(frame)) return nullptr;
+  const auto earlier = [](const Key& key, double f) { return key.frame < f; };
+  const auto target = std::lower_bound(keys_->begin(), keys_->end(), until, earlier);
+  return target == keys_->end() ? &keys_->back() : &*target;
+}
+
+void CurveTrack::Blend(double frame, double value, double rate, double until) {
+  const Key* target = BlendTarget(frame, until);
+  if (!target) return Resume(frame, value, rate);
+  CutAt(frame);
+  const size_t index = target - keys_->data();
+  const Key* left = index > 0 ? target - 1 : nullptr;
+  double arrival = ArrivalRate(*target, index, frame, value, rate);
+  if (left && !target->rate && !IsTakenOver(target->frame)) {
+    arrival = AutomaticArrival(index, left->frame, left->value);
+  }
+  const double duration = Seconds(target->frame - frame);
+  segments_.push_back(
+      {frame, target->frame, Interval::Cubic(value, rate, target->value, arrival, duration)});
 }
 
 void CurveTrack::Append(double frame, double value, double rate, Interpolation kind) {
@@ -96,14 +122,30 @@ void CurveTrack::Append(double frame, double value, double rate, Interpolation k
 double CurveTrack::ArrivalRate(const Key& target, size_t index, double start_frame,
                                double start_value, double start_rate) const {
   if (target.rate) return *target.rate;
-  const double slope = (target.value - start_value) / Seconds(target.frame - start_frame);
-  const bool taken_over =
-      std::find(takeovers_.begin(), takeovers_.end(), target.frame) != takeovers_.end();
-  if (taken_over) return 2.0 * slope - start_rate;
+  if (!IsTakenOver(target.frame)) return AutomaticArrival(index, start_frame, start_value);
+  if (IsRecorded(index, start_frame)) {
+    const Key& beyond = (*keys_)[index + 1];
+    return (beyond.value - start_value) / Seconds(beyond.frame - start_frame);
+  }
+  return 2.0 * (target.value - start_value) / Seconds(target.frame - start_frame) - start_rate;
+}
+
+// At key number `index`, with what lies left of it.
+double CurveTrack::AutomaticArrival(size_t index, double left_frame, double left_value) const {
   if (index + 1 == keys_->size()) return 0.0;
-  const Key& beyond = (*keys_)[index + 1];
-  return AutomaticRate(Seconds(start_frame), start_value, Seconds(target.frame), target.value,
+  const Key &key = (*keys_)[index], &beyond = (*keys_)[index + 1];
+  return AutomaticRate(Seconds(left_frame), left_value, Seconds(key.frame), key.value,
                        Seconds(beyond.frame), beyond.value);
+}
+
+bool CurveTrack::IsTakenOver(double frame) const {
+  return std::find(takeovers_.begin(), takeovers_.end(), frame) != takeovers_.end();
+}
+
+bool CurveTrack::IsRecorded(size_t index, double left_frame) const {
+  const double frame = (*keys_)[index].frame;
+  return frame - left_frame <= 1.0 && index + 1 < keys_->size() &&
+         (*keys_)[index + 1].frame - frame <= 1.0;
 }
 
 }  // namespace hazumi

@@ -20,6 +20,9 @@ namespace hazumi {
 // - At a key on which a takeover begins the keys beyond it say nothing, so the tangent there is
 //   that of a parabola [Arai 2.5 (1)]: marking a region lets the limb go with the speed that its
 //   keys built up.
+// - Except in a recording, where the keys before and after that one are at most a frame away: there
+//   the tangent is the slope between those two, the rate that was recorded. The parabola would pass
+//   the error of each key on, and it overshoots just beyond an extreme.
 class CurveTrack {
  public:
   // `keys` must outlive the track. `takeovers`: the frames at which something else takes over.
@@ -49,6 +52,12 @@ class CurveTrack {
   // there on is forgotten. The first interval is a cubic unless `as_keyed` is set and a key lies on
   // `frame`: then it is of that key's kind.
   void Resume(double frame, double value, double rate, bool as_keyed = false);
+  // As Resume, by one cubic to BlendTarget(frame, until), where it arrives with the rate that the
+  // keys have there by themselves; those between are passed over. For until > frame.
+  void Blend(double frame, double value, double rate, double until);
+  // The first key at or after `until`; if there is none the last key; null if that is not after
+  // `frame`.
+  const Key* BlendTarget(double frame, double until) const;
 
  private:
   using Segment = Piece;
@@ -57,6 +66,10 @@ class CurveTrack {
   void Append(double frame, double value, double rate, Interpolation kind);
   double ArrivalRate(const Key& target, size_t index, double start_frame, double start_value,
                      double start_rate) const;
+  double AutomaticArrival(size_t index, double left_frame, double left_value) const;
+  bool IsTakenOver(double frame) const;
+  bool IsRecorded(size_t index, double left_frame) const;
+  void CutAt(double frame);
   CurveSample Evaluate(const Segment& segment, double frame) const;
   double Seconds(double frames) const { return rate_.SecondsAt(frames); }
 

@@ -37,6 +37,9 @@ struct DynamicsRegion {
   std::optional<double> tolerance;  // kExact [rad]; not given: the animation's
   // The curves after the region start no faster than they can without leaving the joint limits.
   bool limit_tangents = false;
+  // The curves after the region run to their first key at least this far behind it and pass over
+  // those between.
+  int blend_frames = 0;
   bool operator==(const DynamicsRegion&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // Dynamics regions.
 
 #include <algorithm>
+#include <cstdint>
 
 #include "ui/edit/edits.h"
 #include "ui/edit/root_curves.h"
@@ -40,6 +41,7 @@ Result<Done> Add(Session* session, const Parameters& p) {
         }
         for (const std::string& name : names) region.joints.push_back(RefFrom(name));
         region.friction.default_factor = p.number("friction", 0.8);
+        region.blend_frames = p.integer("blend", 0);
         project->regions.push_back(std::move(region));
         return Done();
       },
@@ -65,6 +67,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
     region->first_frame = p.integer("first", region->first_frame);
     region->last_frame = p.integer("last", region->last_frame);
     region->limit_tangents = p.yes("limit_tangents", region->limit_tangents);
+    region->blend_frames = p.integer("blend", region->blend_frames);
     if (p.yes("as_project")) {
       region->method.reset();
       region->tolerance_deg.reset();
@@ -155,8 +158,14 @@ void KeyRoot(const MotionFrame& at, ProjectRoot* root) {
   }
 }
 
-// The joints of an animation's region, and the root if it turns it, become keys, one a frame, and
-// the region goes.
+// The last frame of a region and of the blend after it.
+int LastFrameOf(const DynamicsRegion& region, int last) {
+  const int64_t end = static_cast<int64_t>(region.last_frame) + region.blend_frames;
+  return static_cast<int>(std::min<int64_t>(end, last));
+}
+
+// The joints of an animation's region, and the root if it turns it, become keys, one a frame, up to
+// the end of the blend after it, and the region goes.
 Result<Done> BakeToKeys(Session* session, const Parameters& p) {
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
@@ -164,15 +173,16 @@ Result<Done> BakeToKeys(Session* session, const Parameters& p) {
     const size_t index = region - project->regions.data();
     const DynamicsRegion& baked = session->animation()->regions[index];
     const auto first = motion.value()->frames.begin() + baked.first_frame - project->frames.first;
-    const auto end = first + (baked.last_frame - baked.first_frame) + 1;
+    const int last = LastFrameOf(baked, project->frames.last);
+    const auto end = first + (last - baked.first_frame) + 1;
     for (const JointIndex j : baked.joints) {
       const std::string& name = session->figure().joint(j).name;
       ProjectCurve* curve = CurveNamed(name, session->figure(), project).value();
-      RemoveKeys(baked.first_frame, baked.last_frame, curve);
+      RemoveKeys(baked.first_frame, last, curve);
       for (auto at = first; at != end; ++at) KeyHinge(j, *at, curve);
     }
     for (int i = kRootAngleZ; i < kNumRootCurves && baked.root; ++i) {
-      RemoveKeys(baked.first_frame, baked.last_frame, &project->root.curves[i]);
+      RemoveKeys(baked.first_frame, last, &project->root.curves[i]);
     }
     for (auto at = first; at != end && baked.root; ++at) KeyRoot(*at, &project->root);
     project->regions.erase(project->regions.begin() + static_cast<long>(index));
@@ -188,6 +198,8 @@ std::vector<Operator> RegionOperators() {
   const ParameterInfo joints = {
       "joints", kNames, false,
       "joints, with + behind the name all beyond too; not given: the selected ones", Thing::kJoint};
+  const ParameterInfo blend = {"blend", kInteger, false,
+                               "frames in which joints come back to their keys after it; 0"};
   return {{"region.add",
            "Add dynamics region",
            "Lets joints swing by their own inertia for some frames.",
@@ -196,6 +208,7 @@ std::vector<Operator> RegionOperators() {
             last,
             joints,
             {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8", Thing::kShare},
+            blend,
             kDrag},
            Add},
           {"region.set",
@@ -210,6 +223,7 @@ std::vector<Operator> RegionOperators() {
             {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
             {"as_project", kYesNo, false, "true: method and tolerance are the project's again"},
             {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
+            blend,
             kDrag},
            SetRegion},
           {"region.friction",

@@ -54,6 +54,10 @@ void DrawSpan(Editor* editor, const ProjectRegion& region) {
               [&](int frame, const std::string& drag) {
                 Set(editor, name, {{"last", frame}}, drag);
               });
+  DrawInteger(editor, "blend", Tr("Blend"), region.blend_frames,
+              [&](int frames, const std::string& drag) {
+                Set(editor, name, {{"blend", std::max(frames, 0)}}, drag);
+              });
 }
 
 // A joint that a click takes out. In lines as wide as the panel.

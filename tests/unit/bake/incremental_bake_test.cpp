@@ -89,6 +89,23 @@ void EditRegion(Animation* animation, Random* random) {
   if (random->Chance(0.5)) region.friction[0] = random->Uniform(0.2, 1.0);
   if (random->Chance(0.3)) region.last_frame -= region.last_frame - region.first_frame > 4;
   if (random->Chance(0.2)) region.limit_tangents = !region.limit_tangents;
+  if (random->Chance(0.2)) region.blend_frames = random->Integer(0, 9);
+}
+
+// Its joints keyed on every frame, as they move without dynamics, and its regions with a blend.
+Animation Recorded(Animation animation) {
+  Animation keyed = animation;
+  keyed.regions.clear();
+  const Motion motion = BakeOrFail(keyed);
+  for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
+    animation.joint_keys[j].clear();
+    for (const MotionFrame& frame : motion.frames) {
+      animation.joint_keys[j].push_back(
+          {1.0 * frame.frame, frame.q[static_cast<int>(j)], {}, Interpolation::kCubic});
+    }
+  }
+  for (DynamicsRegion& region : animation.regions) region.blend_frames = 8;
+  return animation;
 }
 
 void ExpectEditsAreSame(Animation animation, int edits, uint64_t seed) {
@@ -126,6 +143,24 @@ TEST(IncrementalBake, OfTheThrowByThePapersMethodIsSameAsBakingAnew) {
   animation.solver.method = Method::kPaper;
   for (DynamicsRegion& region : animation.regions) region.method = Method::kPaper;
   ExpectEditsAreSame(animation, 100, 3);
+}
+
+TEST(IncrementalBake, OfARecordingWithBlendsIsSameAsBakingAnew) {
+  ExpectEditsAreSame(Recorded(Example("throw")), 150, 6);
+}
+
+// A key that the blend passes over but that shapes its arrival, and one beyond.
+TEST(IncrementalBake, OfABlendFeelsTheKeysAroundItsTarget) {
+  Animation animation = Recorded(Example("throw"));
+  IncrementalBake bake(animation);
+  ASSERT_FALSE(bake.Finish());
+  for (const int frame : {22, 23, 24}) {
+    const Motion before = bake.motion();
+    KeysOf(&animation, "r_elbow_flexion")[frame].value += 0.05;
+    bake.Update(animation);
+    ExpectSameAsBake(animation, &bake);
+    EXPECT_FALSE(IsSame(before.frames[17], bake.motion().frames[17])) << frame;
+  }
 }
 
 TEST(IncrementalBake, OfALongTimelineIsSameAsBakingAnew) {

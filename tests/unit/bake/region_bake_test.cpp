@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/figure/figure_builder.h"
 #include "tests/support/animations.h"
 #include "tests/support/stick_figures.h"
 
@@ -102,6 +104,109 @@ TEST(Region, KeysInsideAndAtItsEndChangeNothing) {
   keys.insert(keys.begin() + 2, {8.5, -0.9, {}, kLinear});
   const Motion one = BakeOrFail(animation), other = BakeOrFail(changed);
   for (int f = 0; f <= 30; ++f) EXPECT_TRUE(IsSame(one.frames[f], other.frames[f])) << f;
+}
+
+// The right arm swings as a wave that is keyed on every frame, as a capture is.
+Animation RightArmIsRecorded(int blend_frames) {
+  Animation animation = Still(Human());
+  for (const char* joint : {"r_shoulder_y", "r_shoulder_x", "r_elbow_y"}) {
+    const double phase = joint[8];
+    for (int f = 0; f <= 30; ++f) {
+      KeysOf(&animation, joint)
+          .push_back({1.0 * f, -0.6 + 0.4 * std::sin(0.4 * f + phase), {}, kCubic});
+    }
+  }
+  KeyTheRest(&animation);
+  AddRegion(&animation, "right", 5, 15, {"r_shoulder"}, 0.8).blend_frames = blend_frames;
+  return animation;
+}
+
+TEST(Region, StartsWithTheRateThatWasRecorded) {
+  const Animation animation = RightArmIsRecorded(0);
+  const Motion motion = BakeOrFail(animation);
+  for (const char* joint : {"r_shoulder_y", "r_shoulder_x", "r_elbow_y"}) {
+    const double rate = 30.0 * 0.4 * 0.4 * std::cos(0.4 * 5 + joint[8]);
+    EXPECT_NEAR(RateOf(animation, motion.frames[5].after, joint), rate, 0.03 * 4.8) << joint;
+  }
+}
+
+TEST(Region, BlendsBackIntoTheRecordingWithoutAJump) {
+  Animation clip = RightArmIsRecorded(0);
+  clip.regions.clear();
+  const Motion recorded = BakeOrFail(clip);
+  for (const Method method : {Method::kPaper, Method::kExact}) {
+    Animation animation = RightArmIsRecorded(6);
+    animation.solver.method = animation.regions[0].method = method;
+    const Motion motion = BakeOrFail(animation);
+    for (int f = 1; f <= 29; ++f) ExpectContinuous(motion.frames[f]);
+    EXPECT_GT((motion.frames[18].q - recorded.frames[18].q).norm(), 0.01);
+    for (const char* joint : {"r_shoulder_y", "r_shoulder_x", "r_elbow_y"}) {
+      for (int f = 21, j = JointOf(animation, joint).value(); f <= 30; ++f) {
+        EXPECT_NEAR(motion.frames[f].q[j], recorded.frames[f].q[j], 1e-12) << f;
+        EXPECT_NEAR(motion.frames[f].after.qd[j], recorded.frames[f].after.qd[j], 1e-9) << f;
+      }
+    }
+  }
+}
+
+TEST(Region, ARegionThatBeginsInABlendTakesItOver) {
+  Animation animation = RightArmIsRecorded(8);
+  const Motion alone = BakeOrFail(animation);
+  AddRegion(&animation, "again", 18, 22, {"r_shoulder"}, 0.8);
+  const Motion motion = BakeOrFail(animation);
+  for (int f = 0; f < 18; ++f) EXPECT_TRUE(IsSame(motion.frames[f], alone.frames[f])) << f;
+  ExpectContinuous(motion.frames[18]);
+  EXPECT_EQ(RateOf(animation, motion.frames[18].after, "r_elbow_y"),
+            RateOf(animation, alone.frames[18].before, "r_elbow_y"));
+}
+
+// A pendulum below its root, whose hinge is keyed at 0.1 rad on every frame, is swung round.
+Animation PendulumTurnsRound(double rate, double lower) {
+  FigureSpec spec;
+  spec.root_name = "root";
+  LinkSpec body, rod;
+  body.name = "body";
+  body.to = Vec3(0.0, 0.0, 0.1);
+  rod.name = "rod";
+  rod.to = Vec3(0.0, 0.0, -0.4);
+  body.radius = rod.radius = 0.04;
+  body.mass = rod.mass = 2.0;
+  spec.root_links.push_back(body);
+  HingeSpec hinge;
+  hinge.axis = Vec3::UnitY();
+  hinge.lower = lower;
+  hinge.upper = 100.0;
+  JointSpec joint;
+  joint.name = "hinge";
+  joint.parent = "root";
+  joint.hinges.push_back(hinge);
+  joint.links.push_back(rod);
+  spec.joints.push_back(joint);
+  Animation animation = Still(BuildFigure(spec).value());
+  Keys& keys = KeysOf(&animation, "hinge");
+  for (int f = 0; f <= 30; ++f) keys.push_back({1.0 * f, 0.1, {}, kCubic});
+  keys[3].rate = rate;
+  AddRegion(&animation, "swing", 3, 15, {"hinge"}).blend_frames = 8;
+  animation.solver.method = animation.regions[0].method = Method::kExact;
+  return animation;
+}
+
+TEST(Region, ABlendLeavesWholeTurnsBehindButNotThroughAStop) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const Motion free = BakeOrFail(PendulumTurnsRound(26.0, -100.0));
+  const double swung = free.frames[14].q[0] + free.frames[14].after.qd[0] / 30.0;
+  const double resumed = free.frames[15].q[0];
+  ASSERT_GT(swung, kTurn);
+  EXPECT_LE(std::abs(resumed - 0.1), 0.5 * kTurn);
+  EXPECT_NEAR(std::remainder(swung - resumed, kTurn), 0.0, 0.1);
+  EXPECT_EQ(free.frames[15].before.qd[0], free.frames[15].after.qd[0]);
+  EXPECT_NEAR(free.frames[23].q[0], 0.1, 1e-12);
+  // With a stop that is in the way.
+  ASSERT_LT(resumed, 0.0);
+  const Motion stopped = BakeOrFail(PendulumTurnsRound(26.0, resumed + 0.01));
+  EXPECT_NEAR(stopped.frames[15].q[0] - resumed, kTurn * std::round((swung - resumed) / kTurn),
+              1e-9);
+  EXPECT_NEAR(stopped.frames[23].q[0], 0.1, 1e-12);
 }
 
 TEST(Region, HandsOverToATouchingOne) {

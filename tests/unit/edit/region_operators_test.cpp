@@ -79,6 +79,25 @@ TEST(RegionOperators, ToKeysKeepsTheMotion) {
   }
 }
 
+TEST(RegionOperators, ToKeysKeepsTheBlendAfterTheRegion) {
+  Session session;
+  AddArms(&session);
+  for (const int frame : {16, 18, 21}) {
+    Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", frame}, {"value", frame}});
+  }
+  Do(&session, "region.set", {{"region", "arms"}, {"blend", 6}});
+  Refused(&session, "region.set", {{"region", "arms"}, {"blend", -1}});
+  ASSERT_EQ(session.project().regions[0].blend_frames, 6);
+  const Motion before = *session.WholeMotion().value();
+  const int shoulder = session.figure().FindJoint("r_shoulder_flexion")->value();
+  EXPECT_NEAR(before.frames[21].q[shoulder], 21.0 / 57.29577951, 1e-8);
+  Do(&session, "region.to_keys", {{"region", "arms"}});
+  const Motion& after = *session.WholeMotion().value();
+  for (size_t f = 0; f <= 21; ++f) {
+    EXPECT_LE((after.frames[f].q - before.frames[f].q).cwiseAbs().maxCoeff(), 1e-9) << f;
+  }
+}
+
 TEST(RegionOperators, ToKeysKeepsARootThatTumbles) {
   Session session;
   Do(&session, "root.move", {{"x", 0}, {"y", 0}, {"z", 20}, {"feet_stay", false}});

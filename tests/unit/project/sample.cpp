@@ -92,7 +92,7 @@ constexpr const char* kSample = R"({
      "joints": ["r_wrist", "r_elbow", {"beyond": "l_shoulder"}],
      "friction": {"default": 0.8, "joints": {"r_wrist_flexion": 0.3, "r_wrist": 0.4}},
      "method": "paper", "step_s": 0.01, "tolerance_deg": 0.5,
-     "limit_tangents": true},
+     "limit_tangents": true, "blend_frames": 3},
     {"name": "leg", "first_frame": 15, "last_frame": 20, "joints": ["r_knee"],
      "friction": {"default": 1}}
   ],

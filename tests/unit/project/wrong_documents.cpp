@@ -84,6 +84,8 @@ std::vector<WrongProject> WrongValues() {
        "holds[0]: first_frame 0 must be before last_frame -2"},
       {Check::kRegionEmpty, Read("/regions/0/joints", "[]"),
        "regions[0].joints: a region needs at least one joint"},
+      {Check::kNegative, Read("/regions/0/blend_frames", "-1"),
+       "regions[0].blend_frames: must not be negative, is -1"},
       {Check::kFactorRange, Read("/regions/0/friction/default", "1.5"),
        "regions[0].friction.default: must lie between 0 (frozen) and 1 (no friction), is 1.5"},
       {Check::kFactorRange, Read("/regions/0/friction/joints/r_wrist", "-0.1"),

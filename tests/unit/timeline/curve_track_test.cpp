@@ -221,5 +221,72 @@ TEST(CurveTrack, KeysBeyondATakeoverDoNotMatter) {
   for (double f = 15.0; f <= 25.0; f += 0.1) EXPECT_EQ(track.At(f).value, changed.At(f).value);
 }
 
+// A key on every frame, with the error of a measurement.
+Keys Recording(int frames, double noise) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> error(0.0, 1.0);
+  Keys keys;
+  for (int f = 0; f <= frames; ++f) {
+    keys.push_back(
+        {static_cast<double>(f), std::sin(0.21 * f) + noise * error(random), {}, kCubic});
+  }
+  return keys;
+}
+
+TEST(CurveTrack, GoesIntoATakeoverOfARecordingAtItsCentralDifference) {
+  for (const double noise : {0.0, 1e-3}) {
+    const Keys keys = Recording(60, noise);
+    for (int f = 2; f < 60; ++f) {
+      CurveTrack track = Track(keys, {static_cast<double>(f)});
+      const double central = 15.0 * (keys[f + 1].value - keys[f - 1].value);
+      EXPECT_NEAR(track.Before(f).rate, central, 1e-9) << "frame " << f;
+    }
+  }
+}
+
+// Of a recording only the next key counts, of other keys none.
+TEST(CurveTrack, KeysBeyondATakeoverOfARecordingDoNotMatterButForTheNext) {
+  const Keys keys = Recording(20, 0.0);
+  Keys changed = keys, sparse = keys;
+  changed[12].value += 0.5;
+  sparse.erase(sparse.begin() + 11);
+  CurveTrack track = Track(keys, {10.0}), other = Track(changed, {10.0});
+  EXPECT_EQ(track.Before(10.0).rate, other.Before(10.0).rate);
+  CurveTrack parabola = Track(sparse, {10.0});
+  EXPECT_NEAR(parabola.Before(10.0).rate, 2.0 * Slope(keys[9], keys[10]) - parabola.At(9.0).rate,
+              1e-12);
+}
+
+TEST(CurveTrack, BlendsIntoItsKeysAndIsThereAsIfNothingHadBeen) {
+  const Keys keys = Recording(40, 1e-3);
+  for (const double until : {14.0, 13.5, 10.5}) {
+    CurveTrack clip = Track(keys), track = Track(keys);
+    track.Blend(10.0, 0.2, -3.0, until);
+    EXPECT_EQ(track.At(10.0).value, 0.2);
+    EXPECT_EQ(track.At(10.0).rate, -3.0);
+    const double target = std::ceil(until);
+    ExpectContinuous(&track, target);
+    EXPECT_EQ(track.PieceAt(10.0).last_frame, target);
+    for (double f = target; f <= 42.0; f += 0.25) {
+      EXPECT_NEAR(track.At(f).value, clip.At(f).value, 1e-12) << "frame " << f;
+      EXPECT_NEAR(track.At(f).rate, clip.At(f).rate, 1e-9) << "frame " << f;
+    }
+  }
+}
+
+TEST(CurveTrack, BlendThatKeysDoNotReachEndsAtTheLastKey) {
+  const Keys keys = {{0.0, 0.0, {}, kCubic},
+                     {5.0, 1.0, {}, kCubic},
+                     {8.0, 2.0, {}, kCubic},
+                     {12.0, 3.0, {}, kCubic}};
+  CurveTrack track = Track(keys);
+  track.Blend(6.0, 0.1, 0.2, 20.0);
+  EXPECT_EQ(track.PieceAt(6.0).last_frame, 12.0);
+  EXPECT_NEAR(track.Before(12.0).value, 3.0, 1e-12);
+  EXPECT_NEAR(track.Before(12.0).rate, 0.0, 1e-11);
+  track.Blend(12.0, 0.7, 0.2, 20.0);
+  EXPECT_EQ(track.At(30.0).value, 0.7);
+}
+
 }  // namespace
 }  // namespace hazumi

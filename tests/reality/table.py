@@ -1,0 +1,81 @@
+"""The results as Markdown."""
+
+from . import cases
+
+
+def cell(score, other, unit):
+    """With the nearer one of two in bold."""
+    value, rival = getattr(score, unit), getattr(other, unit)
+    text = f"{value:.1f}"
+    return f"**{text}**" if value < rival else text
+
+
+def pair(scores, keys, units=("cm", "deg")):
+    interpolated, dynamic = (scores[key] for key in keys)
+    return [" / ".join(cell(a, b, unit) for unit in units)
+            for a, b in ((interpolated, dynamic), (dynamic, interpolated))]
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def head(cells):
+    return row(cells) + "|" + "---|" * len(cells) + "\n"
+
+
+def keys_of(result):
+    return result.get("label", f"every {result['gap']} frames")
+
+
+def swings(results):
+    text = ("Arms, each interval between two keys left to dynamics (cm / degrees, friction "
+            f"{cases.FRICTION}):\n\n")
+    text += head(["clip", "keys", "interpolation", "dynamics", "interpolation, captured rates",
+                  "dynamics, captured rates", "best friction"])
+    for result in results:
+        scores, (friction, best) = result["scores"], result["best"]
+        text += row([result["clip"], keys_of(result), *pair(scores, ["interpolated", "dynamic"]),
+                     *pair(scores, ["interpolated+", "dynamic+"]),
+                     f"{best.cm:.1f} / {best.deg:.1f} at {friction}"])
+    return text + "\n"
+
+
+def flights(results):
+    text = ("Flights, placed by gravity (cm, all joints / CoM; angles are those of the keys), and "
+            f"with the arms dynamic as well (cm / degrees, friction {cases.FRICTION}):\n\n")
+    text += head(["clip", "keys", "interpolation", "gravity", "interpolation, captured rates",
+                  "gravity, captured rates", "arms: interpolation, captured rates",
+                  "arms: dynamics, captured rates", "arms: best friction"])
+    for result in results:
+        scores, arms, (friction, best) = result["scores"], result["arms"], result["best"]
+        text += row([result["clip"], keys_of(result),
+                     *pair(scores, ["interpolated", "dynamic"], ["cm", "com_cm"]),
+                     *pair(scores, ["interpolated+", "dynamic+"], ["cm", "com_cm"]),
+                     *pair(arms, ["interpolated+", cases.FRICTION]),
+                     f"{best.cm:.1f} / {best.deg:.1f} at {friction}"])
+    return text + "\n"
+
+
+def verdict(results):
+    """In how many comparisons dynamics is nearer, by cm."""
+    swings_, flights_ = results["swings"], results["flights"]
+    sets = [
+        ("arms, rates of the keys", [(r["scores"]["interpolated"], r["scores"]["dynamic"])
+                                     for r in swings_]),
+        ("arms, captured rates", [(r["scores"]["interpolated+"], r["scores"]["dynamic+"])
+                                  for r in swings_]),
+        ("flights, rates of the keys", [(r["scores"]["interpolated"], r["scores"]["dynamic"])
+                                        for r in flights_]),
+        ("flights, captured rates", [(r["scores"]["interpolated+"], r["scores"]["dynamic+"])
+                                     for r in flights_]),
+        ("arms in flight", [(r["arms"]["interpolated+"], r["arms"][cases.FRICTION])
+                            for r in flights_]),
+    ]
+    counts = [f"{name}: {sum(d.cm < i.cm for i, d in pairs)} of {len(pairs)}"
+              for name, pairs in sets]
+    return "Dynamics is nearer to the capture (cm) in: " + "; ".join(counts) + ".\n\n"
+
+
+def markdown(results):
+    return "\n" + verdict(results) + swings(results["swings"]) + flights(results["flights"])
