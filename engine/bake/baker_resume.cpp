@@ -29,9 +29,7 @@ void Baker::ResumeCurve(int frame, double angle, double rate, const DynamicsRegi
                         const Joint* joint, CurveTrack* curve) {
   if (region.blend_frames == 0) return curve->Resume(frame, angle, rate);
   const double until = static_cast<double>(frame) + region.blend_frames;
-  const Key* target = curve->BlendTarget(frame, until);
-  if (target) angle = WithoutTurns(angle, target->value, joint);
-  curve->Blend(frame, angle, rate, until);
+  curve->Blend(frame, WithoutTurns(angle, curve->BlendTarget(until).value, joint), rate, until);
 }
 
 void Baker::ResumeJoint(int frame, JointIndex j, double rate, const DynamicsRegion& region) {
@@ -51,7 +49,7 @@ void Baker::ResumeAfterRegion(int frame, size_t region) {
       continue;
     }
     ResumeJoint(frame, j, now_.qd[j.value()], animation_.regions[region]);
-    WarnIfNoKeyAfter(frame, j, "regions", region);
+    if (animation_.regions[region].blend_frames == 0) WarnIfNoKeyAfter(frame, j, "regions", region);
     if (animation_.regions[region].limit_tangents) LimitTangent(frame, j, region);
     const double overshoot = Overshoot(frame, j);
     if (overshoot <= most) continue;

@@ -14,11 +14,16 @@ size_t FirstAfter(const Keys& keys, double frame) {
   return std::upper_bound(keys.begin(), keys.end(), frame, later) - keys.begin();
 }
 
+size_t FirstNotBefore(const Keys& keys, double frame) {
+  const auto earlier = [](const Key& key, double f) { return key.frame < f; };
+  return std::lower_bound(keys.begin(), keys.end(), frame, earlier) - keys.begin();
+}
+
 }  // namespace
 
 CurveTrack::CurveTrack(const Keys* keys, FrameRate rate, double default_value,
                        std::vector<double> takeovers)
-    : keys_(keys), rate_(rate), takeovers_(std::move(takeovers)) {
+    : keys_(keys), rate_(rate), default_value_(default_value), takeovers_(std::move(takeovers)) {
   const double start_value = keys->empty() ? default_value : keys->front().value;
   const double start_frame = keys->empty() ? kEver : keys->front().frame;
   segments_.push_back({-kEver, start_frame, Interval::Hold(start_value)});
@@ -60,9 +65,13 @@ CurveSample CurveTrack::Before(double frame) { return Evaluate(PieceBefore(frame
 void CurveTrack::PlanUpTo(double frame) {
   while (segments_.back().last_frame <= frame) {
     const Segment& before = segments_.back();
-    const Key& key = *KeyAt(before.last_frame);
-    const double rate = key.rate.value_or(Evaluate(before, before.last_frame).rate);
-    Append(key.frame, key.value, rate, key.interpolation);
+    const Key* key = KeyAt(before.last_frame);
+    if (!key) {  // a blend ends beyond the last key
+      segments_.push_back({before.last_frame, kEver, Interval::Hold(LastValue())});
+      continue;
+    }
+    const double rate = key->rate.value_or(Evaluate(before, before.last_frame).rate);
+    Append(key->frame, key->value, rate, key->interpolation);
   }
 }
 
@@ -77,26 +86,27 @@ void CurveTrack::Resume(double frame, double value, double rate, bool as_keyed) 
   Append(frame, value, rate, as_keyed && key ? key->interpolation : Interpolation::kCubic);
 }
 
-const Key* CurveTrack::BlendTarget(double frame, double until) const {
-  if (!HasKeyAfter(frame)) return nullptr;
-  const auto earlier = [](const Key& key, double f) { return key.frame < f; };
-  const auto target = std::lower_bound(keys_->begin(), keys_->end(), until, earlier);
-  return target == keys_->end() ? &keys_->back() : &*target;
+CurveTrack::Target CurveTrack::BlendTarget(double until) const {
+  const size_t index = FirstNotBefore(*keys_, until);
+  if (index == keys_->size()) return {until, LastValue()};
+  return {(*keys_)[index].frame, (*keys_)[index].value};
 }
 
 void CurveTrack::Blend(double frame, double value, double rate, double until) {
-  const Key* target = BlendTarget(frame, until);
-  if (!target) return Resume(frame, value, rate);
   CutAt(frame);
-  const size_t index = target - keys_->data();
-  const Key* left = index > 0 ? target - 1 : nullptr;
-  double arrival = ArrivalRate(*target, index, frame, value, rate);
-  if (left && !target->rate && !IsTakenOver(target->frame)) {
-    arrival = AutomaticArrival(index, left->frame, left->value);
+  const Target target = BlendTarget(until);
+  const size_t index = FirstNotBefore(*keys_, until);
+  double arrival = 0.0;
+  if (index < keys_->size()) {
+    const Key& key = (*keys_)[index];
+    arrival = ArrivalRate(key, index, frame, value, rate);
+    if (index > 0 && !key.rate && !IsTakenOver(key.frame)) {
+      arrival = AutomaticArrival(index, (&key)[-1].frame, (&key)[-1].value);
+    }
   }
-  const double duration = Seconds(target->frame - frame);
+  const double duration = Seconds(target.frame - frame);
   segments_.push_back(
-      {frame, target->frame, Interval::Cubic(value, rate, target->value, arrival, duration)});
+      {frame, target.frame, Interval::Cubic(value, rate, target.value, arrival, duration)});
 }
 
 void CurveTrack::Append(double frame, double value, double rate, Interpolation kind) {

@@ -52,12 +52,15 @@ class CurveTrack {
   // there on is forgotten. The first interval is a cubic unless `as_keyed` is set and a key lies on
   // `frame`: then it is of that key's kind.
   void Resume(double frame, double value, double rate, bool as_keyed = false);
-  // As Resume, by one cubic to BlendTarget(frame, until), where it arrives with the rate that the
-  // keys have there by themselves; those between are passed over. For until > frame.
+  // As Resume, by one cubic to BlendTarget(until), where it arrives with the rate that the keys
+  // have there by themselves; those between are passed over. For until > frame.
   void Blend(double frame, double value, double rate, double until);
-  // The first key at or after `until`; if there is none the last key; null if that is not after
-  // `frame`.
-  const Key* BlendTarget(double frame, double until) const;
+  // The first key at or after `until`; if there is none the constant after the last key, at
+  // `until`.
+  struct Target {
+    double frame, value;
+  };
+  Target BlendTarget(double until) const;
 
  private:
   using Segment = Piece;
@@ -70,11 +73,13 @@ class CurveTrack {
   bool IsTakenOver(double frame) const;
   bool IsRecorded(size_t index, double left_frame) const;
   void CutAt(double frame);
+  double LastValue() const { return keys_->empty() ? default_value_ : keys_->back().value; }
   CurveSample Evaluate(const Segment& segment, double frame) const;
   double Seconds(double frames) const { return rate_.SecondsAt(frames); }
 
   const Keys* keys_;
   FrameRate rate_;
+  double default_value_;
   std::vector<double> takeovers_;
   std::vector<Segment> segments_;
 };

@@ -274,18 +274,25 @@ TEST(CurveTrack, BlendsIntoItsKeysAndIsThereAsIfNothingHadBeen) {
   }
 }
 
-TEST(CurveTrack, BlendThatKeysDoNotReachEndsAtTheLastKey) {
+TEST(CurveTrack, BlendThatKeysDoNotReachEndsWhereTheyRest) {
   const Keys keys = {{0.0, 0.0, {}, kCubic},
                      {5.0, 1.0, {}, kCubic},
                      {8.0, 2.0, {}, kCubic},
                      {12.0, 3.0, {}, kCubic}};
   CurveTrack track = Track(keys);
   track.Blend(6.0, 0.1, 0.2, 20.0);
-  EXPECT_EQ(track.PieceAt(6.0).last_frame, 12.0);
-  EXPECT_NEAR(track.Before(12.0).value, 3.0, 1e-12);
-  EXPECT_NEAR(track.Before(12.0).rate, 0.0, 1e-11);
-  track.Blend(12.0, 0.7, 0.2, 20.0);
-  EXPECT_EQ(track.At(30.0).value, 0.7);
+  EXPECT_EQ(track.PieceAt(6.0).last_frame, 20.0);
+  ExpectContinuous(&track, 20.0);
+  EXPECT_EQ(track.At(30.0).value, 3.0);
+  track.Blend(14.0, 0.7, 0.2, 20.5);  // begins behind the last key
+  EXPECT_EQ(track.At(14.0).value, 0.7);
+  ExpectContinuous(&track, 20.5);
+  EXPECT_EQ(track.At(30.0).value, 3.0);
+  const Keys none;
+  CurveTrack still = Track(none);
+  still.Blend(3.0, 0.7, 0.2, 5.0);
+  ExpectContinuous(&still, 5.0);
+  EXPECT_EQ(still.At(9.0).value, 0.25);
 }
 
 }  // namespace
