@@ -31,7 +31,7 @@ struct Overlays {
   bool contact_marks = false;  // a ring at the pinned joint
   bool region_tint = false;    // joints moved by a dynamics region
   bool frame_number = false;
-  std::vector<char> highlighted;  // by JointIndex: bodies that stand out; empty: none
+  std::vector<char> highlighted = {};  // by JointIndex: bodies that stand out; empty: none
 };
 
 // What a link looks like; one without looks, as its capsule.

@@ -102,6 +102,7 @@ int VideoWriter::Process::Spawn(int its_input) {
   posix_spawnattr_setpgroup(&attributes, 0);
   std::vector<std::string> arguments = Arguments(format, temporary);
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   pid_t child = -1;
@@ -195,7 +196,7 @@ Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence
   if (!writer.ok()) return writer.error();
   Sequence into_video = sequence;
   into_video.write = [&](int, const Image& image) { return writer.value().Write(image); };
-  const Result<int> drawn = RenderSequence(options, into_video);
+  Result<int> drawn = RenderSequence(options, into_video);
   const bool is_cancelled = sequence.cancel != nullptr && sequence.cancel->load();
   if (!drawn.ok() || is_cancelled) return drawn;
   const Result<Done> finished = writer.value().Finish();

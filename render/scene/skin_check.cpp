@@ -94,7 +94,7 @@ Result<Done> CheckSkin(const Skin& skin) {
     }
   }
   for (size_t i = 0; i < skin.meshes.size(); ++i) {
-    const Result<Done> checked = CheckMesh(skin, skin.meshes[i], Item("meshes", i));
+    Result<Done> checked = CheckMesh(skin, skin.meshes[i], Item("meshes", i));
     if (!checked.ok()) return checked;
   }
   return Done{};

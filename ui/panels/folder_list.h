@@ -19,10 +19,10 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  // What begins with a dot is never shown; of files those alone, unless all are to be seen:
-  enum class Kind { kProjects, kCharacters } kind = Kind::kProjects;
-  bool all_files = false;
+  enum class Kind { kProjects, kCharacters };
+  bool all_files = false;  // else those of the kind alone; what begins with a dot is never shown
   FileOrder order = FileOrder::kName;
+  Kind kind = Kind::kProjects;
 };
 
 // Called as files of other programs are that can be imported.

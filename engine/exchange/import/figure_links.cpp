@@ -162,8 +162,7 @@ class LinkMaker {
   void Weigh(double mass) {
     std::array<double, 3 * kNumBodyParts> volumes = {};
     const auto slot = [&](size_t k) {
-      return static_cast<size_t>(3 * static_cast<int>(body(k).part) +
-                                 static_cast<int>(body(k).side));
+      return 3 * static_cast<size_t>(body(k).part) + static_cast<size_t>(body(k).side);
     };
     for (size_t k = 0; k < links_.size(); ++k) {
       for (const LinkSpec& link : links_[k]) volumes[slot(k)] += VolumeOf(link);

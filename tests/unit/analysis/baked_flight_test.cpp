@@ -14,7 +14,7 @@ namespace {
 constexpr FrameRate kRate{120, 1};
 
 Animation Example(const std::string& name) {
-  const std::string path = std::string(HAZUMI_SOURCE_DIR) + "/assets/examples/" + name;
+  const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/" + name;
   return CompileAnimation(LoadProject(path).value()).value().animation;
 }
 
