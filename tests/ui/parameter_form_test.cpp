@@ -71,7 +71,7 @@ TEST(ParameterForm, PutsWhatMustBeGivenFirstAndAxesIntoOneRow) {
   FormState key = MakeForm("key.set", Json::object(), &session);
   EXPECT_EQ(Find("interpolation", &key)->text, "");  // as it is
   EXPECT_EQ(LabelsOf(MakeForm("region.add", Json::object(), &session)),
-            (std::vector<std::string>{"Frames", "Joints", "Friction", "Name"}));
+            (std::vector<std::string>{"Frames", "Joints", "Friction", "Name", "Blend"}));
 }
 
 TEST(ParameterForm, OffersWhatTheProjectHas) {
