@@ -5,25 +5,15 @@ HAZUMI"""
 import json
 import math
 import os
-import pathlib
 import shutil
 import signal
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-THROW = ROOT / "assets" / "examples" / "throw.kfa"
-JUMP = ROOT / "assets" / "examples" / "jump.kfa"
-HAZUMI = None
+from command_line import JUMP, THROW, InFolder, run, start
+
 HAS_FFMPEG = shutil.which("ffmpeg") and shutil.which("ffprobe")
-
-
-def run(*arguments, **more):
-    return subprocess.run([HAZUMI, *map(str, arguments)], capture_output=True, text=True,
-                          timeout=120, **more)
 
 
 def read_glb(path):
@@ -34,13 +24,7 @@ def read_glb(path):
     return json.loads(data[20:20 + size]), data[20 + size + 8:]
 
 
-class Export(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-export-"))
-
-    def tearDown(self):
-        shutil.rmtree(self.folder)
-
+class Export(InFolder):
     def export(self, name, *options, project=THROW):
         path = self.folder / name
         done = run("--export", path, *options, project)
@@ -148,10 +132,7 @@ class Export(unittest.TestCase):
     def test_an_interrupted_video_leaves_the_old_one(self):
         path = self.folder / "v.mp4"
         path.write_text("old")
-        process = subprocess.Popen(
-            [HAZUMI, "--export", path, "--fps", "600", "--size", "320x240", THROW], text=True,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        process = start("--export", path, "--fps", "600", "--size", "320x240", THROW)
         for _ in range(3):
             process.stderr.readline()
         process.send_signal(signal.SIGINT)
@@ -180,5 +161,4 @@ class Export(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    HAZUMI = os.path.abspath(sys.argv.pop(1))
     unittest.main()

@@ -87,6 +87,12 @@ std::string TitleOf(const DialogsState& dialogs) {
 
 }  // namespace
 
+void DrawFieldLabel(const char* text, const Editor& editor) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(Px(editor, 130));
+}
+
 bool IsEnterPressed(const Editor& editor) {
   return !editor.dialogs.has_list &&
          (ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false));

@@ -24,6 +24,8 @@ void DrawFirstSteps(Editor* editor, const Rect& window);
 inline float Px(const Editor& editor, double at_scale_1) {
   return static_cast<float>(at_scale_1 * editor.settings.scale);
 }
+// What stands before the fields of a row; these begin below each other.
+void DrawFieldLabel(const char* text, const Editor& editor);
 // Neither counts while a list of the dialog is open.
 bool IsEnterPressed(const Editor& editor);
 bool IsEscapePressed(const Editor& editor);

@@ -6,16 +6,10 @@ namespace hazumi::ui {
 
 namespace {
 
-void Label(const char* text, const Editor& editor) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(Px(editor, 130));
-}
-
 // True if another clip was chosen.
 bool DrawClips(const Editor& editor, const Character& character, ImportOptions* options) {
   if (character.clips.empty()) return false;
-  Label(Tr("Clip"), editor);
+  DrawFieldLabel(Tr("Clip"), editor);
   const std::string now = options->clip.empty() ? character.clips.front().name : options->clip;
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##clip", now.c_str())) return false;
@@ -35,7 +29,7 @@ bool DrawClips(const Editor& editor, const Character& character, ImportOptions* 
 }
 
 bool DrawUp(const Editor& editor, ImportOptions* options) {
-  Label(Tr("Up"), editor);
+  DrawFieldLabel(Tr("Up"), editor);
   const std::optional<UpAxis> before = options->up;
   if (ImGui::RadioButton(Tr("as the file says"), !options->up)) options->up.reset();
   Tooltip(Tr("Guessed where the file says nothing"));
@@ -49,7 +43,7 @@ bool DrawUp(const Editor& editor, ImportOptions* options) {
 // A positive number, or 0: not given. True once it was typed.
 bool DrawMaybe(const Editor& editor, const char* id, const char* label, const char* format,
                const char* help, double* value) {
-  Label(label, editor);
+  DrawFieldLabel(label, editor);
   ImGui::SetNextItemWidth(Px(editor, 90));
   ImGui::InputDouble(id, value, 0.0, 0.0, format);
   const bool is_changed = ImGui::IsItemDeactivatedAfterEdit();
@@ -59,7 +53,7 @@ bool DrawMaybe(const Editor& editor, const char* id, const char* label, const ch
 }
 
 bool DrawKeys(const Editor& editor, ImportState* state) {
-  Label(Tr("Keys"), editor);
+  DrawFieldLabel(Tr("Keys"), editor);
   bool is_changed = ImGui::Checkbox(Tr("few, within"), &state->reduces);
   Tooltip(Tr("Keys only where they are needed, instead of one a frame"));
   ImGui::SameLine();
@@ -75,7 +69,7 @@ bool DrawKeys(const Editor& editor, ImportState* state) {
 }
 
 bool DrawRest(const Editor& editor, const Character& character, ImportOptions* options) {
-  Label(Tr("Limits"), editor);
+  DrawFieldLabel(Tr("Limits"), editor);
   const ImportLimits before = options->limits;
   const bool is_clip = before == ImportLimits::kClip;
   if (ImGui::RadioButton(Tr("of the clip"), is_clip)) options->limits = ImportLimits::kClip;
@@ -84,7 +78,7 @@ bool DrawRest(const Editor& editor, const Character& character, ImportOptions* o
   if (ImGui::RadioButton(Tr("none"), !is_clip)) options->limits = ImportLimits::kNone;
   bool is_changed = options->limits != before;
   if (character.meshes.empty()) return is_changed;
-  Label(Tr("Skin"), editor);
+  DrawFieldLabel(Tr("Skin"), editor);
   is_changed |= ImGui::Checkbox(Tr("keep its meshes"), &options->skin);
   return is_changed;
 }

@@ -9,12 +9,6 @@ namespace hazumi::ui {
 
 namespace {
 
-void Label(const char* text, const Editor& editor) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(Px(editor, 130));
-}
-
 struct Preset {
   int width, height;
   const char* name;
@@ -39,7 +33,7 @@ void DrawPresets(RenderState* render) {
 
 void DrawSize(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  Label(Tr("Size"), *editor);
+  DrawFieldLabel(Tr("Size"), *editor);
   ImGui::SetNextItemWidth(Px(*editor, 80));
   ImGui::InputInt("##width", &render.width, 0);
   Tooltip(Tr("Width in pixels"));
@@ -83,11 +77,11 @@ void DrawRange(Editor* editor) {
 
 void DrawFrames(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  Label(Tr("Frames"), *editor);
+  DrawFieldLabel(Tr("Frames"), *editor);
   const std::string now = std::to_string(std::lround(editor->session().frame()));
   if (ImGui::RadioButton((Tr("current: ") + now).c_str(), !render.whole)) render.whole = false;
   Tooltip(Tr("One picture, of the current frame"));
-  Label("", *editor);
+  DrawFieldLabel("", *editor);
   if (ImGui::RadioButton(Tr("range"), render.whole)) render.whole = true;
   Tooltip(Tr("A picture of each frame"));
   ImGui::SameLine();
@@ -96,7 +90,7 @@ void DrawFrames(Editor* editor) {
 
 void DrawView(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  Label(Tr("Camera"), *editor);
+  DrawFieldLabel(Tr("Camera"), *editor);
   const bool has_camera = editor->session().project().camera.has_value();
   bool& through = render.through_project_camera;
   if (ImGui::RadioButton(Tr("as in the viewport"), !through)) through = false;
@@ -105,7 +99,7 @@ void DrawView(Editor* editor) {
   ImGui::BeginDisabled(!has_camera);
   if (ImGui::RadioButton(Tr("the project's"), through && has_camera)) through = true;
   ImGui::EndDisabled();
-  Label(Tr("Overlays"), *editor);
+  DrawFieldLabel(Tr("Overlays"), *editor);
   ImGui::Checkbox(Tr("as in the viewport##overlays"), &render.overlays);
   Tooltip(Tr("Draws paths, ghosts and marks into the pictures, too"));
 }
@@ -119,7 +113,7 @@ void DrawResult(const Editor& editor, const RenderJob& job, const Result<int>& r
 
 void DrawFolder(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  Label(Tr("Folder"), *editor);
+  DrawFieldLabel(Tr("Folder"), *editor);
   const ImGuiStyle& style = ImGui::GetStyle();
   const char* choose = Tr("Choose...");
   const float button = ImGui::CalcTextSize(choose).x + 2.0f * style.FramePadding.x;

@@ -1,0 +1,40 @@
+"""What the tests of the command line share. Each is called with the path of hazumi."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+THROW = ROOT / "assets" / "examples" / "throw.kfa"
+JUMP = ROOT / "assets" / "examples" / "jump.kfa"
+HAZUMI = os.path.abspath(sys.argv.pop(1))
+
+
+def run(*arguments, **more):
+    command = [HAZUMI, *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, **more)
+
+
+def start(*arguments, inherited=signal.SIG_DFL, **more):
+    """Starts without the signals that the test's own parent may ignore, or with them ignored."""
+    return subprocess.Popen([HAZUMI, *map(str, arguments)], text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            preexec_fn=lambda: signal.signal(signal.SIGINT, inherited), **more)
+
+
+class InFolder(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-cli-"))
+
+    def tearDown(self):
+        subprocess.run(["chmod", "-R", "u+w", self.folder], check=True)
+        subprocess.run(["rm", "-rf", self.folder], check=True)
+
+    def files(self):
+        return sorted(p.name for p in self.folder.rglob("*") if p.is_file())
