@@ -67,6 +67,12 @@ Json LikelyValue(const ParameterInfo& info, Random* random) {
   if (name == "friction" || name == "factor") return random->Uniform(0.0, 1.1);
   if (name == "first" && random->Chance(0.9)) return random->Integer(0, 14);
   if (name == "last" && random->Chance(0.9)) return random->Integer(15, 30);
+  // Scenes that someone might have: at 5 frames a second, with elbows that turn by a degree, the
+  // swings last seconds and take millions of steps.
+  if (name == "num") return random->Integer(24, 60);
+  if (name == "den") return 1;
+  if (name == "lower") return random->Integer(-120, -20);
+  if (name == "upper") return random->Integer(20, 120);
   const auto words = kWords.find(name);
   if (words == kWords.end() || random->Chance(0.1)) return RandomValue(info.kind, random);
   return words->second[random->Integer(0, static_cast<int>(words->second.size()) - 1)];
