@@ -20,15 +20,19 @@ from mathutils import Vector  # noqa: E402
 TOLERANCE_M = 1e-4
 
 
+def import_bvh(path, metres, forward, up):
+    """`metres`: of a unit; `forward`, `up`: the file's axes that are Blender's y and z."""
+    import io_anim_bvh.import_bvh as importer
+    # It opens files with mode "rU", which Python 3.11 no longer knows.
+    importer.open = lambda name, mode="r", **more: builtins.open(name, mode.replace("U", ""), **more)
+    bpy.ops.import_anim.bvh(filepath=path, global_scale=metres, axis_forward=forward, axis_up=up,
+                            frame_start=1, update_scene_fps=False)
+
+
 def import_file(path):
     """Returns the frame on which the motion begins."""
     if path.endswith(".bvh"):
-        import io_anim_bvh.import_bvh as importer
-        # It opens files with mode "rU", which Python 3.11 no longer knows.
-        importer.open = lambda name, mode="r", **more: builtins.open(
-            name, mode.replace("U", ""), **more)
-        bpy.ops.import_anim.bvh(filepath=path, global_scale=0.01, axis_forward="-Z", axis_up="Y",
-                                frame_start=1, update_scene_fps=False)
+        import_bvh(path, 0.01, "-Z", "Y")
         return 1
     bpy.ops.import_scene.gltf(filepath=path)
     return 0
@@ -100,4 +104,5 @@ def main():
         render(picture[0], start, motion)
 
 
-main()
+if __name__ == "__main__":
+    main()

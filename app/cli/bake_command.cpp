@@ -35,7 +35,7 @@ int RunBake(const Options& options) {
   const std::string& out = options.output;
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
-  const auto& [project, animation, motion, warnings, length_is_guessed] = baked.value();
+  const auto& [project, animation, motion, warnings] = baked.value();
   PrintWarnings(options.files[0], warnings);
   const std::string text = IsCsv(out) ? MotionToCsv(animation, motion)
                                       : MotionToJson(animation, motion, {options.timings});

@@ -125,7 +125,7 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   const std::vector<Warning>& baked = motion.value().warnings;
   warnings.insert(warnings.end(), baked.begin(), baked.end());
   return BakedProject{std::move(project).value(), std::move(compiled.value().animation),
-                      std::move(motion).value(), std::move(warnings), report.unit_is_guessed};
+                      std::move(motion).value(), std::move(warnings)};
 }
 
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {

@@ -27,7 +27,6 @@ struct BakedProject {
   Animation animation;
   Motion motion;
   std::vector<Warning> warnings;  // of importing, compiling and baking
-  bool length_is_guessed = false;
 };
 // A project, or a file of another program as one. Errors: also kInterrupted.
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);

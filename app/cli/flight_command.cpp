@@ -12,9 +12,9 @@ namespace hazumi {
 int RunFlight(const Options& options) {
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
-  const auto& [project, animation, motion, warnings, length_is_guessed] = baked.value();
+  const auto& [project, animation, motion, warnings] = baked.value();
   MotionSeries series = SeriesOf(*animation.figure, motion);
-  series.scale_known = !length_is_guessed;
+  series.scale_known = !project.size_is_guessed;
   const FlightAnalysis analysis = AnalyseFlights(series, animation.gravity);
   PrintWarnings(options.files[0], warnings);
   if (options.json) {

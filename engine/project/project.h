@@ -147,6 +147,7 @@ struct Project {
   ProjectSolver solver;
   ProjectFigure figure;
   ProjectSkin skin;
+  bool size_is_guessed = false;  // no unit of length was stated where the figure comes from
   ProjectScene scene;
   ProjectRoot root;
   std::vector<Named<ProjectCurve>> joints;  // by hinge; a hinge not named rests

@@ -133,6 +133,7 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Required("solver", project.solver);
   ar.Required("figure", project.figure);
   ar.Optional("skin", project.skin);
+  ar.Optional("size_is_guessed", project.size_is_guessed);
   ar.Stated("scene", project.scene);
   ar.Optional("root", project.root);
   ar.Map("joints", project.joints,

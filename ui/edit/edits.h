@@ -16,6 +16,7 @@ namespace hazumi::edit {
 
 // Each gives the operators of one file.
 std::vector<Operator> FigureOperators();
+std::vector<Operator> FlightOperators();
 std::vector<Operator> JointStateOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
@@ -69,6 +70,11 @@ Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pos
 
 // "l_elbow" for "r_elbow" and the other way round; others are their own.
 std::string OtherSide(const std::string& name);
+
+// A span of placement; what was said of its frames before gives way. Frames that the root's keys
+// place need no span: if not `is_said` there will be none. Errors: kSchema if it has no frames.
+Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
+                          std::vector<ProjectPlacement>* spans);
 
 // The key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);

@@ -17,7 +17,7 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (auto&& list :
-       {FigureOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
+       {FigureOperators(), FlightOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
         ObjectOperators(), PlacementOperators(), PoseOperators(), ReachOperators(),
         RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
         ImportOperators(), SessionOperators(), StartRateOperators(), TimeOperators()}) {

@@ -41,22 +41,6 @@ void MakeRoom(int first, int last, Spans* spans) {
   *spans = std::move(kept);
 }
 
-// What was said of its frames before gives way. Frames that the root's keys place need no span: if
-// not `is_said` there will be none.
-Result<Done> Put(ProjectPlacement span, bool is_said, Spans* spans) {
-  if (span.first_frame >= span.last_frame) {
-    return Refusal(
-        "last", "must be later than the first frame, which is " + std::to_string(span.first_frame));
-  }
-  MakeRoom(span.first_frame, span.last_frame, spans);
-  if (!is_said) return Done();
-  const auto later = [](const ProjectPlacement& a, const ProjectPlacement& b) {
-    return a.first_frame < b.first_frame;
-  };
-  spans->insert(std::upper_bound(spans->begin(), spans->end(), span, later), std::move(span));
-  return Done();
-}
-
 Result<Done> Place(Session* session, const Parameters& p) {
   const Result<PlacementKind> kind = KindFrom(p);
   if (!kind.ok()) return kind.error();
@@ -67,7 +51,8 @@ Result<Done> Place(Session* session, const Parameters& p) {
     span.last_frame = p.integer("last");
     span.pin = p.text("pin");
     span.landing_pin = p.text("landing_pin");
-    return Put(std::move(span), kind.value() != PlacementKind::kKeyed, &project->placements);
+    return PutPlacement(std::move(span), kind.value() != PlacementKind::kKeyed,
+                        &project->placements);
   });
 }
 
@@ -102,7 +87,7 @@ Result<Done> EditPlacement(Session* session, const Parameters& p) {
         spans.erase(spans.begin() + (entry.value() - spans.data()));
         // A span of keys that a file has stays one, unless it becomes one now.
         const bool is_said = p.text("kind") != hazumi::NameOf(PlacementKind::kKeyed);
-        return Put(std::move(span), is_said, &spans);
+        return PutPlacement(std::move(span), is_said, &spans);
       },
       p.text("drag"));
 }
@@ -185,6 +170,21 @@ ParameterInfo Required(ParameterInfo info) {
 }
 
 }  // namespace
+
+Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
+                          std::vector<ProjectPlacement>* spans) {
+  if (span.first_frame >= span.last_frame) {
+    return Refusal(
+        "last", "must be later than the first frame, which is " + std::to_string(span.first_frame));
+  }
+  MakeRoom(span.first_frame, span.last_frame, spans);
+  if (!is_said) return Done();
+  const auto later = [](const ProjectPlacement& a, const ProjectPlacement& b) {
+    return a.first_frame < b.first_frame;
+  };
+  spans->insert(std::upper_bound(spans->begin(), spans->end(), span, later), std::move(span));
+  return Done();
+}
 
 std::vector<Operator> PlacementOperators() {
   return {{"placement.set",

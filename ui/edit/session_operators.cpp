@@ -76,12 +76,27 @@ Result<Done> SetRange(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+double FramesPerSecond(const ProjectRate& rate) { return static_cast<double>(rate.num) / rate.den; }
+
+// Of all keys that have one.
+void ScaleRates(double factor, Project* project) {
+  const auto scale = [&](ProjectCurve* curve) {
+    for (ProjectKey& key : curve->keys) {
+      if (key.rate) *key.rate *= factor;
+    }
+  };
+  for (ProjectCurve& curve : project->root.curves) scale(&curve);
+  for (Named<ProjectCurve>& curve : project->joints) scale(&curve.value);
+}
+
 Result<Done> SetRate(Session* session, const Parameters& p) {
   return session->Edit(
       "Set frame rate",
       [&](Project* project) -> Result<Done> {
+        const double before = FramesPerSecond(project->fps);
         project->fps.num = p.integer("num");
         project->fps.den = p.integer("den", 1);
+        if (p.yes("keep_shape")) ScaleRates(FramesPerSecond(project->fps) / before, project);
         return Done();
       },
       p.text("drag"));
@@ -195,6 +210,8 @@ std::vector<Operator> SessionOperators() {
        "Sets the frames per second. Keys stay on their frames.",
        {{"num", kInteger, true, "frames"},
         {"den", kInteger, false, "in so many seconds; 1"},
+        {"keep_shape", kYesNo, false,
+         "true: the motion stays what it is frame by frame, the rates of keys change with it"},
         kDrag},
        SetRate},
       {"project.rename",

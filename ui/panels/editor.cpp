@@ -64,6 +64,7 @@ double Editor::NextDeadline() const {
     return playback.is_on() ? std::min(kBakingEvery, UntilNextFrame()) : kBakingEvery;
   }
   if (!ground.is_done()) return 0.0;
+  if (flights.is_busy() && !playback.is_on()) return kBakingEvery;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();

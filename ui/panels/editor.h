@@ -12,6 +12,7 @@
 #include "ui/edit/session.h"
 #include "ui/panels/catalogue.h"
 #include "ui/panels/dialogs_state.h"
+#include "ui/panels/flight_watch.h"
 #include "ui/panels/ground_watch.h"
 #include "ui/panels/playback.h"
 #include "ui/panels/recovery_state.h"
@@ -97,6 +98,7 @@ class Editor {
   RecoveryState recovery;
   DialogsState dialogs;
   GroundWatch ground;
+  FlightWatch flights;
   std::optional<Splitter> dragged_splitter;
   bool wants_to_quit = false;
   ScenePainter paint_scene;

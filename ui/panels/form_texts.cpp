@@ -44,6 +44,7 @@ constexpr Label kLabels[] = {{"first", "First frame"},
                              {"step", "Time step"},
                              {"dark", "Dark"},
                              {"feet_stay", "Feet stay"},
+                             {"keep_shape", "Keep shape"},
                              {"drag", "Drag"}};
 
 struct Row {

@@ -169,6 +169,7 @@ MenuEntry SceneMenu() {
                            {"span.gravity"},
                            {"span.hold"},
                            {"placement.set"},
+                           {"placement.flight"},
                            Line(),
                            {"camera.set"}});
 }

@@ -73,6 +73,7 @@ void DrawProjectSection(Editor* editor) {
     editor->Do("project.rename", {{"name", name}});
   });
   DrawTime(editor, project);
+  DrawFlights(editor);
   DrawPreview(editor, project);
   DrawSolver(editor, project);
 }

@@ -9,6 +9,7 @@ void DrawPoseSection(Editor* editor);
 void DrawRegionSection(Editor* editor);
 void DrawSceneSection(Editor* editor);
 void DrawProjectSection(Editor* editor);
+void DrawFlights(Editor* editor);  // of the project
 
 inline constexpr double kRadian = 180.0 / 3.14159265358979323846;  // [degrees]
 

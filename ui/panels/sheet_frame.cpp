@@ -73,6 +73,28 @@ const SinkingMark* SinkingMarkAt(const std::vector<SinkingMark>& marks, Point p,
   return nullptr;
 }
 
+std::vector<FlightMark> FlightMarks(const std::vector<Flight>& flights, const SheetFrame& frame) {
+  std::vector<FlightMark> marks;
+  const float high = Whole(9.0 * frame.scale);
+  for (const Flight& flight : flights) {
+    if (flight.landing < frame.axis.first || flight.take_off > frame.axis.last) continue;
+    const float left = frame.axis.XOf(flight.take_off), right = frame.axis.XOf(flight.landing);
+    const Rect rect = {left, frame.ruler.bottom() - high, right - left, high};
+    marks.push_back({rect, {frame.axis.XOf(flight.apex), rect.y}, flight});
+  }
+  return marks;
+}
+
+const FlightMark* FlightMarkAt(const std::vector<FlightMark>& marks, Point p, double scale) {
+  const float reach = Whole(2.0 * scale);
+  for (const FlightMark& mark : marks) {
+    const Rect& rect = mark.rect;
+    if (p.x < rect.x - reach || p.x > rect.right() + reach) continue;
+    if (p.y >= rect.y - reach && p.y <= rect.bottom()) return &mark;
+  }
+  return nullptr;
+}
+
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p) {
   if (!frame.markers.Contains(p)) return -1;
   const std::vector<ProjectMarker>& markers = session.project().markers;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/edit/session.h"
+#include "ui/panels/flight_watch.h"
 #include "ui/panels/geometry.h"
 #include "ui/panels/ground_watch.h"
 #include "ui/panels/sheet_state.h"
@@ -41,6 +42,15 @@ struct SinkingMark {
 std::vector<SinkingMark> SinkingMarks(const std::vector<Sinking>& sinkings,
                                       const SheetFrame& frame);
 const SinkingMark* SinkingMarkAt(const std::vector<SinkingMark>& marks, Point p, double scale);
+
+// A flight that was found, as the arc of its parabola over the ruler.
+struct FlightMark {
+  Rect rect;  // from take-off to landing
+  Point apex;
+  Flight flight;
+};
+std::vector<FlightMark> FlightMarks(const std::vector<Flight>& flights, const SheetFrame& frame);
+const FlightMark* FlightMarkAt(const std::vector<FlightMark>& marks, Point p, double scale);
 
 // The marker under a point, or -1.
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p);

@@ -5,6 +5,7 @@
 
 #include "engine/base/text.h"
 #include "ui/panels/actions.h"
+#include "ui/panels/flight_text.h"
 #include "ui/panels/region_tools.h"
 #include "ui/panels/sheet_drag.h"
 #include "ui/panels/sheet_drawing.h"
@@ -83,7 +84,33 @@ std::string TextOf(const Sinking& sinking, const Figure& figure) {
          std::to_string(sinking.deepest);
 }
 
-// Frames in the ground, then what happens, and what is under the mouse of it.
+// The parabola of its centre of mass, a foot at either end.
+void DrawFlightMark(ImDrawList* list, const FlightMark& mark, double scale, ImU32 color) {
+  const Rect& rect = mark.rect;
+  const auto line = static_cast<float>(1.5 * scale), r = static_cast<float>(2.0 * scale);
+  const float base = rect.bottom() - r, high = rect.h - r;
+  list->PathClear();
+  constexpr int kPoints = 24;
+  for (int i = 0; i <= kPoints; ++i) {
+    const float s = 2.0f * static_cast<float>(i) / kPoints - 1.0f;
+    list->PathLineTo({rect.x + 0.5f * (s + 1.0f) * rect.w, base - high * (1.0f - s * s)});
+  }
+  list->PathStroke(color, 0, line);
+  list->AddCircleFilled({rect.x, base}, r, color, 8);
+  list->AddCircleFilled({rect.right(), base}, r, color, 8);
+}
+
+std::string TextOf(const Flight& flight, const TimeScale& time) {
+  const std::string alarm = AlarmText(time);
+  char frames[96];
+  std::snprintf(frames, sizeof frames, "%.1f – %.1f, %s %.1f", flight.take_off, flight.landing,
+                Tr("apex"), flight.apex);
+  return std::string(Tr("Flight")) + "  " + FlightText(flight, time.frame_time) + "\n" +
+         Tr("frames") + " " + frames + "\n" + (alarm.empty() ? "" : alarm + "\n") +
+         Tr("Repairs are among the properties of the project.");
+}
+
+// Frames in the ground, flights, then what happens, and what is under the mouse of it.
 void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
   edit::Session& session = editor->session();
   const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
@@ -92,6 +119,13 @@ void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
   const std::vector<SinkingMark> sinkings = SinkingMarks(editor->ground.sinkings(), frame);
   for (const SinkingMark& mark : sinkings) {
     DrawTeeth(list, mark.rect, ToIm(colors::kSinking));
+  }
+  editor->flights.Look(&session);
+  const TimeScale& time = editor->flights.analysis().time;
+  if (editor->flights.TakeAlarm()) editor->Say(AlarmText(time));
+  const std::vector<FlightMark> flights = FlightMarks(editor->flights.analysis().flights, frame);
+  for (const FlightMark& mark : flights) {
+    DrawFlightMark(list, mark, frame.scale, ToIm(colors::kChanged));
   }
   const std::vector<EventMark> marks = EventMarks(*motion.value(), frame);
   const auto radius = static_cast<float>(3.5 * frame.scale);
@@ -104,6 +138,8 @@ void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
     ImGui::SetTooltip("%s", TextOf(*hovered).c_str());
   } else if (const SinkingMark* deep = SinkingMarkAt(sinkings, mouse, frame.scale)) {
     ImGui::SetTooltip("%s", TextOf(deep->sinking, session.figure()).c_str());
+  } else if (const FlightMark* flight = FlightMarkAt(flights, mouse, frame.scale)) {
+    ImGui::SetTooltip("%s", TextOf(flight->flight, time).c_str());
   }
 }
 

@@ -76,6 +76,7 @@ class Importer {
     if (options_.skin && !skin_.meshes.empty()) {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
+    project_.size_is_guessed = report_.unit_is_guessed;
     return Imported{std::move(project_), std::move(report_)};
   }
 

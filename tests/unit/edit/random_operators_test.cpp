@@ -18,7 +18,7 @@ std::vector<const Operator*> EditOperators() {
   for (const Operator& op : edit::AllOperators()) {
     const std::string id = op.id;
     if (id.starts_with("file.") || id == "edit.undo" || id == "edit.redo") continue;
-    if (id == "region.to_keys") continue;
+    if (id == "region.to_keys" || id == "placement.flight") continue;
     edits.push_back(&op);
     if (id == "region.add") edits.insert(edits.end(), 3, &op);  // refused more often than not
   }

@@ -47,6 +47,24 @@ TEST(TimeOperators, ThePreviewRangeIsSetAndTakenBack) {
   EXPECT_EQ(session.project().preview->last, 20);
 }
 
+TEST(TimeOperators, AnotherFrameRateMayKeepTheShapeOfCurves) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 0}, {"value", 10}, {"rate", 30}});
+  Do(&session, "key.set", {{"curve", "r_knee"}, {"frame", 20}, {"value", 40}});
+  Do(&session, "key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0}, {"rate", 0.5}});
+  Do(&session, "key.set", {{"curve", "root.x"}, {"frame", 20}, {"value", 1}});
+  Do(&session, "time.frame", {{"frame", 7}});
+  const auto knee = [&] { return session.ValueNow("r_knee").value(); };
+  const auto x = [&] { return session.ValueNow("root.x").value(); };
+  const double knee_at_30 = knee(), x_at_30 = x();
+  Do(&session, "time.rate", {{"num", 120}});
+  EXPECT_GT(std::abs(knee() - knee_at_30), 0.5);
+  Do(&session, "edit.undo");
+  Do(&session, "time.rate", {{"num", 120}, {"keep_shape", true}});
+  EXPECT_NEAR(knee(), knee_at_30, 1e-9);
+  EXPECT_NEAR(x(), x_at_30, 1e-9);
+}
+
 TEST(TimeOperators, SayWhatIsWrong) {
   Session session;
   Do(&session, "marker.add");

@@ -87,6 +87,7 @@ constexpr const char* kSample = R"({
       {"frame": 30, "angle_deg": 40}]},
     "r_shoulder_flexion": {"keys": [{"frame": 0, "angle_deg": 45}]}
   },
+  "size_is_guessed": true,
   "regions": [
     {"name": "arm", "first_frame": 5, "last_frame": 15,
      "joints": ["r_wrist", "r_elbow", {"beyond": "l_shoulder"}],

@@ -1,0 +1,149 @@
+// A flight that keys have is given to gravity.
+
+#include <cmath>
+
+#include "engine/bake/bake.h"
+#include "ui/edit/edits.h"
+#include "ui/edit/root_curves.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+struct FlightSpan {
+  int first, last;  // frames: in the air on both, and between
+};
+
+// Where the keys have the CoM, and the root's origin beside the flight [m].
+struct KeyedFlight {
+  Vec3 com_first, com_last;
+  Vec3 root_before, root_first, root_after;  // on the frame before, the first, that after the last
+};
+
+// The nearest that there is.
+const MotionFrame& FrameOf(const Motion& motion, int frame) {
+  const int i = std::clamp(frame - motion.frames.front().frame, 0,
+                           static_cast<int>(motion.frames.size()) - 1);
+  return motion.frames[i];
+}
+
+Result<KeyedFlight> AsKeyed(const FlightSpan& span, Session* session) {
+  const ProjectFrames& all = session->project().frames;
+  if (span.first < all.first || span.last > all.last || span.last < span.first + 2) {
+    return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
+                               " to " + std::to_string(all.last));
+  }
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  for (const PlacementSpan& other : session->animation()->placements) {
+    if (other.kind == PlacementKind::kKeyed) continue;
+    if (other.last_frame <= span.first || other.first_frame >= span.last) continue;
+    return Refusal("first", std::string("frames ") + std::to_string(other.first_frame) + " to " +
+                                std::to_string(other.last_frame) +
+                                " are placed by a pin or by gravity already");
+  }
+  const auto at = [&](int frame) -> const MotionFrame& { return FrameOf(*motion.value(), frame); };
+  return KeyedFlight{at(span.first).com, at(span.last).com, at(span.first - 1).X_WR.p,
+                     at(span.first).X_WR.p, at(span.last + 1).X_WR.p};
+}
+
+void KeyIfNone(double frame, double value, ProjectCurve* curve) {
+  if (KeyOn(frame, *curve)) return;
+  ProjectKey key;
+  key.frame = frame;
+  key.value = value;
+  PutKey(key, curve);
+}
+
+// The span, and the root's rate where it takes off [m/s]. Keys beside it keep the motion there as
+// it was.
+Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, const Vec3& rate,
+                           Project* project) {
+  for (int i = 0; i < 3; ++i) {
+    ProjectCurve& curve = project->root.curves[kRootX + i];
+    if (span.first > project->frames.first) {
+      KeyIfNone(span.first - 1, keyed.root_before[i], &curve);
+    }
+    if (span.last < project->frames.last) KeyIfNone(span.last + 1, keyed.root_after[i], &curve);
+    const ProjectKey* old = KeyOn(span.first, curve);
+    ProjectKey key = old ? *old : ProjectKey();
+    key.frame = span.first;
+    key.value = old ? old->value : keyed.root_first[i];
+    key.rate = WithoutRoundOff(rate[i]);
+    key.interpolation = Interpolation::kCubic;
+    PutKey(key, &curve);
+  }
+  ProjectPlacement placement;
+  placement.kind = PlacementKind::kGravity;
+  placement.first_frame = span.first;
+  placement.last_frame = span.last;
+  return PutPlacement(std::move(placement), true, &project->placements);
+}
+
+// The flight with this rate, up to a frame.
+Result<Motion> Try(const FlightSpan& span, const KeyedFlight& keyed, const Vec3& rate, int to,
+                   Project project) {
+  const Result<Done> given = GiveToGravity(span, keyed, rate, &project);
+  if (!given.ok()) return given.error();
+  Result<Compiled> compiled = CompileAnimation(project);
+  if (!compiled.ok()) return compiled.error();
+  compiled.value().animation.last_frame = to;
+  return Bake(compiled.value().animation);
+}
+
+bool Lands(const Motion& motion, const FlightSpan& span) {
+  return std::any_of(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
+    return event.kind == EventKind::kLanding && event.frame > span.first;
+  });
+}
+
+// The root's rate with which the CoM flies from where the keys have it on the first frame to where
+// they have it on the last one. What the limbs add to the CoM's velocity is seen in a first try,
+// what a coarse step adds in further ones; a flight that lands early is left with the first.
+Result<Vec3> RateOfRoot(const FlightSpan& span, const KeyedFlight& keyed, Session* session) {
+  const Animation& animation = *session->animation();
+  const double step = animation.rate.SecondsAt(1.0), duration = step * (span.last - span.first);
+  const Vec3 gravity(0.0, 0.0, -animation.gravity);
+  const Vec3 wanted = (keyed.com_last - keyed.com_first) / duration - 0.5 * duration * gravity;
+  const Result<Motion> begun = Try(span, keyed, wanted, span.first + 1, session->project());
+  if (!begun.ok()) return begun.error();
+  const Vec3 moved = FrameOf(begun.value(), span.first + 1).com - keyed.com_first;
+  Vec3 rate = wanted + wanted - (moved / step - 0.5 * step * gravity);
+  for (int i = 0; i < 3; ++i) {
+    constexpr double kThere = 1e-7;  // [m]
+    const Result<Motion> flown = Try(span, keyed, rate, span.last, session->project());
+    if (!flown.ok()) return flown.error();
+    if (Lands(flown.value(), span)) break;
+    const Vec3 off = keyed.com_last - FrameOf(flown.value(), span.last).com;
+    if (off.norm() < kThere) break;
+    rate += off / duration;
+  }
+  return rate;
+}
+
+Result<Done> Fly(Session* session, const Parameters& p) {
+  const FlightSpan span = {p.integer("first"), p.integer("last")};
+  const Result<KeyedFlight> keyed = AsKeyed(span, session);
+  if (!keyed.ok()) return keyed.error();
+  const Result<Vec3> rate = RateOfRoot(span, keyed.value(), session);
+  if (!rate.ok()) return rate.error();
+  return session->Edit("Place flight by gravity", [&](Project* project) -> Result<Done> {
+    return GiveToGravity(span, keyed.value(), rate.value(), project);
+  });
+}
+
+}  // namespace
+
+std::vector<Operator> FlightOperators() {
+  return {{"placement.flight",
+           "Place flight by gravity",
+           "Gives a flight that keys have to gravity: it takes off so fast that it lands where the "
+           "keys have it.",
+           {{"first", kInteger, true, "first frame in the air"},
+            {"last", kInteger, true, "last frame in the air"}},
+           Fly}};
+}
+
+}  // namespace hazumi::edit

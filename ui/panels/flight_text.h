@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "engine/analysis/flights.h"
+
+namespace hazumi::ui {
+
+// What a flight is, in the language of the interface: "0.58 s, 9.92 m/s²".
+std::string FlightText(const Flight& flight, double frame_time);
+// What the flights say of time and lengths, a sentence; empty if nothing is wrong.
+std::string AlarmText(const TimeScale& time);
+// Of the button that sets it; empty if no common frame rate is near.
+std::string RepairText(const TimeScale& time);
+
+}  // namespace hazumi::ui
