@@ -161,9 +161,15 @@ void DrawFacts(Editor* editor, const ExportSummary* summary) {
     ImGui::TextWrapped("%s", fact.c_str());
   std::string left_out;
   for (const std::string& part : LeftOut(*editor, summary))
-    left_out += (left_out.empty() ? "" : ", ") + part;
+    left_out += (left_out.empty() ? "" : Tr(", ")) + part;
   editor->NeedGlyphs(left_out);
   if (!left_out.empty()) DrawError(Tr("Not written: ") + left_out, editor->theme());
+}
+
+// As much of a value as is read at a glance.
+std::string Short(const std::string& value) {
+  constexpr size_t kLongest = 11;
+  return value.size() <= kLongest ? value : value.substr(0, kLongest - 1) + "..";
 }
 
 // A line for each column of the file: its name, then what it says in the first rows.
@@ -174,9 +180,9 @@ void DrawColumns(const std::vector<std::vector<std::string>>& columns) {
   if (!ImGui::BeginTable("##columns", width, kFlags)) return;
   for (const std::vector<std::string>& column : columns) {
     ImGui::TableNextRow();
-    for (const std::string& text : column) {
+    for (size_t i = 0; i < column.size(); ++i) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(text.c_str());
+      ImGui::TextUnformatted((i == 0 ? column[i] : Short(column[i])).c_str());
     }
   }
   ImGui::EndTable();
@@ -255,7 +261,7 @@ void DrawExport(Editor* editor) {
   const bool has_text =
       state.asks_overwrite || state.wants_write || state.write || !state.error.empty();
   const float bottom = ImGui::GetFrameHeightWithSpacing() * (has_text ? 3.0f : 1.0f) +
-                       2.0f * ImGui::GetStyle().ItemSpacing.y;
+                       ImGui::GetStyle().ItemSpacing.y;
   const float end = ImGui::GetWindowHeight() - bottom - ImGui::GetStyle().WindowPadding.y;
   DrawPreview(editor, bottom);
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));

@@ -16,12 +16,11 @@ namespace {
 
 bool IsVideoName(const std::string& path) { return LowerCase(path).ends_with(".mp4"); }
 
-// Beside the project's file, or else at home.
+// Beside the project's file and named as it is, or else at home.
 std::string FirstPath(const Editor& editor) {
   const std::string& project = editor.session().document().path();
-  const std::string folder =
-      project.empty() ? HomeFolder() : ParentOf(fs::absolute(project).string());
-  return (fs::path(folder) / (FileNameFrom(ProjectNameOf(editor)))).string();
+  if (!project.empty()) return fs::absolute(project).replace_extension().string();
+  return (fs::path(HomeFolder()) / FileNameFrom(ProjectNameOf(editor))).string();
 }
 
 std::pair<long, long> StateNow(const Editor& editor) {

@@ -32,8 +32,8 @@ std::string LengthText(const Editor& editor) {
 }
 
 std::string MotionLine(const Editor& editor, const ExportSummary& summary) {
-  return Count(summary.joints, Tr("1 joint"), Tr("%d joints")) + ", " + LengthText(editor) + ", " +
-         SizeText(summary.num_bytes);
+  return Count(summary.joints, Tr("1 joint"), Tr("%d joints")) + Tr(", ") + LengthText(editor) +
+         Tr(", ") + SizeText(summary.num_bytes);
 }
 
 void AddGltf(const ExportSummary& summary, std::vector<std::string>* facts) {
@@ -44,9 +44,9 @@ void AddGltf(const ExportSummary& summary, std::vector<std::string>* facts) {
   }
   facts->push_back(line +
                    Filled(Tr("an animation of %d channels; y up, metres"), summary.channels));
-  const std::string extras = Count(summary.regions, Tr("1 region"), Tr("%d regions")) + ", " +
+  const std::string extras = Count(summary.regions, Tr("1 region"), Tr("%d regions")) + Tr(", ") +
                              Count(summary.placements, Tr("1 placement"), Tr("%d placements")) +
-                             ", " + Count(summary.events, Tr("1 event"), Tr("%d events"));
+                             Tr(", ") + Count(summary.events, Tr("1 event"), Tr("%d events"));
   facts->push_back(Tr("In its extras: ") + extras);
 }
 
