@@ -248,6 +248,17 @@ void DrawBottom(Editor* editor) {
   if (clicked == 1 || IsEscapePressed(*editor)) CloseExport(editor);
 }
 
+// Of what DrawBottom draws [px].
+float BottomHeight(const ExportState& state) {
+  const float row = ImGui::GetFrameHeightWithSpacing(), space = ImGui::GetStyle().ItemSpacing.y;
+  if (state.asks_overwrite) return row + space + ImGui::GetTextLineHeightWithSpacing();
+  if (state.wants_write || state.write) return 2.0f * row + space;
+  if (state.error.empty()) return row + space;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string text = "! " + state.error;
+  return row + 2.0f * space + ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+}
+
 }  // namespace
 
 void DrawExport(Editor* editor) {
@@ -258,10 +269,7 @@ void DrawExport(Editor* editor) {
   DrawOptions(editor);
   ImGui::EndDisabled();
   ImGui::Spacing();
-  const bool has_text =
-      state.asks_overwrite || state.wants_write || state.write || !state.error.empty();
-  const float bottom = ImGui::GetFrameHeightWithSpacing() * (has_text ? 3.0f : 1.0f) +
-                       ImGui::GetStyle().ItemSpacing.y;
+  const float bottom = BottomHeight(state);
   const float end = ImGui::GetWindowHeight() - bottom - ImGui::GetStyle().WindowPadding.y;
   DrawPreview(editor, bottom);
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
