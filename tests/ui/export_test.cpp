@@ -78,6 +78,7 @@ TEST_F(Export, ThePreviewFollowsTheOptions) {
   const ExportSummary glb = Previewed().summary;
   EXPECT_EQ(glb.animations, 1);
   EXPECT_GT(glb.meshes, 0);
+  EXPECT_EQ(glb.joints, 1 + static_cast<int>(editor_.session().figure().groups().size()));
   EXPECT_GT(glb.triangles, 100);
   EXPECT_EQ(glb.regions, static_cast<int>(project.regions.size()));
   EXPECT_TRUE(glb.names.contains(editor_.session().figure().root_name()));

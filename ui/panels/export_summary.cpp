@@ -118,18 +118,16 @@ void ReadGltf(const std::string& bytes, ExportSummary* summary) {
   summary->nodes = CountOf(gltf, "nodes");
   summary->meshes = CountOf(gltf, "meshes");
   CountTriangles(gltf, summary);
-  std::set<size_t> moved;
   for (const Json& animation : gltf.value("animations", Json::array())) {
     ++summary->animations;
     summary->channels += CountOf(animation, "channels");
-    for (const Json& channel : animation.at("channels"))
-      moved.insert(channel.at("target").value("node", size_t{0}));
     const Json extras = animation.value("extras", Json::object()).value("hazumi", Json::object());
     summary->regions += CountOf(extras, "regions");
     summary->placements += CountOf(extras, "placements");
     summary->events += CountOf(extras, "events");
   }
-  summary->joints = static_cast<int>(moved.size());
+  for (const Json& node : gltf.value("nodes", Json::array()))
+    summary->joints += node.contains("mesh") ? 0 : 1;
   for (const Json& scene : gltf.value("scenes", Json::array())) {
     for (const size_t root : scene.value("nodes", std::vector<size_t>()))
       AddTree(gltf.at("nodes"), root, 0, summary);
