@@ -100,6 +100,17 @@ TEST_F(Export, ThePreviewFollowsTheOptions) {
   EXPECT_EQ(csv.joints, editor_.session().figure().num_joints());
 }
 
+TEST_F(Export, ThePreviewRangeIsWhatIsPlayed) {
+  ASSERT_TRUE(editor_.Do("time.preview", {{"first", 2}, {"last", 6}}));
+  ChooseFormat(MotionFormat::kCsv, &state());
+  state().range = ExportRange::kPreview;
+  EXPECT_EQ(Previewed().summary.columns.at(0).at(1), "2");
+  EXPECT_EQ(std::count(Previewed().bytes.begin(), Previewed().bytes.end(), '\n'), 1 + 5);
+  ASSERT_TRUE(editor_.Do("time.preview", {{"off", true}}));
+  Frames();
+  EXPECT_EQ(state().range, ExportRange::kAll);
+}
+
 TEST_F(Export, ThePreviewFollowsTheDocument) {
   ChooseFormat(MotionFormat::kCsv, &state());
   const std::string before = Previewed().bytes;

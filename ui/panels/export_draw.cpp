@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <set>
 
 #include "ui/panels/dialogs_parts.h"
 #include "ui/panels/export_texts.h"
@@ -188,6 +189,21 @@ void DrawColumns(const std::vector<std::vector<std::string>>& columns) {
   ImGui::EndTable();
 }
 
+// Each letter of a valid text that is not ASCII once, so that equal alphabets are equal texts.
+std::string ForeignLetters(const std::string& text) {
+  const auto is_inside = [&](size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  std::set<std::string> letters;
+  for (size_t i = 0; i < text.size();) {
+    size_t end = i + 1;
+    while (is_inside(end)) ++end;
+    if (end > i + 1) letters.insert(text.substr(i, end - i));
+    i = end;
+  }
+  std::string all;
+  for (const std::string& letter : letters) all += letter;
+  return all;
+}
+
 void DrawContents(Editor* editor, const ExportSummary& summary, float bottom) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
   ImGui::BeginChild("##contents", {0.0f, -bottom}, true, ImGuiWindowFlags_HorizontalScrollbar);
@@ -214,7 +230,7 @@ void DrawPreview(Editor* editor, float bottom) {
   if (!file) return ImGui::TextDisabled("%s", Tr("Preparing..."));
   if (!file->ok()) return DrawError(file->error().ToString(), editor->theme());
   const ExportSummary& summary = file->value().summary;
-  editor->NeedGlyphs(summary.head);
+  editor->NeedGlyphs(ForeignLetters(summary.head));
   DrawFacts(editor, &summary);
   DrawContents(editor, summary, bottom);
 }
