@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
@@ -12,26 +10,11 @@
 #include "engine/exchange/export_motion.h"
 #include "render/motion/links_skin.h"
 #include "render/pipeline/video.h"
+#include "ui/edit/exported.h"
 
 namespace hazumi {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-// Before anything is computed for it.
-std::optional<Error> CheckPlace(const std::string& output) {
-  std::error_code ignored;
-  const fs::path folder = fs::path(output).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, ignored)) {
-    return Error{ErrorCode::kCannotWrite, output, "",
-                 "there is no folder " + folder.string() + "; make it, or name another"};
-  }
-  if (fs::is_directory(output, ignored)) {
-    return Error{ErrorCode::kCannotWrite, output, "", "is a folder; name a file in it"};
-  }
-  return std::nullopt;
-}
 
 std::string Generator() { return std::string("Hazumi ") + kVersion; }
 
@@ -87,7 +70,7 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
 }  // namespace
 
 int RunExport(const Options& options) {
-  if (const auto error = CheckPlace(options.output)) return Complain(*error);
+  if (const auto error = edit::CheckPlace(options.output)) return Complain(*error);
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
   PrintWarnings(options.files[0], baked.value().warnings);

@@ -69,6 +69,12 @@ bool WriteTemporary(const std::string& temporary, const std::string& target, std
   return whole && (mode == WriteMode::kFast || ::fsync(file.fd()) == 0) && file.Close();
 }
 
+bool IsSet(const std::atomic<bool>* cancel) {
+  if (!cancel || !*cancel) return false;
+  errno = ECANCELED;
+  return true;
+}
+
 }  // namespace
 
 bool WriteAll(int fd, std::string_view bytes) {
@@ -85,10 +91,11 @@ void SyncFolderOf(const std::string& path) {
   if (handle.is_open()) ::fsync(handle.fd());
 }
 
-int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode) {
+int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode,
+                const std::atomic<bool>* cancel) {
   const std::string target = FollowLinks(path);
   const std::string temporary = TemporaryName(target, &bytes);
-  if (!WriteTemporary(temporary, target, bytes, mode) ||
+  if (!WriteTemporary(temporary, target, bytes, mode) || IsSet(cancel) ||
       std::rename(temporary.c_str(), target.c_str()) != 0) {
     const int reason = errno;
     std::remove(temporary.c_str());
@@ -98,9 +105,11 @@ int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode)
   return 0;
 }
 
-Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes, WriteMode mode) {
-  const int reason = ReplaceFile(path, bytes, mode);
+Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes, WriteMode mode,
+                                 const std::atomic<bool>* cancel) {
+  const int reason = ReplaceFile(path, bytes, mode, cancel);
   if (reason == 0) return Done{};
+  if (reason == ECANCELED) return Error{ErrorCode::kInterrupted, path, "", "is not written"};
   return Error{ErrorCode::kCannotWrite, path, "",
                std::string("cannot be written: ") + std::strerror(reason)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <string_view>
 
@@ -13,11 +14,14 @@ enum class WriteMode { kFast, kDurable };
 // Writes a file all or nothing: a temporary file in the same folder takes its name once it is
 // whole. On failure the old file stays as it was and nothing is left behind. An existing file keeps
 // its permissions; a symbolic link is followed. Returns 0, or errno.
-int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode);
+// Setting `cancel` before the file has its name leaves it without: ECANCELED.
+int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode,
+                const std::atomic<bool>* cancel = nullptr);
 
-// The same, with an Error (kCannotWrite) that names file and reason.
+// The same, with an Error (kCannotWrite, kInterrupted) that names file and reason.
 Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes,
-                                 WriteMode mode = WriteMode::kFast);
+                                 WriteMode mode = WriteMode::kFast,
+                                 const std::atomic<bool>* cancel = nullptr);
 
 // For files that are written otherwise. All bytes, however many calls that takes; false: errno.
 bool WriteAll(int fd, std::string_view bytes);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> Arguments(const VideoFormat& format, const fs::path& temporary) {
+std::vector<std::string> Arguments(const VideoFormat& format, const std::string& output) {
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
   const std::string rate = std::to_string(format.rate_num) + "/" + std::to_string(format.rate_den);
   return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
@@ -34,7 +35,7 @@ std::vector<std::string> Arguments(const VideoFormat& format, const fs::path& te
           "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-c:v",
           "libx264", "-preset", "medium", "-crf", "18", "-color_range", "tv", "-colorspace",
           "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-movflags", "+faststart",
-          "-f", "mp4", "file:" + temporary.string()};
+          "-f", "mp4", "file:" + output};
 }
 
 // The file that a link leads to, so that the video does not replace the link.
@@ -49,6 +50,18 @@ fs::path TemporaryPath(const fs::path& path) {
   const std::string name = "." + path.filename().string() + "." + std::to_string(getpid());
   return path.parent_path() / (name + ".tmp");
 }
+
+// A file in the folder that has no name yet, so that nothing is left of it whatever becomes of us;
+// -1 where the file system has none such.
+int OpenUnnamed(const fs::path& beside) {
+  const fs::path folder = beside.has_parent_path() ? beside.parent_path() : ".";
+  return open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+}
+
+// What it is called meanwhile, by the process that has it open.
+std::string OpenFileName(int fd) { return "/proc/self/fd/" + std::to_string(fd); }
+
+constexpr int kUnnamedInFfmpeg = 3;  // behind its input and its outputs
 
 // The lines of a text in one.
 std::string OneLine(const std::string& text) {
@@ -66,15 +79,18 @@ std::string OneLine(const std::string& text) {
 struct VideoWriter::Process {
   VideoFormat format;
   fs::path target, temporary;
-  pid_t id = -1;    // -1: ended
-  int input = -1;   // a socket: writing to it raises no signal when ffmpeg has gone
-  int output = -1;  // what it says, a file in memory
+  int unnamed = -1;  // what `temporary` will be the name of; -1: it is from the start
+  pid_t id = -1;     // -1: ended
+  int input = -1;    // a socket: writing to it raises no signal when ffmpeg has gone
+  int output = -1;   // what it says, a file in memory
 
   ~Process();
   // 0, or errno.
   int Spawn(int its_input);
   // Lets it end by itself. True: it did its work.
   bool Wait();
+  // Gives the whole file its name. 0, or errno.
+  int Name();
   Error Complaint() const;
 };
 
@@ -85,6 +101,7 @@ VideoWriter::Process::~Process() {
     Wait();
   }
   if (output >= 0) close(output);
+  if (unnamed >= 0) close(unnamed);
   std::error_code ignored;
   fs::remove(temporary, ignored);
 }
@@ -100,7 +117,9 @@ int VideoWriter::Process::Spawn(int its_input) {
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
-  std::vector<std::string> arguments = Arguments(format, temporary);
+  if (unnamed >= 0) posix_spawn_file_actions_adddup2(&files, unnamed, kUnnamedInFfmpeg);
+  std::vector<std::string> arguments =
+      Arguments(format, unnamed >= 0 ? OpenFileName(kUnnamedInFfmpeg) : temporary.string());
   std::vector<char*> pointers;
   pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -122,6 +141,17 @@ bool VideoWriter::Process::Wait() {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+int VideoWriter::Process::Name() {
+  if (unnamed >= 0) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);  // of a process with our number that was killed just here
+    const int failed = linkat(AT_FDCWD, OpenFileName(unnamed).c_str(), AT_FDCWD, temporary.c_str(),
+                              AT_SYMLINK_FOLLOW);
+    if (failed != 0) return errno;
+  }
+  return std::rename(temporary.c_str(), target.c_str()) == 0 ? 0 : errno;
+}
+
 Error VideoWriter::Process::Complaint() const {
   std::string text(2000, '\0');
   const ssize_t count = pread(output, text.data(), text.size(), 0);
@@ -140,6 +170,7 @@ Result<VideoWriter> VideoWriter::Start(const VideoFormat& format) {
   process->format = format;
   process->target = FollowLinks(format.path);
   process->temporary = TemporaryPath(process->target);
+  process->unnamed = OpenUnnamed(process->target);
   process->output = memfd_create("ffmpeg", MFD_CLOEXEC);
   int ends[2];
   if (process->output < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -183,11 +214,10 @@ Result<Done> VideoWriter::Write(const Image& image) {
 
 Result<Done> VideoWriter::Finish() {
   if (!process_->Wait()) return process_->Complaint();
-  std::error_code failed;
-  fs::rename(process_->temporary, process_->target, failed);
-  if (!failed) return Done{};
+  const int failed = process_->Name();
+  if (failed == 0) return Done{};
   return Error{ErrorCode::kCannotWrite, process_->format.path.string(), "",
-               "cannot be written: " + failed.message()};
+               std::string("cannot be written: ") + std::strerror(failed)};
 }
 
 Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,

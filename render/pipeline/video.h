@@ -10,8 +10,8 @@
 namespace hazumi::render {
 
 // An MP4 file (H.264, 4:2:0, BT.709) of pictures of one size, made by the program ffmpeg, which
-// takes them through a pipe. The file appears when it is whole; until then it is a hidden one
-// beside it.
+// takes them through a pipe. The file appears when it is whole; until then it has
+// no name, or where the file system has no such files a hidden one beside it.
 struct VideoFormat {
   std::filesystem::path path;
   int width = 1280, height = 720;   // [px], even

@@ -42,6 +42,24 @@ class Export(InFolder):
             run("--bake", baked, THROW)
             self.assertEqual(self.export(f"a.{suffix}").read_text(), baked.read_text())
 
+    def test_a_script_of_the_editor_writes_the_same(self):
+        steps = [{"op": "file.export", "path": f"script.{s}"} for s in ("bvh", "glb", "csv", "json")]
+        steps.append({"op": "file.export", "path": "part.bvh", "first": 3, "last": 9, "up": "z",
+                      "unit": 1})
+        (self.folder / "script").write_text(json.dumps(steps))
+        done = run("--run", self.folder / "script", THROW, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for suffix in ("bvh", "glb", "csv"):
+            self.assertEqual(self.export(f"a.{suffix}").read_bytes(),
+                             (self.folder / f"script.{suffix}").read_bytes(), suffix)
+        # The editor keeps no account of energy, so that what JSON reports of regions is less.
+        mine = json.loads(self.export("a.json").read_text())
+        its = json.loads((self.folder / "script.json").read_text())
+        for field in ("frames", "events", "joints"):
+            self.assertEqual(its[field], mine[field], field)
+        part = self.export("p.bvh", "--frames", "3..9", "--bvh-up", "z", "--bvh-unit", "m")
+        self.assertEqual(part.read_bytes(), (self.folder / "part.bvh").read_bytes())
+
     def test_bvh_is_y_up_in_centimetres_unless_it_is_told_otherwise(self):
         """The root's first position in all four ways."""
         motion = json.loads(self.export("m.json").read_text())

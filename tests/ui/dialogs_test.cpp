@@ -296,6 +296,22 @@ TEST_F(Dialogs, ARangeOutsideOfTheAnimationIsNotRendered) {
   EXPECT_EQ(modal(), Modal::kRender);
 }
 
+TEST_F(Dialogs, TheRangeOfARenderStaysAsLongAsItsFramesDo) {
+  OpenRenderDialog(&editor_, true);
+  RenderState& render = editor_.dialogs.render;
+  render.first = 3;
+  render.last = 8;
+  Press({kEscape});
+  OpenRenderDialog(&editor_, true);
+  EXPECT_EQ(render.first, 3);
+  EXPECT_EQ(render.last, 8);
+  Press({kEscape});
+  ASSERT_TRUE(editor_.Do("time.range", {{"first", 0}, {"last", 20}}));
+  OpenRenderDialog(&editor_, true);
+  EXPECT_EQ(render.first, 0);
+  EXPECT_EQ(render.last, 20);
+}
+
 TEST_F(Dialogs, TheFolderOfPicturesIsChosenFromAListThatComesBack) {
   fs::create_directories(folder_ / "shots");
   std::ofstream(File("a.kfa")) << "{}";

@@ -15,6 +15,7 @@
 namespace hazumi::edit {
 
 // Each gives the operators of one file.
+std::vector<Operator> ExportOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
 std::vector<Operator> JointStateOperators();

@@ -20,7 +20,8 @@ std::vector<Operator> Collect() {
        {FigureOperators(), FlightOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
         ObjectOperators(), PlacementOperators(), PoseOperators(), ReachOperators(),
         RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
-        ImportOperators(), SessionOperators(), StartRateOperators(), TimeOperators()}) {
+        ImportOperators(), ExportOperators(), SessionOperators(), StartRateOperators(),
+        TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -17,6 +17,9 @@ namespace hazumi::edit {
 // A pose to be pasted: angles by hinge [degrees].
 using Pose = std::vector<Named<double>>;
 
+// Makes a skin of a figure's capsules.
+using SkinMaker = std::function<Skin(const Figure&)>;
+
 // Told of operators. Either may be empty.
 struct SessionObserver {
   std::function<void()> before;  // it may still be refused
@@ -66,6 +69,10 @@ class Session {
   void set_key_clipboard(std::vector<Named<ProjectKey>> keys) { key_clipboard_ = std::move(keys); }
   const Pose& clipboard() const { return clipboard_; }
   void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
+
+  // For files of other programs. Empty unless whoever owns the session can draw capsules.
+  const SkinMaker& capsules() const { return capsules_; }
+  void set_capsules(SkinMaker maker) { capsules_ = std::move(maker); }
 
   // The figure of the project; every project has one.
   const Figure& figure() const { return *figure_; }
@@ -117,6 +124,7 @@ class Session {
   std::optional<Error> compile_error_;
   std::unique_ptr<BackgroundBake> bake_;
   std::optional<double> patience_;
+  SkinMaker capsules_;
 };
 
 }  // namespace hazumi::edit

@@ -90,6 +90,14 @@ Result<Done> ShowForm(Editor* editor, const Parameters& p) {
   return Done();
 }
 
+Result<Done> ExportWithDialog(Editor* editor, const Parameters& p) {
+  OpenExportDialog(editor);
+  ExportState& state = editor->dialogs.exporting;
+  if (p.has("path")) state.path = p.text("path");
+  TakeTypedPath(&state);
+  return Done();
+}
+
 Result<Done> ShowRender(Editor* editor, const Parameters& p) {
   OpenRenderDialog(editor, p.yes("whole"));
   return Done();
@@ -114,6 +122,11 @@ std::vector<Action> DialogActions() {
            "Makes a project of a character and its clip: BVH, FBX, glTF, GLB or Collada.",
            {},
            ImportWithDialog},
+          {"file.export_dialog",
+           "Export",
+           "Writes the motion for other programs: BVH, glTF, CSV, JSON, or a video.",
+           {{"path", kText, false, "the file that is proposed; not given: as the time before"}},
+           ExportWithDialog},
           {"app.save", "Save", "Saves the project; asks for a name if it has none.", {}, Save},
           {"file.save_as", "Save as", "Saves the project under another name.", {}, SaveAs},
           {"app.search",

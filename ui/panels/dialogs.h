@@ -31,6 +31,8 @@ void OpenImportFileDialog(Editor* editor);
 // Shows it to choose the render dialog's folder; that dialog comes back after either answer.
 void OpenFolderDialog(Editor* editor);
 void ChooseFolder(Editor* editor);
+// The same for the export dialog's file.
+void OpenExportFileDialog(Editor* editor);
 void LeaveFileDialog(Editor* editor);
 void GoToFolder(const std::string& folder, Editor* editor);
 void ReadFolder(Editor* editor);
@@ -51,6 +53,12 @@ void SubmitForm(Editor* editor);
 void OpenRenderDialog(Editor* editor, bool whole);
 // Starts to draw what the dialog says.
 void StartRender(Editor* editor);
+
+void OpenExportDialog(Editor* editor);
+void CloseExport(Editor* editor);
+// Writes what the dialog says; asks before it overwrites.
+void StartExport(Editor* editor);
+void ConfirmExport(Editor* editor);
 
 // Puts a project at the top of the recent ones.
 void AddRecent(const std::string& path, Settings* settings);

@@ -17,6 +17,7 @@ Frame FrameOf(const DialogsState& dialogs) {
     case Modal::kFiles:
       if (dialogs.files.imports) return {"Import character", 680, 430};
       if (dialogs.files.picks_folder) return {"Choose folder", 680, 430};
+      if (dialogs.files.exports) return {"Export", 680, 430};
       return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
     case Modal::kUnsaved:
       return {"Unsaved changes", 400, 0};
@@ -26,6 +27,8 @@ Frame FrameOf(const DialogsState& dialogs) {
       return {"Parameters", 580, 0};
     case Modal::kImport:
       return {"Import character", 560, 0};
+    case Modal::kExport:
+      return {"Export", 620, 560};
     case Modal::kRender:
       return {"Render", 520, 0};
     case Modal::kProgress:
@@ -66,6 +69,8 @@ void DrawContent(Editor* editor) {
       return DrawForm(editor);
     case Modal::kImport:
       return DrawImport(editor);
+    case Modal::kExport:
+      return DrawExport(editor);
     case Modal::kRender:
       return DrawRenderDialog(editor);
     case Modal::kProgress:

@@ -13,8 +13,12 @@ void DrawFileDialog(Editor* editor);
 void DrawSearch(Editor* editor);
 void DrawForm(Editor* editor);
 void DrawImport(Editor* editor);
+void DrawExport(Editor* editor);
 void DrawRenderDialog(Editor* editor);
 void DrawProgress(Editor* editor);
+// Rows of fields that dialogs share: of a picture's size, and of what is seen on it.
+void DrawSizeFields(const Editor& editor, int* width, int* height);
+void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* overlays);
 void DrawManual(Editor* editor);
 void DrawAbout(Editor* editor);
 // A window of its own, beside the panels.

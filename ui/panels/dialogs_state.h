@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/edit/parameters.h"
+#include "ui/panels/export_job.h"
 #include "ui/panels/first_steps.h"
 #include "ui/panels/folder_list.h"
 #include "ui/panels/geometry.h"
@@ -25,6 +26,7 @@ enum class Modal {
   kSearch,
   kForm,
   kImport,
+  kExport,
   kRender,
   kProgress,
   kManual,
@@ -34,11 +36,12 @@ enum class Modal {
 // What goes on once a question is answered. An error is shown where it was asked.
 using Then = std::function<Result<Done>(Editor*)>;
 
-// The dialog to open a project or to save it, or to choose a folder.
+// The dialog to open a project or to save it, or to choose a folder or a file to be written.
 struct FileDialogState {
   bool is_save = false;
   bool picks_folder = false;  // for the pictures of the render dialog
   bool imports = false;       // a character of another program
+  bool exports = false;       // a file for the export dialog, which asks before it overwrites
   std::string folder;
   FolderFilter filter;
   std::vector<FileEntry> entries;  // of the folder
@@ -58,6 +61,7 @@ struct DialogsState {
   SearchState search;
   FormState form;
   ImportState import;
+  ExportState exporting;
   RenderState render;
   bool shows_first_steps = false;
   FirstSteps first_steps;

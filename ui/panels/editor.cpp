@@ -4,13 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "render/motion/links_skin.h"
 #include "ui/panels/actions.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/viewport_actions.h"
 
 namespace hazumi::ui {
 
-Editor::Editor() { viewport.framed_document = session_.document_number(); }
+Editor::Editor() {
+  viewport.framed_document = session_.document_number();
+  session_.set_capsules([](const Figure& figure) { return render::SkinOfLinks(figure); });
+}
 
 namespace {
 

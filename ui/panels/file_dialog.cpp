@@ -29,7 +29,7 @@ std::string FirstName(const Editor& editor) {
 
 std::string ChosenPath(const FileDialogState& files) {
   const std::string path = PathOf(files.folder, files.name, HomeFolder());
-  return files.is_save ? WithProjectSuffix(path) : path;
+  return files.is_save && !files.exports ? WithProjectSuffix(path) : path;
 }
 
 // What opening or saving said; the dialog stays if that was an error.
@@ -56,6 +56,22 @@ std::string ExistingPath(const FileDialogState& files) {
   const std::string path = ChosenPath(files);
   const bool lacks_suffix = !std::filesystem::exists(path, unknown);
   return lacks_suffix ? WithProjectSuffix(path) : path;
+}
+
+// The folder, or for one that is yet to be made the nearest above that is there.
+std::string NearestFolder(std::string folder) {
+  std::error_code unknown;
+  while (!std::filesystem::is_directory(folder, unknown) && folder != ParentOf(folder)) {
+    folder = ParentOf(folder);
+  }
+  return folder;
+}
+
+// Back to the export dialog.
+void TakeExportPath(Editor* editor) {
+  editor->dialogs.exporting.path = ChosenPath(editor->dialogs.files);
+  TakeTypedPath(&editor->dialogs.exporting);
+  Open(Modal::kExport, editor);
 }
 
 }  // namespace
@@ -102,18 +118,24 @@ void OpenImportFileDialog(Editor* editor) {
   ReadFolder(editor);
 }
 
-// The nearest folder above that is there, for one that is yet to be made.
 void OpenFolderDialog(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   files = {};
   files.picks_folder = true;
-  std::string folder = PathOf(HomeFolder(), editor->dialogs.render.folder, HomeFolder());
-  std::error_code unknown;
-  while (!std::filesystem::is_directory(folder, unknown) && folder != ParentOf(folder)) {
-    folder = ParentOf(folder);
-  }
-  GoToFolder(folder, editor);
+  const std::string folder = PathOf(HomeFolder(), editor->dialogs.render.folder, HomeFolder());
+  GoToFolder(NearestFolder(folder), editor);
   Open(Modal::kFiles, editor);
+}
+
+// Where the export dialog's file would be, or where that folder would be.
+void OpenExportFileDialog(Editor* editor) {
+  const std::string path = PathOf(HomeFolder(), editor->dialogs.exporting.path, HomeFolder());
+  OpenFileDialog(editor, true);
+  FileDialogState& files = editor->dialogs.files;
+  files.exports = true;
+  files.filter.kind = FolderFilter::Kind::kMotions;
+  files.name = NameIn(path);
+  GoToFolder(NearestFolder(ParentOf(path)), editor);
 }
 
 void ChooseFolder(Editor* editor) {
@@ -125,6 +147,7 @@ void ChooseFolder(Editor* editor) {
 
 void LeaveFileDialog(Editor* editor) {
   if (editor->dialogs.files.picks_folder) return Open(Modal::kRender, editor);
+  if (editor->dialogs.files.exports) return Open(Modal::kExport, editor);
   Close(editor);
 }
 
@@ -150,6 +173,7 @@ void ChooseFile(Editor* editor) {
     if (!is_on_folder) files.name.clear();
     return GoToFolder(folder, editor);
   }
+  if (files.exports) return TakeExportPath(editor);
   if (files.imports || (!files.is_save && IsOfOtherProgram(wanted))) {
     return OpenImport(ChosenPath(files), editor);
   }

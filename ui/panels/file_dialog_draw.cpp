@@ -97,6 +97,7 @@ void DrawList(Editor* editor) {
   std::optional<int> chosen;
   if (files.entries.empty()) {
     ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
+                              : files.exports    ? Tr("There is no such file in this folder.")
                                                  : Tr("There is no project in this folder."));
   }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
@@ -181,6 +182,7 @@ void DrawBottom(Editor* editor) {
   DrawError(files.error, editor->theme());
   const ButtonText choose =
       files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
+      : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
       : files.is_save    ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
                          : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
   const int clicked =

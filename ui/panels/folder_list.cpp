@@ -34,19 +34,27 @@ std::int64_t ChangedAt(const fs::directory_entry& entry) {
   return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
 }
 
+bool EndsInOneOf(std::initializer_list<const char*> suffixes, const std::string& path) {
+  const std::string name = LowerCase(path);
+  return std::any_of(suffixes.begin(), suffixes.end(),
+                     [&](const char* suffix) { return name.ends_with(suffix); });
+}
+
 }  // namespace
 
 bool IsOfOtherProgram(const std::string& path) {
-  const std::string name = LowerCase(path);
-  constexpr const char* kSuffixes[] = {".bvh", ".fbx", ".gltf", ".glb", ".dae"};
-  return std::any_of(std::begin(kSuffixes), std::end(kSuffixes),
-                     [&](const char* suffix) { return name.ends_with(suffix); });
+  return EndsInOneOf({".bvh", ".fbx", ".gltf", ".glb", ".dae"}, path);
+}
+
+bool IsExport(const std::string& path) {
+  return EndsInOneOf({".bvh", ".gltf", ".glb", ".csv", ".json", ".mp4"}, path);
 }
 
 bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (entry.name.starts_with('.')) return false;
   if (entry.is_folder || filter.all_files) return true;
   if (filter.kind == FolderFilter::Kind::kCharacters) return IsOfOtherProgram(entry.name);
+  if (filter.kind == FolderFilter::Kind::kMotions) return IsExport(entry.name);
   return LowerCase(entry.name).ends_with(kSuffix);
 }
 

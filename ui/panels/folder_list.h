@@ -19,7 +19,7 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  enum class Kind { kProjects, kCharacters };
+  enum class Kind { kProjects, kCharacters, kMotions };
   bool all_files = false;  // else those of the kind alone; what begins with a dot is never shown
   FileOrder order = FileOrder::kName;
   Kind kind = Kind::kProjects;
@@ -27,6 +27,8 @@ struct FolderFilter {
 
 // Called as files of other programs are that can be imported.
 bool IsOfOtherProgram(const std::string& path);
+// Called as what File > Export writes.
+bool IsExport(const std::string& path);
 bool IsShown(const FileEntry& entry, const FolderFilter& filter);
 // Folders first. Names as people count: "shot 2" before "shot 10", upper case as lower.
 void SortEntries(FileOrder order, std::vector<FileEntry>* entries);

@@ -29,7 +29,12 @@ const std::vector<ManualPart>& ManualParts() {
         "feet "
         "stay. Hands and feet can be pulled by their diamonds.",
         "What a region computed is hatched and blue. The motion follows each of your edits at "
-        "once; nothing has to be baked first."}}};
+        "once; nothing has to be baked first."}},
+      {"To other programs",
+       {"File > Export writes the motion as BVH, glTF, a table, JSON or a video, and shows before "
+        "it does what will be in the file and what will not. For Blender, Unreal and Unity glTF "
+        "(.glb) is best: it has skeleton, meshes and motion, and says in its extras what was "
+        "computed. Keys, masses and limits are in the project alone: keep it."}}};
   return parts;
 }
 

@@ -24,6 +24,7 @@ MenuEntry FileMenu() {
                           {"app.save"},
                           {"file.save_as"},
                           Line(),
+                          {"file.export_dialog"},
                           {"render.dialog", Json::object(), "Render picture"},
                           {"render.dialog", {{"whole", true}}, "Render animation"},
                           Line(),
@@ -213,7 +214,7 @@ std::string LabelOf(const MenuEntry& entry) {
   std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
   const std::string id = entry.id ? entry.id : "";
   const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
-                    id == "file.save_as" || id == "render.dialog";
+                    id == "file.export_dialog" || id == "file.save_as" || id == "render.dialog";
   if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
   return label;
 }

@@ -14,7 +14,7 @@ struct Preset {
   const char* name;
 };
 
-void DrawPresets(RenderState* render) {
+void DrawPresets(int* width, int* height) {
   static constexpr Preset kPresets[] = {{640, 360, ""},          {1280, 720, "HD"},
                                         {1920, 1080, "Full HD"}, {3840, 2160, "4K"},
                                         {1080, 1080, "1:1"},     {1080, 1920, "9:16"}};
@@ -23,28 +23,12 @@ void DrawPresets(RenderState* render) {
   }
   for (const Preset& preset : kPresets) {
     const std::string size = std::to_string(preset.width) + " x " + std::to_string(preset.height);
-    const bool is_now = preset.width == render->width && preset.height == render->height;
+    const bool is_now = preset.width == *width && preset.height == *height;
     if (!ImGui::Selectable((size + "  " + preset.name).c_str(), is_now)) continue;
-    render->width = preset.width;
-    render->height = preset.height;
+    *width = preset.width;
+    *height = preset.height;
   }
   ImGui::EndCombo();
-}
-
-void DrawSize(Editor* editor) {
-  RenderState& render = editor->dialogs.render;
-  DrawFieldLabel(Tr("Size"), *editor);
-  ImGui::SetNextItemWidth(Px(*editor, 80));
-  ImGui::InputInt("##width", &render.width, 0);
-  Tooltip(Tr("Width in pixels"));
-  ImGui::SameLine();
-  ImGui::TextUnformatted("x");
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(Px(*editor, 80));
-  ImGui::InputInt("##height", &render.height, 0);
-  Tooltip(Tr("Height in pixels"));
-  ImGui::SameLine();
-  DrawPresets(&render);
 }
 
 void SetRange(const ProjectFrames& frames, RenderState* render) {
@@ -88,24 +72,12 @@ void DrawFrames(Editor* editor) {
   DrawRange(editor);
 }
 
-void DrawView(Editor* editor) {
-  RenderState& render = editor->dialogs.render;
-  DrawFieldLabel(Tr("Camera"), *editor);
-  const bool has_camera = editor->session().project().camera.has_value();
-  bool& through = render.through_project_camera;
-  if (ImGui::RadioButton(Tr("as in the viewport"), !through)) through = false;
-  Tooltip(Tr("Sees what the viewport sees"));
-  ImGui::SameLine();
-  ImGui::BeginDisabled(!has_camera);
-  if (ImGui::RadioButton(Tr("the project's"), through && has_camera)) through = true;
-  ImGui::EndDisabled();
-  DrawFieldLabel(Tr("Overlays"), *editor);
-  ImGui::Checkbox(Tr("as in the viewport##overlays"), &render.overlays);
-  Tooltip(Tr("Draws paths, ghosts and marks into the pictures, too"));
-}
-
 void DrawResult(const Editor& editor, const RenderJob& job, const Result<int>& result) {
   if (!result.ok()) return DrawError(result.error().ToString(), editor.theme());
+  const std::string& video = job.task().video;
+  if (!video.empty() && job.is_cancelled())
+    return ImGui::TextWrapped("%s", Tr("Nothing is left of it."));
+  if (!video.empty()) return ImGui::TextWrapped(Tr("The video is in %s"), video.c_str());
   const char* folder = job.task().folder.c_str();
   if (result.value() == 1) return ImGui::TextWrapped(Tr("The picture is in %s"), folder);
   ImGui::TextWrapped(Tr("%d pictures are in %s"), result.value(), folder);
@@ -143,11 +115,41 @@ void DrawSummary(Editor* editor) {
 
 }  // namespace
 
+void DrawSizeFields(const Editor& editor, int* width, int* height) {
+  DrawFieldLabel(Tr("Size"), editor);
+  ImGui::SetNextItemWidth(Px(editor, 80));
+  ImGui::InputInt("##width", width, 0);
+  Tooltip(Tr("Width in pixels"));
+  ImGui::SameLine();
+  ImGui::TextUnformatted("x");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(Px(editor, 80));
+  ImGui::InputInt("##height", height, 0);
+  Tooltip(Tr("Height in pixels"));
+  ImGui::SameLine();
+  DrawPresets(width, height);
+}
+
+void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* overlays) {
+  DrawFieldLabel(Tr("Camera"), editor);
+  const bool has_camera = editor.session().project().camera.has_value();
+  bool& through = *through_project_camera;
+  if (ImGui::RadioButton(Tr("as in the viewport"), !through)) through = false;
+  Tooltip(Tr("Sees what the viewport sees"));
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!has_camera);
+  if (ImGui::RadioButton(Tr("the project's"), through && has_camera)) through = true;
+  ImGui::EndDisabled();
+  DrawFieldLabel(Tr("Overlays"), editor);
+  ImGui::Checkbox(Tr("as in the viewport##overlays"), overlays);
+  Tooltip(Tr("Draws paths, ghosts and marks into the pictures, too"));
+}
+
 void DrawRenderDialog(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  DrawSize(editor);
+  DrawSizeFields(*editor, &render.width, &render.height);
   DrawFrames(editor);
-  DrawView(editor);
+  DrawViewFields(*editor, &render.through_project_camera, &render.overlays);
   DrawFolder(editor);
   ImGui::Spacing();
   DrawSummary(editor);
@@ -167,14 +169,18 @@ void DrawProgress(Editor* editor) {
   ImGui::ProgressBar(static_cast<float>(job.written()) / static_cast<float>(job.total()),
                      {-1.0f, 0.0f}, text.c_str());
   if (!result) {
-    ImGui::TextDisabled("%s", job.is_cancelled() ? Tr("Ending...") : job.task().folder.c_str());
+    const RenderTask& task = job.task();
+    const std::string& place = task.video.empty() ? task.folder : task.video;
+    ImGui::TextDisabled("%s", job.is_cancelled() ? Tr("Ending...") : place.c_str());
     const bool wants_end =
         DrawButtons(*editor, {{Tr("Cancel"), Tr("Ends after the picture at hand.")}}) == 0;
     if (wants_end || IsEscapePressed(*editor)) job.Cancel();
     return;
   }
   DrawResult(*editor, job, *result);
+  const bool has_video = result->ok() && !job.is_cancelled() && !job.task().video.empty();
   if (DrawButtons(*editor, {{Tr("Close"), ""}}) < 0 && !IsEscapePressed(*editor)) return;
+  if (has_video) editor->Say(Tr("Exported: ") + job.task().video);
   render.job.reset();
   Close(editor);
 }

@@ -12,19 +12,9 @@ namespace hazumi::ui {
 
 namespace {
 
-// Of a project's name, what a file's name may have.
-std::string FileNameFrom(std::string name) {
-  for (char& c : name) {
-    if (c == '/' || c == ' ' || static_cast<unsigned char>(c) < 0x20) c = '_';
-  }
-  return name.empty() ? "picture" : name;
-}
-
-render::Camera CameraFor(const Editor& editor) {
+render::Camera CameraFor(const Editor& editor, bool through_project_camera) {
   const std::optional<ProjectCamera>& own = editor.session().project().camera;
-  if (!editor.dialogs.render.through_project_camera || !own) {
-    return CameraOf(editor.viewport.camera);
-  }
+  if (!through_project_camera || !own) return CameraOf(editor.viewport.camera);
   render::Camera camera;
   camera.eye = own->eye_m;
   camera.target = own->target_m;
@@ -34,7 +24,6 @@ render::Camera CameraFor(const Editor& editor) {
 
 render::Overlays OverlaysFor(const Editor& editor) {
   render::Overlays overlays;
-  if (!editor.dialogs.render.overlays) return overlays;
   const ViewportOverlays& seen = editor.viewport.overlays;
   overlays.ghost_every = seen.ghosts ? seen.ghost_every : 0;
   overlays.paths = seen.paths;
@@ -43,36 +32,53 @@ render::Overlays OverlaysFor(const Editor& editor) {
   return overlays;
 }
 
-Result<RenderTask> TaskFor(Editor* editor) {
-  edit::Session& session = editor->session();
-  const Result<const Motion*> motion = session.WholeMotion();
-  if (!motion.ok()) return motion.error();
-  RenderTask task = OutlineOf(*editor);
-  task.animation = *session.animation();
-  task.motion = *motion.value();
-  task.skin = session.project().skin;
-  task.camera = CameraFor(*editor);
-  task.overlays = OverlaysFor(*editor);
-  return task;
-}
-
 std::string Filled(const char* format, int a, int b) {
   char text[200];
   std::snprintf(text, sizeof text, format, a, b);
   return text;
 }
 
-// What the dialog asks for that cannot be drawn; empty: nothing.
-std::string TroubleWith(const RenderTask& task, const ProjectFrames& frames) {
-  constexpr int kLargest = 8192;  // [px]
-  const auto [low, high] = std::minmax(task.width, task.height);
-  if (low < 1 || high > kLargest) return Tr("Width and height must be from 1 to 8192.");
-  if (task.first > task.last) return Tr("The first frame must not come after the last one.");
-  if (task.first >= frames.first && task.last <= frames.last) return "";
-  return Filled(Tr("The animation has the frames from %d to %d."), frames.first, frames.last);
+// A range stays from one opening to the next, unless the frames it is of are others.
+void TakeRange(const edit::Session& session, RenderState* render) {
+  const ProjectFrames& frames = session.project().frames;
+  const long document = session.document_number();
+  if (render->document == document && render->document_frames == frames) return;
+  render->document = document;
+  render->document_frames = frames;
+  render->first = frames.first;
+  render->last = frames.last;
 }
 
 }  // namespace
+
+std::string FileNameFrom(std::string name) {
+  for (char& c : name) {
+    if (c == '/' || c == ' ' || static_cast<unsigned char>(c) < 0x20) c = '_';
+  }
+  return name.empty() ? "picture" : name;
+}
+
+std::string ProjectNameOf(const Editor& editor) {
+  const edit::Session& session = editor.session();
+  const std::string& path = session.document().path();
+  static const std::string unnamed = edit::NewProject().name;
+  const bool is_named = session.project().name != unnamed;
+  return is_named || path.empty() ? session.project().name
+                                  : std::filesystem::path(path).stem().string();
+}
+
+std::string SizeTrouble(int width, int height) {
+  constexpr int kLargest = 8192;  // [px]
+  const auto [low, high] = std::minmax(width, height);
+  const bool is_wrong = low < 1 || high > kLargest;
+  return is_wrong ? Tr("Width and height must be from 1 to 8192.") : "";
+}
+
+std::string RangeTrouble(int first, int last, const ProjectFrames& frames) {
+  if (first > last) return Tr("The first frame must not come after the last one.");
+  if (first >= frames.first && last <= frames.last) return "";
+  return Filled(Tr("The animation has the frames from %d to %d."), frames.first, frames.last);
+}
 
 std::string PictureName(const RenderTask& task, int frame) {
   char number[16];
@@ -92,11 +98,7 @@ RenderTask OutlineOf(const Editor& editor) {
   task.first = render.whole ? render.first : std::clamp(now, frames.first, frames.last);
   task.last = render.whole ? render.last : task.first;
   task.folder = PathOf(HomeFolder(), render.folder, HomeFolder());
-  const std::string& path = session.document().path();
-  static const std::string unnamed = edit::NewProject().name;
-  const bool is_named = session.project().name != unnamed;
-  task.project = is_named || path.empty() ? session.project().name
-                                          : std::filesystem::path(path).stem().string();
+  task.project = ProjectNameOf(editor);
   return task;
 }
 
@@ -141,9 +143,7 @@ void OpenRenderDialog(Editor* editor, bool whole) {
   render.whole = whole;
   render.error.clear();
   render.counted.clear();
-  const ProjectFrames& frames = editor->session().project().frames;
-  render.first = frames.first;
-  render.last = frames.last;
+  TakeRange(editor->session(), &render);
   if (render.folder.empty()) {
     const std::string& path = editor->session().document().path();
     const std::string folder =
@@ -154,18 +154,40 @@ void OpenRenderDialog(Editor* editor, bool whole) {
   Open(Modal::kRender, editor);
 }
 
+Result<RenderTask> FilledTask(Editor* editor, RenderTask task, bool through_project_camera,
+                              bool overlays) {
+  edit::Session& session = editor->session();
+  const Result<const Motion*> motion = session.WholeMotion();
+  if (!motion.ok()) return motion.error();
+  task.animation = *session.animation();
+  task.motion = *motion.value();
+  task.skin = session.project().skin;
+  task.camera = CameraFor(*editor, through_project_camera);
+  if (overlays) task.overlays = OverlaysFor(*editor);
+  return task;
+}
+
+void StartJob(RenderTask task, Editor* editor) {
+  RenderState& render = editor->dialogs.render;
+  render.job = std::make_shared<RenderJob>(std::move(task), editor->write_pictures);
+  Open(Modal::kProgress, editor);
+}
+
 void StartRender(Editor* editor) {
   RenderState& render = editor->dialogs.render;
-  render.error = TroubleWith(OutlineOf(*editor), editor->session().project().frames);
+  const RenderTask outline = OutlineOf(*editor);
+  render.error = SizeTrouble(outline.width, outline.height);
+  if (render.error.empty()) {
+    render.error = RangeTrouble(outline.first, outline.last, editor->session().project().frames);
+  }
   if (!render.error.empty()) return;
-  Result<RenderTask> task = TaskFor(editor);
+  Result<RenderTask> task =
+      FilledTask(editor, outline, render.through_project_camera, render.overlays);
   if (!task.ok()) {
     render.error = task.error().ToString();
     return;
   }
-  render.error.clear();
-  render.job = std::make_shared<RenderJob>(std::move(task).value(), editor->write_pictures);
-  Open(Modal::kProgress, editor);
+  StartJob(std::move(task).value(), editor);
 }
 
 }  // namespace hazumi::ui

@@ -9,7 +9,7 @@
 
 #include "engine/bake/motion.h"
 #include "engine/base/result.h"
-#include "engine/project/project_skin.h"
+#include "engine/project/project.h"
 #include "engine/timeline/animation.h"
 #include "render/motion/motion_scene.h"
 #include "render/scene/camera.h"
@@ -18,7 +18,8 @@ namespace hazumi::ui {
 
 class Editor;
 
-// Pictures to be drawn into files; all that is needed, so that the editor may go on meanwhile.
+// Pictures to be drawn into files, or into a video; all that is needed, so that the editor may go
+// on meanwhile.
 struct RenderTask {
   Animation animation;
   Motion motion;
@@ -29,6 +30,7 @@ struct RenderTask {
   int width = 1280, height = 720;  // [px]
   int first = 0, last = 0;         // frames, both drawn
   std::string folder;              // made if it is not there
+  std::string video;               // a file; not empty: an MP4 instead of pictures
   std::string project;             // its name, for file names and the pictures' texts
 };
 
@@ -36,12 +38,14 @@ struct RenderTask {
 std::string PictureName(const RenderTask& task, int frame);
 
 // Draws and writes a task's pictures; `written` is told how many there are so far. Returns their
-// number; stops when `cancel` is set, which is no error.
+// number; stops when `cancel` is set, which is no error. Nothing is left of a video that is not
+// whole.
 using PictureWriter =
     std::function<Result<int>(const RenderTask& task, const std::function<void(int)>& written,
                               const std::atomic<bool>* cancel)>;
 
-// Writes pictures beside the interface, in a thread of its own. Ends with its object, cancelled.
+// Writes pictures or a video beside the interface, in a thread of its own. Ends with its object,
+// cancelled.
 class RenderJob {
  public:
   RenderJob(RenderTask task, PictureWriter writer);
@@ -77,12 +81,26 @@ struct RenderState {
   // counted.
   int num_existing = 0;
   std::string counted;
+  // Of which document the range is, and all of its frames then.
+  long document = -1;
+  ProjectFrames document_frames;
 };
 
 // What the dialog says would be drawn: files and frames, of a project that need not be baked.
 RenderTask OutlineOf(const Editor& editor);
 // "31 pictures, 1280 x 720, Untitled_0000.png to Untitled_0030.png in /home/me/render".
 std::string SummaryOf(const RenderTask& task);
+// Of a project's name, or else its file's, what a file's name may have.
+std::string ProjectNameOf(const Editor& editor);
+std::string FileNameFrom(std::string name);
+// What is wrong with a range or a size, in the interface's language; empty: nothing.
+std::string RangeTrouble(int first, int last, const ProjectFrames& frames);
+std::string SizeTrouble(int width, int height);
+// The outline with all that is drawn. Errors: those of Session::WholeMotion.
+Result<RenderTask> FilledTask(Editor* editor, RenderTask outline, bool through_project_camera,
+                              bool overlays);
+// Draws it, and shows how far that is.
+void StartJob(RenderTask task, Editor* editor);
 // How many of a task's files are there already.
 int CountExisting(const RenderTask& task);
 

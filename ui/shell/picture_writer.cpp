@@ -4,6 +4,7 @@
 
 #include "render/motion/figure_skin.h"
 #include "render/pipeline/sequence.h"
+#include "render/pipeline/video.h"
 
 namespace hazumi::ui {
 
@@ -14,15 +15,32 @@ std::string WithoutControls(std::string text) {
   return text;
 }
 
+Result<Done> MakeFolder(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (!failed) return Done();
+  return Error{ErrorCode::kCannotWrite, folder, "", "cannot be made: " + failed.message()};
+}
+
+// The pictures as files, with what they are of.
+void NameFiles(const RenderTask& task, render::Sequence* sequence) {
+  sequence->path = [&task](int i) {
+    return std::filesystem::path(PictureName(task, task.first + i));
+  };
+  sequence->metadata = [&task](int i) {
+    return std::vector<render::PngText>{{"Software", std::string("Hazumi ") + HAZUMI_VERSION},
+                                        {"Project", WithoutControls(task.project)},
+                                        {"Frame", std::to_string(task.first + i)}};
+  };
+}
+
 }  // namespace
 
 Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>& written,
                           const std::atomic<bool>* cancel) {
-  std::error_code failed;
-  std::filesystem::create_directories(task.folder, failed);
-  if (failed) {
-    return Error{ErrorCode::kCannotWrite, task.folder, "", "cannot be made: " + failed.message()};
-  }
+  const bool is_video = !task.video.empty();
+  const Result<Done> made = is_video ? Done() : MakeFolder(task.folder);
+  if (!made.ok()) return made.error();
   render::SkinCache skins;
   const Result<render::FigureSkin> skin = skins.On(*task.animation.figure, task.skin.skin);
   if (!skin.ok()) return skin.error();
@@ -37,14 +55,14 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   sequence.frame_count = task.last - task.first + 1;
   const int skipped = task.first - task.motion.frames.front().frame;
   sequence.scene = [&](int i) { return scenes.At(skipped + i); };
-  sequence.path = [&](int i) { return std::filesystem::path(PictureName(task, task.first + i)); };
-  sequence.metadata = [&](int i) {
-    return std::vector<render::PngText>{{"Software", std::string("Hazumi ") + HAZUMI_VERSION},
-                                        {"Project", WithoutControls(task.project)},
-                                        {"Frame", std::to_string(task.first + i)}};
-  };
   sequence.progress = written;
   sequence.cancel = cancel;
+  if (is_video) {
+    const FrameRate& rate = task.motion.rate;
+    return render::RenderVideo(options, sequence,
+                               {task.video, task.width, task.height, rate.num, rate.den});
+  }
+  NameFiles(task, &sequence);
   return render::RenderSequence(options, sequence);
 }
 

@@ -1,6 +1,10 @@
 #include "render/pipeline/video.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -61,6 +65,24 @@ TEST(VideoWriter, LeavesNothingUnlessFinished) {
     ASSERT_TRUE(writer.ok());
     ASSERT_TRUE(writer.value().Write(Grey(64, 48, 100)).ok());
   }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(VideoWriter, LeavesNothingWhenItIsKilled) {
+  if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  TempFolder folder;
+  const int unnamed = open(folder.path().c_str(), O_TMPFILE | O_RDWR, 0666);
+  if (unnamed < 0) GTEST_SKIP() << "the file system has no files without a name";
+  close(unnamed);
+  const pid_t child = fork();
+  if (child == 0) {
+    auto writer = VideoWriter::Start({folder.path() / "v.mp4", 64, 48, 30, 1});
+    if (!writer.ok() || !writer.value().Write(Grey(64, 48, 100)).ok()) _exit(1);
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
