@@ -67,9 +67,6 @@ Result<Interpolation> InterpolationNamed(const std::string& name);
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag = "");
 
-// "l_elbow" for "r_elbow" and the other way round; others are their own.
-std::string OtherSide(const std::string& name);
-
 // The key on a frame, or null.
 ProjectKey* KeyOn(double frame, ProjectCurve* curve);
 const ProjectKey* KeyOn(double frame, const ProjectCurve& curve);

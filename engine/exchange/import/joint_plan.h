@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/exchange/bvh/euler_angles.h"
+#include "engine/spatial/euler_angles.h"
 #include "engine/exchange/import/import_options.h"
 #include "engine/exchange/import/skeleton.h"
 #include "engine/exchange/import/world_frame.h"
