@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "engine/exchange/export_motion.h"
+#include "engine/exchange/read_character.h"
 #include "tests/support/figures.h"
 #include "tests/support/random.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/exchange/export_sample.h"
 #include "tests/unit/exchange/gltf_taken_apart.h"
 
@@ -146,6 +151,54 @@ TEST(HeldObjects, AreClosedMeshesOfTheirSizeAndColour) {
   EXPECT_EQ(color[0], 1.0);
   EXPECT_NEAR(color[1].get<double>(), 0.2158605, 1e-6);  // 128 / 255 of sRGB
   EXPECT_EQ(color[2], 0.0);
+}
+
+// A triangle on each body.
+Skin SkinOn(const Figure& figure) {
+  Skin skin;
+  skin.bones = {figure.root_name()};
+  for (const JointGroup& joint : figure.groups()) skin.bones.push_back(joint.name);
+  SkinMesh mesh;
+  mesh.name = "body";
+  for (size_t b = 0; b < skin.bones.size(); ++b) {
+    SkinMesh::Bind bind;
+    bind.bone = static_cast<int>(b);
+    mesh.binds.push_back(bind);
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    for (const Eigen::Vector3f& p : {Eigen::Vector3f(0, 0, 0), {0.1f, 0, 0}, {0, 0.1f, 0}}) {
+      mesh.positions.push_back(p);
+      mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+      mesh.bind_indices.push_back({static_cast<uint16_t>(b), 0, 0, 0});
+      mesh.weights.push_back({1, 0, 0, 0});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  skin.meshes = {mesh};
+  return skin;
+}
+
+// Read again the ball that flies by itself is no bone, and the club a part of the hand's skin.
+TEST(HeldObjects, MakeNoBonesOfTheFileThatHoldsThem) {
+  const Animation animation = Holding();
+  const Skin skin = SkinOn(*animation.figure);
+  MotionExportOptions options;
+  options.skin = &skin;
+  const auto bytes = ExportMotion(animation, MotionOf(animation), options);
+  ASSERT_TRUE(bytes.ok());
+  const TemporaryFolder folder;
+  const std::string path = folder / "held.glb";
+  std::ofstream(path, std::ios::binary) << bytes.value();
+  const Result<Character> read = ReadCharacter(path);
+  ASSERT_TRUE(read.ok()) << read.error().ToString();
+  EXPECT_EQ(read.value().bones.size(), skin.bones.size());
+  EXPECT_EQ(read.value().bones[0].name, animation.figure->root_name());
+  std::vector<std::string> meshes;
+  for (const SkinMesh& mesh : read.value().meshes) meshes.push_back(mesh.name);
+  std::sort(meshes.begin(), meshes.end());
+  EXPECT_EQ(meshes, (std::vector<std::string>{"body", "club"}));
+  ASSERT_EQ(read.value().warnings.size(), 1u);
+  EXPECT_EQ(read.value().warnings[0].message,
+            "left out, because they move apart from the skeleton: ball");
 }
 
 TEST(HeldObjects, BvhLeavesThemOutAndSaysWhich) {
