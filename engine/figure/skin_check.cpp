@@ -1,6 +1,6 @@
-#include <algorithm>
-
 #include "engine/figure/skin_check.h"
+
+#include <algorithm>
 
 namespace hazumi {
 
