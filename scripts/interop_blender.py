@@ -60,6 +60,20 @@ def largest_error(armature, motion, start):
     return worst, where
 
 
+def largest_object_error(motion, start):
+    """The same of the centres of held objects, which glTF alone has."""
+    worst = 0.0
+    for frame in motion["frames"]:
+        bpy.context.scene.frame_set(start + frame["frame"] - motion["frames"][0]["frame"])
+        for held in frame.get("objects", []):
+            thing = bpy.data.objects.get(held["name"])
+            if thing is None:
+                raise SystemExit(f"Blender has no object {held['name']}")
+            place = thing.matrix_world.translation
+            worst = max(worst, (place - expected(held["position"])).length)
+    return worst
+
+
 def render(path, start, motion):
     """A picture of the middle frame, from the front left."""
     scene = bpy.context.scene
@@ -100,6 +114,11 @@ def main():
           f"{meshes} meshes, off by {worst:.1e} m at most ({where})", flush=True)
     if not worst <= TOLERANCE_M:
         raise SystemExit(f"more than {TOLERANCE_M} m")
+    if not path.endswith(".bvh"):
+        worst = largest_object_error(motion, start)
+        print(f"blender    {path}: held objects off by {worst:.1e} m at most", flush=True)
+        if not worst <= TOLERANCE_M:
+            raise SystemExit(f"more than {TOLERANCE_M} m")
     if picture:
         render(picture[0], start, motion)
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/exchange/bvh/bvh_write.h"
 #include "engine/exchange/character/from_motion.h"
 #include "engine/exchange/gltf/gltf_write.h"
+#include "engine/exchange/gltf/held_props.h"
 #include "engine/exchange/gltf/motion_extras.h"
 #include "engine/exchange/motion_csv.h"
 #include "engine/exchange/motion_json.h"
@@ -27,12 +29,14 @@ Result<std::string> ExportBvh(const Animation& animation, const Motion& motion,
 Result<std::string> ExportGltf(const Animation& animation, const Motion& motion,
                                const MotionExportOptions& options) {
   const FromMotionOptions from{options.name, UpAxis::kY, 1.0, options.skin};
-  const Result<Character> character = CharacterFromMotion(*animation.figure, motion, from);
+  Result<Character> character = CharacterFromMotion(*animation.figure, motion, from);
   if (!character.ok()) return character.error();
   const auto container =
       options.format == MotionFormat::kGlb ? GltfContainer::kBinary : GltfContainer::kText;
+  std::vector<GltfProp> held =
+      HeldProps(animation, motion, FileAxes(UpAxis::kY, 1.0), &character.value().materials);
   return GltfFile(character.value(),
-                  {container, options.generator, MotionExtras(animation, motion)});
+                  {container, options.generator, MotionExtras(animation, motion), std::move(held)});
 }
 
 }  // namespace
@@ -45,6 +49,17 @@ std::optional<MotionFormat> MotionFormatOf(const std::string& path) {
   if (suffix == ".csv") return MotionFormat::kCsv;
   if (suffix == ".json") return MotionFormat::kJson;
   return std::nullopt;
+}
+
+std::vector<Warning> LeftOutOf(const Animation& animation, MotionFormat format) {
+  std::vector<Warning> warnings;
+  if (format != MotionFormat::kBvh) return warnings;
+  for (size_t i = 0; i < animation.held_objects.size(); ++i) {
+    warnings.push_back({"held_objects[" + std::to_string(i) + "]",
+                        "\"" + animation.held_objects[i].name +
+                            "\" is not written: BVH holds a skeleton alone; glTF holds it too"});
+  }
+  return warnings;
 }
 
 Result<std::string> ExportMotion(const Animation& animation, const Motion& motion,

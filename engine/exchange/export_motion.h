@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/bake/motion.h"
 #include "engine/base/result.h"
+#include "engine/base/warning.h"
 #include "engine/exchange/character/character.h"
 #include "engine/timeline/animation.h"
 
@@ -30,7 +32,11 @@ struct MotionExportOptions {
   bool timings = false;        // of JSON
 };
 
-// The bytes of the file. Errors: those of CharacterFromMotion and GltfFile.
+// What a file of this format cannot hold of a motion, each by name.
+std::vector<Warning> LeftOutOf(const Animation& animation, MotionFormat format);
+
+// The bytes of the file; in glTF held objects are nodes with meshes. Errors: those of
+// CharacterFromMotion and GltfFile.
 Result<std::string> ExportMotion(const Animation& animation, const Motion& motion,
                                  const MotionExportOptions& options);
 

@@ -52,8 +52,4 @@ struct Skin {
   bool operator==(const Skin&) const = default;
 };
 
-// What of it does not fit together: indices out of range, lists of different lengths, numbers that
-// are not finite. Empty if all is well.
-std::string WhatIsWrongWith(const SkinMesh& mesh, const Skin& skin);
-
 }  // namespace hazumi

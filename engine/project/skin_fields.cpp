@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine/base/base64.h"
+#include "engine/figure/skin_check.h"
 #include "engine/project/project_fields.h"
 
 namespace hazumi {
@@ -113,16 +114,8 @@ void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {
   Skin skin;
   ReadValue(json, site, skin);
   if (!site.errors->ok()) return;
-  const Site meshes = site.Field("meshes");
-  for (size_t i = 0; i < skin.meshes.size(); ++i) {
-    const std::string wrong = WhatIsWrongWith(skin.meshes[i], skin);
-    if (!wrong.empty()) return meshes.Item(i).Report(Check::kBadMesh, {wrong});
-  }
-  const int num_textures = static_cast<int>(skin.textures.size());
-  for (size_t i = 0; i < skin.materials.size(); ++i) {
-    const int texture = skin.materials[i].texture;
-    if (texture >= -1 && texture < num_textures) continue;
-    return site.Field("materials").Item(i).Report(Check::kBadMesh, {"its texture is not there"});
+  if (const Result<Done> checked = CheckSkin(skin); !checked.ok()) {
+    return site.Field(checked.error().place).Report(Check::kBadMesh, {checked.error().message});
   }
   value.skin = std::make_shared<const Skin>(std::move(skin));
 }

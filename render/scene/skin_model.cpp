@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/figure/skin_check.h"
 #include "render/image/decode.h"
 #include "render/scene/skin_surface.h"
 

@@ -50,12 +50,8 @@ struct SkinModel {
   std::vector<Warning> warnings;  // textures that could not be read: their colour is used alone
 };
 
-// Fails with kSemantics where an index, a size or a number of the skin is wrong, naming the place.
+// Errors: those of CheckSkin (engine/figure/skin_check.h).
 Result<std::shared_ptr<const SkinModel>> MakeSkinModel(std::shared_ptr<const Skin> skin);
-
-// What is wrong with a skin: the first index out of range, array of another length or number that
-// is not finite.
-Result<Done> CheckSkin(const Skin& skin);
 
 // The weights of a vertex as drawing takes them: the sum is 1; without any weight, all is on the
 // first bind.

@@ -94,6 +94,18 @@ class Export(InFolder):
         self.assertEqual({"take_off", "landing"} & {e["kind"] for e in extras["events"]},
                          {"take_off", "landing"})
 
+    def test_gltf_holds_the_ball_that_bvh_leaves_out(self):
+        gltf, _ = read_glb(self.export("throw.glb"))
+        held = json.loads(THROW.read_text())["held_objects"][0]["name"]
+        node = next(i for i, n in enumerate(gltf["nodes"]) if n["name"] == held)
+        self.assertIn("mesh", gltf["nodes"][node])
+        paths = {c["target"]["path"] for c in gltf["animations"][0]["channels"]
+                 if c["target"]["node"] == node}
+        self.assertIn("translation", paths)
+        done = run("--export", self.folder / "throw.bvh", THROW)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(f'warning: "{held}" is not written', done.stderr)
+
     def test_gltf_stands_on_y_with_its_meshes_bound_to_the_bones(self):
         gltf, buffer = read_glb(self.export("jump.glb", project=JUMP))
         self.assertTrue(all("skin" in n for n in gltf["nodes"] if "mesh" in n))

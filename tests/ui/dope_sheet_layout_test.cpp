@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "engine/figure/figure_builder.h"
+#include "tests/support/capture_skeletons.h"
+#include "ui/panels/limbs.h"
+
 namespace hazumi::ui {
 namespace {
 
@@ -53,6 +59,26 @@ TEST(DopeSheetLayout, HasARowForEachLimb) {
   for (const SheetRow& row : SheetRows(session, {})) names.push_back(row.name);
   EXPECT_EQ(names, (std::vector<std::string>{"Summary", "Placement", "Torso", "Head", "Right arm",
                                              "Left arm", "Right leg", "Left leg"}));
+}
+
+// As captures call their joints, and characters.
+TEST(DopeSheetLayout, LimbsOfImportedFiguresHaveSides) {
+  const auto names = [](const FigureSpec& spec) {
+    std::vector<std::string> limbs;
+    for (const Limb& limb : LimbsOf(BuildFigure(spec).value())) limbs.push_back(limb.name);
+    return limbs;
+  };
+  FigureSpec spec = test::CaptureSpec();
+  EXPECT_EQ(names(spec), (std::vector<std::string>{"Torso", "Head", "Left arm", "Right arm",
+                                                   "Left leg", "Right leg"}));
+  const std::map<std::string, std::string> other = {{"LeftArm", "upperarm.l"},
+                                                    {"RightArm", "upperarm.r"}};
+  for (JointSpec& joint : spec.joints) {
+    if (other.contains(joint.name)) joint.name = other.at(joint.name);
+    if (other.contains(joint.parent)) joint.parent = other.at(joint.parent);
+  }
+  EXPECT_EQ(names(spec)[2], "Left arm");
+  EXPECT_EQ(names(spec)[3], "Right arm");
 }
 
 TEST(DopeSheetLayout, RowsOpenToJointsAndHinges) {

@@ -69,9 +69,6 @@ Result<Interpolation> InterpolationNamed(const std::string& name);
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag = "");
 
-// "l_elbow" for "r_elbow" and the other way round; others are their own.
-std::string OtherSide(const std::string& name);
-
 // A span of placement; what was said of its frames before gives way. Frames that the root's keys
 // place need no span: if not `is_said` there will be none. Errors: kSchema if it has no frames.
 Result<Done> PutPlacement(ProjectPlacement span, bool is_said,

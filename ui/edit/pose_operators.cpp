@@ -1,9 +1,9 @@
 // Poses at the current frame.
 
 #include <algorithm>
-#include <cmath>
 
 #include "ui/edit/edits.h"
+#include "ui/edit/flipped_pose.h"
 #include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
@@ -71,39 +71,15 @@ Result<Done> Copy(Session* session, const Parameters&) {
   return Done();
 }
 
-// Reflected through the plane y = 0 an axis a becomes -(a - 2 (a . y) y): the same hinge turns the
-// other way unless its axis is along y. Pairs are made so that equal angles are mirror images.
-double Reflected(const std::string& name, double angle, const Figure& figure) {
-  if (OtherSide(name) != name) return angle;
-  if (const std::optional<int> of_root = RootCurveNamed(name)) {
-    const bool turns = *of_root == kRootY || *of_root == kRootAngleZ || *of_root == kRootAngleX;
-    return turns ? -angle : angle;
-  }
-  const Joint& joint = figure.joint(*figure.FindJoint(name));
-  return std::abs(joint.axis.y()) > 0.5 ? angle : -angle;
-}
-
 Result<Done> Paste(Session* session, const Parameters& p) {
   if (session->clipboard().empty()) return Refusal("", "no pose has been copied");
-  Pose pose = session->clipboard();
-  if (p.yes("flipped")) {
-    for (Named<double>& angle : pose) {
-      const std::string other = OtherSide(angle.name);
-      if (!session->figure().FindJoint(other) && !RootCurveNamed(other)) continue;
-      angle.value = Reflected(angle.name, angle.value, session->figure());
-      angle.name = other;
-    }
-  }
-  return KeyPose(session, p.yes("flipped") ? "Paste pose flipped" : "Paste pose", pose);
+  if (!p.yes("flipped")) return KeyPose(session, "Paste pose", session->clipboard());
+  const Result<Pose> flipped = Flipped(session->clipboard(), session);
+  if (!flipped.ok()) return flipped.error();
+  return KeyPose(session, "Paste pose flipped", flipped.value());
 }
 
 }  // namespace
-
-std::string OtherSide(const std::string& name) {
-  if (name.starts_with("l_")) return "r_" + name.substr(2);
-  if (name.starts_with("r_")) return "l_" + name.substr(2);
-  return name;
-}
 
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/figure/sides.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/edits.h"
@@ -147,9 +148,9 @@ Result<Done> SelectNone(Session* session, const Parameters&) {
 Result<Done> SelectMirror(Session* session, const Parameters& p) {
   std::set<std::string> selected;
   if (p.yes("add")) selected = session->selected_joints();
+  const FigureSides sides(session->figure());
   for (const std::string& name : session->selected_joints()) {
-    const std::string other = OtherSide(name);
-    selected.insert(session->figure().FindJoint(other) ? other : name);
+    selected.insert(sides.OtherSideOf(name, session->figure()));
   }
   session->set_selected_joints(std::move(selected));
   return Done();

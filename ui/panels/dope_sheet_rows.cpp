@@ -114,15 +114,12 @@ class RowList {
 
 // "arms" for both of them, "right arm" for one, "region" for anything else.
 std::string NameOfRegion(const std::vector<const SheetRow*>& rows) {
-  std::vector<std::string> ids;
-  ids.reserve(rows.size());
-  for (const SheetRow* row : rows) ids.push_back(row->id);
-  const auto are = [&](const char* a, const char* b) {
-    return ids.size() == 2 && std::count(ids.begin(), ids.end(), a) == 1 &&
-           std::count(ids.begin(), ids.end(), b) == 1;
+  const auto are = [&](const std::string& a, const std::string& b) {
+    return rows.size() == 2 && ((rows[0]->name == a && rows[1]->name == b) ||
+                                (rows[0]->name == b && rows[1]->name == a));
   };
-  if (are("limb r_shoulder", "limb l_shoulder")) return "arms";
-  if (are("limb r_hip", "limb l_hip")) return "legs";
+  if (are(Tr("Right arm"), Tr("Left arm"))) return "arms";
+  if (are(Tr("Right leg"), Tr("Left leg"))) return "legs";
   if (rows.size() != 1) return "region";
   std::string name = rows[0]->name;
   const bool is_ascii = static_cast<unsigned char>(name[0]) < 0x80;

@@ -2,40 +2,52 @@
 
 #include <utility>
 
+#include "engine/base/text.h"
+#include "engine/figure/sides.h"
+
 namespace hazumi::ui {
 
 namespace {
 
-bool NamesOneOf(const std::string& joint, std::initializer_list<const char*> words) {
+bool NamesOneOf(const std::string& name, std::initializer_list<const char*> words) {
   for (const char* word : words) {
-    if (joint.find(word) != std::string::npos) return true;
+    if (name.find(word) != std::string::npos) return true;
   }
   return false;
 }
 
 // The part of the body that a joint's name tells, in lower case; empty if none.
 std::string PartOf(const std::string& joint) {
-  if (NamesOneOf(joint, {"shoulder", "elbow", "arm", "wrist", "clavicle"})) return "arm";
-  if (NamesOneOf(joint, {"hip", "knee", "leg", "thigh", "ankle", "shin"})) return "leg";
-  if (NamesOneOf(joint, {"neck", "head", "skull"})) return "head";
-  if (NamesOneOf(joint, {"waist", "chest", "spine", "torso", "abdomen", "trunk"})) return "torso";
+  const std::string name = LowerCase(joint);
+  if (NamesOneOf(name,
+                 {"shoulder", "shldr", "elbow", "arm", "wrist", "clavicle", "collar", "humerus"})) {
+    return "arm";
+  }
+  if (NamesOneOf(name, {"hip", "knee", "leg", "thigh", "ankle", "shin", "femur", "buttock"})) {
+    return "leg";
+  }
+  if (NamesOneOf(name, {"neck", "head", "skull"})) return "head";
+  if (NamesOneOf(name,
+                 {"waist", "chest", "spine", "torso", "abdomen", "trunk", "thorax", "lowerback"})) {
+    return "torso";
+  }
   return "";
 }
 
-std::string SideOf(const std::string& joint) {
-  if (joint.starts_with("r_") || joint.starts_with("right")) return "right ";
-  if (joint.starts_with("l_") || joint.starts_with("left")) return "left ";
-  return "";
+const char* WordOf(BodySide side) {
+  if (side == BodySide::kMiddle) return "";
+  return side == BodySide::kLeft ? "left " : "right ";
 }
 
-std::string NameOfLimb(const Figure& figure, const std::vector<GroupIndex>& joints) {
+std::string NameOfLimb(const Figure& figure, const FigureSides& sides,
+                       const std::vector<GroupIndex>& joints) {
   const std::string& first = figure.group(joints.front()).name;
   const std::string part = PartOf(first);
   if (part.empty()) {
     const std::string& last = figure.group(joints.back()).name;
     return joints.size() == 1 ? first : first + " - " + last;
   }
-  std::string name = SideOf(first) + part;
+  std::string name = WordOf(sides.SideOf(joints.front())) + part;
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name;
 }
@@ -68,7 +80,8 @@ std::vector<Limb> LimbsOf(const Figure& figure) {
     limbs[limb_of[g]].joints.emplace_back(g);
     limbs[limb_of[g]].is_end = num_children[g] == 0;
   }
-  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, limb.joints);
+  const FigureSides sides(figure);
+  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, sides, limb.joints);
   return limbs;
 }
 

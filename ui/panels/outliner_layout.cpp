@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "engine/base/text.h"
+#include "engine/figure/sides.h"
 
 namespace hazumi::ui {
 
@@ -41,7 +42,7 @@ std::string WithoutJoint(const std::string& hinge, const std::string& joint) {
 class RowList {
  public:
   RowList(const Figure& figure, const SideState& state)
-      : figure_(figure), state_(state), search_(LowerCase(state.search)) {}
+      : figure_(figure), sides_(figure), state_(state), search_(LowerCase(state.search)) {}
 
   void AddFigure() {
     const std::string& root = figure_.root_name();
@@ -90,23 +91,25 @@ class RowList {
 
   void AddJoint(const JointGroup& joint) {
     const int depth = 1 + DepthOf(joint, figure_);
+    const BodySide side = sides_.SideOf(figure_.joint(joint.first).group);
     std::vector<OutlinerRow> hinges;
     for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
       const std::string& name = figure_.joints()[j].name;
       if (!Matches(name)) continue;
       hinges.push_back({OutlinerRowKind::kHinge, name, WithoutJoint(name, joint.name), depth + 1,
-                        false, false, SideOf(name)});
+                        false, false, side});
     }
     if (!Matches(joint.name) && hinges.empty()) return;
     // What is searched is a joint, if it is one, and not each of its hinges.
     const bool by_hinge = !search_.empty() && !Matches(joint.name);
     const bool is_open = by_hinge || state_.opened.contains(joint.name);
-    rows_.push_back({OutlinerRowKind::kJoint, joint.name, joint.name, depth, joint.size > 1,
-                     is_open, SideOf(joint.name)});
+    rows_.push_back(
+        {OutlinerRowKind::kJoint, joint.name, joint.name, depth, joint.size > 1, is_open, side});
     if (is_open) rows_.insert(rows_.end(), hinges.begin(), hinges.end());
   }
 
   const Figure& figure_;
+  const FigureSides sides_;
   const SideState& state_;
   const std::string search_;
   std::vector<OutlinerRow> rows_;
@@ -127,11 +130,6 @@ std::vector<std::string> JointsFrom(const std::vector<OutlinerRow>& rows, size_t
 bool IsSelectable(const OutlinerRow& row) {
   return row.kind == OutlinerRowKind::kRoot || row.kind == OutlinerRowKind::kJoint ||
          row.kind == OutlinerRowKind::kHinge;
-}
-
-BodySide SideOf(const std::string& name) {
-  if (name.starts_with("l_")) return BodySide::kLeft;
-  return name.starts_with("r_") ? BodySide::kRight : BodySide::kMiddle;
 }
 
 std::vector<OutlinerRow> OutlinerRows(const Figure& figure, const Project& project,

@@ -4,16 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/side_names.h"
 #include "engine/project/project.h"
 #include "ui/panels/side_state.h"
 
 namespace hazumi::ui {
 
 enum class OutlinerRowKind { kHeading, kRoot, kJoint, kHinge, kObject, kHeldObject, kCamera };
-enum class BodySide { kMiddle, kLeft, kRight };
-
-// By the beginning of its name: "l_", "r_".
-BodySide SideOf(const std::string& name);
 
 struct OutlinerRow {
   OutlinerRowKind kind;

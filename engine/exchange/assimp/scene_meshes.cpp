@@ -34,7 +34,7 @@ class MeshReader {
         if (index >= scene_.mNumMeshes) return Wrong("of a node is not there");
         const aiMesh& mesh = *scene_.mMeshes[index];
         // A skin lies where its bones are, not where its node is: once is enough.
-        if (mesh.HasBones() && is_read_[index]++) continue;
+        if (mesh.HasBones() ? is_read_[index]++ : skeleton_.is_apart[node]) continue;
         if (!mesh.HasPositions() || !mesh.HasFaces()) continue;
         Result<SkinMesh> read = ReadOne(mesh, static_cast<int>(node));
         if (!read.ok()) return read.error();

@@ -11,7 +11,8 @@ namespace {
 
 class Selection {
  public:
-  explicit Selection(const SceneTree& tree) : tree_(tree), is_bone_(tree.nodes.size(), 0) {
+  explicit Selection(const SceneTree& tree)
+      : tree_(tree), is_bone_(tree.nodes.size(), 0), is_apart_(tree.nodes.size(), 0) {
     FindCarriers();
     FindNeeded();
     if (needed_.empty()) return;
@@ -24,6 +25,7 @@ class Selection {
 
   int top() const { return top_; }  // -1: there are no bones
   bool is_bone(int node) const { return is_bone_[static_cast<size_t>(node)] != 0; }
+  const std::vector<char>& is_apart() const { return is_apart_; }
   // Whether a weight or a mesh hangs on a node or below it.
   bool carries(int node) const { return carries_[static_cast<size_t>(node)] != 0; }
   bool IsAbove(int node, int other) const {
@@ -65,16 +67,35 @@ class Selection {
   void FindNeeded() {
     needed_ = All([&](int i) { return At(i).is_weighted; });
     const int skin_top = needed_.empty() ? -1 : Meeting(needed_);
+    if (skin_top > 0) FindApart(skin_top);
     // What moves the skin as a whole is a part of its first bone's motion.
     const std::vector<int> movers = All([&](int i) {
-      return At(i).is_animated && carries(i) && (skin_top < 0 || !IsAbove(i, skin_top));
+      return At(i).is_animated && carries(i) && (skin_top < 0 || !IsAbove(i, skin_top)) &&
+             !is_apart_[static_cast<size_t>(i)];
     });
     needed_.insert(needed_.end(), movers.begin(), movers.end());
     if (needed_.empty()) needed_ = All([&](int i) { return At(i).is_animated; });
   }
 
+  // The scene's own child that a node hangs on, or is.
+  int BranchOf(int node) const {
+    while (At(node).parent > 0) node = At(node).parent;
+    return node;
+  }
+
+  // What carries a mesh and moves on another branch than the skin.
+  void FindApart(int skin_top) {
+    const int branch = BranchOf(skin_top);
+    if (At(0).is_animated || At(0).is_weighted) return;
+    for (int i = 1; i < static_cast<int>(tree_.nodes.size()); ++i) {
+      const bool moves = At(i).is_animated && carries(i) && BranchOf(i) != branch;
+      const bool hangs = At(i).parent > 0 && is_apart_[static_cast<size_t>(At(i).parent)] != 0;
+      if (moves || hangs) is_apart_[static_cast<size_t>(i)] = 1;
+    }
+  }
+
   const SceneTree& tree_;
-  std::vector<char> is_bone_, carries_;
+  std::vector<char> is_bone_, is_apart_, carries_;
   std::vector<int> needed_;
   int top_ = -1;
 };
@@ -86,6 +107,7 @@ class Builder {
 
   SceneSkeleton Build() {
     skeleton_.bone_of_node.assign(tree_.nodes.size(), -1);
+    skeleton_.is_apart = selection_.is_apart();
     for (int i = selection_.top(); i < static_cast<int>(tree_.nodes.size()); ++i)
       if (selection_.is_bone(i)) Add(i);
     FindEnds();
@@ -170,10 +192,19 @@ class Builder {
   }
 
   void WarnOfOmissions() {
-    std::vector<std::string> left;
+    std::vector<std::string> left, apart;
     for (int i = 0; i < static_cast<int>(tree_.nodes.size()); ++i) {
-      if (At(i).is_animated && !selection_.is_bone(i) && !selection_.IsAbove(i, selection_.top()))
-        left.push_back(ValidUtf8(At(i).node->mName.C_Str()));
+      if (!At(i).is_animated || selection_.is_bone(i)) continue;
+      const std::string name = ValidUtf8(At(i).node->mName.C_Str());
+      if (skeleton_.is_apart[static_cast<size_t>(i)]) {
+        apart.push_back(name);
+      } else if (!selection_.IsAbove(i, selection_.top())) {
+        left.push_back(name);
+      }
+    }
+    if (!apart.empty()) {
+      warnings_->push_back(
+          {"nodes", "left out, because they move apart from the skeleton: " + Listed(apart)});
     }
     if (!left.empty()) {
       warnings_->push_back(

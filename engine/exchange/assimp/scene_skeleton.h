@@ -11,7 +11,9 @@ struct SceneSkeleton {
   // last is the bone's own; before it are FBX helpers and, for the first bone, all that lies above.
   std::vector<std::vector<int>> chains;
   std::vector<int> bone_of_node;  // -1: none
-  double size = 1.0;              // distance of the farthest bone from the origin
+  // By node: moves by itself, apart from the skin's skeleton, or hangs on what does.
+  std::vector<char> is_apart;
+  double size = 1.0;  // distance of the farthest bone from the origin
 
   // The bone that a node moves with: its own or that of an ancestor; the first if there is none.
   int Carrier(const SceneTree& tree, int node) const;
@@ -20,8 +22,9 @@ struct SceneSkeleton {
 };
 
 // Bones are the nodes that carry weights, the animated ones that carry meshes (without any mesh:
-// all animated), and what lies between them and the lowest node above all of them. Warns of what is
-// left out, renamed, scaled or sheared. Error: there are none.
+// all animated), and what lies between them and the lowest node above all of them. What moves by
+// itself beside a skin's skeleton, such as a ball that was thrown, is no part of it. Warns of what
+// is left out, renamed, scaled or sheared. Error: there are none.
 Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& file,
                                    std::vector<Warning>* warnings);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/base/assert.h"
-#include "engine/exchange/bvh/euler_angles.h"
+#include "engine/spatial/euler_angles.h"
 
 namespace hazumi {
 

@@ -10,13 +10,12 @@ class ClipWriter {
  public:
   ClipWriter(const Clip& clip, GltfBuffer* buffer) : clip_(clip), buffer_(buffer) {}
 
-  GltfJson Write(const std::vector<Bone>& bones) {
-    for (size_t i = 0; i < bones.size(); ++i) {
-      const BoneTrack& track = clip_.tracks[i];
-      node_ = i;
-      AddVectors("translation", track.translations, bones[i].rest.p);
-      AddRotations(track.rotations, Eigen::Quaterniond(bones[i].rest.R).normalized());
-      AddVectors("scale", track.scales, bones[i].rest_scale);
+  GltfJson Write(const std::vector<GltfMovedNode>& nodes) {
+    for (const GltfMovedNode& moved : nodes) {
+      node_ = moved.node;
+      AddVectors("translation", moved.track->translations, moved.rest.p);
+      AddRotations(moved.track->rotations, Eigen::Quaterniond(moved.rest.R).normalized());
+      AddVectors("scale", moved.track->scales, moved.rest_scale);
     }
     if (channels_.empty()) return nullptr;
     return {{"name", clip_.name}, {"channels", channels_}, {"samplers", samplers_}};
@@ -84,8 +83,9 @@ class ClipWriter {
 
 }  // namespace
 
-GltfJson GltfAnimation(const Character& character, const Clip& clip, GltfBuffer* buffer) {
-  return ClipWriter(clip, buffer).Write(character.bones);
+GltfJson GltfAnimation(const std::vector<GltfMovedNode>& nodes, const Clip& clip,
+                       GltfBuffer* buffer) {
+  return ClipWriter(clip, buffer).Write(nodes);
 }
 
 std::array<double, 4> GltfQuaternion(const Eigen::Quaterniond& q) {

@@ -27,6 +27,7 @@ class GltfWriter {
     for (size_t i = 0; i < character_.meshes.size(); ++i) {
       if (auto error = AddMesh(i)) return *error;
     }
+    for (const GltfProp& prop : options_.props) AddProp(prop);
     if (const auto texture = materials_.unknown_texture()) {
       return Wrong("textures[" + std::to_string(*texture) + "]",
                    "neither PNG nor JPEG, which are all that glTF has");
@@ -49,7 +50,7 @@ class GltfWriter {
     std::vector<size_t> roots;
     for (const Bone& bone : character_.bones) {
       const size_t i = nodes_.size();
-      nodes_.push_back(NodeOf(bone));
+      nodes_.push_back(NodeOf(bone.name, bone.rest, bone.rest_scale));
       if (bone.parent < 0) roots.push_back(i);
       if (bone.parent >= 0) nodes_[static_cast<size_t>(bone.parent)]["children"].push_back(i);
     }
@@ -62,14 +63,13 @@ class GltfWriter {
     if (!roots.empty()) top_.push_back(skeleton_);
   }
 
-  GltfJson NodeOf(const Bone& bone) {
-    GltfJson node = {{"name", bone.name}};
-    const Vec3 &p = bone.rest.p, &s = bone.rest_scale;
-    has_finite_nodes_ =
-        has_finite_nodes_ && p.allFinite() && s.allFinite() && bone.rest.R.allFinite();
+  GltfJson NodeOf(const std::string& name, const Pose& rest, const Vec3& s) {
+    GltfJson node = {{"name", name}};
+    const Vec3& p = rest.p;
+    has_finite_nodes_ = has_finite_nodes_ && p.allFinite() && s.allFinite() && rest.R.allFinite();
     if (p != Vec3::Zero()) node["translation"] = {p.x(), p.y(), p.z()};
-    if (!bone.rest.R.isIdentity(0.0)) {
-      node["rotation"] = GltfQuaternion(Eigen::Quaterniond(bone.rest.R));
+    if (!rest.R.isIdentity(0.0)) {
+      node["rotation"] = GltfQuaternion(Eigen::Quaterniond(rest.R));
     }
     if (s != Vec3::Ones()) node["scale"] = {s.x(), s.y(), s.z()};
     return node;
@@ -78,11 +78,6 @@ class GltfWriter {
   std::optional<Error> AddMesh(size_t i) {
     const SkinMesh& mesh = character_.meshes[i];
     if (!HasTriangles(mesh)) return std::nullopt;
-    GltfJson written = GltfMesh(mesh, &buffer_);
-    if (mesh.material >= 0) {
-      const bool has_texture = !mesh.texture_coordinates.empty();
-      written["primitives"][0]["material"] = materials_.Number(mesh.material, has_texture);
-    }
     GltfJson node = {{"name", mesh.name}, {"mesh", meshes_.size()}};
     if (!mesh.binds.empty()) {
       const auto skin = skins_.Bind(mesh);
@@ -92,10 +87,48 @@ class GltfWriter {
       }
       node["skin"] = *skin;
     }
-    meshes_.push_back(std::move(written));
+    meshes_.push_back(Written(mesh));
     top_.push_back(nodes_.size());
     nodes_.push_back(std::move(node));
     return std::nullopt;
+  }
+
+  GltfJson Written(const SkinMesh& mesh) {
+    GltfJson written = GltfMesh(mesh, &buffer_);
+    if (mesh.material >= 0) {
+      const bool has_texture = !mesh.texture_coordinates.empty();
+      written["primitives"][0]["material"] = materials_.Number(mesh.material, has_texture);
+    }
+    return written;
+  }
+
+  void AddProp(const GltfProp& prop) {
+    prop_nodes_.push_back(nodes_.size());
+    if (prop.bone < 0) {
+      top_.push_back(nodes_.size());
+    } else {
+      nodes_[static_cast<size_t>(prop.bone)]["children"].push_back(nodes_.size());
+    }
+    GltfJson node = NodeOf(prop.mesh.name, prop.rest, Vec3::Ones());
+    if (HasTriangles(prop.mesh)) {
+      node["mesh"] = meshes_.size();
+      meshes_.push_back(Written(prop.mesh));
+    }
+    nodes_.push_back(std::move(node));
+  }
+
+  // Props are moved by the first clip alone.
+  std::vector<GltfMovedNode> MovedBy(const Clip& clip) const {
+    std::vector<GltfMovedNode> moved;
+    for (size_t i = 0; i < character_.bones.size(); ++i) {
+      const Bone& bone = character_.bones[i];
+      moved.push_back({i, bone.rest, bone.rest_scale, &clip.tracks[i]});
+    }
+    for (size_t i = 0; i < prop_nodes_.size() && &clip == &character_.clips.front(); ++i) {
+      const GltfProp& prop = options_.props[i];
+      moved.push_back({prop_nodes_[i], prop.rest, Vec3::Ones(), &prop.track});
+    }
+    return moved;
   }
 
   std::optional<Error> AddAnimations() {
@@ -106,7 +139,7 @@ class GltfWriter {
     }
     for (const Clip& clip : character_.clips) {
       HAZUMI_DEMAND_EQ(clip.tracks.size(), character_.bones.size());
-      GltfJson animation = GltfAnimation(character_, clip, &buffer_);
+      GltfJson animation = GltfAnimation(MovedBy(clip), clip, &buffer_);
       if (animation.is_null()) continue;
       if (!extras.is_null()) animation["extras"] = extras;
       animations_.push_back(std::move(animation));
@@ -182,7 +215,8 @@ class GltfWriter {
   GltfMaterials materials_;
   GltfJson json_;
   GltfJson nodes_ = GltfJson::array(), meshes_ = GltfJson::array(), animations_ = GltfJson::array();
-  std::vector<size_t> top_;  // nodes of the scene
+  std::vector<size_t> top_;         // nodes of the scene
+  std::vector<size_t> prop_nodes_;  // by prop
   size_t skeleton_ = 0;
   bool has_finite_nodes_ = true;
 };

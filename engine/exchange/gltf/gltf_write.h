@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/exchange/character/character.h"
+#include "engine/exchange/gltf/gltf_prop.h"
 
 namespace hazumi {
 
@@ -13,7 +15,8 @@ enum class GltfContainer { kText, kBinary };
 struct GltfOptions {
   GltfContainer container = GltfContainer::kBinary;
   std::string generator = "Hazumi";
-  std::string extras;  // of the animations: a JSON object; empty: none
+  std::string extras;                // of the animations: a JSON object; empty: none
+  std::vector<GltfProp> props = {};  // their materials are the character's
 };
 
 // A character as a glTF 2.0 file. Axes and lengths are written as they are: glTF's are y up, facing
@@ -23,7 +26,7 @@ struct GltfOptions {
 // and those that rest elsewhere than in `rest` a channel of two equal keys; times begin at 0. Of a
 // texture coordinate, normal or weight that glTF forbids (weights that do not sum to 1, normals of
 // no length), the weights are made to sum to 1 and the mesh's normals are left out. A mesh without
-// triangles is not written.
+// triangles is not written. A prop is a node with its mesh: a child of its bone's, or of the scene.
 //
 // Errors, kSemantics: a texture that is neither PNG nor JPEG, a mesh bound twice to one bone,
 // numbers that are not finite or not those of a float, `extras` that is no JSON object.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/figure/side_names.h"
+
 namespace hazumi {
 
 // Parts of a human body that have a share of its mass and a thickness.
@@ -19,8 +21,6 @@ enum class BodyPart {
   kOther,
 };
 inline constexpr int kNumBodyParts = static_cast<int>(BodyPart::kOther) + 1;
-
-enum class BodySide { kMiddle, kLeft, kRight };
 
 struct BodyName {
   BodyPart part = BodyPart::kOther;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/exchange/bvh/euler_angles.h"
 #include "engine/exchange/import/import_options.h"
 #include "engine/exchange/import/skeleton.h"
 #include "engine/exchange/import/world_frame.h"
+#include "engine/spatial/euler_angles.h"
 
 namespace hazumi {
 

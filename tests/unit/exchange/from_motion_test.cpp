@@ -7,7 +7,7 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/bvh/bvh_write.h"
-#include "engine/exchange/bvh/euler_angles.h"
+#include "engine/spatial/euler_angles.h"
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"
 

@@ -2,58 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "engine/base/base64.h"
 #include "engine/exchange/character/from_motion.h"
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"
+#include "tests/unit/exchange/gltf_taken_apart.h"
 
 namespace hazumi::test {
 namespace {
 
-using Json = nlohmann::json;
-
-// A file taken apart again.
-struct Gltf {
-  Json json;
-  std::string buffer;
-
-  std::vector<float> Floats(const Json& accessor_number) const {
-    const Json& accessor = json["accessors"][accessor_number.get<size_t>()];
-    EXPECT_EQ(accessor["componentType"], 5126);
-    const std::map<std::string, size_t> widths = {
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
-    std::vector<float> values(accessor["count"].get<size_t>() * widths.at(accessor["type"]));
-    const Json& view = json["bufferViews"][accessor["bufferView"].get<size_t>()];
-    std::memcpy(values.data(), buffer.data() + view["byteOffset"].get<size_t>(),
-                values.size() * sizeof(float));
-    return values;
-  }
-  // None: the node has no such channel.
-  const Json* Channel(const std::string& node, const std::string& path) const {
-    for (const Json& channel : json["animations"][0]["channels"]) {
-      const Json& target = channel["target"];
-      if (json["nodes"][target["node"].get<size_t>()]["name"] == node && target["path"] == path)
-        return &json["animations"][0]["samplers"][channel["sampler"].get<size_t>()];
-    }
-    return nullptr;
-  }
-};
-
 Gltf Written(const Character& character, const std::string& extras = "") {
   const auto text = GltfFile(character, {GltfContainer::kText, "test", extras});
   EXPECT_TRUE(text.ok()) << text.error().ToString();
-  Gltf gltf;
-  gltf.json = Json::parse(text.value());
-  const std::string uri = gltf.json["buffers"][0]["uri"];
-  gltf.buffer = *FromBase64(uri.substr(uri.find(',') + 1));
-  EXPECT_EQ(gltf.buffer.size(), gltf.json["buffers"][0]["byteLength"]);
-  return gltf;
+  return TakenApart(text.value());
 }
 
 Character HumanCharacter(int num_frames) {

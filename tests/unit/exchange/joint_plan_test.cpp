@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/exchange/import/import_skin.h"
+#include "engine/figure/skin_check.h"
 #include "tests/unit/exchange/made_characters.h"
 
 namespace hazumi::test {
@@ -137,7 +138,7 @@ TEST(ImportSkin, AtRestIsTheMesh) {
     const Skin skin = SkinFor(character, planned.skeleton, planned.plan, planned.world);
     const std::vector<Pose> bodies = BodiesOf(planned.plan, 0);
     const SkinMesh& mesh = skin.meshes[0];
-    EXPECT_EQ(WhatIsWrongWith(mesh, skin), "");
+    EXPECT_TRUE(CheckSkin(skin).ok());
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
       const Eigen::Vector4d vertex = mesh.positions[v].cast<double>().homogeneous();
       Vec3 here = Vec3::Zero();

@@ -15,7 +15,9 @@ Say ReadSkin(std::string pointer, std::string value) {
 }  // namespace
 
 std::vector<WrongProject> WrongSkins() {
-  const std::string kMesh = "skin.meshes[0]: does not fit together: ";
+  const auto wrong = [](const std::string& place, const std::string& what) {
+    return "skin." + place + ": does not fit together: " + what;
+  };
   return {
       {Check::kNotBytes, ReadSkin("/skin/meshes/0/positions", "\"AA*A\""),
        "skin.meshes[0].positions: must be base64 of whole entries"},
@@ -26,18 +28,18 @@ std::vector<WrongProject> WrongSkins() {
       {Check::kWrongCount, ReadSkin("/skin/meshes/0/binds/1/inverse_bind", "[1, 2]"),
        "skin.meshes[0].binds[1].inverse_bind: expected 12 values, found 2"},
       {Check::kBadMesh, ReadSkin("/skin/meshes/0/normals", "\"\""),
-       kMesh + "its vertices have more of one property than of another"},
+       wrong("meshes[0].normals", "has 0 entries for 3 vertices; import the mesh anew")},
       {Check::kBadMesh, ReadSkin("/skin/meshes/0/binds/0/bone", "2"),
-       kMesh + "its binds name no bone of the skin, or are not finite"},
+       wrong("meshes[0].binds[0].bone", "there is no such bone")},
       {Check::kBadMesh,
        ReadSkin("/skin/meshes/0/bind_indices", "\"AgAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA\""),
-       kMesh + "a vertex follows a bind that is not there, or by no weight"},
+       wrong("meshes[0].bind_indices[0]", "there is no bind 2; the mesh has 2")},
       {Check::kBadMesh, ReadSkin("/skin/meshes/0/triangles", "\"AAAAAAEAAAADAAAA\""),
-       kMesh + "a triangle has a corner that is not there"},
+       wrong("meshes[0].triangles[0]", "there is no vertex 3")},
       {Check::kBadMesh, ReadSkin("/skin/meshes/0/material", "1"),
-       kMesh + "its material is not there"},
+       wrong("meshes[0].material", "there is no such material")},
       {Check::kBadMesh, ReadSkin("/skin/materials/0/texture", "1"),
-       "skin.materials[0]: does not fit together: its texture is not there"},
+       wrong("materials[0].texture", "there is no such texture")},
   };
 }
 

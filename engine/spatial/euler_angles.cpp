@@ -4,7 +4,7 @@
 // and a follows from R R_k(-c) = R_i(a) R_j(b), which leaves no error where cos b is small and
 // c is hardly known.
 
-#include "engine/exchange/bvh/euler_angles.h"
+#include "engine/spatial/euler_angles.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/exchange/bvh/euler_angles.h"
+#include "engine/spatial/euler_angles.h"
 
 #include <gtest/gtest.h>
 

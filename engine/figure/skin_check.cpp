@@ -1,9 +1,9 @@
+#include "engine/figure/skin_check.h"
+
 #include <algorithm>
-#include <cmath>
 
-#include "render/scene/skin_model.h"
+namespace hazumi {
 
-namespace hazumi::render {
 namespace {
 
 std::string Item(const char* list, size_t i) {
@@ -31,18 +31,21 @@ Result<Done> CheckLengths(const SkinMesh& mesh, const std::string& place) {
   return Done{};
 }
 
-bool AreFinite(const SkinMesh& mesh, size_t i) {
+bool IsFinite(const SkinMesh& mesh, size_t i) {
   return mesh.positions[i].allFinite() && mesh.normals[i].allFinite() &&
-         (mesh.texture_coordinates.empty() || mesh.texture_coordinates[i].allFinite()) &&
-         std::all_of(mesh.weights[i].begin(), mesh.weights[i].end(),
-                     [](float w) { return w >= 0.0f && std::isfinite(w); });
+         (mesh.texture_coordinates.empty() || mesh.texture_coordinates[i].allFinite());
 }
+
+// A little more than 1 is left by rounding to fewer digits.
+bool IsWeight(float w) { return w >= 0.0f && w <= 1.001f; }
 
 Result<Done> CheckVertices(const SkinMesh& mesh, const std::string& place) {
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!AreFinite(mesh, i)) {
-      return Wrong(place + "." + Item("positions", i),
-                   "the vertex has a number that is infinite, no number, or a negative weight");
+    if (!IsFinite(mesh, i)) {
+      return Wrong(place + "." + Item("positions", i), "the vertex is not finite");
+    }
+    if (!std::all_of(mesh.weights[i].begin(), mesh.weights[i].end(), IsWeight)) {
+      return Wrong(place + "." + Item("weights", i), "must be numbers from 0 to 1");
     }
     for (const std::uint16_t bind : mesh.bind_indices[i]) {
       if (bind >= mesh.binds.size()) {
@@ -100,4 +103,4 @@ Result<Done> CheckSkin(const Skin& skin) {
   return Done{};
 }
 
-}  // namespace hazumi::render
+}  // namespace hazumi

@@ -1,0 +1,116 @@
+#include "engine/exchange/gltf/held_props.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "engine/base/assert.h"
+
+namespace hazumi {
+
+namespace {
+
+// "#rrggbb", sRGB, as linear RGB.
+std::array<float, 4> LinearColorOf(const std::string& text) {
+  std::array<float, 4> color = {0.8f, 0.8f, 0.8f, 1.0f};
+  for (size_t i = 0; i < 3 && text.size() == 7; ++i) {
+    const double c = std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
+    color[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  return color;
+}
+
+void AddVertex(const Vec3& p, const Vec3& normal, const FileAxes& axes, SkinMesh* mesh) {
+  mesh->positions.push_back(axes.Point(p).cast<float>());
+  mesh->normals.push_back(axes.Direction(normal).cast<float>());
+}
+
+// Rings from pole to pole; a vertex for each slice also at the poles.
+void AddSphere(double radius, const FileAxes& axes, SkinMesh* mesh) {
+  constexpr uint32_t kRings = 12, kSlices = 24;
+  for (uint32_t ring = 0; ring <= kRings; ++ring) {
+    const double down = std::numbers::pi * ring / kRings;
+    for (uint32_t slice = 0; slice < kSlices; ++slice) {
+      const double round = 2.0 * std::numbers::pi * slice / kSlices;
+      const Vec3 out(std::sin(down) * std::cos(round), std::sin(down) * std::sin(round),
+                     std::cos(down));
+      AddVertex(radius * out, out, axes, mesh);
+    }
+  }
+  for (uint32_t ring = 0; ring < kRings; ++ring) {
+    for (uint32_t slice = 0; slice < kSlices; ++slice) {
+      const uint32_t a = ring * kSlices + slice, b = ring * kSlices + (slice + 1) % kSlices;
+      if (ring + 1 < kRings) mesh->triangles.push_back({a, a + kSlices, b + kSlices});
+      if (ring > 0) mesh->triangles.push_back({a, b + kSlices, b});
+    }
+  }
+}
+
+// Four vertices of its own on each side.
+void AddBox(const Vec3& half, const FileAxes& axes, SkinMesh* mesh) {
+  for (int side = 0; side < 6; ++side) {
+    const int k = side / 2;
+    const double out = side % 2 == 0 ? 1.0 : -1.0;
+    const Vec3 normal = out * Vec3::Unit(k);
+    const Vec3 u = out * half[(k + 1) % 3] * Vec3::Unit((k + 1) % 3);
+    const Vec3 v = half[(k + 2) % 3] * Vec3::Unit((k + 2) % 3);
+    const auto first = static_cast<uint32_t>(mesh->positions.size());
+    const Vec3 middle = half[k] * normal;
+    for (const Vec3& corner : {Vec3(-u - v), Vec3(u - v), Vec3(u + v), Vec3(-u + v)}) {
+      AddVertex(middle + corner, normal, axes, mesh);
+    }
+    mesh->triangles.push_back({first, first + 1, first + 2});
+    mesh->triangles.push_back({first, first + 2, first + 3});
+  }
+}
+
+SkinMesh MeshOf(const HeldObject& object, const FileAxes& axes) {
+  SkinMesh mesh;
+  mesh.name = object.name;
+  if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
+    AddSphere(sphere->radius, axes, &mesh);
+  } else {
+    AddBox(std::get<BoxShape>(object.shape).half_size, axes, &mesh);
+  }
+  return mesh;
+}
+
+// Object i of the motion.
+void Place(const HeldObject& object, size_t i, const Motion& motion, const FileAxes& axes,
+           GltfProp* prop) {
+  const bool is_held = std::all_of(motion.frames.begin(), motion.frames.end(),
+                                   [&](const MotionFrame& f) { return f.objects[i].held; });
+  if (is_held) {
+    prop->bone = 1 + object.holder.value();
+    prop->rest.p = axes.Point(object.offset);
+    return;
+  }
+  prop->rest = axes.Turned(motion.frames.front().objects[i].X_WO);
+  for (const MotionFrame& frame : motion.frames) {
+    const Pose X_WO = axes.Turned(frame.objects[i].X_WO);
+    prop->track.rotations.emplace_back(X_WO.R);
+    prop->track.translations.push_back(X_WO.p);
+  }
+}
+
+}  // namespace
+
+std::vector<GltfProp> HeldProps(const Animation& animation, const Motion& motion,
+                                const FileAxes& axes, std::vector<Material>* materials) {
+  std::vector<GltfProp> props;
+  if (motion.frames.empty()) return props;
+  for (size_t i = 0; i < animation.held_objects.size(); ++i) {
+    HAZUMI_DEMAND(i < motion.frames.front().objects.size());
+    const HeldObject& object = animation.held_objects[i];
+    GltfProp prop;
+    prop.mesh = MeshOf(object, axes);
+    prop.mesh.material = static_cast<int>(materials->size());
+    materials->push_back({object.name, LinearColorOf(object.color), -1});
+    Place(object, i, motion, axes, &prop);
+    props.push_back(std::move(prop));
+  }
+  return props;
+}
+
+}  // namespace hazumi
