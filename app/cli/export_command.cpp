@@ -64,7 +64,6 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
       RenderVideo(SequenceOptionsOf(options, size), sequence,
                   {options.output, size.width, size.height, rate.num, rate.den});
   progress.Finish();
-  if (Interrupted()) return Complain(InterruptedError());
   return drawn.ok() ? kExitOk : Complain(drawn.error());
 }
 

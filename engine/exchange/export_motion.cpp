@@ -53,11 +53,13 @@ std::optional<MotionFormat> MotionFormatOf(const std::string& path) {
 
 std::vector<Warning> LeftOutOf(const Animation& animation, MotionFormat format) {
   std::vector<Warning> warnings;
-  if (format != MotionFormat::kBvh) return warnings;
+  if (format != MotionFormat::kBvh && format != MotionFormat::kCsv) return warnings;
+  const char* holds = format == MotionFormat::kBvh ? "BVH holds a skeleton alone"
+                                                   : "CSV holds joints and the root alone";
   for (size_t i = 0; i < animation.held_objects.size(); ++i) {
     warnings.push_back({"held_objects[" + std::to_string(i) + "]",
-                        "\"" + animation.held_objects[i].name +
-                            "\" is not written: BVH holds a skeleton alone; glTF holds it too"});
+                        "\"" + animation.held_objects[i].name + "\" is not written: " + holds +
+                            "; glTF holds it too"});
   }
   return warnings;
 }

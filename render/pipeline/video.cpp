@@ -212,8 +212,11 @@ Result<Done> VideoWriter::Write(const Image& image) {
   return Done{};
 }
 
-Result<Done> VideoWriter::Finish() {
+static Error Interrupted() { return {ErrorCode::kInterrupted, "", "", "interrupted"}; }
+
+Result<Done> VideoWriter::Finish(const std::atomic<bool>* cancel) {
   if (!process_->Wait()) return process_->Complaint();
+  if (cancel && *cancel) return Interrupted();
   const int failed = process_->Name();
   if (failed == 0) return Done{};
   return Error{ErrorCode::kCannotWrite, process_->format.path.string(), "",
@@ -227,9 +230,9 @@ Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence
   Sequence into_video = sequence;
   into_video.write = [&](int, const Image& image) { return writer.value().Write(image); };
   Result<int> drawn = RenderSequence(options, into_video);
-  const bool is_cancelled = sequence.cancel != nullptr && sequence.cancel->load();
-  if (!drawn.ok() || is_cancelled) return drawn;
-  const Result<Done> finished = writer.value().Finish();
+  if (!drawn.ok()) return drawn;
+  if (sequence.cancel && *sequence.cancel) return Interrupted();
+  const Result<Done> finished = writer.value().Finish(sequence.cancel);
   if (!finished.ok()) return finished.error();
   return drawn;
 }

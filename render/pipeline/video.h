@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 
@@ -29,7 +30,7 @@ class VideoWriter {
 
   // Errors of both: what ffmpeg says (kFailed), or why the file cannot take its name.
   Result<Done> Write(const Image& image);
-  Result<Done> Finish();
+  Result<Done> Finish(const std::atomic<bool>* cancel = nullptr);
 
  private:
   struct Process;

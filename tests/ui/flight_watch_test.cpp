@@ -72,6 +72,18 @@ TEST(FlightWatch, WhatGravityPlacesIsLeftOut) {
   EXPECT_TRUE(Found(&session).flights.empty());
 }
 
+TEST(FlightWatch, ForgetsADocumentThatIsNoLongerThere) {
+  edit::Session session;
+  test::KeyJump(9.81 / 4.0, &session);
+  FlightWatch watch;
+  watch.Look(&session);
+  session.Replace(edit::Session().project(), "");
+  session.set_patience(0.0);
+  watch.Look(&session);
+  EXPECT_FALSE(watch.TakeAlarm());
+  EXPECT_TRUE(watch.analysis().flights.empty());
+}
+
 TEST(FlightWatch, NothingIsLookedAtDuringADrag) {
   edit::Session session;
   test::KeyJump(9.81, &session);

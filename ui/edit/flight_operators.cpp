@@ -1,8 +1,9 @@
 // A flight that keys have is given to gravity.
 
 #include <cmath>
+#include <memory>
 
-#include "engine/bake/bake.h"
+#include "engine/bake/incremental_bake.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/root_curves.h"
 
@@ -20,6 +21,7 @@ struct FlightSpan {
 struct KeyedFlight {
   Vec3 com_first, com_last;
   Vec3 root_before, root_first, root_after;  // on the frame before, the first, that after the last
+  Vec3 rate_before, rate_after;              // [m/s]
 };
 
 // The nearest that there is.
@@ -31,7 +33,7 @@ const MotionFrame& FrameOf(const Motion& motion, int frame) {
 
 Result<KeyedFlight> AsKeyed(const FlightSpan& span, Session* session) {
   const ProjectFrames& all = session->project().frames;
-  if (span.first < all.first || span.last > all.last || span.last < span.first + 2) {
+  if (span.first < all.first || span.last > all.last || span.first > span.last - 2) {
     return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
                                " to " + std::to_string(all.last));
   }
@@ -45,15 +47,27 @@ Result<KeyedFlight> AsKeyed(const FlightSpan& span, Session* session) {
                                 " are placed by a pin or by gravity already");
   }
   const auto at = [&](int frame) -> const MotionFrame& { return FrameOf(*motion.value(), frame); };
-  return KeyedFlight{at(span.first).com, at(span.last).com, at(span.first - 1).X_WR.p,
-                     at(span.first).X_WR.p, at(span.last + 1).X_WR.p};
+  return KeyedFlight{at(span.first).com,
+                     at(span.last).com,
+                     at(span.first - 1).X_WR.p,
+                     at(span.first).X_WR.p,
+                     at(span.last + 1).X_WR.p,
+                     at(span.first - 1).before.root_v,
+                     at(span.last + 1).after.root_v};
 }
 
-void KeyIfNone(double frame, double value, ProjectCurve* curve) {
+// Where there is no key: one that leaves the curve as it is, of the kind of the one before it.
+void KeyIfNone(double frame, double value, double rate, ProjectCurve* curve) {
   if (KeyOn(frame, *curve)) return;
   ProjectKey key;
+  for (const ProjectKey& earlier : curve->keys) {
+    if (earlier.frame < frame) key.interpolation = earlier.interpolation;
+  }
   key.frame = frame;
   key.value = value;
+  const bool has_tangent =
+      key.interpolation == Interpolation::kCubic || key.interpolation == Interpolation::kQuadratic;
+  if (has_tangent) key.rate = rate;
   PutKey(key, curve);
 }
 
@@ -64,9 +78,10 @@ Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, con
   for (int i = 0; i < 3; ++i) {
     ProjectCurve& curve = project->root.curves[kRootX + i];
     if (span.first > project->frames.first) {
-      KeyIfNone(span.first - 1, keyed.root_before[i], &curve);
+      KeyIfNone(span.first - 1, keyed.root_before[i], keyed.rate_before[i], &curve);
     }
-    if (span.last < project->frames.last) KeyIfNone(span.last + 1, keyed.root_after[i], &curve);
+    if (span.last < project->frames.last)
+      KeyIfNone(span.last + 1, keyed.root_after[i], keyed.rate_after[i], &curve);
     const ProjectKey* old = KeyOn(span.first, curve);
     ProjectKey key = old ? *old : ProjectKey();
     key.frame = span.first;
@@ -82,20 +97,35 @@ Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, con
   return PutPlacement(std::move(placement), true, &project->placements);
 }
 
-// The flight with this rate, up to a frame.
-Result<Motion> Try(const FlightSpan& span, const KeyedFlight& keyed, const Vec3& rate, int to,
-                   Project project) {
-  const Result<Done> given = GiveToGravity(span, keyed, rate, &project);
-  if (!given.ok()) return given.error();
-  Result<Compiled> compiled = CompileAnimation(project);
-  if (!compiled.ok()) return compiled.error();
-  compiled.value().animation.last_frame = to;
-  return Bake(compiled.value().animation);
-}
+// The flight with one rate or another. What lies before it is baked once.
+class Tries {
+ public:
+  Tries(const FlightSpan& span, const KeyedFlight& keyed, const Project& project)
+      : span_(span), keyed_(keyed), project_(project) {}
+
+  // Up to a frame.
+  Result<const Motion*> Fly(const Vec3& rate, int to) {
+    Project project = project_;
+    const Result<Done> given = GiveToGravity(span_, keyed_, rate, &project);
+    if (!given.ok()) return given.error();
+    const Result<Compiled> compiled = CompileAnimation(project);
+    if (!compiled.ok()) return compiled.error();
+    if (bake_) bake_->Update(compiled.value().animation);
+    if (!bake_) bake_ = std::make_unique<IncrementalBake>(compiled.value().animation);
+    if (const auto error = bake_->BakeTo(to)) return *error;
+    return &bake_->motion();
+  }
+
+ private:
+  const FlightSpan& span_;
+  const KeyedFlight& keyed_;
+  const Project& project_;
+  std::unique_ptr<IncrementalBake> bake_;
+};
 
 bool Lands(const Motion& motion, const FlightSpan& span) {
   return std::any_of(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
-    return event.kind == EventKind::kLanding && event.frame > span.first;
+    return event.kind == EventKind::kLanding && event.frame > span.first && event.frame < span.last;
   });
 }
 
@@ -107,16 +137,17 @@ Result<Vec3> RateOfRoot(const FlightSpan& span, const KeyedFlight& keyed, Sessio
   const double step = animation.rate.SecondsAt(1.0), duration = step * (span.last - span.first);
   const Vec3 gravity(0.0, 0.0, -animation.gravity);
   const Vec3 wanted = (keyed.com_last - keyed.com_first) / duration - 0.5 * duration * gravity;
-  const Result<Motion> begun = Try(span, keyed, wanted, span.first + 1, session->project());
+  Tries tries(span, keyed, session->project());
+  const Result<const Motion*> begun = tries.Fly(wanted, span.first + 1);
   if (!begun.ok()) return begun.error();
-  const Vec3 moved = FrameOf(begun.value(), span.first + 1).com - keyed.com_first;
+  const Vec3 moved = FrameOf(*begun.value(), span.first + 1).com - keyed.com_first;
   Vec3 rate = wanted + wanted - (moved / step - 0.5 * step * gravity);
   for (int i = 0; i < 3; ++i) {
     constexpr double kThere = 1e-7;  // [m]
-    const Result<Motion> flown = Try(span, keyed, rate, span.last, session->project());
+    const Result<const Motion*> flown = tries.Fly(rate, span.last);
     if (!flown.ok()) return flown.error();
-    if (Lands(flown.value(), span)) break;
-    const Vec3 off = keyed.com_last - FrameOf(flown.value(), span.last).com;
+    if (Lands(*flown.value(), span)) break;
+    const Vec3 off = keyed.com_last - FrameOf(*flown.value(), span.last).com;
     if (off.norm() < kThere) break;
     rate += off / duration;
   }

@@ -17,11 +17,11 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (auto&& list :
-       {FigureOperators(), FlightOperators(), JointStateOperators(), KeyOperators(), KeySelectionOperators(),
-        ObjectOperators(), PlacementOperators(), PoseOperators(), ReachOperators(),
-        RegionOperators(), RootOperators(), SceneOperators(), SelectedKeyOperators(),
-        ImportOperators(), ExportOperators(), SessionOperators(), StartRateOperators(),
-        TimeOperators()}) {
+       {FigureOperators(), FlightOperators(), JointStateOperators(), KeyOperators(),
+        KeySelectionOperators(), ObjectOperators(), PlacementOperators(), PoseOperators(),
+        ReachOperators(), RegionOperators(), RootOperators(), SceneOperators(),
+        SelectedKeyOperators(), ImportOperators(), ExportOperators(), SessionOperators(),
+        StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -212,7 +212,7 @@ std::vector<Operator> SessionOperators() {
        {{"num", kInteger, true, "frames"},
         {"den", kInteger, false, "in so many seconds; 1"},
         {"keep_shape", kYesNo, false,
-         "true: the motion stays what it is frame by frame, the rates of keys change with it"},
+         "true: curves keep their shape frame by frame, the rates of keys change with it"},
         kDrag},
        SetRate},
       {"project.rename",

@@ -157,13 +157,28 @@ void DrawOptions(Editor* editor) {
   }
 }
 
+// Each letter of a valid text that is not ASCII once, so that equal alphabets are equal texts.
+std::string ForeignLetters(const std::string& text) {
+  const auto is_inside = [&](size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
+  std::set<std::string> letters;
+  for (size_t i = 0; i < text.size();) {
+    size_t end = i + 1;
+    while (is_inside(end)) ++end;
+    if (end > i + 1) letters.insert(text.substr(i, end - i));
+    i = end;
+  }
+  std::string all;
+  for (const std::string& letter : letters) all += letter;
+  return all;
+}
+
 void DrawFacts(Editor* editor, const ExportSummary* summary) {
   for (const std::string& fact : ExportFacts(*editor, summary))
     ImGui::TextWrapped("%s", fact.c_str());
   std::string left_out;
   for (const std::string& part : LeftOut(*editor, summary))
     left_out += (left_out.empty() ? "" : Tr(", ")) + part;
-  editor->NeedGlyphs(left_out);
+  editor->NeedGlyphs(ForeignLetters(left_out));
   if (!left_out.empty()) DrawError(Tr("Not written: ") + left_out, editor->theme());
 }
 
@@ -187,21 +202,6 @@ void DrawColumns(const std::vector<std::vector<std::string>>& columns) {
     }
   }
   ImGui::EndTable();
-}
-
-// Each letter of a valid text that is not ASCII once, so that equal alphabets are equal texts.
-std::string ForeignLetters(const std::string& text) {
-  const auto is_inside = [&](size_t i) { return i < text.size() && (text[i] & 0xC0) == 0x80; };
-  std::set<std::string> letters;
-  for (size_t i = 0; i < text.size();) {
-    size_t end = i + 1;
-    while (is_inside(end)) ++end;
-    if (end > i + 1) letters.insert(text.substr(i, end - i));
-    i = end;
-  }
-  std::string all;
-  for (const std::string& letter : letters) all += letter;
-  return all;
 }
 
 void DrawContents(Editor* editor, const ExportSummary& summary, float bottom) {
@@ -230,7 +230,9 @@ void DrawPreview(Editor* editor, float bottom) {
   if (!file) return ImGui::TextDisabled("%s", Tr("Preparing..."));
   if (!file->ok()) return DrawError(file->error().ToString(), editor->theme());
   const ExportSummary& summary = file->value().summary;
-  editor->NeedGlyphs(ForeignLetters(summary.head));
+  std::string shown = summary.head;
+  for (const std::vector<std::string>& column : summary.columns) shown += column.front();
+  editor->NeedGlyphs(ForeignLetters(shown));
   DrawFacts(editor, &summary);
   DrawContents(editor, summary, bottom);
 }
@@ -249,7 +251,8 @@ void DrawWriting(Editor* editor) {
   // Two steps: what is written is made, then it is written.
   ImGui::ProgressBar(state.write ? 0.5f : 0.0f, {-1.0f, 0.0f},
                      state.write ? Tr("Writing...") : Tr("Preparing..."));
-  const bool wants_end = DrawButtons(*editor, {{Tr("Cancel"), Tr("Nothing is written.")}}) == 0;
+  const bool wants_end = ImGui::Button(Tr("Cancel"));  // not by the Enter that began it
+  Tooltip(Tr("Nothing is written."));
   if (wants_end || IsEscapePressed(*editor)) CancelExport(&state);
 }
 

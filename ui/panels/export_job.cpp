@@ -111,6 +111,19 @@ Result<RenderTask> VideoTask(Editor* editor) {
   return FilledTask(editor, std::move(task), state.through_project_camera, state.overlays);
 }
 
+// What has been made for the preview, which is large.
+void DropFile(ExportState* state) {
+  state->source.reset();
+  state->previewed_source.reset();
+  if (state->preview && state->preview->result()) state->preview.reset();
+}
+
+bool NamesAFile(const ExportState& state) {
+  if (state.path.empty() || fs::path(state.path).filename().empty()) return false;
+  std::error_code unknown;
+  return !fs::is_directory(PathOf(HomeFolder(), state.path, HomeFolder()), unknown);
+}
+
 void StartVideo(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   Result<RenderTask> task = VideoTask(editor);
@@ -118,6 +131,7 @@ void StartVideo(Editor* editor) {
     state.error = task.error().ToString();
     return;
   }
+  DropFile(&state);
   StartJob(std::move(task).value(), editor);
 }
 
@@ -176,7 +190,7 @@ void TakeTypedPath(ExportState* state) {
   const std::optional<MotionFormat> format = MotionFormatOf(state->path);
   if (format || IsVideoName(state->path)) {
     ChooseFormat(format, state);
-  } else if (!state->path.empty()) {
+  } else if (NamesAFile(*state)) {
     state->path += SuffixOf(*state);
   }
 }
@@ -219,8 +233,7 @@ void OpenExportDialog(Editor* editor) {
 void CloseExport(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   CancelExport(&state);
-  state.source.reset();  // large
-  if (state.preview && state.preview->result()) state.preview.reset();
+  DropFile(&state);
   Close(editor);
 }
 
@@ -228,7 +241,7 @@ void StartExport(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   TakeTypedPath(&state);
   state.error = ExportTrouble(*editor);
-  if (state.path.empty()) state.error = Tr("Name a file to write.");
+  if (!NamesAFile(state)) state.error = Tr("Name a file to write.");
   if (!state.error.empty()) return;
   if (const auto error = edit::CheckPlace(ExportPath(state))) {
     state.error = error->ToString();
@@ -255,6 +268,7 @@ void RefreshExport(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   FinishWrite(editor);
   const bool is_over = editor->dialogs.modal != Modal::kExport;
+  if (is_over && !state.write) DropFile(&state);
   if (is_over || state.is_video || !ExportTrouble(*editor).empty()) return;
   RefreshSource(editor);
   StartPreview(editor);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/base/utf8.h"
+#include "ui/panels/catalogue.h"
 
 namespace hazumi::ui {
 
@@ -159,7 +160,7 @@ ExportSummary SummaryOf(MotionFormat format, const std::string& bytes) {
 
 std::string SizeText(size_t num_bytes) {
   const char* const units[] = {"kB", "MB", "GB"};
-  if (num_bytes < 1000) return std::to_string(num_bytes) + " bytes";
+  if (num_bytes < 1000) return std::to_string(num_bytes) + Tr(" bytes");
   double size = static_cast<double>(num_bytes) / 1000.0;
   size_t unit = 0;
   for (; size >= 999.5 && unit < 2; ++unit) size /= 1000.0;

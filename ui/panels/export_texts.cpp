@@ -1,21 +1,12 @@
 #include "ui/panels/export_texts.h"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
+
+#include "ui/panels/filled.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string Filled(const char* format, ...) {
-  char text[300];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 // "2 regions", or "1 region".
 std::string Count(int count, const char* one, const char* many) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/analysis/flights.h"
@@ -10,7 +11,10 @@ namespace hazumi::ui {
 std::string FlightText(const Flight& flight, double frame_time);
 // What the flights say of time and lengths, a sentence; empty if nothing is wrong.
 std::string AlarmText(const TimeScale& time);
-// Of the button that sets it; empty if no common frame rate is near.
+// The common frame rate that the clip should be played at [1/s]; none if no such is near, or if it
+// is lengths that are wrong.
+std::optional<int> RateToSet(const TimeScale& time);
+// Of the button that sets it; empty if there is none.
 std::string RepairText(const TimeScale& time);
 
 }  // namespace hazumi::ui

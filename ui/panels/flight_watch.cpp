@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/flight_text.h"
+
 namespace hazumi::ui {
 
 namespace {
@@ -15,10 +17,24 @@ bool IsByGravity(const Flight& flight, const std::vector<PlacementSpan>& placeme
   });
 }
 
+// Flights by gravity are right by themselves and say nothing about the rest.
+FlightAnalysis WithoutGravity(FlightAnalysis analysis,
+                              const std::vector<PlacementSpan>& placements) {
+  std::erase_if(analysis.flights,
+                [&](const Flight& flight) { return IsByGravity(flight, placements); });
+  std::vector<GravityEstimate> estimates;
+  for (const Flight& flight : analysis.flights) {
+    estimates.push_back({flight.parabola.gravity, flight.parabola.gravity_error});
+  }
+  const TimeScale& time = analysis.time;
+  analysis.time =
+      JudgeTime(estimates, time.frame_time, time.stature, time.scale_known, time.true_gravity);
+  return analysis;
+}
+
 // Keys made by hand may fly as they like: what no common frame rate explains is not said aloud.
 bool IsAlarming(const TimeScale& time) {
-  return time.verdict == TimeVerdict::kWrongLength ||
-         (time.verdict == TimeVerdict::kWrongFrameTime && time.frame_rate);
+  return time.verdict == TimeVerdict::kWrongLength || RateToSet(time).has_value();
 }
 
 }  // namespace
@@ -28,19 +44,25 @@ FlightWatch::~FlightWatch() {
 }
 
 void FlightWatch::Look(edit::Session* session) {
-  if (job_ && job_->has_ended) End();
   const Version now = {session->document_number(), session->document().revision()};
+  if (now.document != shown_) {
+    shown_ = now.document;
+    analysis_ = {};
+    has_alarm_ = false;
+  }
+  if (job_ && job_->has_ended) End(now.document);
   if (job_ || now == seen_ || session->document().is_merging()) return;
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return;  // it may be there the next time
   seen_ = now;
   Begin(session, *motion.value());
-  if (!session->patience()) End();
+  if (!session->patience()) End(now.document);
 }
 
 void FlightWatch::Begin(edit::Session* session, const Motion& motion) {
   const Animation& animation = *session->animation();
   job_ = std::make_unique<Job>();
+  job_->document = session->document_number();
   job_->figure = animation.figure;
   job_->motion = motion;
   job_->size_is_guessed = session->project().size_is_guessed;
@@ -54,15 +76,13 @@ void FlightWatch::Begin(edit::Session* session, const Motion& motion) {
   });
 }
 
-void FlightWatch::End() {
+void FlightWatch::End(long document) {
   job_->thread.join();
-  analysis_ = std::move(job_->analysis);
-  std::erase_if(analysis_.flights,
-                [&](const Flight& flight) { return IsByGravity(flight, job_->placements); });
-  job_.reset();
-  if (!IsAlarming(analysis_.time) || analysis_.flights.empty() || alarmed_ == seen_.document)
-    return;
-  alarmed_ = seen_.document;
+  const std::unique_ptr<Job> job = std::move(job_);
+  if (job->document != document) return;
+  analysis_ = WithoutGravity(std::move(job->analysis), job->placements);
+  if (!IsAlarming(analysis_.time) || alarmed_ == document) return;
+  alarmed_ = document;
   has_alarm_ = true;
 }
 

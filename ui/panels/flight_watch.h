@@ -36,6 +36,7 @@ class FlightWatch {
     bool operator==(const Version&) const = default;
   };
   struct Job {
+    long document = -1;
     std::shared_ptr<const Figure> figure;
     Motion motion;
     bool size_is_guessed = false;
@@ -46,9 +47,10 @@ class FlightWatch {
     std::thread thread;
   };
   void Begin(edit::Session* session, const Motion& motion);
-  void End();
+  void End(long document);
 
   Version seen_;
+  long shown_ = -1;    // document that the analysis is about
   long alarmed_ = -1;  // document
   bool has_alarm_ = false;
   FlightAnalysis analysis_;

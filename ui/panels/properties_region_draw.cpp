@@ -5,6 +5,7 @@
 
 #include "engine/project/joint_names.h"
 #include "ui/panels/actions.h"
+#include "ui/panels/filled.h"
 #include "ui/panels/properties_fields.h"
 #include "ui/panels/properties_layout.h"
 #include "ui/panels/properties_sections.h"
@@ -170,15 +171,9 @@ void DrawStartRates(Editor* editor, const ProjectRegion& region, size_t index) {
   }
 }
 
-std::string Formatted(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 void DrawEnergy(Editor* editor, const EnergyBalance& energy) {
   const auto row = [&](const char* label, double joules) {
-    DrawFact(editor, Tr(label), Formatted("%.3f J", joules));
+    DrawFact(editor, Tr(label), Filled("%.3f J", joules));
   };
   row("Kinetic energy", energy.kinetic_end - energy.kinetic_start);
   row("Potential energy", energy.potential_end - energy.potential_start);
@@ -198,9 +193,9 @@ void DrawReport(Editor* editor, const ProjectRegion& region) {
   if (report == reports.end()) return;
   DrawFact(editor, Tr("Solved"), ModelText(*report));
   DrawFact(editor, Tr("Evaluations"), std::to_string(report->evaluations));
-  DrawFact(editor, Tr("Time"), Formatted("%.0f µs", report->microseconds));
+  DrawFact(editor, Tr("Time"), Filled("%.0f µs", report->microseconds));
   if (report->method == Method::kExact) {
-    DrawFact(editor, Tr("Error"), Formatted("%.2g°", report->error_estimate * kRadian));
+    DrawFact(editor, Tr("Error"), Filled("%.2g°", report->error_estimate * kRadian));
   }
   if (report->energy) DrawEnergy(editor, *report->energy);
 }

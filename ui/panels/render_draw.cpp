@@ -73,10 +73,10 @@ void DrawFrames(Editor* editor) {
 }
 
 void DrawResult(const Editor& editor, const RenderJob& job, const Result<int>& result) {
-  if (!result.ok()) return DrawError(result.error().ToString(), editor.theme());
   const std::string& video = job.task().video;
-  if (!video.empty() && job.is_cancelled())
-    return ImGui::TextWrapped("%s", Tr("Nothing is left of it."));
+  const bool is_given_up = !result.ok() && result.error().code == ErrorCode::kInterrupted;
+  if (is_given_up && !video.empty()) return ImGui::TextWrapped("%s", Tr("Nothing is left of it."));
+  if (!result.ok()) return DrawError(result.error().ToString(), editor.theme());
   if (!video.empty()) return ImGui::TextWrapped(Tr("The video is in %s"), video.c_str());
   const char* folder = job.task().folder.c_str();
   if (result.value() == 1) return ImGui::TextWrapped(Tr("The picture is in %s"), folder);
@@ -178,7 +178,7 @@ void DrawProgress(Editor* editor) {
     return;
   }
   DrawResult(*editor, job, *result);
-  const bool has_video = result->ok() && !job.is_cancelled() && !job.task().video.empty();
+  const bool has_video = result->ok() && !job.task().video.empty();
   if (DrawButtons(*editor, {{Tr("Close"), ""}}) < 0 && !IsEscapePressed(*editor)) return;
   if (has_video) editor->Say(Tr("Exported: ") + job.task().video);
   render.job.reset();

@@ -7,6 +7,7 @@
 
 #include "ui/edit/new_project.h"
 #include "ui/panels/dialogs.h"
+#include "ui/panels/filled.h"
 
 namespace hazumi::ui {
 
@@ -30,12 +31,6 @@ render::Overlays OverlaysFor(const Editor& editor) {
   overlays.contact_marks = seen.marks;
   overlays.region_tint = seen.tint;
   return overlays;
-}
-
-std::string Filled(const char* format, int a, int b) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
 }
 
 // A range stays from one opening to the next, unless the frames it is of are others.

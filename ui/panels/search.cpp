@@ -14,9 +14,10 @@ namespace {
 
 // What the editor has a better way for, or means nothing by itself.
 bool IsHidden(const std::string& id) {
-  for (const char* hidden : {"file.new", "file.open", "file.import", "file.export", "file.save", "edit.end_drag",
-                             "edit.cancel_drag", "app.open", "app.search", "app.form", "keys.move",
-                             "keys.scale", "keys.duplicate", "keys.select_all"}) {
+  for (const char* hidden :
+       {"file.new", "file.open", "file.import", "file.export", "file.save", "edit.end_drag",
+        "edit.cancel_drag", "app.open", "app.search", "app.form", "keys.move", "keys.scale",
+        "keys.duplicate", "keys.select_all"}) {
     if (id == hidden) return true;
   }
   return false;

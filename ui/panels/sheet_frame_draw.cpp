@@ -113,6 +113,7 @@ std::string TextOf(const Flight& flight, const TimeScale& time) {
 // Frames in the ground, flights, then what happens, and what is under the mouse of it.
 void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
   edit::Session& session = editor->session();
+  editor->flights.Look(&session);
   const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
   if (!motion.ok()) return;
   editor->ground.Look(&session, kFramesToLookAt);
@@ -120,7 +121,6 @@ void DrawEvents(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
   for (const SinkingMark& mark : sinkings) {
     DrawTeeth(list, mark.rect, ToIm(colors::kSinking));
   }
-  editor->flights.Look(&session);
   const TimeScale& time = editor->flights.analysis().time;
   if (editor->flights.TakeAlarm()) editor->Say(AlarmText(time));
   const std::vector<FlightMark> flights = FlightMarks(editor->flights.analysis().flights, frame);

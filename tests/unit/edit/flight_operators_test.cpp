@@ -48,7 +48,9 @@ TEST(FlightOperators, AFlightTakesOffAndLandsWhereTheKeysHaveIt) {
   }
 }
 
-TEST(FlightOperators, AKeyOnEveryFewFramesDoesNotChangeWhatIsAround) {
+class SparseFlight : public testing::TestWithParam<const char*> {};
+
+TEST_P(SparseFlight, DoesNotChangeWhatIsAround) {
   Session session;
   KeyJump(9.0, &session);
   for (const char* curve : {"root.x", "root.z"}) {
@@ -57,6 +59,8 @@ TEST(FlightOperators, AKeyOnEveryFewFramesDoesNotChangeWhatIsAround) {
       Do(&session, "key.delete", {{"curve", curve}, {"frame", frame}});
     }
   }
+  Do(&session, "keys.select_all");
+  Do(&session, "keys.interpolation", {{"interpolation", GetParam()}});
   const std::vector<MotionFrame> keyed = FramesOf(&session);
   Do(&session, "placement.flight", {{"first", kFirst}, {"last", kLast}});
   const std::vector<MotionFrame> flown = FramesOf(&session);
@@ -66,6 +70,9 @@ TEST(FlightOperators, AKeyOnEveryFewFramesDoesNotChangeWhatIsAround) {
   }
   EXPECT_LT(OffParabola(flown), 1e-6);
 }
+
+INSTANTIATE_TEST_SUITE_P(OfEachKind, SparseFlight,
+                         testing::Values("cubic", "quadratic", "linear", "hold"));
 
 TEST(FlightOperators, ThePapersStepsLandThereToo) {
   Session session;

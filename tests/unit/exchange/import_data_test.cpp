@@ -5,8 +5,11 @@
 #include <chrono>
 #include <filesystem>
 
+#include "engine/analysis/flights.h"
+#include "engine/bake/bake.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
+#include "engine/project/compile.h"
 
 namespace hazumi::test {
 namespace {
@@ -48,6 +51,60 @@ TEST_F(ImportData, UpIsWhereTheHeadIs) {
   EXPECT_EQ(ImportFile("jump/fair_jumping_zup.bvh").report.up, UpAxis::kZ);
   EXPECT_EQ(ImportFile("other/pybvh_standard_skeleton.bvh").report.up, UpAxis::kZ);
   EXPECT_EQ(ImportFile("jump/cmu_daz_13_39_jump.bvh").report.up, UpAxis::kY);
+}
+
+FlightAnalysis FlightsOf(const std::string& file, const ImportOptions& options) {
+  const Imported imported = ImportFile(file, options);
+  const Result<Compiled> compiled = CompileAnimation(imported.project);
+  if (!compiled.ok()) return {};
+  const Result<Motion> motion = Bake(compiled.value().animation);
+  if (!motion.ok()) return {};
+  MotionSeries series = SeriesOf(*compiled.value().animation.figure, motion.value());
+  series.scale_known = !imported.project.size_is_guessed;
+  return AnalyseFlights(series);
+}
+
+// Frames as they were read off the force of the feet and the height of the CoM, at 120 Hz.
+TEST_F(ImportData, FlightsAreWhereTheyWereMeasured) {
+  struct Clip {
+    const char* file;
+    std::optional<double> unit;  // [m], as far as it is stated
+    double take_off, apex, landing;
+  };
+  const Clip clips[] = {
+      {"jump/cmu_mb_02_04_jump_balance.bvh", 0.056444, 109.0, 143.3, 178.0},
+      {"jump/cmu_daz_13_39_jump.bvh", 0.01035, 159.0, 191.9, 225.0},
+      {"jump/cmu_amc2bvh_16_01_jump_WRONGFPS.bvh", std::nullopt, 124.0, 150.8, 177.0}};
+  for (const Clip& clip : clips) {
+    SCOPED_TRACE(clip.file);
+    ImportOptions options;
+    options.metres_per_unit = clip.unit;
+    const FlightAnalysis analysis = FlightsOf(clip.file, options);
+    ASSERT_EQ(analysis.flights.size(), 1u);
+    EXPECT_NEAR(analysis.flights[0].take_off, clip.take_off, 2.0);
+    EXPECT_NEAR(analysis.flights[0].apex, clip.apex, 2.0);
+    EXPECT_NEAR(analysis.flights[0].landing, clip.landing, 2.0);
+    if (clip.unit) {
+      EXPECT_NEAR(analysis.time.gravity, 9.81, 0.03 * 9.81);
+    } else {
+      EXPECT_EQ(analysis.time.verdict, TimeVerdict::kWrongFrameTime);
+      EXPECT_EQ(analysis.time.frame_rate, 120);
+    }
+  }
+}
+
+TEST_F(ImportData, WhereTheUnitIsNotStatedGravitySaysHowLongItIs) {
+  const TimeScale time = FlightsOf("jump/fair_jumping_zup.bvh", {}).time;
+  EXPECT_EQ(time.verdict, TimeVerdict::kWrongLength);
+  const double unit = ImportFile("jump/fair_jumping_zup.bvh").report.metres_per_unit;
+  EXPECT_NEAR(unit * time.length_factor, 0.0271, 0.001);
+}
+
+TEST_F(ImportData, WhoWalksOrThrowsDoesNotFly) {
+  for (const char* file : {"other/cmu_mb_02_01_walk.bvh", "other/bvhtoolbox_walk01.bvh",
+                           "throw/cmu_mb_124_01_baseball_pitch.bvh"}) {
+    EXPECT_TRUE(FlightsOf(file, {}).flights.empty()) << file;
+  }
 }
 
 TEST_F(ImportData, TheLongClipTakesLessThanASecondAlsoWithFewKeys) {
