@@ -113,7 +113,7 @@ class Tour:
         user = self.user
         self.choose("r_wrist")
         user.click(*SECTIONS["region"])
-        own = (1190, 543)  # the button, and then the number
+        own = (1190, 564)  # the button, and then the number
         user.click(*own)
         user.did("region.friction", joint="r_wrist")
         user.click(*own, times=2)

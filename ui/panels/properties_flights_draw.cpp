@@ -25,6 +25,7 @@ void DrawAlarm(Editor* editor, const TimeScale& time) {
   if (DrawButton(repair.c_str(), Tr("Keys stay on their frames; the motion gets as fast as gravity "
                                     "says that it was."))) {
     editor->Do("time.rate", {{"num", *time.frame_rate}, {"den", 1}, {"keep_shape", true}});
+    editor->Say("");  // what was said of it is no longer so
   }
 }
 
