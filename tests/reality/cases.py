@@ -89,7 +89,8 @@ def flight(hazumi, out, clip, gap):
     captured = motions.with_captured_rates(keys, project, first)
     flying = motions.with_gravity(captured, first, last)
     variants = {"interpolated": keys, "dynamic": motions.with_gravity(keys, first, last),
-                "interpolated+": captured, "dynamic+": flying}
+                "interpolated+": captured, "dynamic+": flying,
+                "landing": motions.with_flight(hazumi, keys, first, last, out)}
     variants |= {f: motions.with_region(flying, swinging, first, last, f) for f in GRID}
     body, arms, baked = {}, {}, {}
     for key, variant in variants.items():

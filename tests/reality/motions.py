@@ -68,6 +68,16 @@ def with_gravity(sparse, first, last):
     return result
 
 
+def with_flight(hazumi, sparse, first, last, out):
+    """Placed by gravity, with the rate of the root at take-off that leads to the landing's key."""
+    path, script = out / "flight.kfa", out / "flight.json"
+    path.write_text(json.dumps(sparse), encoding="utf-8")
+    script.write_text(json.dumps([{"op": "placement.flight", "first": first, "last": last},
+                                  {"op": "file.save"}]), encoding="utf-8")
+    subprocess.run([hazumi, "--run", script, path], check=True, stdout=subprocess.DEVNULL)
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
 class Motion:
     """positions[frame, joint] and rotations[frame, joint] (of each joint against its parent)."""
 

@@ -11,9 +11,10 @@ SERIES = [("interpolated", "interpolation", "#9ecae1"),
           ("interpolated+", "interpolation, captured rates", "#0072B2"),
           ("dynamic", "dynamics", "#f4b183"),
           ("dynamic+", "dynamics, captured rates", "#D55E00")]
+LANDING = ("landing", "gravity, landing on its key", "#009E73")
 
 
-def bars(axes, results, title):
+def bars(axes, results, title, series):
     """A group of bars for each clip and spacing of keys."""
     places, labels, place = [], [], 0.0
     for i, result in enumerate(results):
@@ -22,9 +23,10 @@ def bars(axes, results, title):
         places.append(place)
         labels.append(result.get("short", str(result["gap"])))
         place += 1.0
-    for s, (key, label, color) in enumerate(SERIES):
-        axes.bar(np.array(places) + 0.2 * (s - 1.5), [r["scores"][key].cm for r in results], 0.2,
-                 color=color, label=label)
+    width = 0.8 / len(series)
+    for s, (key, label, color) in enumerate(series):
+        axes.bar(np.array(places) + width * (s - (len(series) - 1) / 2),
+                 [r["scores"][key].cm for r in results], width, color=color, label=label)
     axes.set_xticks(places, labels)
     for clip in dict.fromkeys(r["clip"] for r in results):
         own = [p for p, r in zip(places, results) if r["clip"] == clip]
@@ -42,7 +44,7 @@ def heights(axes, result):
     first, last = result["frames"]
     frames = np.arange(first, last + 1)
     lines = [("truth", "capture", "black", 3.0)]
-    lines += [(key, label, color, 1.8) for key, label, color in SERIES]
+    lines += [(key, label, color, 1.8) for key, label, color in [*SERIES, LANDING]]
     for key, label, color, width in lines:
         motion = result["truth"] if key == "truth" else result["baked"][key]
         label = label.replace("dynamics", "gravity")
@@ -58,8 +60,9 @@ def heights(axes, result):
 def draw(results, path):
     figure, ((swings, curve), (flights, blank)) = plt.subplots(
         2, 2, figsize=(13, 8.4), gridspec_kw={"width_ratios": [1.5, 1.0]})
-    bars(swings, results["swings"], "Arms: each interval between two keys by dynamics")
-    bars(flights, results["flights"], "Flights: all joints, placed by gravity")
+    bars(swings, results["swings"], "Arms: each interval between two keys by dynamics", SERIES)
+    bars(flights, results["flights"], "Flights: all joints, placed by gravity",
+         [*SERIES, LANDING])
     flights.set_xlabel("frames between keys (120 a second); ends: take-off and landing only",
                        labelpad=24)
     swings.legend(frameon=False, fontsize=9)

@@ -45,13 +45,14 @@ def flights(results):
     text = ("Flights, placed by gravity (cm, all joints / CoM; angles are those of the keys), and "
             f"with the arms dynamic as well (cm / degrees, friction {cases.FRICTION}):\n\n")
     text += head(["clip", "keys", "interpolation", "gravity", "interpolation, captured rates",
-                  "gravity, captured rates", "arms: interpolation, captured rates",
+                  "gravity, captured rates", "gravity, landing on its key", "arms: interpolation, captured rates",
                   "arms: dynamics, captured rates", "arms: best friction"])
     for result in results:
         scores, arms, (friction, best) = result["scores"], result["arms"], result["best"]
         text += row([result["clip"], keys_of(result),
                      *pair(scores, ["interpolated", "dynamic"], ["cm", "com_cm"]),
                      *pair(scores, ["interpolated+", "dynamic+"], ["cm", "com_cm"]),
+                     pair(scores, ["interpolated", "landing"], ["cm", "com_cm"])[1],
                      *pair(arms, ["interpolated+", cases.FRICTION]),
                      f"{best.cm:.1f} / {best.deg:.1f} at {friction}"])
     return text + "\n"
@@ -69,6 +70,8 @@ def verdict(results):
                                         for r in flights_]),
         ("flights, captured rates", [(r["scores"]["interpolated+"], r["scores"]["dynamic+"])
                                      for r in flights_]),
+        ("flights that land on their keys", [(r["scores"]["interpolated"], r["scores"]["landing"])
+                                             for r in flights_]),
         ("arms in flight", [(r["arms"]["interpolated+"], r["arms"][cases.FRICTION])
                             for r in flights_]),
     ]
