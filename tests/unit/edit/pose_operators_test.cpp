@@ -79,7 +79,7 @@ TEST(PoseOperators, PasteFlippedIsTheMirrorImage) {
 // A figure with the names and hinges of a capture, that faces some way.
 Session CaptureSession(double degrees) {
   Project project;
-  project.frames = {0, 30};
+  project.frames = {0, 30, {}};
   FigureSpec& spec = project.figure.spec;
   spec =
       CaptureSpec(Eigen::AngleAxisd(degrees / 57.29577951308232, Vec3::UnitZ()).toRotationMatrix());
