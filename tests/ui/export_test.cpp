@@ -77,13 +77,14 @@ TEST_F(Export, ThePreviewFollowsTheOptions) {
   const Project& project = editor_.session().project();
   const ExportSummary glb = Previewed().summary;
   EXPECT_EQ(glb.animations, 1);
-  EXPECT_GT(glb.meshes, 0);
+  const int num_held = static_cast<int>(project.held_objects.size());
+  EXPECT_GT(glb.meshes, num_held);
   EXPECT_EQ(glb.joints, 1 + static_cast<int>(editor_.session().figure().groups().size()));
   EXPECT_GT(glb.triangles, 100);
   EXPECT_EQ(glb.regions, static_cast<int>(project.regions.size()));
   EXPECT_TRUE(glb.names.contains(editor_.session().figure().root_name()));
   state().settings.skin = edit::ExportSkin::kNone;
-  EXPECT_EQ(Previewed().summary.meshes, 0);
+  EXPECT_EQ(Previewed().summary.meshes, num_held);
   ChooseFormat(MotionFormat::kBvh, &state());
   EXPECT_EQ(state().path, File("a.bvh"));
   const ExportSummary bvh = Previewed().summary;

@@ -56,9 +56,13 @@ Result<KeyedFlight> AsKeyed(const FlightSpan& span, Session* session) {
                      at(span.last + 1).after.root_v};
 }
 
-// Where there is no key: one that leaves the curve as it is, of the kind of the one before it.
-void KeyIfNone(double frame, double value, double rate, ProjectCurve* curve) {
-  if (KeyOn(frame, *curve)) return;
+// Where there is no key: one that leaves the curve as it is, of the kind of the one before it. A
+// quadratic one goes on as fast as the curve arrives, so that it has to say how fast that was.
+void KeepShape(double frame, double value, double rate, ProjectCurve* curve) {
+  if (ProjectKey* old = KeyOn(frame, curve)) {
+    if (old->interpolation == Interpolation::kQuadratic && !old->rate) old->rate = rate;
+    return;
+  }
   ProjectKey key;
   for (const ProjectKey& earlier : curve->keys) {
     if (earlier.frame < frame) key.interpolation = earlier.interpolation;
@@ -78,10 +82,10 @@ Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, con
   for (int i = 0; i < 3; ++i) {
     ProjectCurve& curve = project->root.curves[kRootX + i];
     if (span.first > project->frames.first) {
-      KeyIfNone(span.first - 1, keyed.root_before[i], keyed.rate_before[i], &curve);
+      KeepShape(span.first - 1, keyed.root_before[i], keyed.rate_before[i], &curve);
     }
     if (span.last < project->frames.last)
-      KeyIfNone(span.last + 1, keyed.root_after[i], keyed.rate_after[i], &curve);
+      KeepShape(span.last + 1, keyed.root_after[i], keyed.rate_after[i], &curve);
     const ProjectKey* old = KeyOn(span.first, curve);
     ProjectKey key = old ? *old : ProjectKey();
     key.frame = span.first;

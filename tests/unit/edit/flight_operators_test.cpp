@@ -71,8 +71,21 @@ TEST_P(SparseFlight, DoesNotChangeWhatIsAround) {
   EXPECT_LT(OffParabola(flown), 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEachKind, SparseFlight,
-                         testing::Values("cubic", "quadratic", "linear", "hold"));
+TEST(FlightOperators, AfterAFlightAHeldRootStaysWhereItIsHeld) {
+  Session session;
+  KeyJump(9.81, &session);
+  for (int frame = 21; frame <= 30; ++frame) {
+    Do(&session, "key.delete", {{"curve", "root.x"}, {"frame", frame}});
+  }
+  Do(&session, "key.set",
+     {{"curve", "root.x"}, {"frame", 20}, {"value", 0.5}, {"interpolation", "hold"}});
+  Do(&session, "key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 0.9}});
+  Do(&session, "placement.flight", {{"first", kFirst}, {"last", kLast}});
+  const std::vector<MotionFrame> flown = FramesOf(&session);
+  for (int i = kLast + 1; i < 30; ++i) EXPECT_NEAR(flown[i].X_WR.p.x(), 0.5, 1e-9) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachKind, SparseFlight, testing::Values("cubic", "quadratic", "linear"));
 
 TEST(FlightOperators, ThePapersStepsLandThereToo) {
   Session session;
