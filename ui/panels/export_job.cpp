@@ -204,7 +204,7 @@ std::string ExportTrouble(const Editor& editor) {
   const ExportState& state = editor.dialogs.exporting;
   const edit::ExportSettings settings = ExportSettingsOf(editor);
   const ProjectFrames& frames = editor.session().project().frames;
-  const std::string trouble = RangeTrouble(settings.first, settings.last, frames);
+  std::string trouble = RangeTrouble(settings.first, settings.last, frames);
   if (!trouble.empty()) return trouble;
   const bool is_odd = state.width % 2 != 0 || state.height % 2 != 0;
   if (state.is_video && is_odd) return Tr("Videos have even sizes: add a pixel.");
