@@ -30,6 +30,7 @@ namespace {
 // Shares of the stature.
 constexpr double kContact = 0.02 / 1.7;   // a foot this high is off the ground
 constexpr double kHill = 2.5 * kContact;  // lower ones are steps on tiptoe, or noise
+constexpr double kSlow = 0.001 / 1.7;     // of the CoM's error, rms, that no noise shows
 constexpr double kFlatArc = 0.004 / 1.7;  // lower arcs of the CoM say nothing of gravity
 
 // With a frame on the ground before and after, so that a flight that the clip cuts off is a hill
@@ -89,12 +90,27 @@ class Finder {
     flight.take_off = std::max({left, first - 1.0, 0.0});
     flight.landing = std::min({right, last + 1.0, static_cast<double>(last_frame())});
     if (Extend(*fit, -1, std::max(hill.left - 1, 0), &first)) flight.take_off = first - 0.5;
-    if (Extend(*fit, 1, std::min(hill.right - 1, last_frame()), &last)) flight.landing = last + 0.5;
+    if (last >= right - 1.0) flight.landing = LandingAfter(right, after.touch - 1.0, *fit);
+    if (Extend(*fit, 1, std::min(hill.right - 1, last_frame()), &last))
+      flight.landing = std::max(flight.landing, last + 0.5);
     flight.parabola = FitParabola(series_.com, series_.frame_time, first, last);
+    flight.gravity = EstimateGravity(series_, flight.parabola, first, last);
     flight.begins_before_clip = left < 0.0 && first == 0;
     flight.ends_after_clip = right > last_frame() && last == last_frame();
     Describe(first, last, &flight);
     return flight;
+  }
+
+  // From where the foot is 2 cm above the ground to where it touches, unless the CoM is stopped
+  // before: it is braked, and higher than its parabola.
+  double LandingAfter(double right, double touch, const Parabola& fit) const {
+    const double tolerance = std::max(2.5 * fit.rms, kSlow * series_.stature);
+    const double until = std::min(touch, static_cast<double>(last_frame()));
+    for (int i = static_cast<int>(std::ceil(right)); i < until; ++i) {
+      const double above = series_.com[i].z() - fit.PositionAt(SecondsAt(i)).z();
+      if (above > tolerance) return std::max(right, i - 1.0);
+    }
+    return until;
   }
 
   // A foot may stay low after take-off, or be low before landing: frames beyond `end`, by `step`,
@@ -112,7 +128,7 @@ class Finder {
     const int fewest = std::max(kFewestFrames, (*last - *first + 1) * 3 / 4);
     while (*last - *first + 1 >= fewest) {
       const Parabola fit = FitParabola(series_.com, series_.frame_time, *first, *last);
-      if (IsBallistic(fit)) return fit;
+      if (IsBallistic(fit, *first, *last)) return fit;
       const int cut = 1 + (*last - *first) / 100;  // long ones soon
       const double begin = Residual(fit, *first), end = Residual(fit, *last);
       (begin > end ? *first : *last) += begin > end ? cut : -cut;
@@ -124,12 +140,14 @@ class Finder {
     return (series_.com[i] - fit.PositionAt(SecondsAt(i))).norm();
   }
 
-  bool IsBallistic(const Parabola& fit) const {
+  bool IsBallistic(const Parabola& fit, int first, int last) const {
     constexpr double kShape = 0.015, kUniform = 0.05, kAtMost = 0.06;  // of the arc's height
-    constexpr double kNoise = 1.3;                                     // times its deviation
-    const double noise = kNoise * noise_;
-    const double tolerance = std::hypot(kShape * fit.sagitta, noise);
-    const double horizontal_tolerance = std::hypot(kUniform * fit.sagitta, noise);
+    constexpr double kNoise = 1.3, kMasses = 2.0;                      // times their deviations
+    const double noise = std::hypot(kNoise * noise_, kSlow * series_.stature);
+    const MassResiduals masses = ResidualsByMass(series_, first, last);
+    const double tolerance = std::hypot(kShape * fit.sagitta, noise, kMasses * masses.height);
+    const double horizontal_tolerance =
+        std::hypot(kUniform * fit.sagitta, noise, kMasses * masses.horizontal);
     return fit.sagitta >= kFlatArc * series_.stature && fit.gravity > 4.0 * fit.gravity_error &&
            fit.rms <= std::min(tolerance, kAtMost * fit.sagitta) &&
            fit.horizontal_rms <= horizontal_tolerance;
@@ -181,13 +199,16 @@ FlightAnalysis AnalyseFlights(const MotionSeries& series, double gravity) {
   FlightAnalysis analysis;
   analysis.flights = FindFlights(series);
   analysis.skates = FootSkates(series);
-  std::vector<GravityEstimate> estimates;
-  for (const Flight& flight : analysis.flights) {
-    estimates.push_back({flight.parabola.gravity, flight.parabola.gravity_error});
-  }
   analysis.time =
-      JudgeTime(estimates, series.frame_time, series.stature, series.scale_known, gravity);
+      TimeOf(analysis.flights, series.frame_time, series.stature, series.scale_known, gravity);
   return analysis;
+}
+
+TimeScale TimeOf(const std::vector<Flight>& flights, double frame_time, double stature,
+                 bool scale_known, double gravity) {
+  std::vector<GravityEstimate> estimates;
+  for (const Flight& flight : flights) estimates.push_back(flight.gravity);
+  return JudgeTime(estimates, frame_time, stature, scale_known, gravity);
 }
 
 }  // namespace hazumi

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/analysis/foot_contact.h"
+#include "engine/analysis/gravity_estimate.h"
 #include "engine/analysis/motion_series.h"
 #include "engine/analysis/parabola.h"
 #include "engine/analysis/time_scale.h"
@@ -24,6 +25,7 @@ struct Flight {
   double apex = 0.0;                     // of the parabola
   bool begins_before_clip = false, ends_after_clip = false;  // then take_off, landing are its ends
   Parabola parabola;
+  GravityEstimate gravity;         // that of the parabola, and how far it can be believed
   double rise = 0.0;               // of the CoM from take-off to the apex [m]
   Vec3 v_take_off = Vec3::Zero();  // of the CoM, of the parabola [m/s]
   double horizontal_speed = 0.0;   // [m/s]
@@ -42,6 +44,10 @@ struct FlightAnalysis {
 // frames are not found: a parabola through 3 points says nothing. `gravity` is the true one
 // [m/s^2].
 FlightAnalysis AnalyseFlights(const MotionSeries& series, double gravity = 9.81);
+
+// What flights say of the clip's time: JudgeTime of their gravities.
+TimeScale TimeOf(const std::vector<Flight>& flights, double frame_time, double stature,
+                 bool scale_known, double gravity);
 
 // The flights alone, as AnalyseFlights finds them.
 std::vector<Flight> FindFlights(const MotionSeries& series);

@@ -87,6 +87,24 @@ double LowestGround(const std::vector<double>& c, int peak, int end, int step) {
   return std::max(Quantile(std::move(beside), 0.1), c[end]);
 }
 
+// Between frames i and i + step, of which the latter is the lower one: where it is at `level`.
+double Crossing(const std::vector<double>& c, int i, int step, double level) {
+  return i + step * (c[i] - level) / (c[i] - c[i + step]);
+}
+
+// Where a foot that falls to `contact` above the ground at `at` touches it: if it goes on as fast
+// as it came from twice that height, or where it is slowed down to half of that before.
+double TouchOf(const std::vector<double>& c, double at, int peak, int end, int step, double ground,
+               double contact) {
+  int i = static_cast<int>(step > 0 ? std::floor(at) : std::ceil(at));
+  while (i != peak && c[i] < ground + 2.0 * contact) i -= step;
+  if (i == peak) return at;
+  const double frames = std::abs(at - Crossing(c, i, step, ground + 2.0 * contact));
+  int stop = static_cast<int>(step > 0 ? std::ceil(at) : std::floor(at));
+  while (stop != end && c[stop] - c[stop + step] > 0.5 * contact / frames) stop += step;
+  return at + step * std::min(frames, std::abs(stop - at));
+}
+
 }  // namespace
 
 std::vector<Hill> HillsOf(const std::vector<double>& c, const Heights& heights) {
@@ -109,10 +127,11 @@ Edge EdgeOf(const std::vector<double>& c, int peak, int end, int step, const Hei
   const double box = PlateauBeside(c, peak, end, step, heights).value_or(lowest);
   const double ground = box > lowest + 1.5 * contact ? box : lowest;
   for (int i = peak; i != end; i += step) {
-    const double here = c[i], next = c[i + step], level = ground + contact;
-    if (next <= level) return {i + step * (here - level) / (here - next), ground};
+    if (c[i + step] > ground + contact) continue;
+    const double at = Crossing(c, i, step, ground + contact);
+    return {at, ground, TouchOf(c, at, peak, end, step, ground, contact)};
   }
-  return {static_cast<double>(end), ground};
+  return {static_cast<double>(end), ground, static_cast<double>(end)};
 }
 
 }  // namespace hazumi

@@ -29,6 +29,7 @@ std::vector<Hill> HillsOf(const std::vector<double>& clearance, const Heights& h
 struct Edge {
   double at = 0.0;
   double ground = 0.0;  // [m]
+  double touch = 0.0;   // where, beyond, the foot reaches the ground or is slowed down by it
 };
 
 // From the peak towards the valley at `end`, by `step`, 1 or -1. A box on which the figure stands

@@ -33,12 +33,32 @@ std::vector<BodyPoint> PointsOf(const Figure& figure, GroupIndex group) {
   return points;
 }
 
+const RigidInertia& InertiaOf(const Figure& figure, int body) {
+  return body == 0 ? figure.root_body() : figure.body(JointIndex(body - 1));
+}
+
+// By body number: bodies of one mass are of one class.
+std::vector<int> MassClasses(const Figure& figure) {
+  constexpr double kSame = 1e-3;
+  std::vector<int> classes;
+  std::vector<double> masses;  // of the classes
+  for (int i = 0; i <= figure.num_joints(); ++i) {
+    const double mass = InertiaOf(figure, i).mass;
+    const auto same = std::find_if(masses.begin(), masses.end(), [&](double other) {
+      return std::abs(mass - other) <= kSame * other;
+    });
+    classes.push_back(static_cast<int>(same - masses.begin()));
+    if (same == masses.end()) masses.push_back(mass);
+  }
+  return classes;
+}
+
 // About the CoM of the figure [kg m^2/s]; needs ComputeVelocities.
 Vec3 AngularMomentum(const Figure& figure, const DynamicsWorkspace& ws) {
   const Vec3 com = CenterOfMass(figure, ws), v_com = CenterOfMassVelocity(figure, ws);
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i <= figure.num_joints(); ++i) {
-    const RigidInertia& inertia = i == 0 ? figure.root_body() : figure.body(JointIndex(i - 1));
+    const RigidInertia& inertia = InertiaOf(figure, i);
     if (inertia.is_massless()) continue;
     const BodyScratch& body = ws.bodies[i];
     const Vec3 c = body.R * inertia.com;
@@ -70,11 +90,14 @@ class Walk {
  public:
   Walk(const Figure& figure, const Motion& motion) {
     DynamicsWorkspace ws(figure);
+    classes_ = MassClasses(figure);
+    mass_shifts_.resize(*std::max_element(classes_.begin(), classes_.end()) + 1);
     for (const MotionFrame& frame : motion.frames) {
       ComputePositions(figure, frame.X_WR, frame.q, &ws);
       const MotionLimit& rates = frame.after;
       ComputeVelocities(figure, rates.root_w, rates.root_v, rates.qd, &ws);
       angular_momentum_.push_back(AngularMomentum(figure, ws));
+      AddMassShifts(figure, ws);
       extents_.push_back(Extent(figure, ws));
       poses_.emplace_back();
       for (const BodyScratch& body : ws.bodies) poses_.back().push_back({body.R, body.p});
@@ -82,6 +105,7 @@ class Walk {
   }
 
   const std::vector<Vec3>& angular_momentum() const { return angular_momentum_; }
+  const std::vector<Track>& mass_shifts() const { return mass_shifts_; }
   // The figure stands at most frames.
   double stature() const { return Quantile(extents_, 0.5); }
 
@@ -94,6 +118,21 @@ class Walk {
   }
 
  private:
+  void AddMassShifts(const Figure& figure, const DynamicsWorkspace& ws) {
+    const Vec3 com = CenterOfMass(figure, ws);
+    const double mass = figure.total_mass();
+    for (Track& shift : mass_shifts_) shift.push_back(Vec3::Zero());
+    for (int i = 0; i <= figure.num_joints(); ++i) {
+      const RigidInertia& inertia = InertiaOf(figure, i);
+      if (inertia.is_massless()) continue;
+      const BodyScratch& body = ws.bodies[i];
+      const Vec3 p = body.p + body.R * inertia.com;
+      mass_shifts_[classes_[i]].back() += inertia.mass / mass * (p - com);
+    }
+  }
+
+  std::vector<int> classes_;  // by body number
+  std::vector<Track> mass_shifts_;
   std::vector<Vec3> angular_momentum_;
   std::vector<double> extents_;
   std::vector<std::vector<Pose>> poses_;  // by frame and body
@@ -178,6 +217,7 @@ MotionSeries SeriesOf(const Figure& figure, const Motion& motion) {
   const Walk walk(figure, motion);
   for (const MotionFrame& frame : motion.frames) series.com.push_back(frame.com);
   series.angular_momentum = walk.angular_momentum();
+  series.mass_shifts = walk.mass_shifts();
   series.stature = walk.stature();
   series.feet = FeetOf(figure, walk, series.stature);
   return series;

@@ -22,6 +22,10 @@ struct MotionSeries {
   int first_frame = 0;                 // number of the first frame
   std::vector<Vec3> com;               // [m]
   std::vector<Vec3> angular_momentum;  // about the CoM [kg m^2/s]; empty: not known
+  // Where the CoM would be with another mass of some bodies: share (p - com), p the CoM of a body
+  // and share that of the figure's mass, summed over bodies of one mass (left and right), which a
+  // table gets wrong together. By such class and frame [m]; empty: masses are taken for certain.
+  std::vector<std::vector<Vec3>> mass_shifts;
   std::vector<FootTrack> feet;
   double stature = 1.7;  // height of the figure, upright [m]: what tolerances are measured in
   // The unit of length was stated, not guessed from the figure's height.

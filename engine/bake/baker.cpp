@@ -179,6 +179,7 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const GroupLogs& known, Str
   do {
     stretch->events.clear();
     stretch->warnings.clear();
+    stretch->placement_jumps.clear();
     stretch->logs.clear();
     begun_.clear();
     Restore(stretch->start);

@@ -73,7 +73,9 @@ class Baker {
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
-  std::string PlacementPlace(int frame) const;
+  void WarnOfDistance(int frame);
+  void AddJump(PlacementJump jump, const std::string& message);
+  int PlacementAt(int frame) const;
 
   // After a region (baker_resume.cpp).
   void ResumeAfterRegion(int frame, size_t region);

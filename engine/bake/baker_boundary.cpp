@@ -86,6 +86,7 @@ void Baker::WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t i
 bool Baker::EndPlacement(int frame) {
   if (!span_ || !Ends(span_->last_frame, frame)) return false;
   if (span_->kind != PlacementKind::kKeyed) {
+    WarnOfDistance(frame);
     for (int i = 0; i < 3; ++i) {
       curves_.root(kRootX + i).Resume(frame, now_.X_WR.p[i], now_.root.v[i]);
     }
@@ -228,7 +229,7 @@ void Baker::TakeKeyedVelocity(int frame) {
 }
 
 // The placement that begins at the frame, else the one that ends there.
-std::string Baker::PlacementPlace(int frame) const {
+int Baker::PlacementAt(int frame) const {
   const auto& spans = animation_.placements;
   auto span = std::find_if(spans.begin(), spans.end(),
                            [&](const PlacementSpan& s) { return s.first_frame == frame; });
@@ -236,16 +237,41 @@ std::string Baker::PlacementPlace(int frame) const {
     span = std::find_if(spans.begin(), spans.end(),
                         [&](const PlacementSpan& s) { return s.last_frame == frame; });
   }
-  return "placements[" + std::to_string(span - spans.begin()) + "]";
+  return static_cast<int>(span - spans.begin());
+}
+
+void Baker::AddJump(PlacementJump jump, const std::string& message) {
+  AddWarning("placements[" + std::to_string(jump.placement) + "]", message);
+  stretch_->placement_jumps.push_back(jump);
 }
 
 void Baker::WarnOfVelocityJump(int frame) {
   constexpr double kJump = 1e-3;  // [m/s]
   const double jump = (now_.root.v - before_.root_v).norm();
   if (frame == animation_.first_frame || jump <= kJump) return;
-  AddWarning(PlacementPlace(frame), "the root's velocity jumps by " + FormatShort(jump) +
-                                        " m/s at frame " + std::to_string(frame) +
-                                        ", where the placement changes");
+  AddJump({PlacementAt(frame), frame, jump}, "the root's velocity jumps by " + FormatShort(jump) +
+                                                 " m/s at frame " + std::to_string(frame) +
+                                                 ", where the placement changes");
+}
+
+// A figure that is not where the keys beyond the placement have it gets there by the next one.
+void Baker::WarnOfDistance(int frame) {
+  constexpr double kFar = 0.01, kFast = 0.25;  // [m], [m/s]
+  constexpr double kNext = 1e-9;               // [frames]
+  Vec3 way = Vec3::Zero();
+  double seconds = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    CurveTrack& curve = curves_.root(kRootX + i);
+    if (!curve.HasKeyAfter(frame)) continue;
+    const double until = Seconds(curve.BlendTarget(frame + kNext).frame - frame);
+    way[i] = curve.At(frame).value - now_.X_WR.p[i];
+    seconds = seconds > 0.0 ? std::min(seconds, until) : until;
+  }
+  if (way.norm() <= kFar || way.norm() <= kFast * seconds) return;
+  AddJump({static_cast<int>(span_ - animation_.placements.data()), frame, 0.0, way.norm(), seconds},
+          "at frame " + std::to_string(frame) + ", where the placement ends, the root is " +
+              FormatShort(way.norm()) + " m from where its keys have it; it gets there within " +
+              FormatShort(seconds) + " s");
 }
 
 }  // namespace hazumi

@@ -179,6 +179,7 @@ void IncrementalBake::Join(std::optional<Checkpoint> next) {
 void IncrementalBake::CollectEvents() {
   motion_.events.clear();
   motion_.warnings.clear();
+  motion_.placement_jumps.clear();
   for (const auto& [frame, part] : parts_) part.stretch.AppendTo(&motion_);
   SortByTime(&motion_.events);
 }

@@ -79,6 +79,15 @@ struct RegionReport {
   std::optional<EnergyBalance> energy;
 };
 
+// The root at a frame where a placement begins or ends, if it does not go on as it came.
+struct PlacementJump {
+  int placement = 0;      // index of Animation::placements
+  int frame = 0;          // of the animation
+  double speed = 0.0;     // by which its velocity jumps [m/s]
+  double distance = 0.0;  // from where its keys have it, which it runs after from here on [m]
+  double seconds = 0.0;   // that it has for this, up to its next key
+};
+
 // Puts events in order of time; events at one time stay as they are.
 void SortByTime(std::vector<MotionEvent>* events);
 
@@ -89,6 +98,7 @@ struct Motion {
   std::vector<MotionEvent> events;  // in order of time
   std::vector<RegionReport> regions;
   std::vector<Warning> warnings;
+  std::vector<PlacementJump> placement_jumps;  // in order of frames; each is a warning as well
 };
 
 }  // namespace hazumi

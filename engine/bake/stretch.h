@@ -41,11 +41,14 @@ struct Stretch {
   Checkpoint start;
   std::vector<MotionEvent> events;
   std::vector<Warning> warnings;
+  std::vector<PlacementJump> placement_jumps;
   GroupLogs logs;  // of the exact regions in it
 
   void AppendTo(Motion* motion) const {
     motion->events.insert(motion->events.end(), events.begin(), events.end());
     motion->warnings.insert(motion->warnings.end(), warnings.begin(), warnings.end());
+    motion->placement_jumps.insert(motion->placement_jumps.end(), placement_jumps.begin(),
+                                   placement_jumps.end());
   }
 };
 

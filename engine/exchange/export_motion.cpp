@@ -81,7 +81,7 @@ Result<std::string> ExportMotion(const Animation& animation, const Motion& motio
 }
 
 Motion PartOf(const Motion& motion, int first, int last) {
-  Motion part{motion.rate, {}, {}, motion.regions, motion.warnings};
+  Motion part{motion.rate, {}, {}, motion.regions, motion.warnings, motion.placement_jumps};
   std::copy_if(motion.frames.begin(), motion.frames.end(), std::back_inserter(part.frames),
                [&](const MotionFrame& f) { return f.frame >= first && f.frame <= last; });
   const double start = motion.rate.SecondsAt(first), end = motion.rate.SecondsAt(last);

@@ -1,5 +1,6 @@
 #include "engine/exchange/flight_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/flight_report.h"
@@ -11,6 +12,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json AsJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+// Without an upper end: null there.
+Json AsJson(const Range& range) {
+  return {range.low, std::isfinite(range.high) ? Json(range.high) : Json(nullptr)};
+}
 
 Json AsJson(const AngularMomentumDrift& drift) {
   return {{"mean_kg_m2_s", AsJson(drift.mean)},
@@ -26,7 +32,8 @@ Json AsJson(const Flight& flight, double frame_time) {
                {"ends_after_clip", flight.ends_after_clip},
                {"duration_s", flight.duration_frames() * frame_time},
                {"gravity_m_s2", flight.parabola.gravity},
-               {"gravity_error_m_s2", flight.parabola.gravity_error},
+               {"gravity_error_m_s2", flight.gravity.StandardError()},
+               {"gravity_interval_m_s2", AsJson(flight.gravity.Interval())},
                {"residual_rms_m", flight.parabola.rms},
                {"velocity_m_s", AsJson(flight.v_take_off)},
                {"horizontal_speed_m_s", flight.horizontal_speed},
@@ -52,14 +59,18 @@ const char* NameOf(TimeVerdict verdict) {
 
 Json AsJson(const TimeScale& time) {
   Json json = {{"verdict", NameOf(time.verdict)}, {"frame_time_s", time.frame_time}};
-  if (time.verdict == TimeVerdict::kUnknown) return json;
+  if (!(time.gravity > 0.0)) return json;  // there is no flight
   json["gravity_m_s2"] = time.gravity;
   json["gravity_error_m_s2"] = time.gravity_error;
+  json["gravity_interval_m_s2"] = AsJson(time.gravity_range);
   json["true_gravity_m_s2"] = time.true_gravity;
   json["speed"] = time.speed;
+  json["speed_interval"] = AsJson(SpeedRange(time));
   json["true_frame_time_s"] = time.true_frame_time;
+  json["true_frame_time_interval_s"] = AsJson(FrameTimeRange(time));
   json["nearest_fps"] = time.frame_rate ? Json(*time.frame_rate) : Json(nullptr);
   json["length_factor"] = time.length_factor;
+  json["length_factor_interval"] = AsJson(LengthFactorRange(time));
   json["length_known"] = time.scale_known;
   json["sentence"] = TimeSentence(time);
   return json;

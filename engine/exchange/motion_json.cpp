@@ -166,6 +166,14 @@ std::string WarningText(const Warning& warning) {
   return "{\"place\": " + Quote(warning.place) + ", \"message\": " + Quote(warning.message) + "}";
 }
 
+std::string JumpText(const PlacementJump& jump) {
+  return "{\"placement\": " + std::to_string(jump.placement) +
+         ", \"frame\": " + std::to_string(jump.frame) +
+         ", \"speed_m_s\": " + FormatNumber(jump.speed) +
+         ", \"distance_m\": " + FormatNumber(jump.distance) +
+         ", \"seconds\": " + FormatNumber(jump.seconds) + "}";
+}
+
 }  // namespace
 
 double StatedDegrees(double radians) {
@@ -211,7 +219,11 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
   text += ",\n  \"regions\": " + Lines(motion.regions, [&](const RegionReport& region) {
             return RegionText(region, options.timings);
           });
-  return text + ",\n  \"warnings\": " + Lines(motion.warnings, WarningText) + "\n}\n";
+  text += ",\n  \"warnings\": " + Lines(motion.warnings, WarningText);
+  if (!motion.placement_jumps.empty()) {
+    text += ",\n  \"placement_jumps\": " + Lines(motion.placement_jumps, JumpText);
+  }
+  return text + "\n}\n";
 }
 
 }  // namespace hazumi

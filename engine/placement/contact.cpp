@@ -16,12 +16,13 @@ Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
                                       const DynamicsWorkspace& ws, const Vec3& shift) {
   std::optional<Contact> nearest;
-  for (const Link& link : figure.links()) {
-    const Capsule capsule = InWorld(link, ws, shift);
-    for (const SceneObject& object : scene) {
-      const Distance distance = SignedDistance(capsule, object.shape);
+  for (size_t link = 0; link < figure.links().size(); ++link) {
+    const Capsule capsule = InWorld(figure.links()[link], ws, shift);
+    for (size_t object = 0; object < scene.size(); ++object) {
+      const Distance distance = SignedDistance(capsule, scene[object].shape);
       if (nearest && nearest->clearance <= distance.value) continue;
-      nearest = Contact{distance.value, distance.point_on_capsule, distance.normal};
+      nearest = Contact{distance.value, distance.point_on_capsule, distance.normal,
+                        static_cast<int>(link), static_cast<int>(object)};
     }
   }
   return nearest;

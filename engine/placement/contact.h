@@ -17,6 +17,7 @@ struct Contact {
   double clearance = 0.0;      // signed distance [m]
   Vec3 point = Vec3::Zero();   // on the figure's surface, world [m]
   Vec3 normal = Vec3::Zero();  // unit, from the obstacle to the figure
+  int link = 0, object = 0;    // indices of Figure::links and the scene
 };
 
 // All of these need ComputePositions and see the figure moved by `shift` [m].

@@ -1,10 +1,15 @@
 // A flight that keys have is given to gravity.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "engine/bake/incremental_bake.h"
+#include "engine/base/text.h"
+#include "engine/placement/contact.h"
+#include "engine/project/checks.h"
 #include "ui/edit/edits.h"
+#include "ui/edit/flight_plan.h"
 #include "ui/edit/root_curves.h"
 
 namespace hazumi::edit {
@@ -13,47 +18,81 @@ namespace {
 
 using enum ParameterKind;
 
-struct FlightSpan {
-  int first, last;  // frames: in the air on both, and between
+constexpr double kNear = 0.02;  // so far from its key it may land [m]
+
+// What is keyed for it.
+struct FlightKeys {
+  FlightSpan span;
+  int by_gravity = 0;              // first frame that gravity places
+  std::vector<Vec3> roots, rates;  // of the root, from span.first to by_gravity [m, m/s]
+  Vec3 root_before, root_after;    // on the frame before the first, that after the last
+  Vec3 rate_before, rate_after;    // [m/s]
+  bool stands() const { return by_gravity > span.first; }  // on the first frame
 };
 
-// Where the keys have the CoM, and the root's origin beside the flight [m].
-struct KeyedFlight {
-  Vec3 com_first, com_last;
-  Vec3 root_before, root_first, root_after;  // on the frame before, the first, that after the last
-  Vec3 rate_before, rate_after;              // [m/s]
-};
-
-// The nearest that there is.
-const MotionFrame& FrameOf(const Motion& motion, int frame) {
-  const int i = std::clamp(frame - motion.frames.front().frame, 0,
-                           static_cast<int>(motion.frames.size()) - 1);
-  return motion.frames[i];
+std::string Frame(int frame) { return "F" + std::to_string(frame); }
+std::string Centimetres(double metres) { return FormatShort(100.0 * metres) + " cm"; }
+std::string Inside(const FlightArc::Nearness& nearness, int frame) {
+  return Quoted(nearness.link) + " is " + Centimetres(-nearness.clearance) + " inside " +
+         Quoted(nearness.object) + " at " + Frame(frame);
 }
 
-Result<KeyedFlight> AsKeyed(const FlightSpan& span, Session* session) {
-  const ProjectFrames& all = session->project().frames;
-  if (span.first < all.first || span.last > all.last || span.first > span.last - 2) {
-    return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
-                               " to " + std::to_string(all.last));
-  }
-  const Result<const Motion*> motion = session->WholeMotion();
-  if (!motion.ok()) return motion.error();
-  for (const PlacementSpan& other : session->animation()->placements) {
+std::optional<Error> CheckSpan(const FlightSpan& span, const Session& session) {
+  const ProjectFrames& all = session.project().frames;
+  if (span.first >= all.first && span.last <= all.last && span.first <= span.last - 2) return {};
+  return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
+                             " to " + std::to_string(all.last));
+}
+
+std::optional<Error> CheckFree(const FlightSpan& span, const Animation& animation) {
+  for (const PlacementSpan& other : animation.placements) {
     if (other.kind == PlacementKind::kKeyed) continue;
     if (other.last_frame <= span.first || other.first_frame >= span.last) continue;
     return Refusal("first", std::string("frames ") + std::to_string(other.first_frame) + " to " +
                                 std::to_string(other.last_frame) +
                                 " are placed by a pin or by gravity already");
   }
-  const auto at = [&](int frame) -> const MotionFrame& { return FrameOf(*motion.value(), frame); };
-  return KeyedFlight{at(span.first).com,
-                     at(span.last).com,
-                     at(span.first - 1).X_WR.p,
-                     at(span.first).X_WR.p,
-                     at(span.last + 1).X_WR.p,
-                     at(span.first - 1).before.root_v,
-                     at(span.last + 1).after.root_v};
+  return std::nullopt;
+}
+
+// Gravity would hold a figure that touches something. One that stands on the first frame is keyed
+// on its way until it is off the ground.
+Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span) {
+  constexpr int kMostFrames = 3;
+  const int last = std::min(span.first + kMostFrames, span.last - 2);
+  for (int frame = span.first; frame <= last; ++frame) {
+    const auto nearness = arc.NearnessAt(frame);
+    if (!nearness || nearness->clearance > 2.0 * kTouching) return frame;
+  }
+  const auto nearness = arc.NearnessAt(last);
+  return Refusal("first", "on the way to where the keys have it at " + Frame(span.last) + " " +
+                              Inside(*nearness, last) + ", " + std::to_string(last - span.first) +
+                              " frames after it took off: it does not get off the ground");
+}
+
+Result<FlightKeys> KeysOf(const FlightArc& arc, const FlightSpan& span, const Motion& motion) {
+  const auto landing = arc.NearnessAt(span.last);
+  if (landing && landing->clearance < -kNear) {
+    return Refusal("last", Inside(*landing, span.last) +
+                               ": key the root so much higher there, or let it land before");
+  }
+  const Result<int> by_gravity = FirstByGravity(arc, span);
+  if (!by_gravity.ok()) return by_gravity.error();
+  const MotionFrame& before = FrameOf(motion, span.first - 1);
+  const MotionFrame& after = FrameOf(motion, span.last + 1);
+  FlightKeys keys{span,
+                  by_gravity.value(),
+                  {},
+                  {},
+                  before.X_WR.p,
+                  after.X_WR.p,
+                  before.before.root_v,
+                  after.after.root_v};
+  for (int frame = span.first; frame <= keys.by_gravity; ++frame) {
+    keys.roots.push_back(arc.RootAt(frame));
+    keys.rates.push_back(arc.RootVelocityAt(frame));
+  }
+  return keys;
 }
 
 // Where there is no key: one that leaves the curve as it is, of the kind of the one before it. A
@@ -75,28 +114,47 @@ void KeepShape(double frame, double value, double rate, ProjectCurve* curve) {
   PutKey(key, curve);
 }
 
-// The span, and the root's rate where it takes off [m/s]. Keys beside it keep the motion there as
-// it was.
-Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, const Vec3& rate,
-                           Project* project) {
+// So that the curve before it does not swing out for the speed with which it takes off.
+void ArriveAsSlow(double frame, double rate, ProjectCurve* curve) {
+  ProjectKey* key = KeyOn(frame, curve);
+  if (key->interpolation != Interpolation::kCubic) return;
+  key->interpolation = Interpolation::kQuadratic;
+  if (!key->rate) key->rate = rate;
+}
+
+// The way from the ground, up to the first frame that gravity places.
+void KeyWay(const FlightKeys& keys, int axis, ProjectCurve* curve) {
+  std::erase_if(curve->keys, [&](const ProjectKey& key) {
+    return key.frame > keys.span.first && key.frame < keys.by_gravity;
+  });
+  for (int frame = keys.span.first; frame <= keys.by_gravity; ++frame) {
+    const int k = frame - keys.span.first;
+    const ProjectKey* old = KeyOn(frame, *curve);
+    ProjectKey key = old ? *old : ProjectKey();
+    key.frame = frame;
+    if (!old || k > 0) key.value = WithoutRoundOff(keys.roots[k][axis]);
+    key.rate = WithoutRoundOff(keys.rates[k][axis]);
+    key.interpolation = Interpolation::kCubic;
+    PutKey(key, curve);
+  }
+}
+
+// Keys beside the span keep the motion there as it was.
+Result<Done> GiveToGravity(const FlightKeys& keys, Project* project) {
+  const FlightSpan& span = keys.span;
   for (int i = 0; i < 3; ++i) {
     ProjectCurve& curve = project->root.curves[kRootX + i];
     if (span.first > project->frames.first) {
-      KeepShape(span.first - 1, keyed.root_before[i], keyed.rate_before[i], &curve);
+      KeepShape(span.first - 1, keys.root_before[i], keys.rate_before[i], &curve);
+      if (keys.stands()) ArriveAsSlow(span.first - 1, keys.rate_before[i], &curve);
     }
     if (span.last < project->frames.last)
-      KeepShape(span.last + 1, keyed.root_after[i], keyed.rate_after[i], &curve);
-    const ProjectKey* old = KeyOn(span.first, curve);
-    ProjectKey key = old ? *old : ProjectKey();
-    key.frame = span.first;
-    key.value = old ? old->value : keyed.root_first[i];
-    key.rate = WithoutRoundOff(rate[i]);
-    key.interpolation = Interpolation::kCubic;
-    PutKey(key, &curve);
+      KeepShape(span.last + 1, keys.root_after[i], keys.rate_after[i], &curve);
+    KeyWay(keys, i, &curve);
   }
   ProjectPlacement placement;
   placement.kind = PlacementKind::kGravity;
-  placement.first_frame = span.first;
+  placement.first_frame = keys.by_gravity;
   placement.last_frame = span.last;
   return PutPlacement(std::move(placement), true, &project->placements);
 }
@@ -104,69 +162,88 @@ Result<Done> GiveToGravity(const FlightSpan& span, const KeyedFlight& keyed, con
 // The flight with one rate or another. What lies before it is baked once.
 class Tries {
  public:
-  Tries(const FlightSpan& span, const KeyedFlight& keyed, const Project& project)
-      : span_(span), keyed_(keyed), project_(project) {}
+  explicit Tries(const Project& project) : project_(project) {}
 
-  // Up to a frame.
-  Result<const Motion*> Fly(const Vec3& rate, int to) {
+  Result<const Motion*> Fly(const FlightKeys& keys) {
     Project project = project_;
-    const Result<Done> given = GiveToGravity(span_, keyed_, rate, &project);
+    const Result<Done> given = GiveToGravity(keys, &project);
     if (!given.ok()) return given.error();
     const Result<Compiled> compiled = CompileAnimation(project);
     if (!compiled.ok()) return compiled.error();
     if (bake_) bake_->Update(compiled.value().animation);
     if (!bake_) bake_ = std::make_unique<IncrementalBake>(compiled.value().animation);
-    if (const auto error = bake_->BakeTo(to)) return *error;
+    if (const auto error = bake_->BakeTo(keys.span.last)) return *error;
     return &bake_->motion();
   }
 
  private:
-  const FlightSpan& span_;
-  const KeyedFlight& keyed_;
   const Project& project_;
   std::unique_ptr<IncrementalBake> bake_;
 };
 
-bool Lands(const Motion& motion, const FlightSpan& span) {
-  return std::any_of(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
-    return event.kind == EventKind::kLanding && event.frame > span.first && event.frame < span.last;
-  });
+const MotionEvent* LandingIn(const Motion& motion, const FlightKeys& keys) {
+  const auto landing =
+      std::find_if(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
+        return event.kind == EventKind::kLanding && event.frame > keys.by_gravity &&
+               event.frame < keys.span.last;
+      });
+  return landing == motion.events.end() ? nullptr : &*landing;
 }
 
-// The root's rate with which the CoM flies from where the keys have it on the first frame to where
-// they have it on the last one. What the limbs add to the CoM's velocity is seen in a first try,
-// what a coarse step adds in further ones; a flight that lands early is left with the first.
-Result<Vec3> RateOfRoot(const FlightSpan& span, const KeyedFlight& keyed, Session* session) {
-  const Animation& animation = *session->animation();
-  const double step = animation.rate.SecondsAt(1.0), duration = step * (span.last - span.first);
-  const Vec3 gravity(0.0, 0.0, -animation.gravity);
-  const Vec3 wanted = (keyed.com_last - keyed.com_first) / duration - 0.5 * duration * gravity;
-  Tries tries(span, keyed, session->project());
-  const Result<const Motion*> begun = tries.Fly(wanted, span.first + 1);
-  if (!begun.ok()) return begun.error();
-  const Vec3 moved = FrameOf(*begun.value(), span.first + 1).com - keyed.com_first;
-  Vec3 rate = wanted + wanted - (moved / step - 0.5 * step * gravity);
-  for (int i = 0; i < 3; ++i) {
-    constexpr double kThere = 1e-7;  // [m]
-    const Result<const Motion*> flown = tries.Fly(rate, span.last);
+// A flight that ends elsewhere than its keys: what was in the way.
+std::optional<Error> CheckFlown(const FlightArc& arc, const FlightKeys& keys,
+                                const Motion& motion) {
+  const int last = keys.span.last;
+  const double off = (FrameOf(motion, last).com - arc.ComAt(last)).norm();
+  if (off <= kNear) return std::nullopt;
+  const std::string far = Centimetres(off) + " from where the keys have it at " + Frame(last);
+  const MotionEvent* landing = LandingIn(motion, keys);
+  if (!landing) return Refusal("last", "gravity leaves the figure " + far);
+  const auto met = arc.NearnessIn(FrameOf(motion, landing->frame));
+  return Refusal("last", Quoted(met->link) + " meets " + Quoted(met->object) + " at " +
+                             Frame(landing->frame) + " on the way, which leaves the figure " + far);
+}
+
+// Sets the rate with which gravity takes over so that the CoM is where the keys have it on the last
+// frame; a hair lower where it lands there, so that it does land. What a coarse step adds is seen
+// in the tries; a flight that lands early is left as it is.
+Result<Done> Aim(const FlightArc& arc, const Session& session, double step, FlightKeys* keys) {
+  constexpr double kThere = 1e-7, kHair = 1e-6, kLands = 1e-4;  // [m]
+  constexpr int kTries = 4;
+  const auto landing = arc.NearnessAt(keys->span.last);
+  const bool lands = landing && std::abs(landing->clearance) < kLands;
+  const Vec3 goal = arc.ComAt(keys->span.last) - (lands ? kHair : 0.0) * Vec3::UnitZ();
+  const double duration = step * (keys->span.last - keys->by_gravity);
+  Tries tries(session.project());
+  for (int i = 0; i < kTries; ++i) {
+    const Result<const Motion*> flown = tries.Fly(*keys);
     if (!flown.ok()) return flown.error();
-    if (Lands(*flown.value(), span)) break;
-    const Vec3 off = keyed.com_last - FrameOf(*flown.value(), span.last).com;
-    if (off.norm() < kThere) break;
-    rate += off / duration;
+    const Vec3 off = goal - FrameOf(*flown.value(), keys->span.last).com;
+    const bool is_there = off.norm() < kThere || LandingIn(*flown.value(), *keys);
+    if (is_there || i + 1 == kTries) {
+      if (const auto error = CheckFlown(arc, *keys, *flown.value())) return *error;
+      break;
+    }
+    keys->rates.back() += off / duration;
   }
-  return rate;
+  return Done();
 }
 
 Result<Done> Fly(Session* session, const Parameters& p) {
   const FlightSpan span = {p.integer("first"), p.integer("last")};
-  const Result<KeyedFlight> keyed = AsKeyed(span, session);
-  if (!keyed.ok()) return keyed.error();
-  const Result<Vec3> rate = RateOfRoot(span, keyed.value(), session);
-  if (!rate.ok()) return rate.error();
-  return session->Edit("Place flight by gravity", [&](Project* project) -> Result<Done> {
-    return GiveToGravity(span, keyed.value(), rate.value(), project);
-  });
+  if (const auto error = CheckSpan(span, *session)) return *error;
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const Animation& animation = *session->animation();
+  if (const auto error = CheckFree(span, animation)) return *error;
+  const FlightArc arc(animation, *motion.value(), span);
+  Result<FlightKeys> keys = KeysOf(arc, span, *motion.value());
+  if (!keys.ok()) return keys.error();
+  const double step = animation.rate.SecondsAt(1.0);
+  const Result<Done> aimed = Aim(arc, *session, step, &keys.value());
+  if (!aimed.ok()) return aimed.error();
+  return session->Edit("Place flight by gravity",
+                       [&](Project* project) { return GiveToGravity(keys.value(), project); });
 }
 
 }  // namespace
@@ -176,8 +253,8 @@ std::vector<Operator> FlightOperators() {
            "Place flight by gravity",
            "Gives a flight that keys have to gravity: it takes off so fast that it lands where the "
            "keys have it.",
-           {{"first", kInteger, true, "first frame in the air"},
-            {"last", kInteger, true, "last frame in the air"}},
+           {{"first", kInteger, true, "first frame in the air, or the last on which it stands"},
+            {"last", kInteger, true, "last frame in the air, or the first on which it stands"}},
            Fly}};
 }
 

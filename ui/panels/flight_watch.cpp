@@ -22,13 +22,9 @@ FlightAnalysis WithoutGravity(FlightAnalysis analysis,
                               const std::vector<PlacementSpan>& placements) {
   std::erase_if(analysis.flights,
                 [&](const Flight& flight) { return IsByGravity(flight, placements); });
-  std::vector<GravityEstimate> estimates;
-  for (const Flight& flight : analysis.flights) {
-    estimates.push_back({flight.parabola.gravity, flight.parabola.gravity_error});
-  }
   const TimeScale& time = analysis.time;
   analysis.time =
-      JudgeTime(estimates, time.frame_time, time.stature, time.scale_known, time.true_gravity);
+      TimeOf(analysis.flights, time.frame_time, time.stature, time.scale_known, time.true_gravity);
   return analysis;
 }
 

@@ -15,6 +15,9 @@ namespace {
 
 void DrawAlarm(Editor* editor, const TimeScale& time) {
   const std::string alarm = AlarmText(time), repair = RepairText(time);
+  if (const std::string undecided = UndecidedText(time); !undecided.empty()) {
+    ImGui::TextWrapped("%s", undecided.c_str());
+  }
   if (alarm.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(colors::kChanged));
   ImGui::PushTextWrapPos(0.0f);
