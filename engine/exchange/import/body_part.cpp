@@ -89,54 +89,64 @@ BodySide TakeSide(const std::string& name, std::vector<std::string>* words) {
   return side == 'l' ? BodySide::kLeft : BodySide::kRight;
 }
 
-// "leg", "arm", "hip" and "shoulder" mean different bones in different rigs.
-BodyPart PartOf(const std::string& text, BodySide side, Naming naming) {
+bool Has(const std::string& text, const char* word) { return text.find(word) != std::string::npos; }
+
+void ReadPart(const std::string& text, ReadName* read) {
   for (const PartWords& row : Words()) {
     for (const char* word : row.words) {
-      if (text.find(word) != std::string::npos) return row.part;
+      if (!Has(text, word)) continue;
+      read->body.part = row.part;
+      return;
     }
   }
-  const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-  const bool is_middle = side == BodySide::kMiddle;
-  if (has("hip")) return is_middle ? BodyPart::kPelvis : BodyPart::kThigh;
-  if (has("shoulder")) {
-    return naming == Naming::kByJoint ? BodyPart::kUpperArm : BodyPart::kTrunk;
+  const bool is_middle = read->body.side == BodySide::kMiddle;
+  const auto set = [&](BodyPart part, BodyWord word) {
+    read->body.part = part;
+    read->word = word;
+  };
+  if (Has(text, "hip")) {
+    return is_middle ? set(BodyPart::kPelvis, BodyWord::kClear)
+                     : set(BodyPart::kThigh, BodyWord::kHip);
   }
-  if (has("leg")) return naming == Naming::kByJoint ? BodyPart::kThigh : BodyPart::kShank;
-  if (has("arm") && !has("armature")) return BodyPart::kUpperArm;
-  return BodyPart::kOther;
+  if (Has(text, "shoulder")) {
+    return is_middle ? set(BodyPart::kOther, BodyWord::kClear)
+                     : set(BodyPart::kTrunk, BodyWord::kShoulder);
+  }
+  if (Has(text, "leg")) return set(BodyPart::kShank, BodyWord::kLeg);
+  if (Has(text, "arm") && !Has(text, "armature") && !Has(text, "armor")) {
+    set(BodyPart::kUpperArm, BodyWord::kArm);
+  }
+}
+
+bool IsHelperWord(const std::string& word) {
+  constexpr const char* kHelpers[] = {"ik",      "pole",     "target", "ctrl",
+                                      "control", "effector", "goal",   "footsteps"};
+  return std::find(std::begin(kHelpers), std::end(kHelpers), word) != std::end(kHelpers);
 }
 
 }  // namespace
 
-BodyName BodyNameOf(const std::string& bone, Naming naming) {
+ReadName ReadBoneName(const std::string& bone) {
   const size_t space = bone.rfind(':');  // "mixamorig:Hips"
   const std::string name = space == std::string::npos ? bone : bone.substr(space + 1);
   std::vector<std::string> words = WordsOf(name);
-  BodyName body;
-  body.side = TakeSide(name, &words);
+  ReadName read;
+  read.body.side = TakeSide(name, &words);
   std::string text;
   for (const std::string& word : words) text += word;
-  body.part = PartOf(text, body.side, naming);
-  return body;
+  read.is_twist = Has(text, "twist") || Has(text, "roll");
+  read.is_helper = std::any_of(words.begin(), words.end(), IsHelperWord);
+  ReadPart(text, &read);
+  return read;
 }
 
-double MassShareOf(BodyPart part) {
-  constexpr double kShares[kNumBodyParts] = {0.1117, 0.3229, 0.0139, 0.0555, 0.0271, 0.0162,
-                                             0.0061, 0.1416, 0.0433, 0.0137, 0.0};
-  return kShares[static_cast<int>(part)];
-}
-
-double ComShareOf(BodyPart part) {
-  constexpr double kShares[kNumBodyParts] = {0.5,    0.5,    0.5,    0.5,    0.5772, 0.4574,
-                                             0.3624, 0.4095, 0.4459, 0.4415, 0.5};
-  return kShares[static_cast<int>(part)];
-}
-
-double RadiusShareOf(BodyPart part) {
+double RadiusShareOf(const BodyName& body) {
   constexpr double kShares[kNumBodyParts] = {0.055, 0.06,  0.03,  0.055, 0.027, 0.022,
                                              0.012, 0.042, 0.029, 0.014, 0.012};
-  return kShares[static_cast<int>(part)];
+  constexpr double kGirdle = 0.035;  // collars and hip joints
+  const bool is_girdle = (body.part == BodyPart::kPelvis || body.part == BodyPart::kTrunk) &&
+                         body.side != BodySide::kMiddle;
+  return is_girdle ? kGirdle : kShares[static_cast<int>(body.part)];
 }
 
 }  // namespace hazumi

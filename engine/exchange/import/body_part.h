@@ -6,7 +6,7 @@
 
 namespace hazumi {
 
-// Parts of a human body that have a share of its mass and a thickness.
+// Parts of a human body that have a name and a thickness.
 enum class BodyPart {
   kPelvis,
   kTrunk,
@@ -28,20 +28,27 @@ struct BodyName {
   bool operator==(const BodyName&) const = default;
 };
 
-// Which bones a "shoulder" or a "hip" are depends on the others: in a skeleton with elbows and
-// knees bones are called by the joint where they begin, else "LeftShoulder" is a collar bone.
-enum class Naming { kByBone, kByJoint };
+// Words that mean different bones in different rigs: body_names.h tells by the bones beside them.
+enum class BodyWord {
+  kClear,
+  kHip,       // of a side: a thigh, or a hip joint above one
+  kShoulder,  // a collar, or an upper arm
+  kArm,       // an upper arm, or any bone of an arm
+  kLeg,       // a shank, a thigh, or any bone of a leg
+};
 
-// What a bone's name says that it is, in the spelling of any common rig: "mixamorig:LeftForeArm",
-// "l_forearm", "forearm.L", "Skeleton_arm_joint_L__3_".
-BodyName BodyNameOf(const std::string& bone, Naming naming);
+// What a bone's name alone says, in the spelling of any common rig: "mixamorig:LeftForeArm",
+// "l_forearm", "forearm.L", "Skeleton_arm_joint_L__3_". Of a word that is not clear: what it is in
+// most rigs.
+struct ReadName {
+  BodyName body;
+  BodyWord word = BodyWord::kClear;
+  bool is_twist = false;   // a part of the bone above it: "LeftArmRoll"
+  bool is_helper = false;  // of a rig, no part of a body: "ik_hand_l", "kneePole.L"
+};
+ReadName ReadBoneName(const std::string& bone);
 
-// The share of the whole body's mass of one such part: of one arm, of one leg. [de Leva 1996, male]
-// 0 for kOther.
-double MassShareOf(BodyPart part);
-// From the part's near end to its centre of mass, as a share of its length [de Leva 1996, male].
-double ComShareOf(BodyPart part);
 // Of a capsule, as a share of the body's height. Ours.
-double RadiusShareOf(BodyPart part);
+double RadiusShareOf(const BodyName& body);
 
 }  // namespace hazumi

@@ -1,9 +1,7 @@
 #include "engine/exchange/import/figure_links.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace hazumi {
 
@@ -14,7 +12,6 @@ constexpr double kStub = 0.3;          // of a bone of no known length, as a sha
 constexpr double kThickest = 0.45;     // radius of an unknown bone, as a share of its length
 constexpr double kMostOfHeight = 0.1;  // radius, as a share of the height
 constexpr double kRoundest = 0.25;     // the same of a head or a fist, measured
-constexpr double kWater = 1000.0;      // [kg/m^3]
 constexpr int kFewVertices = 12;
 
 // The skin's vertices that follow each kept bone most, at rest in its body's frame [m].
@@ -45,11 +42,6 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
-double VolumeOf(const LinkSpec& link) {
-  const double r = link.radius;
-  return std::numbers::pi * r * r * ((link.to - link.from).norm() + 4.0 / 3.0 * r);
-}
-
 class LinkMaker {
  public:
   LinkMaker(const Character& character, const Skeleton& skeleton, const FigurePlan& plan,
@@ -60,10 +52,10 @@ class LinkMaker {
         world_(world),
         vertices_(VerticesOf(skin, skeleton.bones.size())) {}
 
-  std::vector<std::vector<LinkSpec>> Make(double mass) {
-    for (size_t k = 0; k < skeleton_.bones.size(); ++k) links_.push_back(LinksOn(k));
-    Weigh(mass);
-    return std::move(links_);
+  std::vector<std::vector<LinkSpec>> Make() const {
+    std::vector<std::vector<LinkSpec>> links;
+    for (size_t k = 0; k < skeleton_.bones.size(); ++k) links.push_back(LinksOn(k));
+    return links;
   }
 
  private:
@@ -147,7 +139,7 @@ class LinkMaker {
 
   double RadiusOf(size_t k, const LinkSpec& link) const {
     const double length = (link.to - link.from).norm();
-    const double usual = RadiusShareOf(body(k).part) * world_.height;
+    const double usual = RadiusShareOf(body(k)) * world_.height;
     if (static_cast<int>(vertices_[k].size()) >= kFewVertices) {
       std::vector<double> distances;
       distances.reserve(vertices_[k].size());
@@ -158,45 +150,19 @@ class LinkMaker {
     return body(k).part == BodyPart::kOther ? std::min(usual, kThickest * length) : usual;
   }
 
-  // Parts of a body first weigh as their volume, then all of one part as they shall together.
-  void Weigh(double mass) {
-    std::array<double, 3 * kNumBodyParts> volumes = {};
-    const auto slot = [&](size_t k) {
-      return 3 * static_cast<size_t>(body(k).part) + static_cast<size_t>(body(k).side);
-    };
-    for (size_t k = 0; k < links_.size(); ++k) {
-      for (const LinkSpec& link : links_[k]) volumes[slot(k)] += VolumeOf(link);
-    }
-    double sum = 0.0;
-    for (size_t k = 0; k < links_.size(); ++k) {
-      const double share = MassShareOf(body(k).part);
-      const bool is_alone = links_[k].size() == 1;
-      for (LinkSpec& link : links_[k]) {
-        link.mass = share > 0.0 ? share * mass * VolumeOf(link) / volumes[slot(k)]
-                                : kWater * VolumeOf(link);
-        sum += *link.mass;
-        if (is_alone) link.com = link.from + ComShareOf(body(k).part) * (link.to - link.from);
-      }
-    }
-    for (auto& links : links_) {
-      for (LinkSpec& link : links) *link.mass *= mass / sum;
-    }
-  }
-
   const Character& character_;
   const Skeleton& skeleton_;
   const FigurePlan& plan_;
   const WorldFrame& world_;
   std::vector<std::vector<Vec3>> vertices_;
-  std::vector<std::vector<LinkSpec>> links_;
 };
 
 }  // namespace
 
 std::vector<std::vector<LinkSpec>> LinksOf(const Character& character, const Skeleton& skeleton,
                                            const FigurePlan& plan, const Skin& skin,
-                                           const WorldFrame& world, double mass) {
-  return LinkMaker(character, skeleton, plan, skin, world).Make(mass);
+                                           const WorldFrame& world) {
+  return LinkMaker(character, skeleton, plan, skin, world).Make();
 }
 
 }  // namespace hazumi

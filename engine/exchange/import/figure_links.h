@@ -1,6 +1,6 @@
 #pragma once
 
-// Internal. What a figure made from bones weighs and what of it touches things.
+// Internal. What of a figure made from bones touches things.
 
 #include <vector>
 
@@ -10,12 +10,10 @@
 
 namespace hazumi {
 
-// Capsules from each joint to those beyond it, by kept bone, in the bodies' frames [m]. Thick as
-// the skin is there; without one as such a part of a body is, or a stick. Masses are those of a
-// person's parts where the bones say what they are, shared out by volume; others weigh as water
-// does; `mass` [kg] is that of all.
+// Capsules from each joint to those beyond it, by kept bone, in the bodies' frames [m], without
+// masses. Thick as the skin is there; without one as such a part of a body is, or a stick.
 std::vector<std::vector<LinkSpec>> LinksOf(const Character& character, const Skeleton& skeleton,
                                            const FigurePlan& plan, const Skin& skin,
-                                           const WorldFrame& world, double mass);
+                                           const WorldFrame& world);
 
 }  // namespace hazumi

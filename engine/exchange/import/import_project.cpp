@@ -11,6 +11,7 @@
 #include "engine/exchange/import/import_skin.h"
 #include "engine/exchange/import/joint_plan.h"
 #include "engine/exchange/import/key_reduction.h"
+#include "engine/exchange/import/mass_shares.h"
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_writer.h"
@@ -211,7 +212,8 @@ class Importer {
 
   std::optional<Error> SetFigure() {
     const double mass = options_.mass_kg.value_or(kMassOfHeight * world_.height * world_.height);
-    const auto links = LinksOf(character_, skeleton_, plan_, skin_, world_, mass);
+    auto links = LinksOf(character_, skeleton_, plan_, skin_, world_);
+    const std::string how = Weigh(skeleton_, plan_, skin_, mass, &links);
     FigureSpec spec;
     spec.name = character_.name;
     spec.root_name = plan_.joints[0].name;
@@ -231,7 +233,7 @@ class Importer {
     if (!figure.ok()) return figure.error();
     project_.figure.embedded_json = FigureText(spec);
     project_.figure.spec = std::move(spec);
-    report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg");
+    report_.facts.push_back(FormatShort(figure.value().total_mass()) + " kg, " + how);
     SetGround(GroundUnder(plan_, skin_, links));
     return std::nullopt;
   }

@@ -223,6 +223,15 @@ std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame) {
   return X_WB;
 }
 
+std::vector<Pose> RestBodies(const FigurePlan& plan) {
+  std::vector<Pose> X_RB(plan.joints.size());
+  for (size_t k = 1; k < X_RB.size(); ++k) {
+    const PlannedJoint& joint = plan.joints[k];
+    X_RB[k] = X_RB[joint.parent] * Pose{joint.orientation, joint.offset};
+  }
+  return X_RB;
+}
+
 std::vector<Vec3> PositionsOf(const FigurePlan& plan, int frame) {
   std::vector<Vec3> positions;
   positions.reserve(plan.joints.size());

@@ -40,6 +40,9 @@ FigurePlan PlanFigure(const Character& character, const Skeleton& skeleton, cons
 // The bodies at a frame, in the world [m], by kept bone.
 std::vector<Pose> BodiesOf(const FigurePlan& plan, int frame);
 
+// The same, all angles zero and the root at the origin.
+std::vector<Pose> RestBodies(const FigurePlan& plan);
+
 // Where each joint is at a frame [m], by kept bone.
 std::vector<Vec3> PositionsOf(const FigurePlan& plan, int frame);
 

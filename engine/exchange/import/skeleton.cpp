@@ -42,9 +42,7 @@ std::vector<char> CarriersOf(const Character& character, std::vector<char> these
 
 // Whether a bone only moves the pelvis about, as game engines have it: it lies on the ground.
 bool IsMover(const Character& character, int bone, int below, const std::vector<char>& weighted) {
-  const auto part = [&](int b) {
-    return BodyNameOf(character.bones[b].name, Naming::kByBone).part;
-  };
+  const auto part = [&](int b) { return ReadBoneName(character.bones[b].name).body.part; };
   return !weighted[bone] && part(bone) == BodyPart::kOther && part(below) == BodyPart::kPelvis;
 }
 
@@ -69,25 +67,17 @@ int LowestCommon(const Character& character, const std::vector<char>& wanted,
   return root;
 }
 
-Naming NamingOf(const Character& character) {
-  const auto has = [&](const char* word) {
-    return std::any_of(character.bones.begin(), character.bones.end(), [&](const Bone& bone) {
-      std::string lower;
-      for (const char c : bone.name) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-      return lower.find(word) != std::string::npos;
-    });
-  };
-  return has("elbow") || has("knee") ? Naming::kByJoint : Naming::kByBone;
-}
-
-// A bone without a name that says what it is belongs to what its parent belongs to: fingers to a
-// hand.
-BodyName Inherited(BodyName own, const BodyName& parent) {
-  const bool ends = parent.part == BodyPart::kHand || parent.part == BodyPart::kFoot ||
-                    parent.part == BodyPart::kHead;
-  if (ends) own.part = parent.part;
-  if (own.side == BodySide::kMiddle) own.side = parent.side;
-  return own;
+void NameBones(const Character& character, std::vector<KeptBone>* kept) {
+  std::vector<NamedBone> named;
+  for (const KeptBone& bone : *kept)
+    named.push_back({character.bones[bone.bone].name, bone.parent});
+  const std::vector<BoneInBody> bones = BonesInBody(named);
+  for (size_t k = 0; k < bones.size(); ++k) {
+    (*kept)[k].body = bones[k].name;
+    (*kept)[k].segment = bones[k].segment;
+  }
+  BodyPart& root = kept->front().body.part;
+  if (root == BodyPart::kOther) root = BodyPart::kPelvis;
 }
 
 }  // namespace
@@ -124,7 +114,6 @@ Result<Skeleton> SkeletonOf(const Character& character) {
   Skeleton skeleton;
   skeleton.rest = PosesAt(character, nullptr, 0);
   skeleton.kept.assign(num, -1);
-  const Naming naming = NamingOf(character);
   std::vector<char> above_root(num, 0);
   for (int b = root; b >= 0; b = character.bones[b].parent) above_root[b] = 1;
   for (int b = 0; b < static_cast<int>(num); ++b) {
@@ -136,13 +125,11 @@ Result<Skeleton> SkeletonOf(const Character& character) {
         skeleton.left_out.push_back(character.bones[b].name);
       continue;
     }
-    KeptBone kept{b, b == root ? -1 : parent, {}, BodyNameOf(character.bones[b].name, naming)};
-    if (b == root && kept.body.part == BodyPart::kOther) kept.body.part = BodyPart::kPelvis;
-    if (parent >= 0) kept.body = Inherited(kept.body, skeleton.bones[parent].body);
     skeleton.kept[b] = static_cast<int>(skeleton.bones.size());
     if (parent >= 0) skeleton.bones[parent].children.push_back(skeleton.kept[b]);
-    skeleton.bones.push_back(std::move(kept));
+    skeleton.bones.push_back({b, b == root ? -1 : parent, {}, {}, BodySegment::kNone});
   }
+  NameBones(character, &skeleton.bones);
   return skeleton;
 }
 

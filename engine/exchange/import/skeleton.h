@@ -9,7 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/exchange/character/character.h"
-#include "engine/exchange/import/body_part.h"
+#include "engine/exchange/import/body_names.h"
 
 namespace hazumi {
 
@@ -29,6 +29,7 @@ struct KeptBone {
   int parent = -1;  // index of a kept bone; -1: it is the root
   std::vector<int> children;
   BodyName body;
+  BodySegment segment = BodySegment::kNone;
 };
 
 struct Skeleton {

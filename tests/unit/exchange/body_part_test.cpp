@@ -1,6 +1,6 @@
-#include "engine/exchange/import/body_part.h"
-
 #include <gtest/gtest.h>
+
+#include "engine/exchange/import/body_names.h"
 
 namespace hazumi::test {
 namespace {
@@ -12,40 +12,39 @@ struct Row {
   const char* bone;
   BodyPart part;
   BodySide side;
-  Naming naming = Naming::kByBone;
+  BodyWord word = BodyWord::kClear;
 };
 
-constexpr Naming kByJoint = Naming::kByJoint;
+using enum BodyWord;
 
 const Row kRows[] = {
     // Mixamo, MotionBuilder and the CMU clips made with it
     {"mixamorig:Hips", kPelvis, kMiddle},
     {"mixamorig:LeftForeArm", kForearm, kLeft},
     {"mixamorig:RightUpLeg", kThigh, kRight},
-    {"mixamorig:RightLeg", kShank, kRight},
+    {"mixamorig:RightLeg", kShank, kRight, kLeg},
     {"mixamorig:LeftToeBase", kFoot, kLeft},
     {"mixamorig:LeftHandIndex1", kHand, kLeft},
     {"mixamorig:HeadTop_End", kHead, kMiddle},
     {"Hips", kPelvis, kMiddle},
     {"LHipJoint", kPelvis, kLeft},
     {"LeftUpLeg", kThigh, kLeft},
-    {"LeftLeg", kShank, kLeft},
+    {"LeftLeg", kShank, kLeft, kLeg},
     {"LowerBack", kTrunk, kMiddle},
     {"Spine1", kTrunk, kMiddle},
     {"Neck1", kNeck, kMiddle},
     {"Head", kHead, kMiddle},
-    {"LeftShoulder", kTrunk, kLeft},
-    {"LeftArm", kUpperArm, kLeft},
+    {"LeftShoulder", kTrunk, kLeft, kShoulder},
+    {"LeftArm", kUpperArm, kLeft, kArm},
     {"LThumb", kHand, kLeft},
     {"RightFingerBase", kHand, kRight},
     {"LeftHandEnd", kHand, kLeft},
     // Names of joints
-    {"LeftHip", kThigh, kLeft, kByJoint},
-    {"LeftKnee", kShank, kLeft, kByJoint},
-    {"LeftAnkle", kFoot, kLeft, kByJoint},
-    {"RightShoulder", kUpperArm, kRight, kByJoint},
-    {"RightElbow", kForearm, kRight, kByJoint},
-    {"RightWrist", kHand, kRight, kByJoint},
+    {"LeftHip", kThigh, kLeft, kHip},
+    {"LeftKnee", kShank, kLeft},
+    {"LeftAnkle", kFoot, kLeft},
+    {"RightElbow", kForearm, kRight},
+    {"RightWrist", kHand, kRight},
     // Acclaim
     {"lfemur", kThigh, kLeft},
     {"rtibia", kShank, kRight},
@@ -102,21 +101,69 @@ const Row kRows[] = {
 
 TEST(BodyNames, AreReadInTheSpellingOfCommonRigs) {
   for (const Row& row : kRows) {
-    const BodyName name = BodyNameOf(row.bone, row.naming);
-    EXPECT_EQ(static_cast<int>(name.part), static_cast<int>(row.part)) << row.bone;
-    EXPECT_EQ(static_cast<int>(name.side), static_cast<int>(row.side)) << row.bone;
+    const ReadName name = ReadBoneName(row.bone);
+    EXPECT_EQ(static_cast<int>(name.body.part), static_cast<int>(row.part)) << row.bone;
+    EXPECT_EQ(static_cast<int>(name.body.side), static_cast<int>(row.side)) << row.bone;
+    EXPECT_EQ(static_cast<int>(name.word), static_cast<int>(row.word)) << row.bone;
   }
 }
 
-TEST(BodyNames, SharesOfOnePersonAddUpToOne) {
-  double sum = 0.0;
-  for (int i = 0; i < kNumBodyParts; ++i) {
-    const auto part = static_cast<BodyPart>(i);
-    const bool is_pair = part == kUpperArm || part == kForearm || part == kHand || part == kThigh ||
-                         part == kShank || part == kFoot;
-    sum += (is_pair ? 2.0 : 1.0) * MassShareOf(part);
+// Each bone hangs on the one before it.
+void ExpectChain(const std::vector<std::pair<std::string, BodyPart>>& chain) {
+  std::vector<NamedBone> bones;
+  for (const auto& [name, part] : chain) {
+    bones.push_back({name, static_cast<int>(bones.size()) - 1});
   }
-  EXPECT_NEAR(sum, 1.0, 1e-3);
+  const std::vector<BoneInBody> told = BonesInBody(bones);
+  for (size_t b = 0; b < chain.size(); ++b) {
+    EXPECT_EQ(static_cast<int>(told[b].name.part), static_cast<int>(chain[b].second))
+        << chain[b].first;
+  }
+}
+
+TEST(BodyNames, WordsThatAreNotClearAreToldByTheBonesBesideThem) {
+  ExpectChain({{"Chest", kTrunk}, {"LeftShoulder", kTrunk}, {"LeftArm", kUpperArm}});
+  ExpectChain({{"Chest", kTrunk},
+               {"LeftCollar", kTrunk},
+               {"LeftShoulder", kUpperArm},
+               {"LeftElbow", kForearm},
+               {"LeftWrist", kHand}});
+  ExpectChain({{"shoulder.L", kTrunk}, {"upper_arm.L", kUpperArm}, {"forearm.L", kForearm}});
+  ExpectChain({{"Hips", kPelvis}, {"LeftHip", kThigh}, {"LeftKnee", kShank}});
+  ExpectChain({{"Hips", kPelvis},
+               {"LeftHip", kPelvis},
+               {"LeftUpLeg", kThigh},
+               {"LeftLeg", kShank},
+               {"LeftLegRoll", kShank},
+               {"LeftFoot", kFoot}});
+  ExpectChain({{"Hips", kPelvis}, {"LeftLeg", kThigh}, {"LeftKnee", kShank}});
+  ExpectChain({{"leg_L_1", kThigh}, {"leg_L_2", kShank}, {"leg_L_3", kFoot}, {"leg_L_5", kFoot}});
+  ExpectChain({{"arm_R_1", kUpperArm}, {"arm_R_2", kForearm}, {"hand_R", kHand}, {"sword", kHand}});
+  ExpectChain({{"LeftArm", kUpperArm}, {"LeftArmRoll", kUpperArm}, {"LeftForeArm", kForearm}});
+}
+
+TEST(BodyNames, WordsOfLimbsOnNoSideAreNoLimbs) {
+  ExpectChain({{"Hips", kPelvis}, {"Bip01 Footsteps", kOther}, {"LeftUpLeg", kThigh}});
+  ExpectChain({{"LeftUpLeg", kThigh}, {"LeftFoot", kFoot}, {"LeftFootThumb1", kFoot}});
+}
+
+TEST(BodyNames, AreThoseOfABodyOnlyWithATrunkOrHeadAndALimb) {
+  const auto is_body = [](const std::vector<NamedBone>& bones) {
+    return BonesInBody(bones)[0].segment != BodySegment::kNone;
+  };
+  EXPECT_TRUE(is_body({{"Hips", -1}, {"LeftUpLeg", 0}}));
+  EXPECT_FALSE(is_body({{"base", -1}, {"arm_l0", 0}, {"forearm", 1}, {"wrist", 2}}));
+  EXPECT_FALSE(is_body({{"Spine", -1}, {"Spine1", 0}, {"Head", 1}}));
+  EXPECT_FALSE(is_body({{"LeftShoulder", -1}, {"LeftArm", 0}, {"LeftForeArm", 1}}));
+}
+
+TEST(SegmentTable, SharesOfOnePersonAddUpToOne) {
+  double sum = 0.0;
+  for (int i = 0; i < kNumRows; ++i) {
+    const auto row = static_cast<BodySegment>(i);
+    sum += (IsLimb(row) ? 2.0 : 1.0) * RowOf(row).mass;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-9);
 }
 
 }  // namespace
