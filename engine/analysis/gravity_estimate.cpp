@@ -1,6 +1,7 @@
 // What makes the gravity of a fitted parabola wrong, each as a standard error:
 //
-// noise      of the points: the residuals' [parabola.cpp], as far as they are seen.
+// noise      of the points: the residuals' [parabola.cpp], as far as they are seen, by Student's
+//            distribution.
 // slow       errors of the skeleton and of skin on markers change as slowly as the flight itself;
 // the
 //            fit takes them for curvature and leaves no residual. An arc over a time T whose middle
@@ -32,6 +33,9 @@ double SumOfSquares(const std::vector<double>& values) {
   for (const double value : values) sum += value * value;
   return sum;
 }
+
+// By how much Student's distribution is wider than the normal one at 95 % (Cornish and Fisher).
+double FewSamples(double freedom) { return 1.0 + 1.21 / freedom + 1.44 / (freedom * freedom); }
 
 // By how much flights are further apart than their errors say: at least 1.
 double Disagreement(const std::vector<GravityEstimate>& flights, double mean) {
@@ -79,7 +83,8 @@ GravityEstimate EstimateGravity(const MotionSeries& series, const Parabola& fit,
                                 int last) {
   const double duration = (last - first) * series.frame_time;
   const double slow = 8.0 * kSlowError * series.stature / (duration * duration);
-  GravityEstimate estimate{fit.gravity, std::hypot(fit.gravity_error, slow), {}};
+  const double noise = FewSamples(last - first - 2) * fit.gravity_error;
+  GravityEstimate estimate{fit.gravity, std::hypot(noise, slow), {}};
   for (const auto& shift : series.mass_shifts) {
     const Parabola apart = FitParabola(shift, series.frame_time, first, last);
     estimate.by_mass.push_back(kMassError * apart.gravity);

@@ -11,6 +11,7 @@ namespace hazumi {
 Baker::Failure Baker::CrossFrame(int frame) {
   const bool was_keyed = !span_ || span_->kind == PlacementKind::kKeyed;
   const bool ended = EndRegions(frame) | EndHolds(frame);
+  const bool has_landed = gravity_ && gravity_->has_landed();  // which stops the root by itself
   const bool unplaced = EndPlacement(frame);
   const bool released = ReleaseObjects(frame);
   const bool begun = BeginRegions(frame) | BeginHolds(frame);
@@ -21,7 +22,7 @@ Baker::Failure Baker::CrossFrame(int frame) {
     return std::nullopt;
   }
   if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
-  if (placed || unplaced) WarnOfVelocityJump(frame);
+  if ((placed || unplaced) && !has_landed) WarnOfVelocityJump(frame);
   return std::nullopt;
 }
 

@@ -70,12 +70,21 @@ Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span) {
                               " frames after it took off: it does not get off the ground");
 }
 
-Result<FlightKeys> KeysOf(const FlightArc& arc, const FlightSpan& span, const Motion& motion) {
+// Where the keys have the figure on the ground, or not much inside, it flies to a hair inside, so
+// that it lands, and not before.
+void EndOnTheGround(double clearance, int last, FlightArc* arc) {
+  constexpr double kHair = 1e-6, kLands = 1e-4;  // [m]
+  if (clearance < kLands) arc->EndAt(arc->ComAt(last) - (clearance + kHair) * Vec3::UnitZ());
+}
+
+Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightArc* planned) {
+  FlightArc& arc = *planned;
   const auto landing = arc.NearnessAt(span.last);
   if (landing && landing->clearance < -kNear) {
     return Refusal("last", Inside(*landing, span.last) +
                                ": key the root so much higher there, or let it land before");
   }
+  if (landing) EndOnTheGround(landing->clearance, span.last, &arc);
   const Result<int> by_gravity = FirstByGravity(arc, span);
   if (!by_gravity.ok()) return by_gravity.error();
   const MotionFrame& before = FrameOf(motion, span.first - 1);
@@ -204,15 +213,12 @@ std::optional<Error> CheckFlown(const FlightArc& arc, const FlightKeys& keys,
                              Frame(landing->frame) + " on the way, which leaves the figure " + far);
 }
 
-// Sets the rate with which gravity takes over so that the CoM is where the keys have it on the last
-// frame; a hair lower where it lands there, so that it does land. What a coarse step adds is seen
-// in the tries; a flight that lands early is left as it is.
+// Sets the rate with which gravity takes over so that the CoM is at the arc's end on the last
+// frame. What a coarse step adds is seen in the tries; a flight that lands early is left as it is.
 Result<Done> Aim(const FlightArc& arc, const Session& session, double step, FlightKeys* keys) {
-  constexpr double kThere = 1e-7, kHair = 1e-6, kLands = 1e-4;  // [m]
+  constexpr double kThere = 1e-7;  // [m]
   constexpr int kTries = 4;
-  const auto landing = arc.NearnessAt(keys->span.last);
-  const bool lands = landing && std::abs(landing->clearance) < kLands;
-  const Vec3 goal = arc.ComAt(keys->span.last) - (lands ? kHair : 0.0) * Vec3::UnitZ();
+  const Vec3 goal = arc.ComAt(keys->span.last);
   const double duration = step * (keys->span.last - keys->by_gravity);
   Tries tries(session.project());
   for (int i = 0; i < kTries; ++i) {
@@ -236,8 +242,8 @@ Result<Done> Fly(Session* session, const Parameters& p) {
   if (!motion.ok()) return motion.error();
   const Animation& animation = *session->animation();
   if (const auto error = CheckFree(span, animation)) return *error;
-  const FlightArc arc(animation, *motion.value(), span);
-  Result<FlightKeys> keys = KeysOf(arc, span, *motion.value());
+  FlightArc arc(animation, *motion.value(), span);
+  Result<FlightKeys> keys = KeysOf(span, *motion.value(), &arc);
   if (!keys.ok()) return keys.error();
   const double step = animation.rate.SecondsAt(1.0);
   const Result<Done> aimed = Aim(arc, *session, step, &keys.value());

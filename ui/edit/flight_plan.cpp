@@ -21,8 +21,12 @@ FlightArc::FlightArc(const Animation& animation, const Motion& keyed, const Flig
       span_(span),
       start_(KeyedAt(span.first).com),
       gravity_(0.0, 0.0, -animation.gravity) {
-  const double duration = SecondsTo(span.last);
-  velocity_ = (KeyedAt(span.last).com - start_) / duration - 0.5 * duration * gravity_;
+  EndAt(KeyedAt(span.last).com);
+}
+
+void FlightArc::EndAt(const Vec3& com) {
+  const double duration = SecondsTo(span_.last);
+  velocity_ = (com - start_) / duration - 0.5 * duration * gravity_;
 }
 
 const MotionFrame& FlightArc::KeyedAt(int frame) const { return FrameOf(keyed_, frame); }

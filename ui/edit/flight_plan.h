@@ -23,6 +23,9 @@ class FlightArc {
  public:
   FlightArc(const Animation& animation, const Motion& keyed, const FlightSpan& span);
 
+  // Has the arc end elsewhere.
+  void EndAt(const Vec3& com);
+
   Vec3 ComAt(int frame) const;       // [m]
   Vec3 VelocityAt(int frame) const;  // [m/s]
   // The root's origin where the figure, in its keyed pose, has its CoM on the arc.

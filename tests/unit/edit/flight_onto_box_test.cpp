@@ -149,7 +149,7 @@ TEST(FlightOntoBox, WhatIsInTheWayIsNamed) {
 TEST(FlightOntoBox, WhoCannotGetOffTheGroundIsTold) {
   Session session;
   KeyOntoBox(0.3, &session);
-  Key(&session, "root.z", kStands, 0.702);  // 20 cm deep
+  Key(&session, "root.z", kStands, 0.302);  // 60 cm deep
   const std::string error =
       Refused(&session, "placement.flight", {{"first", kStands}, {"last", kLands}}).ToString();
   EXPECT_NE(error.find("it does not get off the ground"), std::string::npos) << error;
@@ -160,6 +160,7 @@ TEST(FlightOntoBox, APlainPlacementByGravityReportsTheWayItLeaves) {
   for (const char* method : {"exact", "paper"}) {
     Session session;
     KeyOntoBox(0.3, &session);
+    Key(&session, "root.x", kLands + 1, 1.1);
     Do(&session, "solver.set", {{"method", method}});
     Do(&session, "placement.set", {{"kind", "gravity"}, {"first", kStands}, {"last", kLands}});
     const Motion motion = MotionOf(&session);
@@ -168,7 +169,8 @@ TEST(FlightOntoBox, APlainPlacementByGravityReportsTheWayItLeaves) {
                      [](const PlacementJump& j) { return j.frame == kLands && j.distance > 0.0; });
     ASSERT_NE(jump, motion.placement_jumps.end()) << method;
     EXPECT_EQ(jump->placement, 0);
-    EXPECT_NEAR(jump->distance, std::hypot(1.0, 0.3), 1e-3);
+    EXPECT_NEAR(jump->distance, 1.0, 1e-3);  // along x, where there is a key to go to
+    EXPECT_NEAR(jump->seconds, kFrame, 1e-9);
     EXPECT_GE(motion.warnings.size(), motion.placement_jumps.size());
   }
 }
