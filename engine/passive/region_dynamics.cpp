@@ -26,10 +26,15 @@ RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
   has_friction_ = !friction_.isZero(0.0);
+  damping_.setZero(num_hinges());
+}
+
+// At the first dense evaluation: a long chain may never need one.
+void RegionDynamics::MakeRoomForDense() {
   const int k = num_hinges();
-  for (VecX* x : {&b_, &x_, &damping_}) x->setZero(k);
+  if (M_.cols() == k) return;
+  b_.setZero(k);
   M_.setZero(k, k);
-  L_.setZero(k, k);
   F_.setZero(3, k);
   J_.setZero(3, k);
 }
@@ -113,6 +118,7 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
 }
 
 void RegionDynamics::Assemble(const RegionLayout& layout) {
+  MakeRoomForDense();
   for (int i = 0; i < layout.num_dofs(); ++i) std::fill_n(&M_(0, i), layout.num_dofs(), 0.0);
   for (int i = kinematics_.size() - 1; i >= 0; --i) {
     if (!model_.nodes[i].is_dynamic) continue;
@@ -195,6 +201,7 @@ void RegionDynamics::ProjectOnPin(const RegionLayout& layout) {
 void RegionDynamics::SolveDense(double* x) {
   const int k = layout_.num_dofs();
   Assemble(layout_);
+  if (L_.cols() != num_hinges()) L_.setZero(num_hinges(), num_hinges());
   for (int j = 0; j < k; ++j) std::copy_n(&M_(0, j), k, &L_(0, j));
   FactorSemidefinite(L_.topLeftCorner(k, k));
   Eigen::Map<VecX> solution(x, k);

@@ -80,6 +80,7 @@ class RegionDynamics {
   Attachment::Frame CarrierAt(double t);  // by the chain that moves it
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
+  void MakeRoomForDense();
   void Assemble(const RegionLayout& layout);
   void AssembleColumn(const RegionLayout& layout, int node, int dof, const small::V3& axis);
   void PassToParent(int node);
@@ -105,7 +106,7 @@ class RegionDynamics {
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
   MatX M_, L_;
-  VecX b_, x_, damping_;
+  VecX b_, damping_;
   Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
   long evaluations_ = 0;
 };
