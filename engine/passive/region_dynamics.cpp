@@ -63,12 +63,12 @@ bool RegionDynamics::IsCarrierStill() const {
          std::none_of(root.begin(), root.end(), accelerates);
 }
 
-// A pinned root that answers couples every joint with the pin: only the dense way is written for
-// that, and for friction that the root of a flying figure has to answer.
+// A pinned root that answers couples every joint with the pin, which is solved the dense way unless
+// that takes too long. Only the dense way is written for friction that the root has to answer.
 bool RegionDynamics::UsesArticulatedBodies() const {
   if (!model_.root_answers) return true;
-  return model_.coupling == RootCoupling::kFlight &&
-         !(has_friction_ && model_.nodes[0].role == Role::kFree);
+  if (has_friction_ && model_.nodes[0].role == Role::kFree) return false;
+  return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
 }
 
 void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
@@ -209,6 +209,24 @@ void RegionDynamics::SolveDense(double* x) {
   SolveSemidefinite(L_.topLeftCorner(k, k), solution);
 }
 
+// The figure flies, pushed on its pin as hard as keeps that in place: with x and a of the flight,
+// and X_k and A_k of a unit force along axis k,
+//   a + A l = 0,   x := x + X l
+void RegionDynamics::SolveOnPin(double* x) {
+  const auto& motion = kinematics_.motion();
+  const int pin = model_.pin_node, k = layout_.num_dofs();
+  const V3 r = motion[pin].R * V3(model_.p_pin);
+  const Vec3 a = articulated_.AccelerationAt(pin, r).eigen();
+  if (pushed_.rows() != num_hinges()) pushed_.setZero(num_hinges(), 3);
+  Mat3 A;
+  for (int axis = 0; axis < 3; ++axis) {
+    articulated_.Push(layout_, motion, pin, r, V3(Vec3::Unit(axis)), pushed_.col(axis).data());
+    A.col(axis) = articulated_.AccelerationAt(pin, r).eigen();
+  }
+  const Vec3 l = A.ldlt().solve(-a);
+  Eigen::Map<VecX>(x, k) += pushed_.topRows(k) * l;
+}
+
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   ++evaluations_;
   const double* velocities = y + layout_.num_positions();
@@ -216,6 +234,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
     articulated_.Solve(layout_, kinematics_.motion(), x);
+    if (model_.root_answers && model_.coupling == RootCoupling::kPinned) SolveOnPin(x);
   } else {
     SolveDense(x);
   }

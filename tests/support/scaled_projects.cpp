@@ -82,7 +82,9 @@ ScaledProject Tree(int joints, std::string (*parent_of)(int)) {
   region.name = "all";
   region.first_frame = 1;
   region.last_frame = 2;
-  region.joints = {{"base", true, {}}};
+  for (const JointSpec& joint : figure.joints) {
+    if (joint.parent == figure.root_name) region.joints.push_back({joint.name, true, {}});
+  }
   project.regions = {region};
   scaled.curve = "j" + std::to_string(joints / 2);
   scaled.frame = 3.0;
