@@ -110,7 +110,8 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   Result<Project> project = LoadOrImport(file, options.import, &report);
   if (!project.ok()) return InFile(project.error(), file);
   ApplySolverOptions(options, &project.value());
-  Result<Compiled> compiled = CompileAnimation(project.value());
+  Result<Compiled> compiled = CompileAnimation(project.value(), &Interrupted());
+  if (Interrupted()) return InterruptedError();
   if (!compiled.ok()) return InFile(compiled.error(), file);
   if (auto error = CheckLength(compiled.value().animation, options)) return InFile(*error, file);
   Result<Motion> motion =

@@ -5,6 +5,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
+#include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"
 #include "engine/exchange/units.h"
 
@@ -67,6 +68,9 @@ Json EventsAsJson(const Motion& motion) {
                     {"frame", event.frame},
                     {"time_s", event.time},
                     {"joint", event.joint}});
+    if (event.count == 1) continue;
+    list.back()["count"] = event.count;
+    list.back()["last_time_s"] = event.last_time;
   }
   return list;
 }
@@ -112,10 +116,15 @@ void PrintPlacements(const Animation& animation) {
   }
 }
 
+std::string AgainText(const MotionEvent& event) {
+  if (event.count == 1) return "";
+  return ", " + std::to_string(event.count) + " times until " + FormatShort(event.last_time) + " s";
+}
+
 void PrintEvents(const Motion& motion) {
   for (const MotionEvent& event : motion.events) {
-    PrintLine(stdout, "%-10s  frame %4d  %10.6f s  %s", NameOf(event.kind), event.frame, event.time,
-              event.joint.c_str());
+    PrintLine(stdout, "%-10s  frame %4d  %10.6f s  %s%s", NameOf(event.kind), event.frame,
+              event.time, event.joint.c_str(), AgainText(event).c_str());
   }
 }
 

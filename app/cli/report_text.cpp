@@ -41,7 +41,9 @@ std::string CostText(const RegionReport& report) {
   if (report.method == Method::kExact) {
     text += ", error estimate " + FormatShort(Degrees(report.error_estimate)) + " deg";
   }
-  return text + ", " + std::to_string(static_cast<long>(report.microseconds + 0.5)) + " us";
+  text += ", " + std::to_string(static_cast<long>(report.microseconds + 0.5)) + " us";
+  if (report.evaluations == 0) return text;
+  return text + ", " + FormatShort(report.microseconds / report.evaluations) + " us an evaluation";
 }
 
 }  // namespace

@@ -59,20 +59,28 @@ void Baker::FindEdges() {
     if (animation_.first_frame <= frame && frame <= animation_.last_frame)
       is_edge_[Index(frame)] = 1;
   };
-  const auto mark_ends = [&](const auto& spans) {
-    for (const auto& span : spans) {
-      mark(span.first_frame);
-      mark(span.last_frame);
+  const auto mark_ends = [&](const auto& spans, ItemsByFrame* starts, ItemsByFrame* ends) {
+    for (size_t i = 0; i < spans.size(); ++i) {
+      mark(spans[i].first_frame);
+      mark(spans[i].last_frame);
+      if (starts) starts->Add(spans[i].first_frame, i);
+      if (ends) ends->Add(spans[i].last_frame, i);
     }
   };
   is_edge_.assign(Index(animation_.last_frame) + 1, 0);
+  const auto lists = {&region_starts_, &region_ends_, &hold_starts_, &releases_};
+  for (ItemsByFrame* list : lists) *list = ItemsByFrame();
   mark(animation_.last_frame);
-  mark_ends(animation_.regions);
-  mark_ends(animation_.placements);
-  mark_ends(animation_.holds);
-  for (const HeldObject& object : animation_.held_objects) {
-    if (object.release_frame) mark(*object.release_frame);
+  mark_ends(animation_.regions, &region_starts_, &region_ends_);
+  mark_ends(animation_.placements, nullptr, nullptr);
+  mark_ends(animation_.holds, &hold_starts_, nullptr);
+  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+    const std::optional<int>& release = animation_.held_objects[i].release_frame;
+    if (!release) continue;
+    mark(*release);
+    releases_.Add(*release, i);
   }
+  for (ItemsByFrame* list : lists) list->Sort();
 }
 
 void Baker::CountKeys(const Keys& keys, int by) {
@@ -143,6 +151,7 @@ void Baker::Restore(const Checkpoint& checkpoint) {
   now_ = checkpoint.now;
   before_ = checkpoint.before;
   curves_.Restart(checkpoint.pieces);
+  active_regions_.clear();
   std::fill(free_.begin(), free_.end(), 0);
   std::fill(has_twin_.begin(), has_twin_.end(), 0);
   root_free_ = exact_begun_ = false;
@@ -171,7 +180,7 @@ void Baker::Restore(const Checkpoint& checkpoint) {
   }
 }
 
-Result<std::optional<Checkpoint>> Baker::BakeStretch(const GroupLogs& known, Stretch* stretch) {
+Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs& known, Stretch* stretch) {
   known_ = &known;
   stretch_ = stretch;
   std::fill(refinements_.begin(), refinements_.end(), Refinement());
@@ -182,6 +191,7 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const GroupLogs& known, Str
     stretch->placement_jumps.clear();
     stretch->logs.clear();
     begun_.clear();
+    last_stop_.assign(figure_.num_joints(), std::nullopt);
     Restore(stretch->start);
     const Result<int> end = AdvanceToCheckpoint(stretch->start.frame);
     if (!end.ok()) return end.error();

@@ -4,12 +4,14 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "engine/bake/bake.h"
 #include "engine/bake/curve_set.h"
 #include "engine/bake/exact_driver.h"
+#include "engine/bake/items_by_frame.h"
 #include "engine/bake/known_holds.h"
 #include "engine/bake/region_driver.h"
 #include "engine/bake/stretch.h"
@@ -28,7 +30,7 @@ class Baker {
   Result<Checkpoint> Begin();
   // Bakes from stretch->start up to the next checkpoint, which is returned unless the animation
   // ends before. Regions are not solved anew where one of the logs in `known` tells what they do.
-  Result<std::optional<Checkpoint>> BakeStretch(const GroupLogs& known, Stretch* stretch);
+  Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs& known, Stretch* stretch);
 
   // A curve of the animation is about to change its keys, or has changed them.
   void RemoveKeys(const Keys& keys) { CountKeys(keys, -1); }
@@ -65,6 +67,7 @@ class Baker {
   bool BeginRegions(int frame);
   bool BeginHolds(int frame);
   bool BeginPlacement(int frame, bool was_keyed);
+  std::vector<PlacementSpan>::const_iterator FirstPlacementFrom(int frame) const;
   void TakeKeyedVelocity(int frame);
   void RebuildDriver(int frame);
   void ReportStep(int region, int frame);
@@ -137,6 +140,7 @@ class Baker {
               std::optional<GroupIndex> pinned);
   double OutputFramesPerFrame() const;
   void AddEvent(EventKind kind, double frame, const std::string& joint);
+  void AddStop(JointIndex j, double time, double last_time, long count);
   void AddPinEvent(int frame);
   void AddWarning(const std::string& place, const std::string& message);
   std::optional<GroupIndex> pinned() const;
@@ -151,6 +155,7 @@ class Baker {
   DynamicsWorkspace ws_;
   CurveSet curves_;
   std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
+  ItemsByFrame region_starts_, region_ends_, hold_starts_, releases_;
   std::vector<int> num_keys_;  // by Index(frame)
 
   FigureMotion now_;
@@ -162,8 +167,10 @@ class Baker {
     double sharpness = 1.0;  // how much finer than usual the steps are
     double last_estimate = std::numeric_limits<double>::infinity();  // with the one before [rad]
   };
-  std::vector<Refinement> refinements_;  // by region
-  std::vector<int> begun_;               // regions in this stretch
+  std::vector<Refinement> refinements_;           // by region
+  std::vector<int> begun_;                        // regions in this stretch
+  std::set<int> active_regions_;                  // begun and not ended
+  std::vector<std::optional<size_t>> last_stop_;  // by JointIndex: its latest event in the stretch
   DrivenMotion driven_;
   RotationState twin_;  // of exact_'s twins, by Coordinate
   std::vector<char> has_twin_;
@@ -180,7 +187,7 @@ class Baker {
   int first_output_ = 0;  // frame of the output
   Motion* motion_;
   Stretch* stretch_ = nullptr;
-  const GroupLogs* known_ = nullptr;
+  const KnownLogs* known_ = nullptr;
 };
 
 }  // namespace hazumi

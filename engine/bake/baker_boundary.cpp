@@ -32,11 +32,12 @@ bool Baker::Ends(int last_frame, int frame) const {
 }
 
 bool Baker::EndRegions(int frame) {
+  if (!Ends(frame, frame)) return false;
   bool any = false;
-  for (size_t r = 0; r < animation_.regions.size(); ++r) {
+  for (const auto& [last_frame, r] : region_ends_.At(frame)) {
     const DynamicsRegion& region = animation_.regions[r];
-    if (!Ends(region.last_frame, frame)) continue;
     any = true;
+    active_regions_.erase(r);
     if (region.root) EndRoot(frame, region);
     ResumeAfterRegion(frame, r);
   }
@@ -56,10 +57,10 @@ void Baker::BeginRoot(int frame) {
 }
 
 bool Baker::HasRegionFrom(int frame, JointIndex j) const {
-  const auto& regions = animation_.regions;
-  return std::any_of(regions.begin(), regions.end(), [&](const DynamicsRegion& region) {
-    return region.first_frame == frame &&
-           std::binary_search(region.joints.begin(), region.joints.end(), j);
+  const auto starts = region_starts_.At(frame);
+  return std::any_of(starts.begin(), starts.end(), [&](const ItemsByFrame::Entry& start) {
+    const DynamicsRegion& region = animation_.regions[start.second];
+    return std::binary_search(region.joints.begin(), region.joints.end(), j);
   });
 }
 
@@ -100,9 +101,8 @@ bool Baker::EndPlacement(int frame) {
 
 bool Baker::ReleaseObjects(int frame) {
   bool any = false;
-  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+  for (const auto& [release_frame, i] : releases_.At(frame)) {
     const HeldObject& object = animation_.held_objects[i];
-    if (object.release_frame != frame) continue;
     ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
     ComputeVelocities(figure_, before_.root_w, before_.root_v, before_.qd, &ws_);
     objects_[i].Release(ws_, Seconds(frame));
@@ -118,11 +118,11 @@ bool Baker::ReleaseObjects(int frame) {
 
 bool Baker::BeginRegions(int frame) {
   bool any = false;
-  for (size_t r = 0; r < animation_.regions.size(); ++r) {
+  for (const auto& [first_frame, r] : region_starts_.At(frame)) {
     const DynamicsRegion& region = animation_.regions[r];
-    if (region.first_frame != frame) continue;
     any = true;
-    begun_.push_back(static_cast<int>(r));
+    active_regions_.insert(r);
+    begun_.push_back(r);
     motion_->regions[r] = EmptyReport(region);
     if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) {
@@ -145,11 +145,8 @@ void Baker::StartFreeJoint(JointIndex j, int frame, bool handed_over) {
 
 void Baker::RebuildDriver(int frame) {
   std::vector<int> active;
-  for (size_t r = 0; r < animation_.regions.size(); ++r) {
-    const DynamicsRegion& region = animation_.regions[r];
-    if (region.first_frame <= frame && frame < region.last_frame) {
-      active.push_back(static_cast<int>(r));
-    }
+  for (const int r : active_regions_) {
+    if (frame < animation_.regions[r].last_frame) active.push_back(r);
   }
   driver_.reset();
   if (exact_) TakeReports();
@@ -179,8 +176,8 @@ void Baker::ReportStep(int region, int frame) {
 
 bool Baker::BeginHolds(int frame) {
   bool any = false;
-  for (const IkHold& hold : animation_.holds) {
-    if (hold.first_frame != frame) continue;
+  for (const auto& [first_frame, i] : hold_starts_.At(frame)) {
+    const IkHold& hold = animation_.holds[i];
     any = true;
     ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
     const JointIndex held = figure_.group(hold.joint).first;
@@ -191,27 +188,32 @@ bool Baker::BeginHolds(int frame) {
 }
 
 bool Baker::BeginPlacement(int frame, bool was_keyed) {
-  for (const PlacementSpan& span : animation_.placements) {
-    if (span.first_frame != frame) continue;
-    span_ = &span;
-    if (span.kind == PlacementKind::kPinned) {
-      ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
-      pin_W_ = ws_.body(figure_.group(*span.pin).first).p;
-    }
-    if (span.kind == PlacementKind::kGravity) {
-      if (was_keyed) TakeKeyedVelocity(frame);
-      if (animation_.solver.method == Method::kExact) {
-        fall_.emplace(figure_, animation_.scene, span, animation_.gravity);
-        fall_->Start(Seconds(frame), now_, &ws_);
-      } else {
-        gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
-        gravity_->Start(now_, &ws_);
-      }
-    }
-    AddPinEvent(frame);
-    return true;
+  const auto next = FirstPlacementFrom(frame);
+  if (next == animation_.placements.end() || next->first_frame != frame) return false;
+  const PlacementSpan& span = *next;
+  span_ = &span;
+  if (span.kind == PlacementKind::kPinned) {
+    ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
+    pin_W_ = ws_.body(figure_.group(*span.pin).first).p;
   }
-  return false;
+  if (span.kind == PlacementKind::kGravity) {
+    if (was_keyed) TakeKeyedVelocity(frame);
+    if (animation_.solver.method == Method::kExact) {
+      fall_.emplace(figure_, animation_.scene, span, animation_.gravity);
+      fall_->Start(Seconds(frame), now_, &ws_);
+    } else {
+      gravity_.emplace(figure_, animation_.scene, span, animation_.gravity);
+      gravity_->Start(now_, &ws_);
+    }
+  }
+  AddPinEvent(frame);
+  return true;
+}
+
+// The first placement that begins at the frame or later.
+std::vector<PlacementSpan>::const_iterator Baker::FirstPlacementFrom(int frame) const {
+  return std::partition_point(animation_.placements.begin(), animation_.placements.end(),
+                              [&](const PlacementSpan& s) { return s.first_frame < frame; });
 }
 
 // Gravity takes the figure over as a region takes a joint over: with the root's rates given by keys
@@ -232,12 +234,9 @@ void Baker::TakeKeyedVelocity(int frame) {
 // The placement that begins at the frame, else the one that ends there.
 int Baker::PlacementAt(int frame) const {
   const auto& spans = animation_.placements;
-  auto span = std::find_if(spans.begin(), spans.end(),
-                           [&](const PlacementSpan& s) { return s.first_frame == frame; });
-  if (span == spans.end()) {
-    span = std::find_if(spans.begin(), spans.end(),
-                        [&](const PlacementSpan& s) { return s.last_frame == frame; });
-  }
+  auto span = FirstPlacementFrom(frame);
+  const bool begins = span != spans.end() && span->first_frame == frame;
+  if (!begins && span != spans.begin()) --span;
   return static_cast<int>(span - spans.begin());
 }
 

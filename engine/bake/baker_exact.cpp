@@ -28,10 +28,9 @@ DrivenCurve ToDriven(const CurveTrack::Piece& piece, FrameRate rate) {
 
 // The method of the regions that are active from this frame on, else that of the file.
 bool Baker::IsExact(int frame) const {
-  for (const DynamicsRegion& region : animation_.regions) {
-    if (region.first_frame <= frame && frame < region.last_frame) {
-      return region.method == Method::kExact;
-    }
+  for (const int r : active_regions_) {
+    const DynamicsRegion& region = animation_.regions[r];
+    if (frame < region.last_frame) return region.method == Method::kExact;
   }
   return animation_.solver.method == Method::kExact;
 }
@@ -250,8 +249,7 @@ Baker::Failure Baker::AdvanceUndisturbed(double from, double to, double end) {
 void Baker::AddHits(double until) {
   for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
     if (hit.time > until) continue;
-    AddEvent(EventKind::kStop, animation_.rate.FrameAt(hit.time),
-             figure_.joints()[hit.coordinate].name);
+    AddStop(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
 }
 

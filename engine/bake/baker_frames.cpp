@@ -67,7 +67,7 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
     report.microseconds += spent.count() / static_cast<double>(driver_->active().size());
   }
   for (const JointIndex j : stops) {
-    AddEvent(EventKind::kStop, next->frame, figure_.joint(j).name);
+    AddStop(j, Seconds(next->frame), Seconds(next->frame), 1);
   }
   return std::nullopt;
 }

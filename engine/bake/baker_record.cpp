@@ -130,6 +130,22 @@ void Baker::AddEvent(EventKind kind, double frame, const std::string& joint) {
   stretch_->events.push_back({kind, seconds, static_cast<int>(rounded), joint});
 }
 
+// Or goes on with the event that it chatters on with.
+void Baker::AddStop(JointIndex j, double time, double last_time, long count) {
+  auto& last = last_stop_[j.value()];
+  if (last && time - stretch_->events[*last].last_time < kChatterGap) {
+    MotionEvent& event = stretch_->events[*last];
+    event.count += count;
+    event.last_time = last_time;
+    return;
+  }
+  last = stretch_->events.size();
+  AddEvent(EventKind::kStop, animation_.rate.FrameAt(time), figure_.joint(j).name);
+  if (count == 1) return;
+  stretch_->events.back().count = count;
+  stretch_->events.back().last_time = last_time;
+}
+
 void Baker::AddPinEvent(int frame) {
   if (const auto pin = pinned()) AddEvent(EventKind::kPinChange, frame, figure_.group(*pin).name);
 }

@@ -30,7 +30,7 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const GroupLogs& known, Team* team)
+                         double sharpness, const KnownLogs& known, Team* team)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
@@ -104,7 +104,7 @@ void ExactDriver::FinishGroups() {
   finished_evaluations_ = evaluations();
   finished_steps_ = steps();
   finished_microseconds_ = microseconds();
-  finished_ = logs();
+  AppendLogs(&finished_);
 }
 
 void ExactDriver::Begin(double t, double end, const RotationState& state, const RotationState& twin,
@@ -116,13 +116,12 @@ void ExactDriver::Begin(double t, double end, const RotationState& state, const 
   angles_ = request.angles;
   std::vector<Group> before;
   before.swap(groups_);
-  const int num_coordinates = figure_.num_joints() + kRootAngles;
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
     GroupTask task = TaskFor(model);
     GroupTask coarse = task;
     coarse.step_tolerance *= kTwinCoarseness;
-    groups_.push_back({GroupSolution(std::move(task), num_coordinates, &attachments_),
-                       GroupSolution(std::move(coarse), num_coordinates, &attachments_)});
+    groups_.push_back({GroupSolution(std::move(task), &attachments_),
+                       GroupSolution(std::move(coarse), &attachments_)});
     groups_.back().solution.Begin(t, end, state, driven, known_);
     groups_.back().twin.Begin(t, end, twin, driven, known_);
   }
@@ -213,7 +212,8 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
   std::vector<Hit> hits;
   for (Group& group : groups_) {
     for (const StopHit& hit : group.solution.TakeHits()) {
-      hits.push_back({hit.time, group.solution.hinges()[hit.hinge].coordinate});
+      const Coordinate c = group.solution.hinges()[hit.hinge].coordinate;
+      hits.push_back({hit.time, hit.last_time, hit.count, c});
     }
   }
   return hits;
@@ -257,11 +257,16 @@ double ExactDriver::microseconds() const {
 
 GroupLogs ExactDriver::logs() const {
   GroupLogs logs = finished_;
-  for (const Group& group : groups_) {
-    logs.push_back(group.solution.log());
-    logs.push_back(group.twin.log());
-  }
+  AppendLogs(&logs);
   return logs;
+}
+
+// Of the groups as they are now.
+void ExactDriver::AppendLogs(GroupLogs* logs) const {
+  for (const Group& group : groups_) {
+    logs->push_back(group.solution.log());
+    logs->push_back(group.twin.log());
+  }
 }
 
 std::vector<int> ExactDriver::group_sizes() const {

@@ -23,7 +23,7 @@ class ExactDriver {
   // `active`: indices of Animation::regions. `figure`, `team` and `known`, the logs of earlier
   // bakes, must outlive the driver. `sharpness`: divides the tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness, const GroupLogs& known, Team* team);
+              double sharpness, const KnownLogs& known, Team* team);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -64,8 +64,9 @@ class ExactDriver {
   // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
   std::optional<EnergyBalance> energy() const;
 
-  struct Hit {
-    double time;
+  struct Hit {  // as StopHit
+    double time, last_time;
+    long count;
     Coordinate coordinate;
   };
   std::vector<Hit> TakeHits();
@@ -95,6 +96,7 @@ class ExactDriver {
                           const DrivenMotion& driven) const;
   GroupTask TaskFor(const RegionModel& model) const;
   void FinishGroups();
+  void AppendLogs(GroupLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
   // Of solutions and twins.
   template <typename Action>
@@ -104,7 +106,7 @@ class ExactDriver {
   const Figure& figure_;
   std::vector<int> active_;
   double sharpness_;
-  const GroupLogs& known_;
+  const KnownLogs& known_;
   Team* team_;
   AttachmentCache attachments_;
   GroupLogs finished_;

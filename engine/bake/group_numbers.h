@@ -28,10 +28,11 @@ enum class GroupCall {
   kEnergy,   // t
 };
 
-// What the answers to kAdvance and kAhead begin with; as many hits follow, as times and hinges, and
-// for kAhead samples at the times. A sample is angles and rates of the free hinges.
+// What the answers to kAdvance and kAhead begin with; as many hits follow, each as its hinge, times
+// and count, and for kAhead samples at the times. A sample is angles and rates of the free hinges.
 struct GroupProgress {
   enum { kTime, kStepStart, kStuckHinge, kCause, kMicroseconds, kNumHits, kHits };
+  static constexpr int kHitSize = 4;
 };
 
 template <typename Derived>

@@ -11,14 +11,26 @@ namespace {
 // a step's error is no estimate.
 constexpr double kMostDecay = 2.0;
 
+// The curves that a group reads are numbered anew: there may be as many groups as joints.
+RegionModel WithOwnCurves(RegionModel model, size_t* num_curves) {
+  *num_curves = 0;
+  for (ModelNode& node : model.nodes) {
+    if (node.role != Role::kDriven) continue;
+    for (int h = 0; h < node.num_hinges; ++h) {
+      node.hinges[h].coordinate = static_cast<Coordinate>((*num_curves)++);
+    }
+  }
+  return model;
+}
+
 }  // namespace
 
-GroupRun::GroupRun(const GroupTask& task, int num_coordinates, AttachmentCache* attachments)
+GroupRun::GroupRun(const GroupTask& task, AttachmentCache* attachments)
     : gravity_(task.gravity),
       attachments_(attachments),
-      dynamics_(task.model, task.friction, task.gravity),
+      dynamics_(WithOwnCurves(task.model, &num_curves_), task.friction, task.gravity),
       solver_(&dynamics_, task.lower, task.upper) {
-  driven_.angles.resize(num_coordinates);
+  driven_.angles.resize(num_curves_);
   solver_.SetTolerance(task.step_tolerance);
   const double friction = task.friction.size() > 0 ? task.friction.maxCoeff() : 0.0;
   if (friction > 0.0) solver_.SetLongestStep(kMostDecay / friction);
@@ -113,8 +125,8 @@ Numbers GroupRun::Progress(Instant since, const std::optional<ExactFailure>& stu
   answer[P::kMicroseconds] = spent.count();
   answer[P::kNumHits] = static_cast<double>(hits.size());
   for (const StopHit& hit : hits) {
-    answer.push_back(hit.time);
-    answer.push_back(hit.hinge);
+    answer.insert(answer.end(), {static_cast<double>(hit.hinge), hit.time, hit.last_time,
+                                 static_cast<double>(hit.count)});
   }
   return answer;
 }

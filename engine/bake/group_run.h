@@ -15,7 +15,7 @@ namespace hazumi {
 class GroupRun {
  public:
   // `attachments` must outlive it.
-  GroupRun(const GroupTask& task, int num_coordinates, AttachmentCache* attachments);
+  GroupRun(const GroupTask& task, AttachmentCache* attachments);
 
   // Gives up where `cancel` is set; the answer is of no use then.
   Numbers Answer(const Numbers& question, const std::atomic<bool>* cancel);
@@ -37,6 +37,7 @@ class GroupRun {
 
   double gravity_;
   AttachmentCache* attachments_;
+  size_t num_curves_ = 0;  // read by the model, which numbers them itself
   DrivenMotion driven_;
   RegionDynamics dynamics_;
   ExactSolver solver_;

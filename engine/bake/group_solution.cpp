@@ -13,11 +13,8 @@ double Numbered(GroupCall call) { return static_cast<double>(call); }
 
 }  // namespace
 
-GroupSolution::GroupSolution(GroupTask task, int num_coordinates, AttachmentCache* attachments)
-    : task_(std::move(task)),
-      num_coordinates_(num_coordinates),
-      layout_(task_.model, /*balls=*/true),
-      attachments_(attachments) {}
+GroupSolution::GroupSolution(GroupTask task, AttachmentCache* attachments)
+    : task_(std::move(task)), layout_(task_.model, /*balls=*/true), attachments_(attachments) {}
 
 bool GroupSolution::IsKnown(const Numbers& question) const {
   return !own_ && known_ && num_calls_ < known_->size() &&
@@ -46,7 +43,7 @@ const Numbers& GroupSolution::Ask(Numbers question) {
 }
 
 void GroupSolution::SolveWhatWasAsked() {
-  if (!run_) run_ = std::make_unique<GroupRun>(task_, num_coordinates_, attachments_);
+  if (!run_) run_ = std::make_unique<GroupRun>(task_, attachments_);
   for (; num_solved_ < own_->size(); ++num_solved_) {
     GroupAnswer& call = (*own_)[num_solved_];
     call.answer = run_->Answer(call.question, cancel_);
@@ -56,7 +53,7 @@ void GroupSolution::SolveWhatWasAsked() {
 }
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
-                          const DrivenMotion& driven, const GroupLogs& known) {
+                          const DrivenMotion& driven, const KnownLogs& known) {
   constexpr size_t kUsual = 1000;  // numbers
   Numbers question;
   question.reserve(kUsual);
@@ -66,9 +63,7 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   }
   AppendCurves(task_.model, task_.model.nodes.size(), driven, &question);
   AppendTask(task_, &question);
-  for (const std::shared_ptr<const GroupLog>& log : known) {
-    if (SameBits(log->front().question, question)) known_ = log;
-  }
+  known_ = known.Find(question);
   Tell(std::move(question));
   time_ = step_start_ = t;
 }
@@ -109,7 +104,8 @@ void GroupSolution::TakeProgress(const Numbers& answer) {
   step_start_ = answer[P::kStepStart];
   microseconds_ += answer[P::kMicroseconds];
   for (int i = 0; i < static_cast<int>(answer[P::kNumHits]); ++i) {
-    hits_.push_back({answer[P::kHits + 2 * i], static_cast<int>(answer[P::kHits + 2 * i + 1])});
+    const double* hit = answer.data() + P::kHits + P::kHitSize * i;
+    hits_.push_back({hit[1], hit[2], static_cast<long>(hit[3]), static_cast<int>(hit[0])});
   }
   if (answer[P::kStuckHinge] < 0.0) return;
   failure_ = {static_cast<int>(answer[P::kStuckHinge]),
@@ -118,7 +114,7 @@ void GroupSolution::TakeProgress(const Numbers& answer) {
 
 void GroupSolution::TakeAhead(const Numbers& answer) {
   TakeProgress(answer);
-  samples_.assign(answer.begin() + P::kHits + 2 * static_cast<long>(answer[P::kNumHits]),
+  samples_.assign(answer.begin() + P::kHits + P::kHitSize * static_cast<long>(answer[P::kNumHits]),
                   answer.end());
 }
 

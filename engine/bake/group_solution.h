@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/bake/group_run.h"
+#include "engine/bake/known_logs.h"
 
 namespace hazumi {
 
@@ -15,15 +16,6 @@ struct RotationState {
   VecX q, qd;  // [rad, rad/s]
 };
 
-// What a solution was asked and what it answered.
-struct GroupAnswer {
-  Numbers question, answer;
-  long evaluations = 0, steps = 0;  // up to the answer
-};
-// From the beginning on. The answers depend on nothing but the questions.
-using GroupLog = std::vector<GroupAnswer>;
-using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
-
 // The motion of one group.
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
@@ -31,8 +23,8 @@ using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
 // not solved before something that has.
 class GroupSolution {
  public:
-  // `num_coordinates` of the figure: hinges and the root's three. `attachments` must outlive it.
-  GroupSolution(GroupTask task, int num_coordinates, AttachmentCache* attachments);
+  // `attachments` must outlive it.
+  GroupSolution(GroupTask task, AttachmentCache* attachments);
 
   const RegionModel& model() const { return task_.model; }
   const RegionLayout& layout() const { return layout_; }
@@ -41,7 +33,7 @@ class GroupSolution {
 
   // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes.
   void Begin(double t, double end, const RotationState& state, const DrivenMotion& driven,
-             const GroupLogs& known);
+             const KnownLogs& known);
   // Goes on from t, where it is, with other curves.
   void Drive(double t, double end, const DrivenMotion& driven);
   // A pin that moved with v_pin [m/s] was stopped at the time where it began.
@@ -86,7 +78,6 @@ class GroupSolution {
   void Scatter(const double* sample, RotationState* state) const;
 
   GroupTask task_;
-  int num_coordinates_;
   RegionLayout layout_;  // nothing locked
   AttachmentCache* attachments_;
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null

@@ -39,9 +39,7 @@ void IncrementalBake::StartAnew(const Animation& animation) {
   MakeStale({-kEver, kEver});
 }
 
-void IncrementalBake::KeepLogs(const Stretch& stretch) {
-  known_.insert(known_.end(), stretch.logs.begin(), stretch.logs.end());
-}
+void IncrementalBake::KeepLogs(const Stretch& stretch) { known_.Add(stretch.logs); }
 
 void IncrementalBake::Update(const Animation& animation) {
   if (!IsSameOtherwise(animation_, animation)) return StartAnew(animation);
@@ -60,14 +58,19 @@ void IncrementalBake::Update(const Animation& animation) {
 // A blend leads in one piece from where its region ends to its target, beyond all keys that it
 // passes over: an edit that reaches into it reaches back to its start.
 void IncrementalBake::IncludeBlends(Reach* reach) const {
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const DynamicsRegion& region : animation_.regions) {
-      const double start = region.last_frame, end = start + region.blend_frames;
-      if (!(start < reach->first && reach->first < end)) continue;
-      reach->Include(start);
-      grows = true;
-    }
+  struct Blend {
+    double start, end;
+  };
+  std::vector<Blend> blends;
+  for (const DynamicsRegion& region : animation_.regions) {
+    const double start = region.last_frame, end = start + region.blend_frames;
+    if (start < end && start < reach->first) blends.push_back({start, end});
+  }
+  // The latest first: what one reaches back to may lie in an earlier one.
+  std::sort(blends.begin(), blends.end(),
+            [](const Blend& a, const Blend& b) { return a.start > b.start; });
+  for (const Blend& blend : blends) {
+    if (blend.start < reach->first && reach->first < blend.end) reach->Include(blend.start);
   }
 }
 

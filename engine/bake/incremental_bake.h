@@ -75,7 +75,7 @@ class IncrementalBake {
   bool has_begun_ = false;  // the first part's start is right
   // Where the first stale part begins, whose start is right; those of later ones may not be.
   std::atomic<int> fresh_until_ = 0;
-  GroupLogs known_;  // of stretches that are no more
+  KnownLogs known_;  // of stretches that are no more
   std::optional<Error> error_;
   int stretches_baked_ = 0;
 };

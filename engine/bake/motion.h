@@ -46,6 +46,10 @@ struct MotionEvent {
   double time = 0.0;  // since frame 0 [s]
   int frame = 0;      // the nearest for an apex, else the first at or after `time`
   std::string joint;  // pinned, stopped or letting go; empty if none
+  // A stop that is hit again and again, less than kChatterGap between two hits, is one event: so
+  // many hits, the last one at last_time.
+  long count = 1;
+  double last_time = time;
 };
 
 // Energy of the bodies that a region's model moves, and where it went [J].

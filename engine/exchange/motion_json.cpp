@@ -124,7 +124,11 @@ class FrameWriter {
 std::string EventText(const MotionEvent& event) {
   return "{\"kind\": " + Quote(NameOf(event.kind)) + ", \"frame\": " + std::to_string(event.frame) +
          ", \"time_s\": " + FormatNumber(event.time) +
-         ", \"joint\": " + (event.joint.empty() ? "null" : Quote(event.joint)) + "}";
+         ", \"joint\": " + (event.joint.empty() ? "null" : Quote(event.joint)) +
+         (event.count == 1 ? ""
+                           : ", \"count\": " + std::to_string(event.count) +
+                                 ", \"last_time_s\": " + FormatNumber(event.last_time)) +
+         "}";
 }
 
 // What the motion is as fine as: the field that the method heeds.

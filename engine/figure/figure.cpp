@@ -4,22 +4,23 @@ namespace hazumi {
 
 namespace {
 
-template <typename Index, typename Items>
-std::optional<Index> FindByName(const Items& items, std::string_view name) {
-  for (size_t i = 0; i < items.size(); ++i) {
-    if (items[i].name == name) return Index(static_cast<int>(i));
-  }
-  return std::nullopt;
+template <typename Names>
+std::optional<typename Names::mapped_type> Find(const Names& names, std::string_view name) {
+  const auto it = names.find(name);
+  if (it == names.end()) return std::nullopt;
+  return it->second;
 }
 
 }  // namespace
 
 std::optional<JointIndex> Figure::FindJoint(std::string_view name) const {
-  return FindByName<JointIndex>(joints_, name);
+  if (!index_) return std::nullopt;
+  return Find(index_->joints, name);
 }
 
 std::optional<GroupIndex> Figure::FindGroup(std::string_view name) const {
-  return FindByName<GroupIndex>(groups_, name);
+  if (!index_) return std::nullopt;
+  return Find(index_->groups, name);
 }
 
 bool Figure::IsBeyond(JointIndex j, JointIndex ancestor) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +76,10 @@ class Figure {
 
  private:
   friend class FigureAssembler;
+  struct NameIndex {
+    std::map<std::string, JointIndex, std::less<>> joints;
+    std::map<std::string, GroupIndex, std::less<>> groups;
+  };
   std::string name_, root_name_;
   std::vector<Joint> joints_;
   std::vector<JointGroup> groups_;
@@ -81,6 +87,7 @@ class Figure {
   std::vector<RigidInertia> bodies_;
   RigidInertia root_body_;
   double total_mass_ = 0.0;
+  std::shared_ptr<const NameIndex> index_;  // copies of a figure share it
 };
 
 }  // namespace hazumi

@@ -1,6 +1,7 @@
 #include "engine/figure/figure_builder.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -90,7 +91,8 @@ class FigureAssembler {
     figure_.name_ = spec_.name;
     figure_.root_name_ = spec_.root_name;
     figure_.root_body_ = AddLinks(spec_.root_links, JointIndex());
-    AddChildren(spec_.root_name, JointIndex());
+    AddJoints();
+    IndexNames();
     if (auto error = CheckAllReached()) return *error;
     figure_.total_mass_ = figure_.root_body_.mass;
     for (const RigidInertia& body : figure_.bodies_) figure_.total_mass_ += body.mass;
@@ -150,11 +152,30 @@ class FigureAssembler {
     return std::nullopt;
   }
 
-  void AddChildren(const std::string& parent_name, JointIndex parent) {
-    for (const JointSpec* joint : children_[parent_name]) AddJoint(*joint, parent);
+  // Depth first, without recursion: chains may be long.
+  void AddJoints() {
+    struct Waiting {
+      const JointSpec* spec;
+      JointIndex parent;
+    };
+    std::vector<Waiting> waiting;
+    const auto await_children = [&](const std::string& name, JointIndex parent) {
+      const auto& children = children_[name];
+      for (auto it = children.rbegin(); it != children.rend(); ++it) {
+        waiting.push_back({*it, parent});
+      }
+    };
+    await_children(spec_.root_name, JointIndex());
+    while (!waiting.empty()) {
+      const Waiting next = waiting.back();
+      waiting.pop_back();
+      await_children(next.spec->name, AddJoint(*next.spec, next.parent));
+    }
+    EndSubtrees();
   }
 
-  void AddJoint(const JointSpec& spec, JointIndex parent) {
+  // Returns its last hinge.
+  JointIndex AddJoint(const JointSpec& spec, JointIndex parent) {
     const GroupIndex group(static_cast<int>(figure_.groups_.size()));
     const JointIndex first(figure_.num_joints());
     figure_.groups_.push_back({spec.name, first, static_cast<int>(spec.hinges.size())});
@@ -166,10 +187,29 @@ class FigureAssembler {
     }
     figure_.bodies_[parent.value()] = AddLinks(spec.links, parent);
     figure_.joints_[parent.value()].massless = figure_.bodies_[parent.value()].is_massless();
-    AddChildren(spec.name, parent);
-    for (int j = first.value(); j <= parent.value(); ++j) {
-      figure_.joints_[j].subtree_end = JointIndex(figure_.num_joints());
+    return parent;
+  }
+
+  // A subtree ends where the last one of its children does.
+  void EndSubtrees() {
+    std::vector<Joint>& joints = figure_.joints_;
+    for (int j = figure_.num_joints() - 1; j >= 0; --j) {
+      if (!joints[j].subtree_end.is_valid()) joints[j].subtree_end = JointIndex(j + 1);
+      if (!joints[j].parent.is_valid()) continue;
+      JointIndex& end = joints[joints[j].parent.value()].subtree_end;
+      end = std::max(end, joints[j].subtree_end);
     }
+  }
+
+  void IndexNames() {
+    auto index = std::make_shared<Figure::NameIndex>();
+    for (int j = 0; j < figure_.num_joints(); ++j) {
+      index->joints.emplace(figure_.joints_[j].name, j);
+    }
+    for (size_t g = 0; g < figure_.groups_.size(); ++g) {
+      index->groups.emplace(figure_.groups_[g].name, static_cast<int>(g));
+    }
+    figure_.index_ = std::move(index);
   }
 
   void AddHinge(const JointSpec& spec, const HingeSpec& hinge, GroupIndex group, JointIndex parent,

@@ -19,6 +19,12 @@ class ArticulatedBodies {
   // x: accelerations by dof of the layout, for nodes that move and weigh as in `motion`. A
   // direction that moves no mass gets 0. The root's translation answers as in flight, or not.
   void Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
+  // After Solve, with the same motion: x of nothing but a force [N] on a point of a dynamic node,
+  // r from its origin [m].
+  void Push(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
+            const small::V3& r, const small::V3& force, double* x);
+  // What the accelerations found last do to a point of a dynamic node, r from its origin [m/s^2].
+  small::V3 AccelerationAt(int node, const small::V3& r) const;
 
  private:
   struct Body {
@@ -30,7 +36,7 @@ class ArticulatedBodies {
     std::array<small::V3, 3> UI, UF;
     small::S3 D_inverse;
     small::V3 y;
-    // A ball joint's: I^-1 H, and y = -I^-1 n, in world axes.
+    // A ball joint's: D^-1 = I^-1, K = I^-1 H, and y = -I^-1 n, in world axes.
     bool is_ball = false;
     small::M3 K;
     small::V3 dalpha, da;
@@ -46,6 +52,8 @@ class ArticulatedBodies {
   void Reduce(Body* body) const;
   template <bool kIsFreeOfMoment>
   void PassToParent(int i, const small::V3& r);
+  void PassPush(int i, const RegionLayout& layout, const NodeMotion& motion);
+  void Distribute(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
   void MoveWithParent(int i, const small::V3& r);
   template <int kDofs>
   void Accelerate(int i, const NodeMotion& motion, double* x);

@@ -32,6 +32,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   held_after_.assign(n, 0);
   sticks_.assign(n, 0);
   fixed_.assign(n, 0);
+  last_hit_.assign(n, -1);
   stops_.Resize(n);
   blow_.setZero(n);
   for (int i = 0; i < n; ++i) {
@@ -106,9 +107,20 @@ int ExactSolver::FindSides(bool with_blow) {
     if (out < -touch_rate() && !is_struck) side_[i] = 0;
     sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -touch_rate();
     moving += side_[i] != 0 && out != 0.0;
-    if (out > touch_rate()) hits_.push_back({time_, i});
+    if (out > touch_rate()) AddHit(i);
   }
   return moving;
+}
+
+void ExactSolver::AddHit(int hinge) {
+  int& last = last_hit_[hinge];
+  if (last >= 0 && time_ - hits_[last].last_time < kChatterGap) {
+    ++hits_[last].count;
+    hits_[last].last_time = time_;
+    return;
+  }
+  last = static_cast<int>(hits_.size());
+  hits_.push_back({time_, time_, 1, hinge});
 }
 
 void ExactSolver::Collide(const VecX& blow) {
@@ -277,7 +289,10 @@ EnergyFlow ExactSolver::Energy(double t) {
   return dynamics_->MeasureEnergy(t, y_.data());
 }
 
-std::vector<StopHit> ExactSolver::TakeHits() { return std::exchange(hits_, {}); }
+std::vector<StopHit> ExactSolver::TakeHits() {
+  for (const StopHit& hit : hits_) last_hit_[hit.hinge] = -1;
+  return std::exchange(hits_, {});
+}
 
 // Where a ball joint passes a pole its outer hinges' angles jump, perhaps beyond their stops: such
 // a hinge has a stop where it is until it has come inside.

@@ -10,10 +10,15 @@
 
 namespace hazumi {
 
-// A hinge that reached a stop.
+// Hits of one stop that follow each other more closely than this are told as one [s]: two joints
+// that press on their stops in turn hit them thousands of times.
+constexpr double kChatterGap = 1.0 / 30.0;
+
+// A hinge that reached a stop, `count` times from `time` to `last_time` [s].
 struct StopHit {
-  double time;  // [s]
-  int hinge;    // free hinge
+  double time, last_time;
+  long count;
+  int hinge;  // free hinge
 };
 
 // Why a solver cannot go on.
@@ -83,6 +88,7 @@ class ExactSolver {
   void MakeEventHappen();
   void ResolveStops(const Vec3& v_pin);
   int FindSides(bool with_blow);
+  void AddHit(int hinge);
   void Collide(const VecX& blow);
   void Settle();
   void Relock();
@@ -142,6 +148,7 @@ class ExactSolver {
   double touch_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   std::vector<int> suspects_;                          // nodes
   std::vector<StopHit> hits_;
+  std::vector<int> last_hit_;   // by hinge: its latest in hits_; -1: none
   std::vector<double> recent_;  // times of events, for telling chatter
   double pull_before_ = 0.0;    // strongest pull at the start of the step [N m]
   double touch_ = 0.0;          // how near a stop counts as at it [rad]

@@ -26,10 +26,15 @@ RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
   has_friction_ = !friction_.isZero(0.0);
+  damping_.setZero(num_hinges());
+}
+
+// At the first dense evaluation: a long chain may never need one.
+void RegionDynamics::MakeRoomForDense() {
   const int k = num_hinges();
-  for (VecX* x : {&b_, &x_, &damping_}) x->setZero(k);
+  if (M_.cols() == k) return;
+  b_.setZero(k);
   M_.setZero(k, k);
-  L_.setZero(k, k);
   F_.setZero(3, k);
   J_.setZero(3, k);
 }
@@ -58,12 +63,12 @@ bool RegionDynamics::IsCarrierStill() const {
          std::none_of(root.begin(), root.end(), accelerates);
 }
 
-// A pinned root that answers couples every joint with the pin: only the dense way is written for
-// that, and for friction that the root of a flying figure has to answer.
+// A pinned root that answers couples every joint with the pin, which is solved the dense way unless
+// that takes too long. Only the dense way is written for friction that the root has to answer.
 bool RegionDynamics::UsesArticulatedBodies() const {
   if (!model_.root_answers) return true;
-  return model_.coupling == RootCoupling::kFlight &&
-         !(has_friction_ && model_.nodes[0].role == Role::kFree);
+  if (has_friction_ && model_.nodes[0].role == Role::kFree) return false;
+  return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
 }
 
 void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
@@ -113,6 +118,7 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
 }
 
 void RegionDynamics::Assemble(const RegionLayout& layout) {
+  MakeRoomForDense();
   for (int i = 0; i < layout.num_dofs(); ++i) std::fill_n(&M_(0, i), layout.num_dofs(), 0.0);
   for (int i = kinematics_.size() - 1; i >= 0; --i) {
     if (!model_.nodes[i].is_dynamic) continue;
@@ -195,11 +201,30 @@ void RegionDynamics::ProjectOnPin(const RegionLayout& layout) {
 void RegionDynamics::SolveDense(double* x) {
   const int k = layout_.num_dofs();
   Assemble(layout_);
+  if (L_.cols() != num_hinges()) L_.setZero(num_hinges(), num_hinges());
   for (int j = 0; j < k; ++j) std::copy_n(&M_(0, j), k, &L_(0, j));
   FactorSemidefinite(L_.topLeftCorner(k, k));
   Eigen::Map<VecX> solution(x, k);
   solution = -b_.head(k);
   SolveSemidefinite(L_.topLeftCorner(k, k), solution);
+}
+
+// The figure flies, pushed on its pin as hard as keeps that in place: with x and a of the flight,
+// and X_k and A_k of a unit force along axis k,
+//   a + A l = 0,   x := x + X l
+void RegionDynamics::SolveOnPin(double* x) {
+  const auto& motion = kinematics_.motion();
+  const int pin = model_.pin_node, k = layout_.num_dofs();
+  const V3 r = motion[pin].R * V3(model_.p_pin);
+  const Vec3 a = articulated_.AccelerationAt(pin, r).eigen();
+  if (pushed_.rows() != num_hinges()) pushed_.setZero(num_hinges(), 3);
+  Mat3 A;
+  for (int axis = 0; axis < 3; ++axis) {
+    articulated_.Push(layout_, motion, pin, r, V3(Vec3::Unit(axis)), pushed_.col(axis).data());
+    A.col(axis) = articulated_.AccelerationAt(pin, r).eigen();
+  }
+  const Vec3 l = A.ldlt().solve(-a);
+  Eigen::Map<VecX>(x, k) += pushed_.topRows(k) * l;
 }
 
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {
@@ -209,6 +234,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
     articulated_.Solve(layout_, kinematics_.motion(), x);
+    if (model_.root_answers && model_.coupling == RootCoupling::kPinned) SolveOnPin(x);
   } else {
     SolveDense(x);
   }

@@ -33,6 +33,9 @@ class RegionDynamics {
   const RegionLayout& layout() const { return layout_; }
   const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
   int num_hinges() const { return layout_.num_hinges(); }
+  // Where a pinned root answers, groups of up to so many free hinges are solved the dense way,
+  // which takes n^3, larger ones by articulated bodies, in O(n).
+  void SetMostDense(int hinges) { most_dense_ = hinges; }
 
   // The curves must outlive their use, and move smoothly from `start` to `end` [s].
   void SetDriven(const DrivenMotion* driven, double start, double end) {
@@ -80,12 +83,14 @@ class RegionDynamics {
   Attachment::Frame CarrierAt(double t);  // by the chain that moves it
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
+  void MakeRoomForDense();
   void Assemble(const RegionLayout& layout);
   void AssembleColumn(const RegionLayout& layout, int node, int dof, const small::V3& axis);
   void PassToParent(int node);
   void Couple(const RegionLayout& layout);
   void ProjectOnPin(const RegionLayout& layout);
   void SolveDense(double* x);
+  void SolveOnPin(double* x);
   void Damp(const double* y, double* x);
   void DampBall(int node, const double* quaternion, const double* w, double* damping) const;
   void AnswerDamping();
@@ -102,11 +107,13 @@ class RegionDynamics {
   bool is_carrier_still_ = false;
   VecX friction_;
   bool has_friction_ = false;
+  int most_dense_ = 64;
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
   MatX M_, L_;
-  VecX b_, x_, damping_;
-  Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
+  VecX b_, damping_;
+  Eigen::MatrixX3d pushed_;  // accelerations for unit forces on the pin
+  Eigen::Matrix3Xd F_, J_;   // force on the root and motion of the pin for unit accelerations
   long evaluations_ = 0;
 };
 

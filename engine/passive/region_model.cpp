@@ -119,49 +119,78 @@ class ModelCompiler {
   RegionModel model_;
 };
 
-bool IsBetween(const RegionModel& model, int node, int end) {
-  for (int i = end; i >= 0; i = model.nodes[i].parent) {
-    if (i == node) return true;
-  }
-  return false;
-}
-
 bool RootAnswers(const RegionModel& model) {
   if (model.coupling == RootCoupling::kFlight) return true;
   if (model.coupling == RootCoupling::kPrescribed) return false;
-  for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i) {
-    if (model.nodes[i].role == Role::kFree && IsBetween(model, i, model.pin_node)) return true;
+  for (int i = model.pin_node; i >= 0; i = model.nodes[i].parent) {
+    if (model.nodes[i].role == Role::kFree) return true;
   }
   return false;
 }
 
-// The nodes at or beyond `top` as a model of their own, after the chains that move them.
-RegionModel Extract(const RegionModel& whole, int top) {
-  const int n = static_cast<int>(whole.nodes.size());
-  std::vector<char> kept(n, 0), dynamic(n, 0);
-  kept[0] = 1;
-  for (int i = 0; i < n; ++i) {
-    dynamic[i] = i == top || (whole.nodes[i].parent >= 0 && dynamic[whole.nodes[i].parent]);
+// Takes parts of a model out. A part takes no longer than it is large: there may be as many as
+// there are joints.
+class Extraction {
+ public:
+  explicit Extraction(const RegionModel& whole)
+      : whole_(whole), renamed_(whole.nodes.size(), -1), header_(whole) {
+    header_.nodes.clear();
   }
-  for (int i = 0; i < n; ++i) kept[i] |= dynamic[i];
-  for (int i = top; i >= 0; i = whole.nodes[i].parent) kept[i] = 1;
-  for (int i = whole.pin_node; i >= 0; i = whole.nodes[i].parent) kept[i] = 1;
-  RegionModel part = whole;
-  part.nodes.clear();
-  std::vector<int> renamed(n, -1);
-  for (const bool of_group : {false, true}) {
-    for (int i = 0; i < n; ++i) {
-      if (!kept[i] || (dynamic[i] != 0) != of_group) continue;
-      renamed[i] = static_cast<int>(part.nodes.size());
-      part.nodes.push_back(whole.nodes[i]);
-      ModelNode& node = part.nodes.back();
-      node.parent = node.parent < 0 ? -1 : renamed[node.parent];
-      node.is_dynamic = of_group;
-      if (!of_group) node.body = RigidInertia();
-    }
+
+  // The nodes at or beyond `top` as a model of their own, after the chains that move them.
+  RegionModel Take(int top) {
+    part_ = header_;
+    for (const int i : Carriers(top)) Add(i, /*of_group=*/false);
+    for (int i = top; i < EndOf(top); ++i) Add(i, /*of_group=*/true);
+    if (whole_.pin_node >= 0) part_.pin_node = renamed_[whole_.pin_node];
+    return std::move(part_);
   }
-  if (whole.pin_node >= 0) part.pin_node = renamed[whole.pin_node];
-  return part;
+
+ private:
+  // The nodes at or beyond another come right after it, as the joints of a figure do.
+  int EndOf(int top) const {
+    int end = top + 1;
+    while (end < static_cast<int>(whole_.nodes.size()) && whole_.nodes[end].parent >= top) ++end;
+    return end;
+  }
+
+  // Of node and pin, from the root on.
+  std::vector<int> Carriers(int top) const {
+    std::vector<int> carriers = {0};
+    for (int i = whole_.nodes[top].parent; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
+    for (int i = whole_.pin_node; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
+    std::sort(carriers.begin(), carriers.end());
+    carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
+    const auto is_of_group = [&](int i) { return top <= i && i < EndOf(top); };
+    std::erase_if(carriers, is_of_group);
+    return carriers;
+  }
+
+  void Add(int i, bool of_group) {
+    renamed_[i] = static_cast<int>(part_.nodes.size());
+    part_.nodes.push_back(whole_.nodes[i]);
+    ModelNode& node = part_.nodes.back();
+    node.parent = node.parent < 0 ? -1 : renamed_[node.parent];
+    node.is_dynamic = of_group;
+    if (!of_group) node.body = RigidInertia();
+  }
+
+  const RegionModel& whole_;
+  std::vector<int> renamed_;  // by node of the whole
+  RegionModel header_;        // without nodes
+  RegionModel part_;
+};
+
+// The free nodes that no free node carries.
+std::vector<int> FirstFree(const RegionModel& model) {
+  std::vector<char> is_carried(model.nodes.size(), 0);
+  std::vector<int> first;
+  for (size_t i = 0; i < model.nodes.size(); ++i) {
+    const int parent = model.nodes[i].parent;
+    is_carried[i] = parent >= 0 && (is_carried[parent] || model.nodes[parent].role == Role::kFree);
+    if (model.nodes[i].role == Role::kFree && !is_carried[i]) first.push_back(static_cast<int>(i));
+  }
+  return first;
 }
 
 void Count(RegionModel* model) {
@@ -175,13 +204,6 @@ void Count(RegionModel* model) {
   }
 }
 
-bool HasFreeAncestor(const RegionModel& model, int node) {
-  for (int i = model.nodes[node].parent; i >= 0; i = model.nodes[i].parent) {
-    if (model.nodes[i].role == Role::kFree) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRequest& request) {
@@ -192,10 +214,8 @@ std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRe
     for (ModelNode& node : whole.nodes) node.is_dynamic = true;
     models.push_back(std::move(whole));
   } else {
-    for (int i = 0; i < static_cast<int>(whole.nodes.size()); ++i) {
-      if (whole.nodes[i].role != Role::kFree || HasFreeAncestor(whole, i)) continue;
-      models.push_back(Extract(whole, i));
-    }
+    Extraction extraction(whole);
+    for (const int top : FirstFree(whole)) models.push_back(extraction.Take(top));
   }
   for (RegionModel& model : models) Count(&model);
   return models;

@@ -8,7 +8,7 @@
 namespace hazumi {
 
 void StopSolver::Resize(int size) {
-  A_.resize(size, size);
+  A_.resize(0, 0);
   for (VecX* x : {&x_, &T_, &right_, &given_, &size_, &reached_, &against_}) x->resize(size);
   zero_ = VecX::Zero(size);
   free_.reserve(size);
@@ -18,6 +18,7 @@ void StopSolver::Resize(int size) {
 void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
                             const std::vector<char>& held) {
   const int n = static_cast<int>(b.size());
+  if (A_.cols() != n) A_.resize(n, n);
   free_.clear();
   for (int i = 0; i < n; ++i) {
     if (!held[i]) free_.push_back(i);

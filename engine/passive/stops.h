@@ -12,7 +12,8 @@ namespace hazumi {
 // [METHOD 2, "limits"]
 //
 // Both problems have one solution, since M is positive definite; it is found by principal pivots on
-// the first hinge that is wrong [Murty 1974]. Calls allocate nothing once Resize was called.
+// the first hinge that is wrong [Murty 1974]. Calls allocate nothing once Resize was called, but
+// for the first one.
 class StopSolver {
  public:
   void Resize(int size);

@@ -49,7 +49,7 @@ constexpr CheckText kTexts[] = {
     {Check::kEmptyName, kSchema, "must not be empty"},
 
     {Check::kUnknownParent, kSchema, "no joint {} to hang on; {}"},
-    {Check::kTooManyJoints, kSchema, "{} joints; a figure has 1000 at most"},
+    {Check::kTooManyJoints, kSchema, "{} joints; a figure has 10000 at most"},
     {Check::kFigureUnreadable, kNoInput,
      "the figure {} {}; looked for as {}; paths are relative to the project file"},
 

@@ -51,8 +51,9 @@ double RoundedDegrees(double radians) {
 // Builds the animation from a project whose values and names have been checked.
 class Compiler {
  public:
-  Compiler(const Project& project, Figure figure)
+  Compiler(const Project& project, Figure figure, const std::atomic<bool>* cancel)
       : project_(project),
+        cancel_(cancel),
         figure_(std::make_shared<const Figure>(std::move(figure))),
         warnings_(project.read.warnings) {}
 
@@ -61,10 +62,11 @@ class Compiler {
     AddSettings();
     AddCurves();
     AddScene();
-    for (size_t i = 0; i < project_.regions.size(); ++i) AddRegion(i);
+    for (size_t i = 0; i < project_.regions.size() && !is_cancelled(); ++i) AddRegion(i);
     for (const ProjectPlacement& placement : project_.placements) AddPlacement(placement);
     for (const ProjectHold& hold : project_.holds) AddHold(hold);
-    CheckAnimation(animation_, &errors);
+    CheckAnimation(animation_, cancel_, &errors);
+    if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     if (!errors.ok()) return *errors.error();
     WarnAboutPlacements(animation_, &warnings_);
     std::sort(animation_.placements.begin(), animation_.placements.end(),
@@ -73,6 +75,8 @@ class Compiler {
   }
 
  private:
+  bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+
   void Warn(std::string place, Check check, std::initializer_list<std::string_view> arguments) {
     warnings_.push_back({std::move(place), MessageOf(check, arguments)});
   }
@@ -199,6 +203,7 @@ class Compiler {
   }
 
   const Project& project_;
+  const std::atomic<bool>* cancel_;
   std::shared_ptr<const Figure> figure_;
   Animation animation_;
   std::vector<Warning> warnings_;
@@ -206,7 +211,7 @@ class Compiler {
 
 }  // namespace
 
-Result<Compiled> CompileAnimation(const Project& project) {
+Result<Compiled> CompileAnimation(const Project& project, const std::atomic<bool>* cancel) {
   FirstError errors;
   CheckDocument(project, &errors);
   if (!errors.ok()) return *errors.error();
@@ -214,7 +219,7 @@ Result<Compiled> CompileAnimation(const Project& project) {
   if (!figure.ok()) return InFigure(figure.error());
   CheckNames(project, figure.value(), &errors);
   if (!errors.ok()) return *errors.error();
-  return Compiler(project, std::move(figure).value()).Compile();
+  return Compiler(project, std::move(figure).value(), cancel).Compile();
 }
 
 }  // namespace hazumi

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct Compiled {
 
 // Resolves names, converts to SI and radians, and checks what spans several parts of the project.
 // Errors have no file: kSchema for a value out of range or an unknown name (a project just read has
-// none), kSemantics for parts that contradict each other.
-Result<Compiled> CompileAnimation(const Project& project);
+// none), kSemantics for parts that contradict each other, kInterrupted where `cancel` is set.
+Result<Compiled> CompileAnimation(const Project& project,
+                                  const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace hazumi

@@ -12,7 +12,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr size_t kMostJoints = 1000;
+constexpr size_t kMostJoints = 10'000;
 
 struct AxisName {
   const char* name;

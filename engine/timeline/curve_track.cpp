@@ -24,6 +24,7 @@ size_t FirstNotBefore(const Keys& keys, double frame) {
 CurveTrack::CurveTrack(const Keys* keys, FrameRate rate, double default_value,
                        std::vector<double> takeovers)
     : keys_(keys), rate_(rate), default_value_(default_value), takeovers_(std::move(takeovers)) {
+  std::sort(takeovers_.begin(), takeovers_.end());
   const double start_value = keys->empty() ? default_value : keys->front().value;
   const double start_frame = keys->empty() ? kEver : keys->front().frame;
   segments_.push_back({-kEver, start_frame, Interval::Hold(start_value)});
@@ -149,7 +150,7 @@ double CurveTrack::AutomaticArrival(size_t index, double left_frame, double left
 }
 
 bool CurveTrack::IsTakenOver(double frame) const {
-  return std::find(takeovers_.begin(), takeovers_.end(), frame) != takeovers_.end();
+  return std::binary_search(takeovers_.begin(), takeovers_.end(), frame);
 }
 
 bool CurveTrack::IsRecorded(size_t index, double left_frame) const {

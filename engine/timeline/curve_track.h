@@ -80,7 +80,7 @@ class CurveTrack {
   const Keys* keys_;
   FrameRate rate_;
   double default_value_;
-  std::vector<double> takeovers_;
+  std::vector<double> takeovers_;  // ascending
   std::vector<Segment> segments_;
 };
 

@@ -89,9 +89,11 @@ TEST(ReportText, SaysWhatItTookAndHowWellItWent) {
   EXPECT_EQ(
       LinesOf(ExactReport(), false),
       (std::vector<std::string>{"14 of 37 joints, 2 groups of 7, 6 bodies",
-                                "12 steps, 340 evaluations, error estimate 0.004 deg, 1235 us"}));
+                                "12 steps, 340 evaluations, error estimate 0.004 deg, 1235 us, "
+                                "3.63 us an evaluation"}));
   EXPECT_EQ(LinesOf(PaperReport(), false),
-            (std::vector<std::string>{"1 of 1 joint", "34 steps, 1 evaluation, 0 us"}));
+            (std::vector<std::string>{"1 of 1 joint",
+                                      "34 steps, 1 evaluation, 0 us, 0 us an evaluation"}));
 }
 
 TEST(ReportText, AccountsForTheEnergy) {

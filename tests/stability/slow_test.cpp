@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 
 #include "tests/support/arm7_cases.h"
@@ -23,16 +24,18 @@ TEST(Exact, KeepsTheEnergyOfAFreeSwingForTenMinutes) {
   EXPECT_LE(course.energy_drift, 1e-6);
 }
 
-// Let go level.
-TEST(Exact, LetsAThousandLinksFallWithinAMinuteOfComputing) {
+// Let go level; how long it takes is printed with the evaluations that it takes.
+TEST(Exact, LetsAThousandLinksFallForASecondWithinAMinuteOfComputing) {
   const Figure chain = Chain(1000);
   VecX q = VecX::Zero(1000);
   q[0] = -std::acos(0.0);
   const std::clock_t start = std::clock();
-  const Course course = SwingExactly({chain, q, VecX::Zero(1000), 1.0 / 30.0}, 1e-4);
+  const Course course = SwingExactly({chain, q, VecX::Zero(1000), 1.0}, 1e-4);
   EXPECT_TRUE(course.finished);
   EXPECT_LE(course.energy_drift, 1e-4);
-  EXPECT_LE(double(std::clock() - start) / CLOCKS_PER_SEC, 60.0);
+  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+  std::printf("%ld evaluations, %.1f s\n", course.evaluations, seconds);
+  EXPECT_LE(seconds, 60.0);
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame)
   std::vector<EventMark> marks;
   for (const MotionEvent& event : motion.events) {
     const double at = event.time / motion.rate.SecondsAt(1.0);
+    const double last = event.last_time / motion.rate.SecondsAt(1.0);
     if (at < frame.axis.first || at > frame.axis.last) continue;
     const float y = frame.ruler.bottom() - static_cast<float>(5.0 * frame.scale);
-    marks.push_back({event.kind, {frame.axis.XOf(at), y}, at, event.joint});
+    marks.push_back({event.kind, {frame.axis.XOf(at), y}, at, event.joint, event.count, last});
   }
   return marks;
 }

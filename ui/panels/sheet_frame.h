@@ -29,6 +29,8 @@ struct EventMark {
   Point at;
   double frame = 0.0;
   std::string joint;  // may be empty
+  long count = 1;     // of times that it happens, as MotionEvent
+  double last_frame = 0.0;
 };
 std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame);
 // The one under a point, or null.

@@ -73,7 +73,10 @@ const char* Describe(EventKind kind) {
 std::string TextOf(const EventMark& mark) {
   std::string text = Tr(Describe(mark.kind));
   if (!mark.joint.empty()) text += "  " + mark.joint;
-  return text + "\n" + Tr("frame") + " " + FormatShort(mark.frame);
+  text += std::string("\n") + Tr("frame") + " " + FormatShort(mark.frame);
+  if (mark.count == 1) return text;
+  return text + " - " + FormatShort(mark.last_frame) + "\n" + Tr("times in a row:") + " " +
+         std::to_string(mark.count);
 }
 
 std::string TextOf(const Sinking& sinking, const Figure& figure) {

@@ -39,6 +39,22 @@ FigureSpec Small() {
   return spec;
 }
 
+TEST(FigureBuilder, BuildsAChainOfTenThousandAndFindsItsNames) {
+  FigureSpec spec = Small();
+  spec.joints = {OneHinge("j0", "root")};
+  for (int i = 1; i < 10000; ++i) {
+    spec.joints.push_back(OneHinge("j" + std::to_string(i), "j" + std::to_string(i - 1)));
+  }
+  const Figure chain = Build(spec);
+  ASSERT_EQ(chain.num_joints(), 10000);
+  for (int i = 0; i < 10000; ++i) {
+    EXPECT_EQ(chain.FindJoint("j" + std::to_string(i)), JointIndex(i));
+    EXPECT_EQ(chain.joint(JointIndex(i)).subtree_end, JointIndex(10000));
+  }
+  EXPECT_EQ(chain.FindJoint("j10000"), std::nullopt);
+  EXPECT_EQ(chain.FindGroup("j9999"), GroupIndex(9999));
+}
+
 struct WrongSpec {
   const char* place;
   const char* message;

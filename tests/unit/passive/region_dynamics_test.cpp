@@ -158,5 +158,23 @@ TEST(RegionDynamics, FrictionSlowsHingesAndTheFreeRootAnswers) {
   }
 }
 
+// The figure flies, pushed on its pin: what large groups are solved by.
+TEST(RegionDynamics, SolvesAGroupOnAPinByArticulatedBodiesAsTheDenseWay) {
+  Worst worst("on a pin, by articulated bodies");
+  int answering = 0;
+  for (uint64_t seed = 0; seed < kSamples; ++seed) {
+    const ModelCase c(seed, RootCoupling::kPinned, /*is_root_free=*/false);
+    for (RegionDynamics& dynamics : c.Models()) {
+      answering += dynamics.model().root_answers;
+      const VecX q = Gather(dynamics, c.q), qd = Gather(dynamics, c.qd);
+      const VecX dense = VelocityDerivatives(&dynamics, c.t, q, qd);
+      dynamics.SetMostDense(0);
+      const VecX articulated = VelocityDerivatives(&dynamics, c.t, q, qd);
+      EXPECT_LE(worst(RelativeDifference(articulated, dense)), kTolerance) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(answering, kSamples / 10);
+}
+
 }  // namespace
 }  // namespace hazumi::test

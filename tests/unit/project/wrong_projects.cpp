@@ -220,10 +220,10 @@ std::vector<WrongProject> WrongFigures() {
        Figure("/joints", "[" +
                              Repeated(R"({"name": "a", "parent": "pelvis", "offset_m": [0, 0, 0],
                                            "hinges": []},)",
-                                      1000) +
+                                      10000) +
                              R"({"name": "a", "parent": "pelvis", "offset_m": [0, 0, 0],
                                  "hinges": []}])"),
-       "joints: 1001 joints; a figure has 1000 at most"},
+       "joints: 10001 joints; a figure has 10000 at most"},
       // The figure builder's own.
       {Check::kNumChecks, Read("/figure/joints/0/parent", "\"r_wrist\""),
        "figure.joints[0].parent: \"waist\" is its own ancestor: the parents form a loop"},
@@ -242,6 +242,17 @@ std::vector<WrongProject> WrongFigures() {
 }
 
 }  // namespace
+
+bool Instantiates(std::string_view message, Check check) {
+  std::string_view sentence = TextOf(check).text;
+  for (size_t hole; (hole = sentence.find("{}")) != std::string_view::npos;) {
+    const size_t at = message.find(sentence.substr(0, hole));
+    if (at == std::string_view::npos) return false;
+    message.remove_prefix(at + hole);
+    sentence.remove_prefix(hole + 2);
+  }
+  return message.ends_with(sentence);
+}
 
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/project/checks.h"
@@ -17,6 +18,9 @@ struct WrongProject {
 };
 
 std::vector<WrongProject> WrongProjects();
+
+// True if `message` is the check's sentence with its {} filled in.
+bool Instantiates(std::string_view message, Check check);
 
 // The part of them that is well formed: values, names and contradictions.
 std::vector<WrongProject> WrongDocuments();

@@ -9,18 +9,6 @@
 namespace hazumi::testing {
 namespace {
 
-// True if `message` is the check's sentence with its {} filled in.
-bool Instantiates(std::string_view message, Check check) {
-  std::string_view sentence = TextOf(check).text;
-  for (size_t hole; (hole = sentence.find("{}")) != std::string_view::npos;) {
-    const size_t at = message.find(sentence.substr(0, hole));
-    if (at == std::string_view::npos) return false;
-    message.remove_prefix(at + hole);
-    sentence.remove_prefix(hole + 2);
-  }
-  return message.ends_with(sentence);
-}
-
 TEST(WrongProjects, EachGetsItsMessage) {
   for (const WrongProject& wrong : WrongProjects()) {
     const std::string said = wrong.say();
