@@ -5,7 +5,7 @@
 #include "engine/base/result.h"
 #include "render/contexts/osmesa_context.h"
 #include "render/gl/renderer.h"
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 
 namespace hazumi::render {
 

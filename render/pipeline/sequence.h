@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 #include "render/gl/renderer.h"
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 #include "render/image/png.h"
 #include "render/scene/scene.h"
 

@@ -9,7 +9,7 @@
 #include "engine/base/warning.h"
 #include "engine/figure/skin.h"
 #include "engine/spatial/types.h"
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 
 namespace hazumi::render {
 
