@@ -14,7 +14,9 @@ namespace {
 
 // What --check would say of the file to be written: what it refuses is not saved.
 std::optional<Error> Refusal(const Project& project, const Options& options) {
-  Result<Project> read = ParseProject(WriteProject(project), options.files[0]);
+  const Result<std::string> text = TextToSave(project, options.output);
+  if (!text.ok()) return text.error();
+  Result<Project> read = ParseProject(text.value(), options.files[0]);
   if (!read.ok()) return read.error();
   const Result<BakedProject> baked = BakeProject(std::move(read).value(), {});
   if (baked.ok()) return std::nullopt;

@@ -118,8 +118,8 @@ int AboveTheChilds(int fd) { return ::fcntl(fd, F_DUPFD_CLOEXEC, kChildOutput + 
 // A file in memory with this content, to be read from its beginning; -1: errno.
 int FileWith(std::string_view content) {
   const Descriptor file(::memfd_create("hazumi", MFD_CLOEXEC));
-  const bool is_written = file.get() >= 0 && WriteAll(file.get(), content) &&
-                          ::lseek(file.get(), 0, SEEK_SET) == 0;
+  const bool is_written =
+      file.get() >= 0 && WriteAll(file.get(), content) && ::lseek(file.get(), 0, SEEK_SET) == 0;
   return is_written ? AboveTheChilds(file.get()) : -1;
 }
 

@@ -28,7 +28,6 @@ constexpr int kChildOutput = 3;
 // `is_cancelled` may be empty; it is asked every 20 ms. However it ends, the child is gone and
 // reaped on return. Safe with other threads. Error (kFailed): it could not be started.
 Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
-                              const ChildLimits& limits,
-                              const std::function<bool()>& is_cancelled);
+                              const ChildLimits& limits, const std::function<bool()>& is_cancelled);
 
 }  // namespace hazumi

@@ -20,8 +20,8 @@ constexpr int kCannotRun = 126, kNotFound = 127;
 Error Because(ErrorCode code, const std::string& message) { return {code, "", "", message}; }
 
 Error TookTooLong(const ReadLimits& limits) {
-  return Because(ErrorCode::kSyntax, "reading it took more than " + FormatShort(limits.seconds) +
-                                         " s and was stopped");
+  return Because(ErrorCode::kSyntax,
+                 "reading it took more than " + FormatShort(limits.seconds) + " s and was stopped");
 }
 
 Error TookTooMuch(const ReadLimits& limits) {
@@ -70,7 +70,8 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
   const std::string reader = options.reader.empty() ? ReaderPath() : options.reader;
   if (std::error_code ignored; reader.empty() || !fs::is_regular_file(reader, ignored)) {
     return Because(ErrorCode::kFailed,
-                   "cannot be read, because the program " + (reader.empty() ? kReaderName : reader) +
+                   "cannot be read, because the program " +
+                       (reader.empty() ? kReaderName : reader) +
                        " is missing; it belongs beside hazumi: install Hazumi again, or set "
                        "HAZUMI_READER to where it is");
   }

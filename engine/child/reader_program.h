@@ -1,7 +1,7 @@
 #pragma once
 
-// hazumi-reader, the program that opens what strangers wrote, so that whatever a broken file does to
-// a library, this program stays.
+// hazumi-reader, the program that opens what strangers wrote, so that whatever a broken file does
+// to a library, this program stays.
 
 #include <functional>
 #include <optional>
@@ -26,8 +26,8 @@ struct ReadOptions {
   std::string trouble;                 // for tests: see reader_main.cpp
 };
 
-// Where it is: $HAZUMI_READER if that is set, else `hazumi-reader` in the folder of this program or,
-// as in a build tree, in one of the four folders above it. Empty: none.
+// Where it is: $HAZUMI_READER if that is set, else `hazumi-reader` in the folder of this program
+// or, as in a build tree, in one of the four folders above it. Empty: none.
 std::string ReaderPath();
 
 // What the reader can do: a character, from the file named; pictures, from the input (see

@@ -50,7 +50,8 @@ class Decoding {
     const std::string request = RequestToBytes(rest(), pixels_left_);
     const Result<ChildOutcome> outcome = RunReader({kDecodePictures, "", request}, options);
     if (!outcome.ok()) return LeaveOutAll(outcome.error());
-    for (Result<Image>& image : AnswersFromBytes(outcome.value().output, rest().size(), pixels_left_))
+    for (Result<Image>& image :
+         AnswersFromBytes(outcome.value().output, rest().size(), pixels_left_))
       Take(std::move(image));
     if (!rest().empty()) BlameTheNext(WhyNoAnswer(outcome.value(), options.limits));
   }

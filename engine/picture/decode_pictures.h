@@ -14,8 +14,8 @@ namespace hazumi {
 
 // The picture of each file, or why there is none; picture_limits.h bounds each and all. One process
 // decodes them all; if one ends it, that one is left out and another process goes on with the rest,
-// for twice the time of one. Errors: kSyntax where the picture is broken or too large; kFailed where
-// the reader is missing or not sound; kInterrupted. `options.limits.answer` has no effect.
+// for twice the time of one. Errors: kSyntax where the picture is broken or too large; kFailed
+// where the reader is missing or not sound; kInterrupted. `options.limits.answer` has no effect.
 std::vector<Result<Image>> DecodePictures(std::span<const std::span<const std::uint8_t>> files,
                                           const ReadOptions& options = {});
 

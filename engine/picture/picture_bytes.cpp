@@ -89,8 +89,7 @@ std::vector<Result<Image>> AnswersFromBytes(std::string_view bytes, size_t most,
   while (answers.size() < most) {
     std::optional<Result<Image>> answer = NextAnswer(&reader, pixels_left);
     if (!answer) break;
-    if (answer->ok())
-      pixels_left -= std::int64_t{answer->value().width} * answer->value().height;
+    if (answer->ok()) pixels_left -= std::int64_t{answer->value().width} * answer->value().height;
     answers.push_back(*std::move(answer));
   }
   return answers;

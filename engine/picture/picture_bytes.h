@@ -1,7 +1,7 @@
 #pragma once
 
-// Pictures between hazumi and hazumi-reader, as bytes: the files to decode, and what became of each.
-// Versioned, of one machine's byte order; not a file format.
+// Pictures between hazumi and hazumi-reader, as bytes: the files to decode, and what became of
+// each. Versioned, of one machine's byte order; not a file format.
 
 #include <cstdint>
 #include <span>

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "render/gl/renderer.h"
 #include "engine/picture/image.h"
+#include "render/gl/renderer.h"
 #include "render/image/png.h"
 #include "render/scene/scene.h"
 

@@ -21,7 +21,8 @@ void SayWhatIsWrong(Editor* editor) {
 void SayWhatIsNotDrawn(Editor* editor) {
   const std::vector<Warning> warnings = editor->skins.TakeWarnings();
   if (warnings.empty()) return;
-  const std::string more = warnings.size() == 1 ? "" : " (+" + std::to_string(warnings.size() - 1) + ")";
+  const std::string more =
+      warnings.size() == 1 ? "" : " (+" + std::to_string(warnings.size() - 1) + ")";
   editor->Say(warnings[0].place + ": " + warnings[0].message + more, true);
 }
 

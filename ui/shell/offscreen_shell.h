@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "render/contexts/osmesa_context.h"
 #include "engine/picture/image.h"
+#include "render/contexts/osmesa_context.h"
 #include "ui/shell/interface.h"
 
 namespace hazumi::ui {

@@ -8,6 +8,7 @@
 #include "engine/exchange/import/clip_names.h"
 #include "engine/exchange/import/figure_links.h"
 #include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_check.h"
 #include "engine/exchange/import/import_ground.h"
 #include "engine/exchange/import/import_skin.h"
 #include "engine/exchange/import/joint_plan.h"
@@ -31,10 +32,10 @@ Result<const Clip*> ClipOf(const Character& character, const std::string& name) 
   if (name.empty()) return character.clips.empty() ? nullptr : &character.clips.front();
   for (const Clip& clip : character.clips)
     if (clip.name == name) return &clip;
-  return Error{ErrorCode::kSemantics, "", "clip",
-               "there is no " + Quoted(name) + "; there " +
-                   (character.clips.empty() ? std::string("are none")
-                                            : "are " + NamesOf(character.clips))};
+  return Error{
+      ErrorCode::kSemantics, "", "clip",
+      "there is no " + Quoted(name) + "; there " +
+          (character.clips.empty() ? std::string("are none") : "are " + NamesOf(character.clips))};
 }
 
 // Frames per second as a ratio: a whole number, or one of 1/1.001 of it.
@@ -67,6 +68,7 @@ class Importer {
                             character_.warnings.end());
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
+    if (auto error = WhyTooTall(world_)) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
     SayPlace();
@@ -78,6 +80,7 @@ class Importer {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
     project_.size_is_guessed = report_.unit_is_guessed;
+    if (auto error = WhyNoProject(project_)) return *error;
     return Imported{std::move(project_), std::move(report_)};
   }
 
@@ -85,10 +88,9 @@ class Importer {
   void SayClip() {
     const std::vector<Clip>& clips = character_.clips;
     if (!options_.clip.empty() || clips.size() < 2) return;
-    report_.warnings.push_back(
-        {"clip", Quoted(clips.front().name) + " is taken, the first of " +
-                     std::to_string(clips.size()) + ": " + NamesOf(clips) +
-                     "; to take another, give its name (--clip NAME)"});
+    report_.warnings.push_back({"clip", Quoted(clips.front().name) + " is taken, the first of " +
+                                            std::to_string(clips.size()) + ": " + NamesOf(clips) +
+                                            "; to take another, give its name (--clip NAME)"});
   }
 
   void SayBones() {

@@ -18,7 +18,8 @@ Error Of(const std::string& file, Error error) {
 
 Result<Character> ReadInChild(const std::string& path, const ReadOptions& options) {
   Result<ChildOutcome> outcome = RunReader({kReadCharacter, path, {}}, options);
-  if (!outcome.ok()) return outcome.error().file.empty() ? Of(path, outcome.error()) : outcome.error();
+  if (!outcome.ok())
+    return outcome.error().file.empty() ? Of(path, outcome.error()) : outcome.error();
   if (const auto error = WhyNoAnswer(outcome.value(), options.limits)) return Of(path, *error);
   return CharacterFromBytes(outcome.value().output, path);
 }

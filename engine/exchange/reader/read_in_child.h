@@ -8,9 +8,9 @@
 
 namespace hazumi {
 
-// Reads a file in a process of its own (engine/child). What comes back has been checked. Errors name
-// the file: kInterrupted when cancelled; kFailed when the reader is missing; kSyntax when the file
-// made it crash, or take too much time or memory.
+// Reads a file in a process of its own (engine/child). What comes back has been checked. Errors
+// name the file: kInterrupted when cancelled; kFailed when the reader is missing; kSyntax when the
+// file made it crash, or take too much time or memory.
 Result<Character> ReadInChild(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hazumi

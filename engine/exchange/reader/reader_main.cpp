@@ -1,6 +1,6 @@
 // hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE [TROUBLE]: under limits, reads a character from
-// FILE (character_bytes.h) or decodes the pictures of standard input (picture_bytes.h); writes them,
-// or the error, to descriptor kChildOutput. Started by RunReader.
+// FILE (character_bytes.h) or decodes the pictures of standard input (picture_bytes.h); writes
+// them, or the error, to descriptor kChildOutput. Started by RunReader.
 
 #include <signal.h>
 #include <sys/prctl.h>

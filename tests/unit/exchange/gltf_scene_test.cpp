@@ -70,7 +70,8 @@ TEST(GltfScene, AFileWithoutNodesSaysSo) {
   EXPECT_EQ(none.place, "nodes");
   EXPECT_NE(none.message.find("there are none"), std::string::npos) << none.message;
   const Error circle = test::ErrorOfSmall(
-      "a.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]})");
+      "a.gltf",
+      R"({"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]})");
   EXPECT_NE(circle.message.find("each is a child"), std::string::npos) << circle.message;
 }
 

@@ -78,8 +78,8 @@ TEST(DecodePictures, OneThatTakesTooLongIsLeftOutAlone) {
   options.limits.seconds = 0.2;
   const auto start = std::chrono::steady_clock::now();
   options.trouble = "hang";
-  const auto images = Decoded({PngOf(TwoColors(16)), PngOf(TwoColors(16)), PngOf(TwoColors(16))},
-                              options);
+  const auto images =
+      Decoded({PngOf(TwoColors(16)), PngOf(TwoColors(16)), PngOf(TwoColors(16))}, options);
   const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
   ASSERT_EQ(images.size(), 3u);
   ExpectError(images[0], ErrorCode::kSyntax, "0.2 s");

@@ -12,7 +12,8 @@ using test::Bytes, test::TwoColors;
 
 std::string Answers() {
   return AnswerToBytes(TwoColors(4)) +
-         AnswerToBytes(Error{ErrorCode::kSyntax, "", "", "is broken"}) + AnswerToBytes(TwoColors(2));
+         AnswerToBytes(Error{ErrorCode::kSyntax, "", "", "is broken"}) +
+         AnswerToBytes(TwoColors(2));
 }
 
 // An answer that claims this size and brings so many bytes.
@@ -66,9 +67,14 @@ TEST(PictureBytes, NoMoreIsTakenThanWasAskedFor) {
 }
 
 TEST(PictureBytes, SizesThatTheBytesBelieAreRefused) {
-  for (const auto& [width, height, bytes] :
-       {std::tuple{2, 2, 15}, {2, 2, 17}, {0, 0, 0}, {-1, -1, 4}, {-2, -2, 16}, {16385, 1, 65540},
-        {1 << 30, 4, 0}, {65536, 65536, 0}}) {
+  for (const auto& [width, height, bytes] : {std::tuple{2, 2, 15},
+                                             {2, 2, 17},
+                                             {0, 0, 0},
+                                             {-1, -1, 4},
+                                             {-2, -2, 16},
+                                             {16385, 1, 65540},
+                                             {1 << 30, 4, 0},
+                                             {65536, 65536, 0}}) {
     const std::string answer = Claiming(width, height, static_cast<size_t>(bytes));
     EXPECT_TRUE(AnswersFromBytes(answer, 1, kMostPixelsTogether).empty()) << width;
   }
