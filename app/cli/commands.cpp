@@ -105,28 +105,38 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   return imported;
 }
 
+Result<BakedProject> BakeProject(Project project, const Options& options) {
+  Result<Compiled> compiled = CompileAnimation(project, &Interrupted());
+  if (Interrupted()) return InterruptedError();
+  if (!compiled.ok()) return compiled.error();
+  if (auto error = CheckLength(compiled.value().animation, options)) return *error;
+  Result<Motion> motion =
+      Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
+  if (Interrupted()) return InterruptedError();
+  if (!motion.ok()) return motion.error();
+  std::vector<Warning> warnings = std::move(compiled.value().warnings);
+  WarnAboutSolverOptions(options, compiled.value().animation, &warnings);
+  const std::vector<Warning>& baked = motion.value().warnings;
+  warnings.insert(warnings.end(), baked.begin(), baked.end());
+  return BakedProject{std::move(project), std::move(compiled.value().animation),
+                      std::move(motion).value(), std::move(warnings)};
+}
+
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options) {
   ImportReport report;
   Result<Project> project = LoadOrImport(file, options.import, &report);
   if (!project.ok()) return InFile(project.error(), file);
   ApplySolverOptions(options, &project.value());
-  Result<Compiled> compiled = CompileAnimation(project.value(), &Interrupted());
-  if (Interrupted()) return InterruptedError();
-  if (!compiled.ok()) return InFile(compiled.error(), file);
-  if (auto error = CheckLength(compiled.value().animation, options)) return InFile(*error, file);
-  Result<Motion> motion =
-      Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
-  if (Interrupted()) return InterruptedError();
-  if (!motion.ok()) return InFile(motion.error(), file);
-  std::vector<Warning> warnings =
+  Result<BakedProject> baked = BakeProject(std::move(project).value(), options);
+  if (!baked.ok()) {
+    const bool is_interrupted = baked.error().code == ErrorCode::kInterrupted;
+    return is_interrupted ? baked.error() : InFile(baked.error(), file);
+  }
+  std::vector<Warning>& warnings = baked.value().warnings;
+  const std::vector<Warning> of_import =
       Shortened(report.warnings, options.all_warnings ? 0 : kShortReport);
-  const std::vector<Warning>& of_compiling = compiled.value().warnings;
-  warnings.insert(warnings.end(), of_compiling.begin(), of_compiling.end());
-  WarnAboutSolverOptions(options, compiled.value().animation, &warnings);
-  const std::vector<Warning>& baked = motion.value().warnings;
-  warnings.insert(warnings.end(), baked.begin(), baked.end());
-  return BakedProject{std::move(project).value(), std::move(compiled.value().animation),
-                      std::move(motion).value(), std::move(warnings)};
+  warnings.insert(warnings.begin(), of_import.begin(), of_import.end());
+  return baked;
 }
 
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {

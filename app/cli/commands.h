@@ -28,6 +28,8 @@ struct BakedProject {
   Motion motion;
   std::vector<Warning> warnings;  // of importing, compiling and baking
 };
+// Resolves and bakes; ignores the options of solving. Errors without a file: also kInterrupted.
+Result<BakedProject> BakeProject(Project project, const Options& options);
 // A project, or a file of another program as one. Errors: also kInterrupted.
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
 // A file of another program as a project. Errors: also kInterrupted.

@@ -31,15 +31,21 @@ static Error TooLarge(const std::string& size, const std::string& path) {
   return error;
 }
 
-Result<Done> SaveProject(const Project& project, const std::string& path) {
+Result<std::string> TextToSave(const Project& project, const std::string& path) {
   const Json json = ToJson(project);
   const size_t values = CountValues(json);
   if (values > kMaxJsonValues) return TooLarge(std::to_string(values) + " values", path);
-  const std::string text = FormatJson(json);
+  std::string text = FormatJson(json);
   if (text.size() > kLargestFile) {
     return TooLarge(std::to_string(text.size() >> 20) + " MiB", path);
   }
-  return ReplaceTextFile(path, text);
+  return text;
+}
+
+Result<Done> SaveProject(const Project& project, const std::string& path) {
+  const Result<std::string> text = TextToSave(project, path);
+  if (!text.ok()) return text.error();
+  return ReplaceTextFile(path, text.value());
 }
 
 void RebaseReferences(Project* project, const std::string& from_folder,

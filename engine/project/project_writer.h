@@ -12,6 +12,10 @@ namespace hazumi {
 // Optional fields that have their default value are left out.
 std::string WriteProject(const Project& project);
 
+// The same, or why it could not be read back (kCannotWrite): it would be too large. `path` is named
+// in errors.
+Result<std::string> TextToSave(const Project& project, const std::string& path);
+
 // Writes the file all or nothing: a failure leaves the old file as it was. An existing file keeps
 // its permissions; a link is followed. Error: kCannotWrite.
 Result<Done> SaveProject(const Project& project, const std::string& path);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 
 namespace hazumi::render {
 

@@ -48,6 +48,7 @@ Result<FigureSkin> SkinCache::On(const Figure& figure, const std::shared_ptr<con
     Result<std::shared_ptr<const SkinModel>> model = MakeSkinModel(skin);
     if (!model.ok()) return model.error();
     model_ = std::move(model).value();
+    warnings_ = model_->warnings;
   }
   return PutOn(figure, model_);
 }

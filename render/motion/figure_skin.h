@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/dynamics/workspace.h"
@@ -29,9 +30,12 @@ class SkinCache {
  public:
   // The skin on the figure; none for a null skin. Errors: MakeSkinModel's and PutOn's.
   Result<FigureSkin> On(const Figure& figure, const std::shared_ptr<const Skin>& skin);
+  // What is wrong with the model that On made last, once.
+  std::vector<Warning> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   std::shared_ptr<const SkinModel> model_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace hazumi::render

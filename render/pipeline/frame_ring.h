@@ -4,7 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 
 namespace hazumi::render {
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "engine/base/result.h"
+#include "engine/picture/image.h"
 #include "render/contexts/osmesa_context.h"
 #include "render/gl/renderer.h"
-#include "render/image/image.h"
 
 namespace hazumi::render {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/picture/image.h"
 #include "render/gl/renderer.h"
-#include "render/image/image.h"
 #include "render/image/png.h"
 #include "render/scene/scene.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "engine/base/result.h"
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 #include "render/pipeline/sequence.h"
 
 namespace hazumi::render {

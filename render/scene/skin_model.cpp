@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "engine/figure/skin_check.h"
-#include "render/image/decode.h"
+#include "engine/picture/decode_pictures.h"
 #include "render/scene/skin_surface.h"
 
 namespace hazumi::render {
 namespace {
 
-constexpr std::int64_t kMostTexturePixels = 2 * kMostPixels;  // of all textures together
 constexpr float kBulkWeight = 0.4f;
 
 // Alpha cuts holes where a good part of the texels is (nearly) clear and another one opaque. What
@@ -27,25 +26,22 @@ bool CutsHoles(const Image& image) {
   return clear * 200 > texels && opaque * 200 > texels;
 }
 
-// `pixels`: of the textures before.
-Result<Image> Decoded(const Texture& texture, std::int64_t pixels) {
-  if (pixels > kMostTexturePixels) {
-    return Error{ErrorCode::kSemantics, "", "",
-                 "is left out: the textures before it have more than " +
-                     std::to_string(kMostTexturePixels) + " pixels; make them smaller"};
-  }
-  return DecodeImage(texture.encoded);
+// What ails the reader concerns all textures and is said once.
+void Warn(const std::string& texture, const Error& error, std::vector<Warning>* warnings) {
+  const bool is_of_reader = error.code == ErrorCode::kFailed;
+  if (is_of_reader && !warnings->empty() && warnings->back().message == error.message) return;
+  warnings->push_back({is_of_reader ? "textures" : texture, error.message});
 }
 
 void DecodeTextures(SkinModel* model) {
-  std::int64_t pixels = 0;
-  for (size_t i = 0; i < model->skin->textures.size(); ++i) {
-    const Texture& texture = model->skin->textures[i];
-    Result<Image> image = Decoded(texture, pixels);
-    const std::string place = "textures[" + std::to_string(i) + "] " + texture.name;
-    if (!image.ok()) model->warnings.push_back({place, image.error().message});
+  std::vector<std::span<const std::uint8_t>> files;
+  for (const Texture& texture : model->skin->textures) files.emplace_back(texture.encoded);
+  for (Result<Image>& image : DecodePictures(files)) {
+    const size_t i = model->textures.size();
+    const std::string place =
+        "textures[" + std::to_string(i) + "] " + model->skin->textures[i].name;
+    if (!image.ok()) Warn(place, image.error(), &model->warnings);
     model->textures.push_back(image.ok() ? std::move(image).value() : Image());
-    pixels += std::int64_t{model->textures.back().width} * model->textures.back().height;
   }
 }
 

@@ -8,8 +8,8 @@
 #include "engine/base/result.h"
 #include "engine/base/warning.h"
 #include "engine/figure/skin.h"
+#include "engine/picture/image.h"
 #include "engine/spatial/types.h"
-#include "render/image/image.h"
 
 namespace hazumi::render {
 

@@ -2,10 +2,73 @@
 """What hazumi --import makes of files of other programs, and what it leaves behind when it cannot.
 usage: import_test.py HAZUMI"""
 
+import base64
 import json
+import os
+import pathlib
+import struct
 import unittest
+import zlib
 
-from command_line import THROW, InFolder, run
+from command_line import HAZUMI, THROW, InFolder, run
+
+
+def png(size):
+    """A white square."""
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data +
+                struct.pack(">I", zlib.crc32(kind + data)))
+    rows = b"".join(b"\0" + b"\xff" * 3 * size for _ in range(size))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def data_uri(data, kind="application/octet-stream"):
+    return f"data:{kind};base64," + base64.b64encode(data).decode()
+
+
+def gltf(clips, pictures):
+    """A bone on another, that turn in each clip; a triangle for each picture."""
+    data, views, accessors = b"", [], []
+
+    def add(form, numbers, component, kind, **more):
+        nonlocal data
+        data += b"\0" * (-len(data) % 4)
+        packed = struct.pack(f"<{len(numbers)}{form}", *numbers)
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(packed)})
+        data += packed
+        count = len(numbers) // {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[kind]
+        accessors.append({"bufferView": len(views) - 1, "componentType": component, "count": count,
+                          "type": kind, **more})
+        return len(accessors) - 1
+
+    floats = 5126
+    attributes = {
+        "POSITION": add("f", [0, 0, 0, 0.3, 1, 0, 0, 1.7, 0], floats, "VEC3", min=[0, 0, 0],
+                        max=[0.3, 1.7, 0]),
+        "TEXCOORD_0": add("f", [0, 0, 1, 0, 0, 1], floats, "VEC2"),
+        "JOINTS_0": add("B", [0, 1, 0, 0] * 3, 5121, "VEC4"),
+        "WEIGHTS_0": add("f", [0.5, 0.5, 0, 0] * 3, floats, "VEC4")}
+    times = add("f", [0, 1], floats, "SCALAR", min=[0], max=[1])
+    turns = add("f", [0, 0, 0, 1, 0, 0, 0.6, 0.8], floats, "VEC4")
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+        "nodes": [{"name": "hips", "translation": [0, 0.9, 0], "children": [1]},
+                  {"name": "spine", "translation": [0, 0.3, 0]}, {"mesh": 0, "skin": 0}],
+        "skins": [{"joints": [0, 1]}],
+        "meshes": [{"primitives": [{"attributes": attributes, "material": i}
+                                   for i in range(max(len(pictures), 1))]}],
+        "animations": [{"name": name, "samplers": [{"input": times, "output": turns}],
+                        "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}}]}
+                       for name in clips],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
+                      for i in range(len(pictures))] or [{}],
+        "textures": [{"source": i} for i in range(len(pictures))],
+        "images": [{"name": f"picture{i}", "uri": data_uri(picture, "image/png")}
+                   for i, picture in enumerate(pictures)],
+        "bufferViews": views, "accessors": accessors,
+        "buffers": [{"byteLength": len(data), "uri": data_uri(data)}]}
+    return json.dumps({key: value for key, value in document.items() if value != []})
 
 
 class Import(InFolder):
@@ -74,6 +137,88 @@ class Import(InFolder):
         self.assertEqual(done.returncode, 65)
         self.assertIn("there is no \"jump\"; there are \"walk\"", done.stderr)
         self.assertNotIn("o.kfa", self.files())
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def reader_that(self, commands):
+        """The environment in which files are read by a program that does this instead."""
+        path = self.write("reader", f"#!/bin/sh\n{commands}\n")
+        path.chmod(0o755)
+        return {**os.environ, "HAZUMI_READER": str(path)}
+
+    def test_a_reader_that_crashes_swells_or_babbles_is_bad_data(self):
+        for commands, message in (("kill -SEGV $$", "crashed on it (Segmentation fault)"),
+                                  ("exit 3", "2048 MB of memory"), ("exit 1", "crashed on it (exit 1)"),
+                                  ("echo hello >&3", "no usable answer")):
+            done = run("--import", self.walk(), "--save", self.folder / "o.kfa",
+                       env=self.reader_that(commands))
+            self.assertEqual((done.returncode, done.stdout), (65, ""), done.stderr)
+            self.assertIn(message, done.stderr)
+            self.assertIn("walk.bvh: ", done.stderr)
+            self.assertIn("export it again", done.stderr)
+            self.assertNotIn("o.kfa", self.files())
+
+    def test_a_reader_that_is_missing_or_cannot_run_is_no_bad_data(self):
+        for env, message in (({**os.environ, "HAZUMI_READER": "/nowhere/r"}, "/nowhere/r is missing"),
+                             (self.reader_that("exit 127"), "install Hazumi again")):
+            done = run("--check", self.walk(), env=env)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+            self.assertIn(message, done.stderr)
+            self.assertNotIn("export it again", done.stderr)
+
+    def test_of_many_clips_it_says_which_it_took_and_what_the_others_are(self):
+        names = [f"clip{i}" for i in range(120)]
+        file = self.write("many.gltf", gltf(names, []))
+        out = self.folder / "o.kfa"
+        for command in (["--import", file, "--save", out], ["--check", file]):
+            done = run(*command)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("clip: warning: \"clip0\" is taken, the first of 120: \"clip0\", \"clip1\", ",
+                          done.stderr)
+            self.assertIn("\"clip99\" and 20 more; to take another, give its name (--clip NAME)",
+                          done.stderr)
+            self.assertEqual(run(*command, "--clip", "clip7").stderr, "")
+        wrong = run("--check", file, "--clip", "jump")
+        self.assertEqual(wrong.returncode, 65)
+        self.assertIn("there is no \"jump\"; there are \"clip0\", ", wrong.stderr)
+        self.assertIn("\"clip99\" and 20 more", wrong.stderr)
+        self.assertEqual(run("--check", self.write("one.gltf", gltf(["turn"], []))).stderr, "")
+
+    def render(self, file, **more):
+        done = run("--render", self.folder / "p", "--size", "64x48", "--frames", "0..0", file, **more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done, (self.folder / "p" / "frame_0000.png").read_bytes()
+
+    def test_a_texture_that_cannot_be_decoded_is_named_and_left_out(self):
+        good, cut = png(8), png(8)[:60]
+        sound = self.write("sound.gltf", gltf(["turn"], [good, good + b"\0"]))
+        done, whole = self.render(sound)
+        self.assertEqual(done.stderr, "")
+        broken = self.write("broken.gltf", gltf(["turn"], [good, cut]))
+        done, _ = self.render(broken)
+        self.assertIn(f"{broken}: textures[1] ", done.stderr)
+        self.assertIn("not a whole PNG", done.stderr)
+        self.assertNotIn("textures[0]", done.stderr)
+        # A project has its textures in it; who decodes them is missing, then crashes.
+        out = self.folder / "sound.kfa"
+        self.assertEqual(run("--import", sound, "--save", out).returncode, 0)
+        self.assertEqual(self.render(out)[1], whole)
+        done, _ = self.render(out, env={**os.environ, "HAZUMI_READER": "/nowhere/r"})
+        self.assertEqual(done.stderr.count("textures: warning: cannot be read, because the program "
+                                           "/nowhere/r is missing"), 1, done.stderr)
+        done, _ = self.render(out, env=self.reader_that("kill -SEGV $$"))
+        for texture in ("textures[0] ", "textures[1] "):
+            self.assertIn(texture, done.stderr)
+        self.assertIn("crashed on it (Segmentation fault)", done.stderr)
+
+    def test_the_program_itself_decodes_no_pictures(self):
+        program = pathlib.Path(HAZUMI).read_bytes()
+        for symbol in (b"png_create_read_struct", b"jpeg_read_header", b"libjpeg"):
+            self.assertNotIn(symbol, program)
+        self.assertIn(b"png_create_write_struct", program)
 
     def test_import_says_what_cannot_be_saved(self):
         done = run("--import", self.walk(), "--save", self.folder / "missing" / "o.kfa")

@@ -157,7 +157,7 @@ TEST_F(EditorWindow, SaysWhatWasRefused) {
 
 TEST_F(EditorWindow, DrawsTheSamePictureForTheSameState) {
   for (int i = 0; i < 3; ++i) shell_->Frame();
-  const render::Image first = shell_->picture();
+  const Image first = shell_->picture();
   for (int i = 0; i < 3; ++i) shell_->Frame();
   EXPECT_EQ(first.rgba, shell_->picture().rgba);
   ASSERT_TRUE(editor_.Do("view.theme", {{"dark", false}}));

@@ -9,8 +9,11 @@ namespace {
 // True if another clip was chosen.
 bool DrawClips(const Editor& editor, const Character& character, ImportOptions* options) {
   if (character.clips.empty()) return false;
+  if (character.clips.size() > 1) {
+    ImGui::TextWrapped("%s", Tr("The file has several clips: choose one of the list."));
+  }
   DrawFieldLabel(Tr("Clip"), editor);
-  const std::string now = options->clip.empty() ? character.clips.front().name : options->clip;
+  const std::string& now = options->clip;
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##clip", now.c_str())) return false;
   bool is_changed = false;

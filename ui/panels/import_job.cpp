@@ -36,6 +36,9 @@ void RefreshImport(ImportState* state) {
     return;
   }
   ImportOptions& options = state->options;
+  // The dialog shows which clip that is, and the others.
+  const std::vector<Clip>& clips = character->value().clips;
+  if (options.clip.empty() && !clips.empty()) options.clip = clips.front().name;
   const auto if_given = [](double value) {
     return value > 0.0 ? std::optional<double>(value) : std::nullopt;
   };

@@ -17,6 +17,15 @@ void SayWhatIsWrong(Editor* editor) {
   editor->Say(motion.error().ToString(), true);
 }
 
+// Of the skin: textures that could not be read.
+void SayWhatIsNotDrawn(Editor* editor) {
+  const std::vector<Warning> warnings = editor->skins.TakeWarnings();
+  if (warnings.empty()) return;
+  const std::string more =
+      warnings.size() == 1 ? "" : " (+" + std::to_string(warnings.size() - 1) + ")";
+  editor->Say(warnings[0].place + ": " + warnings[0].message + more, true);
+}
+
 // The texture of last time if nothing changed that is seen in it.
 Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
   const render::PictureSize size = {static_cast<int>(rect.w), static_cast<int>(rect.h)};
@@ -24,6 +33,7 @@ Result<unsigned> PictureNow(Editor* editor, const Rect& rect) {
   const PictureKey key = KeyNow(*editor, size);
   if (state.shown && state.shown->key == key) return state.shown->texture;
   Result<ViewportScene> scene = SceneNow(editor, rect);
+  SayWhatIsNotDrawn(editor);
   SayWhatIsWrong(editor);
   if (!scene.ok()) scene = ViewportScene();
   Result<unsigned> texture = editor->paint_scene(scene.value().scene, size, state.overlays.shadow);

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "engine/picture/image.h"
 #include "render/contexts/osmesa_context.h"
-#include "render/image/image.h"
 #include "ui/shell/interface.h"
 
 namespace hazumi::ui {
@@ -28,7 +28,7 @@ class OffscreenShell {
 
   // Lets `seconds` pass and draws a frame.
   void Frame(double seconds = 1.0 / 60.0);
-  const render::Image& picture() const { return picture_; }
+  const Image& picture() const { return picture_; }
   // Draws until nothing changes any more, then writes a PNG. Errors: of writing.
   Result<Done> Capture(const std::string& path);
 
@@ -36,7 +36,7 @@ class OffscreenShell {
   OffscreenShell(Editor* editor, render::PictureSize size, render::OsmesaContext context);
 
   Editor* editor_;
-  render::Image picture_;
+  Image picture_;
   render::OsmesaContext context_;
   std::unique_ptr<Interface> interface_;
   double now_ = 0.0;

@@ -1,5 +1,6 @@
 #include "engine/exchange/assimp/gltf_document.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -38,6 +39,17 @@ void AppendChunk(uint32_t kind, std::string content, char filler, std::string* b
   *bytes += content;
 }
 
+// JSON may write 1 as 1.0 or 10e-1; assimp then finds no number where it wants an index.
+void WriteWholeNumbersSo(Json* value) {
+  if (value->is_structured()) {
+    for (Json& part : *value) WriteWholeNumbersSo(&part);
+  } else if (value->is_number_float()) {
+    const double number = value->get<double>();
+    if (number >= 0.0 && number < 0x1p53 && number == std::floor(number) && !std::signbit(number))
+      *value = static_cast<uint64_t>(number);
+  }
+}
+
 std::string Text(const Json& value) { return value.is_string() ? value.get<std::string>() : ""; }
 
 }  // namespace
@@ -70,6 +82,7 @@ Result<GltfDocument> ParseGltf(std::string_view bytes, const std::string& file) 
   document.json = Json::parse(text, nullptr, false);
   if (!document.json.is_object())
     return Error{ErrorCode::kSyntax, file, "", "its JSON is broken; export the file again"};
+  WriteWholeNumbersSo(&document.json);
   const std::string version = Text(Member(Member(document.json, "asset"), "version"));
   if (!version.starts_with("2.")) {
     return Error{ErrorCode::kSchema, file, "asset.version",

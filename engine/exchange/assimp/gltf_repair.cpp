@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/base64.h"
+#include "engine/exchange/assimp/gltf_scene.h"
 
 namespace hazumi {
 namespace {
@@ -124,9 +125,7 @@ void NameNodes(Json* document, std::vector<Warning>* warnings) {
 Result<Done> RepairGltf(GltfDocument* document, SceneFiles* files, const std::string& file,
                         std::vector<Warning>* warnings) {
   NameNodes(&document->json, warnings);
-  const Json& scenes = Member(document->json, "scenes");
-  if (!document->json.contains("scene") && scenes.is_array() && !scenes.empty())
-    document->json["scene"] = 0;
+  if (Result<Done> chosen = ChooseScene(document, file, warnings); !chosen.ok()) return chosen;
   if (WeightRepair(document, files).Run()) return Done{};
   return Error{ErrorCode::kSchema, file, "meshes",
                "its skin weights are whole numbers that cannot be read; export them as 32-bit "

@@ -1,7 +1,6 @@
 #include "engine/exchange/character/character_bytes.h"
 
-#include <cstring>
-
+#include "engine/base/byte_stream.h"
 #include "engine/exchange/character/character_check.h"
 
 namespace hazumi {
@@ -11,94 +10,24 @@ constexpr uint32_t kMagic = 0x43'4d'5a'48;  // "HZMC"
 constexpr uint32_t kVersion = 1;
 enum : uint8_t { kIsError = 0, kIsCharacter = 1 };
 
-class ByteWriter {
+class CharacterWriter : public ByteWriter {
  public:
-  static constexpr bool kReads = false;
-
-  template <typename T>
-  void Value(T& value) {
-    Raw(&value, sizeof(T));
-  }
-  void Flag(bool& flag) {
-    uint8_t byte = flag;
-    Value(byte);
-  }
-  void Text(std::string& text) {
-    Size(text.size());
-    Raw(text.data(), text.size());
-  }
-  // Elements without pointers, as they lie in memory.
-  template <typename T>
-  void Flat(std::vector<T>& list) {
-    Size(list.size());
-    Raw(list.data(), list.size() * sizeof(T));
-  }
   template <typename T>
   void List(std::vector<T>& list) {
     Size(list.size());
     for (T& element : list) Visit(*this, element);
   }
-  bool ok() const { return true; }
-  std::string Take() { return std::move(bytes_); }
-
- private:
-  void Size(uint64_t size) { Value(size); }
-  void Raw(const void* data, size_t size) {
-    if (size > 0) bytes_.append(static_cast<const char*>(data), size);
-  }
-  std::string bytes_;
 };
 
-// Stays at its place, with ok() false, once something is missing; values are then as they were.
-class ByteReader {
+class CharacterReader : public ByteReader {
  public:
-  static constexpr bool kReads = true;
-  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
-
-  template <typename T>
-  void Value(T& value) {
-    Raw(&value, sizeof(T));
-  }
-  void Flag(bool& flag) {
-    uint8_t byte = 0;
-    Value(byte);
-    ok_ = ok_ && byte <= 1;
-    flag = byte == 1;
-  }
-  void Text(std::string& text) {
-    text.resize(Size(1));
-    Raw(text.data(), text.size());
-  }
-  template <typename T>
-  void Flat(std::vector<T>& list) {
-    list.resize(Size(sizeof(T)));
-    Raw(list.data(), list.size() * sizeof(T));
-  }
+  using ByteReader::ByteReader;
   template <typename T>
   void List(std::vector<T>& list) {
     // Every kind of element takes 8 bytes at least; growing by steps keeps a false count cheap.
     const size_t count = Size(8);
-    for (size_t i = 0; ok_ && i < count; ++i) Visit(*this, list.emplace_back());
+    for (size_t i = 0; ok() && i < count; ++i) Visit(*this, list.emplace_back());
   }
-  bool ok() const { return ok_; }
-  bool at_end() const { return ok_ && rest_.empty(); }
-
- private:
-  // A number of elements that the rest has room for.
-  size_t Size(size_t least_bytes) {
-    uint64_t size = 0;
-    Value(size);
-    ok_ = ok_ && size <= rest_.size() / least_bytes;
-    return ok_ ? static_cast<size_t>(size) : 0;
-  }
-  void Raw(void* data, size_t size) {
-    ok_ = ok_ && size <= rest_.size();
-    if (!ok_ || size == 0) return;
-    std::memcpy(data, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-  std::string_view rest_;
-  bool ok_ = true;
 };
 
 template <typename Archive, typename T>
@@ -208,15 +137,21 @@ void Visit(Archive& a, Error& error) {
 }
 
 Error Garbled(const std::string& file) {
-  return {ErrorCode::kFailed, file, "",
+  return {ErrorCode::kSyntax, file, "",
           "reading it gave no usable answer, so the file is probably broken; export it again, or "
           "in another format"};
+}
+
+Error OfAnotherVersion(const std::string& file) {
+  return {ErrorCode::kFailed, file, "",
+          "cannot be read, because hazumi-reader is of another version than hazumi; install Hazumi "
+          "again"};
 }
 
 }  // namespace
 
 std::string CharacterToBytes(const Result<Character>& result) {
-  ByteWriter writer;
+  CharacterWriter writer;
   uint32_t magic = kMagic, version = kVersion;
   uint8_t kind = result.ok() ? kIsCharacter : kIsError;
   writer.Value(magic);
@@ -232,13 +167,14 @@ std::string CharacterToBytes(const Result<Character>& result) {
 }
 
 Result<Character> CharacterFromBytes(std::string_view bytes, const std::string& file) {
-  ByteReader reader(bytes);
+  CharacterReader reader(bytes);
   uint32_t magic = 0, version = 0;
   uint8_t kind = 0xff;
   reader.Value(magic);
   reader.Value(version);
   reader.Value(kind);
-  if (magic != kMagic || version != kVersion || kind > kIsCharacter) return Garbled(file);
+  if (magic != kMagic || kind > kIsCharacter) return Garbled(file);
+  if (version != kVersion) return OfAnotherVersion(file);
   if (kind == kIsError) {
     Error error;
     Visit(reader, error);

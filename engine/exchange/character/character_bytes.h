@@ -14,7 +14,8 @@ namespace hazumi {
 std::string CharacterToBytes(const Result<Character>& character);
 
 // The other way. Any bytes may come in: what does not hold a whole, checked character or an error
-// is an Error (kFailed, of `file`). Allocates little more than `bytes` is long.
+// is an Error (kSyntax, of `file`; kFailed if it is another version's). Allocates little more than
+// `bytes` is long.
 Result<Character> CharacterFromBytes(std::string_view bytes, const std::string& file);
 
 }  // namespace hazumi

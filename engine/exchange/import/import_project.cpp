@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/exchange/import/clip_names.h"
 #include "engine/exchange/import/figure_links.h"
 #include "engine/exchange/import/figure_names.h"
+#include "engine/exchange/import/import_check.h"
 #include "engine/exchange/import/import_ground.h"
 #include "engine/exchange/import/import_skin.h"
 #include "engine/exchange/import/joint_plan.h"
@@ -29,14 +31,12 @@ constexpr double kWorthAWord = 1e-4;                         // [m]
 
 Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
   if (name.empty()) return character.clips.empty() ? nullptr : &character.clips.front();
-  std::string names;
-  for (const Clip& clip : character.clips) {
+  for (const Clip& clip : character.clips)
     if (clip.name == name) return &clip;
-    names += (names.empty() ? "\"" : ", \"") + clip.name + "\"";
-  }
-  return Error{ErrorCode::kSemantics, "", "clip",
-               "there is no \"" + name + "\"; there " +
-                   (names.empty() ? std::string("are none") : "are " + names)};
+  return Error{
+      ErrorCode::kSemantics, "", "clip",
+      "there is no " + Quoted(name) + "; there " +
+          (character.clips.empty() ? std::string("are none") : "are " + NamesOf(character.clips))};
 }
 
 // Frames per second as a ratio: a whole number, or one of 1/1.001 of it.
@@ -64,9 +64,12 @@ class Importer {
     if (!clip.ok()) return clip.error();
     clip_ = clip.value();
     if (clip_ && clip_->num_frames < 1) clip_ = nullptr;
-    report_.warnings = character_.warnings;
+    SayClip();
+    report_.warnings.insert(report_.warnings.end(), character_.warnings.begin(),
+                            character_.warnings.end());
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
+    if (auto error = WhyTooTall(world_)) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
     SayPlace();
@@ -78,10 +81,19 @@ class Importer {
       project_.skin.skin = std::make_shared<const Skin>(std::move(skin_));
     }
     project_.size_is_guessed = report_.unit_is_guessed;
+    if (auto error = WhyNoProject(project_)) return *error;
     return Imported{std::move(project_), std::move(report_)};
   }
 
  private:
+  void SayClip() {
+    const std::vector<Clip>& clips = character_.clips;
+    if (!options_.clip.empty() || clips.size() < 2) return;
+    report_.warnings.push_back({"clip", Quoted(clips.front().name) + " is taken, the first of " +
+                                            std::to_string(clips.size()) + ": " + NamesOf(clips) +
+                                            "; to take another, give its name (--clip NAME)"});
+  }
+
   void SayBones() {
     report_.num_joints = static_cast<int>(skeleton_.bones.size()) - 1;
     report_.facts.push_back(std::to_string(report_.num_joints) + " joints below \"" + RootName() +

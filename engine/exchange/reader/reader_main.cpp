@@ -1,11 +1,13 @@
-// hazumi-reader FILE MEMORY_BYTES CPU_SECONDS [TROUBLE]: reads a character under limits and writes
-// it, or the error, to descriptor kChildOutput (see character_bytes.h). Started by ReadInChild.
+// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE [TROUBLE]: under limits, reads a character from
+// FILE (character_bytes.h) or decodes the pictures of standard input (picture_bytes.h); writes
+// them, or the error, to descriptor kChildOutput. Started by RunReader.
 
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -13,10 +15,13 @@
 #include <string>
 
 #include "engine/base/atomic_file.h"
+#include "engine/child/child_process.h"
+#include "engine/child/exit_codes.h"
+#include "engine/child/reader_program.h"
 #include "engine/exchange/character/character_bytes.h"
-#include "engine/exchange/reader/child_process.h"
-#include "engine/exchange/reader/exit_codes.h"
 #include "engine/exchange/reader/read_here.h"
+#include "engine/exchange/reader/whole_file.h"
+#include "engine/picture/decode_here.h"
 
 namespace {
 
@@ -67,14 +72,25 @@ hazumi::Result<hazumi::Character> Read(const char* path) {
   }
 }
 
+bool PassOn(const std::string& answer) { return hazumi::WriteAll(hazumi::kChildOutput, answer); }
+
+bool DecodeStandardInput() {
+  const hazumi::Result<std::string> request = hazumi::WholeFile("/dev/stdin", SIZE_MAX - 1);
+  return request.ok() && hazumi::DecodeHere(request.value(), PassOn);
+}
+
+bool Do(const std::string& task, const char* file) {
+  if (task == hazumi::kReadCharacter) return PassOn(hazumi::CharacterToBytes(Read(file)));
+  return task == hazumi::kDecodePictures && DecodeStandardInput();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return hazumi::kReaderUsage;
+  if (argc < 5) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  if (argc > 4) MakeTrouble(argv[4]);
-  const bool written =
-      hazumi::WriteAll(hazumi::kChildOutput, hazumi::CharacterToBytes(Read(argv[1])));
+  if (argc > 5) MakeTrouble(argv[5]);
+  const bool done = Do(argv[1], argv[4]);
   // Without destructors: a library's may stumble over what a broken file made of its data.
-  ::_exit(written ? hazumi::kReaderAnswered : hazumi::kReaderUsage);
+  ::_exit(done ? hazumi::kReaderAnswered : hazumi::kReaderUsage);
 }

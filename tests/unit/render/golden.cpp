@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "png_file.h"
 #include "render/image/png.h"
 
 namespace hazumi::render {

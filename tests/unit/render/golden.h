@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "render/image/image.h"
+#include "engine/picture/image.h"
 
 namespace hazumi::render {
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "demo_scene.h"
+#include "png_file.h"
 #include "temp_folder.h"
 
 namespace hazumi::render {

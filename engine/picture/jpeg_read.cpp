@@ -8,9 +8,10 @@
 
 #include <csetjmp>
 
-#include "render/image/decode.h"
+#include "engine/picture/decode.h"
+#include "engine/picture/picture_limits.h"
 
-namespace hazumi::render {
+namespace hazumi {
 namespace {
 
 // A progressive file may repeat itself without end, each scan costing the whole picture.
@@ -116,4 +117,4 @@ Result<Image> DecodeJpeg(std::span<const std::uint8_t> file) {
                    "); save it anew with another program"};
 }
 
-}  // namespace hazumi::render
+}  // namespace hazumi

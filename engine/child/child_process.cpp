@@ -1,10 +1,11 @@
-#include "engine/exchange/reader/child_process.h"
+#include "engine/child/child_process.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,10 +14,13 @@
 #include <optional>
 #include <thread>
 
+#include "engine/base/atomic_file.h"
+
 namespace hazumi {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr int kPipeBytes = 1 << 20;  // as much as a process may ask for
 
 class Descriptor {
  public:
@@ -61,14 +65,15 @@ class Child {
   pid_t pid_;
 };
 
-// What the child finds: no input, no terminal, signals as by default, a group of its own so that
+// What the child finds: its input, no terminal, signals as by default, a group of its own so that
 // Ctrl+C reaches this process only, which then stops the child.
 class SpawnSettings {
  public:
-  explicit SpawnSettings(int output) {
+  SpawnSettings(int input, int output) {
     ::posix_spawn_file_actions_init(&actions_);
     ::posix_spawn_file_actions_adddup2(&actions_, output, kChildOutput);
-    for (int fd = 0; fd < kChildOutput; ++fd)
+    ::posix_spawn_file_actions_adddup2(&actions_, input, 0);
+    for (int fd = 1; fd < kChildOutput; ++fd)
       ::posix_spawn_file_actions_addopen(&actions_, fd, "/dev/null", O_RDWR, 0);
     ::posix_spawn_file_actions_addclosefrom_np(&actions_, kChildOutput + 1);
     sigset_t all, none;
@@ -107,6 +112,17 @@ Error CannotStart(const std::string& program, int error) {
           std::string("cannot be started (") + std::strerror(error) + "); install Hazumi again"};
 }
 
+// Duplicated above the child's descriptors, so that opening those cannot close it.
+int AboveTheChilds(int fd) { return ::fcntl(fd, F_DUPFD_CLOEXEC, kChildOutput + 1); }
+
+// A file in memory with this content, to be read from its beginning; -1: errno.
+int FileWith(std::string_view content) {
+  const Descriptor file(::memfd_create("hazumi", MFD_CLOEXEC));
+  const bool is_written =
+      file.get() >= 0 && WriteAll(file.get(), content) && ::lseek(file.get(), 0, SEEK_SET) == 0;
+  return is_written ? AboveTheChilds(file.get()) : -1;
+}
+
 // Waits for output, for an end of patience, or for the user, whichever comes first.
 class Watch {
  public:
@@ -129,21 +145,21 @@ class Watch {
   Clock::time_point end_;
 };
 
-// Takes what there is; false at the end of the output.
-bool Drain(int fd, std::string* output) {
+// Takes what there is, through the buffer; false at the end of the output.
+bool Drain(int fd, std::vector<char>* buffer, std::string* output) {
   pollfd waiting = {fd, POLLIN, 0};
   if (::poll(&waiting, 1, 20) <= 0) return true;
-  char buffer[65536];
-  const ssize_t got = ::read(fd, buffer, sizeof buffer);
-  if (got > 0) output->append(buffer, static_cast<size_t>(got));
+  const ssize_t got = ::read(fd, buffer->data(), buffer->size());
+  if (got > 0) output->append(buffer->data(), static_cast<size_t>(got));
   return got > 0 || (got < 0 && errno == EINTR);
 }
 
 ChildOutcome WaitFor(Child* child, int fd, const Watch& watch) {
   ChildOutcome outcome;
+  std::vector<char> buffer(kPipeBytes);
   bool has_more = true;
   while (true) {
-    if (has_more) has_more = Drain(fd, &outcome.output);
+    if (has_more) has_more = Drain(fd, &buffer, &outcome.output);
     if (const auto reason = watch.Reason(outcome.output.size())) {
       outcome.end = *reason;
       return outcome;
@@ -161,22 +177,24 @@ ChildOutcome WaitFor(Child* child, int fd, const Watch& watch) {
 
 }  // namespace
 
-Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, const ChildLimits& limits,
+Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
+                              const ChildLimits& limits,
                               const std::function<bool()>& is_cancelled) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return CannotStart(arguments[0], errno);
   const Descriptor read_end(ends[0]);
   Descriptor write_end(ends[1]);
-  // Duplicated above the child's descriptors, so that opening those cannot close it.
-  Descriptor high(::fcntl(write_end.get(), F_DUPFD_CLOEXEC, kChildOutput + 1));
-  if (high.get() < 0) return CannotStart(arguments[0], errno);
+  ::fcntl(write_end.get(), F_SETPIPE_SZ, kPipeBytes);  // smaller, it is only slower
+  Descriptor output(AboveTheChilds(write_end.get())), content(FileWith(input));
+  if (output.get() < 0 || content.get() < 0) return CannotStart(arguments[0], errno);
   write_end.Close();
   const Watch watch(limits, is_cancelled);
   pid_t pid = -1;
-  if (const int error = SpawnSettings(high.get()).Spawn(arguments, &pid))
+  if (const int error = SpawnSettings(content.get(), output.get()).Spawn(arguments, &pid))
     return CannotStart(arguments[0], error);
   Child child(pid);
-  high.Close();
+  output.Close();
+  content.Close();
   return WaitFor(&child, read_end.get(), watch);
 }
 

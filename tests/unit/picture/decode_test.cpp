@@ -1,62 +1,13 @@
-#include "render/image/decode.h"
+#include "engine/picture/decode.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-// jpeglib.h needs the declarations of stdio.
-#include <jpeglib.h>
+#include "tests/unit/picture/picture_sample.h"
 
-#include <cstdlib>
-
-#include "render/image/halve.h"
-#include "render/image/png.h"
-
-namespace hazumi::render {
+namespace hazumi {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-// Red above, blue below.
-Image TwoColors(int size) {
-  Image image(size, size);
-  for (int i = 0; i < size * size; ++i) {
-    const bool above = i < size * size / 2;
-    image.rgba[4 * i + (above ? 0 : 2)] = 255;
-    image.rgba[4 * i + 3] = 255;
-  }
-  return image;
-}
-
-Bytes PngOf(const Image& image) { return EncodePng(image, {}).value(); }
-
-enum class Scans { kOne, kProgressive };
-
-Bytes JpegOf(const Image& image, Scans scans = Scans::kOne, J_COLOR_SPACE space = JCS_EXT_RGBA) {
-  jpeg_compress_struct cinfo{};
-  jpeg_error_mgr errors{};
-  cinfo.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&cinfo);
-  unsigned char* data = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&cinfo, &data, &size);
-  cinfo.image_width = image.width;
-  cinfo.image_height = image.height;
-  cinfo.input_components = 4;
-  cinfo.in_color_space = space;
-  jpeg_set_defaults(&cinfo);
-  jpeg_set_quality(&cinfo, 95, TRUE);
-  if (scans == Scans::kProgressive) jpeg_simple_progression(&cinfo);
-  jpeg_start_compress(&cinfo, TRUE);
-  while (cinfo.next_scanline < cinfo.image_height) {
-    auto* row = const_cast<JSAMPROW>(image.rgba.data() + cinfo.next_scanline * image.width * 4);
-    jpeg_write_scanlines(&cinfo, &row, 1);
-  }
-  jpeg_finish_compress(&cinfo);
-  const Bytes bytes(data, data + size);
-  jpeg_destroy_compress(&cinfo);
-  std::free(data);
-  return bytes;
-}
+using test::Bytes, test::JpegOf, test::PngOf, test::Scans, test::TwoColors;
 
 void ExpectTwoColors(const Result<Image>& image, int size) {
   ASSERT_TRUE(image.ok()) << image.error().ToString();
@@ -138,16 +89,6 @@ TEST(DecodeImage, SurvivesAnyChangedByte) {
   }
 }
 
-TEST(Halved, IsTheMeanOfFourPixelsAndKeepsOne) {
-  Image image(3, 1);  // the third column of an odd width is dropped
-  image.rgba = {0, 100, 0, 255, 50, 200, 0, 255, 9, 9, 9, 9};
-  const Image half = Halved(image);
-  ASSERT_EQ(half.width, 1);
-  ASSERT_EQ(half.height, 1);
-  EXPECT_EQ(half.rgba, (Bytes{25, 150, 0, 255}));
-  EXPECT_EQ(Halved(half).rgba, half.rgba);
-}
-
 TEST(DecodeImage, RefusesPicturesTooLargeForMemoryBeforeTakingIt) {
   const Bytes png = PngOf(TwoColors(8));
   ExpectRefused(ClaimingSize(png, 16385, 1), "16385 x 1");
@@ -162,4 +103,4 @@ TEST(DecodeImage, RefusesPicturesTooLargeForMemoryBeforeTakingIt) {
 }
 
 }  // namespace
-}  // namespace hazumi::render
+}  // namespace hazumi

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -23,10 +24,10 @@ struct ChildOutcome {
 constexpr int kChildOutput = 3;
 
 // Runs a program and waits for it. It sees this process's folder and environment, no other
-// descriptors than 0 to 2 (/dev/null) and kChildOutput. `is_cancelled` may be empty; it is asked
-// every 20 ms. However it ends, the child is gone and reaped on return. Safe with other threads.
-// Error (kFailed): it could not be started.
-Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, const ChildLimits& limits,
-                              const std::function<bool()>& is_cancelled);
+// descriptors than 0, a file that holds `input`, 1 and 2 (/dev/null) and kChildOutput.
+// `is_cancelled` may be empty; it is asked every 20 ms. However it ends, the child is gone and
+// reaped on return. Safe with other threads. Error (kFailed): it could not be started.
+Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
+                              const ChildLimits& limits, const std::function<bool()>& is_cancelled);
 
 }  // namespace hazumi

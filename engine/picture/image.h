@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hazumi::render {
+namespace hazumi {
 
 // A picture in memory: 4 bytes a pixel (sRGB-encoded red, green, blue; the fourth is alpha in
 // what was decoded and ignored in what is written), rows from the top without gaps.
@@ -16,4 +16,4 @@ struct Image {
   Image(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h) * 4) {}
 };
 
-}  // namespace hazumi::render
+}  // namespace hazumi

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
 
-#include "render/image/decode.h"
-#include "render/image/png.h"
+#include "engine/picture/decode.h"
+#include "engine/picture/picture_limits.h"
 
-namespace hazumi::render {
+namespace hazumi {
 namespace {
 
 struct DecodeJob {
@@ -66,21 +65,14 @@ bool ReadPixels(png_structp png, png_infop info, DecodeJob* job) {
   return true;
 }
 
-void CopyTexts(png_structp png, png_infop info, std::vector<PngText>& texts) {
-  png_textp chunks = nullptr;
-  const int count = png_get_text(png, info, &chunks, nullptr);
-  for (int i = 0; i < count; ++i) texts.push_back({chunks[i].key, chunks[i].text});
-}
-
 }  // namespace
 
-Result<Image> DecodePng(std::span<const std::uint8_t> file, std::vector<PngText>* texts) {
+Result<Image> DecodePng(std::span<const std::uint8_t> file) {
   DecodeJob job;
   job.rest = file;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, OnError, OnWarning);
   png_infop info = png_create_info_struct(png);
   const bool read = ReadPixels(png, info, &job);
-  if (read && texts != nullptr) CopyTexts(png, info, *texts);
   png_destroy_read_struct(&png, &info, nullptr);
   if (read) return std::move(job.image);
   if (!job.size_problem.empty()) return Error{ErrorCode::kSyntax, "", "", job.size_problem};
@@ -89,16 +81,4 @@ Result<Image> DecodePng(std::span<const std::uint8_t> file, std::vector<PngText>
                    "); save it anew with another program"};
 }
 
-Result<Image> ReadPng(const std::filesystem::path& path, std::vector<PngText>* texts) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{ErrorCode::kNoInput, path.string(), "", "the file cannot be opened"};
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  Result<Image> image =
-      DecodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, texts);
-  if (image.ok()) return image;
-  Error error = image.error();
-  error.file = path.string();
-  return error;
-}
-
-}  // namespace hazumi::render
+}  // namespace hazumi
