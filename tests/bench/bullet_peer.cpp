@@ -9,6 +9,7 @@
 
 #include "engine/base/assert.h"
 #include "tests/bench/peer_joints.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 
@@ -163,9 +164,12 @@ class Bullet : public Subject {
   VecX start_;
 };
 
-SwingMethod Method(const char* name, const std::shared_ptr<BulletFigure>& figure) {
-  return {name, "steps", GeometricSettings(16, 4, 7),
-          figure->balls().empty() ? FreeWithHinges : FreeNearSingularity,
+SwingMethod Method(const char* name, const Figure& arm, Threes threes) {
+  const auto figure = std::make_shared<BulletFigure>(arm, threes);
+  return {name,
+          "steps",
+          GeometricSettings(16, 4, 7),
+          threes == Threes::kHinges ? FreeWithHinges : FreeNearSingularity,
           [figure](const SwingCase& c, double steps) {
             figure->SetState(c.q, c.qd);
             const double h = c.seconds / steps;
@@ -174,7 +178,8 @@ SwingMethod Method(const char* name, const std::shared_ptr<BulletFigure>& figure
               figure->AdvancePositions(h);
             }
             return figure->Angles();
-          }};
+          },
+          [&arm, threes](const SwingCase&) { KeepAlive(BulletFigure(arm, threes)); }};
 }
 
 }  // namespace
@@ -188,8 +193,7 @@ std::unique_ptr<Subject> MakeBulletWithBalls(const Figure& figure) {
 }
 
 std::vector<SwingMethod> BulletMethods(const Figure& arm) {
-  return {Method("bullet", std::make_shared<BulletFigure>(arm, Threes::kHinges)),
-          Method("bullet_ball", std::make_shared<BulletFigure>(arm, Threes::kBall))};
+  return {Method("bullet", arm, Threes::kHinges), Method("bullet_ball", arm, Threes::kBall)};
 }
 
 }  // namespace hazumi::bench

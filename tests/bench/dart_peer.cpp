@@ -8,6 +8,7 @@
 #include <dart/dynamics/UniversalJoint.hpp>
 
 #include "tests/bench/peer_joints.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 
@@ -188,10 +189,14 @@ VecX Swing(DartFigure* figure, const SwingCase& c, double steps) {
   return figure->Angles();
 }
 
-SwingMethod Method(const char* name, const std::shared_ptr<DartFigure>& figure) {
-  return {name, "steps", GeometricSettings(16, 4, 6),
-          figure->balls().empty() ? FreeWithHinges : FreeNearSingularity,
-          [figure](const SwingCase& c, double steps) { return Swing(figure.get(), c, steps); }};
+SwingMethod Method(const char* name, const Figure& arm, Threes threes) {
+  const auto figure = std::make_shared<DartFigure>(arm, threes);
+  return {name,
+          "steps",
+          GeometricSettings(16, 4, 6),
+          threes == Threes::kHinges ? FreeWithHinges : FreeNearSingularity,
+          [figure](const SwingCase& c, double steps) { return Swing(figure.get(), c, steps); },
+          [&arm, threes](const SwingCase&) { KeepAlive(DartFigure(arm, threes)); }};
 }
 
 }  // namespace
@@ -205,8 +210,7 @@ std::unique_ptr<Subject> MakeDartWithBalls(const Figure& figure) {
 }
 
 std::vector<SwingMethod> DartMethods(const Figure& arm) {
-  return {Method("dart", std::make_shared<DartFigure>(arm, Threes::kHinges)),
-          Method("dart_ball", std::make_shared<DartFigure>(arm, Threes::kBall))};
+  return {Method("dart", arm, Threes::kHinges), Method("dart_ball", arm, Threes::kBall)};
 }
 
 }  // namespace hazumi::bench

@@ -7,6 +7,7 @@
 #include "engine/passive/exact_solver.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 
@@ -52,7 +53,8 @@ SwingMethod PaperMethod(const Figure& arm) {
           "steps",
           {10, 20, 50, 100, 300, 1000, 3000, 10000, 30000},
           [](const SwingCase&) { return true; },
-          [swing](const SwingCase& c, double steps) { return swing->Run(c, steps); }};
+          [swing](const SwingCase& c, double steps) { return swing->Run(c, steps); },
+          [&arm](const SwingCase&) { KeepAlive(PaperSwing(arm)); }};
 }
 
 // The solver of exact regions, with everything it needs made once. Settings are the tolerances of
@@ -80,7 +82,6 @@ class ExactSwing {
     return solver_->q();
   }
 
- private:
   void Prepare(const SwingCase& c) {
     const VecX rates = -30.0 * c.friction.array().log();
     dynamics_ = std::make_unique<RegionDynamics>(model_, rates, kGravity);
@@ -89,6 +90,7 @@ class ExactSwing {
     name_ = c.name;
   }
 
+ private:
   ModelRequest request_;
   RegionModel model_;
   DrivenMotion still_;
@@ -103,7 +105,12 @@ SwingMethod ExactMethod(const Figure& arm) {
           "rad a step",
           {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13},
           [](const SwingCase&) { return true; },
-          [swing](const SwingCase& c, double tolerance) { return swing->Run(c, tolerance); }};
+          [swing](const SwingCase& c, double tolerance) { return swing->Run(c, tolerance); },
+          [&arm](const SwingCase& c) {
+            ExactSwing anew(arm);
+            anew.Prepare(c);
+            KeepAlive(anew);
+          }};
 }
 
 }  // namespace

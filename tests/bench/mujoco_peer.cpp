@@ -9,6 +9,7 @@
 #include "tests/bench/mujoco_ball_model.h"
 #include "tests/bench/peer_joints.h"
 #include "tests/bench/step_method.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 #include "tests/support/mujoco_figure.h"
@@ -154,14 +155,20 @@ VecX Swing(MujocoArm* arm, const SwingCase& c, double steps) {
   return arm->Angles();
 }
 
+using ArmMaker = std::function<std::shared_ptr<MujocoArm>()>;
+
 SwingMethod Method(const char* name, mjtIntegrator integrator, std::vector<double> settings,
-                   const std::shared_ptr<MujocoArm>& arm) {
-  return {name, "steps", std::move(settings),
+                   const ArmMaker& make) {
+  const std::shared_ptr<MujocoArm> arm = make();
+  return {name,
+          "steps",
+          std::move(settings),
           arm->balls().empty() ? FreeWithHinges : FreeNearSingularity,
           [arm, integrator](const SwingCase& c, double steps) {
             arm->model()->opt.integrator = integrator;
             return Swing(arm.get(), c, steps);
-          }};
+          },
+          [make](const SwingCase&) { KeepAlive(make()); }};
 }
 
 // MuJoCo starts anew, with a warning, from a state that is not finite or beyond 1e10.
@@ -185,7 +192,8 @@ double EnergyAfterASecond(MujocoArm* arm, const VecX& q, const VecX& qd, int ste
 
 StepMethod InSteps(const char* name, mjtIntegrator integrator,
                    const std::shared_ptr<MujocoArm>& arm) {
-  return {name, [arm, integrator](const VecX& q, const VecX& qd, int steps) {
+  return {name, integrator == mjINT_RK4 ? 4 : 1,
+          [arm, integrator](const VecX& q, const VecX& qd, int steps) {
             arm->model()->opt.integrator = integrator;
             return EnergyAfterASecond(arm.get(), q, qd, steps);
           }};
@@ -225,7 +233,8 @@ std::vector<StepMethod> MujocoStepMethods(const Figure& arm) {
 }
 
 std::vector<SwingMethod> MujocoMethods(const Figure& arm) {
-  const auto hinges = ArmOfHinges(arm), ball = ArmOfBalls(arm);
+  const ArmMaker hinges = [&arm] { return ArmOfHinges(arm); };
+  const ArmMaker ball = [&arm] { return ArmOfBalls(arm); };
   const std::vector<double> euler = GeometricSettings(16, 4, 7);
   const std::vector<double> rk4 = GeometricSettings(8, 2, 11);
   return {Method("mujoco_euler", mjINT_EULER, euler, hinges),

@@ -50,7 +50,7 @@ class FreePaperSwing {
 
 std::vector<StepMethod> PaperStepMethods(const Figure& arm) {
   const auto swing = std::make_shared<FreePaperSwing>(arm);
-  return {{"hazumi_paper", [swing](const VecX& q, const VecX& qd, int steps) {
+  return {{"hazumi_paper", 1, [swing](const VecX& q, const VecX& qd, int steps) {
              return swing->EnergyAfterASecond(q, qd, steps);
            }}};
 }

@@ -2,6 +2,7 @@
 
 #include "tests/bench/peer_joints.h"
 #include "tests/bench/simbody_tree.h"
+#include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
 
@@ -112,14 +113,22 @@ class Simbody : public Subject {
   VecX zero_, in_;
 };
 
-SwingMethod Method(const char* name, SimbodyIntegrator integrator, int settings,
-                   const std::shared_ptr<SimbodyFigure>& figure) {
-  return {name, "accuracy", GeometricSettings(1e-1, 0.1, settings),
-          figure->balls().empty() ? FreeWithHinges : FreeNearSingularity,
+SwingMethod Method(const char* name, SimbodyIntegrator integrator, int settings, const Figure& arm,
+                   Threes threes) {
+  const auto figure = std::make_shared<SimbodyFigure>(arm, threes);
+  return {name,
+          "accuracy",
+          GeometricSettings(1e-1, 0.1, settings),
+          threes == Threes::kHinges ? FreeWithHinges : FreeNearSingularity,
           [figure, integrator](const SwingCase& c, double accuracy) {
             figure->SetState(c.q, c.qd);
             figure->tree().Integrate(integrator, accuracy, c.seconds);
             return figure->EndAngles();
+          },
+          [&arm, threes](const SwingCase& c) {
+            SimbodyFigure anew(arm, threes);
+            anew.SetState(c.q, c.qd);
+            KeepAlive(anew);
           }};
 }
 
@@ -134,11 +143,9 @@ std::unique_ptr<Subject> MakeSimbodyWithBalls(const Figure& figure) {
 }
 
 std::vector<SwingMethod> SimbodyMethods(const Figure& arm) {
-  const auto hinges = std::make_shared<SimbodyFigure>(arm, Threes::kHinges);
-  const auto ball = std::make_shared<SimbodyFigure>(arm, Threes::kBall);
-  return {Method("simbody_merson", SimbodyIntegrator::kMerson, 11, hinges),
-          Method("simbody_fehlberg", SimbodyIntegrator::kFehlberg, 12, hinges),
-          Method("simbody_merson_ball", SimbodyIntegrator::kMerson, 11, ball)};
+  return {Method("simbody_merson", SimbodyIntegrator::kMerson, 11, arm, Threes::kHinges),
+          Method("simbody_fehlberg", SimbodyIntegrator::kFehlberg, 12, arm, Threes::kHinges),
+          Method("simbody_merson_ball", SimbodyIntegrator::kMerson, 11, arm, Threes::kBall)};
 }
 
 }  // namespace hazumi::bench

@@ -1,10 +1,14 @@
-// Largest steps that survive a second of swing without friction, over two slices of the problems.
+// What a second of swing without friction costs at the edge of stability, over two slices of the
+// problems: evaluations of the equations of motion at the coarsest setting that survives.
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
 
-#include "engine/base/assert.h"
 #include "engine/timeline/animation.h"
 #include "tests/bench/step_method.h"
 #include "tests/bench/tables.h"
@@ -18,8 +22,6 @@ namespace hazumi::bench {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kLongest = 0.1, kShortest = 1e-5;  // steps tried [s]
-
 struct Start {
   const Figure& arm;
   VecX q, qd;
@@ -37,53 +39,86 @@ struct Start {
   }
 };
 
-// With a single step size chance may do it; two somewhat finer ones must survive as well.
-bool Survives(const StepMethod& method, const Start& start, double step) {
-  for (const double part : {1.0, 0.9, 0.8}) {
-    const int steps = static_cast<int>(std::ceil(1.0 / (part * step)));
-    if (!start.Accepts(method.energy_after_a_second(start.q, start.qd, steps))) return false;
-  }
-  return true;
-}
+// A setting that makes a method coarser the larger it is: a step [s], or a tolerance [rad].
+struct Knob {
+  double coarsest, finest;  // that are tried
+  // Evaluations of a second; none if it does not survive.
+  std::function<std::optional<long>(double setting)> evaluations;
 
-// 0 if there is none. By decades, then by bisection to 7 %.
-double LargestStep(const StepMethod& method, const Start& start) {
-  double good = kLongest;
-  while (!Survives(method, start, good)) {
-    good *= 0.1;
-    if (good < 0.99 * kShortest) return 0.0;
+  // By chance a single setting may survive; two somewhat finer ones must do so as well.
+  bool Survives(double setting) const {
+    for (const double part : {1.0, 0.9, 0.8}) {
+      if (!evaluations(part * setting)) return false;
+    }
+    return true;
   }
-  if (good == kLongest) return good;
+};
+
+// None if there is none. By decades, then by bisection to 7 %.
+std::optional<double> CoarsestSetting(const Knob& knob) {
+  double good = knob.coarsest;
+  while (!knob.Survives(good)) {
+    good *= 0.1;
+    if (good < 0.99 * knob.finest) return std::nullopt;
+  }
+  if (good == knob.coarsest) return good;
   double bad = 10.0 * good;
   for (int i = 0; i < 5; ++i) {
     const double middle = std::sqrt(good * bad);
-    (Survives(method, start, middle) ? good : bad) = middle;
+    (knob.Survives(middle) ? good : bad) = middle;
   }
   return good;
 }
 
-// The largest that it chose by itself at the tolerance of a new file, a tenth of that for each
-// step, as the bake gives it. It has to survive.
-double LargestStepOfExact(const Start& start) {
-  const test::Course course =
-      test::SwingExactly({start.arm, start.q, start.qd, 1.0}, 0.1 * SolverSettings().tolerance);
-  HAZUMI_DEMAND(course.finished);
-  HAZUMI_DEMAND(
-      start.Accepts(test::EnergyOf(start.arm, course.q, course.qd, test::kArmCaseGravity)));
-  return course.largest_step;
+Knob StepOf(const StepMethod& method, const Start& start) {
+  const auto evaluations = [&](double step) -> std::optional<long> {
+    const int steps = static_cast<int>(std::ceil(1.0 / step));
+    if (!start.Accepts(method.energy_after_a_second(start.q, start.qd, steps))) return {};
+    return static_cast<long>(steps) * method.evaluations_per_step;
+  };
+  return {0.1, 1e-5, evaluations};
 }
 
-void PrintRow(const char* slice, const std::string& method, double x, double y, double step) {
-  std::printf("%s,%s,%.4g,%.4g,", slice, method.c_str(), x, y);
-  if (step > 0.0) std::printf("%.3g", step);
-  std::printf("\n");
+// The error of a step that `exact` allows itself. All its evaluations count, also those of steps
+// that it takes back.
+Knob ToleranceOf(const Start& start) {
+  const auto evaluations = [&](double tolerance) -> std::optional<long> {
+    const test::Course course = test::SwingExactly({start.arm, start.q, start.qd, 1.0}, tolerance);
+    const double energy =
+        course.finished ? test::EnergyOf(start.arm, course.q, course.qd, test::kArmCaseGravity)
+                        : std::numeric_limits<double>::quiet_NaN();
+    if (!start.Accepts(energy)) return {};
+    return course.evaluations;
+  };
+  return {1.0, 1e-12, evaluations};
 }
 
-void PrintCell(const char* slice, double x, double y, const Start& start) {
-  PrintRow(slice, "hazumi_exact", x, y, LargestStepOfExact(start));
+// Where in a slice.
+struct Cell {
+  const char* slice;
+  double x, y;
+};
+
+void PrintRow(const Cell& cell, const std::string& method, const Knob& knob,
+              std::optional<double> setting) {
+  std::printf("%s,%s,%.4g,%.4g,", cell.slice, method.c_str(), cell.x, cell.y);
+  const std::optional<long> evaluations = setting ? knob.evaluations(*setting) : std::nullopt;
+  if (evaluations) {
+    std::printf("%.3g,%ld\n", *setting, *evaluations);
+  } else {
+    std::printf(",\n");
+  }
+}
+
+void PrintCell(const Cell& cell, const Start& start) {
+  const Knob tolerance = ToleranceOf(start);
+  PrintRow(cell, "hazumi_exact", tolerance, CoarsestSetting(tolerance));
+  // A tenth of a region's for each step, as the bake gives it.
+  PrintRow(cell, "hazumi_exact_new_file", tolerance, 0.1 * SolverSettings().tolerance);
   for (const auto& methods : {PaperStepMethods(start.arm), MujocoStepMethods(start.arm)}) {
     for (const StepMethod& method : methods) {
-      PrintRow(slice, method.name, x, y, LargestStep(method, start));
+      const Knob step = StepOf(method, start);
+      PrintRow(cell, method.name, step, CoarsestSetting(step));
     }
   }
   std::fflush(stdout);
@@ -103,7 +138,7 @@ void PrintMassRatios() {
   for (const double ratio : kMassRatios) {
     const Figure arm = test::FreeArm7(ratio);
     for (const double speed : kSpeeds) {
-      PrintCell("speed x mass ratio", speed, ratio,
+      PrintCell({"speed x mass ratio", speed, ratio},
                 {arm, c.start_deg * kDegree, RatesAt(speed, c)});
     }
   }
@@ -117,7 +152,7 @@ void PrintPoleDistances() {
     VecX q = c.start_deg * kDegree;
     q[1] = (90.0 - distance_deg) * kDegree;
     for (const double speed : kSpeeds) {
-      PrintCell("speed x distance from the singular pose", speed, distance_deg,
+      PrintCell({"speed x distance from the singular pose", speed, distance_deg},
                 {arm, q, RatesAt(speed, c)});
     }
   }
@@ -126,7 +161,7 @@ void PrintPoleDistances() {
 }  // namespace
 
 void PrintStability(int /*rounds*/) {
-  std::puts("slice,method,x,y,largest_step_s");
+  std::puts("slice,method,x,y,setting,evaluations");
   PrintMassRatios();
   PrintPoleDistances();
 }

@@ -13,6 +13,7 @@ namespace hazumi::bench {
 
 struct StepMethod {
   std::string name;
+  int evaluations_per_step;  // of the equations of motion
   // Energy of the figure after a second in so many steps [J], heights from the root; not finite
   // where the program gives up.
   std::function<double(const VecX& q, const VecX& qd, int steps)> energy_after_a_second;

@@ -32,6 +32,8 @@ struct SwingMethod {
   std::function<bool(const SwingCase&)> handles;
   // From the start of the case to its end: the timed call. Returns the seven end angles [rad].
   std::function<VecX(const SwingCase&, double setting)> run;
+  // From the arm to whatever run() has ready before the first case: timed apart.
+  std::function<void(const SwingCase&)> set_up;
 };
 
 // Conditions for SwingMethod::handles.

@@ -7,12 +7,14 @@ namespace hazumi::bench {
 
 // Calls of the dynamics: subject, model, call, microseconds, ratio to MuJoCo.
 void PrintCalls(int rounds);
-// Swings of the arm: subject, case, setting, microseconds, error of the end in rad.
+// Swings of the arm: subject, case, setting, microseconds, error of the end in rad, microseconds
+// to make the model, which the former leave out.
 void PrintWorkPrecision(int rounds);
 // Forward dynamics of growing figures: method, shape, joints, microseconds.
 void PrintScaling(int rounds);
 void PrintRegionScaling(int rounds);  // its last rows: one group of a region, in two ways
-// Steps that survive: slice, method, its two coordinates, largest step in s, empty if none did.
+// Coarsest settings that survive: slice, method, its two coordinates, the setting and the
+// evaluations of the equations of motion in a second; both empty if none did.
 void PrintStability(int rounds);
 // All evaluations of an example's bake: case, level of modelling, microseconds.
 void PrintModelling(int rounds);

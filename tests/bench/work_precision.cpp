@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "tests/bench/questions.h"
 #include "tests/bench/stopwatch.h"
@@ -26,6 +27,11 @@ struct Timed {
   LeastTime time;
 };
 
+struct TimedSetUp {
+  const SwingMethod* method;
+  LeastTime time;
+};
+
 std::vector<SwingMethod> AllMethods(const Figure& arm) {
   std::vector<SwingMethod> all;
   for (const auto& methods : {HazumiMethods(arm), MujocoMethods(arm), SimbodyMethods(arm),
@@ -46,24 +52,48 @@ void DemandThatPeersAgree(const Figure& arm) {
   DemandForwardAgreement({"dart_ball", MakeDartWithBalls}, arm);
 }
 
-void PrintCase(const SwingCase& c, const std::vector<SwingMethod>& methods, int rounds) {
-  std::vector<Timed> all;
-  for (const SwingMethod& method : methods) {
-    if (!method.handles(c)) continue;
-    for (const double setting : method.settings) all.push_back({&method, setting, {}});
+// A case by all methods that handle it.
+struct TimedCase {
+  const SwingCase& c;
+  std::vector<TimedSetUp> set_ups;
+  std::vector<Timed> runs;
+
+  TimedCase(const SwingCase& of, const std::vector<SwingMethod>& methods) : c(of) {
+    for (const SwingMethod& method : methods) {
+      if (!method.handles(c)) continue;
+      set_ups.push_back({&method, {}});
+      for (const double setting : method.settings) runs.push_back({&method, setting, {}});
+    }
   }
-  for (int round = 0; round < rounds; ++round) {
-    for (Timed& timed : all) {
+
+  void Round() {
+    for (TimedSetUp& timed : set_ups) {
+      timed.time.Round(kBatchSeconds, [&](long) { timed.method->set_up(c); });
+    }
+    for (Timed& timed : runs) {
       timed.time.Round(kBatchSeconds,
                        [&](long) { KeepAlive(timed.method->run(c, timed.setting)); });
     }
   }
-  for (const Timed& timed : all) {
-    std::printf("%s,%s,%s=%.5g,%.4g,%.3g\n", timed.method->name.c_str(), c.name.c_str(),
-                timed.method->unit.c_str(), timed.setting, timed.time.microseconds(),
-                c.error(timed.method->run(c, timed.setting)));
+
+  double SetUpMicroseconds(const SwingMethod* method) const {
+    for (const TimedSetUp& timed : set_ups) {
+      if (timed.method == method) return timed.time.microseconds();
+    }
+    return std::numeric_limits<double>::quiet_NaN();
   }
-  std::printf("reference,%s,,,%.2g\n", c.name.c_str(), c.reference_error);
+};
+
+void PrintCase(const SwingCase& c, const std::vector<SwingMethod>& methods, int rounds) {
+  TimedCase timed_case(c, methods);
+  for (int round = 0; round < rounds; ++round) timed_case.Round();
+  for (const Timed& timed : timed_case.runs) {
+    std::printf("%s,%s,%s=%.5g,%.4g,%.3g,%.4g\n", timed.method->name.c_str(), c.name.c_str(),
+                timed.method->unit.c_str(), timed.setting, timed.time.microseconds(),
+                c.error(timed.method->run(c, timed.setting)),
+                timed_case.SetUpMicroseconds(timed.method));
+  }
+  std::printf("reference,%s,,,%.2g,\n", c.name.c_str(), c.reference_error);
 }
 
 }  // namespace
@@ -72,7 +102,7 @@ void PrintWorkPrecision(int rounds) {
   const Figure arm = test::Arm7();
   DemandThatPeersAgree(arm);
   const std::vector<SwingMethod> methods = AllMethods(arm);
-  std::puts("subject,case,setting,microseconds,error_rad");
+  std::puts("subject,case,setting,microseconds,error_rad,set_up_microseconds");
   for (const SwingCase& c : SwingCases()) PrintCase(c, methods, rounds);
 }
 

@@ -9,6 +9,9 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+import data_folder  # noqa: E402
+
 THROW = ROOT / "assets" / "examples" / "throw.kfa"
 JUMP = ROOT / "assets" / "examples" / "jump.kfa"
 HAZUMI = os.path.abspath(sys.argv.pop(1))
@@ -35,6 +38,15 @@ class InFolder(unittest.TestCase):
     def tearDown(self):
         subprocess.run(["chmod", "-R", "u+w", self.folder], check=True)
         subprocess.run(["rm", "-rf", self.folder], check=True)
+
+    def data_files(self, folder, pattern):
+        """Of the data beside the repository. Without them it fails where HAZUMI_DATA is set, and
+        is skipped elsewhere."""
+        found = sorted(data_folder.path(folder).glob(pattern))
+        if not found:
+            missing = f"no data: {data_folder.path(folder) / pattern}"
+            self.fail(missing) if data_folder.is_promised() else self.skipTest(missing)
+        return found
 
     def files(self):
         return sorted(p.name for p in self.folder.rglob("*") if p.is_file())

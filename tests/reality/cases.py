@@ -46,6 +46,11 @@ class Score:
         return 100.0 * np.sqrt(np.mean(np.concatenate(self.com)))
 
     @property
+    def worst_com_cm(self):
+        """The greatest of any frame."""
+        return 100.0 * np.sqrt(np.max(np.concatenate(self.com)))
+
+    @property
     def deg(self):
         return np.degrees(np.sqrt(np.mean(np.concatenate(self.angles))))
 

@@ -80,5 +80,25 @@ def verdict(results):
     return "Dynamics is nearer to the capture (cm) in: " + "; ".join(counts) + ".\n\n"
 
 
+def span(values):
+    return f"{min(values):.1f} to {max(values):.1f} cm"
+
+
+def landings(results):
+    """How far the CoM is off where a flight lands on its key, without and with keys between."""
+    def told(flights_):
+        landing = [r["scores"]["landing"] for r in flights_]
+        return (span([s.com_cm for s in landing]) + " (in the worst frame "
+                f"{max(s.worst_com_cm for s in landing):.1f} cm), that of the interpolation by "
+                + span([r["scores"]["interpolated"].com_cm for r in flights_]))
+
+    bare = [r for r in results["flights"] if "label" in r]
+    keyed = [r for r in results["flights"] if "label" not in r]
+    return (f"Flights that land on their keys ({len(bare)} jumps, RMS over the frames of each "
+            "flight): with keys at take-off and landing only their CoM is off the capture's by " +
+            told(bare) + "; with keys between, by " + told(keyed) + ".\n\n")
+
+
 def markdown(results):
-    return "\n" + verdict(results) + swings(results["swings"]) + flights(results["flights"])
+    return ("\n" + verdict(results) + landings(results) + swings(results["swings"]) +
+            flights(results["flights"]))

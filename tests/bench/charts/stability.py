@@ -1,4 +1,5 @@
-"""Largest stable step over a slice of the problems, a heat map for each method."""
+"""What a second of swing costs at the edge of stability, over a slice of the problems: a heat map
+for each method."""
 
 import math
 
@@ -33,19 +34,18 @@ def set_axis(axis, values, logarithmic):
 
 
 def draw_method(axes, rows, norm):
-    """One heat map. A cell where no step was stable is hatched."""
+    """One heat map. A cell where no setting survived is hatched."""
     xs = sorted({float(row["x"]) for row in rows})
     ys = sorted({float(row["y"]) for row in rows})
-    step = {(float(row["x"]), float(row["y"])): float(row["largest_step_s"] or "nan")
+    cost = {(float(row["x"]), float(row["y"])): float(row["evaluations"] or "nan")
             for row in rows}
-    grid = [[step.get((x, y), math.nan) for x in xs] for y in ys]
-    grid = [[s if s > 0 else math.nan for s in line] for line in grid]
+    grid = [[cost.get((x, y), math.nan) for x in xs] for y in ys]
     x_edges, x_log = edges(xs)
     y_edges, y_log = edges(ys)
     axes.set_facecolor("white")
     axes.fill_between([x_edges[0], x_edges[-1]], y_edges[0], y_edges[-1], facecolor="#F4F4F4",
                       hatch="////", edgecolor="#BBBBBB", linewidth=0)
-    mesh = axes.pcolormesh(x_edges, y_edges, grid, norm=norm, cmap="cividis", edgecolor="white",
+    mesh = axes.pcolormesh(x_edges, y_edges, grid, norm=norm, cmap="cividis_r", edgecolor="white",
                            linewidth=0.4)
     set_axis(axes.xaxis, xs, x_log)
     set_axis(axes.yaxis, ys, y_log)
@@ -56,32 +56,53 @@ def draw_method(axes, rows, norm):
     return mesh
 
 
-def median_step(rows, method):
-    """Over the cells of a method, those without a stable step counted as 0."""
-    steps = sorted(float(row["largest_step_s"] or 0) for row in rows if row["method"] == method)
-    steps = [0.0 if math.isnan(s) else s for s in steps]
-    return steps[len(steps) // 2]
+def costs(rows, method):
+    """Evaluations in each cell, the least first; infinite where no setting survived."""
+    return sorted(float(row["evaluations"] or "inf") for row in rows if row["method"] == method)
+
+
+def median(rows, method):
+    """Over all cells."""
+    own = costs(rows, method)
+    return (own[(len(own) - 1) // 2] + own[len(own) // 2]) / 2
+
+
+def count(value):
+    """Evaluations, two digits, with commas."""
+    return f"{float(f'{value:.2g}'):,.0f}" if math.isfinite(value) else "none of the settings"
 
 
 def finding(rows, methods):
-    """The title: the method with the largest steps, and the one with the smallest."""
-    ranking = sorted(methods, key=lambda method: median_step(rows, method))
-    last, first = ranking[0], ranking[-1]
-    small, large = median_step(rows, last), median_step(rows, first)
-    if small > 0:
-        return (f"{style.look(first)[0]} stays stable at steps "
-                f"{style.two_digits(large / small)}× those of "
-                f"{style.in_sentence(last)} (median)")
-    return (f"{style.look(first)[0]} is stable at {large:.2g} s (median); "
-            f"{style.in_sentence(last)} at no step tried")
+    """The title: of each program's methods the cheapest, from the cheapest on."""
+    best = {}
+    for method in sorted(methods, key=lambda method: median(rows, method), reverse=True):
+        best["paper" if method == "hazumi_paper" else style.family(method)] = method
+    ranking = sorted(best.values(), key=lambda method: median(rows, method))
+    told = [f"{style.in_sentence(method)} {count(median(rows, method))}" for method in ranking]
+    return f"Evaluations to survive a second, median: {', '.join(told)}"
+
+
+def sentence(rows):
+    """For README.md: what is shown, and a row for each method over all slices."""
+    cells = len(rows) // len(in_order(row["method"] for row in rows))
+    text = ("*What a second of swing without friction costs at the edge of stability: evaluations of "
+            "the equations of\nmotion at the coarsest setting, a step or for `exact` a tolerance, with "
+            "which the energy stays within a\nfactor of 2. Of all "
+            f"{cells} cells of both charts:*\n\n"
+            "| | median | most | cells in which no setting tried survives |\n|---|---|---|---|\n")
+    for method in in_order(row["method"] for row in rows):
+        own = costs(rows, method)
+        finite = [cost for cost in own if math.isfinite(cost)]
+        numbers = [count(median(rows, method)), count(max(finite)), str(len(own) - len(finite))]
+        text += f"| {' | '.join([style.look(method)[0], *numbers])} |\n"
+    return text
 
 
 def draw_slice(rows, name, comment, folder):
     """The heat maps of all methods over one slice."""
     methods = in_order(row["method"] for row in rows)
-    steps = [float(row["largest_step_s"] or "nan") for row in rows]
-    steps = [s for s in steps if s > 0 and math.isfinite(s)]
-    norm = LogNorm(min(steps), max(steps))
+    finite = [float(row["evaluations"]) for row in rows if row["evaluations"]]
+    norm = LogNorm(min(finite), max(finite))
     columns = 2 if len(methods) in (2, 4) else min(3, len(methods))
     lines = math.ceil(len(methods) / columns)
     figure, panels = plt.subplots(lines, columns, figsize=(8, 1.5 + 2.4 * lines), sharex=True,
@@ -99,10 +120,10 @@ def draw_slice(rows, name, comment, folder):
     figure.supylabel(y_name, y=0.5 - 0.12 / height, fontsize=8.5)
     bar = figure.colorbar(mesh, cax=figure.add_axes([0.885, 0.62 / height, 0.018,
                                                      1 - 1.48 / height]))
-    bar.set_label("largest stable step [s]")
+    bar.set_label("evaluations in a second of motion")
     style.headline(figure, finding(rows, methods),
-                   f"Largest step that stays stable, by {x_name} and {y_name}. "
-                   "Hatched: none of the steps tried.")
+                   "Of the equations of motion, at the coarsest setting that survives; “as a new "
+                   "file”: at its 0.01°. Hatched: none does.")
     style.footnote(figure, comment)
     style.save(figure, folder, "stability_" + name.replace(" ", "_"))
 

@@ -14,6 +14,7 @@ LOOKS = {
     "hazumi": ("Hazumi", VERMILION, "o", "-"),
     "hazumi_sse2": ("Hazumi, SSE2 only", VERMILION, "X", "--"),
     "hazumi_exact": ("Hazumi exact", VERMILION, "o", "-"),
+    "hazumi_exact_new_file": ("Exact, as a new file", VERMILION, "o", "--"),
     "hazumi_articulated": ("Hazumi articulated", VERMILION, "o", "-"),
     "hazumi_composite": ("Hazumi composite", PURPLE, "p", "-"),
     "hazumi_paper": ("The paper's step", ORANGE, "D", "-"),
@@ -70,6 +71,13 @@ def headline(figure, finding, detail):
     room = 0.976 * figure.bbox.width / title.get_window_extent().width
     title.set_fontsize(min(11.5, 11.5 * room))
     figure.text(0.012, 1 - 0.44 / height, detail, ha="left", va="baseline", fontsize=8.5,
+                color="#444444")
+
+
+def second_line(figure, text):
+    """Below the headline's detail."""
+    height = figure.get_size_inches()[1]
+    figure.text(0.012, 1 - 0.61 / height, text, ha="left", va="baseline", fontsize=7.5,
                 color="#444444")
 
 

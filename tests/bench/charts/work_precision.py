@@ -1,6 +1,7 @@
 """Error against time, one chart a case."""
 
 import math
+import textwrap
 
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator
@@ -35,6 +36,55 @@ def time_to(line, target):
             part = math.log(e0 / target) / math.log(e0 / e1) if e0 > e1 else 0.0
             return t0 * (t1 / t0) ** part
     return math.inf
+
+
+def set_ups(rows, case):
+    """subject -> microseconds to make its model from the figure, which the lines leave out."""
+    return {row["subject"]: float(row["set_up_microseconds"]) for row in rows
+            if row["case"] == case and row["set_up_microseconds"]}
+
+
+def later(line, microseconds):
+    """The line of somebody who makes the model for this swing alone."""
+    return [(time + microseconds, error) for time, error in line]
+
+
+def is_peer(subject):
+    return style.family(subject) != "hazumi"
+
+
+def ahead(ours, lines):
+    """(least, greatest) error [rad] of the widest range, by a grid of 100 a decade, in which our
+    line takes less time than each other program's that gets there at all; None if there is none."""
+    peers = [line for subject, line in lines.items() if is_peer(subject)]
+    reached = [error for line in peers for _, error in line if 0 < error <= WORST]
+    low, high = math.floor(100 * math.log10(min(reached))), math.ceil(100 * math.log10(WORST))
+    best, current = [], []
+    for i in range(low, high + 1):
+        error = 10 ** (i / 100)
+        time, theirs = time_to(ours, error), min(time_to(line, error) for line in peers)
+        if math.isinf(time) and math.isinf(theirs):
+            continue  # nobody's
+        current = [*current, error] if time < theirs else []
+        best = max(best, current, key=len)
+    return (best[0], best[-1]) if best else None
+
+
+def sentence(rows, case="arm7_smooth"):
+    """For README.md: where our line is ahead, as far as it was measured."""
+    lines = points(rows, case)
+    ours, own = lines["hazumi_exact"], set_ups(rows, case)["hazumi_exact"]
+    names = in_order(style.look(subject)[0].split()[0] for subject in lines if is_peer(subject))
+    text = (f"*{DETAILS[case].replace(' without', ', without')}: `exact` takes less time than "
+            f"{', '.join(names[:-1])} and {names[-1]} ")
+    reach = ahead(ours, lines)
+    text += (f"for errors of the end pose from {reach[0]:.1g} to {reach[1]:.1g} rad" if reach
+             else "for no error")
+    alone = ahead(later(ours, own), lines)
+    text += (f"; with the compilation of its model, {style.duration(own)}, counted for this one swing "
+             "alone (dotted) and that of the others not, ")
+    text += f"from {alone[0]:.1g} to {alone[1]:.1g} rad" if alone else "for none"
+    return textwrap.fill(text + ".*", 112) + "\n"
 
 
 def finding(lines):
@@ -72,6 +122,24 @@ def draw_line(axes, subject, line):
     return name, colour, *end
 
 
+def draw_set_up(axes, line, microseconds):
+    """The same with the making of the model."""
+    shown = [point for point in later(line, microseconds) if point[1] <= WORST]
+    axes.plot(*zip(*shown), color=style.look("hazumi_exact")[1], linestyle=":", linewidth=1.2,
+              zorder=2.5)
+
+
+def set_up_note(costs):
+    """What making each program's model from the figure takes."""
+    shown = {}
+    for subject, us in costs.items():
+        if not subject.startswith("hazumi_paper"):
+            shown.setdefault(style.look(subject)[0].split()[0], us)
+    return ("Without making the models from the figure: " +
+            ", ".join(f"{name} {style.duration(us)}" for name, us in shown.items()) +
+            ". Dotted: Hazumi with it.")
+
+
 def down_to(floor, line):
     """The line up to the first point that is as good as the reference itself."""
     kept = []
@@ -88,10 +156,12 @@ def draw_case(rows, case, comment, folder):
     floor = next(float(row["error_rad"]) for row in rows
                  if row["case"] == case and row["subject"] == "reference")
     figure, axes = plt.subplots(figsize=(8, 5))
-    figure.subplots_adjust(left=0.085, right=0.765, top=0.855, bottom=0.125)
+    figure.subplots_adjust(left=0.085, right=0.765, top=0.835, bottom=0.125)
     axes.set(xscale="log", yscale="log")
     lines = {subject: down_to(floor, line) for subject, line in lines.items()}
     labels = [draw_line(axes, subject, line) for subject, line in lines.items()]
+    making = set_ups(rows, case)
+    draw_set_up(axes, lines["hazumi_exact"], making["hazumi_exact"])
     lowest = min(label[3] for label in labels)
     axes.set_ylim(max(lowest / 4, floor / 6), WORST)
     if lowest < 30 * floor:
@@ -106,6 +176,7 @@ def draw_case(rows, case, comment, folder):
     failures = any(error > WORST for line in lines.values() for _, error in line)
     style.headline(figure, finding(lines), DETAILS.get(case, case) + "." +
                    (f" ×: error above {WORST:g} rad, or broken off." if failures else ""))
+    style.second_line(figure, set_up_note(making))
     style.footnote(figure, comment)
     style.save(figure, folder, f"work_precision_{case}")
 

@@ -9,6 +9,7 @@
 
 #include "engine/exchange/character/character_check.h"
 #include "engine/exchange/read_character.h"
+#include "tests/support/data_folder.h"
 #include "tests/support/random.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/exchange/small_files.h"
@@ -17,7 +18,6 @@ namespace hazumi {
 namespace {
 
 namespace fs = std::filesystem;
-const std::string kData = HAZUMI_SHARED_DIR "/data/";
 
 std::string BytesOf(const fs::path& path) {
   std::ostringstream bytes;
@@ -40,19 +40,10 @@ std::string ReadSoundly(const std::string& path, double most_seconds = 10.5) {
   return result.error().message;
 }
 
-std::vector<fs::path> FilesBelow(const std::string& folder) {
-  std::vector<fs::path> files;
-  if (fs::exists(folder))
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file()) files.push_back(entry.path());
-  return files;
-}
-
 TEST(BrokenFiles, TheValidatorsModelsEndSoonUnderAnyName) {
-  const std::vector<fs::path> files = FilesBelow(kData + "malformed/gltf");
-  if (files.empty()) GTEST_SKIP() << "skipped: no data";
+  HAZUMI_NEED_DATA("malformed/gltf");
   const test::TemporaryFolder folder;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : test::DataFiles("malformed/gltf")) {
     const std::string own_name = ReadSoundly(file.string());
     const std::string renamed = folder / "renamed.fbx";
     fs::copy_file(file, renamed, fs::copy_options::overwrite_existing);
@@ -61,10 +52,9 @@ TEST(BrokenFiles, TheValidatorsModelsEndSoonUnderAnyName) {
 }
 
 TEST(BrokenFiles, WhatCrashesAssimpIsNotGivenToIt) {
-  const std::vector<fs::path> files = FilesBelow(kData + "malformed/assimp");
-  if (files.empty()) GTEST_SKIP() << "skipped: no data";
+  HAZUMI_NEED_DATA("malformed/assimp");
   const test::TemporaryFolder folder;
-  for (const fs::path& file : files)
+  for (const fs::path& file : test::DataFiles("malformed/assimp"))
     for (const std::string& name : {file.filename().string(), std::string("a.fbx"),
                                     std::string("a.gltf"), std::string("a.dae")}) {
       fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
@@ -97,9 +87,11 @@ TEST(BrokenFiles, RandomDamageToFbxAndCollada) {
 TEST(BrokenFiles, RandomDamageToGltf) { ReadDamaged("a.gltf", test::SmallGltf().dump(), 3, 80); }
 
 TEST(BrokenFiles, RandomDamageToBinaryFiles) {
-  if (!fs::exists(kData + "characters")) GTEST_SKIP() << "skipped: no data";
-  ReadDamaged("a.fbx", BytesOf(kData + "characters/ozz_pab_arnaud.fbx"), 4, 15);
-  ReadDamaged("a.glb", BytesOf(kData + "characters/kaykit_Knight.glb"), 5, 10);
+  const std::string fbx = "characters/ozz_pab_arnaud.fbx", glb = "characters/kaykit_Knight.glb";
+  HAZUMI_NEED_DATA(fbx);
+  HAZUMI_NEED_DATA(glb);
+  ReadDamaged("a.fbx", BytesOf(test::DataPath(fbx)), 4, 15);
+  ReadDamaged("a.glb", BytesOf(test::DataPath(glb)), 5, 10);
 }
 
 // Indices, counts and numbers that a document may well have, one at a time.

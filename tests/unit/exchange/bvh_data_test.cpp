@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <numbers>
 
 #include "engine/exchange/bvh/bvh_write.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/exchange/bvh_sample.h"
 
 namespace hazumi::test {
@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kData = HAZUMI_SHARED_DIR "/data";
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string FileText(const fs::path& path) {
@@ -26,25 +25,25 @@ std::string FileText(const fs::path& path) {
 
 std::vector<fs::path> FilesIn(const std::string& folder, const std::string& prefix = "") {
   std::vector<fs::path> files;
-  if (!fs::exists(fs::path(kData) / folder)) return files;
-  for (const auto& entry : fs::directory_iterator(fs::path(kData) / folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".bvh") && name.starts_with(prefix)) files.push_back(entry.path());
+  for (const fs::path& path : DataFiles(folder)) {
+    const std::string name = path.filename().string();
+    if (name.ends_with(".bvh") && name.starts_with(prefix)) files.push_back(path);
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 
+const std::vector<const char*> kFolders = {"jump", "throw", "other"};
+
 std::vector<fs::path> Clips() {
   std::vector<fs::path> all;
-  for (const char* folder : {"jump", "throw", "other"}) {
+  for (const char* folder : kFolders) {
     for (const fs::path& path : FilesIn(folder)) all.push_back(path);
   }
   return all;
 }
 
 TEST(BvhData, EveryClipIsReadWithoutAWarning) {
-  if (Clips().empty()) GTEST_SKIP() << "skipped: no data";
+  for (const char* folder : kFolders) HAZUMI_NEED_DATA(folder);
   for (const fs::path& path : Clips()) {
     SCOPED_TRACE(path.filename());
     EXPECT_EQ(Warnings(ReadWell(FileText(path))), "");
@@ -52,7 +51,7 @@ TEST(BvhData, EveryClipIsReadWithoutAWarning) {
 }
 
 TEST(BvhData, EveryClipIsTheSameAfterWritingAndReading) {
-  if (Clips().empty()) GTEST_SKIP() << "skipped: no data";
+  for (const char* folder : kFolders) HAZUMI_NEED_DATA(folder);
   for (const fs::path& path : Clips()) {
     SCOPED_TRACE(path.filename());
     const Character read = ReadWell(FileText(path));
@@ -71,7 +70,7 @@ TEST(BvhData, EveryClipIsTheSameAfterWritingAndReading) {
 
 // As if it came from a program that keeps quaternions only.
 TEST(BvhData, EveryClipKeepsItsPosesWithoutItsAngles) {
-  if (Clips().empty()) GTEST_SKIP() << "skipped: no data";
+  for (const char* folder : kFolders) HAZUMI_NEED_DATA(folder);
   for (const fs::path& path : Clips()) {
     SCOPED_TRACE(path.filename());
     Character bare = ReadWell(FileText(path));
@@ -86,12 +85,12 @@ TEST(BvhData, EveryClipKeepsItsPosesWithoutItsAngles) {
 }
 
 TEST(BvhData, DialectsAreAllTheSame) {
-  const std::vector<fs::path> files = FilesIn("malformed/bvh", "ok_");
-  if (files.empty()) GTEST_SKIP() << "skipped: no data";
-  const Character expected = ReadWell(FileText(fs::path(kData) / "malformed/bvh/ok_20frames.bvh"));
+  const std::string first = "malformed/bvh/ok_20frames.bvh";
+  HAZUMI_NEED_DATA(first);
+  const Character expected = ReadWell(FileText(DataPath(first)));
   EXPECT_EQ(expected.clips[0].num_frames, 20);
   EXPECT_EQ(expected.clips[0].seconds_per_frame, 1.0 / 120.0);
-  for (const fs::path& path : files) {
+  for (const fs::path& path : FilesIn("malformed/bvh", "ok_")) {
     SCOPED_TRACE(path.filename());
     const Character read = ReadWell(FileText(path));
     EXPECT_EQ(Warnings(read), "");
@@ -133,9 +132,8 @@ const std::map<std::string, std::string>& Promised() {
 }
 
 TEST(BvhData, EveryBrokenFileSaysWhatItsNamePromises) {
-  const std::vector<fs::path> files = FilesIn("malformed/bvh", "bad_");
-  if (files.empty()) GTEST_SKIP() << "skipped: no data";
-  for (const fs::path& path : files) {
+  HAZUMI_NEED_DATA("malformed/bvh");
+  for (const fs::path& path : FilesIn("malformed/bvh", "bad_")) {
     const Result<Character> read = ReadBvh(FileText(path), path.filename().string());
     if (read.ok()) ExpectSound(read.value());
     const std::string said = read.ok() ? Warnings(read.value()) : read.error().ToString();

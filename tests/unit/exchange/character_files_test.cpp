@@ -2,15 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/exchange/read_character.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/exchange/small_files.h"
 
 namespace hazumi {
 namespace {
-
-const std::string kFolder = HAZUMI_SHARED_DIR "/data/characters/";
 
 struct Expected {
   const char* file;
@@ -51,9 +48,9 @@ double Height(const Character& c) {
 
 TEST_P(CharacterFiles, HasItsBonesClipsAndSize) {
   const Expected& expected = GetParam();
-  const std::string path = kFolder + expected.file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "skipped: no data";
-  const Result<Character> result = ReadCharacter(path);
+  const std::string name = std::string("characters/") + expected.file;
+  HAZUMI_NEED_DATA(name);
+  const Result<Character> result = ReadCharacter(test::DataPath(name));
   ASSERT_TRUE(result.ok()) << result.error().ToString();
   const Character& c = result.value();
   EXPECT_EQ(c.bones.size(), expected.bones);
@@ -79,9 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(CharacterFile, TheKnightThrowsAtThirtyFramesASecond) {
-  const std::string path = kFolder + "kaykit_Knight.glb";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "skipped: no data";
-  const Result<Character> result = ReadCharacter(path);
+  HAZUMI_NEED_DATA("characters/kaykit_Knight.glb");
+  const Result<Character> result = ReadCharacter(test::DataPath("characters/kaykit_Knight.glb"));
   ASSERT_TRUE(result.ok()) << result.error().ToString();
   for (const Clip& clip : result.value().clips) {
     EXPECT_NEAR(clip.seconds_per_frame, 1.0 / 30.0, 1e-12) << clip.name;

@@ -3,21 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
 
 #include "engine/analysis/flights.h"
 #include "engine/bake/bake.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
 #include "engine/project/compile.h"
+#include "tests/support/data_folder.h"
 
 namespace hazumi::test {
 namespace {
 
-const std::string kData = HAZUMI_SHARED_DIR "/data/";
-
 Imported ImportFile(const std::string& file, const ImportOptions& options = {}) {
-  const Result<Character> character = ReadCharacter(kData + file);
+  const Result<Character> character = ReadCharacter(DataPath(file));
   EXPECT_TRUE(character.ok()) << character.error().ToString();
   if (!character.ok()) return {};
   Result<Imported> imported = ImportProject(character.value(), options);
@@ -28,7 +26,7 @@ Imported ImportFile(const std::string& file, const ImportOptions& options = {}) 
 class ImportData : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(kData + "jump")) GTEST_SKIP() << "skipped: no data";
+    for (const char* folder : {"jump", "throw", "other", "characters"}) HAZUMI_NEED_DATA(folder);
   }
 };
 

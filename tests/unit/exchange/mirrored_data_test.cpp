@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
 #include <numbers>
 
@@ -11,11 +10,10 @@
 #include "engine/exchange/read_character.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/figure/pose_mirror.h"
+#include "tests/support/data_folder.h"
 
 namespace hazumi::test {
 namespace {
-
-const std::string kData = HAZUMI_SHARED_DIR "/data/";
 
 // Pairs as counted by eye. One file has no names of bones; in another "Lefthand" is the partner of
 // "RightHand", and "LeftHandRingPinky1" that of "RightHandPinky1".
@@ -35,12 +33,12 @@ const std::vector<std::pair<std::string, int>> kFiles = {
 class MirroredData : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(kData + "jump")) GTEST_SKIP() << "skipped: no data";
+    for (const auto& [file, pairs] : kFiles) HAZUMI_NEED_DATA(file);
   }
 };
 
 Project ImportFile(const std::string& file) {
-  const Result<Character> character = ReadCharacter(kData + file);
+  const Result<Character> character = ReadCharacter(DataPath(file));
   EXPECT_TRUE(character.ok()) << character.error().ToString();
   if (!character.ok()) return {};
   Result<Imported> imported = ImportProject(character.value(), {});

@@ -3,48 +3,45 @@
 #include <gtest/gtest.h>
 
 #include "engine/project/project_reader.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/project/sample.h"
 
 namespace hazumi::testing {
 namespace {
 
-// Calls check(file name, result) for each file whose name begins with `prefix`; returns how many.
+// Calls check(file name, result) for each file whose name begins with `prefix`.
 template <typename Check>
-int ForEachFile(const std::string& prefix, Check check) {
-  const std::filesystem::path folder = HAZUMI_SHARED_DIR "/data/json";
-  if (!std::filesystem::exists(folder)) return 0;
+void ForEachFile(const std::string& prefix, Check check) {
+  HAZUMI_NEED_DATA("json");
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+  for (const std::filesystem::path& path : test::DataFiles("json")) {
+    const std::string name = path.filename().string();
     if (!name.starts_with(prefix)) continue;
-    check(name, LoadProject(entry.path().string()));
+    check(name, LoadProject(path.string()));
     ++count;
   }
-  return count;
+  EXPECT_GT(count, 0);
 }
 
 TEST(ForeignJson, WhatIsNotJsonIsASyntaxErrorWithLineAndColumn) {
-  const int count = ForEachFile("n_", [](const std::string& name, const Result<Project>& read) {
+  ForEachFile("n_", [](const std::string& name, const Result<Project>& read) {
     ASSERT_FALSE(read.ok()) << name;
     EXPECT_EQ(read.error().code, ErrorCode::kSyntax) << name << read.error().ToString();
     EXPECT_TRUE(read.error().place.starts_with("line ")) << name << read.error().ToString();
   });
-  if (count == 0) GTEST_SKIP() << "skipped: no data";
 }
 
 TEST(ForeignJson, WhatIsJsonIsNoProject) {
-  const int count = ForEachFile("y_", [](const std::string& name, const Result<Project>& read) {
+  ForEachFile("y_", [](const std::string& name, const Result<Project>& read) {
     ASSERT_FALSE(read.ok()) << name;
     EXPECT_EQ(read.error().code, ErrorCode::kSchema) << name << read.error().ToString();
   });
-  if (count == 0) GTEST_SKIP() << "skipped: no data";
 }
 
 TEST(ForeignJson, WhatMayBeJsonIsRefusedToo) {
-  const int count = ForEachFile("i_", [](const std::string& name, const Result<Project>& read) {
+  ForEachFile("i_", [](const std::string& name, const Result<Project>& read) {
     EXPECT_FALSE(read.ok()) << name;
   });
-  if (count == 0) GTEST_SKIP() << "skipped: no data";
 }
 
 // A file cut short at any byte is an error, and never a crash.
