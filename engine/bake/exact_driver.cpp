@@ -30,7 +30,7 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const GroupLogs& known, Team* team)
+                         double sharpness, const GroupLogs* known, Team* team)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
@@ -257,6 +257,7 @@ double ExactDriver::microseconds() const {
 
 GroupLogs ExactDriver::logs() const {
   GroupLogs logs = finished_;
+  if (!known_) return logs;
   for (const Group& group : groups_) {
     logs.push_back(group.solution.log());
     logs.push_back(group.twin.log());

@@ -28,7 +28,11 @@ bool GroupSolution::IsKnown(const Numbers& question) const {
 void GroupSolution::Tell(Numbers question) {
   if (!IsKnown(question)) {
     if (!own_) own_ = std::make_shared<GroupLog>();
-    if (num_calls_ > 0 && own_->empty()) {
+    if (!keeps_log_ && num_solved_ == own_->size()) {
+      own_->clear();
+      num_solved_ = 0;
+    }
+    if (num_calls_ > 0 && own_->empty() && known_) {
       own_->assign(known_->begin(), known_->begin() + static_cast<long>(num_calls_));
     }
     own_->emplace_back().question = std::move(question);
@@ -56,7 +60,7 @@ void GroupSolution::SolveWhatWasAsked() {
 }
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
-                          const DrivenMotion& driven, const GroupLogs& known) {
+                          const DrivenMotion& driven, const GroupLogs* known) {
   constexpr size_t kUsual = 1000;  // numbers
   Numbers question;
   question.reserve(kUsual);
@@ -66,8 +70,9 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   }
   AppendCurves(task_.model, task_.model.nodes.size(), driven, &question);
   AppendTask(task_, &question);
-  for (const std::shared_ptr<const GroupLog>& log : known) {
-    if (SameBits(log->front().question, question)) known_ = log;
+  keeps_log_ = known != nullptr;
+  for (size_t i = 0; keeps_log_ && i < known->size(); ++i) {
+    if (SameBits((*known)[i]->front().question, question)) known_ = (*known)[i];
   }
   Tell(std::move(question));
   time_ = step_start_ = t;
