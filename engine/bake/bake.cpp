@@ -2,11 +2,23 @@
 
 #include <algorithm>
 
+#include "engine/bake/bake_size.h"
 #include "engine/bake/baker.h"
+#include "engine/base/memory.h"
 
 namespace hazumi {
 
-Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
+namespace {
+
+std::optional<Error> CheckSize(const Animation& animation, const BakeOptions& options) {
+  if (auto error = CheckSteps(animation)) return error;
+  if (!options.keep_frames) return std::nullopt;
+  const FrameRate rate = options.output_rate.value_or(animation.rate);
+  return CheckBytes(MotionBytes(animation, rate), animation, rate);
+}
+
+Result<Motion> BakeWhole(const Animation& animation, const BakeOptions& options) {
+  if (auto error = CheckSize(animation, options)) return *error;
   const auto falls = [](const PlacementSpan& span) { return span.kind == PlacementKind::kGravity; };
   const auto& spans = animation.placements;
   const auto span = std::find_if(spans.begin(), spans.end(), falls);
@@ -23,14 +35,21 @@ Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
   Stretch stretch;
   stretch.start = std::move(first.value());
   for (;;) {
-    Result<std::optional<Checkpoint>> next = baker.BakeStretch({}, &stretch);
+    Result<std::optional<Checkpoint>> next = baker.BakeStretch(nullptr, &stretch);
     if (!next.ok()) return next.error();
     stretch.AppendTo(&motion);
     if (!next.value()) break;
     stretch.start = std::move(*next.value());
   }
   SortByTime(&motion.events);
+  DropRepeated(&motion.warnings);
   return motion;
+}
+
+}  // namespace
+
+Result<Motion> Bake(const Animation& animation, const BakeOptions& options) {
+  return WithinMemory([&] { return BakeWhole(animation, options); });
 }
 
 }  // namespace hazumi

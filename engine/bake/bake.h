@@ -20,12 +20,17 @@ struct BakeOptions {
   // So many threads at most solve groups of joints that do not feel each other; 0: as many as the
   // machine has. The motion is the same.
   int threads = 0;
+  // False: the motion has no frames, only events, reports and warnings. It takes no memory then
+  // that grows with the frames.
+  bool keep_frames = true;
   // Solve exact regions again, with finer steps, where their error estimates miss their tolerances.
   bool refine = true;
 };
 
 // Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)
-// where a hold is out of reach or a region cannot go on. Two bakes of one animation are bit-equal.
+// where a hold is out of reach or a region cannot go on, before it begins where it would take too
+// much memory or too many steps (bake_size.h), and with kFailed where the machine has not enough
+// memory. Two bakes of one animation are bit-equal.
 Result<Motion> Bake(const Animation& animation, const BakeOptions& options = {});
 
 }  // namespace hazumi

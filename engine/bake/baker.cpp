@@ -20,6 +20,7 @@ Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* mot
       cancel_(options.cancel),
       energy_(options.energy),
       refine_(options.refine),
+      keep_frames_(options.keep_frames),
       team_(team),
       figure_(*animation.figure),
       ws_(figure_),
@@ -97,7 +98,7 @@ void Baker::PrepareMotion() {
   const double per_frame = OutputFramesPerFrame();
   first_output_ = static_cast<int>(std::ceil(animation_.first_frame * per_frame - kSameFrame));
   const int last = static_cast<int>(std::floor(animation_.last_frame * per_frame + kSameFrame));
-  motion_->frames.resize(std::max(0, last - first_output_ + 1));
+  if (keep_frames_) motion_->frames.resize(std::max(0, last - first_output_ + 1));
   motion_->regions.clear();
   for (const DynamicsRegion& region : animation_.regions) {
     motion_->regions.push_back(EmptyReport(region));
@@ -180,8 +181,8 @@ void Baker::Restore(const Checkpoint& checkpoint) {
   }
 }
 
-Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs& known, Stretch* stretch) {
-  known_ = &known;
+Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Stretch* stretch) {
+  known_ = known;
   stretch_ = stretch;
   std::fill(refinements_.begin(), refinements_.end(), Refinement());
   int frame;

@@ -29,8 +29,9 @@ class Baker {
   // The animation's first frame.
   Result<Checkpoint> Begin();
   // Bakes from stretch->start up to the next checkpoint, which is returned unless the animation
-  // ends before. Regions are not solved anew where one of the logs in `known` tells what they do.
-  Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs& known, Stretch* stretch);
+  // ends before. Regions are not solved anew where one of the logs in `known` tells what they do;
+  // null: nothing will be asked again, and no logs are kept.
+  Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
   // A curve of the animation is about to change its keys, or has changed them.
   void RemoveKeys(const Keys& keys) { CountKeys(keys, -1); }
@@ -43,6 +44,7 @@ class Baker {
     const IkHold* hold;
     HoldSolver solver;
     HoldTarget target;
+    bool is_warned_of = false;  // in this stretch
   };
   using Failure = std::optional<Error>;
 
@@ -99,6 +101,8 @@ class Baker {
   Result<int> AdvanceExact(int frame);
   Failure AdvancePiece(double from, double to, double end);
   Failure AdvanceUndisturbed(double from, double to, double end);
+  Failure AdvanceAhead(const std::vector<double>& times, double from, double next, double to,
+                       double end);
   void AddHits(double until);
   double DriveCurves(double from, int end);
   Failure FitHolds(double from, double to);
@@ -129,6 +133,8 @@ class Baker {
   Failure SolveHolds(double frame, Side side, FigureMotion* motion);
   Failure SolveHold(ActiveHold* active, double frame, Side side, const PoseOf<Jet>& X_WR,
                     std::vector<Jet>* q);
+  Error OutOfReach(size_t hold, double frame, double distance) const;
+  void WarnOfReach(ActiveHold* active);
 
   // What is kept (baker_record.cpp).
   void RecordIfOutput();
@@ -149,7 +155,7 @@ class Baker {
 
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
-  bool energy_, refine_;
+  bool energy_, refine_, keep_frames_;
   Team* team_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
@@ -179,6 +185,7 @@ class Baker {
   bool exact_begun_ = false;
   std::vector<ActiveHold> holds_;
   KnownHolds known_holds_;
+  bool is_between_ = false;  // two ends of a step: what is not in reach there needs no hold
   const PlacementSpan* span_ = nullptr;  // null: keyed
   Vec3 pin_W_ = Vec3::Zero();
   std::optional<GravityPlacement> gravity_;  // the paper's

@@ -156,7 +156,7 @@ void Baker::RebuildDriver(int frame) {
   if (IsExact(frame)) {
     double sharpness = 1.0;
     for (const int r : active) sharpness = std::max(sharpness, refinements_[r].sharpness);
-    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness, *known_, team_);
+    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness, known_, team_);
     return;
   }
   driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);

@@ -227,20 +227,36 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
   return std::nullopt;
 }
 
-// Where nothing but curves and stops acts on the regions they are solved up to the end at once.
+// Where nothing but curves and stops acts on the regions they are solved up to the end at once, or
+// as far as so many frames need.
 Baker::Failure Baker::AdvanceUndisturbed(double from, double to, double end) {
+  constexpr size_t kMostAhead = 4096;  // frames
   const double last = Seconds(to);
-  std::vector<double> times;
-  for (const int output : OutputFrames(from, to, end)) {
-    times.push_back(Seconds(output / OutputFramesPerFrame()));
+  const std::vector<int> outputs = OutputFrames(from, to, end);
+  double done = from;
+  for (size_t i = 0; done < to; i += kMostAhead) {
+    std::vector<double> times;
+    for (size_t k = i; k < std::min(i + kMostAhead, outputs.size()); ++k) {
+      times.push_back(Seconds(outputs[k] / OutputFramesPerFrame()));
+    }
+    const bool is_last = i + kMostAhead >= outputs.size();
+    if (is_last) times.push_back(last);
+    std::sort(times.begin(), times.end());
+    const double next = is_last ? to : outputs[i + kMostAhead - 1] / OutputFramesPerFrame();
+    if (auto error = AdvanceAhead(times, done, next, to, end)) return error;
+    done = next;
   }
-  times.push_back(last);
-  std::sort(times.begin(), times.end());
-  const auto failure = exact_->AdvanceAhead(times, last, cancel_);
+  return std::nullopt;
+}
+
+// From frame to frame, with the curves' next change at `to`; the regions can be sampled at `times`.
+Baker::Failure Baker::AdvanceAhead(const std::vector<double>& times, double from, double next,
+                                   double to, double end) {
+  const auto failure = exact_->AdvanceAhead(times, Seconds(to), cancel_);
   if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
-  const double reached = failure ? failure->time : last;
+  const double reached = failure ? failure->time : Seconds(to);
   AddHits(reached);
-  if (auto error = RecordUpTo(from, FrameOf(reached, from, to), end)) return error;
+  if (auto error = RecordUpTo(from, std::min(next, FrameOf(reached, from, to)), end)) return error;
   if (!failure) return std::nullopt;
   return CannotGoOnAfter(animation_.rate.FrameAt(reached), failure->joint, failure->cause);
 }

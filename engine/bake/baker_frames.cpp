@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "engine/bake/baker.h"
 #include "engine/bake/limits.h"
@@ -11,6 +12,8 @@
 namespace hazumi {
 
 namespace {
+
+constexpr double kReachTolerance = 1e-4;  // of holds that keys just do not reach [m]
 
 Error CannotGoOn(std::string place, std::string message) {
   return {ErrorCode::kSemantics, "", std::move(place), std::move(message)};
@@ -169,32 +172,45 @@ Baker::Failure Baker::SolveHold(ActiveHold* active, double frame, Side side,
                                 const PoseOf<Jet>& X_WR, std::vector<Jet>* q) {
   const size_t index = active->hold - animation_.holds.data();
   const KnownHolds::Place place = {index, frame, side == Side::kBefore};
-  const std::vector<JointIndex>& joints = active->solver.joints();
-  KnownHolds::Numbers question = active->solver.Question(X_WR, active->target, *q), answer;
-  if (const KnownHolds::Numbers* known = known_holds_.Find(place, question)) {
-    auto value = known->begin();
-    for (const JointIndex j : joints) {
-      (*q)[j.value()] = Jet(value[0], value[1], value[2]);
-      value += 3;
+  const double tolerance = is_between_ ? 0.0 : kReachTolerance;
+  KnownHolds::Numbers question = active->solver.Question(X_WR, active->target, *q);
+  question.push_back(tolerance);
+  const KnownHolds::Numbers* answer = known_holds_.Find(place, question);
+  if (!answer) {
+    const HoldSolution solution = active->solver.Solve(X_WR, active->target, q, tolerance);
+    if (!solution.reached) return OutOfReach(index, frame, solution.distance);
+    KnownHolds::Numbers found = {solution.distance};
+    for (const JointIndex j : active->solver.joints()) {
+      const Jet& jet = (*q)[j.value()];
+      found.insert(found.end(), {jet.v, jet.d, jet.dd});
     }
-    return std::nullopt;
+    answer = known_holds_.Keep(place, std::move(question), std::move(found));
   }
-  const HoldSolution solution = active->solver.Solve(X_WR, active->target, q);
-  if (!solution.reached) {
-    return CannotGoOn("holds[" + std::to_string(index) + "]",
-                      "\"" + figure_.group(active->hold->joint).name +
-                          "\" is out of reach at frame " + FormatShort(frame) + ": " +
-                          FormatShort(solution.distance) + " m short; move the root nearer" +
-                          (active->hold->reach == HoldReach::kLimb
-                               ? ", give the hold the reach \"body\", or shorten it"
-                               : " or shorten the hold"));
+  auto value = answer->begin();
+  if (*value++ > 0.0) WarnOfReach(active);
+  for (const JointIndex j : active->solver.joints()) {
+    (*q)[j.value()] = Jet(value[0], value[1], value[2]);
+    value += 3;
   }
-  for (const JointIndex j : joints) {
-    const Jet& jet = (*q)[j.value()];
-    answer.insert(answer.end(), {jet.v, jet.d, jet.dd});
-  }
-  known_holds_.Keep(place, std::move(question), std::move(answer));
   return std::nullopt;
+}
+
+Error Baker::OutOfReach(size_t hold, double frame, double distance) const {
+  const IkHold& held = animation_.holds[hold];
+  return CannotGoOn(
+      "holds[" + std::to_string(hold) + "]",
+      "\"" + figure_.group(held.joint).name + "\" is out of reach at frame " + FormatShort(frame) +
+          ": " + FormatShort(distance) + " m short; move the root nearer" +
+          (held.reach == HoldReach::kLimb ? ", give the hold the reach \"body\", or shorten it"
+                                          : " or shorten the hold"));
+}
+
+void Baker::WarnOfReach(ActiveHold* active) {
+  if (std::exchange(active->is_warned_of, true)) return;
+  AddWarning("holds[" + std::to_string(active->hold - animation_.holds.data()) + "]",
+             "\"" + figure_.group(active->hold->joint).name +
+                 "\" is out of reach at times, by 0.1 mm at most: there it is held so much beside "
+                 "its place; move the root nearer");
 }
 
 }  // namespace hazumi

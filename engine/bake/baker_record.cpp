@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "engine/bake/baker.h"
 #include "engine/bake/limits.h"
@@ -37,8 +39,16 @@ void SortByTime(std::vector<MotionEvent>* events) {
                    [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
 }
 
+void DropRepeated(std::vector<Warning>* warnings) {
+  std::set<std::pair<std::string, std::string>> said;
+  std::erase_if(*warnings, [&](const Warning& warning) {
+    return !said.emplace(warning.place, warning.message).second;
+  });
+}
+
 void Baker::Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
                    std::optional<GroupIndex> pinned) {
+  if (!keep_frames_) return;
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   MotionFrame& frame = motion_->frames[output_frame - first_output_];
   frame.frame = output_frame;
@@ -80,7 +90,9 @@ std::vector<int> Baker::OutputFrames(double from, double to, double end) const {
 }
 
 Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
+  if (!keep_frames_ && !exact_ && holds_.empty()) return std::nullopt;  // nothing can go wrong
   for (const int output : OutputFrames(from, to, end)) {
+    if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     const double frame = output / OutputFramesPerFrame();
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
@@ -116,7 +128,10 @@ void Baker::SetBetween(const FigureMotion& from, const FigureMotion& to, FigureM
     const double seconds_before_end = Seconds(to.frame - between->frame);
     if (!gravity_->has_landed()) return gravity_->Place(&ws_, between, seconds_before_end);
   } else {
-    if (!Evaluate(between->frame, Side::kAfter, between)) return;
+    is_between_ = true;
+    const bool is_reached = !Evaluate(between->frame, Side::kAfter, between);
+    is_between_ = false;
+    if (is_reached) return;
     between->q = from.q + u * (to.q - from.q);
   }
   between->X_WR.p = from.X_WR.p + u * (to.X_WR.p - from.X_WR.p);

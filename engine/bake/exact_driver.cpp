@@ -30,7 +30,7 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const KnownLogs& known, Team* team)
+                         double sharpness, const KnownLogs* known, Team* team)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
@@ -261,8 +261,9 @@ GroupLogs ExactDriver::logs() const {
   return logs;
 }
 
-// Of the groups as they are now.
+// Of the groups as they are now, if they keep any.
 void ExactDriver::AppendLogs(GroupLogs* logs) const {
+  if (!known_) return;
   for (const Group& group : groups_) {
     logs->push_back(group.solution.log());
     logs->push_back(group.twin.log());

@@ -21,9 +21,10 @@ namespace hazumi {
 class ExactDriver {
  public:
   // `active`: indices of Animation::regions. `figure`, `team` and `known`, the logs of earlier
-  // bakes, must outlive the driver. `sharpness`: divides the tolerances of single steps.
+  // bakes, must outlive the driver; `known` null: no logs are kept. `sharpness`: divides the
+  // tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness, const KnownLogs& known, Team* team);
+              double sharpness, const KnownLogs* known, Team* team);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -106,7 +107,7 @@ class ExactDriver {
   const Figure& figure_;
   std::vector<int> active_;
   double sharpness_;
-  const KnownLogs& known_;
+  const KnownLogs* known_;
   Team* team_;
   AttachmentCache attachments_;
   GroupLogs finished_;

@@ -25,7 +25,11 @@ bool GroupSolution::IsKnown(const Numbers& question) const {
 void GroupSolution::Tell(Numbers question) {
   if (!IsKnown(question)) {
     if (!own_) own_ = std::make_shared<GroupLog>();
-    if (num_calls_ > 0 && own_->empty()) {
+    if (!keeps_log_ && num_solved_ == own_->size()) {
+      own_->clear();
+      num_solved_ = 0;
+    }
+    if (num_calls_ > 0 && own_->empty() && known_) {
       own_->assign(known_->begin(), known_->begin() + static_cast<long>(num_calls_));
     }
     own_->emplace_back().question = std::move(question);
@@ -53,7 +57,7 @@ void GroupSolution::SolveWhatWasAsked() {
 }
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
-                          const DrivenMotion& driven, const KnownLogs& known) {
+                          const DrivenMotion& driven, const KnownLogs* known) {
   constexpr size_t kUsual = 1000;  // numbers
   Numbers question;
   question.reserve(kUsual);
@@ -63,7 +67,8 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   }
   AppendCurves(task_.model, task_.model.nodes.size(), driven, &question);
   AppendTask(task_, &question);
-  known_ = known.Find(question);
+  keeps_log_ = known != nullptr;
+  if (keeps_log_) known_ = known->Find(question);
   Tell(std::move(question));
   time_ = step_start_ = t;
 }

@@ -31,9 +31,10 @@ class GroupSolution {
   const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
   double step_tolerance() const { return task_.step_tolerance; }
 
-  // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes.
+  // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes; null: it
+  // keeps none itself.
   void Begin(double t, double end, const RotationState& state, const DrivenMotion& driven,
-             const KnownLogs& known);
+             const KnownLogs* known);
   // Goes on from t, where it is, with other curves.
   void Drive(double t, double end, const DrivenMotion& driven);
   // A pin that moved with v_pin [m/s] was stopped at the time where it began.
@@ -82,6 +83,7 @@ class GroupSolution {
   AttachmentCache* attachments_;
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
   std::shared_ptr<GroupLog> own_;
+  bool keeps_log_ = true;
   size_t num_calls_ = 0;
   std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
   size_t num_solved_ = 0;          // of own_

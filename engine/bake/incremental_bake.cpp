@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
+
+#include "engine/bake/bake_size.h"
+#include "engine/base/memory.h"
 
 namespace hazumi {
 
@@ -18,6 +22,11 @@ bool IsSameOtherwise(const Animation& a, const Animation& b) {
          a.holds == b.holds && a.held_objects == b.held_objects && a.scene == b.scene;
 }
 
+std::optional<Error> CheckSize(const Animation& animation) {
+  const double bytes = MotionBytes(animation, animation.rate) + LogBytes(animation);
+  return CheckBytes(bytes, animation, animation.rate);
+}
+
 // The frame from which on a curve can differ whose keys are the same up to number `first`: the
 // tangent at the key before looks ahead to it. What leads to the first key may come from anywhere.
 double FirstReach(const Keys& keys, size_t first) {
@@ -28,21 +37,39 @@ double FirstReach(const Keys& keys, size_t first) {
 
 IncrementalBake::IncrementalBake(Animation animation, const BakeOptions& options)
     : options_(options), team_(options.threads) {
-  StartAnew(animation);
+  Update(animation);
 }
 
 void IncrementalBake::StartAnew(const Animation& animation) {
   animation_ = animation;
-  baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &team_);
   for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
   parts_.clear();
   MakeStale({-kEver, kEver});
+  try {
+    baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &team_);
+  } catch (const std::bad_alloc&) {
+    Forget(OutOfMemory());
+  }
+}
+
+// There is no motion, and what there was of it takes no memory any more.
+void IncrementalBake::Forget(const Error& error) {
+  baker_.reset();
+  parts_.clear();
+  known_.clear();
+  motion_ = Motion();
+  MakeStale({-kEver, kEver});
+  error_ = error;
 }
 
 void IncrementalBake::KeepLogs(const Stretch& stretch) { known_.Add(stretch.logs); }
 
 void IncrementalBake::Update(const Animation& animation) {
-  if (!IsSameOtherwise(animation_, animation)) return StartAnew(animation);
+  if (const auto error = CheckSize(animation)) {
+    animation_ = animation;
+    return Forget(*error);
+  }
+  if (!baker_ || !IsSameOtherwise(animation_, animation)) return StartAnew(animation);
   Reach reach{kEver, -kEver};
   for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
     ChangeKeys(animation.joint_keys[j], &animation_.joint_keys[j], &reach);
@@ -125,6 +152,15 @@ void IncrementalBake::MakeStale(const Reach& reach) {
 }
 
 std::optional<Error> IncrementalBake::BakeTo(int frame) {
+  try {
+    return BakeFurther(frame);
+  } catch (const std::bad_alloc&) {
+    Forget(OutOfMemory());
+    return error_;
+  }
+}
+
+std::optional<Error> IncrementalBake::BakeFurther(int frame) {
   frame = std::min(frame, animation_.last_frame);
   if (is_fresh(frame)) return std::nullopt;
   while (!error_ && !is_fresh(frame)) {
@@ -151,7 +187,7 @@ std::optional<Error> IncrementalBake::BakeStaleStretch() {
   const auto part = parts_.find(fresh_until_);
   KeepLogs(part->second.stretch);
   if (const auto next = std::next(part); next != parts_.end()) KeepLogs(next->second.stretch);
-  Result<std::optional<Checkpoint>> end = baker_->BakeStretch(known_, &part->second.stretch);
+  Result<std::optional<Checkpoint>> end = baker_->BakeStretch(&known_, &part->second.stretch);
   if (!end.ok()) return end.error();
   ++stretches_baked_;
   part->second.is_stale = false;
@@ -185,6 +221,7 @@ void IncrementalBake::CollectEvents() {
   motion_.placement_jumps.clear();
   for (const auto& [frame, part] : parts_) part.stretch.AppendTo(&motion_);
   SortByTime(&motion_.events);
+  DropRepeated(&motion_.warnings);
 }
 
 }  // namespace hazumi

@@ -23,8 +23,8 @@ class IncrementalBake {
   void Update(const Animation& animation);
 
   // Bakes everything up to and including a frame of the animation, as far as that is not done.
-  // After an error, as Bake gives it, everything before the frame that it names is there; the next
-  // try comes with the next edit.
+  // After an error, as Bake gives it, everything before the frame that it names is there, or where
+  // memory does not suffice nothing at all; the next try comes with the next edit.
   std::optional<Error> BakeTo(int frame);
   std::optional<Error> Finish() { return BakeTo(animation_.last_frame); }
 
@@ -56,6 +56,8 @@ class IncrementalBake {
   using Parts = std::map<int, Part>;  // by first frame
 
   void StartAnew(const Animation& animation);
+  void Forget(const Error& error);
+  std::optional<Error> BakeFurther(int frame);
   void ChangeKeys(const Keys& next, Keys* keys, Reach* reach);
   void ChangeRegions(const Animation& next, Reach* reach);
   void IncludeBlends(Reach* reach) const;

@@ -23,9 +23,12 @@ class KnownHolds {
     return is_same ? &known->second.answer : nullptr;
   }
 
-  void Keep(const Place& place, Numbers question, Numbers answer) {
+  // Returns the answer.
+  const Numbers* Keep(const Place& place, Numbers question, Numbers answer) {
     if (calls_.size() >= kMost) calls_.clear();
-    calls_[place] = {std::move(question), std::move(answer)};
+    Call& call = calls_[place];
+    call = {std::move(question), std::move(answer)};
+    return &call.answer;
   }
 
  private:

@@ -94,6 +94,8 @@ struct PlacementJump {
 
 // Puts events in order of time; events at one time stay as they are.
 void SortByTime(std::vector<MotionEvent>* events);
+// Of warnings that say the same of the same place, the first stays.
+void DropRepeated(std::vector<Warning>* warnings);
 
 // The result of a bake: the figure at every frame.
 struct Motion {

@@ -1,6 +1,8 @@
 #include "engine/bake/team.h"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 namespace hazumi {
 
@@ -29,14 +31,18 @@ Team::~Team() {
 
 void Team::Do(int count, const std::function<void(int)>& job) {
   next_ = 0;
-  if (count <= 1 || most_ == 0) return Work(job, count);
+  thrown_ = nullptr;
+  if (count <= 1 || most_ == 0) {
+    Work(job, count);
+    return Rethrow();
+  }
   const size_t wanted = std::min(most_, static_cast<size_t>(count) - 1);
   {
     const std::lock_guard lock(mutex_);
     job_ = &job;
     count_ = count;
   }
-  while (helpers_.size() < wanted) helpers_.emplace_back([this] { Help(); });
+  AddHelpers(wanted);
   wake_.notify_all();
   Work(job, count);
   // The last jobs are nearly done: to sleep and be woken would take longer.
@@ -44,6 +50,19 @@ void Team::Do(int count, const std::function<void(int)>& job) {
   std::unique_lock lock(mutex_);
   job_ = nullptr;
   rest_.wait(lock, [this] { return working_ == 0; });
+  Rethrow();
+}
+
+void Team::Rethrow() {
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+}
+
+// The system may refuse threads; then fewer do the work.
+void Team::AddHelpers(size_t wanted) {
+  try {
+    while (helpers_.size() < wanted) helpers_.emplace_back([this] { Help(); });
+  } catch (const std::system_error&) {
+  }
 }
 
 void Team::Expect() {
@@ -60,7 +79,16 @@ void Team::StayAwake(int yields) const {
 }
 
 void Team::Work(const std::function<void(int)>& job, int count) {
-  for (int i = next_++; i < count; i = next_++) job(i);
+  for (int i = next_++; i < count; i = next_++) Try(job, i);
+}
+
+void Team::Try(const std::function<void(int)>& job, int i) {
+  try {
+    job(i);
+  } catch (...) {  // for want of memory, say
+    const std::lock_guard lock(mutex_);
+    if (!thrown_) thrown_ = std::current_exception();
+  }
 }
 
 void Team::Help() {

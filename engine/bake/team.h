@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -20,15 +21,18 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   // Calls job(0) to job(count - 1), each once, in any order and thread; returns when all are done.
-  // One job alone is done in the caller's thread.
+  // One job alone is done in the caller's thread. What a job throws ends here, after all others.
   void Do(int count, const std::function<void(int)>& job);
   // Jobs are soon to come: the others wake up, and stay awake for a fifth of a millisecond.
   void Expect();
 
  private:
+  void AddHelpers(size_t wanted);
   void Help();
   void StayAwake(int yields) const;
   void Work(const std::function<void(int)>& job, int count);
+  void Rethrow();
+  void Try(const std::function<void(int)>& job, int i);
 
   size_t most_;  // threads besides the caller's
   std::vector<std::thread> helpers_;
@@ -37,6 +41,7 @@ class Team {
   std::condition_variable wake_, rest_;
   std::atomic<const std::function<void(int)>*> job_ = nullptr;  // null: nothing to take
   int count_ = 0;
+  std::exception_ptr thrown_;     // the first
   std::atomic<int> working_ = 0;  // helpers; written under the mutex
   bool is_expecting_ = false, is_over_ = false;
 };

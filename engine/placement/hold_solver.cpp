@@ -66,10 +66,35 @@ HoldSolver::HoldSolver(const Figure& figure, const IkHold& hold)
       lu_(n_ + m_) {}
 
 HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target,
-                               std::vector<Jet>* q) {
-  const Problem problem{X_WR, target, *q};
+                               std::vector<Jet>* q, double tolerance) {
+  HoldSolution solution = SolveExactly({X_WR, target, *q});
+  if (!solution.reached && solution.distance <= tolerance) {
+    solution.reached = SolveBeside(X_WR, target, *q);
+  }
+  for (int r = 0; r < n_ && solution.reached; ++r) (*q)[joints()[r].value()] = x_jet_[r];
+  return solution;
+}
+
+// Holds the point nearest to the target, or a little farther inside: a limb that is quite straight
+// has no rates. Where it is out of reach by next to nothing only the chain's start tells which way
+// inside is.
+bool HoldSolver::SolveBeside(const PoseOf<Jet>& X_WR, const HoldTarget& target,
+                             const std::vector<Jet>& q) {
+  const Vec3 nearest = nearest_;
+  const Vec3 away = nearest - target.position, to_start = chain_start_ - nearest;
+  for (const double inside : {1e-6, 1e-5}) {  // [m]
+    for (const Vec3& inwards : {to_start, away}) {
+      const HoldTarget beside{nearest + inside * inwards.normalized(), target.orientation};
+      if (SolveExactly({X_WR, beside, q}).reached) return true;
+    }
+  }
+  return false;
+}
+
+// The solved angles are left in x_jet_.
+HoldSolution HoldSolver::SolveExactly(const Problem& problem) {
   for (int r = 0; r < n_; ++r) {
-    keyed_jet_[r] = (*q)[joints()[r].value()];
+    keyed_jet_[r] = problem.q[joints()[r].value()];
     keyed_[r] = keyed_jet_[r].v;
   }
   StartFrom(0);
@@ -79,7 +104,6 @@ HoldSolution HoldSolver::Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target
   }
   if (Excess() > kBeyond) PreferTheLimits(problem);
   FindRates(problem);
-  for (int r = 0; r < n_; ++r) (*q)[joints()[r].value()] = x_jet_[r];
   return {true, 0.0};
 }
 
@@ -150,7 +174,13 @@ bool HoldSolver::ConvergeFromAfar(const Problem& problem, double* distance) {
   *distance = std::numeric_limits<double>::infinity();
   for (int start = 0; start < kStarts; ++start) {
     StartFrom(start);
-    *distance = std::min(*distance, LeastDistance(problem));
+    const double nearer = LeastDistance(problem);
+    if (nearer < *distance) {
+      *distance = nearer;
+      chain_.Place<double>(problem.X_WR, problem.q, x_, &pose_);
+      nearest_ = pose_.p;
+      chain_start_ = pose_.origin[0];
+    }
     if (Converge(problem, kNewtonSteps, Hessian::kFull)) return true;
     StartFrom(start);
     LeastDistance(problem);

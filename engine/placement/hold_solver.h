@@ -20,7 +20,7 @@ struct HoldTarget {
 struct HoldSolution {
   bool reached = false;
   // How far the held joint stays from its target [m], its orientation as good as it gets; 0 if
-  // reached.
+  // reached, or with a tolerance at most about that.
   double distance = 0.0;
 };
 
@@ -42,8 +42,10 @@ class HoldSolver {
   const std::vector<JointIndex>& joints() const { return chain_.unknowns(); }
 
   // `q`: all joints of the figure as jets, keyed on entry; the solved ones are replaced if the
-  // target is reached.
-  HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q);
+  // target is reached. One that is out of reach by no more than `tolerance` [m] is reached: in its
+  // place the nearest point is held that is within reach by a micrometre or ten.
+  HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q,
+                     double tolerance = 0.0);
 
   // All numbers of the arguments that the solution depends on.
   std::vector<double> Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
@@ -57,6 +59,8 @@ class HoldSolver {
   };
   enum class Hessian { kFull, kWithoutChain };
 
+  HoldSolution SolveExactly(const Problem& problem);
+  bool SolveBeside(const PoseOf<Jet>& X_WR, const HoldTarget& target, const std::vector<Jet>& q);
   bool Converge(const Problem& problem, int iterations, Hessian hessian);
   double Excess() const;
   void PreferTheLimits(const Problem& problem);
@@ -80,6 +84,8 @@ class HoldSolver {
   PivotedLu lu_;
   Eigen::FullPivLU<MatX> lu_singular_;
   bool singular_ = false;
+  // The point nearest to a target out of reach, and where the chain begins there [m].
+  Vec3 nearest_ = Vec3::Zero(), chain_start_ = Vec3::Zero();
 };
 
 }  // namespace hazumi

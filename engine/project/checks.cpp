@@ -17,12 +17,12 @@ constexpr ErrorCode kCannotWrite = ErrorCode::kCannotWrite;
 constexpr CheckText kTexts[] = {
     {Check::kCannotRead, kNoInput, "cannot be read: {}"},
     {Check::kNotAFile, kNoInput, "is not a file"},
-    {Check::kFileTooBig, kSchema, "is larger than 64 MiB, the most that Hazumi reads"},
+    {Check::kFileTooBig, kSchema, "is larger than 160 MiB, the most that Hazumi reads"},
     {Check::kNotUtf8, kSyntax, "not UTF-8 text; save the file as UTF-8"},
     {Check::kNotJson, kSyntax, "not JSON: {}"},
     {Check::kNumberOverflow, kSchema, "the number {} is out of range"},
     {Check::kTooDeep, kSchema, "more than 64 objects and arrays inside each other"},
-    {Check::kTooManyValues, kSchema, "more than 5000000 values in the file"},
+    {Check::kTooManyValues, kSchema, "its values would need more than {} MB of memory"},
     {Check::kFieldTwice, kSchema, "the field {} is given twice; keep one of them"},
 
     {Check::kNotAProject, kSchema,
@@ -137,8 +137,8 @@ constexpr CheckText kTexts[] = {
     {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
     {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},
     {Check::kTooLargeToSave, kCannotWrite,
-     "would be {}, which Hazumi does not read back (at most 64 MiB and 5000000 values): use fewer "
-     "keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
+     "would be {}, which Hazumi does not read back (at most 160 MiB, and 600 MB in memory): use "
+     "fewer keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
 };
 static_assert(std::size(kTexts) == static_cast<size_t>(Check::kNumChecks));
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <map>
+#include <string_view>
+#include <unordered_set>
 
 #include "engine/project/field_checks.h"
 #include "engine/project/project_fields.h"
@@ -17,7 +19,25 @@ constexpr double kNarrowestView = 1.0, kWidestView = 179.0;  // [deg]
 constexpr long kMostFrames = 1'000'000;
 constexpr int kSolverVersion = 1;
 
+// Files hold no larger numbers.
+void CheckWhole(int number, const char* field, const Site& site) {
+  if (std::abs(static_cast<double>(number)) > kLargestNumber)
+    CheckNumber(number, site.Field(field));
+}
+
+// Nor a field twice.
+template <typename T>
+void CheckFieldsUnique(const std::vector<Named<T>>& items, const Site& site) {
+  std::unordered_set<std::string_view> names;
+  for (const Named<T>& item : items) {
+    if (names.insert(item.name).second) continue;
+    site.Field(item.name).Report(Check::kFieldTwice, {Quoted(item.name)});
+  }
+}
+
 void CheckFramesOrder(const ProjectFrames& frames, const Site& site) {
+  CheckWhole(frames.first, "first", site);
+  CheckWhole(frames.last, "last", site);
   if (frames.first <= frames.last) return;
   site.Report(Check::kFramesReversed, {std::to_string(frames.last), std::to_string(frames.first)});
 }
@@ -27,6 +47,8 @@ void CheckTime(const Project& project, const Site& site) {
   const bool good = project.fps.den > 0 && rate >= kSlowestRate && rate <= kFastestRate;
   site.errors->Require(good, Check::kBadFrameRate, "fps",
                        {std::to_string(project.fps.num), std::to_string(project.fps.den)});
+  CheckWhole(project.fps.num, "num", site.Field("fps"));
+  CheckWhole(project.fps.den, "den", site.Field("fps"));
   CheckFramesOrder(project.frames, site.Field("frames"));
   if (project.preview) CheckFramesOrder(*project.preview, site.Field("preview"));
   const long first = project.frames.first, last = project.frames.last;
@@ -81,6 +103,7 @@ void CheckCurves(const Project& project, const Site& site) {
     CheckCurve(project.root.curves[i], KeyFieldsOf(i),
                site.Field("root").Field(kRootCurveNames[i]));
   }
+  CheckFieldsUnique(project.joints, site.Field("joints"));
   for (const auto& joint : project.joints) {
     CheckCurve(joint.value, kAngleKey, site.Field("joints").Field(joint.name));
   }
@@ -93,12 +116,15 @@ void CheckFactor(double factor, const Site& site) {
 
 void CheckFriction(const ProjectFriction& friction, const Site& site) {
   CheckFactor(friction.default_factor, site.Field("default"));
+  CheckFieldsUnique(friction.joints, site.Field("joints"));
   for (const auto& joint : friction.joints) {
     CheckFactor(joint.value, site.Field("joints").Field(joint.name));
   }
 }
 
 void CheckSpan(int first, int last, const Site& site) {
+  CheckWhole(first, "first_frame", site);
+  CheckWhole(last, "last_frame", site);
   if (first < last) return;
   site.Report(Check::kSpanEmpty, {std::to_string(first), std::to_string(last)});
 }
@@ -109,6 +135,7 @@ void CheckRegion(const ProjectRegion& region, const Site& site) {
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
   CheckFriction(region.friction, site.Field("friction"));
   CheckFineness(region, site);
+  CheckWhole(region.blend_frames, "blend_frames", site);
   if (region.blend_frames >= 0) return;
   site.Field("blend_frames").Report(Check::kNegative, {std::to_string(region.blend_frames)});
 }
@@ -137,9 +164,11 @@ void CheckShape(const ProjectBox& box, const Site& site) {
 }
 void CheckShape(const ProjectSphereShape& sphere, const Site& site) {
   CheckPositive(sphere.radius_m, site.Field("sphere").Field("radius_m"));
+  CheckNumber(sphere.radius_m, site.Field("sphere").Field("radius_m"));
 }
 void CheckShape(const ProjectBoxShape& box, const Site& site) {
   CheckPositive(box.size_m, site.Field("box").Field("size_m"));
+  CheckNumber(box.size_m, site.Field("box").Field("size_m"));
 }
 
 // Scene objects and held ones.
@@ -149,6 +178,8 @@ void CheckObject(const Object& object, const Site& site) {
   CheckColor(object.color, site.Field("color"));
   if constexpr (requires { object.mass_kg; }) {
     CheckPositive(object.mass_kg, site.Field("mass_kg"));
+    CheckNumber(object.mass_kg, site.Field("mass_kg"));
+    CheckWhole(object.release_frame.value_or(0), "release_frame", site);
     CheckNumber(object.offset_m, site.Field("offset_m"));
   }
 }
@@ -169,6 +200,7 @@ void ForEach(const Items& items, const Site& site, CheckItem check) {
 
 void CheckScene(const Project& project, const Site& site) {
   CheckNotNegative(project.scene.gravity_m_s2, site.Field("scene").Field("gravity_m_s2"));
+  CheckNumber(project.scene.gravity_m_s2, site.Field("scene").Field("gravity_m_s2"));
   const Site objects = site.Field("scene").Field("objects"), held = site.Field("held_objects");
   CheckNamesUnique(project.scene.objects, objects);
   CheckNamesUnique(project.held_objects, held);
@@ -196,6 +228,7 @@ void CheckDocument(const Project& project, FirstError* errors) {
   ForEach(project.holds, site.Field("holds"), check_span);
   ForEach(project.markers, site.Field("markers"), [](const auto& marker, const Site& place) {
     CheckNotEmpty(marker.name, place.Field("name"));
+    CheckWhole(marker.frame, "frame", place);
   });
 }
 

@@ -21,7 +21,8 @@ std::string LineAndColumn(std::string_view text, size_t offset) {
 // deep text cannot exhaust the stack. Each callback's result says whether to go on.
 class TreeBuilder : public nlohmann::json_sax<Json> {
  public:
-  TreeBuilder(std::string_view text, FirstError* errors) : text_(text), errors_(errors) {}
+  TreeBuilder(std::string_view text, FirstError* errors, size_t most_bytes)
+      : text_(text), errors_(errors), most_bytes_(most_bytes) {}
 
   Json TakeTree() { return std::move(tree_); }
 
@@ -40,8 +41,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     level.field = name;
-    if (level.fields.insert(name).second) return true;
-    return Fail(Check::kFieldTwice, {Quoted(name)});
+    if (!level.fields.insert(name).second) return Fail(Check::kFieldTwice, {Quoted(name)});
+    return Take(NameBytes(name) + kFieldOfSet);
   }
 
   bool parse_error(size_t position, const std::string& token,
@@ -57,6 +58,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   }
 
  private:
+  static constexpr size_t kFieldOfSet = 80;  // memory of a field in Level::fields [bytes]
   struct Level {
     Json container;
     std::string field;                       // of an object: the one being read
@@ -73,7 +75,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   }
 
   bool Add(Json value) {
-    if (++num_values_ > kMaxJsonValues) return Fail(Check::kTooManyValues);
+    if (!Take(TreeBytes(value))) return false;
     if (levels_.empty()) {
       tree_ = std::move(value);
       return true;
@@ -90,6 +92,13 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  // Memory of the tree.
+  bool Take(size_t bytes) {
+    bytes_ += bytes;
+    return bytes_ <= most_bytes_ ||
+           Fail(Check::kTooManyValues, {std::to_string(most_bytes_ / 1'000'000)});
+  }
+
   bool Open(Json container) {
     if (levels_.size() >= kMaxJsonDepth) return Fail(Check::kTooDeep);
     levels_.push_back({std::move(container), {}, {}});
@@ -98,6 +107,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
   bool Close() {
     Json done = std::move(levels_.back().container);
+    bytes_ -= levels_.back().fields.size() * kFieldOfSet;
     levels_.pop_back();
     return Add(std::move(done));
   }
@@ -125,18 +135,31 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   FirstError* errors_;
   std::vector<Level> levels_;
   Json tree_;
-  size_t num_values_ = 0;
+  size_t bytes_ = 0, most_bytes_;
 };
 
 }  // namespace
 
-std::optional<Json> ParseJson(std::string_view text, FirstError* errors) {
+// Lists double as they grow; what is in a string or list has a block of its own.
+size_t TreeBytes(const Json& value) {
+  constexpr size_t kSlot = 2 * sizeof(Json), kBlock = 16;
+  if (value.is_structured()) return kSlot + sizeof(std::vector<Json>) + 2 * kBlock;
+  if (!value.is_string()) return kSlot;
+  return kSlot + sizeof(std::string) + kBlock + value.get_ref<const std::string&>().size();
+}
+
+size_t NameBytes(std::string_view name) {
+  constexpr size_t kInside = 15;  // letters that need no block
+  return sizeof(std::string) * 3 / 2 + (name.size() > kInside ? name.size() : 0);
+}
+
+std::optional<Json> ParseJson(std::string_view text, FirstError* errors, size_t most_bytes) {
   const size_t bad = FindInvalidUtf8(text);
   if (bad != std::string_view::npos) {
     errors->Report(Check::kNotUtf8, LineAndColumn(text, bad));
     return std::nullopt;
   }
-  TreeBuilder builder(text, errors);
+  TreeBuilder builder(text, errors, most_bytes);
   if (!Json::sax_parse(text, &builder)) return std::nullopt;
   return builder.TakeTree();
 }

@@ -16,13 +16,17 @@ Json ToJson(const ProjectFigure& figure) {
 
 std::string WriteProject(const Project& project) { return FormatJson(ToJson(project)); }
 
-// As the reader counts them: objects and arrays among them.
-static size_t CountValues(const Json& json) {
-  size_t count = 1;
-  if (json.is_structured()) {
-    for (const Json& item : json) count += CountValues(item);
+// As the reader counts it.
+static size_t BytesOfTree(const Json& json) {
+  size_t bytes = TreeBytes(json);
+  if (json.is_array()) {
+    for (const Json& item : json) bytes += BytesOfTree(item);
+  } else if (json.is_object()) {
+    for (const auto& item : json.items()) {
+      bytes += NameBytes(item.key()) + BytesOfTree(item.value());
+    }
   }
-  return count;
+  return bytes;
 }
 
 static Error TooLarge(const std::string& size, const std::string& path) {
@@ -33,8 +37,8 @@ static Error TooLarge(const std::string& size, const std::string& path) {
 
 Result<std::string> TextToSave(const Project& project, const std::string& path) {
   const Json json = ToJson(project);
-  const size_t values = CountValues(json);
-  if (values > kMaxJsonValues) return TooLarge(std::to_string(values) + " values", path);
+  const size_t bytes = BytesOfTree(json);
+  if (bytes > kMaxTreeBytes) return TooLarge(std::to_string(bytes / 1000000) + " MB", path);
   std::string text = FormatJson(json);
   if (text.size() > kLargestFile) {
     return TooLarge(std::to_string(text.size() >> 20) + " MiB", path);
@@ -42,10 +46,11 @@ Result<std::string> TextToSave(const Project& project, const std::string& path) 
   return text;
 }
 
-Result<Done> SaveProject(const Project& project, const std::string& path) {
+Result<Done> SaveProject(const Project& project, const std::string& path,
+                         const std::atomic<bool>* cancel) {
   const Result<std::string> text = TextToSave(project, path);
   if (!text.ok()) return text.error();
-  return ReplaceTextFile(path, text.value());
+  return ReplaceTextFile(path, text.value(), cancel);
 }
 
 void RebaseReferences(Project* project, const std::string& from_folder,

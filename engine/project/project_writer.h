@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "engine/base/result.h"
@@ -17,8 +18,10 @@ std::string WriteProject(const Project& project);
 Result<std::string> TextToSave(const Project& project, const std::string& path);
 
 // Writes the file all or nothing: a failure leaves the old file as it was. An existing file keeps
-// its permissions; a link is followed. Error: kCannotWrite.
-Result<Done> SaveProject(const Project& project, const std::string& path);
+// its permissions; a link is followed. Errors: kCannotWrite; kInterrupted where `cancel` is set
+// before the file has its name.
+Result<Done> SaveProject(const Project& project, const std::string& path,
+                         const std::atomic<bool>* cancel = nullptr);
 
 // Makes a relative figure reference, good in `from_folder`, good in `to_folder`: for "save as".
 void RebaseReferences(Project* project, const std::string& from_folder,

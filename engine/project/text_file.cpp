@@ -45,7 +45,8 @@ Result<std::string> ReadTextFile(const std::string& path) {
   return text;
 }
 
-Result<Done> ReplaceTextFile(const std::string& path, std::string_view text) {
+Result<Done> ReplaceTextFile(const std::string& path, std::string_view text,
+                             const std::atomic<bool>* cancel) {
   const auto old = StatusOf(path);
   if (old && !S_ISREG(old->st_mode)) {
     return Fail(path, Check::kCannotReplace, {"it is not a file"});
@@ -53,7 +54,8 @@ Result<Done> ReplaceTextFile(const std::string& path, std::string_view text) {
   if (old && ::access(path.c_str(), W_OK) != 0) {
     return Fail(path, Check::kCannotReplace, {std::strerror(errno)});
   }
-  const int reason = ReplaceFile(path, text, WriteMode::kDurable);
+  const int reason = ReplaceFile(path, text, WriteMode::kDurable, cancel);
+  if (reason == ECANCELED) return Error{ErrorCode::kInterrupted, path, "", "is not written"};
   if (reason != 0) return Fail(path, Check::kCannotWrite, {std::strerror(reason)});
   return Done{};
 }

@@ -2,6 +2,7 @@
 
 // Whole text files.
 
+#include <atomic>
 #include <string>
 #include <string_view>
 
@@ -9,13 +10,15 @@
 
 namespace hazumi {
 
-inline constexpr size_t kLargestFile = 64u << 20;  // bytes that are read
+inline constexpr size_t kLargestFile = 160u << 20;  // bytes that are read
 
-// The contents of a regular file of at most 64 MiB. Errors: kNoInput; kSchema if too big.
+// The contents of a regular file of at most 160 MiB. Errors: kNoInput; kSchema if too big.
 Result<std::string> ReadTextFile(const std::string& path);
 
 // Replaces or creates the file all or nothing: a new file in the same folder takes its place once
-// it is safely on the disk. Permissions are kept, a link is followed. Error: kCannotWrite.
-Result<Done> ReplaceTextFile(const std::string& path, std::string_view text);
+// it is safely on the disk. Permissions are kept, a link is followed. Errors: kCannotWrite;
+// kInterrupted where `cancel` is set before that.
+Result<Done> ReplaceTextFile(const std::string& path, std::string_view text,
+                             const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace hazumi

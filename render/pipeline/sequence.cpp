@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "engine/base/memory.h"
 #include "render/pipeline/frame_ring.h"
 #include "render/pipeline/offscreen.h"
 
@@ -67,8 +68,11 @@ Result<int> RenderSideBySide(OffscreenRenderer& renderer, const SequenceOptions&
                              const Sequence& sequence) {
   FrameRing ring(options.width, options.height);
   Result<int> written = 0;
-  std::thread writer([&] { written = WriteAll(sequence, ring); });
-  const Result<Done> drawn = DrawAll(renderer, sequence, ring);
+  std::thread writer([&] {
+    written = WithinMemory([&] { return WriteAll(sequence, ring); });
+    if (!written.ok()) ring.StopWriting();
+  });
+  const Result<Done> drawn = WithinMemory([&] { return DrawAll(renderer, sequence, ring); });
   ring.CloseDrawing();
   writer.join();
   if (!drawn.ok()) return drawn.error();

@@ -1,6 +1,7 @@
 #include "ui/edit/background_bake.h"
 
 #include <chrono>
+#include <new>
 
 namespace hazumi::edit {
 
@@ -10,6 +11,15 @@ BakeOptions OptionsWith(const std::atomic<bool>* cancel) {
   BakeOptions options;
   options.cancel = cancel;
   return options;
+}
+
+// Nothing where there is not enough memory for two.
+Motion Copy(const Motion& motion) {
+  try {
+    return motion;
+  } catch (const std::bad_alloc&) {
+    return Motion();
+  }
 }
 
 Error NotYet(bool is_stopped) {
@@ -59,7 +69,7 @@ std::optional<Error> BackgroundBake::BakeTo(int frame, std::optional<double> pat
   if (WaitFor(*patience)) return Outcome(frame);
   Interrupt();
   if (bake_.is_fresh(frame)) return std::nullopt;
-  shown_ = bake_.motion();
+  shown_ = Copy(bake_.motion());
   is_beside_ = true;
   Start(last_frame_);
   return NotYet(false);

@@ -72,11 +72,7 @@ Result<LockedFile> LockedFile::Open(const std::string& path) {
   return file;
 }
 
-bool LockedFile::is_in_place() const {
-  struct stat own, there;
-  return ::fstat(fd_, &own) == 0 && ::stat(path_.c_str(), &there) == 0 &&
-         own.st_ino == there.st_ino && own.st_dev == there.st_dev;
-}
+bool LockedFile::is_in_place() const { return IsFileAt(fd_, path_); }
 
 Result<std::string> LockedFile::Read() const {
   std::string text;

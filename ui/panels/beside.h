@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "engine/base/memory.h"
 #include "engine/base/result.h"
 
 namespace hazumi::ui {
@@ -15,7 +16,7 @@ class Beside {
  public:
   explicit Beside(std::function<Result<T>()> work)
       : thread_([this, work = std::move(work)] {
-          result_ = work();
+          result_ = WithinMemory(work);
           has_ended_ = true;
         }) {}
   ~Beside() { thread_.join(); }

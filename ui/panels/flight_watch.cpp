@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/memory.h"
 #include "ui/panels/flight_text.h"
 
 namespace hazumi::ui {
@@ -65,9 +66,14 @@ void FlightWatch::Begin(edit::Session* session, const Motion& motion) {
   job_->gravity = animation.gravity;
   job_->placements = animation.placements;
   job_->thread = std::thread([job = job_.get()] {
-    MotionSeries series = SeriesOf(*job->figure, job->motion);
-    series.scale_known = !job->size_is_guessed;
-    job->analysis = AnalyseFlights(series, job->gravity);
+    const auto analyse = [job]() -> Result<FlightAnalysis> {
+      MotionSeries series = SeriesOf(*job->figure, job->motion);
+      series.scale_known = !job->size_is_guessed;
+      return AnalyseFlights(series, job->gravity);
+    };
+    if (Result<FlightAnalysis> found = WithinMemory(analyse); found.ok()) {
+      job->analysis = std::move(found).value();
+    }
     job->has_ended = true;
   });
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/import_job.h"
 
+#include "engine/base/memory.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
 #include "ui/edit/imported.h"
@@ -11,7 +12,7 @@ ImportJob::ImportJob(std::string path)
     : path_(std::move(path)), thread_([this] {
         ReadOptions options;
         options.is_cancelled = [this] { return cancel_.load(); };
-        character_ = ReadCharacter(path_, options);
+        character_ = WithinMemory([&] { return ReadCharacter(path_, options); });
         has_ended_ = true;
       }) {}
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "engine/base/memory.h"
 #include "ui/edit/new_project.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/filled.h"
@@ -121,8 +122,10 @@ int CountExisting(const RenderTask& task) {
 
 RenderJob::RenderJob(RenderTask task, PictureWriter writer)
     : task_(std::move(task)), thread_([this, writer = std::move(writer)] {
-        result_ = writer(
-            task_, [this](int written) { written_ = written; }, &cancel_);
+        result_ = WithinMemory([&] {
+          return writer(
+              task_, [this](int written) { written_ = written; }, &cancel_);
+        });
         has_ended_ = true;
       }) {}
 

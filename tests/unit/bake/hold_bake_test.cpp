@@ -93,6 +93,40 @@ TEST(Hold, OutOfReachIsAnErrorWithFrameAndDistance) {
   EXPECT_NE(error.message.find(expected), std::string::npos) << error.message << expected;
 }
 
+// The human stands on straight legs, whose ankles are held while the pelvis rises by so much [m].
+Animation Stretch(double rise, Method method) {
+  Animation animation = Still(Human());
+  animation.solver.method = method;
+  animation.root_keys[kRootZ] = {{0, 0.9, {}, kCubic}, {5, 0.9 + rise, {}, kCubic}};
+  AddHold(&animation, 0, 5, "r_ankle", false);
+  AddHold(&animation, 0, 5, "l_ankle", false);
+  KeyTheRest(&animation);
+  return animation;
+}
+
+TEST(Hold, OutOfReachByATenthOfAMillimetreIsHeldThatMuchBesideWithAWarning) {
+  for (const Method method : {Method::kExact, Method::kPaper}) {
+    for (const double rise : {1e-12, 1e-9, 3e-8, 1e-6, 5e-5, 9e-5}) {
+      const Animation animation = Stretch(rise, method);
+      const Motion motion = BakeOrFail(animation);
+      for (const char* ankle : {"r_ankle", "l_ankle"}) {
+        const Vec3 held = OriginOf(animation, motion.frames[0], ankle);
+        for (int f = 0; f <= 5; ++f) {
+          EXPECT_LE((OriginOf(animation, motion.frames[f], ankle) - held).norm(), rise + 1.1e-5)
+              << rise << ankle << f;
+          EXPECT_TRUE(motion.frames[f].after.qd.allFinite()) << rise << ankle << f;
+        }
+      }
+      if (rise < 1e-9) continue;
+      ASSERT_EQ(motion.warnings.size(), 2u) << rise;
+      EXPECT_EQ(motion.warnings[0].place, "holds[0]");
+      EXPECT_NE(motion.warnings[0].message.find("by 0.1 mm at most"), std::string::npos);
+    }
+    const Error error = BakeError(Stretch(1.2e-4, method));
+    EXPECT_NE(error.message.find("out of reach"), std::string::npos) << error.message;
+  }
+}
+
 // The human bows by its keys while both hands hold on, elbows bent to begin with.
 Animation HoldOn(double bow) {
   Animation animation = Still(Human());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <set>
 
 #include "engine/bake/bake.h"
@@ -47,6 +48,21 @@ TEST(Team, OfOneDoesAllJobsInTheCallersThread) {
   std::set<std::thread::id> threads;
   team.Do(20, [&](int) { threads.insert(std::this_thread::get_id()); });
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
+}
+
+TEST(Team, ThrowsWhatAJobThrewAfterAllOthersAreDone) {
+  Team team(3);
+  for (int round = 0; round < 200; ++round) {
+    std::atomic<int> done = 0;
+    const auto job = [&](int i) {
+      if (i == round % 5) throw std::bad_alloc();
+      ++done;
+    };
+    EXPECT_THROW(team.Do(5, job), std::bad_alloc);
+    EXPECT_EQ(done, 4);
+    team.Do(5, [&](int) { ++done; });
+    EXPECT_EQ(done, 9);
+  }
 }
 
 // Both arms and their twins are four jobs.

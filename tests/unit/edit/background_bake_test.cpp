@@ -8,6 +8,7 @@
 #include "engine/bake/bake.h"
 #include "tests/support/animations.h"
 #include "tests/support/long_timeline.h"
+#include "tests/support/memory_limit.h"
 
 namespace hazumi::test {
 namespace {
@@ -87,6 +88,43 @@ TEST(BackgroundBake, WhatWasStoppedStaysSoUntilItIsWanted) {
   ASSERT_TRUE(stopped);
   EXPECT_NE(stopped->message.find("stopped"), std::string::npos);
   bake.Resume();
+  EXPECT_FALSE(bake.BakeTo(2000, std::nullopt));
+  ExpectSameMotion(bake.motion(), Bake(animation).value());
+}
+
+TEST(BackgroundBake, SaysWhatTakesTooMuchMemoryAndLivesOn) {
+  Animation animation = LongTimeline(2000, 20);
+  BackgroundBake bake(animation);
+  animation.last_frame = 999999;
+  bake.Update(animation);
+  for (const std::optional<double> patience :
+       {std::optional(kNoPatience), std::optional<double>()}) {
+    const std::optional<Error> error = bake.BakeTo(0, patience);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->message.find("GB of memory"), std::string::npos) << error->message;
+    EXPECT_FALSE(bake.is_busy());
+  }
+  animation = LongTimeline(2000, 20);
+  bake.Update(animation);
+  EXPECT_FALSE(bake.BakeTo(2000, std::nullopt));
+  ExpectSameMotion(bake.motion(), Bake(animation).value());
+}
+
+TEST(BackgroundBake, SurvivesThatMemoryRunsOut) {
+  if (!CanLimitMemory()) GTEST_SKIP() << "a sanitizer needs terabytes of addresses";
+  Animation animation = LongTimeline(2000, 20);
+  BackgroundBake bake(animation);
+  animation.last_frame = 200000;
+  {
+    // Enough for the frames' list, which is made here, but not for what is in it, by the thread.
+    const MemoryLimit limit(350e6);
+    bake.Update(animation);
+    const std::optional<Error> error = bake.BakeTo(200000, 1e9);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->message.find("not enough memory"), std::string::npos) << error->message;
+  }
+  animation = LongTimeline(2000, 20);
+  bake.Update(animation);
   EXPECT_FALSE(bake.BakeTo(2000, std::nullopt));
   ExpectSameMotion(bake.motion(), Bake(animation).value());
 }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <numbers>
 
 #include "engine/project/project_reader.h"
+#include "engine/project/project_writer.h"
 #include "tests/unit/project/sample.h"
 
 namespace hazumi::testing {
@@ -149,6 +151,48 @@ TEST(CompileAnimation, AnEmptyProjectRests) {
   EXPECT_EQ(compiled.animation.joint_keys.size(),
             static_cast<size_t>(compiled.animation.figure->num_joints()));
   EXPECT_TRUE(compiled.warnings.empty());
+}
+
+// What an editor may come to hold and no file can: saved, it could not be read back.
+TEST(CompileAnimation, RefusesWhatCouldNotBeReadBack) {
+  static constexpr int kWhole = 2'000'000'000;
+  static constexpr double kLarge = 2e9;
+  const std::vector<std::function<void(Project*)>> changes = {
+      [](Project* p) {
+        p->fps = {kWhole, kWhole / 30, {}};
+      },
+      [](Project* p) { p->frames.last = kWhole; },
+      [](Project* p) { p->frames.first = -kWhole; },
+      [](Project* p) { p->preview->last = kWhole; },
+      [](Project* p) { p->scene.gravity_m_s2 = kLarge; },
+      [](Project* p) { p->joints[0].value.keys.back().value = kLarge; },
+      [](Project* p) { p->joints.push_back(p->joints[0]); },
+      [](Project* p) { p->regions[0].last_frame = kWhole; },
+      [](Project* p) { p->regions[0].blend_frames = kWhole; },
+      [](Project* p) {
+        p->regions[0].friction.joints.push_back({"r_wrist", 0.5});
+      },
+      [](Project* p) { p->placements[0].last_frame = kWhole; },
+      [](Project* p) { p->holds[0].last_frame = kWhole; },
+      [](Project* p) { p->markers[0].frame = kWhole; },
+      [](Project* p) { p->held_objects[0].mass_kg = kLarge; },
+      [](Project* p) { p->held_objects[0].release_frame = kWhole; },
+      [](Project* p) {
+        p->held_objects[0].shape = ProjectSphereShape{kLarge, {}};
+      },
+      [](Project* p) {
+        p->held_objects[0].shape = ProjectBoxShape{{kLarge, 1, 1}, {}};
+      },
+      [](Project* p) { p->camera->eye_m.x() = kLarge; },
+  };
+  for (size_t i = 0; i < changes.size(); ++i) {
+    Project project = ParseGood(SampleProject());
+    changes[i](&project);
+    EXPECT_FALSE(ParseProject(WriteProject(project), "a.kfa").ok()) << i;
+    const Result<Compiled> compiled = CompileAnimation(project);
+    ASSERT_FALSE(compiled.ok()) << i;
+    EXPECT_EQ(compiled.error().code, ErrorCode::kSchema) << i << compiled.error().ToString();
+  }
 }
 
 }  // namespace

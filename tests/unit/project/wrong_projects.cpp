@@ -1,5 +1,6 @@
 #include "tests/unit/project/wrong_projects.h"
 
+#include "engine/project/json.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/wrong_makers.h"
 
@@ -15,7 +16,7 @@ std::string LoadFolder() {
 std::string LoadHugeFile() {
   const TemporaryFolder folder;
   WriteFile(folder / "huge.kfa", "{");
-  std::filesystem::resize_file(folder / "huge.kfa", (64u << 20) + 1);
+  std::filesystem::resize_file(folder / "huge.kfa", (160u << 20) + 1);
   return Complaint(LoadProject(folder / "huge.kfa"));
 }
 
@@ -37,7 +38,7 @@ Say SaveTo(std::string name) {
 std::string SaveHuge() {
   const TemporaryFolder folder;
   Project project = ParseGood(SampleProject());
-  project.name.assign(65u << 20, 'a');
+  project.name.assign(161u << 20, 'a');
   const std::string said = Complaint(SaveProject(project, folder / "huge.kfa"));
   return std::filesystem::exists(folder / "huge.kfa") ? "it is saved" : said;
 }
@@ -48,13 +49,19 @@ std::string Repeated(const std::string& text, int count) {
   return all;
 }
 
+std::string ParseInto3MB() {
+  FirstError errors;
+  const bool is_read = ParseJson("[" + Repeated("0,", 100000) + "0]", &errors, 3000000).has_value();
+  return is_read ? "it is read" : errors.error()->ToString();
+}
+
 std::vector<WrongProject> WrongFiles() {
   return {
       {Check::kCannotRead, [] { return Complaint(LoadProject("/nowhere/a.kfa")); },
        "cannot be read: No such file or directory"},
       {Check::kNotAFile, LoadFolder, "is not a file"},
       {Check::kNotAFile, [] { return Complaint(LoadProject("/dev/zero")); }, "is not a file"},
-      {Check::kFileTooBig, LoadHugeFile, "is larger than 64 MiB, the most that Hazumi reads"},
+      {Check::kFileTooBig, LoadHugeFile, "is larger than 160 MiB, the most that Hazumi reads"},
       {Check::kNotUtf8, Text("{\n \"name\": \"弾\xFF\"}"),
        "line 2, column 12: not UTF-8 text; save the file as UTF-8"},
       {Check::kNotJson, Text(""),
@@ -71,8 +78,8 @@ std::vector<WrongProject> WrongFiles() {
        "[0][0][0][0][0][0][0][0]: more than 64 objects and arrays inside each other"},
       {Check::kTooDeep, Text(Repeated("{\"a\":", 1000)),
        "a.a.a.a.a.a.a.a: more than 64 objects and arrays inside each other"},
-      {Check::kTooManyValues, Text("[" + Repeated("0,", 5000000) + "0]"),
-       "[5000000]: more than 5000000 values in the file"},
+      {Check::kTooManyValues, ParseInto3MB,
+       "[93750]: its values would need more than 3 MB of memory"},
       {Check::kFieldTwice, Text(R"({"joints": {"r_knee": 1, "r_knee": 2}})"),
        "joints.r_knee: the field \"r_knee\" is given twice; keep one of them"},
       {Check::kFigureUnreadable, Read("/figure", R"({"file": "missing.json"})"),
@@ -85,8 +92,8 @@ std::vector<WrongProject> WrongFiles() {
       {Check::kCannotWrite, SaveTo("missing/a.kfa"),
        "cannot be written: No such file or directory"},
       {Check::kTooLargeToSave, SaveHuge,
-       "would be 65 MiB, which Hazumi does not read back (at most 64 MiB and 5000000 values): use "
-       "fewer keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
+       "would be 161 MiB, which Hazumi does not read back (at most 160 MiB, and 600 MB in memory): "
+       "use fewer keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
       {Check::kCannotReplace, SaveTo("."), "cannot be replaced: it is not a file"},
   };
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace hazumi::test {
+
+// Not where a sanitizer has memory of its own.
+inline bool CanLimitMemory() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return false;
+#elif defined(__has_feature)  // clang's way to tell
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  return false;
+#else
+  return true;
+#endif
+#else
+  return true;
+#endif
+}
+
+// While it lives, this process gets so many more bytes.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(double more) {
+    ::getrlimit(RLIMIT_AS, &old_);
+    const rlimit limit{Taken() + static_cast<rlim_t>(more), old_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &old_); }
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+ private:
+  static rlim_t Taken() {
+    long pages = 0;
+    FILE* file = std::fopen("/proc/self/statm", "r");
+    EXPECT_EQ(std::fscanf(file, "%ld", &pages), 1);
+    std::fclose(file);
+    return static_cast<rlim_t>(pages * ::sysconf(_SC_PAGESIZE));
+  }
+
+  rlimit old_{};
+};
+
+}  // namespace hazumi::test
