@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -11,7 +10,7 @@
 #include "ui/edit/script.h"
 #include "ui/edit/state_folder.h"
 #include "ui/panels/actions.h"
-#include "ui/shell/offscreen_shell.h"
+#include "ui/shell/scripted_editor.h"
 #include "ui/shell/window_shell.h"
 
 namespace hazumi {
@@ -22,38 +21,6 @@ Result<Done> Open(const Options& options, ui::Editor* editor) {
   if (options.files.empty()) return Done();
   return editor->Invoke("file.open", {{"path", options.files[0]}});
 }
-
-using edit::ParameterInfo;
-
-// An editor that a script drives. Only pictures need a context to draw with.
-class ScriptedEditor {
- public:
-  explicit ScriptedEditor(render::PictureSize size) : size_(size) {}
-  ui::Editor& editor() { return editor_; }
-
-  // Beside what the editor knows: "capture" draws it, "wait" lets time pass.
-  Result<Done> Do(const std::string& id, const edit::Json& parameters) {
-    if (id != "capture" && id != "wait") return editor_.Invoke(id, parameters);
-    const std::vector<ParameterInfo> infos = {
-        id == "wait" ? ParameterInfo{"seconds", edit::ParameterKind::kNumber, true, "how long"}
-                     : ParameterInfo{"path", edit::ParameterKind::kText, true, "a .png file"}};
-    const auto checked = edit::Parameters::Check(infos, parameters);
-    if (!checked.ok()) return checked.error();
-    if (!shell_) {
-      auto made = ui::OffscreenShell::Create(&editor_, size_);
-      if (!made.ok()) return made.error();
-      shell_ = std::move(made).value();
-    }
-    if (id == "capture") return shell_->Capture(checked.value().text("path"));
-    shell_->Frame(checked.value().number("seconds"));
-    return Done();
-  }
-
- private:
-  render::PictureSize size_;
-  ui::Editor editor_;
-  std::unique_ptr<ui::OffscreenShell> shell_;
-};
 
 // How long events took until their picture was finished.
 class Trace {
@@ -99,7 +66,7 @@ int RunEdits(const Options& options) {
   const Result<std::string> text = ReadTextFile(options.script);
   if (!text.ok()) return Complain(text.error());
   const PictureSize size = options.size.value_or(PictureSize{1280, 800});
-  ScriptedEditor scripted({size.width, size.height});
+  ui::ScriptedEditor scripted({size.width, size.height});
   const Result<Done> opened = Open(options, &scripted.editor());
   if (!opened.ok()) return Complain(opened.error());
   const Result<Done> done = edit::RunScript(

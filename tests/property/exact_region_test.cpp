@@ -13,11 +13,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 #include "engine/bake/bake.h"
 #include "tests/property/random_region.h"
+#include "tests/support/from_environment.h"
 
 namespace hazumi::test {
 namespace {
@@ -25,11 +25,6 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTolerance = 0.01;  // [deg]
 constexpr double kChaos = 1e-4;      // references may differ by this much [deg]
-
-int FromEnvironment(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atoi(text) : otherwise;
-}
 
 struct Tally {
   int cases = 0, failed = 0, set_aside = 0, too_far = 0, underestimated = 0;

@@ -158,8 +158,7 @@ void TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout) {
     NavigateTime(editor, layout.frame);
     ScrollRows(&editor->sheet, layout);
   }
-  if (!is_hovered || editor->has_tool()) return;
-  if (editor->sheet.quiet_frame == ImGui::GetFrameCount()) return;
+  if (!is_hovered || editor->has_tool() || editor->sheet.is_quiet) return;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   const SheetHit hit = HitDopeSheet(layout, editor->session(), mouse);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

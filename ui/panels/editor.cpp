@@ -84,6 +84,12 @@ void Editor::Take(std::unique_ptr<Tool> next) {
   tool_ = std::move(next);
 }
 
+void Editor::DropTool() {
+  tool_.reset();
+  sheet.box.reset();
+  sheet.paint.reset();
+}
+
 void Editor::UpdateTool(const ToolInput& input) {
   if (!tool_) return;
   std::unique_ptr<Tool> tool = std::move(tool_);

@@ -77,6 +77,8 @@ class Editor {
   bool has_tool() const { return tool_ != nullptr; }
   std::string tool_hint() const { return tool_ ? tool_->hint() : ""; }
   void UpdateTool(const ToolInput& input);
+  // Puts down what was in hand for a document that is no longer there.
+  void DropTool();
 
   // Frames from first to last that are played: the preview range, or all.
   int first_frame() const { return session_.project().frames.first; }
@@ -100,6 +102,7 @@ class Editor {
   GroundWatch ground;
   FlightWatch flights;
   std::optional<Splitter> dragged_splitter;
+  Point mouse;  // where a window saw it last [px]
   bool wants_to_quit = false;
   ScenePainter paint_scene;
   PictureWriter write_pictures;  // from any thread

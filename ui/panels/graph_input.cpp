@@ -12,36 +12,6 @@ namespace hazumi::ui {
 
 namespace {
 
-class DragHandleTool : public SheetDrag {
- public:
-  DragHandleTool(Editor* editor, Point start, const GraphKey& key, int side, std::string curve)
-      : SheetDrag(editor, start, true), key_(key), side_(side), curve_(std::move(curve)) {
-    rate_ = side == 0 ? key.rate_before : key.rate;
-  }
-
-  std::string hint() const override {
-    return std::string(Tr("Rate of key")) + "  " + curve_ + "  " + FormatShort(rate_) + Tr("°/s") +
-           "   " + Tr("Ctrl: whole tens") + "   " + DragKeys(false);
-  }
-
- protected:
-  void Follow(Editor* editor, const ToolInput& input) override {
-    if (!has_moved()) return;
-    double rate = RateTowards(CurrentGraph(editor), key_, side_, input.mouse);
-    rate = input.snap ? 10.0 * std::round(rate / 10.0) : std::round(10.0 * rate) / 10.0;
-    if (rate == rate_) return;
-    rate_ = rate;
-    editor->Do("key.rate",
-               {{"curve", curve_}, {"frame", key_.frame}, {"rate", rate}, {"drag", drag()}});
-  }
-
- private:
-  GraphKey key_;
-  int side_;
-  std::string curve_;
-  double rate_;
-};
-
 void ClickKey(Editor* editor, const GraphLayout& layout, const GraphKey& key, Point mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.KeyAlt) {
@@ -125,19 +95,13 @@ void Explain(const GraphLayout& layout, const GraphHit& hit) {
 
 }  // namespace
 
-std::unique_ptr<Tool> MakeDragHandle(Editor* editor, Point start, const GraphKey& key, int side,
-                                     const std::string& curve) {
-  return std::make_unique<DragHandleTool>(editor, start, key, side, curve);
-}
-
 void TakeGraphInput(Editor* editor, const GraphLayout& layout) {
   const bool is_hovered = ImGui::IsItemHovered();
   if (is_hovered || ImGui::IsItemActive()) {
     NavigateTime(editor, layout.frame);
     NavigateValues(&editor->sheet, layout);
   }
-  if (!is_hovered || editor->has_tool()) return;
-  if (editor->sheet.quiet_frame == ImGui::GetFrameCount()) return;
+  if (!is_hovered || editor->has_tool() || editor->sheet.is_quiet) return;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   const GraphHit hit = HitGraph(layout, mouse);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

@@ -1,12 +1,9 @@
 #include "ui/panels/key_tools.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/text.h"
-#include "ui/panels/graph_layout.h"
 #include "ui/panels/sheet_drag.h"
 
 namespace hazumi::ui {
@@ -157,6 +154,36 @@ class BoxSelectTool : public SheetDrag {
   const char* mode_ = "replace";
 };
 
+class DragHandleTool : public SheetDrag {
+ public:
+  DragHandleTool(Editor* editor, Point start, const GraphKey& key, int side, std::string curve)
+      : SheetDrag(editor, start, true), key_(key), side_(side), curve_(std::move(curve)) {
+    rate_ = side == 0 ? key.rate_before : key.rate;
+  }
+
+  std::string hint() const override {
+    return std::string(Tr("Rate of key")) + "  " + curve_ + "  " + FormatShort(rate_) + Tr("°/s") +
+           "   " + Tr("Ctrl: whole tens") + "   " + DragKeys(false);
+  }
+
+ protected:
+  void Follow(Editor* editor, const ToolInput& input) override {
+    if (!has_moved()) return;
+    double rate = RateTowards(CurrentGraph(editor), key_, side_, input.mouse);
+    rate = input.snap ? 10.0 * std::round(rate / 10.0) : std::round(10.0 * rate) / 10.0;
+    if (rate == rate_) return;
+    rate_ = rate;
+    editor->Do("key.rate",
+               {{"curve", curve_}, {"frame", key_.frame}, {"rate", rate}, {"drag", drag()}});
+  }
+
+ private:
+  GraphKey key_;
+  int side_;
+  std::string curve_;
+  double rate_;
+};
+
 }  // namespace
 
 std::unique_ptr<Tool> MakeMoveKeys(Editor* editor, Point start, MoveKeysOptions options) {
@@ -169,6 +196,11 @@ std::unique_ptr<Tool> MakeScaleKeys(Editor* editor, Point start) {
 
 std::unique_ptr<Tool> MakeBoxSelect(Editor* editor, Point start, bool by_button) {
   return std::make_unique<BoxSelectTool>(editor, start, by_button);
+}
+
+std::unique_ptr<Tool> MakeDragHandle(Editor* editor, Point start, const GraphKey& key, int side,
+                                     const std::string& curve) {
+  return std::make_unique<DragHandleTool>(editor, start, key, side, curve);
 }
 
 void SelectKeys(Editor* editor, const KeyList& keys, const char* mode) {

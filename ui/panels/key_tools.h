@@ -5,6 +5,7 @@
 
 #include "ui/panels/dope_sheet_layout.h"
 #include "ui/panels/editor.h"
+#include "ui/panels/graph_layout.h"
 
 namespace hazumi::ui {
 
@@ -22,6 +23,10 @@ std::unique_ptr<Tool> MakeScaleKeys(Editor* editor, Point start);
 
 // Selects the keys in a rectangle. Not held: it waits for the button.
 std::unique_ptr<Tool> MakeBoxSelect(Editor* editor, Point start, bool by_button);
+
+// A handle of the graph follows the mouse and sets the rate of its key.
+std::unique_ptr<Tool> MakeDragHandle(Editor* editor, Point start, const GraphKey& key, int side,
+                                     const std::string& curve);
 
 // Runs "keys.select".
 void SelectKeys(Editor* editor, const KeyList& keys, const char* mode);

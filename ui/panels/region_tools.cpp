@@ -1,7 +1,5 @@
 #include "ui/panels/region_tools.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -60,7 +58,7 @@ class PaintRegionTool : public SheetDrag {
 
  protected:
   void Follow(Editor* editor, const ToolInput& input) override {
-    has_clicked_ = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    has_clicked_ = input.is_pressed;
     where_ = input.mouse;
     if (!is_held_) return;
     const DopeSheetLayout layout = LayOutDopeSheet(editor->session(), editor->sheet,

@@ -1,7 +1,5 @@
 #include "ui/panels/sheet_actions.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 
 #include "ui/edit/edits.h"
@@ -16,13 +14,6 @@ namespace hazumi::ui::sheet {
 
 namespace {
 
-// Where the mouse is; without a window, in the middle of the sheet.
-Point Mouse(const Editor& editor) {
-  const Rect& rect = editor.sheet.rect;
-  if (!ImGui::GetCurrentContext()) return {rect.x + 0.5f * rect.w, rect.y + 0.5f * rect.h};
-  return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
-}
-
 Error NoKeys() { return {ErrorCode::kSchema, "", "", "no key is selected; click one"}; }
 
 Result<Done> TakeMove(Editor* editor, bool duplicates) {
@@ -30,7 +21,7 @@ Result<Done> TakeMove(Editor* editor, bool duplicates) {
   MoveKeysOptions options;
   options.duplicates = duplicates;
   if (editor->sheet.kind == SheetKind::kGraph) options.value_per_px = ValuePerPx(editor);
-  editor->Take(MakeMoveKeys(editor, Mouse(*editor), options));
+  editor->Take(MakeMoveKeys(editor, editor->mouse, options));
   return Done();
 }
 
@@ -47,12 +38,12 @@ Result<Done> DuplicateKeys(Editor* editor, const Parameters&) { return TakeMove(
 
 Result<Done> ScaleKeys(Editor* editor, const Parameters&) {
   if (editor->session().selected_keys().empty()) return NoKeys();
-  editor->Take(MakeScaleKeys(editor, Mouse(*editor)));
+  editor->Take(MakeScaleKeys(editor, editor->mouse));
   return Done();
 }
 
 Result<Done> BoxSelect(Editor* editor, const Parameters&) {
-  editor->Take(MakeBoxSelect(editor, Mouse(*editor), false));
+  editor->Take(MakeBoxSelect(editor, editor->mouse, false));
   return Done();
 }
 
@@ -80,12 +71,12 @@ Result<Done> Delete(Editor* editor, const Parameters&) {
 
 Result<Done> MarkRegion(Editor* editor, const Parameters&) {
   editor->sheet.kind = SheetKind::kDopeSheet;
-  editor->Take(MakePaintRegion(editor, Mouse(*editor)));
+  editor->Take(MakePaintRegion(editor, editor->mouse));
   return Done();
 }
 
 Result<Done> PreviewRange(Editor* editor, const Parameters&) {
-  editor->Take(MakePreviewRange(editor, Mouse(*editor)));
+  editor->Take(MakePreviewRange(editor, editor->mouse));
   return Done();
 }
 

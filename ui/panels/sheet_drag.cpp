@@ -1,7 +1,5 @@
 #include "ui/panels/sheet_drag.h"
 
-#include <imgui.h>
-
 #include <cmath>
 
 #include "engine/base/text.h"
@@ -25,11 +23,11 @@ bool SheetDrag::Update(Editor* editor, const ToolInput& input) {
     Cancel(editor);
   } else {
     Follow(editor, input);
-    const bool is_done = by_button_ ? !ImGui::IsMouseDown(ImGuiMouseButton_Left) : input.confirm;
+    const bool is_done = by_button_ ? !input.is_held : input.confirm;
     if (!is_done) return true;
     Finish(editor);
   }
-  editor->sheet.quiet_frame = ImGui::GetFrameCount();
+  editor->sheet.is_quiet = true;
   return false;
 }
 

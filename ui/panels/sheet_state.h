@@ -55,9 +55,8 @@ struct SheetState {
     int first_frame = 0, last_frame = 0;
   };
   std::optional<Paint> paint;  // of a region to be
-  // ImGui's number of the frame in which a tool ended: the click that ended it does no more.
-  int quiet_frame = -1;
-  int num_drags = 0;  // so far: each has a name of its own
+  bool is_quiet = false;       // a tool ended in this frame: the click that ended it does no more
+  int num_drags = 0;           // so far: each has a name of its own
   // The drag in which a span of placement was edited last, its index when that began, and the
   // document's revision after the last edit of it.
   struct SpanDrag {

@@ -10,12 +10,15 @@ namespace hazumi::ui {
 
 class Editor;
 
-// What happened since the last frame while a tool was in hand.
+// What happened since the last frame while a tool was in hand. It is all that a tool knows of mouse
+// and keys: who feeds it need not be a window.
 struct ToolInput {
   Point mouse;              // where the mouse is now
   std::vector<Chord> keys;  // pressed, in order
   bool confirm = false;     // left button or Enter
   bool cancel = false;      // right button or Esc
+  bool is_pressed = false;  // the left button went down
+  bool is_held = false;     // the left button is down
   bool precise = false;     // Shift is held
   bool snap = false;        // Ctrl is held
 };

@@ -70,6 +70,7 @@ void FrameNewDocument(Editor* editor) {
   long& framed = editor->viewport.framed_document;
   if (framed == editor->session().document_number()) return;
   framed = editor->session().document_number();
+  editor->DropTool();
   const bool is_new = editor->session().document().path().empty();
   if (is_new || !FrameAll(editor).ok()) editor->viewport.camera = OrbitCamera();
   editor->Do("sheet.frame_all");

@@ -1,7 +1,5 @@
 #include "ui/panels/viewport_drag_tool.h"
 
-#include <imgui.h>
-
 #include <cstdio>
 
 #include "ui/panels/number_text.h"
@@ -20,7 +18,7 @@ bool DragTool::Update(Editor* editor, const ToolInput& input) {
     TakeBack(editor);
     return false;
   }
-  const bool is_released = is_held_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool is_released = is_held_ && !input.is_held;
   if (!is_released && (is_held_ || !input.confirm)) return true;
   editor->Do("edit.end_drag");
   return false;

@@ -31,10 +31,12 @@ std::vector<Chord> PressedKeys(bool with_repeats) {
 void FeedTool(Editor* editor) {
   const ImGuiIO& io = ImGui::GetIO();
   ToolInput input;
-  input.mouse = FromIm(io.MousePos);
+  input.mouse = editor->mouse;
+  input.is_pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  input.is_held = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   input.precise = io.KeyShift;
   input.snap = io.KeyCtrl;
-  input.confirm = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  input.confirm = input.is_pressed;
   input.cancel = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
   for (const Chord& chord : PressedKeys(true)) {
     input.confirm |= chord.key == kEnter || chord.key == kPadEnter;
@@ -99,6 +101,8 @@ void DrawWindow(Editor* editor, float width, float height) {
   SetLanguage(editor->settings.language);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  if (ImGui::IsMousePosValid()) editor->mouse = mouse;
+  editor->sheet.is_quiet = false;
   CloseMenusByKey();
   if (editor->has_tool()) {
     FeedTool(editor);

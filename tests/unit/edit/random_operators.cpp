@@ -1,87 +1,178 @@
 #include "tests/unit/edit/random_operators.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <map>
+
+#include "tests/unit/edit/likely_numbers.h"
+#include "ui/edit/edits.h"
 
 namespace hazumi::test {
 
 namespace {
 
 using edit::Json;
-using edit::Operator;
 using edit::ParameterInfo;
 using edit::ParameterKind;
+using edit::Session;
+using edit::Thing;
 
-// Texts that mean something to one operator or another.
-const char* const kTexts[] = {"r_knee",   "l_elbow_flexion", "root.z", "root.angle_y", "r_shoulder",
-                              "l_toe",    "floor",           "box",    "arms",         "region",
-                              "region 2", "cubic",           "hold",   "exact",        "paper",
-                              "pinned",   "gravity",         "keyed",  "replace",      "add",
-                              "#112233",  "before",          "auto",   "flat",         "toggle",
-                              "r_hand",   "nobody",          ""};
-const char* const kNames[] = {"pelvis",      "r_knee", "l_knee", "r_shoulder+",
-                              "l_shoulder+", "chest",  "l_wrist"};
-
-Json RandomValue(ParameterKind kind, Random* random) {
-  switch (kind) {
-    case ParameterKind::kText:
-      return kTexts[random->Integer(0, std::size(kTexts) - 1)];
-    case ParameterKind::kNumber:
-      return random->Chance(0.5) ? Json(random->Integer(0, 30)) : Json(random->Uniform(-1.0, 1.0));
-    case ParameterKind::kInteger:
-      return random->Integer(0, 30);
-    case ParameterKind::kYesNo:
-      return random->Chance(0.5);
-    case ParameterKind::kNames: {
-      Json names = Json::array();
-      for (int i = random->Integer(1, 3); i > 0; --i) {
-        names.push_back(kNames[random->Integer(0, std::size(kNames) - 1)]);
-      }
-      return names;
-    }
-    case ParameterKind::kNumbers: {
-      Json numbers = Json::array();
-      for (int i = random->Integer(1, 3); i > 0; --i) numbers.push_back(random->Integer(0, 30));
-      return numbers;
-    }
-  }
-  return {};
+template <typename T>
+const T& OneOf(const std::vector<T>& list, Random* random) {
+  return list[random->Integer(0, static_cast<int>(list.size()) - 1)];
 }
 
-// What a parameter of this name is likely to mean; the others get any text.
-const std::map<std::string, std::vector<const char*>> kWords = {
-    {"curve", {"r_knee", "l_elbow_flexion", "root.z", "root.angle_y"}},
-    {"joint", {"r_knee", "l_elbow_flexion", "r_shoulder", "l_toe"}},
-    {"link", {"r_hand", "l_thigh", "pelvis"}},
-    {"region", {"region", "arms", "region 2"}},
-    {"object", {"floor", "box"}},
-    {"name", {"box", "arms", "region", "region 2", "floor"}},
-    {"mode", {"replace", "add", "remove", "toggle"}},
-    {"side", {"before", "after"}},
-    {"kind", {"auto", "flat", "keyed", "pinned", "gravity"}},
-    {"pin", {"l_toe", "r_wrist"}},
-    {"interpolation", {"hold", "linear", "quadratic", "cubic"}}};
+// Texts that mean something to one operator or another.
+const std::vector<std::string> kTexts = {"r_knee", "root.z", "root.angle_y", "floor",        "arms",
+                                         "cubic",  "hold",   "exact",        "gravity",      "add",
+                                         "before", "nobody", "a\nb\t",       "\u5f3e\u307f", ""};
 
-Json LikelyValue(const ParameterInfo& info, Random* random) {
-  const std::string name = info.name;
-  if (name == "index") return random->Integer(0, 2);
-  if (name == "friction" || name == "factor") return random->Uniform(0.0, 1.1);
-  if (name == "first" && random->Chance(0.9)) return random->Integer(0, 14);
-  if (name == "last" && random->Chance(0.9)) return random->Integer(15, 30);
-  // Scenes that someone might have: at 5 frames a second, with elbows that turn by a degree, the
-  // swings last seconds and take millions of steps.
-  if (name == "num") return random->Integer(24, 60);
-  if (name == "den") return 1;
-  if (name == "lower") return random->Integer(-120, -20);
-  if (name == "upper") return random->Integer(20, 120);
-  const auto words = kWords.find(name);
-  if (words == kWords.end() || random->Chance(0.1)) return RandomValue(info.kind, random);
-  return words->second[random->Integer(0, static_cast<int>(words->second.size()) - 1)];
+Json AnyValue(ParameterKind kind, Random* random) {
+  Json list = Json::array();
+  switch (kind) {
+    case ParameterKind::kText:
+      return OneOf(kTexts, random);
+    case ParameterKind::kNumber:
+      return random->Chance(0.5) ? Json(random->Integer(-5, 40)) : Json(random->Uniform(-1.0, 1.0));
+    case ParameterKind::kInteger:
+      return random->Integer(-5, 40);
+    case ParameterKind::kYesNo:
+      return random->Chance(0.5);
+    case ParameterKind::kNames:
+      for (int i = random->Integer(0, 3); i > 0; --i) list.push_back(OneOf(kTexts, random));
+      return list;
+    case ParameterKind::kNumbers:
+      for (int i = random->Integer(0, 3); i > 0; --i) list.push_back(random->Integer(-5, 40));
+      return list;
+  }
+  return list;
+}
+
+template <typename List>
+std::vector<std::string> NamesOf(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& entry : list) names.push_back(entry.name);
+  return names;
+}
+
+// What a project has of a thing that is named.
+std::vector<std::string> NamesOf(Thing thing, const Session& session) {
+  const Figure& figure = session.figure();
+  const Project& project = session.project();
+  switch (thing) {
+    case Thing::kJoint:
+      return NamesOf(figure.groups());
+    case Thing::kHinge:
+      return NamesOf(figure.joints());
+    case Thing::kJointOrHinge: {
+      std::vector<std::string> names = NamesOf(figure.groups()), hinges = NamesOf(figure.joints());
+      names.insert(names.end(), hinges.begin(), hinges.end());
+      return names;
+    }
+    case Thing::kCurve:
+      return edit::CurveNames(project);
+    case Thing::kRegion:
+      return NamesOf(project.regions);
+    case Thing::kObject:
+      return NamesOf(project.scene.objects);
+    case Thing::kLink:
+      return NamesOf(figure.links());
+    default:
+      return {};
+  }
+}
+
+// How many a project has of a thing that is counted; none: it is named otherwise.
+std::optional<size_t> CountOf(Thing thing, const Project& project) {
+  if (thing == Thing::kMarker) return project.markers.size();
+  if (thing == Thing::kPlacement) return project.placements.size();
+  if (thing == Thing::kHold) return project.holds.size();
+  return std::nullopt;
+}
+
+bool IsNamed(Thing thing) { return thing >= Thing::kJoint && thing <= Thing::kLink; }
+
+bool HasAny(Thing thing, const Session& session) {
+  if (const auto count = CountOf(thing, session.project())) return *count > 0;
+  return !IsNamed(thing) || !NamesOf(thing, session).empty();
+}
+
+Json LikelyNumberFor(const std::string& id, const ParameterInfo& info, const Session& session,
+                     Random* random) {
+  const Range range = LikelyRange(id, info.name, session);
+  const double value = random->Uniform(range.low, range.high);
+  const bool is_whole = info.kind == ParameterKind::kInteger || IsFrame(info.name);
+  return is_whole ? Json(static_cast<int>(std::lround(value))) : Json(value);
+}
+
+std::string RandomColor(Random* random) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%06x", random->Integer(0, 0xffffff));
+  return text;
+}
+
+// A name or number of something that there is; null if there is nothing.
+Json SomeOf(Thing thing, const Session& session, Random* random) {
+  if (thing == Thing::kColor) return RandomColor(random);
+  if (thing == Thing::kShare) return random->Uniform(0.0, 1.0);
+  if (const auto count = CountOf(thing, session.project())) {
+    return *count == 0 ? Json() : Json(random->Integer(0, static_cast<int>(*count) - 1));
+  }
+  const std::vector<std::string> names = NamesOf(thing, session);
+  return names.empty() ? Json() : Json(OneOf(names, random));
+}
+
+Json SomeNames(const std::string& id, Thing thing, const Session& session, Random* random) {
+  Json list = Json::array();
+  for (int i = random->Integer(1, 3); i > 0; --i) {
+    Json name = SomeOf(thing, session, random);
+    if (name.is_null()) continue;
+    if (id == "region.add" && random->Chance(0.3)) name = name.get<std::string>() + "+";
+    if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+  }
+  return list;
+}
+
+const std::map<std::string, std::vector<const char*>> kEndings = {
+    {"file.export", {".bvh", ".glb", ".gltf", ".csv", ".json"}}, {"file.save", {".kfa"}}};
+
+Json SomePath(const std::string& id, const RandomFiles& files, Random* random) {
+  if (id == "file.import") return OneOf(files.characters, random);
+  const auto endings = kEndings.find(id);
+  if (endings == kEndings.end()) return OneOf(files.projects, random);
+  return files.folder + "/written_" + std::to_string(random->Integer(0, 3)) +
+         OneOf(endings->second, random);
+}
+
+Json LikelyText(const std::string& id, const std::string& name, const RandomFiles& files,
+                Random* random) {
+  if (name == "path") return SomePath(id, files, random);
+  if (name == "drag") return "drag " + std::to_string(random->Integer(0, 1));
+  if (name == "name") return "name " + std::to_string(random->Integer(0, 40));
+  return OneOf(kTexts, random);
+}
+
+Json LikelyValue(const std::string& id, const ParameterInfo& info, const Session& session,
+                 const RandomFiles& files, Random* random) {
+  const std::vector<std::string> words = edit::WordsOf(info.offer);
+  if (!words.empty()) return OneOf(words, random);
+  if (info.kind == ParameterKind::kNames) return SomeNames(id, info.offer.thing, session, random);
+  if (info.offer.thing != Thing::kAny) {
+    const Json some = SomeOf(info.offer.thing, session, random);
+    return some.is_null() ? AnyValue(info.kind, random) : some;
+  }
+  if (info.kind == ParameterKind::kText) return LikelyText(id, info.name, files, random);
+  if (info.kind != ParameterKind::kNumber && info.kind != ParameterKind::kInteger) {
+    return AnyValue(info.kind, random);
+  }
+  return LikelyNumberFor(id, info, session, random);
 }
 
 struct KeyPlace {
   std::string curve;
   double frame;
 };
+
 std::vector<KeyPlace> PlacesOfKeys(const Project& project) {
   std::vector<KeyPlace> places;
   for (const Named<ProjectCurve>& curve : project.joints) {
@@ -91,39 +182,96 @@ std::vector<KeyPlace> PlacesOfKeys(const Project& project) {
 }
 
 // Of an operator that wants keys: some that there are.
-void NameKeys(const Operator& op, const Project& project, Random* random, Json* parameters) {
+void NameKeys(const std::string& id, const Project& project, Random* random, Json* parameters) {
   const std::vector<KeyPlace> places = PlacesOfKeys(project);
   if (places.empty()) return;
-  const auto some = [&] { return places[random->Integer(0, int(places.size()) - 1)]; };
-  if (op.id == std::string("keys.select")) {
+  if (id == "keys.select") {
     Json curves = Json::array(), frames = Json::array();
-    for (int i = random->Integer(0, 20); i > 0; --i) {
-      const KeyPlace place = some();
+    for (int i = random->Integer(0, 12); i > 0; --i) {
+      const KeyPlace& place = OneOf(places, random);
       curves.push_back(place.curve);
       frames.push_back(place.frame);
     }
     parameters->update({{"curves", curves}, {"frames", frames}});
-  } else if (parameters->contains("curve") && parameters->contains("frame")) {
-    const KeyPlace place = some();
-    parameters->update({{"curve", place.curve}, {"frame", place.frame}});
+  } else if (id.starts_with("key.") && parameters->contains("frame")) {
+    const KeyPlace& place = OneOf(places, random);
+    if (parameters->contains("curve")) (*parameters)["curve"] = place.curve;
+    (*parameters)["frame"] = place.frame;
   }
+}
+
+// A first and a last frame in their order.
+void Order(const char* first, const char* last, const ProjectFrames& all, Json* parameters) {
+  if (!parameters->contains(first) || !parameters->contains(last)) return;
+  Json &a = (*parameters)[first], &b = (*parameters)[last];
+  if (a > b) std::swap(a, b);
+  if (a != b || !a.is_number_integer()) return;
+  if (a.get<int>() > all.first) {
+    a = a.get<int>() - 1;
+  } else {
+    b = b.get<int>() + 1;
+  }
+}
+
+// A little longer or shorter.
+void KeepRange(const ProjectFrames& frames, Random* random, Json* parameters) {
+  const int last = std::clamp(frames.last + random->Integer(-3, 3), frames.first + 5, 60);
+  if (parameters->contains("first")) (*parameters)["first"] = frames.first;
+  if (parameters->contains("last")) (*parameters)["last"] = last;
+}
+
+// A frame or a hinge of the region that is named.
+void KeepInRegion(const Session& session, Random* random, Json* parameters) {
+  const std::vector<ProjectRegion>& regions = session.project().regions;
+  if (!parameters->contains("region") || regions.empty()) return;
+  const ProjectRegion& region = OneOf(regions, random);
+  (*parameters)["region"] = region.name;
+  if (parameters->contains("frame")) {
+    (*parameters)["frame"] = random->Integer(region.first_frame, region.last_frame);
+  }
+  if (!parameters->contains("joint") || region.joints.empty()) return;
+  const std::string& name = OneOf(region.joints, random).name;
+  const auto group = session.figure().FindGroup(name);
+  const Figure& figure = session.figure();
+  (*parameters)["joint"] = group ? figure.joint(figure.group(*group).first).name : name;
+}
+
+// Only what a format has.
+void KeepToFormat(Json* parameters) {
+  const std::string path = parameters->value("path", "");
+  if (!path.ends_with(".bvh")) parameters->erase("up"), parameters->erase("unit");
+  if (!path.ends_with("f") && !path.ends_with("glb")) parameters->erase("skin");
 }
 
 }  // namespace
 
-Json RandomParameters(const edit::Operator& op, const Project& project, Random* random) {
+Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& infos,
+                      const Session& session, const RandomFiles& files, Random* random) {
   Json parameters = Json::object();
-  for (const ParameterInfo& info : op.parameters) {
-    if (info.is_required || random->Chance(0.4)) {
-      parameters[info.name] = LikelyValue(info, random);
-    }
+  for (const ParameterInfo& info : infos) {
+    if (!info.is_required && !random->Chance(0.35)) continue;
+    parameters[info.name] = random->Chance(0.03) ? AnyValue(info.kind, random)
+                                                 : LikelyValue(id, info, session, files, random);
   }
-  if (parameters.contains("region") && !project.regions.empty() && random->Chance(0.9)) {
-    const int last = static_cast<int>(project.regions.size()) - 1;
-    parameters["region"] = project.regions[random->Integer(0, last)].name;
-  }
-  if (random->Chance(0.7)) NameKeys(op, project, random, &parameters);
+  if (random->Chance(0.1)) return parameters;
+  NameKeys(id, session.project(), random, &parameters);
+  if (id == "time.range") KeepRange(session.project().frames, random, &parameters);
+  if (id.starts_with("region.")) KeepInRegion(session, random, &parameters);
+  if (id == "file.export") KeepToFormat(&parameters);
+  Order("first", "last", session.project().frames, &parameters);
+  Order("to_first", "to_last", session.project().frames, &parameters);
   return parameters;
+}
+
+bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& infos,
+                    const Session& session) {
+  const bool is_of_selected = id.starts_with("keys.") && !id.starts_with("keys.select");
+  if (id == "keys.paste") return !session.key_clipboard().empty();
+  if (id == "pose.paste") return !session.clipboard().empty();
+  if (is_of_selected && session.selected_keys().empty()) return false;
+  return std::all_of(infos.begin(), infos.end(), [&](const ParameterInfo& info) {
+    return !info.is_required || HasAny(info.offer.thing, session);
+  });
 }
 
 }  // namespace hazumi::test

@@ -1,13 +1,42 @@
 #pragma once
 
-#include "engine/project/project.h"
+#include <string>
+#include <vector>
+
 #include "tests/support/random.h"
-#include "ui/edit/operator.h"
+#include "ui/edit/session.h"
 
 namespace hazumi::test {
 
-// Parameters that an operator takes, though it may refuse them: likely names, and keys and regions
-// that the project has.
-edit::Json RandomParameters(const edit::Operator& op, const Project& project, Random* random);
+// Files for operators that read or write some.
+struct RandomFiles {
+  std::string folder;                   // to write into
+  std::vector<std::string> projects;    // to open
+  std::vector<std::string> characters;  // to import
+};
+
+// Parameters that an operator or action takes, though it may refuse them: mostly things that the
+// project has, by what each parameter offers, and numbers that somebody might type; one in twenty
+// is anything of its kind.
+edit::Json RandomParameters(const std::string& id, const std::vector<edit::ParameterInfo>& infos,
+                            const edit::Session& session, const RandomFiles& files, Random* random);
+
+// Nothing that it must name or change is missing. Others are refused for certain.
+bool HasWhatItNeeds(const std::string& id, const std::vector<edit::ParameterInfo>& infos,
+                    const edit::Session& session);
+
+// One of a list of operators or actions that has what it needs, nearly always; those of regions
+// more often than their number says.
+template <typename T>
+const T& SomeThatCanBeDone(const std::vector<T>& all, const edit::Session& session,
+                           Random* random) {
+  const bool wants_region = random->Chance(0.15);
+  for (;;) {
+    const T& some = all[random->Integer(0, static_cast<int>(all.size()) - 1)];
+    const std::string id = some.id;
+    if (wants_region && !id.starts_with("region.")) continue;
+    if (HasWhatItNeeds(id, some.parameters, session) || random->Chance(0.05)) return some;
+  }
+}
 
 }  // namespace hazumi::test

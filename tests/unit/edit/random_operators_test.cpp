@@ -1,9 +1,16 @@
-// Whatever is done can be undone and done again, to the byte.
+// Whatever is done can be undone and done again, to the byte, and what is saved is what was there.
 
 #include "tests/unit/edit/random_operators.h"
 
+#include <gtest/gtest.h>
+
+#include <map>
 #include <set>
 
+#include "engine/project/project_reader.h"
+#include "tests/support/from_environment.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/edit/random_projects.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -12,54 +19,148 @@ namespace {
 using edit::Operator;
 using edit::Session;
 
-// Files, undo and redo are left out, and what needs the whole motion, which takes long.
-std::vector<const Operator*> EditOperators() {
-  std::vector<const Operator*> edits;
-  for (const Operator& op : edit::AllOperators()) {
-    const std::string id = op.id;
-    if (id.starts_with("file.") || id == "edit.undo" || id == "edit.redo") continue;
-    if (id == "region.to_keys" || id == "placement.flight") continue;
-    edits.push_back(&op);
-    if (id == "region.add") edits.insert(edits.end(), 3, &op);  // refused more often than not
+constexpr int kOperatorsARun = 50, kRunsABlock = 40;
+
+// How often operators were tried, and were done.
+struct Count {
+  int tried = 0, done = 0;
+};
+
+// A document with all the states that it went through, each as its file would be.
+class History {
+ public:
+  explicit History(Session* session) : session_(session) { Begin(); }
+
+  // After an operator, of which `done` says whether it was done.
+  void Note(const std::string& id, bool done) {
+    if (number_ != session_->document_number()) return Begin();
+    const edit::Document& document = session_->document();
+    const std::string text = WriteProject(session_->project());
+    const bool was_refused = !done && document.num_steps() == num_steps_;
+    if (id == "edit.undo" && done) --at_;
+    if (id == "edit.redo" && done) ++at_;
+    if (id == "edit.cancel_drag" && done && document.num_steps() < num_steps_) --at_;
+    const bool is_new = done && document.revision() != revision_ && id != "edit.undo" &&
+                        id != "edit.redo" && id != "edit.cancel_drag";
+    if (is_new) {
+      // A drag goes on as the same step.
+      at_ = document.num_steps();
+      states_.resize(at_);
+      states_.push_back(text);
+    }
+    num_steps_ = document.num_steps();
+    revision_ = document.revision();
+    ASSERT_TRUE(done || was_refused) << id << " was refused and left a step";
+    ASSERT_LT(at_, states_.size());
+    ASSERT_EQ(text, states_[at_]) << id << (done ? " was done" : " was refused");
   }
-  return edits;
+
+  // To every state before and back again.
+  void WalkToAndFro() {
+    session_->document().EndMerge();
+    const size_t end = at_;
+    while (session_->document().Undo()) ExpectState(--at_);
+    EXPECT_EQ(at_, 0u);
+    while (session_->document().Redo()) ExpectState(++at_);
+    EXPECT_GE(at_, end);
+    num_steps_ = session_->document().num_steps();
+    revision_ = session_->document().revision();
+  }
+
+ private:
+  void Begin() {
+    session_->document().set_history_limit(size_t{1} << 40);
+    number_ = session_->document_number();
+    num_steps_ = session_->document().num_steps();
+    revision_ = session_->document().revision();
+    at_ = 0;
+    states_ = {WriteProject(session_->project())};
+  }
+  void ExpectState(size_t i) {
+    ASSERT_LT(i, states_.size());
+    EXPECT_EQ(WriteProject(session_->project()), states_[i]) << "state " << i;
+  }
+
+  Session* session_;
+  long number_ = 0, revision_ = 0;
+  size_t num_steps_ = 0, at_ = 0;
+  std::vector<std::string> states_;
+};
+
+bool IsReplacing(const std::string& id) {
+  return id == "file.open" || id == "file.new" || id == "file.import";
 }
 
-// HAZUMI_CASES operators, else a thousand.
-int NumOperators() {
-  const char* text = std::getenv("HAZUMI_CASES");
-  return text ? std::atoi(text) : 1000;
+// What a file says is what the session had, and it can be animated as far as that could.
+void SaveAndLoad(Session* session, const std::string& path) {
+  Do(session, "file.save", {{"path", path}});
+  const Result<Project> project = LoadProject(path);
+  ASSERT_TRUE(project.ok()) << project.error().ToString();
+  EXPECT_EQ(WriteProject(project.value()), WriteProject(session->project()));
+  Session again;
+  Do(&again, "file.open", {{"path", path}});
+  EXPECT_EQ(again.animation() != nullptr, session->animation() != nullptr);
+  EXPECT_EQ(again.WholeMotion().ok(), session->WholeMotion().ok());
 }
 
+// Runs of the same block have the same files.
+class RandomRuns {
+ public:
+  explicit RandomRuns(int block) : files_(WriteRandomFiles(folder_.path(), block)) {}
+
+  void Run(int seed, std::map<std::string, Count>* counts) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RestoreRandomFiles(files_);
+    Random random(seed);
+    Session session;
+    const auto& projects = files_.projects;
+    Do(&session, "file.open", {{"path", projects[seed % projects.size()]}});
+    History history(&session);
+    for (int i = 0; i < kOperatorsARun && !testing::Test::HasFatalFailure(); ++i) {
+      const Operator& op = SomeThatCanBeDone(edit::AllOperators(), session, &random);
+      const edit::Json parameters =
+          RandomParameters(op.id, op.parameters, session, files_, &random);
+      if (IsReplacing(op.id)) history.WalkToAndFro();
+      const Result<Done> done = session.Run(op.id, parameters);
+      Count& count = (*counts)[op.id];
+      ++count.tried;
+      count.done += done.ok();
+      history.Note(op.id, done.ok());
+    }
+    history.WalkToAndFro();
+    SaveAndLoad(&session, folder_ / "saved.kfa");
+  }
+
+ private:
+  TemporaryFolder folder_;
+  RandomFiles files_;
+};
+
+// HAZUMI_CASES runs, else forty.
 TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
-  Session session;
-  session.document().set_history_limit(size_t{1} << 40);
-  const std::vector<const Operator*> edits = EditOperators();
-  Random random(1);
-  const std::string first = WriteProject(session.project());
-  int done = 0;
-  std::set<const Operator*> succeeded;
-  for (int i = 0; i < NumOperators(); ++i) {
-    const Operator& op = *edits[random.Integer(0, static_cast<int>(edits.size()) - 1)];
-    const std::string before = i % 50 == 0 ? WriteProject(session.project()) : "";
-    const bool ok = session.Run(op.id, RandomParameters(op, session.project(), &random)).ok();
-    done += ok;
-    if (ok) succeeded.insert(&op);
-    if (ok || before.empty()) continue;
-    ASSERT_EQ(WriteProject(session.project()), before) << op.id;
+  const int num_runs = FromEnvironment("HAZUMI_CASES", 40);
+  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
+  std::map<std::string, Count> counts;
+  std::optional<RandomRuns> runs;
+  for (int seed = first; seed < first + num_runs && !HasFatalFailure(); ++seed) {
+    if (!runs || seed % kRunsABlock == 0) runs.emplace(seed / kRunsABlock);
+    runs->Run(seed, &counts);
   }
-  EXPECT_GT(done, NumOperators() / 10);
-  const size_t most = NumOperators() >= 1000 ? 50 : 0;
-  EXPECT_GE(succeeded.size(), most);  // most operators, once at least
-  session.document().EndMerge();
-  const std::string last = WriteProject(session.project());
-  ASSERT_NE(first, last);
-  while (session.document().Undo()) {
+  Count all;
+  std::string never;
+  for (const auto& [id, count] : counts) {
+    all.tried += count.tried;
+    all.done += count.done;
+    if (count.done == 0) never += " " + id;
+    if (std::getenv("HAZUMI_VERBOSE")) {
+      std::printf("%-24s %6d tried %6d done\n", id.c_str(), count.tried, count.done);
+    }
   }
-  EXPECT_EQ(WriteProject(session.project()), first);
-  while (session.document().Redo()) {
-  }
-  EXPECT_EQ(WriteProject(session.project()), last);
+  std::printf("%d of %d operators were done\n", all.done, all.tried);
+  EXPECT_GE(2 * all.done, all.tried) << "at least half are to be done";
+  if (num_runs < 40) return;
+  EXPECT_EQ(counts.size(), edit::AllOperators().size()) << "each is tried";
+  EXPECT_EQ(never, "") << "each is done once at least";
 }
 
 }  // namespace

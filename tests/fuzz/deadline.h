@@ -1,0 +1,17 @@
+#pragma once
+
+#include <atomic>
+
+namespace hazumi::fuzz {
+
+// A flag that says "enough" some time after it was made [s]; one at a time.
+class Deadline {
+ public:
+  explicit Deadline(double seconds);
+  ~Deadline();
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+  const std::atomic<bool>* flag() const;
+};
+
+}  // namespace hazumi::fuzz

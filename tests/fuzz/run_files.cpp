@@ -1,0 +1,56 @@
+// Runs a fuzzer's inputs without a fuzzer: fuzz_NAME FILE_OR_FOLDER ... Each that crashed once, or
+// that shows what files may look like, is run in every build. None may take ten seconds.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> FilesIn(const fs::path& path) {
+  if (!fs::is_directory(path))
+    return fs::exists(path) ? std::vector{path} : std::vector<fs::path>();
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Whether it was done in time.
+bool Run(const fs::path& path) {
+  std::printf("%s\n", path.c_str());
+  std::fflush(stdout);  // the last line names what crashes
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto start = std::chrono::steady_clock::now();
+  LLVMFuzzerTestOneInput(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  constexpr double kLongest = 10.0;  // [s]
+  if (taken.count() < kLongest) return true;
+  std::fprintf(stderr, "%s: took %.1f s\n", path.c_str(), taken.count());
+  return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int num_files = 0, num_slow = 0;
+  for (int i = 1; i < argc; ++i) {
+    for (const fs::path& path : FilesIn(argv[i])) {
+      ++num_files;
+      num_slow += !Run(path);
+    }
+  }
+  std::printf("%d files\n", num_files);
+  return num_files > 0 && num_slow == 0 ? 0 : 1;
+}

@@ -1,0 +1,73 @@
+#include "tests/unit/edit/likely_numbers.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace hazumi::test {
+
+namespace {
+
+// What a number of this name is likely to be; of an operator alone, of those whose id begins so, or
+// of all. The first that fits counts.
+struct LikelyNumber {
+  const char* id;
+  const char* name;
+  Range range;
+};
+const LikelyNumber kLikelyNumbers[] = {{"keys.scale", "factor", {0.4, 2.5}},
+                                       {"keys.scale", "values", {-1.0, 2.0}},
+                                       {"keys.", "frames", {-8.0, 8.0}},
+                                       {"keys.", "value", {-10.0, 10.0}},
+                                       {"pose.reach", "x", {-0.6, 0.6}},
+                                       {"pose.reach", "y", {-0.6, 0.6}},
+                                       {"pose.reach", "z", {0.0, 1.8}},
+                                       {"pose.reach", "chain", {0.0, 4.0}},
+                                       {"pose.rotate", "to", {-40.0, 60.0}},
+                                       {"root.move", "x", {-0.2, 0.2}},
+                                       {"root.move", "y", {-0.2, 0.2}},
+                                       {"root.move", "z", {0.7, 1.1}},
+                                       {"root.turn", "by", {-90.0, 90.0}},
+                                       {"figure.joint_limits", "lower", {-140.0, -40.0}},
+                                       {"figure.link", "mass", {0.2, 12.0}},
+                                       {"figure.link", "radius", {0.01, 0.15}},
+                                       {"object.", "size_", {0.1, 2.0}},
+                                       {"file.import", "unit", {0.01, 0.1}},
+                                       {"file.import", "mass", {30.0, 100.0}},
+                                       {"file.import", "fps", {20.0, 60.0}},
+                                       {"", "upper", {40.0, 140.0}},
+                                       {"", "height", {0.5, 2.5}},
+                                       {"", "reduce", {0.1, 5.0}},
+                                       {"", "gravity", {0.0, 20.0}},
+                                       {"", "tolerance", {0.003, 1.0}},
+                                       {"", "step", {0.004, 0.034}},
+                                       {"", "rate", {-200.0, 200.0}},
+                                       {"", "value", {-30.0, 60.0}},
+                                       {"", "friction", {0.1, 1.0}},
+                                       {"", "factor", {0.1, 1.0}},
+                                       {"", "blend", {0.0, 4.0}},
+                                       {"", "fov", {15.0, 90.0}},
+                                       {"", "scale", {0.75, 3.0}},
+                                       {"", "num", {24.0, 60.0}},
+                                       {"", "den", {1.0, 1.0}},
+                                       {"", "by", {-10.0, 10.0}},
+                                       {"", "eye_", {-6.0, 6.0}},
+                                       {"", "target_", {-1.0, 1.5}}};
+
+}  // namespace
+
+bool IsFrame(const std::string& name) {
+  static const char* const kNames[] = {"frame",    "first",   "last", "to",
+                                       "to_first", "to_last", "about"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+Range LikelyRange(const std::string& id, const std::string& name, const edit::Session& session) {
+  for (const LikelyNumber& likely : kLikelyNumbers) {
+    if (id.starts_with(likely.id) && name.starts_with(likely.name)) return likely.range;
+  }
+  if (!IsFrame(name)) return {-1.0, 1.0};
+  const ProjectFrames& frames = session.project().frames;
+  return {static_cast<double>(frames.first), static_cast<double>(frames.last)};
+}
+
+}  // namespace hazumi::test

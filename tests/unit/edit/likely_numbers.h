@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "ui/edit/session.h"
+
+namespace hazumi::test {
+
+struct Range {
+  double low, high;
+};
+
+// Between which numbers a parameter is likely to be, by its name and that of its operator.
+Range LikelyRange(const std::string& id, const std::string& name, const edit::Session& session);
+
+// Where time goes on: what else is called so means no frame.
+bool IsFrame(const std::string& name);
+
+}  // namespace hazumi::test

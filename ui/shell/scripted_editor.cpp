@@ -1,0 +1,26 @@
+#include "ui/shell/scripted_editor.h"
+
+#include <utility>
+#include <vector>
+
+namespace hazumi::ui {
+
+Result<Done> ScriptedEditor::Do(const std::string& id, const edit::Json& parameters) {
+  using edit::ParameterInfo;
+  if (id != "capture" && id != "wait") return editor_.Invoke(id, parameters);
+  const std::vector<ParameterInfo> infos = {
+      id == "wait" ? ParameterInfo{"seconds", edit::ParameterKind::kNumber, true, "how long"}
+                   : ParameterInfo{"path", edit::ParameterKind::kText, true, "a .png file"}};
+  const auto checked = edit::Parameters::Check(infos, parameters);
+  if (!checked.ok()) return checked.error();
+  if (!shell_) {
+    auto made = OffscreenShell::Create(&editor_, size_);
+    if (!made.ok()) return made.error();
+    shell_ = std::move(made).value();
+  }
+  if (id == "capture") return shell_->Capture(checked.value().text("path"));
+  shell_->Frame(checked.value().number("seconds"));
+  return Done();
+}
+
+}  // namespace hazumi::ui
