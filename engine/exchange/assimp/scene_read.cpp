@@ -62,8 +62,6 @@ void KeepOnly(const char* name, Assimp::Importer* importer) {
 void SetProperties(Assimp::Importer* importer) {
   // Kept apart and multiplied in ClipSampler: when folded, animations of 5.2.5 still name them.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
-  importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);
-  importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
   importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);

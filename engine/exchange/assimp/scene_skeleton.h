@@ -11,7 +11,7 @@ struct SceneSkeleton {
   // last is the bone's own; before it are FBX helpers and, for the first bone, all that lies above.
   std::vector<std::vector<int>> chains;
   std::vector<int> bone_of_node;  // -1: none
-  // By node: moves by itself, apart from the skin's skeleton, or hangs on what does.
+  // By node: beside the skeleton, or hangs on what is.
   std::vector<char> is_apart;
   double size = 1.0;  // distance of the farthest bone from the origin
 
@@ -21,10 +21,9 @@ struct SceneSkeleton {
   const Eigen::Matrix4d& World(const SceneTree& tree, int bone) const;
 };
 
-// Bones are the nodes that carry weights, the animated ones that carry meshes (without any mesh:
-// all animated), and what lies between them and the lowest node above all of them. What moves by
-// itself beside a skin's skeleton, such as a ball that was thrown, is no part of it. Warns of what
-// is left out, renamed, scaled or sheared. Error: there are none.
+// Which nodes are bones: bone_selection.h. What is beside the skeleton, such as a ball that was
+// thrown or a camera, is no part of it. Warns of what is left out, renamed, scaled or sheared.
+// Error: there are none.
 Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& file,
                                    std::vector<Warning>* warnings);
 

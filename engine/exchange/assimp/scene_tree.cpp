@@ -58,6 +58,16 @@ void MarkAnimated(const aiScene& scene, SceneTree* tree) {
   }
 }
 
+void MarkViews(const aiScene& scene, SceneTree* tree) {
+  const auto mark = [&](const aiString& name) {
+    const int node = tree->Find(name);
+    if (node >= 0 && tree->nodes[static_cast<size_t>(node)].node->mNumChildren == 0)
+      tree->nodes[static_cast<size_t>(node)].is_view = true;
+  };
+  for (unsigned i = 0; i < scene.mNumCameras; ++i) mark(scene.mCameras[i]->mName);
+  for (unsigned i = 0; i < scene.mNumLights; ++i) mark(scene.mLights[i]->mName);
+}
+
 }  // namespace
 
 Eigen::Matrix4d ToMatrix(const aiMatrix4x4& m) {
@@ -118,6 +128,7 @@ Result<SceneTree> FlattenScene(const aiScene& scene, const std::string& file) {
   }
   MarkMeshes(scene, &tree);
   MarkAnimated(scene, &tree);
+  MarkViews(scene, &tree);
   return tree;
 }
 

@@ -29,6 +29,7 @@ struct SceneNode {
   bool is_helper = false;        // assimp's own, a part of the transform of the FBX node below it
   Eigen::Matrix4d local, world;  // at rest
   bool has_rigid_mesh = false, is_weighted = false, is_animated = false;
+  bool is_view = false;  // a camera or a light, on which nothing hangs
 };
 
 // Parents come before children; 0 is the scene's root.

@@ -26,6 +26,8 @@ constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);         // [kg/m^2]
 constexpr double kMargin = 15.0 * std::numbers::pi / 180.0;  // beyond the clip [rad]
 constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
 constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
+constexpr double kDwarf = 1e-3;                              // [m]
+constexpr double kPoint = 1e-8;                              // of a file's height, in its unit
 constexpr double kFar = 100.0;                               // from the origin [m]
 constexpr double kWorthAWord = 1e-4;                         // [m]
 
@@ -70,6 +72,7 @@ class Importer {
     SayBones();
     world_ = WorldFrameOf(character_, skeleton_, clip_, options_, &report_);
     if (auto error = WhyTooTall(world_)) return *error;
+    if (auto error = CheckSize()) return *error;
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
     SayPlace();
@@ -103,6 +106,24 @@ class Importer {
     for (const std::string& name : skeleton_.left_out) names += (names.empty() ? "" : ", ") + name;
     report_.warnings.push_back(
         {RootName(), "bones beside it that carry no skin are left out: " + names});
+  }
+
+  // A character that nobody could see or move is none.
+  std::optional<Error> CheckSize() const {
+    const auto refuse = [](const std::string& message) {
+      return Error{ErrorCode::kSemantics, "", "", message};
+    };
+    if (skeleton_.bones.size() == 1 && character_.meshes.empty()) {
+      return refuse("its skeleton is one bone, \"" + RootName() +
+                    "\", without joints or a mesh; export the whole skeleton, or bake its "
+                    "animation to the bones");
+    }
+    if (!(world_.height / world_.metres > kPoint)) {
+      return refuse("all its bones lie in one place; export the skeleton in its rest pose");
+    }
+    if (world_.height >= kDwarf) return std::nullopt;
+    return refuse("the figure would be " + FormatShort(world_.height) +
+                  " m tall; say how tall it is (--height), or how long its unit is (--unit)");
   }
 
   // Pictures are of single precision, and cameras look for the figure about the origin.

@@ -30,6 +30,7 @@ double VolumeOf(const LinkSpec& link) {
 
 struct Line {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  Vec3 At(double t) const { return from + t * (to - from); }
   // 0 at its beginning, 1 at its end.
   double Along(const Vec3& p) const {
     const Vec3 way = to - from;
@@ -41,7 +42,7 @@ struct Line {
 struct Piece {
   LinkSpec* link;
   size_t slot;
-  double at;      // from the link's beginning to its end
+  Vec3 p;         // in its bone's frame [m]
   double t;       // from the segment's beginning to its end, kept to [0, 1]
   double weight;  // in its slot, to a factor: first the volume
 };
@@ -172,21 +173,23 @@ class Table {
   }
 
   void Cut(size_t k, LinkSpec* link) {
+    const BodySide side = bone(k).body.side;
     for (int i = 0; i < kPieces; ++i) {
       const double at = (i + 0.5) / kPieces;
-      const Vec3 p = bodies_[k] * Vec3(link->from + at * (link->to - link->from));
+      const Vec3 p = link->from + at * (link->to - link->from);
+      const Vec3 p_R = bodies_[k] * p;
       BodySegment segment = bone(k).segment;
-      double t = 0.0;
-      if (segment == BodySegment::kTrunk) {
-        const double height = trunk_.Along(p);
-        segment = PartOfTrunk(height);
+      const bool is_trunk = segment == BodySegment::kTrunk;
+      double t = is_trunk ? trunk_.Along(p_R) : LimbOf(k).line.Along(p_R);
+      const bool is_spine = is_trunk && side == BodySide::kMiddle;
+      const Vec3 place = is_spine ? bodies_[k].Inverse() * trunk_.At(t) : p;
+      if (is_trunk) {
+        segment = PartOfTrunk(t);
         const double begin = BeginningOf(segment);
-        t = (height - begin) / (RowOf(segment).trunk_end - begin);
-      } else {
-        t = LimbOf(k).line.Along(p);
+        t = (t - begin) / (RowOf(segment).trunk_end - begin);
       }
-      const size_t slot = SlotOf(segment, bone(k).body.side);
-      pieces_.push_back({link, slot, at, std::clamp(t, 0.0, 1.0), VolumeOf(*link)});
+      pieces_.push_back(
+          {link, SlotOf(segment, side), place, std::clamp(t, 0.0, 1.0), VolumeOf(*link)});
     }
   }
 
@@ -228,14 +231,14 @@ class Table {
     }
     for (size_t i = 0; i < pieces_.size(); i += kPieces) {
       LinkSpec& link = *pieces_[i].link;
-      double moment = 0.0;
+      Vec3 moment = Vec3::Zero();
       for (size_t j = i; j < i + kPieces; ++j) {
         const Piece& piece = pieces_[j];
         const double own = mass * shares_[piece.slot] / sum * piece.weight / sums_[piece.slot];
         *link.mass += own;
-        moment += own * piece.at;
+        moment += own * piece.p;
       }
-      link.com = link.from + moment / *link.mass * (link.to - link.from);
+      link.com = moment / *link.mass;
     }
   }
 

@@ -40,6 +40,9 @@ std::vector<char> CarriersOf(const Character& character, std::vector<char> these
   return these;
 }
 
+// Without a skin. Helpers of a rig, such as "ik_foot_l", are no part of the body that they move.
+bool IsWantedBare(const Bone& bone) { return bone.is_joint && !ReadBoneName(bone.name).is_helper; }
+
 // Whether a bone only moves the pelvis about, as game engines have it: it lies on the ground.
 bool IsMover(const Character& character, int bone, int below, const std::vector<char>& weighted) {
   const auto part = [&](int b) { return ReadBoneName(character.bones[b].name).body.part; };
@@ -102,7 +105,7 @@ Result<Skeleton> SkeletonOf(const Character& character) {
   const std::vector<char> weighted = Weighted(character);
   std::vector<char> wanted = weighted;
   if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
-    for (size_t b = 0; b < num; ++b) wanted[b] = character.bones[b].is_joint;
+    for (size_t b = 0; b < num; ++b) wanted[b] = IsWantedBare(character.bones[b]);
   }
   const std::vector<char> carriers = CarriersOf(character, wanted);
   const int root = LowestCommon(character, wanted, weighted, carriers);

@@ -198,7 +198,7 @@ TEST(HeldObjects, MakeNoBonesOfTheFileThatHoldsThem) {
   EXPECT_EQ(meshes, (std::vector<std::string>{"body", "club"}));
   ASSERT_EQ(read.value().warnings.size(), 1u);
   EXPECT_EQ(read.value().warnings[0].message,
-            "left out, because they move apart from the skeleton: ball");
+            "left out, because they are no part of the skeleton: ball");
 }
 
 TEST(HeldObjects, BvhLeavesThemOutAndSaysWhich) {

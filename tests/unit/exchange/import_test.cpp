@@ -226,6 +226,41 @@ TEST(Import, BonesBelowABoneThatOnlyMovesThemBegin) {
   for (const Warning& warning : imported.report.warnings) EXPECT_EQ(warning.place, "unit");
 }
 
+std::string RefusalOf(const Character& character, const ImportOptions& options = {}) {
+  const Result<Imported> imported = ImportProject(character, options);
+  EXPECT_FALSE(imported.ok());
+  return imported.ok() ? "" : imported.error().ToString();
+}
+
+TEST(Import, WhatIsEmptyOrADwarfIsRefused) {
+  Character character = Hand();
+  character.metres_per_unit = 1e-11;
+  EXPECT_NE(RefusalOf(character).find("say how tall it is (--height)"), std::string::npos);
+  ImportOptions options;
+  options.height_m = 0.4;
+  ImportWell(character, options);
+  for (Bone& bone : character.bones) bone.rest.p.setZero();
+  EXPECT_NE(RefusalOf(character, options).find("all its bones lie in one place"),
+            std::string::npos);
+  character = Hand();
+  character.bones.resize(1);
+  character.clips[0].tracks.resize(1);
+  EXPECT_NE(RefusalOf(character).find("without joints or a mesh"), std::string::npos);
+}
+
+// "ik_foot_l" beside the pelvis, as engines have it, is no second foot.
+TEST(Import, HelpersOfARigAreNoBones) {
+  Character character = Hand();
+  Bone helper;
+  helper.name = "ik_hand_l";
+  helper.parent = 0;
+  helper.rest.p = Vec3(0, 0, -1);
+  character.bones.push_back(helper);
+  character.clips[0].tracks.emplace_back();
+  const Imported imported = ImportWell(character);
+  EXPECT_EQ(imported.report.num_joints, ImportWell(Hand()).report.num_joints);
+}
+
 TEST(Import, TwoSkeletonsAreRefused) {
   Character character = Hand();
   character.bones[1].parent = -1;

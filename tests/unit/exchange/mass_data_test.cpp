@@ -28,7 +28,9 @@ const std::vector<std::string> kPeople = {"characters/kaykit_Knight.glb",
                                           "throw/cmu_mb_124_01_baseball_pitch.bvh",
                                           "wild/cmu_mb_02_03_run.bvh",
                                           "wild/cmu_mb_07_01_walk.bvh",
-                                          "wild/cmu_mb_90_05_jump_kick.bvh"};
+                                          "wild/cmu_mb_90_05_jump_kick.bvh",
+                                          "wild/ozz_pab_skeleton.dae",
+                                          "wild/ozz_pab_walk.fbx"};
 
 std::map<std::string, double> SharesOfFile(const std::string& file) {
   const Result<Character> character = ReadCharacter(kData + file);

@@ -35,8 +35,8 @@ const std::vector<std::pair<std::string, std::regex>>& Spellings() {
 const std::string kAcclaim = "(femur|tibia|foot|toes|humerus|radius|wrist|hand|fingers|thumb)";
 
 std::string SideByHand(const std::string& bone) {
-  static const std::regex left("^(Left|L[A-Z])|[._][lL]$|^l([A-Z]|" + kAcclaim + ")");
-  static const std::regex right("^(Right|R[A-Z])|[._][rR]$|^r([A-Z]|" + kAcclaim + ")");
+  static const std::regex left("^(Left|L[A-Z]|Bip01L)|[._][lL]$|^l([A-Z]|" + kAcclaim + ")");
+  static const std::regex right("^(Right|R[A-Z]|Bip01R)|[._][rR]$|^r([A-Z]|" + kAcclaim + ")");
   if (std::regex_search(bone, left)) return " L";
   return std::regex_search(bone, right) ? " R" : "";
 }

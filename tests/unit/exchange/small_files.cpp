@@ -212,6 +212,38 @@ Json SmallGltfWithIntegerWeights(size_t bytes) {
   return MakeGltf({1, 0, 0, 0, 1, 0, 0, 0, 0.2, 0.8, 0, 0, 0.2, 0.8, 0, 0}, bytes);
 }
 
+Json BareGltf(const std::vector<BareNode>& nodes) {
+  Json document = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {Json::object()}}};
+  Buffer buffer(&document);
+  const size_t triangle = buffer.Floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3);
+  const size_t times = buffer.Floats({0.0f, 0.5f, 1.0f}, 1);
+  Json animation = {{"name", "go"}};
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const BareNode& node = nodes[i];
+    document["nodes"].push_back({{"name", node.name}, {"translation", node.at}});
+    Json& above = node.parent < 0 ? document["scenes"][0]["nodes"]
+                                  : document["nodes"][static_cast<size_t>(node.parent)]["children"];
+    above.push_back(i);
+    if (node.has_mesh) document["nodes"][i]["mesh"] = 0;
+    if (node.is_camera) document["nodes"][i]["camera"] = 0;
+    if (!node.moves) continue;
+    std::vector<float> places;
+    for (const double away : {0.0, 1.0, 0.0}) {
+      for (size_t k = 0; k < 3; ++k)
+        places.push_back(static_cast<float>(node.at[k] + (k == 0 ? away : 0.0)));
+    }
+    animation["samplers"].push_back({{"input", times}, {"output", buffer.Floats(places, 3)}});
+    animation["channels"].push_back({{"sampler", animation["samplers"].size() - 1},
+                                     {"target", {{"node", i}, {"path", "translation"}}}});
+  }
+  buffer.Close();
+  document["animations"] = {animation};
+  document["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", triangle}}}}}}}};
+  document["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};
+  return document;
+}
+
 Character ReadSmall(const std::string& name, const std::string& contents) {
   Result<Character> result = Read(name, contents);
   EXPECT_TRUE(result.ok()) << result.error().ToString();

@@ -2,6 +2,7 @@
 
 // Files of other programs, small enough to know every number in them.
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -26,6 +27,15 @@ nlohmann::json SmallGltf();
 nlohmann::json SmallGltfWithTimes(const std::vector<float>& times);
 // The same with weights of `bytes` (1 or 2) bytes: 1, 1, 0.2, 0.2 on "lower", the rest on "upper".
 nlohmann::json SmallGltfWithIntegerWeights(size_t bytes);
+// A scene without a skin: nodes with names, parents before them (-1: the scene's own), places. What
+// moves goes 1 along x and back in a second.
+struct BareNode {
+  std::string name;
+  int parent = -1;
+  std::array<double, 3> at = {0, 0, 0};
+  bool moves = false, has_mesh = false, is_camera = false;
+};
+nlohmann::json BareGltf(const std::vector<BareNode>& nodes);
 
 // Writes it to a folder of its own and reads it; a failure fails the test.
 Character ReadSmall(const std::string& name, const std::string& contents);
