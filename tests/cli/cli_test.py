@@ -11,8 +11,6 @@ import unittest
 
 from command_line import HAZUMI, JUMP, ROOT, THROW, InFolder, run, start
 
-SHARED_JSON = ROOT.parent / "shared" / "data" / "json"
-
 
 class CommandLine(InFolder):
     def project(self):
@@ -281,6 +279,20 @@ class CommandLine(InFolder):
         self.assertEqual(self.files(), ["b_07.png", "frame_0003.png", "frame_0004.png",
                                         "frame_0005.png"])
 
+    def test_each_picture_shows_its_own_frame_whatever_the_range_and_without_a_display(self):
+        """Of a range, alone, and again: the same bytes. Two frames: other ones."""
+        bare = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        pictures = {}
+        for frames in ("3..5", "4..4", "5..7"):
+            folder = self.folder / frames
+            done = run("--render", folder, "--size", "64x48", "--frames", frames, THROW, env=bare)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for path in folder.iterdir():
+                seen = pictures.setdefault(path.name, path.read_bytes())
+                self.assertEqual(seen, path.read_bytes(), path)
+        self.assertEqual(sorted(pictures), [f"frame_{i:04}.png" for i in range(3, 8)])
+        self.assertEqual(len(set(pictures.values())), 5)
+
     def test_equal_input_gives_equal_pictures_with_any_number_of_threads(self):
         for threads in ("1", "16"):
             run("--render", self.folder / threads, "--size", "160x90", "--frames", "4..8",
@@ -350,9 +362,7 @@ class CommandLine(InFolder):
         self.assertEqual((process.returncode, len(self.files())), (0, 4))
 
     def test_every_broken_json_is_bad_data_with_a_place(self):
-        if not SHARED_JSON.is_dir():
-            self.skipTest("no data: ../shared/data/json is not here")
-        for path in sorted(SHARED_JSON.glob("*.json")):
+        for path in self.data_files("json", "*.json"):
             start = time.monotonic()
             done = run("--check", path)
             self.assertLess(time.monotonic() - start, 10.0, path.name)

@@ -1,5 +1,7 @@
 // The graph editor: how curves are laid out, and how it is used.
 
+#include <algorithm>
+
 #include "tests/ui/user.h"
 #include "ui/panels/graph_layout.h"
 
@@ -107,6 +109,24 @@ TEST_F(Graph, FitsAndNormalizes) {
     }
     EXPECT_NEAR(high, 1.0, 0.05) << curve.name;
   }
+}
+
+TEST_F(Graph, HomeFramesAllCurves) {
+  const auto num_outside = [&] {
+    const ui::GraphLayout layout = Layout();
+    return std::count_if(layout.keys.begin(), layout.keys.end(), [&](const ui::GraphKey& key) {
+      const ui::Rect& tracks = layout.frame.tracks;
+      return key.at.x < tracks.x || key.at.x > tracks.right() || key.at.y < tracks.y ||
+             key.at.y > tracks.bottom();
+    });
+  };
+  const size_t num_keys = Layout().keys.size();
+  user.MoveTo(Key("r_knee", 15).at);
+  user.TurnWith(ui::kLeftControl, 12.0f);
+  EXPECT_TRUE(num_outside() > 0 || Layout().keys.size() < num_keys);
+  user.Press(ui::kHome);
+  EXPECT_EQ(Layout().keys.size(), num_keys);
+  EXPECT_EQ(num_outside(), 0);
 }
 
 TEST_F(Graph, HitTestFindsKeysAndTheirHandles) {

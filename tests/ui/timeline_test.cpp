@@ -42,13 +42,11 @@ TEST(Timeline, ButtonsGoToEndsAndKeys) {
   user.Click(Middle(l.to_last));
   EXPECT_EQ(user.session().frame(), 30.0);
   user.Click(Middle(l.previous_key));
-  EXPECT_LT(user.session().frame(), 30.0);
-  const double there = user.session().frame();
+  EXPECT_EQ(user.session().frame(), 15.0);
   user.Click(Middle(l.to_first));
   EXPECT_EQ(user.session().frame(), 0.0);
   user.Click(Middle(l.next_key));
-  EXPECT_GT(user.session().frame(), 0.0);
-  EXPECT_LE(user.session().frame(), there);
+  EXPECT_EQ(user.session().frame(), 5.0);
 }
 
 TEST(Timeline, PlaysAndStops) {

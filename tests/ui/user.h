@@ -29,6 +29,7 @@ class User {
   ui::Editor& editor() { return editor_; }
   edit::Session& session() { return editor_.session(); }
   const Project& project() { return session().project(); }
+  const std::vector<uint8_t>& picture() { return shell_->picture().rgba; }
   std::string text() { return WriteProject(project()); }
   size_t num_steps() { return session().document().num_steps(); }
 
@@ -50,17 +51,23 @@ class User {
     Hold(button, false);
     Wait(1);
   }
-  // Presses the button and goes there in some steps; does not let go.
-  void Pull(ui::Point from, ui::Point to) {
+  // Presses a button and goes there in some steps; does not let go.
+  void Pull(ui::Point from, ui::Point to, int button = 0) {
     MoveTo(from);
-    Hold(0, true);
+    Hold(button, true);
     for (const float s : {0.25f, 0.5f, 0.75f, 1.0f}) {
       MoveTo({std::lerp(from.x, to.x, s), std::lerp(from.y, to.y, s)});
     }
   }
-  void Drag(ui::Point from, ui::Point to) {
-    Pull(from, to);
-    Hold(0, false);
+  void Drag(ui::Point from, ui::Point to, int button = 0) {
+    Pull(from, to, button);
+    Hold(button, false);
+    Wait(1);
+  }
+  void DragWith(int modifier, ui::Point from, ui::Point to, int button = 0) {
+    shell_->PressKey(modifier, true);
+    Drag(from, to, button);
+    shell_->PressKey(modifier, false);
     Wait(1);
   }
   void Press(int key, int modifier = ui::kNoKey) {
@@ -70,6 +77,12 @@ class User {
     shell_->PressKey(key, false);
     if (modifier != ui::kNoKey) shell_->PressKey(modifier, false);
     shell_->Frame();
+  }
+  void PressWithShift(int key, int modifier) {
+    shell_->PressKey(ui::kLeftShift, true);
+    Press(key, modifier);
+    shell_->PressKey(ui::kLeftShift, false);
+    Wait(1);
   }
   void ClickWith(int modifier, ui::Point p) {
     shell_->PressKey(modifier, true);

@@ -53,6 +53,11 @@ def is_peer(subject):
     return style.family(subject) != "hazumi"
 
 
+def least_time(line, target):
+    """Microseconds for an error of `target` or less, as far as measured; infinite if out of reach."""
+    return min([time_to(line, target)] + [time for time, error in line if error <= target])
+
+
 def ahead(ours, lines):
     """(least, greatest) error [rad] of the widest range, by a grid of 100 a decade, in which our
     line takes less time than each other program's that gets there at all; None if there is none."""
@@ -62,7 +67,8 @@ def ahead(ours, lines):
     best, current = [], []
     for i in range(low, high + 1):
         error = 10 ** (i / 100)
-        time, theirs = time_to(ours, error), min(time_to(line, error) for line in peers)
+        time = least_time(ours, error)
+        theirs = min(least_time(line, error) for line in peers)
         if math.isinf(time) and math.isinf(theirs):
             continue  # nobody's
         current = [*current, error] if time < theirs else []

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -243,6 +244,54 @@ TEST(Region, TwoBakesAreBitEqual) {
 }
 
 // The pendulum TwoLinks has at its foot: no gravity, so that only friction acts.
+TEST(Region, MovesItsJointsInItsIntervalAndLeavesTheRestToTheirKeys) {
+  for (const Method method : {Method::kPaper, Method::kExact}) {
+    Animation animation = RightArmSwings(5, 15);
+    animation.regions[0].method = method;
+    const Motion motion = BakeOrFail(animation);
+    Animation keyed = animation;
+    keyed.regions.clear();
+    const Motion curves = BakeOrFail(keyed);
+    const std::vector<JointIndex>& freed = animation.regions[0].joints;
+    for (int f = 0; f <= 30; ++f) {
+      for (int j = 0; j < animation.figure->num_joints(); ++j) {
+        const bool is_free = std::count(freed.begin(), freed.end(), JointIndex(j)) > 0;
+        if (is_free && f != 5 && f != 30) continue;  // those have keys at both
+        EXPECT_NEAR(motion.frames[f].q[j], curves.frames[f].q[j], 1e-12) << f << " joint " << j;
+      }
+    }
+    for (const char* joint : {"r_shoulder_y", "r_elbow_y"}) {
+      const int j = JointOf(animation, joint).value();
+      EXPECT_GT(std::abs(motion.frames[10].q[j] - curves.frames[10].q[j]), 0.05) << joint;
+    }
+  }
+}
+
+// Without gravity nothing else moves a hinge that turns alone.
+TEST(Region, HasAFrictionForEachOfItsJoints) {
+  for (const Method method : {Method::kPaper, Method::kExact}) {
+    Animation animation = Still(Human());
+    animation.gravity = 0.0;
+    const std::pair<const char*, double> factors[] = {{"r_elbow_y", 0.8}, {"l_elbow_y", 0.4}};
+    DynamicsRegion region;
+    region.name = "elbows";
+    region.last_frame = 10;
+    region.method = method;
+    for (const auto& [joint, factor] : factors) {
+      KeysOf(&animation, joint) = {{0, -1.0, 0.5, kCubic}, {30, -1.0, {}, kCubic}};
+      region.joints.push_back(JointOf(animation, joint));
+      region.friction.push_back(factor);
+    }
+    animation.regions.push_back(region);
+    const Motion motion = BakeOrFail(animation);
+    for (const auto& [joint, factor] : factors) {
+      EXPECT_NEAR(RateOf(animation, motion.frames[10].before, joint), 0.5 * std::pow(factor, 10.0),
+                  1e-4)
+          << joint;
+    }
+  }
+}
+
 TEST(Region, FrictionIsAFactorPerThirtiethOfASecondAtAnyStep) {
   for (const double step : {1.0 / 30.0, 1.0 / 45.0, 1.0 / 100.0, 1.0 / 240.0}) {
     Animation animation = Still(TwoLinks());
