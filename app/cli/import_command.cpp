@@ -2,10 +2,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "engine/exchange/import/import_report.h"
-#include "engine/project/compile.h"
 #include "engine/project/project_writer.h"
+#include "ui/edit/check_saved.h"
 
 namespace hazumi {
 
@@ -15,10 +16,11 @@ int RunImport(const Options& options) {
   if (!imported.ok()) return Complain(imported.error());
   const ImportReport& report = imported.value().report;
   PrintWarnings(file, Shortened(report.warnings, options.all_warnings ? 0 : kShortReport));
-  // What could not be read back is not saved.
-  const Result<Compiled> compiled = CompileAnimation(imported.value().project);
-  if (!compiled.ok()) return Complain(compiled.error());
-  const Result<Done> saved = SaveProject(imported.value().project, options.output);
+  // What --check would refuse is not saved.
+  const Project& project = imported.value().project;
+  const Result<Done> checked = edit::CheckSaved(project, options.output, &Interrupted());
+  if (!checked.ok()) return Complain(checked.error());
+  const Result<Done> saved = SaveProject(project, options.output, &Interrupted());
   if (!saved.ok()) return Complain(saved.error());
   for (const std::string& fact : report.facts) PrintLine(stdout, "%s", fact.c_str());
   PrintLine(stdout, "saved as %s", options.output.c_str());
