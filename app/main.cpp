@@ -39,9 +39,10 @@ int Run(const hazumi::Options& options) {
 
 int main(int argc, char** argv) {
   try {
+    hazumi::KeepStandardStreams();
     hazumi::CatchInterrupts();
     const hazumi::ParsedCommandLine parsed = hazumi::ParseCommandLine(argc, argv);
-    return parsed.options ? Run(*parsed.options) : parsed.exit_code;
+    return hazumi::FinishOutput(parsed.options ? Run(*parsed.options) : parsed.exit_code);
   } catch (const std::exception& error) {
     hazumi::PrintLine(stderr, "hazumi: failed: %s", error.what());
     return hazumi::kExitFailed;

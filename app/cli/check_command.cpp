@@ -12,7 +12,7 @@ namespace {
 nlohmann::ordered_json WarningsAsJson(const std::vector<Warning>& warnings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Warning& warning : warnings) {
-    list.push_back({{"place", warning.place}, {"message", warning.message}});
+    list.push_back({{"place", Shortened(warning.place)}, {"message", Shortened(warning.message)}});
   }
   return list;
 }
@@ -25,8 +25,8 @@ nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<BakedP
   return {{"file", file},
           {"ok", false},
           {"in", error.file},
-          {"place", error.place},
-          {"message", error.message}};
+          {"place", Shortened(error.place)},
+          {"message", Shortened(error.message)}};
 }
 
 }  // namespace

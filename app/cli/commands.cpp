@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
+#include "engine/bake/bake_size.h"
 #include "engine/base/text.h"
 #include "engine/exchange/content.h"
 #include "engine/exchange/import/import_project.h"
@@ -24,12 +27,12 @@ int Complain(const Error& error) {
   return ExitCodeOf(error);
 }
 
-namespace {
-
 Error InFile(Error error, const std::string& file) {
   if (error.file.empty()) error.file = file;
   return error;
 }
+
+namespace {
 
 // --method, --step and --tolerance go before what the file and its regions say.
 void ApplySolverOptions(const Options& options, Project* project) {
@@ -63,15 +66,34 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
+// Of --check and --info nobody sees the frames.
+bool KeepsFrames(const Options& options) {
+  return options.task != Task::kCheck && options.task != Task::kInfo;
+}
+
+// What is made of a frame besides the frame itself, about [bytes].
+double BytesOfOneFrame(const Animation& animation, const Options& options) {
+  const double joints = animation.figure->num_joints();
+  const bool is_motion_file = options.task == Task::kBake || options.task == Task::kExport;
+  return is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0;
+}
+
 // A project has a million frames at most, and so has what is made of it.
 std::optional<Error> CheckLength(const Animation& animation, const Options& options) {
   constexpr double kMostFrames = 1e6;
   if (!options.rate) return std::nullopt;
-  const double seconds = animation.rate.SecondsAt(animation.last_frame - animation.first_frame);
-  const double frames = std::floor(options.rate->FrameAt(seconds)) + 1.0;
+  const double frames = NumOutputFrames(animation, *options.rate);
   if (frames <= kMostFrames) return std::nullopt;
   return Error{ErrorCode::kSemantics, "", "--fps",
                FormatNumber(frames) + " output frames; 1000000 are the most, choose a lower rate"};
+}
+
+// What a task makes of a motion takes memory besides it.
+std::optional<Error> CheckMemory(const Animation& animation, const Options& options) {
+  if (!KeepsFrames(options)) return std::nullopt;
+  const FrameRate rate = options.rate.value_or(animation.rate);
+  const double made = BytesOfOneFrame(animation, options) * NumOutputFrames(animation, rate);
+  return CheckBytes(MotionBytes(animation, rate) + made, animation, rate);
 }
 
 // Projects are told by their suffix, all else by content: a .json may be either.
@@ -101,42 +123,49 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   const Result<Character> character = ReadCharacter(file, reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options);
+  if (Interrupted()) return InterruptedError();
   if (!imported.ok()) return InFile(imported.error(), file);
   return imported;
 }
 
-Result<BakedProject> BakeProject(Project project, const Options& options) {
-  Result<Compiled> compiled = CompileAnimation(project, &Interrupted());
-  if (Interrupted()) return InterruptedError();
-  if (!compiled.ok()) return compiled.error();
-  if (auto error = CheckLength(compiled.value().animation, options)) return *error;
-  Result<Motion> motion =
-      Bake(compiled.value().animation, {options.rate, &Interrupted(), /*energy=*/true});
-  if (Interrupted()) return InterruptedError();
-  if (!motion.ok()) return motion.error();
-  std::vector<Warning> warnings = std::move(compiled.value().warnings);
-  WarnAboutSolverOptions(options, compiled.value().animation, &warnings);
-  const std::vector<Warning>& baked = motion.value().warnings;
-  warnings.insert(warnings.end(), baked.begin(), baked.end());
-  return BakedProject{std::move(project), std::move(compiled.value().animation),
-                      std::move(motion).value(), std::move(warnings)};
+// Energy is what --info and JSON tell.
+static BakeOptions BakeOptionsOf(const Options& options) {
+  BakeOptions baking;
+  baking.output_rate = options.rate;
+  baking.cancel = &Interrupted();
+  baking.energy = options.task == Task::kInfo || options.task == Task::kBake ||
+                  (options.task == Task::kExport && options.output.ends_with(".json"));
+  baking.keep_frames = KeepsFrames(options);
+  return baking;
+}
+
+static void Add(std::vector<Warning> more, std::vector<Warning>* warnings) {
+  warnings->insert(warnings->end(), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
 }
 
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options) {
   ImportReport report;
   Result<Project> project = LoadOrImport(file, options.import, &report);
   if (!project.ok()) return InFile(project.error(), file);
+  if (Interrupted()) return InterruptedError();
   ApplySolverOptions(options, &project.value());
-  Result<BakedProject> baked = BakeProject(std::move(project).value(), options);
-  if (!baked.ok()) {
-    const bool is_interrupted = baked.error().code == ErrorCode::kInterrupted;
-    return is_interrupted ? baked.error() : InFile(baked.error(), file);
-  }
-  std::vector<Warning>& warnings = baked.value().warnings;
-  const std::vector<Warning> of_import =
+  Result<Compiled> compiled = CompileAnimation(project.value(), &Interrupted());
+  if (Interrupted()) return InterruptedError();
+  if (!compiled.ok()) return InFile(compiled.error(), file);
+  Animation& animation = compiled.value().animation;
+  if (auto error = CheckLength(animation, options)) return InFile(*error, file);
+  if (auto error = CheckMemory(animation, options)) return InFile(*error, file);
+  Result<Motion> motion = Bake(animation, BakeOptionsOf(options));
+  if (Interrupted()) return InterruptedError();
+  if (!motion.ok()) return InFile(motion.error(), file);
+  std::vector<Warning> warnings =
       Shortened(report.warnings, options.all_warnings ? 0 : kShortReport);
-  warnings.insert(warnings.begin(), of_import.begin(), of_import.end());
-  return baked;
+  Add(std::move(compiled.value().warnings), &warnings);
+  WarnAboutSolverOptions(options, animation, &warnings);
+  Add(motion.value().warnings, &warnings);
+  return BakedProject{std::move(project).value(), std::move(animation), std::move(motion).value(),
+                      std::move(warnings)};
 }
 
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {

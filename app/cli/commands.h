@@ -20,6 +20,8 @@ int RunOperators();
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);
+// With the file's name, unless the error has one.
+Error InFile(Error error, const std::string& file);
 
 // A project, read, resolved and baked with the command line's changes.
 struct BakedProject {
@@ -28,8 +30,6 @@ struct BakedProject {
   Motion motion;
   std::vector<Warning> warnings;  // of importing, compiling and baking
 };
-// Resolves and bakes; ignores the options of solving. Errors without a file: also kInterrupted.
-Result<BakedProject> BakeProject(Project project, const Options& options);
 // A project, or a file of another program as one. Errors: also kInterrupted.
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
 // A file of another program as a project. Errors: also kInterrupted.

@@ -75,7 +75,7 @@ int RunExport(const Options& options) {
   if (!baked.ok()) return Complain(baked.error());
   PrintWarnings(options.files[0], baked.value().warnings);
   const auto frames = ChosenFrames(baked.value().motion, options, "writing");
-  if (!frames) return kExitUsage;
+  if (!frames || !HasFewGhosts(baked.value().motion, options)) return kExitUsage;
   return IsVideo(options.output) ? ExportVideo(baked.value(), *frames, options)
                                  : ExportFile(baked.value(), *frames, options);
 }

@@ -11,6 +11,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "app/cli/version.h"
+#include "engine/base/text.h"
 #include "engine/exchange/export_motion.h"
 #include "engine/project/did_you_mean.h"
 
@@ -264,6 +265,19 @@ std::string TaskText(const OptionRule& task, const Options& options) {
   return task.tasks == kExport ? "--export to " + options.output : task.name;
 }
 
+// Of a picture as it is drawn: colour and depth of every sample, and what is read back and written.
+void RefuseLargePictures(const Options& options) {
+  constexpr double kMost = 2e9;  // [bytes]
+  if (!options.size) return;
+  const double pixels = static_cast<double>(options.size->width) * options.size->height;
+  const double bytes = pixels * (8.0 * options.samples + 20.0);
+  if (bytes <= kMost) return;
+  throw UsageError("--size " + std::to_string(options.size->width) + "x" +
+                   std::to_string(options.size->height) + ": needs " + FormatShort(bytes / 1e9) +
+                   " GB of memory; at most " + FormatShort(kMost / 1e9) +
+                   " GB are taken: give fewer pixels, or --samples 1");
+}
+
 void RefuseUnknown(const CLI::App& app) {
   std::vector<std::string> known = {"--help", "--version"};
   for (const OptionRule& rule : kTasks) known.push_back(rule.name);
@@ -324,6 +338,7 @@ void ReadOptions(const CLI::App& app, Options* options) {
     }
     Read(app, rule, options);
   }
+  RefuseLargePictures(*options);
   if (task.tasks & kImport) {
     if (options->files.size() > 1) throw UsageError("--import takes one file, and no FILE beside");
     if (options->output.empty()) throw UsageError("--import wants --save OUT.kfa beside it");

@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
+#include "engine/bake/bake_size.h"
 #include "render/motion/framing.h"
 
 namespace hazumi {
@@ -47,6 +48,18 @@ render::Overlays OverlaysOf(const Options& options) {
 
 }  // namespace
 
+// Each picture has all ghosts.
+bool HasFewGhosts(const Motion& motion, const Options& options) {
+  constexpr size_t kMost = 1000;
+  const size_t frames = motion.frames.size();
+  if (options.ghosts == 0 || frames / static_cast<size_t>(options.ghosts) <= kMost) return true;
+  ComplainOfUsage("--ghosts " + std::to_string(options.ghosts) + ": " +
+                  std::to_string(frames / static_cast<size_t>(options.ghosts)) +
+                  " ghosts in each picture; 1000 are the most, give at least " +
+                  std::to_string((frames + kMost - 1) / kMost));
+  return false;
+}
+
 std::optional<FrameRange> ChosenFrames(const Motion& motion, const Options& options,
                                        const char* doing) {
   if (motion.frames.empty()) {  // at an --fps so low that all fall outside
@@ -82,11 +95,24 @@ render::SequenceOptions SequenceOptionsOf(const Options& options, PictureSize si
   return settings;
 }
 
+// Four points a frame, or fewer where the memory for them would be too much.
 Result<Motion> PathMotion(const BakedProject& baked, const Options& options) {
   if (!options.paths) return Motion();
   FrameRate rate = baked.motion.rate;
-  if (rate.num <= std::numeric_limits<int>::max() / 4) rate.num *= 4;
-  return Bake(baked.animation, {rate, &Interrupted()});
+  const double taken = MotionBytes(baked.animation, rate);
+  for (const int points : {4, 2, 1}) {
+    rate.num = baked.motion.rate.num;
+    if (rate.num > std::numeric_limits<int>::max() / points) continue;
+    rate.num *= points;
+    if (taken + MotionBytes(baked.animation, rate) > kMostMotionBytes) continue;
+    if (points < 4) {
+      PrintLine(stderr, "hazumi: warning: --paths: %d points a frame instead of 4: memory", points);
+    }
+    return Bake(baked.animation, {rate, &Interrupted()});
+  }
+  Error error = *CheckBytes(taken + MotionBytes(baked.animation, rate), baked.animation, rate);
+  error.place = "--paths";
+  return error;
 }
 
 Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& file) {

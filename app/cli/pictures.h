@@ -13,6 +13,9 @@ namespace hazumi {
 std::optional<FrameRange> ChosenFrames(const Motion& motion, const Options& options,
                                        const char* doing);
 
+// Whether so many ghosts can be drawn as the options ask for; false after a complaint.
+bool HasFewGhosts(const Motion& motion, const Options& options);
+
 // The size asked for, or 1280 x 720.
 PictureSize PictureSizeOf(const Options& options);
 

@@ -58,7 +58,8 @@ int RunRender(const Options& options) {
   if (!baked.ok()) return Complain(baked.error());
   PrintWarnings(options.files[0], baked.value().warnings);
   const std::optional<FrameRange> frames = ChosenFrames(baked.value().motion, options, "drawing");
-  return frames ? RenderBaked(baked.value(), *frames, options) : kExitUsage;
+  if (!frames || !HasFewGhosts(baked.value().motion, options)) return kExitUsage;
+  return RenderBaked(baked.value(), *frames, options);
 }
 
 }  // namespace hazumi

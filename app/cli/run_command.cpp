@@ -67,11 +67,15 @@ int RunEdits(const Options& options) {
   if (!text.ok()) return Complain(text.error());
   const PictureSize size = options.size.value_or(PictureSize{1280, 800});
   ui::ScriptedEditor scripted({size.width, size.height});
+  scripted.editor().session().set_saves_checked(true);
   const Result<Done> opened = Open(options, &scripted.editor());
   if (!opened.ok()) return Complain(opened.error());
-  const Result<Done> done = edit::RunScript(
-      text.value(), options.script,
-      [&](const std::string& id, const edit::Json& p) { return scripted.Do(id, p); });
+  const Result<Done> done =
+      edit::RunScript(text.value(), options.script,
+                      [&](const std::string& id, const edit::Json& p) -> Result<Done> {
+                        if (Interrupted()) return InterruptedError();
+                        return scripted.Do(id, p);
+                      });
   if (!done.ok()) return Complain(done.error());
   if (!scripted.editor().session().document().is_saved()) {
     PrintLine(stderr, "hazumi: %s: the project is changed but not saved; end with \"file.save\"",

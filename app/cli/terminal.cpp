@@ -1,9 +1,16 @@
 #include "app/cli/terminal.h"
 
-#include <algorithm>
-#include <cstdarg>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+
+#include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
 #include "engine/base/utf8.h"
 
 namespace hazumi {
@@ -45,6 +52,16 @@ std::string Printable(std::string_view text) {
   return out;
 }
 
+std::string Shortened(std::string text) {
+  constexpr size_t kHead = 1200, kTail = 600;
+  if (text.size() <= kHead + kTail) return text;
+  size_t from = kHead, to = text.size() - kTail;
+  const auto is_inside = [&](size_t i) { return (text[i] & 0xC0) == 0x80; };  // a letter
+  while (is_inside(from)) --from;
+  while (to < text.size() && is_inside(to)) ++to;
+  return text.replace(from, to - from, " ... ");
+}
+
 void PrintLine(std::FILE* stream, const char* format, ...) {
   va_list arguments, again;
   va_start(arguments, format);
@@ -53,7 +70,24 @@ void PrintLine(std::FILE* stream, const char* format, ...) {
   std::vsnprintf(text.data(), text.size() + 1, format, again);
   va_end(again);
   va_end(arguments);
-  std::fprintf(stream, "%s\n", Printable(text).c_str());
+  std::fprintf(stream, "%s\n", Shortened(Printable(text)).c_str());
+}
+
+// Opened for reading, so that what is printed there fails as it would without.
+void KeepStandardStreams() {
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd) {
+    if (fcntl(fd, F_GETFD) < 0) open("/dev/null", O_RDONLY);
+  }
+}
+
+int FinishOutput(int exit_code) {
+  errno = 0;
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+  if (!failed || exit_code != kExitOk) return exit_code;
+  if (Interrupted()) return Complain(InterruptedError());
+  return Complain(
+      {ErrorCode::kCannotWrite, "standard output", "", "could not be written" + reason});
 }
 
 int ComplainOfUsage(const std::string& message) {

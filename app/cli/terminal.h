@@ -10,8 +10,17 @@ namespace hazumi {
 // file cannot steer the terminal.
 std::string Printable(std::string_view text);
 
-// Prints one line, made as by printf and then Printable.
+// The text without its middle if it is too long for anybody to read: names may be.
+std::string Shortened(std::string text);
+
+// Prints one line, made as by printf and then Printable and Shortened.
 [[gnu::format(printf, 2, 3)]] void PrintLine(std::FILE* stream, const char* format, ...);
+
+// Makes sure that there are standard streams, so that no file that is opened later becomes one.
+void KeepStandardStreams();
+// To be called last: whatever was printed to standard output is there, or a complaint is printed.
+// Returns the program's exit code: `exit_code` unless that is kExitOk and something is missing.
+int FinishOutput(int exit_code);
 
 // Prints "hazumi: MESSAGE" and where to find help to standard error. Returns kExitUsage.
 int ComplainOfUsage(const std::string& message);

@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <string_view>
-#include <unordered_set>
 
 #include "engine/project/field_checks.h"
 #include "engine/project/project_fields.h"
@@ -23,16 +21,6 @@ constexpr int kSolverVersion = 1;
 void CheckWhole(int number, const char* field, const Site& site) {
   if (std::abs(static_cast<double>(number)) > kLargestNumber)
     CheckNumber(number, site.Field(field));
-}
-
-// Nor a field twice.
-template <typename T>
-void CheckFieldsUnique(const std::vector<Named<T>>& items, const Site& site) {
-  std::unordered_set<std::string_view> names;
-  for (const Named<T>& item : items) {
-    if (names.insert(item.name).second) continue;
-    site.Field(item.name).Report(Check::kFieldTwice, {Quoted(item.name)});
-  }
 }
 
 void CheckFramesOrder(const ProjectFrames& frames, const Site& site) {
@@ -103,7 +91,6 @@ void CheckCurves(const Project& project, const Site& site) {
     CheckCurve(project.root.curves[i], KeyFieldsOf(i),
                site.Field("root").Field(kRootCurveNames[i]));
   }
-  CheckFieldsUnique(project.joints, site.Field("joints"));
   for (const auto& joint : project.joints) {
     CheckCurve(joint.value, kAngleKey, site.Field("joints").Field(joint.name));
   }
@@ -116,7 +103,6 @@ void CheckFactor(double factor, const Site& site) {
 
 void CheckFriction(const ProjectFriction& friction, const Site& site) {
   CheckFactor(friction.default_factor, site.Field("default"));
-  CheckFieldsUnique(friction.joints, site.Field("joints"));
   for (const auto& joint : friction.joints) {
     CheckFactor(joint.value, site.Field("joints").Field(joint.name));
   }

@@ -201,11 +201,26 @@ class CommandLine(InFolder):
         self.assertEqual(self.files(), ["blocked"])
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
-    def test_a_full_standard_output_exits_with_73(self):
+    def test_a_full_or_closed_standard_output_exits_with_73_whatever_the_task(self):
+        for task in (["--bake", "-", THROW], ["--check", THROW], ["--check", "--json", THROW, JUMP],
+                     ["--info", THROW], ["--info", "--json", THROW], ["--flight", JUMP],
+                     ["--flight", "--json", JUMP], ["--operators"], ["--help"], ["--version"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([HAZUMI, *map(str, task)], stdout=full, text=True,
+                                      stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, 73, task)
+            self.assertIn("standard output: could not be written", done.stderr)
+            command = " ".join(f"'{word}'" for word in [HAZUMI, *map(str, task)])
+            done = subprocess.run(["sh", "-c", f"{command} >&-"], timeout=60, text=True,
+                                  stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 73, task)
+            self.assertIn("standard output: could not be written", done.stderr)
+
+    def test_an_error_goes_before_a_full_standard_output(self):
         with open("/dev/full", "w") as full:
-            done = subprocess.run([HAZUMI, "--bake", "-", THROW], stdout=full,
-                                  stderr=subprocess.PIPE, timeout=60)
-        self.assertEqual(done.returncode, 73)
+            done = subprocess.run([HAZUMI, "--check", THROW, "nowhere.kfa"], stdout=full,
+                                  stderr=subprocess.DEVNULL, timeout=60)
+        self.assertEqual(done.returncode, 66)
 
     def test_bake_writes_json_or_csv_by_suffix(self):
         self.assertEqual(run("--bake", self.folder / "m.json", THROW).returncode, 0)
@@ -319,6 +334,111 @@ class CommandLine(InFolder):
         self.assertRegex(done.stdout, r"(?m)^flight     F\d+\.\d to F\d+\.\d, apex F\d+\.\d$")
         self.assertIn("the clip plays at its natural speed", done.stdout)
         self.assertIn("flight     none", run("--flight", THROW).stdout)
+
+    def long(self, frames, **more):
+        """The throw, standing on for so many frames."""
+        project = self.project()
+        project["frames"]["last"] = frames - 1
+        project.update(more)
+        path = self.folder / "long.kfa"
+        path.write_text(json.dumps(project))
+        return path
+
+    def peak(self, *arguments):
+        """What a task says and ends with, and the most memory that it took [MB]."""
+        child = start(*arguments)
+        out, complaint = child.stdout.read(), child.stderr.read()
+        child.stdout.close()
+        child.stderr.close()
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        return child.returncode, out, complaint, usage.ru_maxrss / 1024
+
+    def test_a_million_frames_are_checked_in_little_memory_and_time(self):
+        long = self.long(1000000)
+        for task in ("--check", "--info"):
+            began = time.monotonic()
+            code, _, complaint, megabytes = self.peak(task, long)
+            self.assertEqual(code, 0, complaint)
+            self.assertLess(megabytes, 150, task)
+            self.assertLess(time.monotonic() - began, 10, task)
+
+    def test_a_motion_too_large_is_refused_with_its_size(self):
+        for frames, tasks in ((1000000, (["--bake", "-"], ["--flight"], ["--render", "o"],
+                                         ["--export", "o.glb"], ["--export", "o.mp4"])),
+                              (100000, (["--bake", "-", "--fps", "240"],
+                                        ["--export", "o.json", "--fps", "240"]))):
+            long = self.long(frames)
+            for task in tasks:
+                code, out, complaint, megabytes = self.peak(*task, long)
+                self.assertEqual((code, out), (65, ""), complaint)
+                self.assertRegex(complaint, r"frames: \d+ frames of 37 joints would need [\d.]+ GB of "
+                                            r"memory; at most 1 GB")
+                self.assertLess(megabytes, 100, task)
+
+    def test_what_is_not_refused_for_its_size_takes_a_gigabyte_at_most(self):
+        long = self.long(60000)
+        for task in (["--bake", self.folder / "m.json"], ["--export", self.folder / "m.csv"],
+                     ["--export", self.folder / "m.glb"], ["--export", self.folder / "m.bvh"],
+                     ["--flight"]):
+            code, _, complaint, megabytes = self.peak(*task, long)
+            self.assertEqual(code, 0, complaint)
+            self.assertLess(megabytes, 1000, task)
+
+    def test_paths_take_no_more_memory_than_there_may_be(self):
+        drawn = ["--render", self.folder / "p", "--size", "64x48", "--frames", "0", "--paths"]
+        code, _, complaint, megabytes = self.peak(*drawn, self.long(170000))
+        self.assertEqual(code, 0, complaint)
+        self.assertIn("--paths: 1 points a frame instead of 4", complaint)
+        self.assertLess(megabytes, 1000)
+
+    def test_too_many_ghosts_and_pixels_are_refused_with_the_number(self):
+        for more, message in ((["--ghosts", "1"], "--ghosts 1: 5000 ghosts in each picture; 1000 "
+                                                  "are the most, give at least 5"),
+                              (["--size", "16384x16384"], "--size 16384x16384: needs 14 GB of "
+                                                          "memory; at most 2 GB")):
+            done = run("--render", self.folder / "o", *more, self.long(5000))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(message, done.stderr)
+        self.assertEqual(self.files(), ["long.kfa"])
+
+    def test_long_names_are_not_said_whole(self):
+        name = "x" * 100000
+        for change in ({"name": name}, {"joints": {name: {"keys": []}}}, {"markers": [{name: 1}]},
+                       {"regions": [{**self.project()["regions"][0], "joints": [name]}]},
+                       {"solver": {"method": name, "version": 1}}, {"figure": {"file": name}},
+                       {"joints": {"r_knee": {"keys": [{"frame": 0, "angle_deg": 1, name: 2}] * 2}}},
+                       {"held_objects": [{"name": name}]}):
+            long = self.long(10, **change)
+            for task in (["--check"], ["--check", "--json"], ["--info"]):
+                done = run(*task, long)
+                self.assertIn(done.returncode, (0, 65, 66))
+                self.assertLess(len(done.stdout) + len(done.stderr), 5000, (task, list(change)))
+        for arguments in (["--frames", name], ["--" + name], ["--bake", name]):
+            self.assertLess(len(run(*arguments, THROW).stderr), 5000)
+
+    def test_a_script_saves_nothing_that_check_refuses(self):
+        project = self.project()
+        project.update(regions=[], placements=[], holds=[])
+        start_of_it = self.folder / "start.kfa"
+        start_of_it.write_text(json.dumps(project))
+        out = self.folder / "out.kfa"
+        script = self.folder / "script.json"
+        save = {"op": "file.save", "path": str(out)}
+        away = {"op": "key.set", "curve": "root.z", "frame": 30, "value": 9}
+        for steps, refused in (
+                ([{"op": "hold.add", "joint": "r_toe", "first": 0, "last": 30}, away], True),
+                ([away], False)):
+            script.write_text(json.dumps([*steps, save]))
+            done = run("--run", script, start_of_it)
+            if not refused:
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(run("--check", out).returncode, 0)
+                continue
+            self.assertEqual(done.returncode, 65, done.stderr)
+            self.assertIn("out of reach", done.stderr)
+            self.assertIn("so it is not saved", done.stderr)
+            self.assertFalse(out.exists())
 
     def test_an_interrupted_render_exits_with_130_and_leaves_whole_pictures(self):
         out = self.folder / "frames"

@@ -6,11 +6,13 @@ import base64
 import json
 import os
 import pathlib
+import signal
 import struct
+import time
 import unittest
 import zlib
 
-from command_line import HAZUMI, THROW, InFolder, run
+from command_line import HAZUMI, THROW, InFolder, run, start
 
 
 def png(size):
@@ -72,9 +74,10 @@ def gltf(clips, pictures):
 
 
 class Import(InFolder):
-    def walk(self):
-        """A clip of five frames: a trunk that leans forward, an arm that swings."""
-        rows = "".join(f"0 {90 + i} 0 0 {5 * i} 0 {40 * (i % 2)} 0 0\n" for i in range(5))
+    def walk(self, frames=5):
+        """A clip: a trunk that leans forward, an arm that swings."""
+        rows = "".join(f"0 {90 + i % 5} 0 0 {5 * (i % 5)} 0 {40 * (i % 2)} 0 0\n"
+                       for i in range(frames))
         path = self.folder / "walk.bvh"
         path.write_text(
             "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n"
@@ -82,7 +85,7 @@ class Import(InFolder):
             "JOINT LeftArm\n{\nOFFSET 20 80 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
             "End Site\n{\nOFFSET 60 0 0\n}\n}\n"
             "JOINT LeftLeg\n{\nOFFSET 10 -90 0\nEnd Site\n{\nOFFSET 0 0 20\n}\n}\n}\n"
-            f"MOTION\nFrames: 5\nFrame Time: 0.0333333\n{rows}")
+            f"MOTION\nFrames: {frames}\nFrame Time: 0.0333333\n{rows}")
         return path
 
     def test_import_makes_a_project_and_says_what_it_took_it_for(self):
@@ -219,6 +222,43 @@ class Import(InFolder):
         for symbol in (b"png_create_read_struct", b"jpeg_read_header", b"libjpeg"):
             self.assertNotIn(symbol, program)
         self.assertIn(b"png_create_write_struct", program)
+
+    def test_an_interrupted_import_ends_its_reader_and_leaves_nothing(self):
+        """A reader that never answers says who it is."""
+        reader, number = self.folder / "reader", self.folder / "number"
+        reader.write_text(f"#!/bin/sh\necho $$ > {number}.new; mv {number}.new {number}\n"
+                          "exec sleep 100\n")
+        reader.chmod(0o755)
+        walk = self.walk()
+        for signal_number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            number.unlink(missing_ok=True)
+            process = start("--import", walk, "--save", self.folder / "o.kfa",
+                            env={**os.environ, "HAZUMI_READER": str(reader)})
+            while not number.exists():
+                time.sleep(0.01)
+            process.send_signal(signal_number)
+            out, complaint = process.communicate(timeout=10)
+            self.assertEqual((process.returncode, out), (130, ""), complaint)
+            self.assertFalse(pathlib.Path("/proc", number.read_text().strip()).exists())
+            self.assertEqual(self.files(), ["number", "reader", "walk.bvh"])
+
+    def test_an_import_interrupted_at_any_time_ends_soon_and_leaves_nothing(self):
+        """Not only while the file is read."""
+        walk = self.walk(frames=20000)
+        out = self.folder / "o.kfa"
+        began = time.monotonic()
+        self.assertEqual(run("--import", walk, "--save", out).returncode, 0)
+        whole = time.monotonic() - began
+        for share in (0.2, 0.4, 0.6, 0.8):
+            out.unlink(missing_ok=True)
+            process = start("--import", walk, "--save", out)
+            time.sleep(share * whole)
+            process.send_signal(signal.SIGTERM)
+            _, complaint = process.communicate(timeout=60)
+            if process.returncode == 0:  # it was done before
+                continue
+            self.assertEqual(process.returncode, 130, complaint)
+            self.assertEqual(self.files(), ["walk.bvh"])
 
     def test_import_says_what_cannot_be_saved(self):
         done = run("--import", self.walk(), "--save", self.folder / "missing" / "o.kfa")

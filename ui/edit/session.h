@@ -70,6 +70,11 @@ class Session {
   const Pose& clipboard() const { return clipboard_; }
   void set_clipboard(Pose pose) { clipboard_ = std::move(pose); }
 
+  // Files are saved only if they can be read back and animated (see check_saved.h): for whoever is
+  // not there to look.
+  bool saves_checked() const { return saves_checked_; }
+  void set_saves_checked(bool checked) { saves_checked_ = checked; }
+
   // For files of other programs. Empty unless whoever owns the session can draw capsules.
   const SkinMaker& capsules() const { return capsules_; }
   void set_capsules(SkinMaker maker) { capsules_ = std::move(maker); }
@@ -115,6 +120,7 @@ class Session {
   std::vector<Named<ProjectKey>> key_clipboard_;  // by curve
   std::vector<std::weak_ptr<const SessionObserver>> observers_;
   bool is_running_ = false;  // an operator
+  bool saves_checked_ = false;
   long document_number_ = 0;
 
   ProjectFigure figure_source_;  // figure_ was built from

@@ -5,6 +5,7 @@
 #include "engine/figure/sides.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
+#include "ui/edit/check_saved.h"
 #include "ui/edit/edits.h"
 #include "ui/edit/new_project.h"
 
@@ -31,6 +32,12 @@ Result<Done> Open(Session* session, const Parameters& p) {
   return Done();
 }
 
+Error NotSaved(Error error, const std::string& path) {
+  if (error.file.empty()) error.file = path;
+  error.message += " (so it is not saved)";
+  return error;
+}
+
 // Under another name the figure's file is still found.
 Result<Done> Save(Session* session, const Parameters& p) {
   Document& document = session->document();
@@ -39,6 +46,10 @@ Result<Done> Save(Session* session, const Parameters& p) {
   Project project = document.project();
   if (!document.path().empty() && FolderOf(path) != FolderOf(document.path())) {
     RebaseReferences(&project, FolderOf(document.path()), FolderOf(path));
+  }
+  if (session->saves_checked()) {
+    const Result<Done> checked = CheckSaved(project, path);
+    if (!checked.ok()) return NotSaved(checked.error(), path);
   }
   Result<Done> saved = SaveProject(project, path);
   if (!saved.ok()) return saved;

@@ -2,6 +2,9 @@
 
 #include "ui/edit/session.h"
 
+#include <filesystem>
+
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/script.h"
 #include "ui/edit/state_folder.h"
@@ -34,6 +37,26 @@ TEST(SessionObservers, AreToldBeforeAndAfter) {
   Do(&session, "project.rename", {{"name", "a"}});
   EXPECT_FALSE(session.Run("edit.redo").ok());
   EXPECT_EQ(told, "<" + Session().project().name + ">project.renamea<a");
+}
+
+// Where nobody is there to look. Work that is not done yet can be saved otherwise.
+TEST(Session, SavesOnlyWhatCanBeAnimatedWhereThatIsAskedFor) {
+  const TemporaryFolder folder;
+  Session session;
+  session.set_saves_checked(true);
+  Do(&session, "file.save", {{"path", folder / "good.kfa"}});
+  Do(&session, "hold.add", {{"joint", "r_toe"}, {"first", 0}, {"last", 30}});
+  Do(&session, "key.set", {{"curve", "root.z"}, {"frame", 30}, {"value", 9}});
+  const edit::Json bad = {{"path", folder / "bad.kfa"}};
+  const Error error = Refused(&session, "file.save", bad);
+  EXPECT_EQ(error.code, ErrorCode::kSemantics);
+  EXPECT_EQ(error.place, "holds[0]");
+  EXPECT_NE(error.message.find("out of reach"), std::string::npos) << error.message;
+  EXPECT_FALSE(std::filesystem::exists(folder / "bad.kfa"));
+  EXPECT_EQ(session.document().path(), folder / "good.kfa");
+  session.set_saves_checked(false);
+  Do(&session, "file.save", bad);
+  EXPECT_TRUE(std::filesystem::exists(folder / "bad.kfa"));
 }
 
 TEST(StateFolder, FollowsTheEnvironment) {

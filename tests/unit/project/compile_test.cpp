@@ -166,7 +166,6 @@ TEST(CompileAnimation, RefusesWhatCouldNotBeReadBack) {
       [](Project* p) { p->preview->last = kWhole; },
       [](Project* p) { p->scene.gravity_m_s2 = kLarge; },
       [](Project* p) { p->joints[0].value.keys.back().value = kLarge; },
-      [](Project* p) { p->joints.push_back(p->joints[0]); },
       [](Project* p) { p->regions[0].last_frame = kWhole; },
       [](Project* p) { p->regions[0].blend_frames = kWhole; },
       [](Project* p) {
