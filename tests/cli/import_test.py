@@ -88,6 +88,21 @@ class Import(InFolder):
             f"MOTION\nFrames: {frames}\nFrame Time: 0.0333333\n{rows}")
         return path
 
+    def test_a_character_of_no_size_is_an_error_that_says_what_to_do(self):
+        out, path = self.folder / "walk.kfa", self.walk()
+        done = run("--import", path, "--unit", "1e-9", "--save", out)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("--height", done.stderr)
+        self.assertFalse(out.exists())
+        text = path.read_text()
+        for place in ("20 80 0", "60 0 0", "10 -90 0", "0 0 20"):
+            text = text.replace(f"OFFSET {place}", "OFFSET 0 0 0")
+        path.write_text(text)
+        done = run("--import", path, "--save", out)
+        self.assertEqual(done.returncode, 65)
+        self.assertIn("all its bones lie in one place", done.stderr)
+        self.assertFalse(out.exists())
+
     def test_import_makes_a_project_and_says_what_it_took_it_for(self):
         out = self.folder / "walk.kfa"
         done = run("--import", self.walk(), "--save", out)
