@@ -207,6 +207,7 @@ FlightAnalysis AnalyseFlights(const MotionSeries& series, double gravity) {
 TimeScale TimeOf(const std::vector<Flight>& flights, double frame_time, double stature,
                  bool scale_known, double gravity) {
   std::vector<GravityEstimate> estimates;
+  estimates.reserve(flights.size());
   for (const Flight& flight : flights) estimates.push_back(flight.gravity);
   return JudgeTime(estimates, frame_time, stature, scale_known, gravity);
 }

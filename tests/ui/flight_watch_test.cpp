@@ -65,6 +65,20 @@ TEST(FlightWatch, AWrongFrameRateIsSaidOnceAndRepairedByOneStep) {
   EXPECT_EQ(watch.analysis().time.verdict, TimeVerdict::kTrue);
 }
 
+// Arcs too short or too low to tell raise no alarm, offer no repair, and say so.
+TEST(FlightText, OfWhatItsIntervalDoesNotBearThereIsNoAlarm) {
+  const TimeScale time = JudgeTime({{13.0, 3.0, {}}}, 1.0 / 30.0, 1.7, false, 9.81);
+  EXPECT_EQ(AlarmText(time), "");
+  EXPECT_EQ(RepairText(time), "");
+  EXPECT_NE(UndecidedText(time).find("gravity 6.98 – 19 m/s²"), std::string::npos)
+      << UndecidedText(time);
+  EXPECT_EQ(UndecidedText(JudgeTime({}, 1.0 / 30.0, 1.7, false, 9.81)), "");
+  Flight flight;
+  flight.landing = 15.0;
+  flight.gravity = {9.8, 0.0, {}};
+  EXPECT_EQ(FlightText(flight, 1.0 / 30.0), "0.50 s, 9.8 m/s² (9.41 – 10.2)");
+}
+
 TEST(FlightWatch, WhatGravityPlacesIsLeftOut) {
   edit::Session session;
   test::KeyJump(9.81, &session);

@@ -45,6 +45,12 @@ void ExpectSameMotion(const Motion& a, const Motion& b) {
   for (size_t i = 0; i < a.warnings.size(); ++i) {
     EXPECT_EQ(a.warnings[i].message, b.warnings[i].message);
   }
+  ASSERT_EQ(a.placement_jumps.size(), b.placement_jumps.size());
+  for (size_t i = 0; i < a.placement_jumps.size(); ++i) {
+    EXPECT_EQ(a.placement_jumps[i].frame, b.placement_jumps[i].frame);
+    EXPECT_EQ(a.placement_jumps[i].speed, b.placement_jumps[i].speed);
+    EXPECT_EQ(a.placement_jumps[i].distance, b.placement_jumps[i].distance);
+  }
   ASSERT_EQ(a.regions.size(), b.regions.size());
   for (size_t r = 0; r < a.regions.size(); ++r) ExpectSameReport(a.regions[r], b.regions[r]);
 }
