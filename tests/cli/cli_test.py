@@ -344,16 +344,6 @@ class CommandLine(InFolder):
         path.write_text(json.dumps(project))
         return path
 
-    def peak(self, *arguments):
-        """What a task says and ends with, and the most memory that it took [MB]."""
-        child = start(*arguments)
-        out, complaint = child.stdout.read(), child.stderr.read()
-        child.stdout.close()
-        child.stderr.close()
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        return child.returncode, out, complaint, usage.ru_maxrss / 1024
-
     def test_a_million_frames_are_checked_in_little_memory_and_time(self):
         long = self.long(1000000)
         for task in ("--check", "--info"):

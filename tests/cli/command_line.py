@@ -50,3 +50,13 @@ class InFolder(unittest.TestCase):
 
     def files(self):
         return sorted(p.name for p in self.folder.rglob("*") if p.is_file())
+
+    def peak(self, *arguments):
+        """What a task says and ends with, and the most memory that it took [MB]."""
+        child = start(*arguments)
+        out, complaint = child.stdout.read(), child.stderr.read()
+        child.stdout.close()
+        child.stderr.close()
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        return child.returncode, out, complaint, usage.ru_maxrss / 1024

@@ -275,6 +275,23 @@ class Import(InFolder):
             self.assertEqual(process.returncode, 130, complaint)
             self.assertEqual(self.files(), ["walk.bvh"])
 
+    def test_twenty_thousand_frames_of_ninety_hinges_are_imported_and_read_back(self):
+        """More than five million values."""
+        joints, frames = 30, 20000
+        chain = "".join(f"JOINT J{i}\n{{\nOFFSET 0 6 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+                        for i in range(joints))
+        rows = [" ".join(str((7 * f + 3 * k) % 20) for k in range(3 * joints)) for f in range(20)]
+        path, out = self.folder / "long.bvh", self.folder / "long.kfa"
+        path.write_text("HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n"
+                        "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+                        + chain + "End Site\n{\nOFFSET 0 6 0\n}\n" + "}\n" * (joints + 1)
+                        + f"MOTION\nFrames: {frames}\nFrame Time: 0.00833333\n"
+                        + "".join(f"0 90 0 0 0 {f % 9} {rows[f % 20]}\n" for f in range(frames)))
+        for task in (["--import", path, "--save", out], ["--check", out]):
+            code, _, complaint, megabytes = self.peak(*task)
+            self.assertEqual(code, 0, complaint)
+            self.assertLess(megabytes, 1000, task)
+
     def test_import_says_what_cannot_be_saved(self):
         done = run("--import", self.walk(), "--save", self.folder / "missing" / "o.kfa")
         self.assertEqual((done.returncode, done.stdout), (73, ""), done.stderr)
