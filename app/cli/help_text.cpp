@@ -89,8 +89,9 @@ Output
   --json            with --check, --info, --flight: answer in JSON
 
 Editor
-  --trace           say in the end how long events took until the picture was
-                    finished, and how many frames playback showed
+  --trace           say in the end how many events changed the project and how
+                    long they took until the picture was finished, and how many
+                    frames playback showed, passed over, and showed late
 
 Results go to standard output, progress and complaints to standard error.
 Exit codes: 0 ok, 1 failed, 2 usage, 65 bad data, 66 no input, 73 cannot write,

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -22,25 +21,18 @@ Result<Done> Open(const Options& options, ui::Editor* editor) {
   return editor->Invoke("file.open", {{"path", options.files[0]}});
 }
 
-// How long events took until their picture was finished.
-class Trace {
- public:
-  void Add(double seconds) { milliseconds_.push_back(1e3 * seconds); }
-  void Print(const ui::Playback& playback) {
-    PrintLine(stdout, "playback %d frames shown, %d dropped, at most %.0f ms late",
-              playback.frames(), playback.dropped(), 1e3 * playback.latest());
-    if (milliseconds_.empty()) return;
-    std::sort(milliseconds_.begin(), milliseconds_.end());
-    PrintLine(stdout, "events %zu, event to picture: median %.1f ms, 99 of 100 within %.1f ms",
-              milliseconds_.size(), At(0.5), At(0.99));
-  }
-
- private:
-  double At(double share) const {
-    return milliseconds_[static_cast<size_t>(share * (milliseconds_.size() - 1))];
-  }
-  std::vector<double> milliseconds_;
-};
+void PrintTrace(const ui::WindowTrace& trace) {
+  PrintLine(stdout,
+            "playback %d frames shown, %d passed over, %d late by more than a frame's time, "
+            "the latest by %.0f ms",
+            trace.frames(), trace.passed_over(), trace.late_frames(), 1e3 * trace.latest());
+  PrintLine(stdout, "events %d, of which %d changed the project", trace.events(), trace.changes());
+  if (trace.changes() == 0) return;
+  PrintLine(stdout,
+            "change to picture: median %.1f ms, 99 of 100 within %.1f ms; in %d the motion "
+            "was still the one before",
+            1e3 * trace.TimeOf(0.5), 1e3 * trace.TimeOf(0.99), trace.behind());
+}
 
 }  // namespace
 
@@ -55,10 +47,10 @@ int RunWindow(const Options& options) {
       edit::StateFolder([](const char* name) { return std::getenv(name); });
   if (state.ok()) window.state_folder = state.value();
   if (!state.ok()) editor.Say(state.error().ToString(), true);
-  Trace trace;
-  if (options.trace) window.trace = [&](double seconds) { trace.Add(seconds); };
+  ui::WindowTrace trace;
+  if (options.trace) window.trace = &trace;
   const Result<Done> done = ui::RunInWindow(&editor, window);
-  if (options.trace) trace.Print(editor.playback);
+  if (options.trace) PrintTrace(trace);
   return done.ok() ? kExitOk : Complain(done.error());
 }
 

@@ -21,7 +21,7 @@ void Playback::Start(double now, int frame, int first, int last, double rate) {
   passed_ = 0;
   last_shown_ = -1;
   shown_ = frames_ = dropped_ = 0;
-  shown_rate_ = latest_ = 0.0;
+  shown_rate_ = 0.0;
 }
 
 int Playback::Advance(double now) {
@@ -42,7 +42,6 @@ void Playback::CountFrame(double now, int frame) {
     dropped_ += ((frame - last_shown_) % length + length) % length - 1;
   }
   last_shown_ = frame;
-  latest_ = std::max(latest_, now - start_ - static_cast<double>(passed_) / rate_);
   ++shown_;
   ++frames_;
   if (now - window_start_ < 1.0) return;

@@ -15,17 +15,18 @@ class Playback {
 
   // Goes on to the frame to be shown now.
   int Advance(double now);
-  // When the next frame is due [s].
+  // When the frame that is shown was due, and when the next one is [s].
+  double due() const { return start_ + static_cast<double>(passed_) / rate_; }
   double NextFrameTime() const { return start_ + static_cast<double>(passed_ + 1) / rate_; }
+  double frame_seconds() const { return 1.0 / rate_; }
 
   // A frame was shown.
   void CountFrame(double now, int frame);
   // Different frames shown per second, over about the last second; 0 before that is known.
   double shown_rate() const { return shown_rate_; }
-  // Since playback began: frames shown, frames passed over, and how late the latest was [s].
+  // Since playback began: frames shown, and frames passed over.
   int frames() const { return frames_; }
   int dropped() const { return dropped_; }
-  double latest() const { return latest_; }
 
  private:
   bool is_on_ = false;
@@ -33,7 +34,7 @@ class Playback {
   int start_frame_ = 0, first_ = 0, last_ = 0;
   long passed_ = 0;  // frames since the start
   int last_shown_ = -1, frames_ = 0, dropped_ = 0;
-  double window_start_ = 0.0, shown_rate_ = 0.0, latest_ = 0.0;
+  double window_start_ = 0.0, shown_rate_ = 0.0;
   int shown_ = 0;
 };
 

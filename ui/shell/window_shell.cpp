@@ -8,6 +8,7 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "ui/panels/panels.h"
 #include "ui/shell/crash_safety.h"
@@ -138,15 +139,34 @@ class Loop {
     interface_.Frame(window_.size(), now - last_frame_);
     input_.ShowCursor();
     glfwSwapBuffers(window_.get());
-    if (options_.trace && event_time_ >= 0.0) {
-      interface_.Finish();
-      options_.trace(glfwGetTime() - event_time_);
-    }
+    if (options_.trace != nullptr) Trace();
     event_time_ = -1.0;
     last_frame_ = now;
     safety_.Tick();
     if (!editor_.dragged_splitter) settings_.SaveIfChanged(&editor_);
     window_.SetTitle(TitleOf(editor_));
+  }
+
+  // Tells of the picture that was drawn last.
+  void Trace() {
+    interface_.Finish();
+    const double now = glfwGetTime();
+    const edit::Session& session = editor_.session();
+    const std::pair document(session.document_number(), session.document().revision());
+    const bool is_baking = session.bake() != nullptr && session.bake()->is_busy();
+    const bool has_changed = std::exchange(traced_document_, document) != document;
+    if (event_time_ >= 0.0) {
+      options_.trace->AddEvent({now - event_time_, has_changed, is_baking});
+    }
+    TraceFrame(now);
+  }
+
+  void TraceFrame(double now) {
+    const Playback& playback = editor_.playback;
+    const bool is_same = std::exchange(traced_frames_, playback.frames()) == playback.frames();
+    const int passed = playback.dropped() - std::exchange(traced_passed_, playback.dropped());
+    if (!playback.is_on() || is_same) return;
+    options_.trace->AddFrame({now - playback.due(), playback.frame_seconds(), std::max(0, passed)});
   }
 
   double Deadline() const {
@@ -188,6 +208,8 @@ class Loop {
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;
   int frames_left_ = kFramesAfterEvent;
+  std::pair<long, long> traced_document_;      // its number and revision
+  int traced_frames_ = 0, traced_passed_ = 0;  // of playback
 };
 
 }  // namespace

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "ui/panels/editor.h"
+#include "ui/shell/window_trace.h"
 
 namespace hazumi::ui {
 
 struct WindowOptions {
   std::string state_folder;  // where journals are kept; empty: nowhere
-  // Told for each event how long it took until the picture was finished [s]; may be empty.
-  std::function<void(double seconds)> trace;
+  WindowTrace* trace = nullptr;  // told of each event and frame; may be null
 };
 
 // Shows an editor in a window until the user leaves it. Draws when something happened, sleeps
