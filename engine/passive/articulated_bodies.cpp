@@ -279,45 +279,6 @@ void ArticulatedBodies::Solve(const RegionLayout& layout, const std::vector<Node
   Distribute(layout, motion, x);
 }
 
-// What joints that follow freely pass on of a push, without the inertias, which are as they were.
-void ArticulatedBodies::PassPush(int i, const RegionLayout& layout, const NodeMotion& motion) {
-  Body& body = bodies_[i];
-  const int dofs = layout.node(i).num_dofs;
-  if (body.is_ball) {
-    body.y = -(body.D_inverse * body.n);
-    body.f += TransposeTimes(body.H, body.y);
-  } else {
-    double u[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < dofs; ++k) u[k] = -Dot(motion.axis[k], body.n);
-    body.y = body.D_inverse * V3{u[0], u[1], u[2]};
-    const double y[3] = {body.y.x, body.y.y, body.y.z};
-    for (int k = 0; k < dofs; ++k) {
-      body.f += y[k] * body.UF[k];
-      body.n += y[k] * body.UI[k];
-    }
-  }
-  if (parents_[i] < 0) return;
-  Body& to = bodies_[parents_[i]];
-  to.f += body.f;
-  to.n += Cross(motion.r, body.f);
-  if (dofs < 3) to.n += body.n;
-}
-
-void ArticulatedBodies::Push(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
-                             int node, const V3& r, const V3& force, double* x) {
-  for (Body& body : bodies_) body.n = body.f = V3();
-  bodies_[node].f = -force;
-  bodies_[node].n = -Cross(r, force);
-  for (int i = static_cast<int>(bodies_.size()) - 1; i >= 0; --i) {
-    if (is_dynamic_[i]) PassPush(i, layout, motion[i]);
-  }
-  Distribute(layout, motion, x);
-}
-
-V3 ArticulatedBodies::AccelerationAt(int node, const V3& r) const {
-  return bodies_[node].da + Cross(bodies_[node].dalpha, r);
-}
-
 void ArticulatedBodies::Distribute(const RegionLayout& layout,
                                    const std::vector<NodeMotion>& motion, double* x) {
   const int count = static_cast<int>(bodies_.size());

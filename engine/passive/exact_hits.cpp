@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/root.h"
 #include "engine/passive/exact_solver.h"
@@ -213,6 +214,22 @@ double ExactSolver::CrossingTime(int hinge, int side, double inside, double outs
   };
   const double in = std::min(out(inside), -kTouch);
   return Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
+}
+
+void ExactSolver::AddHit(int hinge) {
+  int& last = last_hit_[hinge];
+  if (last >= 0 && time_ - hits_[last].last_time < kChatterGap) {
+    ++hits_[last].count;
+    hits_[last].last_time = time_;
+    return;
+  }
+  last = static_cast<int>(hits_.size());
+  hits_.push_back({time_, time_, 1, hinge});
+}
+
+std::vector<StopHit> ExactSolver::TakeHits() {
+  for (const StopHit& hit : hits_) last_hit_[hit.hinge] = -1;
+  return std::exchange(hits_, {});
 }
 
 }  // namespace hazumi

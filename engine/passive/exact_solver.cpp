@@ -112,17 +112,6 @@ int ExactSolver::FindSides(bool with_blow) {
   return moving;
 }
 
-void ExactSolver::AddHit(int hinge) {
-  int& last = last_hit_[hinge];
-  if (last >= 0 && time_ - hits_[last].last_time < kChatterGap) {
-    ++hits_[last].count;
-    hits_[last].last_time = time_;
-    return;
-  }
-  last = static_cast<int>(hits_.size());
-  hits_.push_back({time_, time_, 1, hinge});
-}
-
 void ExactSolver::Collide(const VecX& blow) {
   stops_.Impact(dynamics_->M(), blow, side_, sticks_, &qd_);
   for (size_t i = 0; i < side_.size(); ++i) {
@@ -287,11 +276,6 @@ EnergyFlow ExactSolver::Energy(double t) {
   MakeDense();
   step_.At(t, y_.data());
   return dynamics_->MeasureEnergy(t, y_.data());
-}
-
-std::vector<StopHit> ExactSolver::TakeHits() {
-  for (const StopHit& hit : hits_) last_hit_[hit.hinge] = -1;
-  return std::exchange(hits_, {});
 }
 
 // Where a ball joint passes a pole its outer hinges' angles jump, perhaps beyond their stops: such
