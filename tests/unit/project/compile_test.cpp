@@ -168,9 +168,6 @@ TEST(CompileAnimation, RefusesWhatCouldNotBeReadBack) {
       [](Project* p) { p->joints[0].value.keys.back().value = kLarge; },
       [](Project* p) { p->regions[0].last_frame = kWhole; },
       [](Project* p) { p->regions[0].blend_frames = kWhole; },
-      [](Project* p) {
-        p->regions[0].friction.joints.push_back({"r_wrist", 0.5});
-      },
       [](Project* p) { p->placements[0].last_frame = kWhole; },
       [](Project* p) { p->holds[0].last_frame = kWhole; },
       [](Project* p) { p->markers[0].frame = kWhole; },
