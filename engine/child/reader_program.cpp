@@ -1,6 +1,7 @@
 #include "engine/child/reader_program.h"
 
 #include <signal.h>
+#include <string.h>
 
 #include <cmath>
 #include <cstdlib>

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/ui/viewport_fixture.h"
+
 namespace hazumi::test {
 namespace {
 
@@ -49,3 +51,29 @@ TEST_F(RefinedThrow, HasMorePointsWhereItIsFasterSoThatNoLineIsACorner) {
 
 }  // namespace
 }  // namespace hazumi::test
+
+namespace hazumi::ui {
+namespace {
+
+using ViewportOfASkin = ViewportFixture;
+
+TEST_F(ViewportOfASkin, NamesATextureThatCannotBeReadOnce) {
+  Project project = editor_.session().project();
+  Skin skin;
+  skin.textures = {{"face.png", {1, 2, 3}}, {"hand.png", {4}}};
+  project.skin.skin = std::make_shared<const Skin>(std::move(skin));
+  editor_.session().Replace(std::move(project), "");
+  editor_.Say("");
+  shell_->Frame();
+  EXPECT_TRUE(editor_.message.is_error);
+  EXPECT_NE(editor_.message.text.find("textures[0] face.png: "), std::string::npos)
+      << editor_.message.text;
+  EXPECT_NE(editor_.message.text.find(" (+1)"), std::string::npos);
+  editor_.Say("");
+  editor_.session().set_frame(editor_.session().frame() + 1.0);
+  shell_->Frame();
+  EXPECT_EQ(editor_.message.text, "");
+}
+
+}  // namespace
+}  // namespace hazumi::ui

@@ -139,6 +139,20 @@ TEST(FigureSkin, NamesABoneThatTheFigureDoesNotHave) {
   EXPECT_NE(result.error().message.find("\"tail\""), std::string::npos);
 }
 
+TEST(FigureSkin, SaysOnceWhatItCouldNotRead) {
+  const Animation animation = Still(test::TwoLinks());
+  const auto skin = std::make_shared<Skin>();
+  skin->textures = {{"face.png", {1, 2, 3}}};
+  SkinCache cache;
+  ASSERT_TRUE(cache.On(*animation.figure, skin).ok());
+  const std::vector<Warning> warnings = cache.TakeWarnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].place, "textures[0] face.png");
+  EXPECT_NE(warnings[0].message.find("neither a PNG nor a JPEG"), std::string::npos);
+  ASSERT_TRUE(cache.On(*animation.figure, skin).ok());
+  EXPECT_TRUE(cache.TakeWarnings().empty());
+}
+
 TEST(FigureSkin, IsMadeReadyOnceForASkin) {
   const Animation animation = Still(test::TwoLinks());
   const auto skin = std::make_shared<Skin>();
