@@ -191,19 +191,19 @@ class Import(InFolder):
         names = [f"clip{i}" for i in range(120)]
         file = self.write("many.gltf", gltf(names, []))
         out = self.folder / "o.kfa"
-        for command in (["--import", file, "--save", out], ["--check", file]):
+        for command in (["--import", file, "--save", out], ["--bake", "-", file]):
             done = run(*command)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("clip: warning: \"clip0\" is taken, the first of 120: \"clip0\", \"clip1\", ",
                           done.stderr)
             self.assertIn("\"clip99\" and 20 more; to take another, give its name (--clip NAME)",
                           done.stderr)
-            self.assertEqual(run(*command, "--clip", "clip7").stderr, "")
-        wrong = run("--check", file, "--clip", "jump")
+            self.assertNotIn("clip: ", run(*command, "--clip", "clip7").stderr)
+        wrong = run("--bake", "-", file, "--clip", "jump")
         self.assertEqual(wrong.returncode, 65)
         self.assertIn("there is no \"jump\"; there are \"clip0\", ", wrong.stderr)
         self.assertIn("\"clip99\" and 20 more", wrong.stderr)
-        self.assertEqual(run("--check", self.write("one.gltf", gltf(["turn"], []))).stderr, "")
+        self.assertNotIn("clip", run("--check", self.write("one.gltf", gltf(["turn"], []))).stderr)
 
     def render(self, file, **more):
         done = run("--render", self.folder / "p", "--size", "64x48", "--frames", "0..0", file, **more)
@@ -214,7 +214,7 @@ class Import(InFolder):
         good, cut = png(8), png(8)[:60]
         sound = self.write("sound.gltf", gltf(["turn"], [good, good + b"\0"]))
         done, whole = self.render(sound)
-        self.assertEqual(done.stderr, "")
+        self.assertNotIn("warning", done.stderr)
         broken = self.write("broken.gltf", gltf(["turn"], [good, cut]))
         done, _ = self.render(broken)
         self.assertIn(f"{broken}: textures[1] ", done.stderr)

@@ -14,6 +14,18 @@ namespace {
 using Json = nlohmann::json;
 enum ComponentType : size_t { kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126 };
 
+// Numbers in a buffer of their own; returns the index of its view.
+size_t AddView(const std::vector<float>& floats, Json* json) {
+  const std::string_view bytes(reinterpret_cast<const char*>(floats.data()),
+                               floats.size() * sizeof(float));
+  Json& buffers = (*json)["buffers"];
+  Json& views = (*json)["bufferViews"];
+  buffers.push_back({{"byteLength", bytes.size()},
+                     {"uri", "data:application/octet-stream;base64," + ToBase64(bytes)}});
+  views.push_back({{"buffer", buffers.size() - 1}, {"byteLength", bytes.size()}});
+  return views.size() - 1;
+}
+
 class WeightRepair {
  public:
   WeightRepair(GltfDocument* document, SceneFiles* files) : document_(*document), files_(*files) {}
@@ -84,17 +96,10 @@ class WeightRepair {
     return floats;
   }
 
-  // In a buffer of its own.
   void PutBack(size_t index, const std::vector<float>& floats) {
-    const std::string_view bytes(reinterpret_cast<const char*>(floats.data()),
-                                 floats.size() * sizeof(float));
-    Json& buffers = document_.json["buffers"];
-    Json& views = document_.json["bufferViews"];
-    buffers.push_back({{"byteLength", bytes.size()},
-                       {"uri", "data:application/octet-stream;base64," + ToBase64(bytes)}});
-    views.push_back({{"buffer", buffers.size() - 1}, {"byteLength", bytes.size()}});
+    const size_t view = AddView(floats, &document_.json);
     Json& accessor = document_.json["accessors"][index];
-    accessor["bufferView"] = views.size() - 1;
+    accessor["bufferView"] = view;
     accessor["componentType"] = static_cast<size_t>(kFloat);
     for (const char* key : {"byteOffset", "normalized", "min", "max"}) accessor.erase(key);
   }
@@ -102,6 +107,23 @@ class WeightRepair {
   GltfDocument& document_;
   SceneFiles& files_;
 };
+
+// Skins without matrices, which are then identities.
+void AddBinds(Json* json) {
+  if (!Member(*json, "skins").is_array()) return;
+  for (Json& skin : (*json)["skins"]) {
+    const Json& joints = Member(skin, "joints");
+    if (!joints.is_array() || joints.empty() || skin.contains("inverseBindMatrices")) continue;
+    std::vector<float> matrices(16 * joints.size(), 0.0f);
+    for (size_t i = 0; i < matrices.size(); i += i % 16 == 15 ? 1 : 5) matrices[i] = 1.0f;
+    Json& accessors = (*json)["accessors"];
+    accessors.push_back({{"bufferView", AddView(matrices, json)},
+                         {"componentType", static_cast<size_t>(kFloat)},
+                         {"count", joints.size()},
+                         {"type", "MAT4"}});
+    skin["inverseBindMatrices"] = accessors.size() - 1;
+  }
+}
 
 void NameNodes(Json* document, std::vector<Warning>* warnings) {
   if (!Member(*document, "nodes").is_array()) return;
@@ -125,6 +147,7 @@ void NameNodes(Json* document, std::vector<Warning>* warnings) {
 Result<Done> RepairGltf(GltfDocument* document, SceneFiles* files, const std::string& file,
                         std::vector<Warning>* warnings) {
   NameNodes(&document->json, warnings);
+  AddBinds(&document->json);
   if (Result<Done> chosen = ChooseScene(document, file, warnings); !chosen.ok()) return chosen;
   if (WeightRepair(document, files).Run()) return Done{};
   return Error{ErrorCode::kSchema, file, "meshes",

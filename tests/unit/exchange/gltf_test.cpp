@@ -130,6 +130,16 @@ TEST(Gltf, TheFirstSceneIsTheDefault) {
   EXPECT_EQ(test::ReadSmall("a.gltf", document.dump()).bones.size(), 2u);
 }
 
+TEST(Gltf, SkinsWithoutMatricesAreBoundAtTheOrigin) {
+  Json document = test::SmallGltf();
+  document["skins"][0].erase("inverseBindMatrices");
+  const Character c = test::ReadSmall("a.gltf", document.dump());
+  ASSERT_EQ(c.meshes.size(), 1u);
+  ASSERT_EQ(c.meshes[0].binds.size(), 2u);
+  for (const SkinMesh::Bind& bind : c.meshes[0].binds)
+    EXPECT_TRUE(bind.inverse_bind.isIdentity(1e-6)) << bind.inverse_bind;
+}
+
 TEST(Gltf, OtherVersionsAreNamed) {
   Json document = test::SmallGltf();
   document["asset"]["version"] = "1.0";
