@@ -8,7 +8,7 @@
 namespace hazumi::ui {
 
 struct WindowOptions {
-  std::string state_folder;  // where journals are kept; empty: nowhere
+  std::string state_folder;      // where journals are kept; empty: nowhere
   WindowTrace* trace = nullptr;  // told of each event and frame; may be null
 };
 
