@@ -1,7 +1,8 @@
 #pragma once
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace hazumi::bench {
@@ -12,17 +13,24 @@ inline void KeepAlive(const T& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
+// Processor time of this process [s], which others that run meanwhile have little part in. The
+// programs that are compared use one thread each.
+inline double ProcessorSeconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 // The least time of a call over all rounds.
 class LeastTime {
  public:
   // Times `call(i)`, i = 0, 1, ..., repeated for at least `batch_seconds`.
   template <typename Call>
   void Round(double batch_seconds, const Call& call) {
-    using Clock = std::chrono::steady_clock;
     const auto run = [&](long count) {
-      const Clock::time_point start = Clock::now();
+      const double start = ProcessorSeconds();
       for (long i = 0; i < count; ++i) call(i);
-      return std::chrono::duration<double>(Clock::now() - start).count();
+      return ProcessorSeconds() - start;
     };
     double seconds = run(calls_);
     for (; seconds < batch_seconds; seconds = run(calls_)) {
