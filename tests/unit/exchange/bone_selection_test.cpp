@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/exchange/small_files.h"
 
 namespace hazumi::test {
@@ -102,15 +101,11 @@ TEST(BoneSelection, PartsThatHangOnNothingAreAllBones) {
   EXPECT_EQ(ReadBare(nodes).bones.size(), 4u);  // and what holds them together
 }
 
-const std::string kWild = HAZUMI_SHARED_DIR "/data/wild/";
-
 class BoneSelectionData : public testing::Test {
  protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(kWild)) GTEST_SKIP() << "skipped: no data";
-  }
+  void SetUp() override { HAZUMI_NEED_DATA("wild"); }
   static Imported Import(const std::string& file) {
-    const Result<Character> character = ReadCharacter(kWild + file);
+    const Result<Character> character = ReadCharacter(DataPath("wild/" + file));
     EXPECT_TRUE(character.ok()) << character.error().ToString();
     if (!character.ok()) return {};
     Result<Imported> imported = ImportProject(character.value(), {});

@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/exchange/read_character.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/exchange/small_files.h"
 
 namespace hazumi {
 namespace {
 
 using Json = nlohmann::json;
-const std::string kWild = HAZUMI_SHARED_DIR "/data/wild/";
 
 std::vector<std::string> NamesOf(const Character& character) {
   std::vector<std::string> names;
@@ -77,9 +75,9 @@ TEST(GltfScene, AFileWithoutNodesSaysSo) {
 
 // Valid files: a node, and nodes with meshes of nothing, none of which moves.
 TEST(GltfScene, KhronossFilesWithoutOneAreRefusedForWhatTheyLack) {
-  if (!std::filesystem::exists(kWild)) GTEST_SKIP() << "skipped: no data";
+  HAZUMI_NEED_DATA("wild");
   for (const char* name : {"khronos_no_scene_1.gltf", "khronos_no_scene_2.gltf"}) {
-    const Result<Character> result = ReadCharacter(kWild + name);
+    const Result<Character> result = ReadCharacter(test::DataPath(std::string("wild/") + name));
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().message,
               "has neither a skin nor an animation, so that there is nothing to move; export the "

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
+#include "tests/support/data_folder.h"
 #include "tests/unit/exchange/mass_oracle.h"
 
 namespace hazumi::test {
 namespace {
-
-const std::string kData = HAZUMI_SHARED_DIR "/data/";
 
 // Those whose bones say what they are, with every segment of the table.
 const std::vector<std::string> kPeople = {"characters/kaykit_Knight.glb",
@@ -33,7 +31,7 @@ const std::vector<std::string> kPeople = {"characters/kaykit_Knight.glb",
                                           "wild/ozz_pab_walk.fbx"};
 
 std::map<std::string, double> SharesOfFile(const std::string& file) {
-  const Result<Character> character = ReadCharacter(kData + file);
+  const Result<Character> character = ReadCharacter(DataPath(file));
   EXPECT_TRUE(character.ok()) << character.error().ToString();
   if (!character.ok()) return {};
   const Result<Imported> imported = ImportProject(character.value(), {});
@@ -56,7 +54,9 @@ void PrintRow(const std::string& name, const std::map<std::string, double>& shar
 }
 
 TEST(MassData, SharesOfEveryClipAndCharacterAreTheTables) {
-  if (!std::filesystem::exists(kData + "jump")) GTEST_SKIP() << "skipped: no data";
+  for (const std::string& file : kPeople) {
+    HAZUMI_NEED_DATA(file);
+  }
   std::printf("| %% |");
   for (const auto& [segment, share] : kDeLeva) std::printf(" %s |", segment.c_str());
   std::printf("\n");
