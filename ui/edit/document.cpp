@@ -15,9 +15,11 @@ std::optional<std::string> Document::redo_label() const {
   return steps_[position_ - forgotten_].label;
 }
 
+// A refusal leaves a drag under way, as every refused operator does: journals know nothing of it.
 bool Document::Undo() {
+  const bool is_back = is_merging() && steps_.back().change.is_empty();
+  if (position_ - forgotten_ == (is_back ? 1 : 0)) return false;
   EndMerge();
-  if (!undo_label()) return false;
   --position_;
   has_left_base_ |= position_ < base_;
   const Step& step = steps_[position_ - forgotten_];
@@ -29,8 +31,8 @@ bool Document::Undo() {
 }
 
 bool Document::Redo() {
-  EndMerge();
   if (!redo_label()) return false;
+  EndMerge();
   const Step& step = steps_[position_ - forgotten_];
   step.change.Apply(&state_.project);
   if (step.keys) state_.keys = step.keys->after;

@@ -59,6 +59,21 @@ TEST(Document, EndsADragWhenTold) {
   EXPECT_EQ(document.num_steps(), 2u);
 }
 
+// What is refused is in no journal, so a replay would go on with the drag.
+TEST(Document, RefusedToUndoOrRedoADragGoesOn) {
+  Document document(edit::NewProject());
+  Rename(&document, "a", "drag");
+  EXPECT_FALSE(document.Redo());
+  Rename(&document, "b", "drag");
+  EXPECT_EQ(document.num_steps(), 1u);
+  Rename(&document, "Untitled", "drag");
+  EXPECT_FALSE(document.Undo());
+  Rename(&document, "c", "drag");
+  EXPECT_EQ(document.num_steps(), 1u);
+  EXPECT_TRUE(document.Undo());
+  EXPECT_EQ(document.project().name, "Untitled");
+}
+
 TEST(Document, ForgetsADragThatCameBack) {
   Document document(edit::NewProject());
   Rename(&document, "away", "drag");

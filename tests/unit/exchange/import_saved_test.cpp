@@ -133,9 +133,9 @@ TEST(ImportSaved, AFigureOfKilometresIsRefusedWithItsHeight) {
 
 TEST(ImportSaved, MoreJointsThanAFigureMayHaveAreRefusedWithTheirNumber) {
   Random random(1);
-  const Result<Imported> imported = ImportProject(RandomCharacter(&random, 1003, 1), {});
+  const Result<Imported> imported = ImportProject(RandomCharacter(&random, 10003, 1), {});
   ASSERT_FALSE(imported.ok());
-  EXPECT_NE(imported.error().message.find("1001 joints"), std::string::npos)
+  EXPECT_NE(imported.error().message.find("10001 joints"), std::string::npos)
       << imported.error().message;
 }
 
