@@ -100,9 +100,9 @@ TEST_F(ImportData, WhereTheUnitIsNotStatedGravitySaysHowLongItIs) {
 }
 
 TEST_F(ImportData, WhoWalksOrThrowsDoesNotFly) {
-  for (const char* file : {"other/cmu_mb_02_01_walk.bvh", "other/bvhtoolbox_walk01.bvh",
-                           "wild/cmu_mb_07_01_walk.bvh", "throw/cmu_mb_124_01_baseball_pitch.bvh",
-                           "throw/cmu_mb_06_14_basketball_shoot.bvh"}) {
+  for (const char* file :
+       {"other/cmu_mb_02_01_walk.bvh", "other/bvhtoolbox_walk01.bvh", "wild/cmu_mb_07_01_walk.bvh",
+        "throw/cmu_mb_124_01_baseball_pitch.bvh", "throw/cmu_mb_06_14_basketball_shoot.bvh"}) {
     const FlightAnalysis analysis = FlightsOf(file, {});
     EXPECT_TRUE(analysis.flights.empty()) << file;
     EXPECT_EQ(analysis.time.verdict, TimeVerdict::kUnknown) << file;
