@@ -69,9 +69,10 @@ double View::MetresPerPixel(const Vec3& p) const {
 std::optional<Vec3> View::OnPlane(Point at, const Vec3& p, const Vec3& normal) const {
   const Ray ray = Through(at);
   const double along = ray.direction.dot(normal);
-  if (std::abs(along) < 1e-3) return std::nullopt;
+  // Neither is so in a view without a size.
+  if (!(std::abs(along) >= 1e-3)) return std::nullopt;
   const double distance = (p - ray.from).dot(normal) / along;
-  if (distance <= 0.0) return std::nullopt;
+  if (!(distance > 0.0)) return std::nullopt;
   return ray.from + distance * ray.direction;
 }
 

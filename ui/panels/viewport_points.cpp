@@ -10,7 +10,7 @@ constexpr double kStep = 0.05;  // with Ctrl [m]
 double AlongAxis(const View& view, Point at, const Vec3& p, const Vec3& axis) {
   const Ray ray = view.Through(at);
   const double c = axis.dot(ray.direction), denominator = 1.0 - c * c;
-  if (denominator < 1e-4) return 0.0;
+  if (!(denominator >= 1e-4)) return 0.0;
   const Vec3 w = p - ray.from;
   return (c * w.dot(ray.direction) - w.dot(axis)) / denominator;
 }

@@ -103,6 +103,7 @@ void DrawWindow(Editor* editor, float width, float height) {
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   if (ImGui::IsMousePosValid()) editor->mouse = mouse;
   editor->sheet.is_quiet = false;
+  editor->viewport.rect = layout.viewport;  // tools ask for it, in their first frame too
   CloseMenusByKey();
   if (editor->has_tool()) {
     FeedTool(editor);
