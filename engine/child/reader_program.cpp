@@ -46,9 +46,9 @@ std::optional<Error> Exited(int code, const ReadLimits& limits) {
   if (code == kReaderOutOfMemory) return TookTooMuch(limits);
   const std::string exit = "exit " + std::to_string(code);
   if (code == kReaderUsage || code == kCannotRun || code == kNotFound) {
-    return Because(ErrorCode::kFailed, std::string("the program ") + kReaderName +
-                                           " does not work here (" + exit +
-                                           "): install Hazumi again");
+    std::string message = "the program ";
+    message.append(kReaderName).append(" does not work here (").append(exit);
+    return Because(ErrorCode::kFailed, message.append("): install Hazumi again"));
   }
   return Crashed(exit);
 }

@@ -65,7 +65,7 @@ class Decoding {
   void BlameTheNext(const std::optional<Error>& why) {
     if (why && why->code != ErrorCode::kSyntax) return LeaveOutAll(*why);
     const std::string message = why ? why->message : "reading it gave no usable answer";
-    Take(Error{ErrorCode::kSyntax, "", "", message + kRemedy});
+    images_.emplace_back(Error{ErrorCode::kSyntax, "", "", message + kRemedy});
   }
 
   void LeaveOutAll(const Error& error) { images_.resize(files_.size(), Result<Image>(error)); }
