@@ -265,6 +265,15 @@ class CommandLine(InFolder):
         script.write_text(json.dumps([{"op": "capture", "path": str(self.folder / "no" / "e.png")}]))
         self.assertEqual(run("--run", script, THROW).returncode, 73)
 
+    def test_tools_of_the_mouse_need_no_window(self):
+        script = self.folder / "script.json"
+        for tool in ("sheet.box", "sheet.preview", "sheet.mark_region", "sheet.move", "sheet.scale",
+                     "sheet.duplicate", "tool.move", "tool.rotate"):
+            script.write_text(json.dumps(
+                [{"op": "keys.select_all"}, {"op": "select.joints", "joints": ["r_knee"]},
+                 {"op": tool}, {"op": "app.search"}, {"op": tool}, {"op": "sheet.box"}]))
+            self.assertEqual(run("--run", script, THROW).returncode, 0, tool)
+
     def test_the_window_says_where_there_is_no_display(self):
         bare = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
         done = run(THROW, env=bare)

@@ -42,6 +42,8 @@ Vec3 PointMoveTool::OffsetOf(const View& view, bool snap) const {
   Vec3 offset = Vec3::Zero();
   const Vec3 axis = Vec3::Unit((axis_ ? axis_ : 'X') - 'X');
   if (!typed_.is_empty()) return typed_.value() * axis;
+  // Where it began it is as it was, whatever is seen there, and if nothing is.
+  if (mouse_.x == start_->x && mouse_.y == start_->y) return offset;
   if (axis_) {
     offset = (AlongAxis(view, mouse_, from_, axis) - AlongAxis(view, *start_, from_, axis)) * axis;
   } else {
