@@ -128,7 +128,9 @@ TEST(Exact, TellsOfStopsThatArePressedInTurnByTheirNumberAndTime) {
     for (const MotionEvent& event : motion.value().events) {
       EXPECT_GE(event.last_time, event.time);
       EXPECT_EQ(event.count == 1, event.last_time == event.time) << event.joint;
-      if (last.contains(event.joint)) EXPECT_GE(event.time, last[event.joint] + kChatterGap);
+      if (last.contains(event.joint)) {
+        EXPECT_GE(event.time, last[event.joint] + kChatterGap);
+      }
       last[event.joint] = event.last_time;
     }
   }
