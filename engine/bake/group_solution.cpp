@@ -58,9 +58,9 @@ void GroupSolution::SolveWhatWasAsked() {
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
                           const DrivenMotion& driven, const KnownLogs* known) {
-  constexpr size_t kUsual = 1000;  // numbers
+  constexpr size_t kRoot = 40, kNode = 33, kHinge = 5;  // numbers
   Numbers question;
-  question.reserve(kUsual);
+  question.reserve(kRoot + kNode * task_.model.nodes.size() + kHinge * hinges().size());
   question = {Numbered(GroupCall::kBegin), t, end};
   for (const VecX* values : {&state.q, &state.qd}) {
     for (const FreeHinge& hinge : hinges()) question.push_back((*values)[hinge.coordinate]);

@@ -23,6 +23,9 @@ class ArticulatedBodies {
   // r from its origin [m].
   void Push(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
             const small::V3& r, const small::V3& force, double* x);
+  // The same of nothing but a torque of 1 N m about a free hinge, no part of a ball.
+  void Twist(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node, int dof,
+             double* x);
   // What the accelerations found last do to a point of a dynamic node, r from its origin [m/s^2].
   small::V3 AccelerationAt(int node, const small::V3& r) const;
 
@@ -52,6 +55,7 @@ class ArticulatedBodies {
   void Reduce(Body* body) const;
   template <bool kIsFreeOfMoment>
   void PassToParent(int i, const small::V3& r);
+  void Pass(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
   void PassPush(int i, const RegionLayout& layout, const NodeMotion& motion);
   void Distribute(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
   void MoveWithParent(int i, const small::V3& r);
@@ -64,6 +68,7 @@ class ArticulatedBodies {
   std::vector<char> is_base_;  // moves as it is told: nothing carries it, and the root does not fly
   std::vector<char> is_dynamic_;
   std::vector<Body> bodies_;
+  int twisted_node_ = -1, twisted_dof_ = 0;
 };
 
 }  // namespace hazumi

@@ -1,7 +1,8 @@
 // A force on a point of bodies whose joints have been eliminated: with the inertias as they are,
 // what it asks for passes on as n0 and f0 do [articulated_bodies.h],
-//   y = D^-1 (-s.n),   n := n + I s y,   f := f + H^T s y
-// and through the joint to its parent; then the accelerations follow from the root on.
+//   y = D^-1 (tau - s.n),   n := n + I s y,   f := f + H^T s y
+// and through the joint to its parent; then the accelerations follow from the root on. tau: of the
+// joint, if that is what is asked for.
 
 #include "engine/passive/articulated_bodies.h"
 
@@ -19,6 +20,7 @@ void ArticulatedBodies::PassPush(int i, const RegionLayout& layout, const NodeMo
   } else {
     double u[3] = {0.0, 0.0, 0.0};
     for (int k = 0; k < dofs; ++k) u[k] = -Dot(motion.axis[k], body.n);
+    if (i == twisted_node_) u[twisted_dof_] += 1.0;
     body.y = body.D_inverse * V3{u[0], u[1], u[2]};
     const double y[3] = {body.y.x, body.y.y, body.y.z};
     for (int k = 0; k < dofs; ++k) {
@@ -30,7 +32,7 @@ void ArticulatedBodies::PassPush(int i, const RegionLayout& layout, const NodeMo
   Body& to = bodies_[parents_[i]];
   to.f += body.f;
   to.n += Cross(motion.r, body.f);
-  if (dofs < 3) to.n += body.n;
+  if (dofs < 3 || i == twisted_node_) to.n += body.n;
 }
 
 void ArticulatedBodies::Push(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
@@ -38,6 +40,20 @@ void ArticulatedBodies::Push(const RegionLayout& layout, const std::vector<NodeM
   for (Body& body : bodies_) body.n = body.f = V3();
   bodies_[node].f = -force;
   bodies_[node].n = -Cross(r, force);
+  Pass(layout, motion, x);
+}
+
+void ArticulatedBodies::Twist(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                              int node, int dof, double* x) {
+  for (Body& body : bodies_) body.n = body.f = V3();
+  twisted_node_ = node;
+  twisted_dof_ = dof;
+  Pass(layout, motion, x);
+  twisted_node_ = -1;
+}
+
+void ArticulatedBodies::Pass(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                             double* x) {
   for (int i = static_cast<int>(bodies_.size()) - 1; i >= 0; --i) {
     if (is_dynamic_[i]) PassPush(i, layout, motion[i]);
   }

@@ -97,8 +97,9 @@ void ExactSolver::EndStepAt(double t) {
     time_ = t;
   }
   for (const int node : suspects_) {
-    for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
-      if (dynamics_->hinges()[i].node != node) continue;
+    const int first = dynamics_->layout().node(node).first_hinge;
+    for (int i = first; i < dynamics_->num_hinges(); ++i) {
+      if (dynamics_->hinges()[i].node != node) break;
       q_[i] = look_q_[i];
       qd_[i] = look_qd_[i];
     }

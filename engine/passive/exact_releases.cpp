@@ -11,8 +11,7 @@ namespace hazumi {
 // The strongest pull that a stop would have to give at t to hold its hinge [N m].
 double ExactSolver::Pull(double t) {
   Sample(t, &sample_q_, &sample_qd_);
-  dynamics_->AssembleHinges(t, sample_q_, sample_qd_);
-  stops_.Solve(dynamics_->M(), dynamics_->b(), locked_);
+  stops_.Hold(t, sample_q_, sample_qd_, locked_);
   return StrongestPull();
 }
 
@@ -69,9 +68,8 @@ void ExactSolver::EndStepAtRelease(double t) {
   for (double later = 1e-6; after_release_ < time_; later *= 10.0) {
     after_release_ = std::min(t + later, time_);
     Sample(after_release_, &after_q_, &after_qd_);
-    dynamics_->AssembleHinges(after_release_, after_q_, after_qd_);
     for (size_t i = 0; i < side_.size(); ++i) side_[i] = locked_[i] ? side_[i] : 0;
-    stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &held);
+    stops_.Rest(after_release_, after_q_, after_qd_, side_, fixed_, &held);
     if (held != locked_) break;
   }
   Sample(t, &sample_q_, &sample_qd_);

@@ -19,7 +19,7 @@ constexpr int kChatter = 24;                   // events in the window before st
 }  // namespace
 
 ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
-    : dynamics_(dynamics), lower_(std::move(lower)), upper_(std::move(upper)) {
+    : dynamics_(dynamics), lower_(std::move(lower)), upper_(std::move(upper)), stops_(dynamics) {
   const int n = dynamics->num_hinges();
   lower_now_ = lower_;
   upper_now_ = upper_;
@@ -33,8 +33,6 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   sticks_.assign(n, 0);
   fixed_.assign(n, 0);
   last_hit_.assign(n, -1);
-  stops_.Resize(n);
-  blow_.setZero(n);
   for (int i = 0; i < n; ++i) {
     any_limits_ |= std::isfinite(lower_[i]) || std::isfinite(upper_[i]);
   }
@@ -76,11 +74,7 @@ void ExactSolver::FeelPin(const Vec3& v_pin) {
 void ExactSolver::ResolveStops(const Vec3& v_pin) {
   const bool with_blow = !v_pin.isZero(0.0);
   const int outward = any_limits_ ? FindSides(with_blow) : 0;
-  if (with_blow || outward > 0) {
-    dynamics_->AssembleHinges(time_, q_, qd_);
-    dynamics_->PinBlow(v_pin, &blow_);
-    Collide(blow_);
-  }
+  if (with_blow || outward > 0) Collide(v_pin);
   Settle();
 }
 
@@ -112,8 +106,8 @@ int ExactSolver::FindSides(bool with_blow) {
   return moving;
 }
 
-void ExactSolver::Collide(const VecX& blow) {
-  stops_.Impact(dynamics_->M(), blow, side_, sticks_, &qd_);
+void ExactSolver::Collide(const Vec3& v_pin) {
+  stops_.Impact(time_, q_, v_pin, side_, sticks_, &qd_);
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * qd_[i] < -touch_rate()) side_[i] = 0;  // pushed off
   }
@@ -132,9 +126,8 @@ void ExactSolver::Settle() {
   }
   if (!any) return;
   const bool lets_go = after_release_ > time_;
-  dynamics_->AssembleHinges(lets_go ? after_release_ : time_, lets_go ? after_q_ : q_,
-                            lets_go ? after_qd_ : qd_);
-  stops_.Rest(dynamics_->M(), dynamics_->b(), side_, fixed_, &locked_);
+  stops_.Rest(lets_go ? after_release_ : time_, lets_go ? after_q_ : q_, lets_go ? after_qd_ : qd_,
+              side_, fixed_, &locked_);
   pull_before_ = StrongestPull();
   any_locked_ = std::find(locked_.begin(), locked_.end(), 1) != locked_.end();
 }

@@ -6,7 +6,7 @@
 
 #include "engine/passive/dop853.h"
 #include "engine/passive/region_dynamics.h"
-#include "engine/passive/stops.h"
+#include "engine/passive/stop_forces.h"
 
 namespace hazumi {
 
@@ -89,7 +89,7 @@ class ExactSolver {
   void ResolveStops(const Vec3& v_pin);
   int FindSides(bool with_blow);
   void AddHit(int hinge);
-  void Collide(const VecX& blow);
+  void Collide(const Vec3& v_pin);
   void Settle();
   void Relock();
   void SetScale();
@@ -137,10 +137,10 @@ class ExactSolver {
   VecX q_, qd_;              // at time_
   VecX q_start_, qd_start_;  // at the start of the step
   VecX look_q_, look_qd_, before_q_, before_qd_;
-  VecX sample_q_, sample_qd_, y_, scale_, blow_;
+  VecX sample_q_, sample_qd_, y_, scale_;
   double after_release_ = 0.0;  // a moment after a stop lets go at time_, else long before
   VecX after_q_, after_qd_;     // at that moment
-  StopSolver stops_;
+  StopForces stops_;
   std::vector<int> side_;  // by hinge: the stop it is at, as StopSolver
   std::vector<char> locked_, sticks_, held_after_;
   std::vector<char> fixed_;  // no room between the stops

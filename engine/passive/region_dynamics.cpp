@@ -32,7 +32,7 @@ RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
 // At the first dense evaluation: a long chain may never need one.
 void RegionDynamics::MakeRoomForDense() {
   const int k = num_hinges();
-  if (M_.cols() == k) return;
+  if (M_.cols() == k && F_.cols() == k) return;
   b_.setZero(k);
   M_.setZero(k, k);
   F_.setZero(3, k);
@@ -194,8 +194,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   double* x = dy + layout_.num_positions();
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
-    articulated_.Solve(layout_, kinematics_.motion(), x);
-    if (model_.root_answers && model_.coupling == RootCoupling::kPinned) SolveOnPin(x);
+    SolveLarge(layout_, x);
   } else {
     SolveDense(x);
   }

@@ -65,6 +65,15 @@ class RegionDynamics {
   const MatX& M() const { return M_; }
   const VecX& b() const { return b_; }
 
+  // The same of a group that is large, and not solved the dense way: M and b of some hinges alone,
+  // k of them, with the others following freely, in O(k n + k^3).
+  bool is_large() const { return model_.num_free > most_dense_ && UsesArticulatedBodies(); }
+  void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
+  // After it: how the rates of all free hinges jump where those hinges get impulses [N m s] and a
+  // pin that moved with v_pin is stopped.
+  VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
+  VecX JumpOfPin(const Vec3& v_pin) const;
+
   // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
   // that a pin, which moved with v_pin [m/s], stands still. [METHOD 2, "kicks"]
   void PinBlow(const Vec3& v_pin, VecX* blow) const;
@@ -90,7 +99,10 @@ class RegionDynamics {
   void Couple(const RegionLayout& layout);
   void ProjectOnPin(const RegionLayout& layout);
   void SolveDense(double* x);
-  void SolveOnPin(double* x);
+  void SolveLarge(const RegionLayout& layout, double* x);
+  void PushPin(const RegionLayout& layout);
+  void KeepPin(const small::V3& a, int size, double* x) const;
+  bool IsOnPin() const { return model_.root_answers && model_.coupling == RootCoupling::kPinned; }
   void Damp(const double* y, double* x);
   void DampBall(int node, const double* quaternion, const double* w, double* damping) const;
   void AnswerDamping();
@@ -112,8 +124,12 @@ class RegionDynamics {
   const DrivenMotion* driven_ = nullptr;
   MatX M_, L_;
   VecX b_, damping_;
-  Eigen::MatrixX3d pushed_;  // accelerations for unit forces on the pin
-  Eigen::Matrix3Xd F_, J_;   // force on the root and motion of the pin for unit accelerations
+  // Of unit forces on the pin: accelerations of the free joints and of the pin. Of unit torques:
+  // of the free hinges.
+  Eigen::MatrixX3d pushed_;
+  Mat3 pin_pushed_;
+  MatX responses_;
+  Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
   long evaluations_ = 0;
 };
 

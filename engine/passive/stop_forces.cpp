@@ -1,0 +1,85 @@
+// Hinges that are at no stop follow freely, T = 0: without them the equations M x + b = T of a
+// large group are those of the hinges at stops, with M and b as RegionDynamics::AssembleSome gives
+// them.
+
+#include "engine/passive/stop_forces.h"
+
+namespace hazumi {
+
+StopForces::StopForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
+  const int n = dynamics->num_hinges();
+  solver_.Resize(n);
+  blow_.setZero(n);
+  T_.setZero(n);
+  some_.reserve(n);
+}
+
+template <typename IsWanted>
+void StopForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted) {
+  some_.clear();
+  for (int i = 0; i < dynamics_->num_hinges(); ++i) {
+    if (is_wanted(i)) some_.push_back(i);
+  }
+  dynamics_->AssembleSome(some_, t, q, qd);
+  solver_.Resize(static_cast<int>(some_.size()));
+  held_.assign(some_.size(), 1);
+}
+
+void StopForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
+                        const std::vector<char>& sticks, VecX* qd) {
+  if (!dynamics_->is_large()) {
+    dynamics_->AssembleHinges(t, q, *qd);
+    dynamics_->PinBlow(v_pin, &blow_);
+    return solver_.Impact(dynamics_->M(), blow_, side, sticks, qd);
+  }
+  AssembleSome(t, q, *qd, [&](int i) { return side[i] != 0; });
+  if (!v_pin.isZero(0.0)) *qd += dynamics_->JumpOfPin(v_pin);
+  const auto k = static_cast<Eigen::Index>(some_.size());
+  VecX before(k), after(k);
+  side_.clear();
+  flags_.clear();
+  for (Eigen::Index c = 0; c < k; ++c) {
+    before[c] = after[c] = (*qd)[some_[c]];
+    side_.push_back(side[some_[c]]);
+    flags_.push_back(sticks[some_[c]]);
+  }
+  solver_.Impact(dynamics_->M(), VecX::Zero(k), side_, flags_, &after);
+  *qd += dynamics_->JumpOf(dynamics_->M() * (after - before));
+  for (Eigen::Index c = 0; c < k; ++c) (*qd)[some_[c]] = after[c];
+}
+
+void StopForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+                      const std::vector<char>& fixed, std::vector<char>* held) {
+  if (!dynamics_->is_large()) {
+    dynamics_->AssembleHinges(t, q, qd);
+    return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held);
+  }
+  AssembleSome(t, q, qd, [&](int i) { return side[i] != 0; });
+  side_.clear();
+  flags_.clear();
+  for (const int i : some_) {
+    side_.push_back(side[i]);
+    flags_.push_back(fixed[i]);
+  }
+  solver_.Rest(dynamics_->M(), dynamics_->b(), side_, flags_, &held_);
+  held->assign(side.size(), 0);
+  for (size_t c = 0; c < some_.size(); ++c) (*held)[some_[c]] = held_[c];
+  TakeTorques();
+}
+
+void StopForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
+  if (!dynamics_->is_large()) {
+    dynamics_->AssembleHinges(t, q, qd);
+    return solver_.Solve(dynamics_->M(), dynamics_->b(), held);
+  }
+  AssembleSome(t, q, qd, [&](int i) { return held[i] != 0; });
+  solver_.Solve(dynamics_->M(), dynamics_->b(), held_);
+  TakeTorques();
+}
+
+void StopForces::TakeTorques() {
+  T_.setZero();
+  for (size_t c = 0; c < some_.size(); ++c) T_[some_[c]] = solver_.T()[static_cast<long>(c)];
+}
+
+}  // namespace hazumi

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/passive/region_dynamics.h"
+#include "engine/passive/stops.h"
+
+namespace hazumi {
+
+// What stops do to the free hinges of a group: all of it as one problem, or, of a large group, of
+// those that are at a stop alone. By free hinge; `side` as StopSolver has it.
+class StopForces {
+ public:
+  // `dynamics` must outlive it.
+  explicit StopForces(RegionDynamics* dynamics);
+
+  // At t, with the angles q: an impact of what goes out, and of a pin that moved with v_pin [m/s].
+  void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
+              const std::vector<char>& sticks, VecX* qd);
+  // Which hinges at rest at a stop stay there.
+  void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+            const std::vector<char>& fixed, std::vector<char>* held);
+  // With the hinges `held` kept still.
+  void Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held);
+  // Then, and after Rest: what the stops give [N m].
+  const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
+
+ private:
+  template <typename IsWanted>
+  void AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted);
+  void TakeTorques();
+
+  RegionDynamics* dynamics_;
+  StopSolver solver_;
+  VecX blow_;
+  // Of a large group: the hinges that are looked at, and what is known of them.
+  std::vector<int> some_, side_;
+  std::vector<char> flags_, held_;
+  VecX T_;
+};
+
+}  // namespace hazumi

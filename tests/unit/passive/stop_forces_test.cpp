@@ -1,0 +1,93 @@
+// What stops do to a large group, found from those at a stop alone, against the dense way.
+
+#include "engine/passive/stop_forces.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/compare.h"
+#include "tests/support/random.h"
+#include "tests/unit/passive/model_case.h"
+
+namespace hazumi::test {
+namespace {
+
+constexpr double kTolerance = 1e-8;
+
+// One group of a random model, some of whose hinges are at stops.
+struct Stopped {
+  Stopped(const ModelCase& c, const RegionDynamics& dynamics, uint64_t seed)
+      : t(c.t), q(Gather(dynamics, c.q)), qd(Gather(dynamics, c.qd)) {
+    Random random(seed);
+    for (int i = 0; i < dynamics.num_hinges(); ++i) side.push_back(random.Integer(-1, 1));
+    v_pin = random.Vector3(1.0);
+  }
+  std::vector<char> none() const { return std::vector<char>(side.size(), 0); }
+  std::vector<char> at_stop() const {
+    std::vector<char> held;
+    for (const int s : side) held.push_back(s != 0);
+    return held;
+  }
+
+  double t;
+  VecX q, qd;
+  Vec3 v_pin;
+  std::vector<int> side;
+};
+
+struct Answers {
+  VecX held, rested, after;  // torques, torques, rates
+  std::vector<char> stays;
+};
+
+Answers Ask(const Stopped& s, bool with_pin, RegionDynamics* dynamics) {
+  StopForces stops(dynamics);
+  Answers answers;
+  stops.Hold(s.t, s.q, s.qd, s.at_stop());
+  answers.held = stops.T();
+  answers.stays = s.none();
+  stops.Rest(s.t, s.q, s.qd, s.side, s.none(), &answers.stays);
+  answers.rested = stops.T();
+  answers.after = s.qd;
+  const Vec3 v_pin = with_pin ? s.v_pin : Vec3(Vec3::Zero());
+  stops.Impact(s.t, s.q, v_pin, s.side, s.none(), &answers.after);
+  return answers;
+}
+
+void ExpectAgreement(const char* claim, RootCoupling coupling) {
+  Worst worst(claim);
+  int struck = 0;
+  for (uint64_t seed = 0; seed < kSamples; ++seed) {
+    const ModelCase c(seed, coupling, /*is_root_free=*/false);
+    for (RegionDynamics& dynamics : c.Models()) {
+      const Stopped stopped(c, dynamics, seed);
+      const bool with_pin = coupling == RootCoupling::kPinned && dynamics.model().root_answers;
+      const Answers dense = Ask(stopped, with_pin, &dynamics);
+      dynamics.SetMostDense(0);
+      ASSERT_TRUE(dynamics.is_large());
+      const Answers some = Ask(stopped, with_pin, &dynamics);
+      EXPECT_LE(worst(RelativeDifference(some.held, dense.held)), kTolerance) << "seed " << seed;
+      EXPECT_EQ(some.stays, dense.stays) << "seed " << seed;
+      EXPECT_LE(worst(RelativeDifference(some.rested, dense.rested)), kTolerance)
+          << "seed " << seed;
+      EXPECT_LE(worst(RelativeDifference(some.after, dense.after)), kTolerance)
+          << "seed " << seed;
+      struck += (dense.after - stopped.qd).norm() > 0.0;
+    }
+  }
+  EXPECT_GT(struck, kSamples / 2);
+}
+
+TEST(StopForces, AreThoseOfTheDenseWayOnARootThatMovesAsItIsTold) {
+  ExpectAgreement("stops, prescribed", RootCoupling::kPrescribed);
+}
+
+TEST(StopForces, AreThoseOfTheDenseWayInFlight) {
+  ExpectAgreement("stops, flight", RootCoupling::kFlight);
+}
+
+TEST(StopForces, AreThoseOfTheDenseWayOnAPin) {
+  ExpectAgreement("stops, pinned", RootCoupling::kPinned);
+}
+
+}  // namespace
+}  // namespace hazumi::test
