@@ -112,12 +112,13 @@ class RandomScripts : public ::testing::Test {
   // Returns the last seed that was run.
   int RunBatch(int first, int last) {
     const TemporaryFolder folder;
+    const bool had_failed = ::testing::Test::HasFailure();
     const pid_t child = ::fork();
     if (child == 0) {
       const RandomFiles files = WriteRandomFiles(folder.path(), first / kScriptsABatch);
       Batch batch(files, told_);
       for (int seed = first; seed <= last; ++seed) batch.Run(seed);
-      std::_Exit(::testing::Test::HasFailure() ? 1 : 0);
+      std::_Exit(::testing::Test::HasFailure() && !had_failed ? 1 : 0);
     }
     int status = 0;
     rusage used = {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/edit/edits.h"
 #include "ui/panels/viewport_dial.h"
 #include "ui/panels/viewport_drag_tool.h"
 #include "ui/panels/viewport_tools.h"
@@ -101,7 +102,7 @@ JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges, const Vec3
 void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
                          const View& view) {
   const Joint& joint = figure.figure().joint(hinge);
-  const double now = editor->session().ValueNow(joint.name).value();
+  const double now = edit::WithoutRoundOff(figure.frame().q[hinge.value()] / kDegree);
   const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
   turns_.push_back({joint.name, now, now, joint.lower / kDegree, joint.upper / kDegree,
                     facing < 0.0 ? -1.0 : 1.0, figure.frame().in_region[hinge.value()] != 0});
