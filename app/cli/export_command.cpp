@@ -10,7 +10,7 @@
 #include "engine/exchange/export_motion.h"
 #include "render/motion/links_skin.h"
 #include "render/pipeline/video.h"
-#include "ui/edit/exported.h"
+#include "ui/edit/operators/exported.h"
 
 namespace hazumi {
 

@@ -13,7 +13,7 @@
 #include "app/cli/version.h"
 #include "engine/base/text.h"
 #include "engine/exchange/export_motion.h"
-#include "engine/project/did_you_mean.h"
+#include "engine/project/json/did_you_mean.h"
 
 namespace hazumi {
 

@@ -5,10 +5,10 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
-#include "engine/project/text_file.h"
+#include "engine/project/json/text_file.h"
+#include "ui/edit/recovery/state_folder.h"
 #include "ui/edit/script.h"
-#include "ui/edit/state_folder.h"
-#include "ui/panels/actions.h"
+#include "ui/panels/commands/actions.h"
 #include "ui/shell/scripted_editor.h"
 #include "ui/shell/window_shell.h"
 

@@ -191,15 +191,16 @@ double StatedDegrees(double radians) {
   return degrees;
 }
 
-std::array<std::pair<const char*, double>, 8> TermsOf(const EnergyBalance& energy) {
-  return {{{"kinetic_start", energy.kinetic_start},
-           {"kinetic_end", energy.kinetic_end},
-           {"potential_start", energy.potential_start},
-           {"potential_end", energy.potential_end},
-           {"friction", energy.friction},
-           {"stops", energy.stops},
-           {"keyed", energy.keyed},
-           {"residual", energy.residual()}}};
+std::vector<std::pair<std::string, double>> TermsOf(const EnergyBalance& energy) {
+  std::vector<std::pair<std::string, double>> terms = {{"kinetic_start", energy.kinetic_start},
+                                                       {"kinetic_end", energy.kinetic_end},
+                                                       {"potential_start", energy.potential_start},
+                                                       {"potential_end", energy.potential_end}};
+  for (const EnergyBalance::Work& work : energy.laws) terms.emplace_back(work.law, work.joules);
+  terms.emplace_back("stops", energy.stops);
+  terms.emplace_back("keyed", energy.keyed);
+  terms.emplace_back("residual", energy.residual());
+  return terms;
 }
 
 std::string MotionToJson(const Animation& animation, const Motion& motion,

@@ -25,6 +25,6 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
 double StatedDegrees(double radians);
 
 // Every term of the balance and what it leaves unexplained, by its name in JSON [J].
-std::array<std::pair<const char*, double>, 8> TermsOf(const EnergyBalance& energy);
+std::vector<std::pair<std::string, double>> TermsOf(const EnergyBalance& energy);
 
 }  // namespace hazumi

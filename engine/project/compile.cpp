@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/compile_checks.h"
-#include "engine/project/document_checks.h"
+#include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/document_checks.h"
+#include "engine/project/checks/joint_names.h"
 #include "engine/project/figure_fields.h"
-#include "engine/project/joint_names.h"
 #include "engine/project/project_fields.h"
 
 namespace hazumi {

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "engine/project/figure_reader.h"
-#include "engine/project/json.h"
-#include "engine/project/text_file.h"
+#include "engine/project/json/json.h"
+#include "engine/project/json/text_file.h"
 
 namespace hazumi {
 

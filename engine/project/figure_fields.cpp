@@ -5,8 +5,8 @@
 
 #include "engine/figure/figure_builder.h"
 #include "engine/figure/mirror.h"
-#include "engine/project/field_checks.h"
-#include "engine/project/read_value.h"
+#include "engine/project/checks/field_checks.h"
+#include "engine/project/json/read_value.h"
 
 namespace hazumi {
 

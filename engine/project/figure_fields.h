@@ -3,7 +3,7 @@
 // Internal. A figure's JSON.
 
 #include "engine/figure/figure_spec.h"
-#include "engine/project/field_reader.h"
+#include "engine/project/json/field_reader.h"
 
 namespace hazumi {
 

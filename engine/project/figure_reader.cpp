@@ -1,7 +1,7 @@
 #include "engine/project/figure_reader.h"
 
 #include "engine/project/figure_fields.h"
-#include "engine/project/text_file.h"
+#include "engine/project/json/text_file.h"
 
 namespace hazumi {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/project/enum_names.h"
-#include "engine/project/field_writer.h"
 #include "engine/project/figure_fields.h"
-#include "engine/project/json.h"
+#include "engine/project/json/field_writer.h"
+#include "engine/project/json/json.h"
 
 namespace hazumi {
 

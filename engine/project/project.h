@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/base/warning.h"
-#include "engine/project/extra_fields.h"
+#include "engine/project/json/extra_fields.h"
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
 #include "engine/project/project_skin.h"

@@ -6,9 +6,9 @@
 //   Stated    may be missing, is always written
 //   Optional  may be missing, is written unless it has its default value
 
-#include "engine/project/field_reader.h"
-#include "engine/project/field_writer.h"
-#include "engine/project/read_value.h"
+#include "engine/project/json/field_reader.h"
+#include "engine/project/json/field_writer.h"
+#include "engine/project/json/read_value.h"
 #include "engine/project/scene_fields.h"
 
 namespace hazumi {

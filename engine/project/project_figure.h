@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/figure/figure_spec.h"
-#include "engine/project/extra_fields.h"
+#include "engine/project/json/extra_fields.h"
 
 namespace hazumi {
 

@@ -3,13 +3,13 @@
 #include <filesystem>
 
 #include "engine/figure/figure_builder.h"
-#include "engine/project/document_checks.h"
-#include "engine/project/field_checks.h"
+#include "engine/project/checks/document_checks.h"
+#include "engine/project/checks/field_checks.h"
+#include "engine/project/checks/joint_names.h"
 #include "engine/project/figure_fields.h"
 #include "engine/project/figure_reader.h"
-#include "engine/project/joint_names.h"
+#include "engine/project/json/text_file.h"
 #include "engine/project/project_fields.h"
-#include "engine/project/text_file.h"
 
 namespace hazumi {
 

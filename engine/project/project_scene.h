@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/project/extra_fields.h"
+#include "engine/project/json/extra_fields.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
+#include "engine/project/json/text_file.h"
 #include "engine/project/project_fields.h"
-#include "engine/project/text_file.h"
 
 namespace hazumi {
 

@@ -2,8 +2,8 @@
 
 // Internal. The fields of project_scene.h; see project_fields.h.
 
-#include "engine/project/field_reader.h"
-#include "engine/project/field_writer.h"
+#include "engine/project/json/field_reader.h"
+#include "engine/project/json/field_writer.h"
 #include "engine/project/project_scene.h"
 
 namespace hazumi {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/assert.h"
+#include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "tests/support/energy.h"
@@ -69,7 +70,7 @@ Course SwingExactly(const Release& release, double tolerance, long most_steps) {
   const int n = release.figure.num_joints();
   const DrivenMotion still{std::vector<DrivenCurve>(n + kRootAngles), {}};
   const VecX rates = VecX::Constant(n, -30.0 * std::log(release.friction));
-  RegionDynamics dynamics(WholeFigure(release.figure), rates, release.gravity);
+  RegionDynamics dynamics(WholeFigure(release.figure), FrictionAlone(rates), release.gravity);
   dynamics.SetDriven(&still, 0.0, release.seconds);
   VecX lower, upper;
   SetLimits(release.figure, &lower, &upper);

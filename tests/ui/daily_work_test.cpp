@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "tests/ui/user.h"
-#include "ui/panels/viewport_camera.h"
-#include "ui/panels/viewport_gizmo.h"
+#include "ui/panels/viewport/camera.h"
+#include "ui/panels/viewport/gizmo.h"
 
 namespace hazumi::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ui/edit/edits.h"
-#include "ui/edit/root_curves.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::edit {
 

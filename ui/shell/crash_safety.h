@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "ui/edit/journal.h"
-#include "ui/panels/editor.h"
+#include "ui/edit/recovery/journal.h"
+#include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "ui/panels/keys.h"
+#include "ui/panels/commands/keys.h"
 
 namespace hazumi::ui {
 

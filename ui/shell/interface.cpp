@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/panels/panels.h"
-#include "ui/panels/widgets.h"
+#include "ui/panels/window/panels.h"
+#include "ui/panels/window/widgets.h"
 #include "ui/shell/fonts.h"
 #include "ui/shell/picture_writer.h"
 

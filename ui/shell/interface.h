@@ -4,7 +4,7 @@
 
 #include "render/gl/interface_painter.h"
 #include "render/gl/scene_texture.h"
-#include "ui/panels/editor.h"
+#include "ui/panels/window/editor.h"
 #include "ui/shell/input_queue.h"
 
 struct ImGuiContext;

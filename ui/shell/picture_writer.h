@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/render_job.h"
+#include "ui/panels/dialogs/render_job.h"
 
 namespace hazumi::ui {
 

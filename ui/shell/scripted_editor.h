@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "ui/panels/editor.h"
+#include "ui/panels/window/editor.h"
 #include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::ui {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "engine/base/atomic_file.h"
-#include "engine/project/text_file.h"
-#include "ui/panels/dialogs.h"
+#include "engine/project/json/text_file.h"
+#include "ui/panels/dialogs/dialogs.h"
 
 namespace hazumi::ui {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/panels/editor.h"
+#include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
 

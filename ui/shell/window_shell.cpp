@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "ui/panels/panels.h"
+#include "ui/panels/window/panels.h"
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 #include "ui/shell/settings_file.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/panels/editor.h"
+#include "ui/panels/window/editor.h"
 #include "ui/shell/window_trace.h"
 
 namespace hazumi::ui {

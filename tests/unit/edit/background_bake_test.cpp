@@ -1,4 +1,4 @@
-#include "ui/edit/background_bake.h"
+#include "ui/edit/session/background_bake.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Undo steps, drags, the saved state and the memory bound.
 
-#include "ui/edit/document.h"
+#include "ui/edit/document/document.h"
 
 #include <gtest/gtest.h>
 

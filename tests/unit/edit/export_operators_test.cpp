@@ -6,7 +6,7 @@
 #include "engine/exchange/bvh/bvh_read.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/exported.h"
+#include "ui/edit/operators/exported.h"
 
 namespace hazumi::test {
 namespace {

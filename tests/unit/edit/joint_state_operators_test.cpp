@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/edit/session.h"
-#include "ui/edit/session_state.h"
+#include "ui/edit/session/session.h"
+#include "ui/edit/session/session_state.h"
 
 namespace hazumi::edit {
 namespace {

@@ -1,6 +1,6 @@
 // What is not saved survives a crash. A journal that goes stands for one: its file stays.
 
-#include "ui/edit/journal.h"
+#include "ui/edit/recovery/journal.h"
 
 #include "tests/unit/edit/journals.h"
 

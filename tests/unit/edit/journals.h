@@ -6,8 +6,8 @@
 
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/journal.h"
-#include "ui/edit/recovery.h"
+#include "ui/edit/recovery/journal.h"
+#include "ui/edit/recovery/recovery.h"
 
 namespace hazumi::test {
 

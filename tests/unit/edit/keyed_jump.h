@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::test {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::test {
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "tests/unit/edit/likely_numbers.h"
-#include "ui/edit/edits.h"
+#include "ui/edit/operators/edits.h"
 
 namespace hazumi::test {
 

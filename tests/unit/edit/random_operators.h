@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/support/random.h"
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::test {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <set>
 
+#include "engine/project/json/text_file.h"
 #include "engine/project/project_writer.h"
-#include "engine/project/text_file.h"
 #include "tests/support/capture_skeletons.h"
 #include "tests/unit/edit/sessions.h"
 #include "tests/unit/project/skin_sample.h"

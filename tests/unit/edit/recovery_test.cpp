@@ -1,4 +1,4 @@
-#include "ui/edit/recovery.h"
+#include "ui/edit/recovery/recovery.h"
 
 #include <fstream>
 #include <sstream>

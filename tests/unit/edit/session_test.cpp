@@ -1,13 +1,13 @@
 // Who observes a session, and where a session keeps what is no document.
 
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 #include <filesystem>
 
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
+#include "ui/edit/recovery/state_folder.h"
 #include "ui/edit/script.h"
-#include "ui/edit/state_folder.h"
 
 namespace hazumi::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/project/project_writer.h"
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::test {
 

@@ -6,8 +6,8 @@
 #include <ctime>
 #include <set>
 
+#include "engine/project/checks/compile_checks.h"
 #include "engine/project/compile.h"
-#include "engine/project/compile_checks.h"
 #include "tests/support/random.h"
 #include "tests/support/scaled_projects.h"
 #include "tests/unit/project/pairwise_checks.h"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/utf8.h"
-#include "engine/project/did_you_mean.h"
-#include "engine/project/json.h"
+#include "engine/project/json/did_you_mean.h"
+#include "engine/project/json/json.h"
 
 namespace hazumi {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/project/checks.h"
+#include "engine/project/checks/checks.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi::testing {

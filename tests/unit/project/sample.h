@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/project/json.h"
+#include "engine/project/json/json.h"
 #include "engine/project/project.h"
 #include "tests/support/temporary_folder.h"
 

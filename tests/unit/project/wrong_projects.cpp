@@ -1,6 +1,6 @@
 #include "tests/unit/project/wrong_projects.h"
 
-#include "engine/project/json.h"
+#include "engine/project/json/json.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/wrong_makers.h"
 

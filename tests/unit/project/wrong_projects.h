@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/project/checks.h"
+#include "engine/project/checks/checks.h"
 
 namespace hazumi::testing {
 

@@ -1,0 +1,211 @@
+#include "engine/project/checks/checks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+
+namespace hazumi {
+
+namespace {
+
+constexpr ErrorCode kSyntax = ErrorCode::kSyntax;
+constexpr ErrorCode kSchema = ErrorCode::kSchema;
+constexpr ErrorCode kSemantics = ErrorCode::kSemantics;
+constexpr ErrorCode kNoInput = ErrorCode::kNoInput;
+constexpr ErrorCode kCannotWrite = ErrorCode::kCannotWrite;
+
+constexpr CheckText kTexts[] = {
+    {Check::kCannotRead, kNoInput, "cannot be read: {}"},
+    {Check::kNotAFile, kNoInput, "is not a file"},
+    {Check::kFileTooBig, kSchema, "is larger than 160 MiB, the most that Hazumi reads"},
+    {Check::kNotUtf8, kSyntax, "not UTF-8 text; save the file as UTF-8"},
+    {Check::kNotJson, kSyntax, "not JSON: {}"},
+    {Check::kNumberOverflow, kSchema, "the number {} is out of range"},
+    {Check::kTooDeep, kSchema, "more than 64 objects and arrays inside each other"},
+    {Check::kTooManyValues, kSchema, "its values would need more than {} MB of memory"},
+    {Check::kFieldTwice, kSchema, "the field {} is given twice; keep one of them"},
+
+    {Check::kNotAProject, kSchema,
+     "not a Hazumi project: expected an object with \"format\": \"hazumi-project\""},
+    {Check::kNotAFigure, kSchema,
+     "not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
+    {Check::kNewerFormat, kSchema,
+     "made by a newer Hazumi: this is format version {}, this Hazumi reads 1; please update it"},
+    {Check::kUnknownFormat, kSchema, "there is no format version {}; write 1"},
+    {Check::kMissingField, kSchema, "the field {} is missing; add it"},
+    {Check::kMisspelledField, kSchema, "the field {} is missing; did you mean it by {}?"},
+    {Check::kWrongType, kSchema, "expected {}, found {}"},
+    {Check::kNumberTooLarge, kSchema, "{} is too large: numbers lie between -1e9 and 1e9"},
+    {Check::kNotWhole, kSchema, "expected a whole number, found {}"},
+    {Check::kWrongCount, kSchema, "expected {} values, found {}"},
+    {Check::kUnknownChoice, kSchema, "there is no {}; {}"},
+    {Check::kNotOneOf, kSchema, "needs exactly one of {}"},
+    {Check::kBadColor, kSchema,
+     "{} is no colour; write it as \"#rrggbb\", for example \"#d9482b\""},
+    {Check::kNotPositive, kSchema, "must be greater than 0, is {}"},
+    {Check::kNegative, kSchema, "must not be negative, is {}"},
+    {Check::kZeroVector, kSchema, "must not be zero: it gives a direction"},
+    {Check::kNotUnit, kSchema, "must have length 1, has {}; write {}"},
+    {Check::kEmptyName, kSchema, "must not be empty"},
+
+    {Check::kUnknownParent, kSchema, "no joint {} to hang on; {}"},
+    {Check::kTooManyJoints, kSchema, "{} joints; a figure has 10000 at most"},
+    {Check::kFigureUnreadable, kNoInput,
+     "the figure {} {}; looked for as {}; paths are relative to the project file"},
+
+    {Check::kNotBytes, kSchema, "must be base64 of whole entries"},
+    {Check::kBadMesh, kSchema, "does not fit together: {}"},
+    {Check::kBadFrameRate, kSchema, "must lie between 0.1 and 10000 frames a second, is {}/{}"},
+    {Check::kFramesReversed, kSchema, "the last frame {} is before the first, {}"},
+    {Check::kTooManyFrames, kSchema, "{} frames; a project has 1000000 at most"},
+    {Check::kNewerSolver, kSchema,
+     "made for version {} of the solver, this Hazumi has 1; please update it"},
+    {Check::kStepRange, kSchema, "must lie between 0.000001 and 1 s, is {}"},
+    {Check::kToleranceRange, kSchema, "must lie between 1e-10 and 5 degrees, is {}"},
+    {Check::kNotFinite, kSchema, "must be a finite number"},
+    {Check::kKeyOrder, kSchema, "frame {} comes after frame {}; write keys in order of frames"},
+    {Check::kKeyTwice, kSchema, "a second key on frame {}; keep one of them"},
+    {Check::kSpanEmpty, kSchema, "first_frame {} must be before last_frame {}"},
+    {Check::kRegionEmpty, kSchema, "a region needs at least one joint"},
+    {Check::kFactorRange, kSchema, "must lie between 0 (frozen) and 1 (no friction), is {}"},
+    {Check::kNameTwice, kSchema, "the name {} is already used by {}; choose another"},
+    {Check::kFieldOfView, kSchema, "must lie between 1 and 179 degrees, is {}"},
+    {Check::kNoView, kSchema, "eye_m and target_m are the same point; move one of them"},
+
+    {Check::kUnknownJoint, kSchema, "no joint {}; {}"},
+    {Check::kKeysOnGroup, kSchema, "{} has {} hinges; key each by its name: {}"},
+    {Check::kRootInRegion, kSchema,
+     "{} is the root, which method \"paper\" leaves to its keys; choose method \"exact\" for this "
+     "region, or name joints beyond the root"},
+    {Check::kRootNotAJoint, kSchema,
+     "{} is the root, not a joint; name a joint (the root's own keys stand under \"root\")"},
+    {Check::kFrictionOnRoot, kSchema,
+     "{} is the root: friction acts in joints, and the root has none; remove it"},
+    {Check::kFrictionNotInRegion, kSchema,
+     "{} is not in this region; add it to the region's joints or remove its friction"},
+
+    {Check::kOutsideFrames, kSemantics,
+     "frames {} to {} are not within the project's frames {} to {}"},
+    {Check::kReleaseOutside, kSemantics, "frame {} is not within the project's frames {} to {}"},
+    {Check::kRegionsOverlap, kSemantics,
+     "regions {} and {} both drive {} in frames {} to {}; end one where the other begins, or take "
+     "it out of one"},
+    {Check::kMethodsDiffer, kSemantics,
+     "regions {} and {} share frames {} to {}, but one has method {} and the other {}; give them "
+     "the same, or end one where the other begins"},
+    {Check::kMethodInGravity, kSemantics,
+     "region {} has method {}, but in frames {} to {} gravity places the figure ({}) by the "
+     "solver's method {}; leave out the region's, or end one where the other begins"},
+    {Check::kRegionAllFixed, kSemantics,
+     "every joint of region {} is fixed by equal limits, so nothing can swing; name others"},
+    {Check::kPlacementsOverlap, kSemantics,
+     "overlaps placements[{}] in frames {} to {}; end one where the other begins"},
+    {Check::kNothingToSolve, kSemantics,
+     "no joint lies between the root and {}, so nothing can hold it in place; pin it instead"},
+    {Check::kHoldsConflict, kSemantics,
+     "{} and {} ({}) are held in frames {} to {} and both need {}, so they cannot be solved "
+     "together; let go of one{}"},
+    {Check::kHoldOnPin, kSemantics,
+     "{} is pinned by {} in frames {} to {} already; remove the hold there"},
+    {Check::kHoldConflictsPin, kSemantics,
+     "holding {} needs {}, which also carries {}, pinned by {} in frames {} to {}; let go of "
+     "one{}"},
+    {Check::kHoldInGravity, kSemantics,
+     "{} is held while gravity places the figure ({}) in frames {} to {}; hold it before or after, "
+     "or pin it"},
+    {Check::kLoopOfHolds, kSemantics,
+     "region {} drives {}, which lies between the root and both {} and {}, held in frames {} to "
+     "{}: a closed loop, which cannot swing; let go of one, or take the joint out of the region"},
+    {Check::kLoopWithPin, kSemantics,
+     "region {} drives {}, which lies between the root and both {}, held, and {}, pinned, in "
+     "frames {} to {}: a closed loop, which cannot swing; let go of one, or take the joint out of "
+     "the region"},
+    {Check::kRegionInHold, kSemantics,
+     "region {} drives {}, which the hold of {} ({}) needs in frames {} to {}; end one where the "
+     "other begins, or take the joint out of the region"},
+    {Check::kRootInHold, kSemantics,
+     "region {} swings the root, which the hold of {} ({}) needs in frames {} to {}; end the hold "
+     "before the region begins, or leave the root out of the region"},
+
+    {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
+    {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
+    {Check::kNothingToLandOn, kSemantics,
+     "gravity without objects in the scene: there is nothing to land on"},
+    {Check::kKeyOutsideLimits, kSemantics,
+     "{} is outside the limits {} to {} of {}, and is kept; keys outside: {}"},
+
+    {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
+    {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},
+    {Check::kTooLargeToSave, kCannotWrite,
+     "would be {}, which Hazumi does not read back (at most 160 MiB, and 600 MB in memory): use "
+     "fewer keys (of a clip: --import with --reduce 1) or no skin (--no-skin)"},
+};
+static_assert(std::size(kTexts) == static_cast<size_t>(Check::kNumChecks));
+
+constexpr bool InOrder() {
+  for (size_t i = 0; i < std::size(kTexts); ++i) {
+    if (static_cast<size_t>(kTexts[i].check) != i) return false;
+  }
+  return true;
+}
+static_assert(InOrder());
+
+}  // namespace
+
+const CheckText& TextOf(Check check) { return kTexts[static_cast<size_t>(check)]; }
+
+std::string MessageOf(Check check, std::initializer_list<std::string_view> arguments) {
+  std::string message;
+  std::string_view text = TextOf(check).text;
+  for (std::string_view argument : arguments) {
+    const size_t hole = text.find("{}");
+    HAZUMI_DEMAND(hole != std::string_view::npos);
+    message.append(text.substr(0, hole)).append(argument);
+    text.remove_prefix(hole + 2);
+  }
+  HAZUMI_DEMAND(text.find("{}") == std::string_view::npos);
+  return message.append(text);
+}
+
+Error MakeError(Check check, std::string place, std::initializer_list<std::string_view> arguments) {
+  return {TextOf(check).code, "", std::move(place), MessageOf(check, arguments)};
+}
+
+std::string Quoted(std::string_view name) {
+  constexpr size_t kLongest = 60;
+  size_t size = std::min(name.size(), kLongest);
+  // A cut must not split a UTF-8 character.
+  while (size < name.size() && size > 0 && (name[size] & 0xC0) == 0x80) --size;
+  std::string text = "\"";
+  for (char c : name.substr(0, size)) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  return text + (size < name.size() ? "...\"" : "\"");
+}
+
+std::string NumberText(double value) {
+  if (value == 0.0) return "0";  // never "-0"
+  char buffer[32];
+  const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value);
+  return {buffer, end.ptr};
+}
+
+void FirstError::Report(Check check, const std::string& place,
+                        std::initializer_list<std::string_view> arguments) {
+  if (!error_) error_ = MakeError(check, place, arguments);
+}
+
+void FirstError::Report(Error error) {
+  if (!error_) error_ = std::move(error);
+}
+
+void FirstError::Require(bool good, Check check, const std::string& place,
+                         std::initializer_list<std::string_view> arguments) {
+  if (!good) Report(check, place, arguments);
+}
+
+Error FirstError::In(const std::string& file) const {
+  Error error = *error_;
+  if (error.file.empty()) error.file = file;
+  return error;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,53 @@
+#include "engine/project/checks/driven_frames.h"
+
+#include <algorithm>
+
+#include "engine/project/checks/checks.h"
+
+namespace hazumi {
+
+JointSet JointsOf(const DynamicsRegion& region, const Figure& figure) {
+  JointSet set(figure.joints().size());
+  for (const JointIndex joint : region.joints) set[joint.value()] = true;
+  return set;
+}
+
+JointSet Common(const JointSet& a, const JointSet& b) {
+  JointSet both(a.size());
+  for (size_t j = 0; j < a.size(); ++j) both[j] = a[j] && b[j];
+  return both;
+}
+
+std::optional<JointIndex> FirstOf(const JointSet& set) {
+  const auto it = std::find(set.begin(), set.end(), true);
+  if (it == set.end()) return std::nullopt;
+  return JointIndex(static_cast<int>(it - set.begin()));
+}
+
+DrivenFrames::DrivenFrames(const Animation& animation)
+    : animation_(animation), joints_(animation.figure->joints().size()) {}
+
+void DrivenFrames::Add(const DynamicsRegion& region) {
+  for (const JointIndex j : region.joints) joints_[j.value()].Add(SpanOf(region));
+  if (region.root) root_.Add(SpanOf(region));
+}
+
+bool DrivenFrames::Clashes(const DynamicsRegion& region) const {
+  const auto is_driven = [&](JointIndex j) { return joint(j).Overlaps(SpanOf(region)); };
+  return (region.root && root_.Overlaps(SpanOf(region))) ||
+         std::any_of(region.joints.begin(), region.joints.end(), is_driven);
+}
+
+std::optional<DrivenFrames::Driver> DrivenFrames::FindDriver(const JointSet& joints,
+                                                             Span span) const {
+  const Figure& figure = *animation_.figure;
+  for (const DynamicsRegion& region : animation_.regions) {
+    const Span both = Common(SpanOf(region), span);
+    if (both.is_empty()) continue;
+    const auto joint = FirstOf(Common(JointsOf(region, figure), joints));
+    if (joint) return Driver{Quoted(region.name), Quoted(figure.joint(*joint).name), both};
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi

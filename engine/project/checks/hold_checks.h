@@ -1,0 +1,19 @@
+#pragma once
+
+// Internal. What must hold of holds: against each other, placements and regions.
+
+#include <atomic>
+
+#include "engine/project/checks/checks.h"
+#include "engine/project/checks/driven_frames.h"
+
+namespace hazumi {
+
+// `driven`: by all regions. Placements must not overlap. As CheckAnimation.
+void CheckHolds(const Animation& animation, const DrivenFrames& driven, const SpanSet& gravity,
+                const std::atomic<bool>* cancel, FirstError* errors);
+
+// "list[3]"
+std::string At(const char* list, size_t index);
+
+}  // namespace hazumi

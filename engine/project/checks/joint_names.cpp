@@ -1,0 +1,137 @@
+#include "engine/project/checks/joint_names.h"
+
+#include <algorithm>
+
+#include "engine/project/json/did_you_mean.h"
+#include "engine/project/json/site.h"
+
+namespace hazumi {
+
+namespace {
+
+// Groups first: they are fewer and what is meant most often.
+std::vector<std::string> AllNames(const Figure& figure) {
+  std::vector<std::string> names;
+  for (const JointGroup& group : figure.groups()) names.push_back(group.name);
+  for (const Joint& joint : figure.joints()) names.push_back(joint.name);
+  return names;
+}
+
+bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site) {
+  if (FindJoints(figure, name)) return true;
+  if (MeansRoot(name, figure)) {
+    site.Report(Check::kRootNotAJoint, {Quoted(name)});
+  } else {
+    site.Report(Check::kUnknownJoint, {Quoted(name), Suggestion(name, AllNames(figure))});
+  }
+  return false;
+}
+
+void CheckKeyed(const std::string& name, const Figure& figure, const Site& site) {
+  if (!ExpectJoint(name, figure, site) || figure.FindJoint(name)) return;
+  const JointGroup& group = figure.group(FindJoints(figure, name)->group);
+  std::string hinges;
+  for (int j = group.first.value(); j <= group.last().value(); ++j) {
+    hinges += (hinges.empty() ? "" : ", ") + Quoted(figure.joints()[j].name);
+  }
+  site.Report(Check::kKeysOnGroup, {Quoted(name), std::to_string(group.size), hinges});
+}
+
+void CheckInRegion(const std::string& name, const Figure& figure, const std::vector<bool>& region,
+                   const Site& site) {
+  if (MeansRoot(name, figure)) return site.Report(Check::kFrictionOnRoot, {Quoted(name)});
+  if (!ExpectJoint(name, figure, site)) return;
+  const MeantJoints meant = *FindJoints(figure, name);
+  const auto begin = region.begin();
+  if (std::find(begin + meant.first.value(), begin + meant.end.value(), true) ==
+      begin + meant.end.value()) {
+    site.Report(Check::kFrictionNotInRegion, {Quoted(name)});
+  }
+}
+
+void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& figure,
+                      const Site& site) {
+  for (size_t i = 0; i < region.joints.size(); ++i) {
+    const std::string& name = region.joints[i].name;
+    const Site place = site.Field("joints").Item(i);
+    if (MeansRoot(name, figure)) {
+      if (method == Method::kPaper) return place.Report(Check::kRootInRegion, {Quoted(name)});
+    } else if (!ExpectJoint(name, figure, place)) {
+      return;
+    }
+  }
+  const std::vector<bool> joints = JointsOf(region, figure);
+  for (const auto& factor : region.friction.joints) {
+    CheckInRegion(factor.name, figure, joints,
+                  site.Field("friction").Field("joints").Field(factor.name));
+  }
+}
+
+void CheckPlacementNames(const ProjectPlacement& placement, const Figure& figure,
+                         const Site& site) {
+  const bool is_pinned = placement.kind == PlacementKind::kPinned;
+  if (is_pinned) ExpectJoint(placement.pin, figure, site.Field("joint"));
+  if (placement.kind != PlacementKind::kGravity) return;
+  if (!placement.pin.empty()) ExpectJoint(placement.pin, figure, site.Field("pin"));
+  if (!placement.landing_pin.empty()) {
+    ExpectJoint(placement.landing_pin, figure, site.Field("landing_pin"));
+  }
+}
+
+}  // namespace
+
+std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& name) {
+  if (const auto g = figure.FindGroup(name)) {
+    const JointGroup& group = figure.group(*g);
+    return MeantJoints{group.first, JointIndex(group.last().value() + 1), *g};
+  }
+  const auto j = figure.FindJoint(name);
+  if (!j) return std::nullopt;
+  return MeantJoints{*j, JointIndex(j->value() + 1), figure.joint(*j).group};
+}
+
+bool MeansRoot(const std::string& name, const Figure& figure) {
+  return (name == "root" || name == figure.root_name()) && !FindJoints(figure, name);
+}
+
+bool DrivesRoot(const ProjectRegion& region, const Figure& figure) {
+  return std::any_of(region.joints.begin(), region.joints.end(),
+                     [&](const JointRef& ref) { return MeansRoot(ref.name, figure); });
+}
+
+std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure) {
+  std::vector<bool> joints(figure.joints().size());
+  for (const JointRef& ref : region.joints) {
+    // Everything lies beyond the root.
+    if (ref.beyond && MeansRoot(ref.name, figure)) joints.assign(joints.size(), true);
+    const auto meant = FindJoints(figure, ref.name);
+    if (!meant) continue;
+    const JointIndex end = ref.beyond ? figure.joint(meant->first).subtree_end : meant->end;
+    std::fill(joints.begin() + meant->first.value(), joints.begin() + end.value(), true);
+  }
+  return joints;
+}
+
+void CheckNames(const Project& project, const Figure& figure, FirstError* errors) {
+  const Site site{"", errors};
+  for (const auto& joint : project.joints) {
+    CheckKeyed(joint.name, figure, site.Field("joints").Field(joint.name));
+  }
+  for (size_t i = 0; i < project.regions.size(); ++i) {
+    const ProjectRegion& region = project.regions[i];
+    CheckRegionNames(region, region.method.value_or(project.solver.method), figure,
+                     site.Field("regions").Item(i));
+  }
+  for (size_t i = 0; i < project.placements.size(); ++i) {
+    CheckPlacementNames(project.placements[i], figure, site.Field("placements").Item(i));
+  }
+  for (size_t i = 0; i < project.holds.size(); ++i) {
+    ExpectJoint(project.holds[i].joint, figure, site.Field("holds").Item(i).Field("joint"));
+  }
+  for (size_t i = 0; i < project.held_objects.size(); ++i) {
+    ExpectJoint(project.held_objects[i].joint, figure,
+                site.Field("held_objects").Item(i).Field("joint"));
+  }
+}
+
+}  // namespace hazumi

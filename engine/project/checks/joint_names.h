@@ -1,0 +1,37 @@
+#pragma once
+
+// Internal. From the names of a document to the joints of a figure.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/figure/figure.h"
+#include "engine/project/checks/checks.h"
+#include "engine/project/project.h"
+
+namespace hazumi {
+
+// What a name means: one hinge, or a group and all its hinges.
+struct MeantJoints {
+  JointIndex first, end;  // the joints [first, end)
+  GroupIndex group;
+};
+
+// A group goes before a hinge of the same name: it then has this hinge only.
+std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& name);
+
+// True if the name means the root: its own name, or "root", unless a joint is called so.
+bool MeansRoot(const std::string& name, const Figure& figure);
+
+// True if the region drives the root's orientation.
+bool DrivesRoot(const ProjectRegion& region, const Figure& figure);
+
+// The joints of a region by index: true if it drives them. Unknown names are left out.
+std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure);
+
+// Reports the first name in the project that the figure does not know, or that does not fit where
+// it stands.
+void CheckNames(const Project& project, const Figure& figure, FirstError* errors);
+
+}  // namespace hazumi

@@ -1,0 +1,125 @@
+#pragma once
+
+// Internal. The writing twin of FieldReader: the same Describe functions turn structs into JSON.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/project/enum_names.h"
+#include "engine/project/json/json.h"
+#include "engine/project/project.h"
+
+namespace hazumi {
+
+Json ToJson(double value);
+Json ToJson(int value);
+Json ToJson(bool value);
+Json ToJson(const std::string& value);
+Json ToJson(const char* value);
+Json ToJson(const Vec3& value);
+Json ToJson(const JointRef& value);
+Json ToJson(const std::vector<Named<double>>& values);
+Json FromText(const std::string& json_text);
+
+class FieldWriter {
+ public:
+  template <typename T>
+  using RefTo = const T&;
+
+  template <typename T>
+  void Required(const char* name, const T& value) {
+    Put(name, ToJson(value));
+  }
+  template <typename T>
+  void Stated(const char* name, const T& value) {
+    Put(name, ToJson(value));
+  }
+  template <typename T>
+  void Optional(const char* name, const T& value, const T& otherwise = T()) {
+    if (value == otherwise) return;
+    if constexpr (requires { value.has_value(); }) {
+      Put(name, ToJson(*value));
+    } else {
+      Put(name, ToJson(value));
+    }
+  }
+  template <typename T>
+  void Literal(const char* name, const T& value) {
+    Put(name, ToJson(value));
+  }
+  template <typename... T>
+  void OneOf(const std::array<const char*, sizeof...(T)>& names, const std::variant<T...>& value) {
+    std::visit([&](const auto& item) { Put(names[value.index()], ToJson(item)); }, value);
+  }
+  template <typename T, typename Fields>
+  void Nested(const char* name, const T& value, Fields fields);
+  template <typename T, typename Fields>
+  void List(const char* name, const std::vector<T>& values, Fields fields);
+  template <typename T, typename Fields>
+  void Map(const char* name, const std::vector<Named<T>>& values, Fields fields);
+
+  void PutExtra(const ExtraFields& extra) {
+    for (const ExtraField& field : extra) {
+      if (!object_.contains(field.name)) Put(field.name, FromText(field.json));
+    }
+  }
+  Json TakeObject() { return std::move(object_); }
+
+ private:
+  void Put(const std::string& name, Json json) { object_[name] = std::move(json); }
+
+  Json object_ = Json::object();
+};
+
+template <FileEnum Enum>
+Json ToJson(Enum value) {
+  return NameOf(value);
+}
+
+template <typename T, typename Fields>
+Json ObjectToJson(const T& value, Fields fields) {
+  FieldWriter out;
+  fields(out, value);
+  out.PutExtra(value.extra);
+  return out.TakeObject();
+}
+
+template <typename T>
+requires requires(const T& value) { value.extra; }
+Json ToJson(const T& value) {
+  return ObjectToJson(value, [](FieldWriter& out, const T& item) { Describe(out, item); });
+}
+
+template <typename T>
+Json ToJson(const std::vector<T>& values) {
+  Json array = Json::array();
+  for (const T& value : values) array.push_back(ToJson(value));
+  return array;
+}
+
+// Left out if it is as a fresh one.
+template <typename T, typename Fields>
+void FieldWriter::Nested(const char* name, const T& value, Fields fields) {
+  if (!(value == T())) Put(name, ObjectToJson(value, fields));
+}
+
+template <typename T, typename Fields>
+void FieldWriter::List(const char* name, const std::vector<T>& values, Fields fields) {
+  Json array = Json::array();
+  for (const T& value : values) array.push_back(ObjectToJson(value, fields));
+  Put(name, std::move(array));
+}
+
+// Left out if empty.
+template <typename T, typename Fields>
+void FieldWriter::Map(const char* name, const std::vector<Named<T>>& values, Fields fields) {
+  if (values.empty()) return;
+  Json object = Json::object();
+  for (const Named<T>& item : values) object[item.name] = ObjectToJson(item.value, fields);
+  Put(name, std::move(object));
+}
+
+}  // namespace hazumi

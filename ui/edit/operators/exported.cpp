@@ -1,0 +1,91 @@
+#include "ui/edit/operators/exported.h"
+
+#include <filesystem>
+
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+// Null: none is wanted. What is made for it is put into `made`.
+Result<const Skin*> SkinFor(const ExportSource& source, ExportSkin skin, Skin* made) {
+  if (skin == ExportSkin::kNone) return nullptr;
+  if (skin == ExportSkin::kCharacter) {
+    if (source.character) return source.character.skin.get();
+    return Refusal("skin", "the figure has no meshes of its own; choose capsules or none");
+  }
+  if (!source.capsules) {
+    return Refusal("skin",
+                   "capsules are drawn by the editor and the command line alone; "
+                   "choose none");
+  }
+  *made = source.capsules(*source.animation.figure);
+  return made;
+}
+
+}  // namespace
+
+const char* NameOf(ExportSkin skin) {
+  switch (skin) {
+    case ExportSkin::kCharacter:
+      return "character";
+    case ExportSkin::kCapsules:
+      return "capsules";
+    case ExportSkin::kNone:
+      break;
+  }
+  return "none";
+}
+
+Result<ExportSource> ExportSourceOf(Session* session) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const Project& project = session->project();
+  return ExportSource{*session->animation(), *motion.value(), project.skin, session->capsules(),
+                      project.name};
+}
+
+ExportSettings UsualSettings(const Session& session, MotionFormat format) {
+  const Project& project = session.project();
+  ExportSettings settings;
+  settings.format = format;
+  settings.first = project.frames.first;
+  settings.last = project.frames.last;
+  if (session.capsules()) settings.skin = ExportSkin::kCapsules;
+  if (project.skin) settings.skin = ExportSkin::kCharacter;
+  return settings;
+}
+
+Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings) {
+  MotionExportOptions options;
+  options.format = settings.format;
+  if (!source.name.empty()) options.name = source.name;
+  options.generator = std::string("Hazumi ") + HAZUMI_VERSION;
+  options.up = settings.up;
+  options.metres_per_unit = settings.metres_per_unit;
+  Skin made;
+  const bool has_skin =
+      settings.format == MotionFormat::kGltf || settings.format == MotionFormat::kGlb;
+  const Result<const Skin*> skin =
+      SkinFor(source, has_skin ? settings.skin : ExportSkin::kNone, &made);
+  if (!skin.ok()) return skin.error();
+  options.skin = skin.value();
+  return ExportMotion(source.animation, PartOf(source.motion, settings.first, settings.last),
+                      options);
+}
+
+std::optional<Error> CheckPlace(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
+    return Error{ErrorCode::kCannotWrite, path, "",
+                 "there is no folder " + folder.string() + "; make it, or name another"};
+  }
+  if (std::filesystem::is_directory(path, ignored)) {
+    return Error{ErrorCode::kCannotWrite, path, "", "is a folder; name a file in it"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi::edit

@@ -1,0 +1,48 @@
+#pragma once
+
+// The motion of a session as a file of another program.
+
+#include <optional>
+#include <string>
+
+#include "engine/exchange/export_motion.h"
+#include "engine/project/project_skin.h"
+#include "ui/edit/session/session.h"
+
+namespace hazumi::edit {
+
+// The meshes of a glTF file: those the character came with, one for each of the figure's capsules,
+// or none, which leaves the skeleton.
+enum class ExportSkin { kCharacter, kCapsules, kNone };
+const char* NameOf(ExportSkin skin);
+
+struct ExportSettings {
+  MotionFormat format = MotionFormat::kGlb;
+  int first = 0, last = 0;  // frames, both written
+  UpAxis up = UpAxis::kY;   // of BVH, as is the next
+  double metres_per_unit = 0.01;
+  ExportSkin skin = ExportSkin::kNone;  // of glTF
+  bool operator==(const ExportSettings&) const = default;
+};
+
+// All that a file is made of, so that the session may go on while it is.
+struct ExportSource {
+  Animation animation;
+  Motion motion;  // all frames
+  ProjectSkin character;
+  SkinMaker capsules;
+  std::string name;  // of the clip
+};
+// Bakes what has to be. Errors: those of Session::WholeMotion.
+Result<ExportSource> ExportSourceOf(Session* session);
+// All frames, and of the skins that there are the one that shows most.
+ExportSettings UsualSettings(const Session& session, MotionFormat format);
+
+// The bytes of the file. Errors: a skin that is not there (kSchema), and those of ExportMotion.
+Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings);
+
+// Why a file cannot be written there, before anything is computed for it: no folder, or a folder of
+// this name (kCannotWrite).
+std::optional<Error> CheckPlace(const std::string& path);
+
+}  // namespace hazumi::edit

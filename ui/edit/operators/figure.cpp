@@ -1,0 +1,73 @@
+// The figure. What is mirrored is edited on both sides.
+
+#include "engine/project/figure_editor.h"
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+Result<Done> Edit(Session* session, const char* label, const std::string& drag,
+                  const std::function<Result<Done>(ProjectFigure*)>& edit) {
+  return session->Edit(
+      label, [&](Project* project) { return edit(&project->figure); }, drag);
+}
+
+Result<Done> SetLimits(Session* session, const Parameters& p) {
+  return Edit(session, "Set joint limits", p.text("drag"), [&](ProjectFigure* figure) {
+    return SetHingeLimits(p.text("joint"), p.maybe_number("lower"), p.maybe_number("upper"),
+                          figure);
+  });
+}
+
+Result<Done> SetLink(Session* session, const Parameters& p) {
+  if (p.number("mass") < 0.0) return Refusal("mass", "must not be negative");
+  if (p.has("radius") && p.number("radius") <= 0.0) {
+    return Refusal("radius", "must be greater than 0");
+  }
+  return Edit(session, "Change link", p.text("drag"), [&](ProjectFigure* figure) {
+    return ChangeLink(p.text("link"), {p.maybe_number("mass"), p.maybe_number("radius")}, figure);
+  });
+}
+
+std::string FolderOf(const std::string& path) {
+  const size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+Result<Done> Embed(Session* session, const Parameters&) {
+  return Edit(session, "Embed figure", "", [&](ProjectFigure* figure) {
+    return EmbedFigure(FolderOf(session->document().path()), figure);
+  });
+}
+
+}  // namespace
+
+std::vector<Operator> FigureOperators() {
+  return {{"figure.joint_limits",
+           "Set joint limits",
+           "Sets how far a hinge turns; its rest angle is moved inside. Both sides of a mirrored "
+           "one.",
+           {{"joint", kText, true, "a hinge", Thing::kHinge},
+            {"lower", kNumber, false, "degrees"},
+            {"upper", kNumber, false, "degrees; as the lower one: the hinge is fixed there"},
+            kDrag},
+           SetLimits},
+          {"figure.link",
+           "Change link",
+           "Sets the mass and the thickness of a link; both sides of a mirrored one.",
+           {{"link", kText, true, "a link's name", Thing::kLink},
+            {"mass", kNumber, false, "kilograms"},
+            {"radius", kNumber, false, "of its capsule, which touches things, in metres"},
+            kDrag},
+           SetLink},
+          {"figure.embed",
+           "Embed figure",
+           "Takes the figure's file into the project, where it can be changed.",
+           {},
+           Embed}};
+}
+
+}  // namespace hazumi::edit

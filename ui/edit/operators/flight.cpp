@@ -1,0 +1,267 @@
+// A flight that keys have is given to gravity.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "engine/bake/incremental_bake.h"
+#include "engine/base/text.h"
+#include "engine/placement/contact.h"
+#include "engine/project/checks/checks.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/flight_plan.h"
+#include "ui/edit/operators/root_curves.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+constexpr double kNear = 0.02;  // so far from its key it may land [m]
+
+// What is keyed for it.
+struct FlightKeys {
+  FlightSpan span;
+  int by_gravity = 0;              // first frame that gravity places
+  std::vector<Vec3> roots, rates;  // of the root, from span.first to by_gravity [m, m/s]
+  Vec3 root_before, root_after;    // on the frame before the first, that after the last
+  Vec3 rate_before, rate_after;    // [m/s]
+  bool stands() const { return by_gravity > span.first; }  // on the first frame
+};
+
+std::string Frame(int frame) { return "F" + std::to_string(frame); }
+std::string Centimetres(double metres) { return FormatShort(100.0 * metres) + " cm"; }
+std::string Inside(const FlightArc::Nearness& nearness, int frame) {
+  return Quoted(nearness.link) + " is " + Centimetres(-nearness.clearance) + " inside " +
+         Quoted(nearness.object) + " at " + Frame(frame);
+}
+
+std::optional<Error> CheckSpan(const FlightSpan& span, const Session& session) {
+  const ProjectFrames& all = session.project().frames;
+  if (span.first >= all.first && span.last <= all.last && span.first <= span.last - 2) return {};
+  return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
+                             " to " + std::to_string(all.last));
+}
+
+std::optional<Error> CheckFree(const FlightSpan& span, const Animation& animation) {
+  for (const PlacementSpan& other : animation.placements) {
+    if (other.kind == PlacementKind::kKeyed) continue;
+    if (other.last_frame <= span.first || other.first_frame >= span.last) continue;
+    return Refusal("first", std::string("frames ") + std::to_string(other.first_frame) + " to " +
+                                std::to_string(other.last_frame) +
+                                " are placed by a pin or by gravity already");
+  }
+  return std::nullopt;
+}
+
+// Gravity would hold a figure that touches something. One that stands on the first frame is keyed
+// on its way until it is off the ground.
+Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span) {
+  constexpr int kMostFrames = 3;
+  const int last = std::min(span.first + kMostFrames, span.last - 2);
+  for (int frame = span.first; frame <= last; ++frame) {
+    const auto nearness = arc.NearnessAt(frame);
+    if (!nearness || nearness->clearance > 2.0 * kTouching) return frame;
+  }
+  const auto nearness = arc.NearnessAt(last);
+  return Refusal("first", "on the way to where the keys have it at " + Frame(span.last) + " " +
+                              Inside(*nearness, last) + ", " + std::to_string(last - span.first) +
+                              " frames after it took off: it does not get off the ground");
+}
+
+// Where the keys have the figure on the ground, or not much inside, it flies to a hair inside, so
+// that it lands, and not before.
+void EndOnTheGround(double clearance, int last, FlightArc* arc) {
+  constexpr double kHair = 1e-6, kLands = 1e-4;  // [m]
+  if (clearance < kLands) arc->EndAt(arc->ComAt(last) - (clearance + kHair) * Vec3::UnitZ());
+}
+
+Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightArc* planned) {
+  FlightArc& arc = *planned;
+  const auto landing = arc.NearnessAt(span.last);
+  if (landing && landing->clearance < -kNear) {
+    return Refusal("last", Inside(*landing, span.last) +
+                               ": key the root so much higher there, or let it land before");
+  }
+  if (landing) EndOnTheGround(landing->clearance, span.last, &arc);
+  const Result<int> by_gravity = FirstByGravity(arc, span);
+  if (!by_gravity.ok()) return by_gravity.error();
+  const MotionFrame& before = FrameOf(motion, span.first - 1);
+  const MotionFrame& after = FrameOf(motion, span.last + 1);
+  FlightKeys keys{span,
+                  by_gravity.value(),
+                  {},
+                  {},
+                  before.X_WR.p,
+                  after.X_WR.p,
+                  before.before.root_v,
+                  after.after.root_v};
+  for (int frame = span.first; frame <= keys.by_gravity; ++frame) {
+    keys.roots.push_back(arc.RootAt(frame));
+    keys.rates.push_back(arc.RootVelocityAt(frame));
+  }
+  return keys;
+}
+
+// Where there is no key: one that leaves the curve as it is, of the kind of the one before it. A
+// quadratic one goes on as fast as the curve arrives, so that it has to say how fast that was.
+void KeepShape(double frame, double value, double rate, ProjectCurve* curve) {
+  if (ProjectKey* old = KeyOn(frame, curve)) {
+    if (old->interpolation == Interpolation::kQuadratic && !old->rate) old->rate = rate;
+    return;
+  }
+  ProjectKey key;
+  for (const ProjectKey& earlier : curve->keys) {
+    if (earlier.frame < frame) key.interpolation = earlier.interpolation;
+  }
+  key.frame = frame;
+  key.value = value;
+  const bool has_tangent =
+      key.interpolation == Interpolation::kCubic || key.interpolation == Interpolation::kQuadratic;
+  if (has_tangent) key.rate = rate;
+  PutKey(key, curve);
+}
+
+// So that the curve before it does not swing out for the speed with which it takes off.
+void ArriveAsSlow(double frame, double rate, ProjectCurve* curve) {
+  ProjectKey* key = KeyOn(frame, curve);
+  if (key->interpolation != Interpolation::kCubic) return;
+  key->interpolation = Interpolation::kQuadratic;
+  if (!key->rate) key->rate = rate;
+}
+
+// The way from the ground, up to the first frame that gravity places.
+void KeyWay(const FlightKeys& keys, int axis, ProjectCurve* curve) {
+  std::erase_if(curve->keys, [&](const ProjectKey& key) {
+    return key.frame > keys.span.first && key.frame < keys.by_gravity;
+  });
+  for (int frame = keys.span.first; frame <= keys.by_gravity; ++frame) {
+    const int k = frame - keys.span.first;
+    const ProjectKey* old = KeyOn(frame, *curve);
+    ProjectKey key = old ? *old : ProjectKey();
+    key.frame = frame;
+    if (!old || k > 0) key.value = WithoutRoundOff(keys.roots[k][axis]);
+    key.rate = WithoutRoundOff(keys.rates[k][axis]);
+    key.interpolation = Interpolation::kCubic;
+    PutKey(key, curve);
+  }
+}
+
+// Keys beside the span keep the motion there as it was.
+Result<Done> GiveToGravity(const FlightKeys& keys, Project* project) {
+  const FlightSpan& span = keys.span;
+  for (int i = 0; i < 3; ++i) {
+    ProjectCurve& curve = project->root.curves[kRootX + i];
+    if (span.first > project->frames.first) {
+      KeepShape(span.first - 1, keys.root_before[i], keys.rate_before[i], &curve);
+      if (keys.stands()) ArriveAsSlow(span.first - 1, keys.rate_before[i], &curve);
+    }
+    if (span.last < project->frames.last)
+      KeepShape(span.last + 1, keys.root_after[i], keys.rate_after[i], &curve);
+    KeyWay(keys, i, &curve);
+  }
+  ProjectPlacement placement;
+  placement.kind = PlacementKind::kGravity;
+  placement.first_frame = keys.by_gravity;
+  placement.last_frame = span.last;
+  return PutPlacement(std::move(placement), true, &project->placements);
+}
+
+// The flight with one rate or another. What lies before it is baked once.
+class Tries {
+ public:
+  explicit Tries(const Project& project) : project_(project) {}
+
+  Result<const Motion*> Fly(const FlightKeys& keys) {
+    Project project = project_;
+    const Result<Done> given = GiveToGravity(keys, &project);
+    if (!given.ok()) return given.error();
+    const Result<Compiled> compiled = CompileAnimation(project);
+    if (!compiled.ok()) return compiled.error();
+    if (bake_) bake_->Update(compiled.value().animation);
+    if (!bake_) bake_ = std::make_unique<IncrementalBake>(compiled.value().animation);
+    if (const auto error = bake_->BakeTo(keys.span.last)) return *error;
+    return &bake_->motion();
+  }
+
+ private:
+  const Project& project_;
+  std::unique_ptr<IncrementalBake> bake_;
+};
+
+const MotionEvent* LandingIn(const Motion& motion, const FlightKeys& keys) {
+  const auto landing =
+      std::find_if(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
+        return event.kind == EventKind::kLanding && event.frame > keys.by_gravity &&
+               event.frame < keys.span.last;
+      });
+  return landing == motion.events.end() ? nullptr : &*landing;
+}
+
+// A flight that ends elsewhere than its keys: what was in the way.
+std::optional<Error> CheckFlown(const FlightArc& arc, const FlightKeys& keys,
+                                const Motion& motion) {
+  const int last = keys.span.last;
+  const double off = (FrameOf(motion, last).com - arc.ComAt(last)).norm();
+  if (off <= kNear) return std::nullopt;
+  const std::string far = Centimetres(off) + " from where the keys have it at " + Frame(last);
+  const MotionEvent* landing = LandingIn(motion, keys);
+  if (!landing) return Refusal("last", "gravity leaves the figure " + far);
+  const auto met = arc.NearnessIn(FrameOf(motion, landing->frame));
+  return Refusal("last", Quoted(met->link) + " meets " + Quoted(met->object) + " at " +
+                             Frame(landing->frame) + " on the way, which leaves the figure " + far);
+}
+
+// Sets the rate with which gravity takes over so that the CoM is at the arc's end on the last
+// frame. What a coarse step adds is seen in the tries; a flight that lands early is left as it is.
+Result<Done> Aim(const FlightArc& arc, const Session& session, double step, FlightKeys* keys) {
+  constexpr double kThere = 1e-7;  // [m]
+  constexpr int kTries = 4;
+  const Vec3 goal = arc.ComAt(keys->span.last);
+  const double duration = step * (keys->span.last - keys->by_gravity);
+  Tries tries(session.project());
+  for (int i = 0; i < kTries; ++i) {
+    const Result<const Motion*> flown = tries.Fly(*keys);
+    if (!flown.ok()) return flown.error();
+    const Vec3 off = goal - FrameOf(*flown.value(), keys->span.last).com;
+    const bool is_there = off.norm() < kThere || LandingIn(*flown.value(), *keys);
+    if (is_there || i + 1 == kTries) {
+      if (const auto error = CheckFlown(arc, *keys, *flown.value())) return *error;
+      break;
+    }
+    keys->rates.back() += off / duration;
+  }
+  return Done();
+}
+
+Result<Done> Fly(Session* session, const Parameters& p) {
+  const FlightSpan span = {p.integer("first"), p.integer("last")};
+  if (const auto error = CheckSpan(span, *session)) return *error;
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const Animation& animation = *session->animation();
+  if (const auto error = CheckFree(span, animation)) return *error;
+  FlightArc arc(animation, *motion.value(), span);
+  Result<FlightKeys> keys = KeysOf(span, *motion.value(), &arc);
+  if (!keys.ok()) return keys.error();
+  const double step = animation.rate.SecondsAt(1.0);
+  const Result<Done> aimed = Aim(arc, *session, step, &keys.value());
+  if (!aimed.ok()) return aimed.error();
+  return session->Edit("Place flight by gravity",
+                       [&](Project* project) { return GiveToGravity(keys.value(), project); });
+}
+
+}  // namespace
+
+std::vector<Operator> FlightOperators() {
+  return {{"placement.flight",
+           "Place flight by gravity",
+           "Gives a flight that keys have to gravity: it takes off so fast that it lands where the "
+           "keys have it.",
+           {{"first", kInteger, true, "first frame in the air, or the last on which it stands"},
+            {"last", kInteger, true, "last frame in the air, or the first on which it stands"}},
+           Fly}};
+}
+
+}  // namespace hazumi::edit

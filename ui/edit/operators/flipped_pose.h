@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/base/result.h"
+#include "ui/edit/session/session.h"
+
+namespace hazumi::edit {
+
+// The mirror image of a pose, left for right: of what is in it, root and joints. A joint whose
+// hinges are not those of its partner the other way round turns its partner as a whole, as nearly
+// as that can; the angles are those nearest to the ones it has at the current frame.
+// Errors: of Session::ValueNow.
+Result<Pose> Flipped(const Pose& pose, Session* session);
+
+}  // namespace hazumi::edit

@@ -1,0 +1,239 @@
+// What places the figure, and joints that inverse kinematics holds.
+
+#include <algorithm>
+
+#include "engine/timeline/placement_span.h"
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+using Spans = std::vector<ProjectPlacement>;
+
+Result<PlacementKind> KindFrom(const Parameters& p) {
+  return ValueNamed<PlacementKind>(
+      p.text("kind"), "kind",
+      {PlacementKind::kKeyed, PlacementKind::kPinned, PlacementKind::kGravity}, &NameOf);
+}
+
+// The entry that the parameter "index" counts out.
+template <typename T>
+Result<T*> EntryAt(const Parameters& p, const std::string& what, std::vector<T>* list) {
+  const int index = p.integer("index"), num = static_cast<int>(list->size());
+  if (index >= 0 && index < num) return &(*list)[index];
+  return Refusal("index", "there is no " + what + " " + std::to_string(index) + "; there are " +
+                              std::to_string(num) + ", counted from 0");
+}
+
+// Taken out of the way of a new span of placement.
+void MakeRoom(int first, int last, Spans* spans) {
+  Spans kept;
+  for (ProjectPlacement& span : *spans) {
+    ProjectPlacement before = span, after = span;
+    before.last_frame = std::min(span.last_frame, first);
+    after.first_frame = std::max(span.first_frame, last);
+    if (before.first_frame < before.last_frame) kept.push_back(before);
+    if (after.first_frame < after.last_frame) kept.push_back(after);
+  }
+  *spans = std::move(kept);
+}
+
+Result<Done> Place(Session* session, const Parameters& p) {
+  const Result<PlacementKind> kind = KindFrom(p);
+  if (!kind.ok()) return kind.error();
+  return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
+    ProjectPlacement span;
+    span.kind = kind.value();
+    span.first_frame = p.integer("first");
+    span.last_frame = p.integer("last");
+    span.pin = p.text("pin");
+    span.landing_pin = p.text("landing_pin");
+    return PutPlacement(std::move(span), kind.value() != PlacementKind::kKeyed,
+                        &project->placements);
+  });
+}
+
+// What is given of it. Only gravity ends in a landing.
+Result<Done> Change(const Parameters& p, ProjectPlacement* span) {
+  if (p.has("kind")) {
+    const Result<PlacementKind> kind = KindFrom(p);
+    if (!kind.ok()) return kind.error();
+    span->kind = kind.value();
+  }
+  span->first_frame = p.integer("first", span->first_frame);
+  span->last_frame = p.integer("last", span->last_frame);
+  span->pin = p.text("pin", span->pin);
+  span->landing_pin = p.text("landing_pin", span->landing_pin);
+  if (span->kind != PlacementKind::kGravity) span->landing_pin.clear();
+  return Done();
+}
+
+// In a drag spans are as they were when it began, so that those that gave way come back.
+Result<Done> EditPlacement(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Change placement",
+      [&](Project* project) -> Result<Done> {
+        Spans& spans = project->placements;
+        const Document::State* start = session->document().drag_start(p.text("drag"));
+        if (start) spans = start->project.placements;
+        const Result<ProjectPlacement*> entry = EntryAt(p, "placement", &spans);
+        if (!entry.ok()) return entry.error();
+        ProjectPlacement span = *entry.value();
+        Result<Done> changed = Change(p, &span);
+        if (!changed.ok()) return changed;
+        spans.erase(spans.begin() + (entry.value() - spans.data()));
+        // A span of keys that a file has stays one, unless it becomes one now.
+        const bool is_said = p.text("kind") != hazumi::NameOf(PlacementKind::kKeyed);
+        return PutPlacement(std::move(span), is_said, &spans);
+      },
+      p.text("drag"));
+}
+
+Result<Done> RemovePlacement(Session* session, const Parameters& p) {
+  return session->Edit("Remove placement", [&](Project* project) -> Result<Done> {
+    Spans& spans = project->placements;
+    const Result<ProjectPlacement*> entry = EntryAt(p, "placement", &spans);
+    if (!entry.ok()) return entry.error();
+    spans.erase(spans.begin() + (entry.value() - spans.data()));
+    return Done();
+  });
+}
+
+// What is given of it.
+Result<Done> Change(const Parameters& p, ProjectHold* hold) {
+  if (p.has("reach")) {
+    const Result<HoldReach> reach = ValueNamed<HoldReach>(
+        p.text("reach"), "reach", {HoldReach::kLimb, HoldReach::kBody}, &NameOf);
+    if (!reach.ok()) return reach.error();
+    hold->reach = reach.value();
+  }
+  hold->joint = p.text("joint", hold->joint);
+  hold->orientation = p.yes("orientation", hold->orientation);
+  hold->first_frame = p.integer("first", hold->first_frame);
+  hold->last_frame = p.integer("last", hold->last_frame);
+  return Done();
+}
+
+Result<Done> Hold(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Hold joint",
+      [&](Project* project) -> Result<Done> {
+        ProjectHold hold;
+        Result<Done> changed = Change(p, &hold);
+        if (!changed.ok()) return changed;
+        project->holds.push_back(std::move(hold));
+        return Done();
+      },
+      p.text("drag"));
+}
+
+Result<Done> SetHold(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Change hold",
+      [&](Project* project) -> Result<Done> {
+        const Result<ProjectHold*> hold = EntryAt(p, "hold", &project->holds);
+        if (!hold.ok()) return hold.error();
+        return Change(p, hold.value());
+      },
+      p.text("drag"));
+}
+
+Result<Done> RemoveHold(Session* session, const Parameters& p) {
+  return session->Edit("Remove hold", [&](Project* project) -> Result<Done> {
+    const Result<ProjectHold*> hold = EntryAt(p, "hold", &project->holds);
+    if (!hold.ok()) return hold.error();
+    project->holds.erase(project->holds.begin() + (hold.value() - project->holds.data()));
+    return Done();
+  });
+}
+
+const ParameterInfo kPlacement = {"index", kInteger, true, "which of them, counted from 0",
+                                  Thing::kPlacement};
+const ParameterInfo kHold = {"index", kInteger, true, "which of them, counted from 0",
+                             Thing::kHold};
+const ParameterInfo kFirst = {"first", kInteger, false, "first frame"};
+const ParameterInfo kLast = {"last", kInteger, false, "last frame"};
+const ParameterInfo kPin = {"pin", kText, false, "the pinned joint", Thing::kJoint};
+const ParameterInfo kLandingPin = {"landing_pin", kText, false,
+                                   "with gravity: the joint pinned after a landing", Thing::kJoint};
+const ParameterInfo kOrientation = {"orientation", kYesNo, false, "true: also how it is turned"};
+
+const ParameterInfo kReach = {"reach", kText, false, "what moves to hold it: limb or body",
+                              "limb body"};
+
+ParameterInfo Required(ParameterInfo info) {
+  info.is_required = true;
+  return info;
+}
+
+}  // namespace
+
+Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
+                          std::vector<ProjectPlacement>* spans) {
+  if (span.first_frame >= span.last_frame) {
+    return Refusal(
+        "last", "must be later than the first frame, which is " + std::to_string(span.first_frame));
+  }
+  MakeRoom(span.first_frame, span.last_frame, spans);
+  if (!is_said) return Done();
+  const auto later = [](const ProjectPlacement& a, const ProjectPlacement& b) {
+    return a.first_frame < b.first_frame;
+  };
+  spans->insert(std::upper_bound(spans->begin(), spans->end(), span, later), std::move(span));
+  return Done();
+}
+
+std::vector<Operator> PlacementOperators() {
+  return {{"placement.set",
+           "Place figure",
+           "Says what places the figure for some frames; what was said of them before gives way.",
+           {{"kind", kText, true, "keyed, pinned or gravity", "pinned gravity keyed"},
+            Required(kFirst),
+            Required(kLast),
+            kPin,
+            kLandingPin},
+           Place},
+          {"placement.edit",
+           "Change placement",
+           "Changes what is given of a span of placement; what is said of its frames gives way.",
+           {kPlacement,
+            {"kind", kText, false, "keyed, pinned or gravity", "pinned gravity keyed"},
+            kFirst,
+            kLast,
+            kPin,
+            kLandingPin,
+            kDrag},
+           EditPlacement},
+          {"placement.remove",
+           "Remove placement",
+           "Takes a span of placement away: the root's keys place the figure there.",
+           {kPlacement},
+           RemovePlacement},
+          {"hold.add",
+           "Hold joint",
+           "Keeps a joint where it is by inverse kinematics.",
+           {{"joint", kText, true, "a joint", Thing::kJoint},
+            Required(kFirst),
+            Required(kLast),
+            kOrientation,
+            kReach,
+            kDrag},
+           Hold},
+          {"hold.set",
+           "Change hold",
+           "Changes what is given of a hold.",
+           {kHold,
+            {"joint", kText, false, "a joint", Thing::kJoint},
+            kFirst,
+            kLast,
+            kOrientation,
+            kReach,
+            kDrag},
+           SetHold},
+          {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};
+}
+
+}  // namespace hazumi::edit

@@ -1,0 +1,253 @@
+// Dynamics regions.
+
+#include <algorithm>
+#include <cstdint>
+
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/root_curves.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
+
+// "r_shoulder+" is that joint and all beyond it.
+JointRef RefFrom(std::string name) {
+  JointRef ref;
+  ref.beyond = name.ends_with('+');
+  if (ref.beyond) name.pop_back();
+  ref.name = name;
+  return ref;
+}
+
+// In a drag the region takes the place of the one before.
+Result<Done> Add(Session* session, const Parameters& p) {
+  const std::string merge = p.has("drag") ? "region.add " + p.text("drag") : "";
+  return session->Edit(
+      "Add dynamics region",
+      [&](Project* project) -> Result<Done> {
+        const Document::State* start = session->document().drag_start(merge);
+        if (start) project->regions = start->project.regions;
+        ProjectRegion region;
+        region.name = FreeName(p.text("name", "region"), project->regions);
+        region.first_frame = p.integer("first");
+        region.last_frame = p.integer("last");
+        std::vector<std::string> names = p.names("joints");
+        if (!p.has("joints")) {
+          names.assign(session->selected_joints().begin(), session->selected_joints().end());
+        }
+        for (const std::string& name : names) region.joints.push_back(RefFrom(name));
+        region.friction.default_factor = p.number("friction", 0.8);
+        region.blend_frames = p.integer("blend", 0);
+        project->regions.push_back(std::move(region));
+        return Done();
+      },
+      merge);
+}
+
+// Runs on one region by its name.
+template <typename Action>
+Result<Done> Change(Session* session, const Parameters& p, const char* label, Action action) {
+  return session->Edit(
+      label,
+      [&](Project* project) -> Result<Done> {
+        const Result<ProjectRegion*> region =
+            EntryNamed(p.text("region"), "region", &project->regions);
+        if (!region.ok()) return region.error();
+        return action(project, region.value());
+      },
+      p.text("drag"));
+}
+
+Result<Done> SetRegion(Session* session, const Parameters& p) {
+  return Change(session, p, "Change region", [&](Project* project, ProjectRegion* region) {
+    region->first_frame = p.integer("first", region->first_frame);
+    region->last_frame = p.integer("last", region->last_frame);
+    region->limit_tangents = p.yes("limit_tangents", region->limit_tangents);
+    region->blend_frames = p.integer("blend", region->blend_frames);
+    if (p.yes("as_project")) {
+      region->method.reset();
+      region->tolerance_deg.reset();
+    }
+    if (p.has("tolerance")) region->tolerance_deg = p.number("tolerance");
+    if (p.has("joints")) {
+      region->joints.clear();
+      for (const std::string& name : p.names("joints")) region->joints.push_back(RefFrom(name));
+    }
+    if (p.has("name")) region->name = FreeName(p.text("name"), project->regions);
+    if (!p.has("method")) return Result<Done>(Done());
+    const Result<Method> method =
+        ValueNamed<Method>(p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);
+    if (!method.ok()) return Result<Done>(method.error());
+    region->method = method.value();
+    return Result<Done>(Done());
+  });
+}
+
+// Of one joint, or of all that have none of their own. Without a factor a joint loses its own.
+Result<Done> SetFriction(Session* session, const Parameters& p) {
+  return Change(session, p, "Change friction", [&](Project*, ProjectRegion* region) {
+    ProjectFriction& friction = region->friction;
+    if (!p.has("joint")) {
+      if (!p.has("factor")) return Result<Done>(Refusal("factor", "is missing"));
+      friction.default_factor = p.number("factor");
+      return Result<Done>(Done());
+    }
+    const auto own = std::find_if(friction.joints.begin(), friction.joints.end(),
+                                  [&](const auto& entry) { return entry.name == p.text("joint"); });
+    if (!p.has("factor")) {
+      if (own != friction.joints.end()) friction.joints.erase(own);
+    } else if (own != friction.joints.end()) {
+      own->value = p.number("factor");
+    } else {
+      friction.joints.push_back({p.text("joint"), p.number("factor")});
+    }
+    return Result<Done>(Done());
+  });
+}
+
+// The second part takes over where the first one ends.
+Result<Done> Split(Session* session, const Parameters& p) {
+  return Change(session, p, "Split region", [&](Project* project, ProjectRegion* region) {
+    const int frame = p.integer("frame");
+    if (frame <= region->first_frame || frame >= region->last_frame) {
+      return Result<Done>(Refusal("frame", "must lie inside the region, between its ends"));
+    }
+    ProjectRegion second = *region;
+    second.name = FreeName(region->name, project->regions);
+    second.first_frame = region->last_frame = frame;
+    project->regions.insert(project->regions.begin() + (region - project->regions.data()) + 1,
+                            std::move(second));
+    return Result<Done>(Done());
+  });
+}
+
+Result<Done> Remove(Session* session, const Parameters& p) {
+  return Change(session, p, "Remove region", [&](Project* project, ProjectRegion* region) {
+    project->regions.erase(project->regions.begin() + (region - project->regions.data()));
+    return Result<Done>(Done());
+  });
+}
+
+void RemoveKeys(int first, int last, ProjectCurve* curve) {
+  std::erase_if(curve->keys,
+                [&](const ProjectKey& key) { return key.frame >= first && key.frame <= last; });
+}
+
+void KeyHinge(JointIndex hinge, const MotionFrame& at, ProjectCurve* curve) {
+  ProjectKey key;
+  key.frame = at.frame;
+  key.value = at.q[hinge.value()] / kDegree;
+  key.rate = at.after.qd[hinge.value()] / kDegree;
+  PutKey(key, curve);
+}
+
+// Its angles; where it is follows from the placement, as before.
+void KeyRoot(const MotionFrame& at, ProjectRoot* root) {
+  const auto values = RootValues(at.X_WR, *root, at.frame);
+  const auto rates = RootAngleRates(values, at.after.root_w);
+  for (int i = kRootAngleZ; i < kNumRootCurves; ++i) {
+    ProjectKey key;
+    key.frame = at.frame;
+    key.value = values[i];
+    if (rates) key.rate = (*rates)[i - kRootAngleZ];
+    PutKey(key, &root->curves[i]);
+  }
+}
+
+// The last frame of a region and of the blend after it.
+int LastFrameOf(const DynamicsRegion& region, int last) {
+  const int64_t end = static_cast<int64_t>(region.last_frame) + region.blend_frames;
+  return static_cast<int>(std::min<int64_t>(end, last));
+}
+
+// The joints of an animation's region, and the root if it turns it, become keys, one a frame, up to
+// the end of the blend after it, and the region goes.
+Result<Done> BakeToKeys(Session* session, const Parameters& p) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  return Change(session, p, "Bake region to keys", [&](Project* project, ProjectRegion* region) {
+    const size_t index = region - project->regions.data();
+    const DynamicsRegion& baked = session->animation()->regions[index];
+    const auto first = motion.value()->frames.begin() + baked.first_frame - project->frames.first;
+    const int last = LastFrameOf(baked, project->frames.last);
+    const auto end = first + (last - baked.first_frame) + 1;
+    for (const JointIndex j : baked.joints) {
+      const std::string& name = session->figure().joint(j).name;
+      ProjectCurve* curve = CurveNamed(name, session->figure(), project).value();
+      RemoveKeys(baked.first_frame, last, curve);
+      for (auto at = first; at != end; ++at) KeyHinge(j, *at, curve);
+    }
+    for (int i = kRootAngleZ; i < kNumRootCurves && baked.root; ++i) {
+      RemoveKeys(baked.first_frame, last, &project->root.curves[i]);
+    }
+    for (auto at = first; at != end && baked.root; ++at) KeyRoot(*at, &project->root);
+    project->regions.erase(project->regions.begin() + static_cast<long>(index));
+    return Result<Done>(Done());
+  });
+}
+
+}  // namespace
+
+std::vector<Operator> RegionOperators() {
+  const ParameterInfo first = {"first", kInteger, true, "first frame"};
+  const ParameterInfo last = {"last", kInteger, true, "last frame"};
+  const ParameterInfo joints = {
+      "joints", kNames, false,
+      "joints, with + behind the name all beyond too; not given: the selected ones", Thing::kJoint};
+  const ParameterInfo blend = {"blend", kInteger, false,
+                               "frames in which joints come back to their keys after it; 0"};
+  return {{"region.add",
+           "Add dynamics region",
+           "Lets joints swing by their own inertia for some frames.",
+           {{"name", kText, false, "its name"},
+            first,
+            last,
+            joints,
+            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8", Thing::kShare},
+            blend,
+            kDrag},
+           Add},
+          {"region.set",
+           "Change region",
+           "Changes what is given of a region.",
+           {kRegion,
+            {"name", kText, false, "a new name"},
+            {"first", kInteger, false, "first frame"},
+            {"last", kInteger, false, "last frame"},
+            {"joints", kNames, false, "its joints instead", Thing::kJoint},
+            {"method", kText, false, "exact or paper", "exact paper"},
+            {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
+            {"as_project", kYesNo, false, "true: method and tolerance are the project's again"},
+            {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
+            blend,
+            kDrag},
+           SetRegion},
+          {"region.friction",
+           "Change friction",
+           "Sets the factor of speed that is left after 1/30 s.",
+           {kRegion,
+            {"factor", kNumber, false,
+             "0 frozen, 1 no friction; not given: the joint has none of its own any more",
+             Thing::kShare},
+            {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
+             Thing::kJointOrHinge},
+            kDrag},
+           SetFriction},
+          {"region.split",
+           "Split region",
+           "Makes two regions of one.",
+           {kRegion, {"frame", kInteger, true, "where the second one begins"}},
+           Split},
+          {"region.remove", "Remove region", "Takes a region away.", {kRegion}, Remove},
+          {"region.to_keys",
+           "Bake region to keys",
+           "Makes a key of each frame of a region and takes the region away.",
+           {kRegion},
+           BakeToKeys}};
+}
+
+}  // namespace hazumi::edit

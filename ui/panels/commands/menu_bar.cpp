@@ -1,0 +1,61 @@
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/commands/menus.h"
+#include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/window/panels.h"
+#include "ui/panels/window/widgets.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+void DrawRecentFiles(Editor* editor) {
+  const std::vector<std::string> files = editor->settings.recent_files;
+  const bool is_open = ImGui::BeginMenu(Tr("Open recent"), !files.empty());
+  if (!is_open) return Tooltip(Tr("Projects that were opened or saved last."));
+  for (const std::string& file : files) {
+    editor->NeedGlyphs(file);
+    if (ImGui::MenuItem((NameIn(file) + "##" + file).c_str())) {
+      editor->Do("app.open", {{"path", file}});
+    }
+    Tooltip(file);
+  }
+  ImGui::EndMenu();
+}
+
+void DrawAction(Editor* editor, const MenuEntry& entry) {
+  const std::string label = LabelOf(entry, *editor);
+  const std::string key = KeyOf(entry.id, entry.parameters);
+  const bool is_on = IsOn(*editor, entry).value_or(false);
+  const bool can_do = CanDo(*editor, entry.id);
+  if (ImGui::MenuItem(label.c_str(), key.empty() ? nullptr : key.c_str(), is_on, can_do)) {
+    RunOrAsk(editor, entry.id, entry.parameters).ok();  // what is refused, the status bar says
+  }
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    ImGui::SetTooltip("%s", HelpOf(entry.id));
+  }
+}
+
+void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries);
+
+void DrawEntry(Editor* editor, const MenuEntry& entry) {
+  if (!entry.id && !entry.label) return ImGui::Separator();
+  if (entry.id && std::string(entry.id) == "app.open") return DrawRecentFiles(editor);
+  if (entry.id) return DrawAction(editor, entry);
+  if (!ImGui::BeginMenu(Tr(entry.label))) return;
+  DrawEntries(editor, entry.entries);
+  ImGui::EndMenu();
+}
+
+void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries) {
+  for (const MenuEntry& entry : entries) DrawEntry(editor, entry);
+}
+
+}  // namespace
+
+void DrawMenuBar(Editor* editor, const Rect&) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  DrawEntries(editor, AllMenus());
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace hazumi::ui

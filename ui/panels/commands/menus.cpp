@@ -1,0 +1,269 @@
+#include "ui/panels/commands/menus.h"
+
+#include <cmath>
+
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/dialogs/dialogs.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+MenuEntry Line() { return {}; }
+
+MenuEntry Submenu(const char* label, std::vector<MenuEntry> entries) {
+  return {nullptr, Json::object(), label, std::move(entries)};
+}
+
+MenuEntry FileMenu() {
+  return Submenu("File", {{"app.new"},
+                          {"file.open_dialog"},
+                          {"app.open"},  // drawn as the list of recent files
+                          {"file.import_dialog"},
+                          Line(),
+                          {"app.save"},
+                          {"file.save_as"},
+                          Line(),
+                          {"file.export_dialog"},
+                          {"render.dialog", Json::object(), "Render picture"},
+                          {"render.dialog", {{"whole", true}}, "Render animation"},
+                          Line(),
+                          {"app.quit"}});
+}
+
+MenuEntry EditMenu() {
+  return Submenu("Edit", {{"edit.undo"},
+                          {"edit.redo"},
+                          Line(),
+                          {"app.search"},
+                          Line(),
+                          Submenu("Theme", {{"view.theme", {{"dark", true}}, "Dark"},
+                                            {"view.theme", {{"dark", false}}, "Light"}}),
+                          Submenu("Language", {{"view.language", {{"language", "en"}}, "English"},
+                                               {"view.language", {{"language", "ja"}}, "日本語"}}),
+                          Submenu("Interface scale", {{"view.scale", {{"scale", 1.0}}, "100 %"},
+                                                      {"view.scale", {{"scale", 1.25}}, "125 %"},
+                                                      {"view.scale", {{"scale", 1.5}}, "150 %"},
+                                                      {"view.scale", {{"scale", 2.0}}, "200 %"}})});
+}
+
+MenuEntry ViewMenu() {
+  const auto overlay = [](const char* name, const char* label) {
+    return MenuEntry{"view.overlay", {{"name", name}}, label};
+  };
+  return Submenu("View", {{"view.side", {{"side", "front"}}, "From the front"},
+                          {"view.side", {{"side", "back"}}, "From the back"},
+                          {"view.side", {{"side", "right"}}, "From the right"},
+                          {"view.side", {{"side", "left"}}, "From the left"},
+                          {"view.side", {{"side", "top"}}, "From above"},
+                          Line(),
+                          {"view.orthographic"},
+                          {"view.camera"},
+                          {"view.frame_selected"},
+                          {"view.frame_all"},
+                          Submenu("Overlays",
+                                  {overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
+                                   overlay("marks", "Pins and centre of mass"),
+                                   overlay("tint", "Joints in regions"),
+                                   overlay("limits", "Joint limits"), overlay("shadow", "Shadow")}),
+                          Line(),
+                          Submenu("Sheet", {{"view.sheet"},
+                                            {"sheet.only_selected"},
+                                            {"sheet.normalize"},
+                                            {"sheet.frame_selected"},
+                                            {"sheet.frame_all"}}),
+                          Line(),
+                          {"time.play"},
+                          {"time.to_end", {{"last", false}}, "To the first frame"},
+                          {"time.to_end", {{"last", true}}, "To the last frame"},
+                          {"time.to_key", {{"next", true}}, "To the next key"},
+                          {"time.to_key", {{"next", false}}, "To the previous key"},
+                          Line(),
+                          {"time.range"},
+                          {"time.rate"},
+                          {"sheet.preview"},
+                          {"time.preview", {{"off", true}}, "No preview range"},
+                          {"marker.add", Json::object(), "Add marker"}});
+}
+
+MenuEntry SelectMenu() {
+  return Submenu("Select", {{"select.all"},
+                            {"select.none"},
+                            {"select.mirror"},
+                            Line(),
+                            {"joint.hide"},
+                            {"joint.show_all"},
+                            {"joint.lock"},
+                            {"joint.lock", {{"on", false}}, "Unlock joints"},
+                            Line(),
+                            {"sheet.select_all"},
+                            {"sheet.box"},
+                            {"keys.select_column"},
+                            {"keys.select_side", {{"side", "before"}}, "Keys before this frame"},
+                            {"keys.select_side", {{"side", "after"}}, "Keys after this frame"}});
+}
+
+MenuEntry PoseMenu() {
+  return Submenu("Pose",
+                 {{"pose.copy"},
+                  {"pose.paste"},
+                  {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
+                  Line(),
+                  {"tool.rotate"},
+                  {"tool.move"},
+                  {"pose.clear"},
+                  {"root.to_ground"},
+                  Line(),
+                  {"pose.rotate"},
+                  {"pose.reach"},
+                  {"hold.add"},
+                  Line(),
+                  Submenu("Figure", {{"figure.joint_limits"}, {"figure.link"}, {"figure.embed"}})});
+}
+
+MenuEntry KeyMenu() {
+  const auto kind = [](const char* name, const char* label) {
+    return MenuEntry{"keys.interpolation", {{"interpolation", name}}, label};
+  };
+  return Submenu(
+      "Key", {{"key.insert"},
+              {"key.delete", Json::object(), "Delete keys of this frame"},
+              {"keys.delete"},
+              Line(),
+              {"keys.copy"},
+              {"keys.paste"},
+              {"sheet.duplicate"},
+              Line(),
+              {"sheet.move"},
+              {"sheet.scale"},
+              Line(),
+              Submenu("Interpolation", {kind("hold", "Hold"), kind("linear", "Linear"),
+                                        kind("quadratic", "Quadratic"), kind("cubic", "Cubic")}),
+              Submenu("Handles", {{"keys.handles", {{"kind", "auto"}}, "Automatic"},
+                                  {"keys.handles", {{"kind", "flat"}}, "Flat"}}),
+              {"key.rate"}});
+}
+
+MenuEntry RegionMenu() {
+  return Submenu("Region", {{"sheet.mark_region"},
+                            {"region.add"},
+                            {"region.set"},
+                            {"region.friction"},
+                            {"region.start_rate"},
+                            {"region.split"},
+                            {"region.remove"},
+                            {"region.to_keys"},
+                            Line(),
+                            {"motion.stop"},
+                            {"motion.compute"},
+                            Line(),
+                            {"solver.set"}});
+}
+
+MenuEntry SceneMenu() {
+  return Submenu("Scene", {{"scene.gravity"},
+                           {"object.add_box"},
+                           {"object.add_plane"},
+                           {"object.remove"},
+                           Line(),
+                           {"span.pin"},
+                           {"span.gravity"},
+                           {"span.hold"},
+                           {"placement.set"},
+                           {"placement.flight"},
+                           Line(),
+                           {"camera.set"}});
+}
+
+MenuEntry HelpMenu() {
+  return Submenu("Help", {{"help.first_steps"}, {"help.manual"}, Line(), {"help.about"}});
+}
+
+void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat) {
+  for (const MenuEntry& entry : entries) {
+    if (entry.id) flat->push_back(entry);
+    Flatten(entry.entries, flat);
+  }
+}
+
+bool NeedsRegion(const std::string& id) { return id.starts_with("region.") && id != "region.add"; }
+
+bool NeedsSelectedKeys(const std::string& id) {
+  for (const char* tool : {"sheet.move", "sheet.scale", "sheet.duplicate"}) {
+    if (id == tool) return true;
+  }
+  return id.starts_with("keys.") && !id.starts_with("keys.select") && id != "keys.paste";
+}
+
+}  // namespace
+
+const std::vector<MenuEntry>& AllMenus() {
+  static const std::vector<MenuEntry> menus = {FileMenu(),   EditMenu(),  ViewMenu(),
+                                               SelectMenu(), PoseMenu(),  KeyMenu(),
+                                               RegionMenu(), SceneMenu(), HelpMenu()};
+  return menus;
+}
+
+std::vector<MenuEntry> FlatMenus() {
+  std::vector<MenuEntry> flat;
+  Flatten(AllMenus(), &flat);
+  return flat;
+}
+
+std::string LabelOf(const MenuEntry& entry) {
+  std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
+  const std::string id = entry.id ? entry.id : "";
+  const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
+                    id == "file.export_dialog" || id == "file.save_as" || id == "render.dialog";
+  if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
+  return label;
+}
+
+std::string LabelOf(const MenuEntry& entry, const Editor& editor) {
+  const std::string id = entry.id ? entry.id : "";
+  const edit::Document& document = editor.session().document();
+  std::optional<std::string> step;
+  if (id == "edit.undo") step = document.undo_label();
+  if (id == "edit.redo") step = document.redo_label();
+  return LabelOf(entry) + (step ? std::string(": ") + Tr(step->c_str()) : "");
+}
+
+bool CanDo(const Editor& editor, const std::string& id) {
+  const edit::Session& session = editor.session();
+  if (id == "edit.undo") return session.document().undo_label().has_value();
+  if (id == "edit.redo") return session.document().redo_label().has_value();
+  if (id == "app.save") return !session.document().is_saved() || session.document().path().empty();
+  if (id == "pose.paste") return !session.clipboard().empty();
+  if (id == "keys.paste") return !session.key_clipboard().empty();
+  if (id == "view.camera") return session.project().camera.has_value();
+  if (id == "app.open") return !editor.settings.recent_files.empty();
+  if (NeedsRegion(id)) return !session.project().regions.empty();
+  if (NeedsSelectedKeys(id)) return !session.selected_keys().empty();
+  return true;
+}
+
+std::optional<bool> IsOn(const Editor& editor, const MenuEntry& entry) {
+  const std::string id = entry.id ? entry.id : "";
+  const Json& p = entry.parameters;
+  const Settings& settings = editor.settings;
+  if (id == "view.theme") return settings.dark == p.value("dark", !settings.dark);
+  if (id == "view.language") {
+    return (settings.language == Language::kJapanese) == (p["language"] == "ja");
+  }
+  if (id == "view.scale") return std::abs(settings.scale - p["scale"].get<double>()) < 1e-6;
+  if (id == "view.orthographic") return editor.viewport.camera.is_orthographic;
+  if (id == "view.camera") return editor.viewport.through_project_camera;
+  if (id == "help.first_steps") return editor.dialogs.shows_first_steps;
+  if (id == "time.play") return editor.playback.is_on();
+  if (id != "view.overlay") return std::nullopt;
+  const ViewportOverlays& o = editor.viewport.overlays;
+  const std::pair<const char*, bool> all[] = {{"paths", o.paths},   {"ghosts", o.ghosts},
+                                              {"marks", o.marks},   {"tint", o.tint},
+                                              {"limits", o.limits}, {"shadow", o.shadow}};
+  for (const auto& [name, is_on] : all) {
+    if (p["name"] == name) return is_on;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/window/editor.h"
+
+namespace hazumi::ui {
+
+// Actions that open something on top of the panels.
+std::vector<Action> DialogActions();
+
+// What is refused, the status bar says.
+inline void DoThen(const Then& then, Editor* editor) {
+  if (then) (void)then(editor);
+}
+
+// Shows a dialog; whatever was in hand is put down.
+void Open(Modal modal, Editor* editor);
+void Close(Editor* editor);
+
+// Does `then` at once, or after the user was asked what to do with unsaved changes.
+Result<Done> AskToSave(Editor* editor, Then then);
+// The answers: `then` is done after both, or nothing if the user cancels or saving fails.
+void AnswerSave(Editor* editor);
+void AnswerDiscard(Editor* editor);
+void AnswerCancel(Editor* editor);
+
+// Shows the file dialog; `then` is done after a project was saved.
+void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
+// Shows it to choose a character of another program; its import dialog comes after it.
+void OpenImportFileDialog(Editor* editor);
+// Shows it to choose the render dialog's folder; that dialog comes back after either answer.
+void OpenFolderDialog(Editor* editor);
+void ChooseFolder(Editor* editor);
+// The same for the export dialog's file.
+void OpenExportFileDialog(Editor* editor);
+void LeaveFileDialog(Editor* editor);
+void GoToFolder(const std::string& folder, Editor* editor);
+void ReadFolder(Editor* editor);
+void SelectEntry(int entry, Editor* editor);
+// Opens the folder or the project that the name says, or saves; asks before it overwrites.
+void ChooseFile(Editor* editor);
+void ConfirmOverwrite(Editor* editor);
+
+// Where the middle of a dialog is from the left [px]: that of the window, or beside a card that it
+// would cover, if it fits there.
+float MiddleOfDialog(float width, const Rect& window, const Rect& card);
+
+// Runs an action or operator, after a form if it needs to know more.
+Result<Done> RunOrAsk(Editor* editor, const std::string& id, const Json& parameters);
+// Runs what the form says.
+void SubmitForm(Editor* editor);
+
+void OpenRenderDialog(Editor* editor, bool whole);
+// Starts to draw what the dialog says.
+void StartRender(Editor* editor);
+
+void OpenExportDialog(Editor* editor);
+void CloseExport(Editor* editor);
+// Writes what the dialog says; asks before it overwrites.
+void StartExport(Editor* editor);
+void ConfirmExport(Editor* editor);
+
+// Puts a project at the top of the recent ones.
+void AddRecent(const std::string& path, Settings* settings);
+
+}  // namespace hazumi::ui

@@ -1,0 +1,171 @@
+#include "ui/panels/dialogs/parts.h"
+#include "ui/panels/window/panels.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr const char* kId = "###dialog";  // of all of them: one is open at a time
+
+struct Frame {
+  const char* title;
+  double width, height;  // at scale 1 [px]; height 0: as high as it needs to be
+};
+
+Frame FrameOf(const DialogsState& dialogs) {
+  switch (dialogs.modal) {
+    case Modal::kFiles:
+      if (dialogs.files.imports) return {"Import character", 680, 430};
+      if (dialogs.files.picks_folder) return {"Choose folder", 680, 430};
+      if (dialogs.files.exports) return {"Export", 680, 430};
+      return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
+    case Modal::kUnsaved:
+      return {"Unsaved changes", 400, 0};
+    case Modal::kSearch:
+      return {"Search", 480, 0};
+    case Modal::kForm:
+      return {"Parameters", 580, 0};
+    case Modal::kImport:
+      return {"Import character", 560, 0};
+    case Modal::kExport:
+      return {"Export", 620, 560};
+    case Modal::kRender:
+      return {"Render", 520, 0};
+    case Modal::kProgress:
+      return {"Rendering", 420, 0};
+    case Modal::kManual:
+      return {"Manual", 720, 560};
+    case Modal::kAbout:
+      return {"About Hazumi", 430, 0};
+    case Modal::kNone:
+      break;
+  }
+  return {"", 100, 0};
+}
+
+void DrawUnsaved(Editor* editor) {
+  const std::string& path = editor->session().document().path();
+  const std::string name = path.empty() ? Tr("Untitled") : NameIn(path);
+  ImGui::TextWrapped(Tr("\"%s\" has changes that are not saved."), name.c_str());
+  ImGui::Spacing();
+  const int clicked =
+      DrawButtons(*editor, {{Tr("Save"), Tr("Saves the project, then goes on.")},
+                            {Tr("Don't save (D)"), Tr("Goes on; the changes are lost.")},
+                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  if (clicked == 0) AnswerSave(editor);
+  if (clicked == 1 || ImGui::IsKeyPressed('D', false)) AnswerDiscard(editor);
+  if (clicked == 2 || IsEscapePressed(*editor)) AnswerCancel(editor);
+}
+
+void DrawContent(Editor* editor) {
+  switch (editor->dialogs.modal) {
+    case Modal::kFiles:
+      return DrawFileDialog(editor);
+    case Modal::kUnsaved:
+      return DrawUnsaved(editor);
+    case Modal::kSearch:
+      return DrawSearch(editor);
+    case Modal::kForm:
+      return DrawForm(editor);
+    case Modal::kImport:
+      return DrawImport(editor);
+    case Modal::kExport:
+      return DrawExport(editor);
+    case Modal::kRender:
+      return DrawRenderDialog(editor);
+    case Modal::kProgress:
+      return DrawProgress(editor);
+    case Modal::kManual:
+      return DrawManual(editor);
+    case Modal::kAbout:
+      return DrawAbout(editor);
+    case Modal::kNone:
+      break;
+  }
+}
+
+// The title of a form is what it will do.
+std::string TitleOf(const DialogsState& dialogs) {
+  if (dialogs.modal == Modal::kForm) return LabelOf(dialogs.form.id);
+  return Tr(FrameOf(dialogs).title);
+}
+
+}  // namespace
+
+void DrawFieldLabel(const char* text, const Editor& editor) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(Px(editor, 130));
+}
+
+bool IsEnterPressed(const Editor& editor) {
+  return !editor.dialogs.has_list &&
+         (ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false));
+}
+bool IsEscapePressed(const Editor& editor) {
+  return !editor.dialogs.has_list && ImGui::IsKeyPressed(kEscape, false);
+}
+
+void DrawError(const std::string& error, const Theme& theme) {
+  if (error.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(theme.warning));
+  ImGui::TextWrapped("! %s", error.c_str());
+  ImGui::PopStyleColor();
+}
+
+int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float total = -style.ItemSpacing.x;
+  const auto width = [&](const ButtonText& button) {
+    return std::max(Px(editor, 90), ImGui::CalcTextSize(button.label).x + Px(editor, 24));
+  };
+  for (const ButtonText& button : buttons) total += width(button) + style.ItemSpacing.x;
+  ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - total);
+  int clicked = -1, i = 0;
+  for (const ButtonText& button : buttons) {
+    if (i > 0) ImGui::SameLine();
+    const bool is_first = i == 0;
+    if (is_first) ImGui::PushStyleColor(ImGuiCol_Button, ToIm4(editor.theme().accent));
+    if (ImGui::Button(button.label, {width(button), 0.0f})) clicked = i;
+    if (is_first) ImGui::PopStyleColor();
+    Tooltip(button.help);
+    ++i;
+  }
+  // Not the key that opened the dialog.
+  if (clicked < 0 && IsEnterPressed(editor) && !editor.dialogs.just_opened) clicked = 0;
+  return clicked;
+}
+
+void DrawDialogs(Editor* editor, const Rect& window) {
+  DialogsState& dialogs = editor->dialogs;
+  if (dialogs.shows_first_steps) DrawFirstSteps(editor, window);
+  if (dialogs.modal != Modal::kNone && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
+  if (!ImGui::IsPopupOpen(kId)) return;
+  const Frame frame = FrameOf(dialogs);
+  const float width = std::min(Px(*editor, frame.width), 0.96f * window.w);
+  const float height = std::min(Px(*editor, frame.height), 0.92f * window.h);
+  const bool is_search = dialogs.modal == Modal::kSearch;
+  const Rect card = dialogs.shows_first_steps ? dialogs.first_steps_card : Rect();
+  ImGui::SetNextWindowPos(
+      {MiddleOfDialog(width, window, card), (is_search ? 0.15f : 0.5f) * window.h},
+      ImGuiCond_Always, {0.5f, is_search ? 0.0f : 0.5f});
+  ImGui::SetNextWindowSize({width, height});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavFocus |
+                                      ImGuiWindowFlags_NoSavedSettings;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {Px(*editor, 12), Px(*editor, 10)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  const bool is_drawn = ImGui::BeginPopupModal((TitleOf(dialogs) + kId).c_str(), nullptr, kFlags);
+  ImGui::PopStyleVar(2);
+  if (!is_drawn) return;
+  const Modal drawn = dialogs.modal;
+  const bool was_just_opened = dialogs.just_opened;
+  DrawContent(editor);
+  // Unless what was drawn has opened another.
+  if (was_just_opened && dialogs.modal == drawn) dialogs.just_opened = false;
+  dialogs.has_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  if (dialogs.modal == Modal::kNone) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace hazumi::ui

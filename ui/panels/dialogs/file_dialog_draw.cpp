@@ -1,0 +1,216 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "engine/base/utf8.h"
+#include "ui/panels/dialogs/parts.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+std::string DateText(std::int64_t seconds) {
+  const std::time_t time = seconds;
+  std::tm local;
+  char text[32];
+  if (!localtime_r(&time, &local)) return "";
+  std::strftime(text, sizeof text, "%Y-%m-%d  %H:%M", &local);
+  return text;
+}
+
+void DrawShelves(Editor* editor) {
+  ImGui::TextDisabled("%s", Tr("Places"));
+  int i = 0;
+  for (const Shelf& shelf : Shelves(HomeFolder(), editor->settings.recent_files)) {
+    ImGui::PushID(i++);
+    const bool is_here = shelf.path == editor->dialogs.files.folder;
+    if (ImGui::Selectable(Tr(shelf.label.c_str()), is_here)) GoToFolder(shelf.path, editor);
+    ImGui::PopID();
+    Tooltip(shelf.path);
+  }
+  const FileDialogState& files = editor->dialogs.files;
+  if (files.is_save || files.picks_folder || editor->settings.recent_files.empty()) return;
+  ImGui::Spacing();
+  ImGui::TextDisabled("%s", Tr("Recent files"));
+  const std::vector<std::string> recent = editor->settings.recent_files;
+  for (const std::string& file : recent) {
+    ImGui::PushID(i++);
+    if (ImGui::Selectable(NameIn(file).c_str())) {
+      GoToFolder(ParentOf(file), editor);
+      editor->dialogs.files.name = file;
+      ChooseFile(editor);
+    }
+    ImGui::PopID();
+    Tooltip(file);
+  }
+}
+
+void DrawTop(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  if (ImGui::ArrowButton("##up", ImGuiDir_Up)) GoToFolder(ParentOf(files.folder), editor);
+  Tooltip(Tr("The folder above"), "Backspace");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const auto width_of = [](const char* label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+  };
+  const float files_width =
+      files.picks_folder ? 0.0f : width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
+  const float choices_width = width_of(Tr("Newest first")) + files_width;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x - choices_width;
+  ImGui::PushClipRect(at, {at.x + width, at.y + Px(*editor, 40)}, true);
+  ImGui::TextUnformatted(ValidUtf8(files.folder).c_str());
+  ImGui::PopClipRect();
+  Tooltip(files.folder);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - choices_width);
+  bool is_newest = files.filter.order == FileOrder::kNewest;
+  bool is_changed = ImGui::Checkbox(Tr("Newest first"), &is_newest);
+  Tooltip(Tr("Sorts by the time of the last change instead of the name."));
+  files.filter.order = is_newest ? FileOrder::kNewest : FileOrder::kName;
+  if (!files.picks_folder) {
+    ImGui::SameLine();
+    is_changed |= ImGui::Checkbox(Tr("All files"), &files.filter.all_files);
+    Tooltip(Tr("Also shows files that are no projects."));
+  }
+  if (is_changed) ReadFolder(editor);
+}
+
+void DrawRow(const FileEntry& entry, bool is_selected, float date_x) {
+  const std::string name = ValidUtf8(entry.name) + (entry.is_folder ? "/" : "");
+  ImGui::Selectable(name.c_str(), is_selected, ImGuiSelectableFlags_AllowDoubleClick);
+  if (entry.is_folder) return;
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const std::string date = DateText(entry.changed);
+  ImGui::GetWindowDrawList()->AddText({min.x + date_x, min.y + ImGui::GetStyle().ItemSpacing.y / 2},
+                                      ImGui::GetColorU32(ImGuiCol_TextDisabled), date.c_str());
+}
+
+// The list; double click or Enter opens.
+void DrawList(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  const float date_x = ImGui::GetContentRegionAvail().x -
+                       ImGui::CalcTextSize("2026-12-31  23:59").x - Px(*editor, 16);
+  std::optional<int> chosen;
+  if (files.entries.empty()) {
+    ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
+                              : files.exports    ? Tr("There is no such file in this folder.")
+                                                 : Tr("There is no project in this folder."));
+  }
+  for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
+    ImGui::PushID(i);
+    DrawRow(files.entries[i], i == files.selected, date_x);
+    if (ImGui::IsItemClicked()) SelectEntry(i, editor);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) chosen = i;
+    const bool moved = ImGui::IsKeyPressed(kUp) || ImGui::IsKeyPressed(kDown);
+    if (i == files.selected && moved) ImGui::SetScrollHereY();
+    ImGui::PopID();
+  }
+  if (chosen) ChooseFile(editor);
+}
+
+void MoveSelection(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  const int count = static_cast<int>(files.entries.size());
+  const int by = (ImGui::IsKeyPressed(kDown) ? 1 : 0) - (ImGui::IsKeyPressed(kUp) ? 1 : 0);
+  if (by == 0 || count == 0) return;
+  const int next = files.selected < 0 ? (by > 0 ? 0 : count - 1) : files.selected + by;
+  SelectEntry(std::clamp(next, 0, count - 1), editor);
+}
+
+// Which entry of which folder is selected, as a number.
+int PlaceOf(const FileDialogState& files) {
+  constexpr size_t kPrime = 1'000'000'007;
+  return static_cast<int>(std::hash<std::string>()(files.folder) % kPrime) + files.selected;
+}
+
+void NoteNameField(const FileDialogState& files) {
+  ImGui::GetStateStorage()->SetInt(ImGui::GetID("##place"), PlaceOf(files));
+}
+
+// A name that the list gave, not the keyboard, needs a new field: one that is edited keeps its own.
+int NameFieldNumber(const FileDialogState& files) {
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  const ImGuiID number = ImGui::GetID("##number");
+  if (storage->GetInt(ImGui::GetID("##place")) != PlaceOf(files)) {
+    storage->SetInt(number, storage->GetInt(number) + 1);
+    NoteNameField(files);
+  }
+  return storage->GetInt(number);
+}
+
+// In the dialog to open, what is typed selects the first entry that begins so.
+void DrawName(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  const bool was_empty = files.name.empty();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(Tr("Name"));
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    ImGui::SetKeyboardFocusHere();
+  }
+  const std::string before = files.name;
+  const std::string id = "##name" + std::to_string(NameFieldNumber(files));
+  if (ImGui::InputText(id.c_str(), &files.name, ImGuiInputTextFlags_AutoSelectAll) &&
+      files.name != before) {
+    files.error.clear();
+    files.asks_overwrite = false;
+    files.selected = files.is_save ? -1 : FirstBeginningWith(files.entries, files.name);
+    editor->NeedGlyphs(files.name);
+    NoteNameField(files);
+  }
+  if (was_empty && ImGui::IsKeyPressed(kBackspace)) GoToFolder(ParentOf(files.folder), editor);
+}
+
+void DrawOverwrite(Editor* editor) {
+  const FileDialogState& files = editor->dialogs.files;
+  DrawError(NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already."),
+            editor->theme());
+  const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
+                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  if (clicked == 0) ConfirmOverwrite(editor);
+  if (clicked == 1 || IsEscapePressed(*editor)) editor->dialogs.files.asks_overwrite = false;
+}
+
+void DrawBottom(Editor* editor) {
+  FileDialogState& files = editor->dialogs.files;
+  if (files.asks_overwrite) return DrawOverwrite(editor);
+  DrawError(files.error, editor->theme());
+  const ButtonText choose =
+      files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
+      : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
+      : files.is_save    ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
+                         : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
+  const int clicked =
+      DrawButtons(*editor, {choose, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  if (clicked == 0) files.picks_folder ? ChooseFolder(editor) : ChooseFile(editor);
+  if (clicked == 1 || IsEscapePressed(*editor)) LeaveFileDialog(editor);
+}
+
+}  // namespace
+
+void DrawFileDialog(Editor* editor) {
+  const FileDialogState& files = editor->dialogs.files;
+  MoveSelection(editor);
+  DrawTop(editor);
+  const bool has_text = files.asks_overwrite || !files.error.empty();
+  const float bottom = ImGui::GetFrameHeightWithSpacing() * (has_text ? 4.0f : 2.0f) +
+                       ImGui::GetStyle().ItemSpacing.y;
+  ImGui::BeginChild("##places", {Px(*editor, 150), -bottom});
+  DrawShelves(editor);
+  ImGui::EndChild();
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
+  ImGui::BeginChild("##entries", {0.0f, -bottom}, true);
+  DrawList(editor);
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+  DrawName(editor);
+  DrawBottom(editor);
+}
+
+}  // namespace hazumi::ui

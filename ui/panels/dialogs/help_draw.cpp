@@ -1,0 +1,126 @@
+// The manual, the sheet of keys, About and the card of first steps.
+
+#include <algorithm>
+
+#include "ui/panels/commands/menus.h"
+#include "ui/panels/dialogs/manual.h"
+#include "ui/panels/dialogs/parts.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+void DrawHeading(const char* text, const Theme& theme) {
+  ImGui::Spacing();
+  ImGui::TextColored(ToIm4(theme.heading), "%s", text);
+  ImGui::PushStyleColor(ImGuiCol_Separator, ToIm4(theme.line));
+  ImGui::Separator();
+  ImGui::PopStyleColor();
+}
+
+// As the menus call it.
+std::string LabelOfKey(const Shortcut& shortcut) {
+  for (const MenuEntry& entry : FlatMenus()) {
+    if (std::string(shortcut.id) == entry.id && shortcut.parameters == entry.parameters) {
+      return LabelOf(entry);
+    }
+  }
+  return LabelOf(std::string(shortcut.id));
+}
+
+void DrawKeys(const Theme& theme) {
+  DrawHeading(Tr("Keys"), theme);
+  if (!ImGui::BeginTable("##keys", 4, ImGuiTableFlags_SizingStretchProp)) return;
+  for (const Shortcut& shortcut : AllShortcuts()) {
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", NameOf(shortcut.chord).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(LabelOfKey(shortcut).c_str());
+  }
+  ImGui::EndTable();
+}
+
+void DrawStep(int step, bool is_done, bool is_next, const Theme& theme) {
+  const StepText& text = TextOfStep(step);
+  const SrgbColor& color = is_done   ? colors::kInterpolated
+                           : is_next ? theme.text
+                                     : theme.faint_text;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float size = ImGui::GetTextLineHeight();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRect({at.x, at.y + 1.0f}, {at.x + size - 2.0f, at.y + size - 1.0f}, ToIm(color), 2.0f);
+  if (is_done) {
+    list->AddLine({at.x + 0.2f * size, at.y + 0.5f * size},
+                  {at.x + 0.4f * size, at.y + 0.75f * size}, ToIm(color), 2.0f);
+    list->AddLine({at.x + 0.4f * size, at.y + 0.75f * size},
+                  {at.x + 0.75f * size, at.y + 0.25f * size}, ToIm(color), 2.0f);
+  }
+  ImGui::Dummy({size, size});
+  ImGui::SameLine();
+  ImGui::TextColored(ToIm4(color), "%d. %s", step + 1, Tr(text.title));
+  if (!is_next) return;
+  ImGui::Indent(size + ImGui::GetStyle().ItemSpacing.x);
+  ImGui::TextWrapped("%s", Tr(text.how));
+  ImGui::Unindent(size + ImGui::GetStyle().ItemSpacing.x);
+}
+
+// The first one that is not done is told at length.
+void DrawSteps(const Editor& editor) {
+  const auto ticks = editor.dialogs.first_steps.ticks();
+  const auto next = std::find(ticks.begin(), ticks.end(), false) - ticks.begin();
+  for (int i = 0; i < kNumFirstSteps; ++i) DrawStep(i, ticks[i], i == next, editor.theme());
+  if (next < kNumFirstSteps) return;
+  ImGui::Spacing();
+  ImGui::TextWrapped("%s", Tr("That was a throw. Help > Manual tells more."));
+}
+
+}  // namespace
+
+void DrawManual(Editor* editor) {
+  ImGui::BeginChild("##manual", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
+  for (const ManualPart& part : ManualParts()) {
+    DrawHeading(Tr(part.title), editor->theme());
+    for (const char* paragraph : part.paragraphs) {
+      ImGui::TextWrapped("%s", Tr(paragraph));
+      ImGui::Spacing();
+    }
+  }
+  DrawKeys(editor->theme());
+  ImGui::EndChild();
+  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
+}
+
+void DrawAbout(Editor* editor) {
+  ImGui::Text("Hazumi %s", HAZUMI_VERSION);
+  ImGui::TextWrapped("%s", Tr("Keyframe animation in which joints can let go: a dynamics region "
+                              "moves them by their own inertia."));
+  ImGui::Spacing();
+  ImGui::TextDisabled("%s", Tr("Licence: see the file LICENSE."));
+  ImGui::TextDisabled("Dear ImGui %s, GLFW, Mesa, Eigen, nlohmann/json, libpng", IMGUI_VERSION);
+  ImGui::Spacing();
+  if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
+}
+
+void DrawFirstSteps(Editor* editor, const Rect& window) {
+  const Rect& view = editor->viewport.rect;
+  const float margin = Px(*editor, 12), width = Px(*editor, 300);
+  const float right = view.w > 0.0f ? view.right() : window.right();
+  const float bottom = view.h > 0.0f ? view.bottom() : window.bottom();
+  ImGui::SetNextWindowPos({right - margin, bottom - margin}, ImGuiCond_Always, {1.0f, 1.0f});
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, Px(*editor, 6));
+  bool stays = true;
+  const std::string title = std::string(Tr("First steps")) + "###first_steps";
+  ImGui::Begin(title.c_str(), &stays,
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  DrawSteps(*editor);
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  editor->dialogs.first_steps_card = {at.x, at.y, size.x, size.y};
+  ImGui::End();
+  ImGui::PopStyleVar();
+  if (!stays) editor->Do("help.first_steps", {{"on", false}});
+}
+
+}  // namespace hazumi::ui

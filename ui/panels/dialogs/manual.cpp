@@ -1,0 +1,41 @@
+#include "ui/panels/dialogs/manual.h"
+
+namespace hazumi::ui {
+
+const std::vector<ManualPart>& ManualParts() {
+  static const std::vector<ManualPart> parts = {
+      {"What a dynamics region is",
+       {"You pose a figure by keys. In a dynamics region, which is some joints for some frames, no "
+        "key moves those joints: they swing by their own inertia and gravity, and begin as fast as "
+        "your keys left them.",
+        "So an arm is thrown by keys and flies by itself; when the region ends, the curves take it "
+        "up again where it is, as fast as it is. Nothing jumps, and all other joints do what their "
+        "keys say.",
+        "Friction slows a joint down: the factor is what is left of its speed after 1/30 s. 1 is "
+        "no friction, 0.8 is like a relaxed arm, 0 is frozen. Joints stop at their limits."}},
+      {"What holds the figure",
+       {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
+        "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "
+        "by itself.",
+        "A joint can be held besides: its limb bends so that it stays in its place. The Scene menu "
+        "begins each of these on the current frame. In the dope sheet they are bars like regions: "
+        "drag them or their ends, double click to change them, X deletes the one that was "
+        "clicked."}},
+      {"Working",
+       {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
+        "undone. F3 finds whatever Hazumi can do by its name.",
+        "The large diamond is the root. G moves it, and the legs bend so that the feet stay where "
+        "they stand; with F the whole figure comes along. R turns the whole figure; with F the "
+        "feet "
+        "stay. Hands and feet can be pulled by their diamonds.",
+        "What a region computed is hatched and blue. The motion follows each of your edits at "
+        "once; nothing has to be baked first."}},
+      {"To other programs",
+       {"File > Export writes the motion as BVH, glTF, a table, JSON or a video, and shows before "
+        "it does what will be in the file and what will not. For Blender, Unreal and Unity glTF "
+        "(.glb) is best: it has skeleton, meshes and motion, and says in its extras what was "
+        "computed. Keys, masses and limits are in the project alone: keep it."}}};
+  return parts;
+}
+
+}  // namespace hazumi::ui

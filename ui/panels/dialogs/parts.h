@@ -1,0 +1,46 @@
+#pragma once
+
+// Internal: what the dialogs are drawn by, each inside of the window that dialogs_draw.cpp opens.
+
+#include <imgui.h>
+
+#include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/window/widgets.h"
+
+namespace hazumi::ui {
+
+void DrawFileDialog(Editor* editor);
+void DrawSearch(Editor* editor);
+void DrawForm(Editor* editor);
+void DrawImport(Editor* editor);
+void DrawExport(Editor* editor);
+void DrawRenderDialog(Editor* editor);
+void DrawProgress(Editor* editor);
+// Rows of fields that dialogs share: of a picture's size, and of what is seen on it.
+void DrawSizeFields(const Editor& editor, int* width, int* height);
+void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* overlays);
+void DrawManual(Editor* editor);
+void DrawAbout(Editor* editor);
+// A window of its own, beside the panels.
+void DrawFirstSteps(Editor* editor, const Rect& window);
+
+// A length at the interface's scale [px].
+inline float Px(const Editor& editor, double at_scale_1) {
+  return static_cast<float>(at_scale_1 * editor.settings.scale);
+}
+// What stands before the fields of a row; these begin below each other.
+void DrawFieldLabel(const char* text, const Editor& editor);
+// Neither counts while a list of the dialog is open.
+bool IsEnterPressed(const Editor& editor);
+bool IsEscapePressed(const Editor& editor);
+// An error, with a sign, on as many lines as it needs; nothing if it is empty.
+void DrawError(const std::string& error, const Theme& theme);
+
+struct ButtonText {
+  const char* label;  // in the interface's language
+  const char* help;
+};
+// A row of buttons at the right; the first one is what Enter does. Which was clicked; -1: none.
+int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons);
+
+}  // namespace hazumi::ui

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/edit/parameters.h"
+#include "ui/panels/commands/first_steps.h"
+#include "ui/panels/commands/search.h"
+#include "ui/panels/dialogs/export_job.h"
+#include "ui/panels/dialogs/folder_list.h"
+#include "ui/panels/dialogs/import_job.h"
+#include "ui/panels/dialogs/render_job.h"
+#include "ui/panels/forms/parameter_form.h"
+#include "ui/panels/window/geometry.h"
+
+namespace hazumi::ui {
+
+class Editor;
+
+// What is on top of the panels and has all keys; one at a time.
+enum class Modal {
+  kNone,
+  kFiles,
+  kUnsaved,
+  kSearch,
+  kForm,
+  kImport,
+  kExport,
+  kRender,
+  kProgress,
+  kManual,
+  kAbout
+};
+
+// What goes on once a question is answered. An error is shown where it was asked.
+using Then = std::function<Result<Done>(Editor*)>;
+
+// The dialog to open a project or to save it, or to choose a folder or a file to be written.
+struct FileDialogState {
+  bool is_save = false;
+  bool picks_folder = false;  // for the pictures of the render dialog
+  bool imports = false;       // a character of another program
+  bool exports = false;       // a file for the export dialog, which asks before it overwrites
+  std::string folder;
+  FolderFilter filter;
+  std::vector<FileEntry> entries;  // of the folder
+  int selected = -1;               // of the entries; -1: none
+  std::string name;                // as typed
+  std::string error;
+  bool asks_overwrite = false;
+  Then then;  // after it was saved
+};
+
+struct DialogsState {
+  Modal modal = Modal::kNone;
+  bool just_opened = false;  // nothing of it was drawn yet
+  bool has_list = false;     // one of its lists is open, which has the keys
+  Then then;                 // after the question about unsaved changes
+  FileDialogState files;
+  SearchState search;
+  FormState form;
+  ImportState import;
+  ExportState exporting;
+  RenderState render;
+  bool shows_first_steps = false;
+  FirstSteps first_steps;
+  Rect first_steps_card;  // where it is, as long as it is shown
+};
+
+}  // namespace hazumi::ui

@@ -1,0 +1,95 @@
+#include "ui/panels/dope_sheet/bar_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/sheet/drag.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+// Where a bar comes to lie when the mouse is `by` frames from where it took hold of a part of it.
+ProjectFrames Dragged(ProjectFrames bar, SheetPart part, int by, const ProjectFrames& all) {
+  if (part == SheetPart::kBarStart) {
+    bar.first = std::clamp(bar.first + by, std::min(all.first, bar.first), bar.last - 1);
+  } else if (part == SheetPart::kBarEnd) {
+    bar.last = std::clamp(bar.last + by, bar.first + 1, std::max(all.last, bar.last));
+  } else {
+    by = std::clamp(by, std::min(0, all.first - bar.first), std::max(0, all.last - bar.last));
+    bar.first += by;
+    bar.last += by;
+  }
+  return bar;
+}
+
+const char* HintOf(BarKind kind, bool moves) {
+  switch (kind) {
+    case BarKind::kRegion:
+      return moves ? "Move region" : "Stretch region";
+    case BarKind::kPlacement:
+      return moves ? "Move placement" : "Stretch placement";
+    case BarKind::kHold:
+      break;
+  }
+  return moves ? "Move hold" : "Stretch hold";
+}
+
+class DragBarTool : public SheetDrag {
+ public:
+  DragBarTool(Editor* editor, Point start, const BarRef& bar, SheetPart part)
+      : SheetDrag(editor, start, true),
+        bar_(bar),
+        part_(part),
+        title_(TitleOf(editor->session().project(), bar)),
+        before_(FramesOf(editor->session().project(), bar)),
+        wanted_(before_) {}
+
+  std::string hint() const override {
+    const std::string text = std::string(Tr(HintOf(bar_.kind, part_ == SheetPart::kBar))) + "  " +
+                             title_ + "  " + SpanText(wanted_.first, wanted_.last);
+    return text + "   " + (trouble_.empty() ? DragKeys(false) : "! " + trouble_);
+  }
+
+ protected:
+  void Follow(Editor* editor, const ToolInput& input) override {
+    if (!has_moved()) return;
+    const double by = (input.mouse.x - start().x) / SheetAxis(*editor).px_per_frame();
+    const ProjectFrames wanted = Dragged(before_, part_, static_cast<int>(std::lround(by)),
+                                         editor->session().project().frames);
+    if (wanted == wanted_) return;
+    wanted_ = wanted;
+    const Result<Done> done =
+        EditChosenBar(editor, {{"first", wanted.first}, {"last", wanted.last}, {"drag", drag()}});
+    trouble_ = done.ok() ? TroubleOf(&editor->session()) : done.error().message;
+  }
+
+  void Cancel(Editor* editor) override {
+    SheetDrag::Cancel(editor);
+    ChooseBar(editor, bar_);
+  }
+
+ private:
+  // Why there is no motion any more, e.g. because a joint cannot be held so long.
+  static std::string TroubleOf(edit::Session* session) {
+    const Result<const Motion*> motion = session->WholeMotion();
+    return motion.ok() ? "" : motion.error().message;
+  }
+
+  BarRef bar_;  // as it was when the drag began
+  SheetPart part_;
+  std::string title_;
+  ProjectFrames before_, wanted_;
+  // Why they were refused, and the bar stays where it could be last; or why nothing moves now.
+  std::string trouble_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> MakeDragBar(Editor* editor, Point start, SheetPart part) {
+  const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
+  return bar ? std::make_unique<DragBarTool>(editor, start, *bar, part) : nullptr;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/panels/window/editor.h"
+
+namespace hazumi::ui {
+
+// What bars of the dope sheet stand for, whatever kind they are of.
+
+// First and last frame, half open.
+ProjectFrames FramesOf(const Project& project, const BarRef& bar);
+// What a bar is called: "arms", "pinned: l_toe", "gravity", "held: l_wrist".
+std::string TitleOf(const Project& project, const BarRef& bar);
+// What there is no room for in the bar; empty if nothing.
+std::string DetailsOf(const Project& project, const BarRef& bar);
+
+// The bar that was clicked last, if what it stands for is still there.
+std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet);
+void ChooseBar(Editor* editor, const BarRef& bar);
+void ChooseNoBar(SheetState* sheet);
+// After the drag of a field was given up: the span whose field it was is the chosen one again.
+void RestoreChoice(Editor* editor);
+
+// Run the operator of its kind on the chosen bar, which stays chosen. `change`: what its operator
+// takes, "first" and "last" whatever the kind.
+Result<Done> EditChosenBar(Editor* editor, Json change);
+Result<Done> RemoveChosenBar(Editor* editor);
+
+}  // namespace hazumi::ui

@@ -1,0 +1,173 @@
+#include "ui/panels/dope_sheet/input.h"
+
+#include <algorithm>
+
+#include "ui/panels/dope_sheet/bar_tool.h"
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/dope_sheet/region_tools.h"
+#include "ui/panels/sheet/drag.h"
+#include "ui/panels/sheet/drawing.h"
+#include "ui/panels/sheet/key_tools.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+// A row's name was clicked: its joints are selected.
+void ClickName(Editor* editor, const SheetRow& row) {
+  std::vector<std::string> names;
+  for (const JointIndex j : row.hinges) names.push_back(editor->session().figure().joint(j).name);
+  if (row.kind == RowKind::kSummary) return;
+  if (IsOfRoot(row)) names.push_back(editor->session().figure().root_name());
+  const std::set<std::string>& chosen = editor->session().selected_joints();
+  const bool are_chosen = std::all_of(names.begin(), names.end(),
+                                      [&](const auto& name) { return chosen.contains(name); });
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool extends = io.KeyShift || io.KeyCtrl;
+  const char* mode = !extends ? "replace" : are_chosen ? "remove" : "add";
+  editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
+}
+
+void ToggleRow(Editor* editor, const std::string& id) {
+  std::set<std::string>& open = editor->sheet.open;
+  if (!open.erase(id)) open.insert(id);
+}
+
+void ClickKey(Editor* editor, const DopeSheetLayout& layout, const RowKey& key, Point mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ChooseNoBar(&editor->sheet);
+  if (io.KeyAlt) {
+    editor->Do("keys.select_column",
+               {{"frame", key.frame}, {"mode", io.KeyShift ? "add" : "replace"}});
+    return;
+  }
+  const KeyList keys = KeysOf(layout, key, editor->session().project());
+  if (io.KeyShift) return SelectKeys(editor, keys, "toggle");
+  MoveKeysOptions options;
+  options.by_button = true;
+  if (key.is_selected) {
+    options.click = keys;
+  } else {
+    SelectKeys(editor, keys, "replace");
+  }
+  editor->Take(MakeMoveKeys(editor, mouse, options));
+}
+
+SheetPopup PopupOf(BarKind kind) {
+  switch (kind) {
+    case BarKind::kRegion:
+      return SheetPopup::kRegion;
+    case BarKind::kPlacement:
+      return SheetPopup::kPlacement;
+    case BarKind::kHold:
+      break;
+  }
+  return SheetPopup::kHold;
+}
+
+void ClickBar(Editor* editor, const RowBar& bar, SheetPart part, Point mouse) {
+  ChooseBar(editor, bar.ref);
+  if (!editor->session().selected_keys().empty()) SelectKeys(editor, {}, "replace");
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    editor->sheet.popup = PopupOf(bar.ref.kind);
+  } else if (!ImGui::GetIO().KeyShift) {
+    editor->Take(MakeDragBar(editor, mouse, part));
+  } else {
+    editor->Take(MakeBoxSelect(editor, mouse, true));
+  }
+}
+
+void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, Point mouse) {
+  switch (hit.part) {
+    case SheetPart::kCorner:
+      editor->Do("sheet.only_selected");
+      return;
+    case SheetPart::kArrow:
+      return ToggleRow(editor, layout.rows[hit.row].id);
+    case SheetPart::kName:
+      if (ImGui::IsMouseDoubleClicked(0)) ToggleRow(editor, layout.rows[hit.row].id);
+      return ClickName(editor, layout.rows[hit.row]);
+    case SheetPart::kKey:
+      return ClickKey(editor, layout, layout.keys[hit.index], mouse);
+    case SheetPart::kBar:
+    case SheetPart::kBarStart:
+    case SheetPart::kBarEnd:
+      return ClickBar(editor, layout.bars[hit.index], hit.part, mouse);
+    case SheetPart::kTrack:
+    case SheetPart::kNothing:
+      ChooseNoBar(&editor->sheet);
+      if (layout.frame.tracks.Contains(mouse)) editor->Take(MakeBoxSelect(editor, mouse, true));
+      return;
+    case SheetPart::kRuler:
+    case SheetPart::kMarker:
+      ClickRuler(editor, layout.frame, mouse);
+      return;
+  }
+}
+
+bool IsEnd(SheetPart part) { return part == SheetPart::kBarStart || part == SheetPart::kBarEnd; }
+
+// The right button opens what can be done with what is under it.
+void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
+  if (hit.part == SheetPart::kBar || IsEnd(hit.part)) {
+    ChooseBar(editor, layout.bars[hit.index].ref);
+    editor->sheet.popup = PopupOf(layout.bars[hit.index].ref.kind);
+  } else if (hit.part == SheetPart::kKey ||
+             layout.frame.tracks.Contains(FromIm(ImGui::GetIO().MousePos))) {
+    if (hit.part == SheetPart::kKey && !layout.keys[hit.index].is_selected) {
+      SelectKeys(editor, KeysOf(layout, layout.keys[hit.index], editor->session().project()),
+                 "replace");
+    }
+    editor->sheet.popup = SheetPopup::kKeys;
+  }
+}
+
+void ExplainBar(const Project& project, const BarRef& bar) {
+  const ProjectFrames frames = FramesOf(project, bar);
+  std::string text =
+      TitleOf(project, bar) + "   " + Tr("frames") + " " + SpanText(frames.first, frames.last);
+  const std::string details = DetailsOf(project, bar);
+  if (!details.empty()) text += "\n" + details;
+  const bool is_region = bar.kind == BarKind::kRegion;
+  Tooltip(text, Tr(is_region ? "Drag it or its ends; double click for friction and more"
+                             : "Drag it or its ends; double click to change it, X deletes it"));
+}
+
+void ShowWhatIsUnder(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
+  if (IsEnd(hit.part)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (hit.part == SheetPart::kCorner) Tooltip(Tr("Shows the rows of the selected joints alone"));
+  if (hit.part != SheetPart::kBar) return;
+  ExplainBar(editor->session().project(), layout.bars[hit.index].ref);
+}
+
+void ScrollRows(SheetState* sheet, const DopeSheetLayout& layout) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.KeyCtrl) sheet->scroll_px -= 40.0 * layout.frame.scale * io.MouseWheel;
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0f) && !io.KeyCtrl) {
+    sheet->scroll_px -= io.MouseDelta.y;
+  }
+  const double most = std::max(0.0f, layout.content_height - layout.frame.tracks.h);
+  sheet->scroll_px = std::clamp(sheet->scroll_px, 0.0, most);
+}
+
+}  // namespace
+
+void TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout) {
+  const bool is_hovered = ImGui::IsItemHovered();
+  if (is_hovered || ImGui::IsItemActive()) {
+    NavigateTime(editor, layout.frame);
+    ScrollRows(&editor->sheet, layout);
+  }
+  if (!is_hovered || editor->has_tool() || editor->sheet.is_quiet) return;
+  const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const SheetHit hit = HitDopeSheet(layout, editor->session(), mouse);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    Click(editor, layout, hit, mouse);
+  } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    RightClick(editor, layout, hit);
+  } else {
+    ShowWhatIsUnder(editor, layout, hit);
+  }
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ui/panels/dope_sheet/layout.h"
+#include "ui/panels/window/editor.h"
+
+namespace hazumi::ui {
+
+// The playhead follows the mouse; so does the pose.
+std::unique_ptr<Tool> MakeScrub(Editor* editor, Point start);
+
+// Waits for the button, then paints a new region over rows and frames. Enter instead marks the
+// selected joints.
+std::unique_ptr<Tool> MakePaintRegion(Editor* editor, Point start);
+
+// A marker follows the mouse.
+std::unique_ptr<Tool> MakeMoveMarker(Editor* editor, Point start, int marker);
+
+// Waits for the button, then sets the preview range from where it is pressed to where it is let go.
+std::unique_ptr<Tool> MakePreviewRange(Editor* editor, Point start);
+
+// Frames that a region of the selected joints would have: those of the selected keys, else the
+// preview range, else ten from the current one on.
+ProjectFrames FramesToMark(const edit::Session& session);
+
+}  // namespace hazumi::ui

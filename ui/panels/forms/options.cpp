@@ -1,0 +1,124 @@
+#include "ui/panels/forms/options.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/base/text.h"
+#include "ui/edit/operators/root_curves.h"
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/outliner/limbs.h"
+#include "ui/panels/sheet/drag.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using edit::Thing;
+
+// "keyed": "Keyed".
+std::string WithCapital(std::string word) {
+  word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  return word;
+}
+
+std::vector<FormOption> Words(const edit::Offer& offer) {
+  std::vector<FormOption> options;
+  for (const std::string& word : edit::WordsOf(offer)) {
+    options.push_back({word, WithCapital(word), ""});
+  }
+  return options;
+}
+
+std::vector<FormOption> Joints(const Figure& figure, bool with_joints, bool with_hinges) {
+  std::vector<FormOption> options;
+  for (const Limb& limb : LimbsOf(figure)) {
+    for (const GroupIndex joint : limb.joints) {
+      const std::string& name = figure.group(joint).name;
+      if (with_joints) options.push_back({name, name, limb.name});
+      if (!with_hinges) continue;
+      for (const JointIndex hinge : HingesOf(figure, joint)) {
+        const std::string& own = figure.joint(hinge).name;
+        if (!with_joints || own != name) options.push_back({own, own, limb.name});
+      }
+    }
+  }
+  return options;
+}
+
+std::vector<FormOption> Curves(const Figure& figure) {
+  std::vector<FormOption> options = Joints(figure, false, true);
+  for (const char* name : edit::kRootCurveNames) options.push_back({name, name, "Root"});
+  return options;
+}
+
+template <typename T>
+std::vector<FormOption> NamesIn(const std::vector<T>& list) {
+  std::vector<FormOption> options;
+  options.reserve(list.size());
+  for (const T& entry : list) options.push_back({entry.name, entry.name, ""});
+  return options;
+}
+
+std::vector<FormOption> Markers(const Project& project) {
+  std::vector<FormOption> options;
+  for (const ProjectMarker& marker : project.markers) {
+    options.push_back({std::to_string(options.size()),
+                       marker.name + " (" + std::to_string(marker.frame) + ")", ""});
+  }
+  return options;
+}
+
+std::vector<FormOption> Spans(const Project& project, BarKind kind, size_t count) {
+  std::vector<FormOption> options;
+  for (size_t i = 0; i < count; ++i) {
+    const BarRef bar = {kind, static_cast<int>(i)};
+    const ProjectFrames frames = FramesOf(project, bar);
+    options.push_back({std::to_string(i),
+                       TitleOf(project, bar) + " (" + SpanText(frames.first, frames.last) + ")",
+                       ""});
+  }
+  return options;
+}
+
+}  // namespace
+
+std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::Session& session) {
+  const Project& project = session.project();
+  switch (info.offer.thing) {
+    case Thing::kJoint:
+      return Joints(session.figure(), true, false);
+    case Thing::kHinge:
+      return Joints(session.figure(), false, true);
+    case Thing::kJointOrHinge:
+      return Joints(session.figure(), true, true);
+    case Thing::kCurve:
+      return Curves(session.figure());
+    case Thing::kRegion:
+      return NamesIn(project.regions);
+    case Thing::kObject:
+      return NamesIn(project.scene.objects);
+    case Thing::kLink:
+      return NamesIn(session.figure().links());
+    case Thing::kMarker:
+      return Markers(project);
+    case Thing::kPlacement:
+      return Spans(project, BarKind::kPlacement, project.placements.size());
+    case Thing::kHold:
+      return Spans(project, BarKind::kHold, project.holds.size());
+    case Thing::kColor:
+    case Thing::kShare:
+    case Thing::kAny:
+      break;
+  }
+  return Words(info.offer);
+}
+
+std::vector<FormOption> Filtered(const std::vector<FormOption>& options, const std::string& typed) {
+  std::vector<FormOption> kept;
+  for (const FormOption& option : options) {
+    if (LowerCase(option.label).find(LowerCase(typed)) != std::string::npos) kept.push_back(option);
+  }
+  return kept;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,163 @@
+#include "ui/panels/forms/suggestions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/text.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/panels/forms/options.h"
+#include "ui/panels/outliner/limbs.h"
+#include "ui/panels/properties/layout.h"
+#include "ui/panels/viewport/figure.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using edit::Json;
+using edit::ParameterInfo;
+using edit::ParameterKind;
+using edit::Thing;
+
+// At the end of the animation there is nothing behind the current frame.
+Json Frame(const std::string& name, const edit::Session& session) {
+  const ProjectFrames& all = session.project().frames;
+  const double now = std::round(session.frame());
+  if (name == "frame") return now;
+  if (name == "first" || name == "to_first") return now < all.last ? now : all.first;
+  if (name == "last" || name == "to_last") return all.last;
+  return Json();
+}
+
+// What the project has now, of operators that change it.
+Json Present(const std::string& id, const std::string& name, const Project& project) {
+  if (id == "scene.gravity") return project.scene.gravity_m_s2;
+  if (id == "time.rate") return name == "num" ? Json(project.fps.num) : Json(project.fps.den);
+  if (id == "time.range") return name == "first" ? project.frames.first : project.frames.last;
+  if (id == "project.rename") return project.name;
+  if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
+  if (id == "region.add" && name == "friction") return 0.8;
+  if (id.starts_with("object.add_") && name == "name")
+    return edit::FreeName(id.substr(11), project.scene.objects);
+  if (id == "object.add_box" && name.starts_with("size_")) return 1.0;
+  if (id == "object.add_box" && name.size() == 1) return name == "z" ? 0.5 : 0.0;  // on the ground
+  return Json();
+}
+
+// Of the joints at the ends of limbs, the one nearest to the ground.
+Json LowestFoot(edit::Session* session) {
+  const std::optional<PosedFigure> posed = PoseNow(session);
+  if (!posed) return Json();
+  const Figure& figure = session->figure();
+  std::optional<GroupIndex> lowest;
+  for (const Limb& limb : LimbsOf(figure)) {
+    if (!limb.is_end) continue;
+    const GroupIndex end = limb.joints.back();
+    const double height = posed->CenterOf(end).z();
+    if (!lowest || height < posed->CenterOf(*lowest).z() - 1e-6) lowest = end;
+  }
+  return lowest ? Json(figure.group(*lowest).name) : Json();
+}
+
+Json SelectedHinge(const edit::Session& session) {
+  for (const Joint& joint : session.figure().joints()) {
+    if (session.selected_joints().contains(joint.name)) return joint.name;
+  }
+  return Json();
+}
+
+Json SelectedLink(const edit::Session& session) {
+  const std::vector<GroupIndex> joints = SelectedJoints(session);
+  for (const Link& link : session.figure().links()) {
+    if (joints.empty() || !link.joint.is_valid()) continue;
+    if (session.figure().joint(link.joint).group == joints.front()) return link.name;
+  }
+  return Json();
+}
+
+Json Joint(const ParameterInfo& info, edit::Session* session) {
+  if (info.kind == ParameterKind::kNames) {
+    return WithSelected({}, session->figure(), session->selected_joints());
+  }
+  const std::vector<GroupIndex> joints = SelectedJoints(*session);
+  if (!joints.empty()) return session->figure().group(joints.front()).name;
+  return std::string(info.name) == "pin" ? LowestFoot(session) : Json();
+}
+
+Json Named(const ParameterInfo& info, edit::Session* session) {
+  const Project& project = session->project();
+  switch (info.offer.thing) {
+    case Thing::kJoint:
+    case Thing::kJointOrHinge:
+      return Joint(info, session);
+    case Thing::kHinge:
+    case Thing::kCurve:
+      return info.kind == ParameterKind::kText ? SelectedHinge(*session) : Json();
+    case Thing::kRegion: {
+      const auto shown = ShownRegion(project, "", session->frame());
+      return shown ? Json(project.regions[*shown].name) : Json();
+    }
+    case Thing::kObject:
+      return project.scene.objects.empty() ? Json() : Json(project.scene.objects.back().name);
+    case Thing::kLink:
+      return SelectedLink(*session);
+    case Thing::kMarker:
+    case Thing::kPlacement:
+    case Thing::kHold:
+      return OptionsOf(info, *session).empty() ? Json() : Json(0);
+    case Thing::kColor:
+    case Thing::kShare:
+    case Thing::kAny:
+      break;
+  }
+  const std::vector<std::string> words = edit::WordsOf(info.offer);
+  return words.empty() || !info.is_required ? Json() : Json(words.front());
+}
+
+std::string OfRegion(const ProjectRegion& region, const std::string& name) {
+  if (name == "name") return region.name;
+  if (name == "first") return std::to_string(region.first_frame);
+  if (name == "last") return std::to_string(region.last_frame);
+  return name == "tolerance" && region.tolerance_deg ? FormatNumber(*region.tolerance_deg) : "";
+}
+
+std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
+  constexpr double kRadian = 180.0 / std::numbers::pi;  // [degrees]
+  if (name == "lower") return FormatShort(hinge.lower * kRadian);
+  return name == "upper" ? FormatShort(hinge.upper * kRadian) : "";
+}
+
+std::string OfBox(const ProjectSceneObject& object, const std::string& name) {
+  const auto* box = std::get_if<ProjectBox>(&object.shape);
+  if (!box || !name.starts_with("size_")) return "";
+  return FormatShort(box->size_m[name.back() - 'x']);
+}
+
+}  // namespace
+
+std::string PresentValue(const FormState& form, const std::string& name,
+                         const edit::Session& session) {
+  const std::string& subject = form.fields.front().text;
+  const Project& project = session.project();
+  for (const ProjectRegion& region : project.regions) {
+    if (form.id == "region.set" && region.name == subject) return OfRegion(region, name);
+  }
+  for (const ProjectSceneObject& object : project.scene.objects) {
+    if (form.id == "object.set" && object.name == subject) return OfBox(object, name);
+  }
+  const auto hinge = session.figure().FindJoint(subject);
+  if (form.id != "figure.joint_limits" || !hinge) return "";
+  return OfHinge(session.figure().joint(*hinge), name);
+}
+
+Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
+  Json present = Present(id, info.name, session->project());
+  if (!present.is_null()) return present;
+  const Json frame = Frame(info.name, *session);
+  // A pin after a landing is left to gravity unless it is chosen.
+  if (std::string(info.name) == "landing_pin") return Json();
+  return frame.is_null() ? Named(info, session) : frame;
+}
+
+}  // namespace hazumi::ui

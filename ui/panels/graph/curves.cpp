@@ -1,0 +1,152 @@
+// Which curves the graph shows, and how they run.
+
+#include "ui/panels/graph/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/project/checks/joint_names.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/root_curves.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using edit::kDegree;
+
+// A curve's value and rate on one side of a frame, in the units of the document.
+struct Limit {
+  double value = 0.0, rate = 0.0;
+};
+
+Limit RootLimit(const MotionLimit& at, int root_curve) {
+  const Mat3& R = at.X_WR.R;
+  switch (root_curve) {
+    case kRootX:
+    case kRootY:
+    case kRootZ:
+      return {at.X_WR.p[root_curve], at.root_v[root_curve]};
+    case kRootAngleZ:
+      return {std::atan2(R(1, 0), R(0, 0)) / kDegree, 0.0};
+    case kRootAngleY:
+      return {std::asin(std::clamp(-R(2, 0), -1.0, 1.0)) / kDegree, 0.0};
+    default:
+      return {std::atan2(R(2, 1), R(2, 2)) / kDegree, 0.0};
+  }
+}
+
+Limit LimitOf(const MotionLimit& at, const GraphCurve& curve) {
+  if (!curve.hinge) return RootLimit(at, curve.root_curve);
+  const int j = curve.hinge->value();
+  return {at.q[j] / kDegree, at.qd[j] / kDegree};
+}
+
+// The root's angles have no rates here: straight lines join them.
+bool IsStraight(const GraphCurve& curve) { return !curve.hinge && curve.root_curve >= kRootAngleZ; }
+
+// Between two frames: the cubic with the values and rates at both.
+double Between(const Limit& a, const Limit& b, double seconds, double s) {
+  const double d = b.value - a.value, m0 = a.rate * seconds, m1 = b.rate * seconds;
+  return a.value + s * (m0 + s * (3.0 * d - 2.0 * m0 - m1 + s * (m0 + m1 - 2.0 * d)));
+}
+
+// Frames in which regions drive a curve: half open.
+std::vector<std::pair<int, int>> ComputedSpans(const edit::Session& session,
+                                               const GraphCurve& curve) {
+  std::vector<std::pair<int, int>> spans;
+  for (const ProjectRegion& region : session.project().regions) {
+    const bool drives = curve.hinge ? JointsOf(region, session.figure())[curve.hinge->value()]
+                                    : IsStraight(curve) && DrivesRoot(region, session.figure());
+    if (drives) spans.emplace_back(region.first_frame, region.last_frame);
+  }
+  return spans;
+}
+
+// An angle of the root is known but for whole turns [degrees].
+double NearTo(double other, double angle) {
+  return angle + 360.0 * std::round((other - angle) / 360.0);
+}
+
+// The value of a curve's first key.
+double FirstKey(const edit::Session& session, const GraphCurve& curve) {
+  const ProjectCurve* keyed = edit::FindCurve(curve.name, session.project());
+  return keyed && !keyed->keys.empty() ? keyed->keys.front().value : 0.0;
+}
+
+}  // namespace
+
+std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state) {
+  std::vector<std::string> names;
+  const edit::KeySelection& keys = session.selected_keys();
+  for (const Joint& joint : session.figure().joints()) {
+    if (session.selected_joints().contains(joint.name)) names.push_back(joint.name);
+  }
+  if (session.is_root_selected()) {
+    names.insert(names.end(), std::begin(edit::kRootCurveNames), std::end(edit::kRootCurveNames));
+  }
+  if (!names.empty()) return names;
+  for (const std::string& name : edit::CurveNames(session.project())) {
+    if (keys.contains(name)) names.push_back(name);
+  }
+  // What is shown stays as long as that has the keys that are selected.
+  const bool are_shown = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::count(state.curves.begin(), state.curves.end(), name) > 0;
+  });
+  if (!are_shown) return names;
+  names = state.curves;
+  std::erase_if(names, [&](const std::string& name) {
+    return !edit::RootCurveNamed(name) && !session.figure().FindJoint(name);
+  });
+  return names;
+}
+
+GraphCurve CurveFor(const edit::Session& session, const std::string& name) {
+  GraphCurve curve;
+  curve.name = name;
+  curve.hinge = session.figure().FindJoint(name);
+  const std::vector<std::string> all = edit::CurveNames(session.project());
+  const auto found = std::find(all.begin(), all.end(), name);
+  if (!curve.hinge) curve.root_curve = static_cast<int>(found - all.begin());
+  return curve;
+}
+
+void SampleCurve(const edit::Session& session, const Motion& motion, const TimeAxis& axis,
+                 GraphCurve* curve) {
+  const double seconds = motion.rate.SecondsAt(1.0);
+  constexpr double kPointPx = 4.0;
+  const int steps = std::clamp(static_cast<int>(axis.px_per_frame() / kPointPx), 1, 12);
+  const std::vector<std::pair<int, int>> spans = ComputedSpans(session, *curve);
+  double last = FirstKey(session, *curve);
+  for (size_t i = 0; i + 1 < motion.frames.size(); ++i) {
+    const MotionFrame& frame = motion.frames[i];
+    Limit a = LimitOf(frame.after, *curve);
+    Limit b = LimitOf(motion.frames[i + 1].before, *curve);
+    if (IsStraight(*curve)) {
+      a.value = last = NearTo(last, a.value);
+      b.value = last = NearTo(last, b.value);
+    }
+    const bool is_computed = std::any_of(spans.begin(), spans.end(), [&](const auto& span) {
+      return frame.frame >= span.first && frame.frame < span.second;
+    });
+    // A jump between the two sides of a frame is a line too.
+    if (!curve->points.empty()) curve->is_computed.push_back(false);
+    const bool is_seen = frame.frame + 1.0 >= axis.first && frame.frame <= axis.last;
+    const int parts = IsStraight(*curve) || !is_seen ? 1 : steps;
+    for (int k = 0; k <= parts; ++k) {
+      const double s = static_cast<double>(k) / parts;
+      curve->points.emplace_back(frame.frame + s, Between(a, b, seconds, s));
+      if (k > 0) curve->is_computed.push_back(is_computed);
+    }
+  }
+}
+
+void RatesAt(const Motion& motion, const GraphCurve& curve, GraphKey* key) {
+  if (motion.frames.empty()) return;
+  const int i = static_cast<int>(std::lround(key->frame)) - motion.frames.front().frame;
+  if (i < 0 || i >= static_cast<int>(motion.frames.size())) return;
+  key->rate_before = LimitOf(motion.frames[i].before, curve).rate;
+  key->rate = LimitOf(motion.frames[i].after, curve).rate;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,88 @@
+#include "ui/panels/outliner/limbs.h"
+
+#include <utility>
+
+#include "engine/base/text.h"
+#include "engine/figure/sides.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+bool NamesOneOf(const std::string& name, std::initializer_list<const char*> words) {
+  for (const char* word : words) {
+    if (name.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// The part of the body that a joint's name tells, in lower case; empty if none.
+std::string PartOf(const std::string& joint) {
+  const std::string name = LowerCase(joint);
+  if (NamesOneOf(name,
+                 {"shoulder", "shldr", "elbow", "arm", "wrist", "clavicle", "collar", "humerus"})) {
+    return "arm";
+  }
+  if (NamesOneOf(name, {"hip", "knee", "leg", "thigh", "ankle", "shin", "femur", "buttock"})) {
+    return "leg";
+  }
+  if (NamesOneOf(name, {"neck", "head", "skull"})) return "head";
+  if (NamesOneOf(name,
+                 {"waist", "chest", "spine", "torso", "abdomen", "trunk", "thorax", "lowerback"})) {
+    return "torso";
+  }
+  return "";
+}
+
+const char* WordOf(BodySide side) {
+  if (side == BodySide::kMiddle) return "";
+  return side == BodySide::kLeft ? "left " : "right ";
+}
+
+std::string NameOfLimb(const Figure& figure, const FigureSides& sides,
+                       const std::vector<GroupIndex>& joints) {
+  const std::string& first = figure.group(joints.front()).name;
+  const std::string part = PartOf(first);
+  if (part.empty()) {
+    const std::string& last = figure.group(joints.back()).name;
+    return joints.size() == 1 ? first : first + " - " + last;
+  }
+  std::string name = WordOf(sides.SideOf(joints.front())) + part;
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+}  // namespace
+
+std::vector<JointIndex> HingesOf(const Figure& figure, GroupIndex joint) {
+  const JointGroup& group = figure.group(joint);
+  std::vector<JointIndex> hinges;
+  for (int j = group.first.value(); j <= group.last().value(); ++j) hinges.emplace_back(j);
+  return hinges;
+}
+
+std::vector<Limb> LimbsOf(const Figure& figure) {
+  const int num = static_cast<int>(figure.groups().size());
+  std::vector<int> parent(num, -1), num_children(num, 0), limb_of(num, -1);
+  for (int g = 0; g < num; ++g) {
+    const JointIndex before = figure.joint(figure.groups()[g].first).parent;
+    if (before.is_valid()) parent[g] = figure.joint(before).group.value();
+    if (parent[g] >= 0) ++num_children[parent[g]];
+  }
+  std::vector<Limb> limbs;
+  for (int g = 0; g < num; ++g) {
+    if (parent[g] >= 0 && num_children[parent[g]] == 1) {
+      limb_of[g] = limb_of[parent[g]];
+    } else {
+      limb_of[g] = static_cast<int>(limbs.size());
+      limbs.emplace_back();
+    }
+    limbs[limb_of[g]].joints.emplace_back(g);
+    limbs[limb_of[g]].is_end = num_children[g] == 0;
+  }
+  const FigureSides sides(figure);
+  for (Limb& limb : limbs) limb.name = NameOfLimb(figure, sides, limb.joints);
+  return limbs;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,128 @@
+#include "ui/panels/properties/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "ui/panels/text/catalogue.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr int kSections = 4;
+
+float Whole(double x) { return static_cast<float>(std::round(x)); }
+
+bool IsSelected(const JointGroup& joint, const Figure& figure,
+                const std::set<std::string>& selected, bool wholly) {
+  int count = 0;
+  for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
+    count += selected.contains(figure.joints()[j].name) ? 1 : 0;
+  }
+  return wholly ? count == joint.size : count > 0;
+}
+
+std::string Filled(const char* format, const std::vector<int>& numbers) {
+  std::string text;
+  size_t next = 0;
+  for (const char* c = format; *c != '\0'; ++c) {
+    text += *c == '#' ? std::to_string(numbers.at(next++)) : std::string(1, *c);
+  }
+  return text;
+}
+
+}  // namespace
+
+PropertiesLayout LayOutProperties(const Rect& panel, double scale) {
+  PropertiesLayout layout;
+  const float size = Whole(28.0 * scale), gap = Whole(2.0 * scale);
+  for (int i = 0; i < kSections; ++i) {
+    layout.tabs.push_back(
+        {panel.x, panel.y + gap + static_cast<float>(i) * (size + gap), size, size});
+  }
+  layout.content = {panel.x + size, panel.y, std::max(0.0f, panel.w - size), panel.h};
+  return layout;
+}
+
+std::optional<Section> TabAt(const PropertiesLayout& layout, Point p) {
+  for (size_t i = 0; i < layout.tabs.size(); ++i) {
+    if (layout.tabs[i].Contains(p)) return static_cast<Section>(i);
+  }
+  return std::nullopt;
+}
+
+RowParts PartsOfRow(const Rect& row, bool has_button, double scale) {
+  const float gap = Whole(6.0 * scale), button = has_button ? row.h : 0.0f;
+  const float label = Whole(0.4 * row.w);
+  RowParts parts;
+  parts.label = {row.x, row.y, label, row.h};
+  parts.field = {row.x + label + gap, row.y, std::max(1.0f, row.w - label - gap - button), row.h};
+  parts.button = {parts.field.right(), row.y, button, row.h};
+  return parts;
+}
+
+std::optional<GroupIndex> ActiveJoint(const Figure& figure, const std::set<std::string>& selected,
+                                      const std::string& active) {
+  const std::optional<GroupIndex> wanted = figure.FindGroup(active);
+  if (wanted && IsSelected(figure.group(*wanted), figure, selected, false)) return wanted;
+  for (size_t i = 0; i < figure.groups().size(); ++i) {
+    if (IsSelected(figure.groups()[i], figure, selected, false)) {
+      return GroupIndex(static_cast<int>(i));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<size_t> ShownRegion(const Project& project, const std::string& chosen, double frame) {
+  const auto& regions = project.regions;
+  const auto index = [&](auto is_meant) -> std::optional<size_t> {
+    const auto found = std::find_if(regions.begin(), regions.end(), is_meant);
+    if (found == regions.end()) return std::nullopt;
+    return static_cast<size_t>(found - regions.begin());
+  };
+  if (const auto named = index([&](const auto& r) { return r.name == chosen; })) return named;
+  const auto active =
+      index([&](const auto& r) { return r.first_frame <= frame && frame <= r.last_frame; });
+  if (active || regions.empty()) return active;
+  return 0;
+}
+
+std::string ModelText(const RegionReport& report) {
+  std::string text = Filled(Tr("# of # joints"), {report.free_joints, report.all_joints});
+  std::map<int, int, std::greater<>> counts;  // of groups, by their size
+  for (const int size : report.groups) ++counts[size];
+  for (const auto& [size, count] : counts) {
+    text += ", " + Filled(Tr(count == 1 ? "# group of #" : "# groups of #"), {count, size});
+  }
+  if (report.bodies > 0) text += ", " + Filled(Tr("# bodies"), {report.bodies});
+  return text;
+}
+
+std::vector<std::string> NamesOf(const std::vector<JointRef>& joints) {
+  std::vector<std::string> names;
+  names.reserve(joints.size());
+  for (const JointRef& joint : joints) names.push_back(joint.name + (joint.beyond ? "+" : ""));
+  return names;
+}
+
+std::vector<std::string> WithSelected(const std::vector<std::string>& joints, const Figure& figure,
+                                      const std::set<std::string>& selected) {
+  std::vector<std::string> all = joints;
+  const auto add = [&](const std::string& name) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  };
+  for (const JointGroup& joint : figure.groups()) {
+    if (IsSelected(joint, figure, selected, true)) {
+      add(joint.name);
+      continue;
+    }
+    for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
+      if (selected.contains(figure.joints()[j].name)) add(figure.joints()[j].name);
+    }
+  }
+  return all;
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,202 @@
+// The scene: what places the figure, objects, gravity and the camera.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/operators/edits.h"
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/layout.h"
+#include "ui/panels/properties/sections.h"
+#include "ui/panels/properties/span_fields.h"
+#include "ui/panels/sheet/drag.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+// A line of a list that a click chooses, with a button that takes it away; below it the fields of
+// the chosen one. False if it was taken away.
+bool DrawSpan(Editor* editor, const BarRef& bar) {
+  const Project& project = editor->session().project();
+  const ProjectFrames frames = FramesOf(project, bar);
+  const std::string text = SpanText(frames.first, frames.last) + "   " + TitleOf(project, bar);
+  const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
+  const bool is_chosen = chosen && *chosen == bar;
+  ImGui::PushID(bar.index);
+  const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x - button - gap;
+  ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0f, 0.5f});
+  if (ImGui::Selectable(text.c_str(), is_chosen, 0, {room, button})) ChooseBar(editor, bar);
+  ImGui::PopStyleVar();
+  Tooltip(DetailsOf(project, bar));
+  ImGui::SameLine(0.0f, gap);
+  const bool is_removed = ImGui::Button("×", {button, 0.0f});
+  Tooltip(Tr("Remove"));
+  if (is_removed) {
+    ChooseBar(editor, bar);
+    (void)RemoveChosenBar(editor);
+  } else if (is_chosen) {
+    DrawSpanFields(editor);
+  }
+  ImGui::PopID();
+  return !is_removed;
+}
+
+// Stops when the list is another one.
+void DrawSpans(Editor* editor, BarKind kind, size_t count) {
+  const long revision = editor->session().document().revision();
+  for (size_t i = 0; i < count; ++i) {
+    if (!DrawSpan(editor, {kind, static_cast<int>(i)})) return;
+    if (editor->session().document().revision() != revision) return;
+  }
+}
+
+void DrawPlacement(Editor* editor) {
+  if (!DrawHeading(Tr("Placement"))) return;
+  ImGui::PushID("placement");
+  const size_t count = editor->session().project().placements.size();
+  DrawSpans(editor, BarKind::kPlacement, count);
+  ImGui::PopID();
+  if (count == 0) DrawNote(Tr("The root's keys place the figure."));
+  if (DrawButton(Tr("Pin from here"), HelpOf("span.pin"), 2)) editor->Do("span.pin");
+  ImGui::SameLine();
+  if (DrawButton(Tr("Gravity from here"), HelpOf("span.gravity"), 2)) editor->Do("span.gravity");
+}
+
+void DrawHolds(Editor* editor) {
+  if (!DrawHeading(Tr("Holds"), !editor->session().project().holds.empty())) return;
+  ImGui::PushID("holds");
+  DrawSpans(editor, BarKind::kHold, editor->session().project().holds.size());
+  ImGui::PopID();
+  if (DrawButton(Tr("Hold from here"), HelpOf("span.hold"))) editor->Do("span.hold");
+}
+
+void MoveObject(Editor* editor, const std::string& object, int axis, double by,
+                const std::string& drag) {
+  const char* axes[] = {"x", "y", "z"};
+  editor->Do("object.move", {{"object", object}, {axes[axis], by}, {"drag", drag}});
+}
+
+void DrawBox(Editor* editor, const std::string& name, const ProjectBox& box) {
+  DrawVector(editor, Tr("Position"), box.center_m, "%.3f m",
+             [&](int axis, double value, const std::string& drag) {
+               MoveObject(editor, name, axis, value - box.center_m[axis], drag);
+             });
+  DrawVector(editor, Tr("Size"), box.size_m, "%.3f m",
+             [&](int axis, double value, const std::string& drag) {
+               const char* sizes[] = {"size_x", "size_y", "size_z"};
+               editor->Do("object.set", {{"object", name}, {sizes[axis], value}, {"drag", drag}});
+             });
+}
+
+// How far from the origin; the operator moves along an axis of the world.
+void DrawPlane(Editor* editor, const std::string& name, const ProjectPlane& plane) {
+  int axis = 0;
+  plane.normal.cwiseAbs().maxCoeff(&axis);
+  DrawNumber(editor, {"offset", Tr("Offset"), plane.offset_m, "%.3f m", 0.005},
+             [&](double value, const std::string& drag) {
+               const double by = (value - plane.offset_m) / plane.normal[axis];
+               MoveObject(editor, name, axis, by, drag);
+             });
+}
+
+void DrawObject(Editor* editor, const ProjectSceneObject& object) {
+  ImGui::PushID(object.name.c_str());
+  const bool is_open = ImGui::TreeNodeEx(
+      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  if (is_open) {
+    if (const auto* box = std::get_if<ProjectBox>(&object.shape))
+      DrawBox(editor, object.name, *box);
+    if (const auto* plane = std::get_if<ProjectPlane>(&object.shape)) {
+      DrawPlane(editor, object.name, *plane);
+    }
+    DrawColor(
+        editor, "color", Tr("Color"), object.color,
+        [&](const std::string& color, const std::string& drag) {
+          editor->Do("object.set", {{"object", object.name}, {"color", color}, {"drag", drag}});
+        });
+    if (DrawButton(Tr("Remove"), HelpOf("object.remove"))) {
+      editor->Do("object.remove", {{"object", object.name}});
+    }
+  }
+  ImGui::PopID();
+}
+
+void DrawObjects(Editor* editor) {
+  if (!DrawHeading(Tr("Objects"))) return;
+  const ProjectScene scene = editor->session().project().scene;
+  for (const ProjectSceneObject& object : scene.objects) DrawObject(editor, object);
+  if (DrawButton(LabelOf("object.add_box"), HelpOf("object.add_box"), 2)) {
+    editor->Do("object.add_box", {{"name", edit::FreeName("box", scene.objects)}, {"z", 0.5}});
+  }
+  ImGui::SameLine();
+  if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {
+    editor->Do("object.add_plane", {{"name", edit::FreeName("plane", scene.objects)}});
+  }
+  DrawNumber(editor, {"gravity", Tr("Gravity"), scene.gravity_m_s2, "%.2f m/s²", 0.02},
+             [&](double value, const std::string& drag) {
+               editor->Do("scene.gravity", {{"gravity", value}, {"drag", drag}});
+             });
+}
+
+void DrawHeldObjects(Editor* editor) {
+  const std::vector<ProjectHeldObject>& held = editor->session().project().held_objects;
+  if (held.empty() || !DrawHeading(Tr("Held objects"), false)) return;
+  for (const ProjectHeldObject& object : held) {
+    char mass[32];
+    std::snprintf(mass, sizeof mass, "%.3g kg", object.mass_kg);
+    std::string text = object.joint + ", " + mass;
+    if (object.release_frame) {
+      text += std::string(", ") + Tr("let go on") + " " + std::to_string(*object.release_frame);
+    }
+    DrawFact(editor, object.name, text);
+  }
+}
+
+void SetFromView(Editor* editor) {
+  const render::Camera view = CameraOf(editor->viewport.camera);
+  editor->Do("camera.set", {{"eye_x", view.eye.x()},
+                            {"eye_y", view.eye.y()},
+                            {"eye_z", view.eye.z()},
+                            {"target_x", view.target.x()},
+                            {"target_y", view.target.y()},
+                            {"target_z", view.target.z()},
+                            {"fov", view.vertical_fov_deg}});
+}
+
+void DrawCamera(Editor* editor) {
+  if (!DrawHeading(Tr("Camera"), false)) return;
+  const std::optional<ProjectCamera> camera = editor->session().project().camera;
+  if (camera) {
+    const auto submit = [editor](const char* const* names) {
+      return [editor, names](int axis, double value, const std::string& drag) {
+        editor->Do("camera.set", {{names[axis], value}, {"drag", drag}});
+      };
+    };
+    static constexpr const char* kEye[] = {"eye_x", "eye_y", "eye_z"};
+    static constexpr const char* kTarget[] = {"target_x", "target_y", "target_z"};
+    DrawVector(editor, Tr("Position"), camera->eye_m, "%.2f m", submit(kEye));
+    DrawVector(editor, Tr("Target"), camera->target_m, "%.2f m", submit(kTarget));
+    DrawNumber(editor, {"fov", Tr("Field of view"), camera->vertical_fov_deg, "%.1f°", 0.2},
+               [&](double value, const std::string& drag) {
+                 editor->Do("camera.set", {{"fov", value}, {"drag", drag}});
+               });
+  } else {
+    DrawNote(Tr("The project has no camera of its own: pictures are framed by themselves."));
+  }
+  if (DrawButton(Tr("Set from view"), HelpOf("camera.set"))) SetFromView(editor);
+}
+
+}  // namespace
+
+void DrawSceneSection(Editor* editor) {
+  DrawPlacement(editor);
+  DrawHolds(editor);
+  DrawObjects(editor);
+  DrawHeldObjects(editor);
+  DrawCamera(editor);
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/panels/window/editor.h"
+
+namespace hazumi::ui {
+
+// Each fills the panel of properties with a section. To be called inside its window.
+void DrawPoseSection(Editor* editor);
+void DrawRegionSection(Editor* editor);
+void DrawSceneSection(Editor* editor);
+void DrawProjectSection(Editor* editor);
+void DrawFlights(Editor* editor);  // of the project
+
+inline constexpr double kRadian = 180.0 / 3.14159265358979323846;  // [degrees]
+
+}  // namespace hazumi::ui

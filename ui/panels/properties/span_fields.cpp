@@ -1,0 +1,88 @@
+#include "ui/panels/properties/span_fields.h"
+
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/properties/fields.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr const char* kNoJoint = "nearest";  // to where it touches
+
+// What is refused the status bar says.
+void Set(Editor* editor, const Json& change) { (void)EditChosenBar(editor, change); }
+
+std::vector<std::string> JointsOf(const Editor& editor) {
+  std::vector<std::string> names;
+  for (const JointGroup& joint : editor.session().figure().groups()) names.push_back(joint.name);
+  return names;
+}
+
+// A joint; without one it is the nearest to where the figure touches something.
+void DrawMaybeJoint(Editor* editor, const char* id, const char* label, const std::string& now) {
+  std::vector<std::string> names = JointsOf(*editor);
+  names.insert(names.begin(), kNoJoint);
+  DrawChoice(editor, id, label, names, now.empty() ? kNoJoint : now, [&](const std::string& name) {
+    Set(editor, {{id, name == kNoJoint ? "" : name}});
+  });
+}
+
+void DrawJoint(Editor* editor, const char* id, const std::string& now) {
+  DrawChoice(editor, id, Tr("Joint"), JointsOf(*editor), now, [&](const std::string& name) {
+    Set(editor, {{id, name}});
+  });
+}
+
+// A span that becomes pinned is so by the joint it has, or the one it lands on, or the first one.
+Json OfKind(const Editor& editor, const std::string& kind, const ProjectPlacement& span) {
+  Json change = {{"kind", kind}};
+  if (kind != "pinned" || !span.pin.empty()) return change;
+  change["pin"] = span.landing_pin.empty() ? JointsOf(editor).front() : span.landing_pin;
+  return change;
+}
+
+void DrawPlacement(Editor* editor, const ProjectPlacement& span) {
+  DrawChoice(editor, "kind", Tr("Kind"), {"pinned", "gravity"}, hazumi::NameOf(span.kind),
+             [&](const std::string& kind) { Set(editor, OfKind(*editor, kind, span)); });
+  if (span.kind == PlacementKind::kPinned) DrawJoint(editor, "pin", span.pin);
+  if (span.kind != PlacementKind::kGravity) return;
+  DrawMaybeJoint(editor, "pin", Tr("Stands on"), span.pin);
+  DrawMaybeJoint(editor, "landing_pin", Tr("Lands on"), span.landing_pin);
+}
+
+void DrawHold(Editor* editor, const ProjectHold& hold) {
+  DrawJoint(editor, "joint", hold.joint);
+  DrawCheck(editor, "orientation", Tr("Keep orientation"), hold.orientation, [&](bool on) {
+    Set(editor, {{"orientation", on}});
+  });
+  DrawChoice(editor, "reach", Tr("Moves"), {"limb", "body"}, hazumi::NameOf(hold.reach),
+             [&](const std::string& reach) {
+               Set(editor, {{"reach", reach}});
+             });
+}
+
+void DrawFrame(Editor* editor, const char* id, const char* label, int frame) {
+  DrawInteger(editor, id, label, frame, [&](int wanted, const std::string& drag) {
+    Set(editor, {{id, wanted}, {"drag", drag}});
+  });
+}
+
+}  // namespace
+
+void DrawSpanFields(Editor* editor) {
+  RestoreChoice(editor);
+  // Copies: what is done below changes the lists.
+  const Project& project = editor->session().project();
+  const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
+  if (!bar || bar->kind == BarKind::kRegion) return;
+  const ProjectFrames frames = FramesOf(project, *bar);
+  if (bar->kind == BarKind::kPlacement) {
+    DrawPlacement(editor, ProjectPlacement(project.placements[bar->index]));
+  } else {
+    DrawHold(editor, ProjectHold(project.holds[bar->index]));
+  }
+  DrawFrame(editor, "first", Tr("First frame"), frames.first);
+  DrawFrame(editor, "last", Tr("Last frame"), frames.last);
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,196 @@
+// Small windows over the sheets: interpolation, handles, keys, and what bars stand for.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/dope_sheet/input.h"
+#include "ui/panels/properties/span_fields.h"
+#include "ui/panels/window/widgets.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+const char* IdOf(SheetPopup popup) {
+  switch (popup) {
+    case SheetPopup::kInterpolation:
+      return "##interpolation";
+    case SheetPopup::kHandles:
+      return "##handles";
+    case SheetPopup::kRegion:
+      return "##region";
+    case SheetPopup::kPlacement:
+      return "##placement";
+    case SheetPopup::kHold:
+      return "##hold";
+    case SheetPopup::kKeys:
+      return "##keys";
+    case SheetPopup::kNone:
+      break;
+  }
+  return "";
+}
+
+void Title(const char* text) {
+  ImGui::TextDisabled("%s", text);
+  ImGui::Separator();
+}
+
+void Item(Editor* editor, const char* label, const char* id, const Json& parameters,
+          bool is_enabled = true) {
+  const std::string key = KeyOf(id, parameters);
+  if (ImGui::MenuItem(label, key.empty() ? nullptr : key.c_str(), false, is_enabled)) {
+    editor->Do(id, parameters);
+  }
+  Tooltip(HelpOf(id));
+}
+
+void InterpolationItems(Editor* editor) {
+  const std::pair<const char*, const char*> kinds[] = {
+      {"Hold", "hold"}, {"Linear", "linear"}, {"Quadratic", "quadratic"}, {"Cubic", "cubic"}};
+  for (const auto& [label, kind] : kinds) {
+    Item(editor, Tr(label), "keys.interpolation", {{"interpolation", kind}});
+  }
+}
+
+void HandleItems(Editor* editor) {
+  Item(editor, Tr("Automatic"), "keys.handles", {{"kind", "auto"}});
+  Item(editor, Tr("Flat"), "keys.handles", {{"kind", "flat"}});
+}
+
+void KeyItems(Editor* editor) {
+  const bool has_keys = !editor->session().selected_keys().empty();
+  const bool has_bar = ChosenBar(editor->session().project(), editor->sheet).has_value();
+  const bool has_copy = !editor->session().key_clipboard().empty();
+  Item(editor, LabelOf("keys.copy"), "keys.copy", Json::object(), has_keys);
+  Item(editor, LabelOf("keys.paste"), "keys.paste", Json::object(), has_copy);
+  Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys || has_bar);
+  ImGui::Separator();
+  if (ImGui::BeginMenu(Tr("Interpolation"), has_keys)) {
+    InterpolationItems(editor);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu(Tr("Handles"), has_keys)) {
+    HandleItems(editor);
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  Item(editor, LabelOf("sheet.mark_region"), "sheet.mark_region", Json::object());
+  for (const char* id : {"span.hold", "span.pin", "span.gravity"}) {
+    Item(editor, LabelOf(id), id, Json::object());
+  }
+  ImGui::Separator();
+  Item(editor, LabelOf("sheet.frame_all"), "sheet.frame_all", Json::object());
+}
+
+const ProjectRegion* RegionNamed(const Project& project, const std::string& name) {
+  const auto found = std::find_if(project.regions.begin(), project.regions.end(),
+                                  [&](const ProjectRegion& each) { return each.name == name; });
+  return found == project.regions.end() ? nullptr : &*found;
+}
+
+void NameField(Editor* editor, const ProjectRegion& region) {
+  std::array<char, 128> text{};
+  std::strncpy(text.data(), region.name.c_str(), text.size() - 1);
+  ImGui::InputText("##name", text.data(), text.size());
+  if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == '\0' || region.name == text.data()) return;
+  if (!editor->Do("region.set", {{"region", region.name}, {"name", text.data()}})) return;
+  for (size_t i = 0; i < editor->session().project().regions.size(); ++i) {
+    const std::string& name = editor->session().project().regions[i].name;
+    if (name.starts_with(text.data())) editor->sheet.region = name;
+  }
+}
+
+void FrictionSlider(Editor* editor, const ProjectRegion& region) {
+  auto factor = static_cast<float>(region.friction.default_factor);
+  const std::string name = region.name;
+  if (ImGui::SliderFloat("##friction", &factor, 0.0f, 1.0f, "%.2f")) {
+    const double rounded = std::round(100.0 * factor) / 100.0;
+    editor->Do("region.friction",
+               {{"region", name}, {"factor", rounded}, {"drag", "sheet friction"}});
+  }
+  if (ImGui::IsItemDeactivated()) editor->Do("edit.end_drag");
+  Tooltip(Tr("Speed that is left after 1/30 s: 0 frozen, 1 no friction"));
+}
+
+void RegionItems(Editor* editor) {
+  const ProjectRegion* region = RegionNamed(editor->session().project(), editor->sheet.region);
+  if (!region) return ImGui::CloseCurrentPopup();
+  Title(Tr("Dynamics region"));
+  ImGui::PushItemWidth(12.0f * ImGui::GetFontSize());
+  ImGui::TextUnformatted(Tr("Name"));
+  NameField(editor, *region);
+  region = RegionNamed(editor->session().project(), editor->sheet.region);
+  if (region) {
+    ImGui::TextUnformatted(Tr("Friction: speed left"));
+    FrictionSlider(editor, *region);
+  }
+  ImGui::PopItemWidth();
+  region = RegionNamed(editor->session().project(), editor->sheet.region);
+  if (!region) return;
+  ImGui::Separator();
+  const std::string name = region->name;
+  const int now = static_cast<int>(std::lround(editor->session().frame()));
+  const bool is_inside = now > region->first_frame && now < region->last_frame;
+  Item(editor, Tr("Split at the playhead"), "region.split", {{"region", name}, {"frame", now}},
+       is_inside);
+  Item(editor, LabelOf("region.to_keys"), "region.to_keys", {{"region", name}});
+  Item(editor, LabelOf("region.remove"), "region.remove", {{"region", name}});
+}
+
+void SpanItems(Editor* editor, SheetPopup popup) {
+  const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
+  const bool is_hold = popup == SheetPopup::kHold;
+  if (!bar || bar->kind != (is_hold ? BarKind::kHold : BarKind::kPlacement)) {
+    return ImGui::CloseCurrentPopup();
+  }
+  Title(Tr(is_hold ? "Held joint" : "Placement"));
+  ImGui::Dummy({18.0f * ImGui::GetFontSize(), 0.0f});
+  DrawSpanFields(editor);
+  ImGui::Separator();
+  const char* remove = is_hold ? "hold.remove" : "placement.remove";
+  if (ImGui::MenuItem(LabelOf(remove), KeyOf("sheet.delete", Json::object()).c_str())) {
+    (void)RemoveChosenBar(editor);
+  }
+  Tooltip(HelpOf(remove));
+}
+
+void Items(Editor* editor, SheetPopup popup) {
+  switch (popup) {
+    case SheetPopup::kInterpolation:
+      Title(Tr("Interpolation"));
+      return InterpolationItems(editor);
+    case SheetPopup::kHandles:
+      Title(Tr("Handles"));
+      return HandleItems(editor);
+    case SheetPopup::kRegion:
+      return RegionItems(editor);
+    case SheetPopup::kPlacement:
+    case SheetPopup::kHold:
+      return SpanItems(editor, popup);
+    case SheetPopup::kKeys:
+      return KeyItems(editor);
+    case SheetPopup::kNone:
+      break;
+  }
+}
+
+}  // namespace
+
+void DrawSheetPopups(Editor* editor) {
+  SheetPopup& wanted = editor->sheet.popup;
+  if (wanted != SheetPopup::kNone) ImGui::OpenPopup(IdOf(wanted));
+  wanted = SheetPopup::kNone;
+  using enum SheetPopup;
+  for (const SheetPopup popup : {kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys}) {
+    if (!ImGui::BeginPopup(IdOf(popup))) continue;
+    Items(editor, popup);
+    ImGui::EndPopup();
+  }
+}
+
+}  // namespace hazumi::ui

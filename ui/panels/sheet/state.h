@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ui/panels/window/geometry.h"
+
+namespace hazumi::ui {
+
+// The editor below the viewport.
+enum class SheetKind { kDopeSheet, kGraph };
+
+// Small windows that a key opens at the mouse.
+enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys };
+
+// What a bar of the dope sheet stands for: a region, what places the figure, a held joint.
+enum class BarKind { kRegion, kPlacement, kHold };
+// One of them, by its index in the project's list of them.
+struct BarRef {
+  BarKind kind = BarKind::kRegion;
+  int index = 0;
+  bool operator==(const BarRef&) const = default;
+};
+
+// Values from the lower to the upper edge of the graph.
+struct ValueRange {
+  double low = -90.0, high = 90.0;
+  bool operator==(const ValueRange&) const = default;
+};
+
+// The dope sheet and the graph editor: which frames and rows are seen.
+struct SheetState {
+  SheetKind kind = SheetKind::kDopeSheet;
+  double first = -1.0, last = 32.0;  // frames at the left and right edge
+  double scroll_px = 0.0;            // rows above the top edge
+  std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
+  bool only_selected = false;        // rows of the selected joints alone
+  std::string region;                // whose bar was clicked last; empty: another's was, or none
+  std::optional<BarRef> span;        // of placement or a hold, whose bar was clicked last
+  Rect rect;                         // where it was drawn last [px]
+
+  // The graph.
+  ValueRange values;
+  bool fits_values = true;          // the range follows what is shown
+  bool normalize = false;           // each curve fills the height
+  std::vector<std::string> curves;  // shown last
+  std::set<std::string> hidden;     // curves that are not drawn
+
+  // What a tool draws.
+  std::optional<Rect> box;  // of a box selection
+  struct Paint {
+    int first_row = 0, last_row = 0;  // inclusive
+    int first_frame = 0, last_frame = 0;
+  };
+  std::optional<Paint> paint;  // of a region to be
+  bool is_quiet = false;       // a tool ended in this frame: the click that ended it does no more
+  int num_drags = 0;           // so far: each has a name of its own
+  // The drag in which a span of placement was edited last, its index when that began, and the
+  // document's revision after the last edit of it.
+  struct SpanDrag {
+    std::string drag;
+    int index = 0;
+    long revision = 0;
+  } span_drag;
+  // A field of the timeline's range while it is dragged.
+  struct EditedRange {
+    std::optional<int> frame;
+    bool is_first = false;
+  } edited_range;
+  SheetPopup popup = SheetPopup::kNone;  // to be opened
+};
+
+}  // namespace hazumi::ui

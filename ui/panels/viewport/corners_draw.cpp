@@ -1,0 +1,128 @@
+// What lies in the corners of the viewport.
+
+#include <imgui.h>
+
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/viewport/layout.h"
+#include "ui/panels/viewport/marks.h"
+#include "ui/panels/viewport/scene.h"
+#include "ui/panels/window/widgets.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr SrgbColor kDark = render::FromHex(0x16181b), kWhite = render::FromHex(0xffffff);
+
+ImDrawList* List() { return ImGui::GetWindowDrawList(); }
+
+// Readable on any picture.
+void DrawText(const ImVec2& at, const char* text) {
+  List()->AddText({at.x + 1, at.y + 1}, ToIm(kDark, 0.7f), text);
+  List()->AddText(at, ToIm(kWhite), text);
+}
+
+std::string ViewName(const Editor& editor) {
+  const ViewportState& state = editor.viewport;
+  if (state.through_project_camera && editor.session().project().camera) return Tr("Camera");
+  const char* side = SideOf(state.camera);
+  const char* kind = Tr(state.camera.is_orthographic ? "orthographic" : "perspective");
+  return *side ? std::string(Tr(side)) + ", " + kind : std::string(Tr("View")) + ", " + kind;
+}
+
+struct Toggle {
+  const char* name;  // of view.overlay
+  const char* label;
+  const char* help;
+  bool is_on;
+};
+
+std::vector<Toggle> TogglesOf(const ViewportOverlays& o) {
+  return {
+      {"paths", "Paths", "Paths of hands, feet and the centre of mass, a dot each frame", o.paths},
+      {"ghosts", "Ghosts", "The figure some frames before and after", o.ghosts},
+      {"marks", "Marks", "Where the figure is pinned", o.marks},
+      {"tint", "Regions", "Colours what a dynamics region moves", o.tint},
+      {"limits", "Limits", "How far the active hinge turns; pull the ends to change it", o.limits},
+      {"shadow", "Shadow", "The shadow on the ground", o.shadow}};
+}
+
+void DrawToggle(Editor* editor, const Toggle& toggle, const Rect& rect) {
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::PushID(toggle.name);
+  if (ImGui::InvisibleButton("##toggle", {rect.w, rect.h})) {
+    editor->Do("view.overlay", {{"name", toggle.name}});
+  }
+  const bool is_hovered = ImGui::IsItemHovered();
+  Tooltip(Tr(toggle.help));
+  ImGui::PopID();
+  const float round = 0.25f * rect.h;
+  const SrgbColor& fill = toggle.is_on ? editor->theme().accent : kDark;
+  const float alpha = (toggle.is_on ? 0.85f : 0.45f) + (is_hovered ? 0.15f : 0.0f);
+  List()->AddRectFilled({rect.x, rect.y}, {rect.right(), rect.bottom()}, ToIm(fill, alpha), round);
+  const ImVec2 size = ImGui::CalcTextSize(Tr(toggle.label));
+  List()->AddText({rect.x + 0.5f * (rect.w - size.x), rect.y + 0.5f * (rect.h - size.y)},
+                  ToIm(kWhite, toggle.is_on ? 1.0f : 0.6f), Tr(toggle.label));
+}
+
+}  // namespace
+
+void DrawToggles(Editor* editor, const Rect& rect) {
+  const double scale = editor->settings.scale;
+  const std::vector<Toggle> toggles = TogglesOf(editor->viewport.overlays);
+  std::vector<float> widths;
+  widths.reserve(toggles.size());
+  for (const Toggle& toggle : toggles) {
+    widths.push_back(ImGui::CalcTextSize(Tr(toggle.label)).x + static_cast<float>(14.0 * scale));
+  }
+  const float height = ImGui::GetTextLineHeight() + static_cast<float>(6.0 * scale);
+  const std::vector<Rect> rects = LayOutToggles(rect, widths, height, scale);
+  for (size_t i = 0; i < toggles.size(); ++i) DrawToggle(editor, toggles[i], rects[i]);
+}
+
+void DrawCaption(const Editor& editor, const Rect& rect) {
+  const float edge = static_cast<float>(10.0 * editor.settings.scale);
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  DrawText({rect.x + edge, rect.y + edge}, ViewName(editor).c_str());
+  std::string second = std::string(Tr("Frame")) + " " + std::to_string(FrameShown(editor));
+  const std::vector<GroupIndex> joints = SelectedJoints(editor.session());
+  if (editor.session().is_root_selected()) {
+    second += "   " + editor.session().figure().root_name();
+  } else if (joints.size() == 1) {
+    second += "   " + editor.session().figure().group(joints[0]).name;
+  }
+  if (joints.empty() && !editor.viewport.selected_object.empty()) {
+    second += "   " + editor.viewport.selected_object;
+  }
+  DrawText({rect.x + edge, rect.y + edge + line}, second.c_str());
+}
+
+void DrawAxisCross(const Editor& editor, const View& view) {
+  constexpr SrgbColor kColors[] = {colors::kAxisX, colors::kAxisY, colors::kAxisZ};
+  constexpr const char* kLetters[] = {"X", "Y", "Z"};
+  const float scale = static_cast<float>(editor.settings.scale);
+  const AxisCross cross = LayOutAxisCross(view, scale);
+  for (const CrossAxis& axis : cross.axes) {
+    const ImU32 color = ToIm(kColors[axis.axis]);
+    List()->AddLine(ToIm(cross.center), ToIm(axis.end), color, 2.0f * scale);
+    List()->AddCircleFilled(ToIm(axis.end), 8.0f * scale, color, 20);
+    const ImVec2 size = ImGui::CalcTextSize(kLetters[axis.axis]);
+    List()->AddText({axis.end.x - 0.5f * size.x, axis.end.y - 0.5f * size.y}, ToIm(kDark),
+                    kLetters[axis.axis]);
+  }
+}
+
+// Outside of what a render would show it is darker.
+void DrawCameraBorder(const Editor& editor, const Rect& rect) {
+  const Project& project = editor.session().project();
+  if (!editor.viewport.through_project_camera || !project.camera) return;
+  const Rect b = Bordered(*project.camera, kPictureAspect, rect).border;
+  const ImU32 shade = ToIm(kDark, 0.5f);
+  List()->AddRectFilled({rect.x, rect.y}, {rect.right(), b.y}, shade);
+  List()->AddRectFilled({rect.x, b.bottom()}, {rect.right(), rect.bottom()}, shade);
+  List()->AddRectFilled({rect.x, b.y}, {b.x, b.bottom()}, shade);
+  List()->AddRectFilled({b.right(), b.y}, {rect.right(), b.bottom()}, shade);
+  List()->AddRect({b.x, b.y}, {b.right(), b.bottom()}, ToIm(kWhite, 0.8f));
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/panels/viewport/camera.h"
+#include "ui/panels/viewport/figure.h"
+
+namespace hazumi::ui {
+
+// Distance along a ray to where it enters a shape [m]; none if it passes by, or begins inside.
+// `X_WJ`: the frame that the look is given in.
+std::optional<double> Enter(const Ray& ray, const Look& look, const hazumi::Pose& X_WJ);
+std::optional<double> Enter(const Ray& ray, const Box& box);
+
+// What is under a point of the window.
+struct ViewportHit {
+  std::optional<GroupIndex> joint;
+  std::string object;  // of the scene, a box; empty: none
+  bool is_root = false;
+  bool is_marker = false;  // the mark of the joint or root, not its body
+
+  bool is_anything() const { return joint || is_root || !object.empty(); }
+};
+
+inline constexpr float kMarkerReach = 7.0f;  // of a mark, at scale 1 [px]
+
+// The mark of the root or of a joint within reach, or else the body that is nearest to the viewer,
+// or the box. A body belongs to the joint that moves it; those of hidden joints are passed through.
+ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
+                    const std::vector<SceneObject>& scene, double scale);
+
+}  // namespace hazumi::ui

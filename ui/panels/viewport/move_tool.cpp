@@ -1,0 +1,137 @@
+// G and the handles: moves a joint by inverse kinematics, or an object. And the ends of limits.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/viewport/point_move_tool.h"
+#include "ui/panels/viewport/tools.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+class ReachTool : public PointMoveTool {
+ public:
+  using PointMoveTool::PointMoveTool;
+
+ private:
+  bool Place(Editor* editor, const Vec3& offset) override {
+    const Vec3 to = from() + offset;
+    return Run(editor, "pose.reach",
+               {{"joint", name()}, {"x", to.x()}, {"y", to.y()}, {"z", to.z()}});
+  }
+};
+
+class ObjectTool : public PointMoveTool {
+ public:
+  using PointMoveTool::PointMoveTool;
+
+ private:
+  // The operator adds to where the object is: each time from the beginning.
+  bool Place(Editor* editor, const Vec3& offset) override {
+    TakeBack(editor);
+    return Run(editor, "object.move",
+               {{"object", name()}, {"x", offset.x()}, {"y", offset.y()}, {"z", offset.z()}});
+  }
+};
+
+class LimitTool : public DragTool {
+ public:
+  LimitTool(Editor* editor, const GizmoHit& end)
+      : DragTool(editor, "viewport.limit ", true),
+        hinge_(end.hinge),
+        is_upper_(end.part == GizmoPart::kUpper) {
+    const Joint& joint = editor->session().figure().joint(hinge_);
+    name_ = joint.name;
+    angle_deg_ = (is_upper_ ? joint.upper : joint.lower) / kDegree;
+  }
+
+  std::string hint() const override {
+    return std::string(Tr("Joint limit")) + " " + name_ + ": " + Signed(angle_deg_, 1) +
+           "\u00b0    Shift: " + Tr("precise") + "   Ctrl: " + Tr("snap") +
+           "   Esc: " + Tr("cancel");
+  }
+
+ private:
+  bool Follow(Editor* editor, const ToolInput& input) override;
+
+  JointIndex hinge_;
+  bool is_upper_;
+  std::string name_;
+  double angle_deg_;
+};
+
+bool LimitTool::Follow(Editor* editor, const ToolInput& input) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return false;
+  const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
+  const auto gizmo = GizmoOf(view, editor->session(), *figure, name_, true, editor->settings.scale);
+  if (!gizmo || !gizmo->arc) return false;
+  const auto at = AngleAt(view, input.mouse, *gizmo->arc, angle_deg_ * kDegree);
+  if (!at) return true;
+  const Joint& joint = editor->session().figure().joint(hinge_);
+  const double step = input.precise ? 0.1 : input.snap ? 5.0 : 1.0;
+  double angle = step * std::round(*at / kDegree / step);
+  angle =
+      is_upper_ ? std::max(angle, joint.lower / kDegree) : std::min(angle, joint.upper / kDegree);
+  if (angle == angle_deg_) return true;
+  angle_deg_ = angle;
+  return Run(editor, "figure.joint_limits",
+             {{"joint", name_}, {is_upper_ ? "upper" : "lower", angle}});
+}
+
+// One joint that sits on the root: it moves with it, and not by itself.
+bool IsOnRoot(const std::vector<GroupIndex>& joints, const edit::Session& session) {
+  const Figure& figure = session.figure();
+  return joints.size() == 1 && !figure.joint(figure.group(joints[0]).first).parent.is_valid();
+}
+
+Result<Done> TakeObjectTool(Editor* editor) {
+  const std::string& name = editor->viewport.selected_object;
+  for (const ProjectSceneObject& object : editor->session().project().scene.objects) {
+    const auto* box = std::get_if<ProjectBox>(&object.shape);
+    if (object.name != name || !box) continue;
+    editor->Take(std::make_unique<ObjectTool>(editor, name, box->center_m, std::nullopt));
+    return Done();
+  }
+  return Error{ErrorCode::kSchema, "", "", "nothing is selected: click on a joint or a box"};
+}
+
+}  // namespace
+
+Result<Done> TakeMoveTool(Editor* editor) {
+  editor->Take(nullptr);
+  const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
+  const bool moves_root =
+      editor->session().is_root_selected() || IsOnRoot(joints, editor->session());
+  if (joints.empty() && !moves_root) return TakeObjectTool(editor);
+  if (moves_root && PoseNow(&editor->session())) {
+    TakeRootMoveTool(editor, std::nullopt);
+    return Done();
+  }
+  if (joints.size() > 1) {
+    return Error{ErrorCode::kSchema, "", "", "one joint at a time is moved: click on one"};
+  }
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) {
+    return Error{ErrorCode::kSemantics, "", "", "the project cannot be animated as it is"};
+  }
+  const std::string name = figure->figure().group(joints[0]).name;
+  editor->Take(
+      std::make_unique<ReachTool>(editor, name, figure->CenterOf(joints[0]), std::nullopt));
+  return Done();
+}
+
+void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held) {
+  const auto figure = PoseNow(&editor->session());
+  const auto group = editor->session().figure().FindGroup(joint);
+  if (!figure || !group) return;
+  editor->Take(std::make_unique<ReachTool>(editor, joint, figure->CenterOf(*group), held));
+}
+
+void TakeLimitTool(Editor* editor, const GizmoHit& end) {
+  editor->Take(std::make_unique<LimitTool>(editor, end));
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/panels/viewport/drag_tool.h"
+#include "ui/panels/viewport/tools.h"
+
+namespace hazumi::ui {
+
+// Moves a point, in the plane of the view or along an axis of the world.
+class PointMoveTool : public DragTool {
+ public:
+  // `from`: where the point is [m].
+  PointMoveTool(Editor* editor, std::string name, const Vec3& from, std::optional<HeldFrom> held);
+
+  std::string hint() const override;
+
+ protected:
+  // To where it was plus `offset` [m].
+  virtual bool Place(Editor* editor, const Vec3& offset) = 0;
+  // A key that is no number and no axis. True if it changes what Place does.
+  virtual bool TakeKey(const Chord&) { return false; }
+  // What such keys do.
+  virtual std::string MoreHint() const { return ""; }
+
+  const std::string& name() const { return name_; }
+  const Vec3& from() const { return from_; }
+
+ private:
+  bool Follow(Editor* editor, const ToolInput& input) override;
+  Vec3 OffsetOf(const View& view, bool snap) const;
+
+  std::string name_;
+  Vec3 from_;
+  char axis_ = 0;  // 'X' to 'Z' once it was typed
+  std::optional<Point> start_;
+  Point mouse_;  // moves as the mouse does, slower with Shift
+  Vec3 offset_ = Vec3::Zero();
+  TypedNumber typed_;
+};
+
+}  // namespace hazumi::ui

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render/scene/camera.h"
+#include "render/scene/color.h"
+#include "ui/panels/window/geometry.h"
+
+namespace hazumi::ui {
+
+// What the viewport shows beside the figure.
+struct ViewportOverlays {
+  bool paths = true;
+  bool ghosts = false;
+  int ghost_every = 5;  // frames
+  int reach = 90;       // frames before and after the current one that paths and ghosts show
+  bool marks = true;    // pin, contact, centre of mass
+  bool tint = true;     // joints moved by a region
+  bool limits = true;   // arcs of the selected joints
+  bool shadow = true;
+  bool operator==(const ViewportOverlays&) const = default;
+};
+
+// An orbiting camera: looks at `target` from an azimuth (0: from +x, counter-clockwise from above)
+// and a height above the horizon [rad].
+struct OrbitCamera {
+  Vec3 target{0.0, 0.0, 0.9};
+  double azimuth = -0.85, elevation = 0.25, distance = 4.2;
+  bool is_orthographic = false;  // seen from so far away that nothing gets smaller
+  bool operator==(const OrbitCamera&) const = default;
+};
+render::Camera CameraOf(const OrbitCamera& orbit);
+
+// Everything that the picture of the scene depends on. While it stays, so does the picture.
+struct PictureKey {
+  long document = -1, revision = -1;  // of the session
+  int frame = 0;
+  OrbitCamera camera;
+  bool through_project_camera = false;
+  ViewportOverlays overlays;
+  int width = 0, height = 0;  // [px]
+  std::set<std::string> selected_joints;
+  bool is_being_computed = false;  // the motion: what is seen is as it was before
+  bool operator==(const PictureKey&) const = default;
+};
+
+// Where a path is at each frame [m].
+struct PathTicks {
+  render::SrgbColor color;
+  std::vector<Vec3> points;
+};
+
+// The picture drawn last, and for what.
+struct ShownPicture {
+  PictureKey key;
+  unsigned texture = 0;
+  std::vector<PathTicks> ticks;
+};
+
+// A mouse button that went down on the viewport and has not come up yet.
+struct ViewportPress {
+  Point at;
+  std::string handle;     // the joint or root whose handle is under it; empty: none
+  bool on_gizmo = false;  // a ring or the end of a limit is
+};
+
+struct ViewportState {
+  OrbitCamera camera;
+  bool through_project_camera = false;
+  long framed_document = 0;  // of the session: what the camera was set up for
+  ViewportOverlays overlays;
+  Rect rect;  // where it was drawn last [px]
+  std::optional<ShownPicture> shown;
+  long pictures_drawn = 0;
+  std::string selected_object;  // of the scene; empty: none
+  std::string active_hinge;     // whose limits are shown, if its joint is selected
+  std::optional<ViewportPress> press;
+  bool had_tool = false;  // when it was drawn last: what the mouse does then is the tool's
+  long drags = 0;         // so far: each has a name of its own
+};
+
+}  // namespace hazumi::ui

@@ -1,0 +1,100 @@
+#include "ui/panels/window/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/motion/links_skin.h"
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/viewport/actions.h"
+
+namespace hazumi::ui {
+
+Editor::Editor() {
+  viewport.framed_document = session_.document_number();
+  session_.set_capsules([](const Figure& figure) { return render::SkinOfLinks(figure); });
+}
+
+namespace {
+
+// Whether what goes well says that an earlier refusal is no longer of interest; the end of a drag
+// does not, for a drag ends when it is refused.
+bool IsNewDeed(const std::string& id) { return id != "edit.end_drag" && id != "edit.cancel_drag"; }
+
+}  // namespace
+
+Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
+  Result<Done> done = Done();
+  const Message before = message;
+  if (const Action* action = FindAction(id)) {
+    const auto checked = edit::Parameters::Check(action->parameters, parameters);
+    done = checked.ok() ? action->run(this, checked.value()) : checked.error();
+  } else {
+    done = session_.Run(id, parameters);
+  }
+  if (!done.ok()) Say(TextOf(done.error(), id), true);
+  const bool is_stale = message.is_error && message.text == before.text;
+  if (done.ok() && is_stale && IsNewDeed(id)) Say("");
+  if (done.ok()) Note(id, parameters);
+  return done;
+}
+
+// What follows from something that was done.
+void Editor::Note(const std::string& id, const Json& parameters) {
+  const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
+  dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
+  FrameNewDocument(this);
+  if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");
+  if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
+}
+
+void Editor::NeedGlyphs(const std::string& text) {
+  const auto is_foreign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+  if (std::any_of(text.begin(), text.end(), is_foreign) &&
+      glyphs_.find(text) == std::string::npos) {
+    glyphs_ += text;
+  }
+}
+
+void Editor::Tick(double now) {
+  now_ = now;
+  if (playback.is_on()) session_.set_frame(playback.Advance(now));
+}
+
+double Editor::NextDeadline() const {
+  constexpr double kBakingEvery = 0.1;  // what goes on beside is looked after [s]
+  if (session_.bake() && session_.bake()->is_busy()) {
+    return playback.is_on() ? std::min(kBakingEvery, UntilNextFrame()) : kBakingEvery;
+  }
+  if (!ground.is_done()) return 0.0;
+  if (flights.is_busy() && !playback.is_on()) return kBakingEvery;
+  constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
+  if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
+  if (!playback.is_on()) return std::numeric_limits<double>::infinity();
+  return UntilNextFrame();
+}
+
+double Editor::UntilNextFrame() const { return std::max(0.0, playback.NextFrameTime() - now_); }
+
+void Editor::Take(std::unique_ptr<Tool> next) {
+  ToolInput cancel;
+  cancel.cancel = true;
+  if (tool_) tool_->Update(this, cancel);
+  tool_ = std::move(next);
+}
+
+void Editor::DropTool() {
+  tool_.reset();
+  sheet.box.reset();
+  sheet.paint.reset();
+}
+
+void Editor::UpdateTool(const ToolInput& input) {
+  if (!tool_) return;
+  std::unique_ptr<Tool> tool = std::move(tool_);
+  const bool stays = tool->Update(this, input);
+  if (stays && !tool_) tool_ = std::move(tool);
+}
+
+}  // namespace hazumi::ui

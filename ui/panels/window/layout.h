@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/panels/window/geometry.h"
+
+namespace hazumi::ui {
+
+// How the window is shared out: the parts that splitters move, each in (0, 1).
+struct Shares {
+  double side = 0.24;      // of the width: outliner and properties
+  double bottom = 0.36;    // of the height: dope sheet or graph editor
+  double outliner = 0.38;  // of the side's height
+  bool operator==(const Shares&) const = default;
+};
+
+struct WindowLayout {
+  Rect menu, viewport, timeline, sheet, outliner, properties, status;
+};
+
+enum class Splitter { kSide, kBottom, kOutliner };
+
+// `scale`: of the interface, 1 at 96 dpi. `size`: of the window [px], x and y are 0.
+WindowLayout LayOutWindow(const Rect& size, const Shares& shares, double scale);
+
+// The splitter under a point.
+std::optional<Splitter> SplitterAt(const WindowLayout& layout, Point p, double scale);
+// The shares after a splitter was dragged to a point; no panel gets too small to use.
+Shares DragSplitter(const Rect& size, const Shares& shares, Splitter splitter, Point to,
+                    double scale);
+
+}  // namespace hazumi::ui

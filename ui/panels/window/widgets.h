@@ -1,0 +1,29 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/panels/window/geometry.h"
+#include "ui/panels/window/theme.h"
+
+namespace hazumi::ui {
+
+inline ImVec2 ToIm(Point p) { return {p.x, p.y}; }
+inline Point FromIm(const ImVec2& p) { return {p.x, p.y}; }
+inline ImVec4 ToIm4(const SrgbColor& c) { return {c.r, c.g, c.b, c.a}; }
+inline ImU32 ToIm(const SrgbColor& c, float alpha = 1.0f) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a * alpha});
+}
+
+// A window without a frame that fills a rectangle of the main window. End with EndPanel.
+bool BeginPanel(const char* name, const Rect& rect, const SrgbColor& background);
+void EndPanel();
+
+// Shows what the last item does, with its key, when the mouse rests on it.
+void Tooltip(const std::string& text, const std::string& key = "");
+
+// The colours and measures of ImGui's own widgets.
+void ApplyTheme(const Theme& theme, double scale);
+
+}  // namespace hazumi::ui
