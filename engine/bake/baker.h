@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "engine/bake/bake.h"
+#include "engine/bake/change_schedule.h"
 #include "engine/bake/curve_set.h"
 #include "engine/bake/exact_driver.h"
-#include "engine/bake/items_by_frame.h"
 #include "engine/bake/known_holds.h"
+#include "engine/bake/recorder.h"
 #include "engine/bake/region_driver.h"
 #include "engine/bake/stretch.h"
 
@@ -34,8 +35,8 @@ class Baker {
   Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
   // A curve of the animation is about to change its keys, or has changed them.
-  void RemoveKeys(const Keys& keys) { CountKeys(keys, -1); }
-  void AddKeys(const Keys& keys) { CountKeys(keys, 1); }
+  void RemoveKeys(const Keys& keys) { schedule_.RemoveKeys(keys); }
+  void AddKeys(const Keys& keys) { schedule_.AddKeys(keys); }
   // Regions of the animation have changed, but not their number.
   void RegionsChanged();
 
@@ -49,15 +50,11 @@ class Baker {
   using Failure = std::optional<Error>;
 
   // Stretches (baker.cpp).
-  void PrepareMotion();
-  void FindEdges();
-  void CountKeys(const Keys& keys, int by);
   Checkpoint Save(int frame);
   void Restore(const Checkpoint& checkpoint);
   void LoadFigure();
   Result<int> AdvanceToCheckpoint(int frame);
   bool Sharpen();
-  RegionReport EmptyReport(const DynamicsRegion& region) const;
 
   // At a frame: what ends, what begins (baker_boundary.cpp).
   Failure CrossFrame(int frame);
@@ -69,18 +66,14 @@ class Baker {
   bool BeginRegions(int frame);
   bool BeginHolds(int frame);
   bool BeginPlacement(int frame, bool was_keyed);
-  std::vector<PlacementSpan>::const_iterator FirstPlacementFrom(int frame) const;
   void TakeKeyedVelocity(int frame);
   void RebuildDriver(int frame);
   void ReportStep(int region, int frame);
-  bool HasRegionFrom(int frame, JointIndex j) const;
   void BeginRoot(int frame);
   void StartFreeJoint(JointIndex j, int frame, bool handed_over);
   void WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index);
   void WarnOfVelocityJump(int frame);
   void WarnOfDistance(int frame);
-  void AddJump(PlacementJump jump, const std::string& message);
-  int PlacementAt(int frame) const;
 
   // After a region (baker_resume.cpp).
   void ResumeAfterRegion(int frame, size_t region);
@@ -91,10 +84,6 @@ class Baker {
   void LimitTangent(int frame, JointIndex j, size_t region);
   void EndRoot(int frame, const DynamicsRegion& region);
 
-  // If something begins or ends at the frame, or a key lies on it.
-  bool ChangesAt(int frame) const { return is_edge_[Index(frame)] || HasKeyAt(frame); }
-  bool HasKeyAt(int frame) const { return num_keys_[Index(frame)] > 0; }
-  int Index(int frame) const { return frame - animation_.first_frame; }
   bool IsExact(int frame) const;
 
   // In continuous time from a frame to the next at which something changes (baker_exact.cpp).
@@ -138,31 +127,24 @@ class Baker {
 
   // What is kept (baker_record.cpp).
   void RecordIfOutput();
-  std::vector<int> OutputFrames(double from, double to, double end) const;
   Failure RecordUpTo(double from, double to, double end);
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
   void Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
               std::optional<GroupIndex> pinned);
-  double OutputFramesPerFrame() const;
-  void AddEvent(EventKind kind, double frame, const std::string& joint);
-  void AddStop(JointIndex j, double time, double last_time, long count);
   void AddPinEvent(int frame);
-  void AddWarning(const std::string& place, const std::string& message);
   std::optional<GroupIndex> pinned() const;
   RootHold root_hold() const;
   double Seconds(double frames) const { return animation_.rate.SecondsAt(frames); }
 
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
-  bool energy_, refine_, keep_frames_;
+  bool energy_, refine_;
   Team* team_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;
-  std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
-  ItemsByFrame region_starts_, region_ends_, hold_starts_, releases_;
-  std::vector<int> num_keys_;  // by Index(frame)
+  ChangeSchedule schedule_;
 
   FigureMotion now_;
   MotionLimit before_;                    // from the left at now_.frame
@@ -173,10 +155,9 @@ class Baker {
     double sharpness = 1.0;  // how much finer than usual the steps are
     double last_estimate = std::numeric_limits<double>::infinity();  // with the one before [rad]
   };
-  std::vector<Refinement> refinements_;           // by region
-  std::vector<int> begun_;                        // regions in this stretch
-  std::set<int> active_regions_;                  // begun and not ended
-  std::vector<std::optional<size_t>> last_stop_;  // by JointIndex: its latest event in the stretch
+  std::vector<Refinement> refinements_;  // by region
+  std::vector<int> begun_;               // regions in this stretch
+  std::set<int> active_regions_;         // begun and not ended
   DrivenMotion driven_;
   RotationState twin_;  // of exact_'s twins, by Coordinate
   std::vector<char> has_twin_;
@@ -191,9 +172,7 @@ class Baker {
   std::optional<GravityPlacement> gravity_;  // the paper's
   std::optional<ContinuousGravity> fall_;    // in continuous time
   std::vector<ObjectFlight> objects_;
-  int first_output_ = 0;  // frame of the output
-  Motion* motion_;
-  Stretch* stretch_ = nullptr;
+  Recorder recorder_;
   const KnownLogs* known_ = nullptr;
 };
 

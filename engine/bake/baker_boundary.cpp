@@ -18,7 +18,7 @@ Baker::Failure Baker::CrossFrame(int frame) {
   const bool placed = BeginPlacement(frame, was_keyed);
   if (ended || begun) RebuildDriver(frame);
   exact_begun_ &= !ended && !unplaced && !released && !begun && !placed;
-  if (!ended && !unplaced && !released && !begun && !placed && !HasKeyAt(frame)) {
+  if (!ended && !unplaced && !released && !begun && !placed && !schedule_.HasKeyAt(frame)) {
     return std::nullopt;
   }
   if (auto error = Evaluate(frame, Side::kAfter, &now_)) return error;
@@ -34,7 +34,7 @@ bool Baker::Ends(int last_frame, int frame) const {
 bool Baker::EndRegions(int frame) {
   if (!Ends(frame, frame)) return false;
   bool any = false;
-  for (const auto& [last_frame, r] : region_ends_.At(frame)) {
+  for (const auto& [last_frame, r] : schedule_.RegionsUntil(frame)) {
     const DynamicsRegion& region = animation_.regions[r];
     any = true;
     active_regions_.erase(r);
@@ -56,21 +56,13 @@ void Baker::BeginRoot(int frame) {
   }
 }
 
-bool Baker::HasRegionFrom(int frame, JointIndex j) const {
-  const auto starts = region_starts_.At(frame);
-  return std::any_of(starts.begin(), starts.end(), [&](const ItemsByFrame::Entry& start) {
-    const DynamicsRegion& region = animation_.regions[start.second];
-    return std::binary_search(region.joints.begin(), region.joints.end(), j);
-  });
-}
-
 bool Baker::EndHolds(int frame) {
   const auto ends = [&](const ActiveHold& active) { return Ends(active.hold->last_frame, frame); };
   for (const ActiveHold& active : holds_) {
     if (!ends(active)) continue;
     for (const JointIndex j : active.solver.joints()) {
       curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()], /*as_keyed=*/true);
-      if (HasRegionFrom(frame, j)) continue;
+      if (schedule_.HasRegionFrom(frame, j)) continue;
       WarnIfNoKeyAfter(frame, j, "holds", active.hold - animation_.holds.data());
     }
   }
@@ -80,9 +72,9 @@ bool Baker::EndHolds(int frame) {
 void Baker::WarnIfNoKeyAfter(int frame, JointIndex j, const char* list, size_t index) {
   constexpr double kMoving = 1e-6;  // [rad/s]
   if (curves_.joint(j).HasKeyAfter(frame) || std::abs(now_.qd[j.value()]) < kMoving) return;
-  AddWarning(std::string(list) + "[" + std::to_string(index) + "]",
-             "joint \"" + figure_.joint(j).name + "\" has no key after frame " +
-                 std::to_string(frame) + ": it stops dead there");
+  recorder_.AddWarning(std::string(list) + "[" + std::to_string(index) + "]",
+                       "joint \"" + figure_.joint(j).name + "\" has no key after frame " +
+                           std::to_string(frame) + ": it stops dead there");
 }
 
 bool Baker::EndPlacement(int frame) {
@@ -101,12 +93,12 @@ bool Baker::EndPlacement(int frame) {
 
 bool Baker::ReleaseObjects(int frame) {
   bool any = false;
-  for (const auto& [release_frame, i] : releases_.At(frame)) {
+  for (const auto& [release_frame, i] : schedule_.Releases(frame)) {
     const HeldObject& object = animation_.held_objects[i];
     ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
     ComputeVelocities(figure_, before_.root_w, before_.root_v, before_.qd, &ws_);
     objects_[i].Release(ws_, Seconds(frame));
-    AddEvent(EventKind::kRelease, frame, figure_.group(object.holder).name);
+    recorder_.AddEvent(EventKind::kRelease, frame, figure_.group(object.holder).name);
     any = true;
   }
   if (!any) return false;
@@ -118,12 +110,12 @@ bool Baker::ReleaseObjects(int frame) {
 
 bool Baker::BeginRegions(int frame) {
   bool any = false;
-  for (const auto& [first_frame, r] : region_starts_.At(frame)) {
+  for (const auto& [first_frame, r] : schedule_.RegionsFrom(frame)) {
     const DynamicsRegion& region = animation_.regions[r];
     any = true;
     active_regions_.insert(r);
     begun_.push_back(r);
-    motion_->regions[r] = EmptyReport(region);
+    recorder_.ClearReport(r);
     if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) {
       const bool handed_over =
@@ -165,18 +157,18 @@ void Baker::RebuildDriver(int frame) {
 
 // Regions that are active together are one system and take the smallest of their steps.
 void Baker::ReportStep(int region, int frame) {
-  double& step = motion_->regions[region].step;
+  double& step = recorder_.report(region).step;
   if (driver_->step() >= step) return;
-  AddWarning("regions[" + std::to_string(region) + "]",
-             "takes the step of another region that is active from frame " + std::to_string(frame) +
-                 " on: " + FormatNumber(driver_->step()) + " s instead of " + FormatNumber(step) +
-                 " s");
+  recorder_.AddWarning("regions[" + std::to_string(region) + "]",
+                       "takes the step of another region that is active from frame " +
+                           std::to_string(frame) + " on: " + FormatNumber(driver_->step()) +
+                           " s instead of " + FormatNumber(step) + " s");
   step = driver_->step();
 }
 
 bool Baker::BeginHolds(int frame) {
   bool any = false;
-  for (const auto& [first_frame, i] : hold_starts_.At(frame)) {
+  for (const auto& [first_frame, i] : schedule_.HoldsFrom(frame)) {
     const IkHold& hold = animation_.holds[i];
     any = true;
     ComputePositions(figure_, now_.X_WR, now_.q, &ws_);
@@ -188,8 +180,8 @@ bool Baker::BeginHolds(int frame) {
 }
 
 bool Baker::BeginPlacement(int frame, bool was_keyed) {
-  const auto next = FirstPlacementFrom(frame);
-  if (next == animation_.placements.end() || next->first_frame != frame) return false;
+  const PlacementSpan* next = schedule_.PlacementFrom(frame);
+  if (!next) return false;
   const PlacementSpan& span = *next;
   span_ = &span;
   if (span.kind == PlacementKind::kPinned) {
@@ -210,12 +202,6 @@ bool Baker::BeginPlacement(int frame, bool was_keyed) {
   return true;
 }
 
-// The first placement that begins at the frame or later.
-std::vector<PlacementSpan>::const_iterator Baker::FirstPlacementFrom(int frame) const {
-  return std::partition_point(animation_.placements.begin(), animation_.placements.end(),
-                              [&](const PlacementSpan& s) { return s.first_frame < frame; });
-}
-
 // Gravity takes the figure over as a region takes a joint over: with the root's rates given by keys
 // on its first frame, else with those that the curves before it left. Before the animation's first
 // frame there is nothing, so all curves start as their keys say.
@@ -231,27 +217,13 @@ void Baker::TakeKeyedVelocity(int frame) {
   }
 }
 
-// The placement that begins at the frame, else the one that ends there.
-int Baker::PlacementAt(int frame) const {
-  const auto& spans = animation_.placements;
-  auto span = FirstPlacementFrom(frame);
-  const bool begins = span != spans.end() && span->first_frame == frame;
-  if (!begins && span != spans.begin()) --span;
-  return static_cast<int>(span - spans.begin());
-}
-
-void Baker::AddJump(PlacementJump jump, const std::string& message) {
-  AddWarning("placements[" + std::to_string(jump.placement) + "]", message);
-  stretch_->placement_jumps.push_back(jump);
-}
-
 void Baker::WarnOfVelocityJump(int frame) {
   constexpr double kJump = 1e-3;  // [m/s]
   const double jump = (now_.root.v - before_.root_v).norm();
   if (frame == animation_.first_frame || jump <= kJump) return;
-  AddJump({PlacementAt(frame), frame, jump}, "the root's velocity jumps by " + FormatShort(jump) +
-                                                 " m/s at frame " + std::to_string(frame) +
-                                                 ", where the placement changes");
+  recorder_.AddJump({schedule_.PlacementAt(frame), frame, jump},
+                    "the root's velocity jumps by " + FormatShort(jump) + " m/s at frame " +
+                        std::to_string(frame) + ", where the placement changes");
 }
 
 // A figure that is not where the keys beyond the placement have it gets there by the next one.
@@ -268,10 +240,11 @@ void Baker::WarnOfDistance(int frame) {
     seconds = seconds > 0.0 ? std::min(seconds, until) : until;
   }
   if (way.norm() <= kFar || way.norm() <= kFast * seconds) return;
-  AddJump({static_cast<int>(span_ - animation_.placements.data()), frame, 0.0, way.norm(), seconds},
-          "at frame " + std::to_string(frame) + ", where the placement ends, the root is " +
-              FormatShort(way.norm()) + " m from where its keys have it; it gets there within " +
-              FormatShort(seconds) + " s");
+  recorder_.AddJump(
+      {static_cast<int>(span_ - animation_.placements.data()), frame, 0.0, way.norm(), seconds},
+      "at frame " + std::to_string(frame) + ", where the placement ends, the root is " +
+          FormatShort(way.norm()) + " m from where its keys have it; it gets there within " +
+          FormatShort(seconds) + " s");
 }
 
 }  // namespace hazumi

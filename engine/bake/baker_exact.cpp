@@ -37,7 +37,7 @@ bool Baker::IsExact(int frame) const {
 
 Result<int> Baker::AdvanceExact(int frame) {
   int end = frame + 1;
-  while (!ChangesAt(end)) ++end;
+  while (!schedule_.ChangesAt(end)) ++end;
   for (double from = frame; from < end;) {
     const double to = DriveCurves(from, end);
     if (exact_ && !holds_.empty()) {
@@ -232,17 +232,17 @@ Baker::Failure Baker::AdvancePiece(double from, double to, double end) {
 Baker::Failure Baker::AdvanceUndisturbed(double from, double to, double end) {
   constexpr size_t kMostAhead = 4096;  // frames
   const double last = Seconds(to);
-  const std::vector<int> outputs = OutputFrames(from, to, end);
+  const std::vector<int> outputs = recorder_.OutputsUpTo(from, to, end);
   double done = from;
   for (size_t i = 0; done < to; i += kMostAhead) {
     std::vector<double> times;
     for (size_t k = i; k < std::min(i + kMostAhead, outputs.size()); ++k) {
-      times.push_back(Seconds(outputs[k] / OutputFramesPerFrame()));
+      times.push_back(Seconds(outputs[k] / recorder_.outputs_per_frame()));
     }
     const bool is_last = i + kMostAhead >= outputs.size();
     if (is_last) times.push_back(last);
     std::sort(times.begin(), times.end());
-    const double next = is_last ? to : outputs[i + kMostAhead - 1] / OutputFramesPerFrame();
+    const double next = is_last ? to : outputs[i + kMostAhead - 1] / recorder_.outputs_per_frame();
     if (auto error = AdvanceAhead(times, done, next, to, end)) return error;
     done = next;
   }
@@ -265,7 +265,7 @@ Baker::Failure Baker::AdvanceAhead(const std::vector<double>& times, double from
 void Baker::AddHits(double until) {
   for (const ExactDriver::Hit& hit : exact_->TakeHits()) {
     if (hit.time > until) continue;
-    AddStop(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
+    recorder_.AddStop(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
 }
 
@@ -298,13 +298,13 @@ Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
   const Vec3 v_pin = fall_->Happen(event, now_, &ws_);
   using Kind = GravityEvent::Kind;
   if (event.kind == Kind::kApex) {
-    AddEvent(EventKind::kApex, frame, "");
+    recorder_.AddEvent(EventKind::kApex, frame, "");
     return std::nullopt;
   }
   if (event.kind == Kind::kTakeOff) {
-    AddEvent(EventKind::kTakeOff, frame, figure_.group(*pin_before).name);
+    recorder_.AddEvent(EventKind::kTakeOff, frame, figure_.group(*pin_before).name);
   } else {
-    AddEvent(EventKind::kLanding, frame, figure_.group(*fall_->pin()).name);
+    recorder_.AddEvent(EventKind::kLanding, frame, figure_.group(*fall_->pin()).name);
   }
   if (exact_) {
     RotationState twin = StateAt(frame);
@@ -332,10 +332,9 @@ Baker::Failure Baker::FinishExact(int frame) {
 
 // What the driver did, for the reports of its regions.
 void Baker::TakeReports() {
-  const GroupLogs logs = exact_->logs();
-  stretch_->logs.insert(stretch_->logs.end(), logs.begin(), logs.end());
+  recorder_.AddLogs(exact_->logs());
   for (size_t a = 0; a < exact_->active().size(); ++a) {
-    RegionReport& report = motion_->regions[exact_->active()[a]];
+    RegionReport& report = recorder_.report(exact_->active()[a]);
     report.steps += static_cast<int>(exact_->steps());
     report.evaluations += static_cast<int>(exact_->evaluations());
     report.microseconds += exact_->microseconds() / static_cast<double>(exact_->active().size());

@@ -63,14 +63,14 @@ Baker::Failure Baker::StepRegions(double seconds, FigureMotion* next) {
     return CannotGoOnAfter(now_.frame, failure->joint, failure->cause);
   }
   for (const int r : driver_->active()) {
-    RegionReport& report = motion_->regions[r];
+    RegionReport& report = recorder_.report(r);
     ++report.steps;
     ++report.evaluations;
     report.solves += driver_->solves_of_last_step();
     report.microseconds += spent.count() / static_cast<double>(driver_->active().size());
   }
   for (const JointIndex j : stops) {
-    AddStop(j, Seconds(next->frame), Seconds(next->frame), 1);
+    recorder_.AddStop(j, Seconds(next->frame), Seconds(next->frame), 1);
   }
   return std::nullopt;
 }
@@ -87,11 +87,11 @@ Baker::Failure Baker::StepPlacement(double frame_from, double seconds, Side side
     const double frame = frame_from + animation_.rate.FrameAt(event.seconds_into_step);
     using Kind = GravityPlacement::EventKind;
     if (event.kind == Kind::kTakeOff) {
-      AddEvent(EventKind::kTakeOff, frame, figure_.group(*pin_before).name);
+      recorder_.AddEvent(EventKind::kTakeOff, frame, figure_.group(*pin_before).name);
     }
-    if (event.kind == Kind::kApex) AddEvent(EventKind::kApex, frame, "");
+    if (event.kind == Kind::kApex) recorder_.AddEvent(EventKind::kApex, frame, "");
     if (event.kind == Kind::kLanding) {
-      AddEvent(EventKind::kLanding, frame, figure_.group(*gravity_->pin()).name);
+      recorder_.AddEvent(EventKind::kLanding, frame, figure_.group(*gravity_->pin()).name);
     }
   }
   return std::nullopt;
@@ -172,26 +172,19 @@ Baker::Failure Baker::SolveHold(ActiveHold* active, double frame, Side side,
                                 const PoseOf<Jet>& X_WR, std::vector<Jet>* q) {
   const size_t index = active->hold - animation_.holds.data();
   const KnownHolds::Place place = {index, frame, side == Side::kBefore};
-  const double tolerance = is_between_ ? 0.0 : kReachTolerance;
-  KnownHolds::Numbers question = active->solver.Question(X_WR, active->target, *q);
-  question.push_back(tolerance);
-  const KnownHolds::Numbers* answer = known_holds_.Find(place, question);
-  if (!answer) {
-    const HoldSolution solution = active->solver.Solve(X_WR, active->target, q, tolerance);
+  HoldRequest request = {X_WR, active->target, active->solver.ChainOf(*q),
+                         is_between_ ? 0.0 : kReachTolerance};
+  const HoldResult* result = known_holds_.Find(place, request);
+  if (!result) {
+    const HoldSolution solution = active->solver.Solve(X_WR, active->target, q, request.tolerance);
     if (!solution.reached) return OutOfReach(index, frame, solution.distance);
-    KnownHolds::Numbers found = {solution.distance};
-    for (const JointIndex j : active->solver.joints()) {
-      const Jet& jet = (*q)[j.value()];
-      found.insert(found.end(), {jet.v, jet.d, jet.dd});
-    }
-    answer = known_holds_.Keep(place, std::move(question), std::move(found));
+    HoldResult found = {solution.distance, {}};
+    for (const JointIndex j : active->solver.joints()) found.joints.push_back((*q)[j.value()]);
+    result = known_holds_.Keep(place, std::move(request), std::move(found));
   }
-  auto value = answer->begin();
-  if (*value++ > 0.0) WarnOfReach(active);
-  for (const JointIndex j : active->solver.joints()) {
-    (*q)[j.value()] = Jet(value[0], value[1], value[2]);
-    value += 3;
-  }
+  if (result->distance > 0.0) WarnOfReach(active);
+  auto jet = result->joints.begin();
+  for (const JointIndex j : active->solver.joints()) (*q)[j.value()] = *jet++;
   return std::nullopt;
 }
 
@@ -207,10 +200,11 @@ Error Baker::OutOfReach(size_t hold, double frame, double distance) const {
 
 void Baker::WarnOfReach(ActiveHold* active) {
   if (std::exchange(active->is_warned_of, true)) return;
-  AddWarning("holds[" + std::to_string(active->hold - animation_.holds.data()) + "]",
-             "\"" + figure_.group(active->hold->joint).name +
-                 "\" is out of reach at times, by 0.1 mm at most: there it is held so much beside "
-                 "its place; move the root nearer");
+  recorder_.AddWarning(
+      "holds[" + std::to_string(active->hold - animation_.holds.data()) + "]",
+      "\"" + figure_.group(active->hold->joint).name +
+          "\" is out of reach at times, by 0.1 mm at most: there it is held so much beside "
+          "its place; move the root nearer");
 }
 
 }  // namespace hazumi

@@ -1,99 +1,26 @@
-// What is kept of a bake.
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <utility>
+// Frames of the output: at the ends of steps, and between.
 
 #include "engine/bake/baker.h"
 #include "engine/bake/limits.h"
 
 namespace hazumi {
 
-namespace {
-
-constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
-
-}  // namespace
-
-const char* NameOf(EventKind kind) {
-  switch (kind) {
-    case EventKind::kTakeOff:
-      return "take_off";
-    case EventKind::kApex:
-      return "apex";
-    case EventKind::kLanding:
-      return "landing";
-    case EventKind::kPinChange:
-      return "pin_change";
-    case EventKind::kStop:
-      return "stop";
-    case EventKind::kRelease:
-      return "release";
-  }
-  return "";
-}
-
-void SortByTime(std::vector<MotionEvent>* events) {
-  std::stable_sort(events->begin(), events->end(),
-                   [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
-}
-
-void DropRepeated(std::vector<Warning>* warnings) {
-  std::set<std::pair<std::string, std::string>> said;
-  std::erase_if(*warnings, [&](const Warning& warning) {
-    return !said.emplace(warning.place, warning.message).second;
-  });
-}
-
-void Baker::Record(int output_frame, const FigureMotion& motion, const MotionLimit& before,
+void Baker::Record(int output, const FigureMotion& motion, const MotionLimit& before,
                    std::optional<GroupIndex> pinned) {
-  if (!keep_frames_) return;
-  ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
-  MotionFrame& frame = motion_->frames[output_frame - first_output_];
-  frame.frame = output_frame;
-  frame.q = motion.q;
-  frame.X_WR = motion.X_WR;
-  frame.before = before;
-  frame.after = LimitOf(motion);
-  frame.com = CenterOfMass(figure_, ws_);
-  frame.pinned = pinned;
-  frame.objects.clear();
-  for (const ObjectFlight& object : objects_) {
-    frame.objects.push_back(object.At(ws_, Seconds(motion.frame)));
-  }
-  frame.in_region = free_;
-}
-
-double Baker::OutputFramesPerFrame() const {
-  return static_cast<double>(animation_.rate.den) * motion_->rate.num /
-         (static_cast<double>(animation_.rate.num) * motion_->rate.den);
+  recorder_.Record(output, figure_, motion, before, pinned, objects_, free_, &ws_);
 }
 
 // The end of a step that coincides with an output frame: the same bits at any output rate.
 void Baker::RecordIfOutput() {
-  const double output = now_.frame * OutputFramesPerFrame();
-  if (std::abs(output - std::round(output)) > kSameFrame) return;
-  Record(static_cast<int>(std::round(output)), now_, before_, pinned());
-}
-
-// Output frames after `from` up to and including `to`, but for `end`.
-std::vector<int> Baker::OutputFrames(double from, double to, double end) const {
-  const double per_frame = OutputFramesPerFrame();
-  const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
-  std::vector<int> frames;
-  for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
-    if (output / per_frame > end - kSameFrame) break;
-    frames.push_back(output);
-  }
-  return frames;
+  if (const auto output = recorder_.OutputAt(now_.frame)) Record(*output, now_, before_, pinned());
 }
 
 Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
-  if (!keep_frames_ && !exact_ && holds_.empty()) return std::nullopt;  // nothing can go wrong
-  for (const int output : OutputFrames(from, to, end)) {
+  if (!recorder_.keeps_frames() && !exact_ && holds_.empty())
+    return std::nullopt;  // nothing can go wrong
+  for (const int output : recorder_.OutputsUpTo(from, to, end)) {
     if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
-    const double frame = output / OutputFramesPerFrame();
+    const double frame = output / recorder_.outputs_per_frame();
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (exact_) exact_->Estimate(Seconds(frame));
@@ -104,12 +31,10 @@ Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
 
 // Output frames that fall strictly between the two ends of a step.
 void Baker::RecordBetween(const FigureMotion& from, const FigureMotion& to) {
-  const double per_frame = OutputFramesPerFrame();
-  const int first = static_cast<int>(std::floor(from.frame * per_frame + kSameFrame)) + 1;
-  const int last = static_cast<int>(std::ceil(to.frame * per_frame - kSameFrame)) - 1;
+  const auto [first, last] = recorder_.OutputsBetween(from.frame, to.frame);
   for (int output = first; output <= last; ++output) {
     FigureMotion between = to;
-    between.frame = output / per_frame;
+    between.frame = output / recorder_.outputs_per_frame();
     SetBetween(from, to, &between);
     const bool lands = gravity_ && gravity_->has_landed();
     Record(output, between, LimitOf(between), lands ? std::nullopt : pinned());
@@ -138,35 +63,9 @@ void Baker::SetBetween(const FigureMotion& from, const FigureMotion& to, FigureM
   between->root.v = (to.X_WR.p - from.X_WR.p) / Seconds(to.frame - from.frame);
 }
 
-void Baker::AddEvent(EventKind kind, double frame, const std::string& joint) {
-  const double seconds = Seconds(frame);
-  const double output = motion_->rate.FrameAt(seconds);
-  const double rounded = kind == EventKind::kApex ? std::round(output) : std::ceil(output - 1e-9);
-  stretch_->events.push_back({kind, seconds, static_cast<int>(rounded), joint});
-}
-
-// Or goes on with the event that it chatters on with.
-void Baker::AddStop(JointIndex j, double time, double last_time, long count) {
-  auto& last = last_stop_[j.value()];
-  if (last && time - stretch_->events[*last].last_time < kChatterGap) {
-    MotionEvent& event = stretch_->events[*last];
-    event.count += count;
-    event.last_time = last_time;
-    return;
-  }
-  last = stretch_->events.size();
-  AddEvent(EventKind::kStop, animation_.rate.FrameAt(time), figure_.joint(j).name);
-  if (count == 1) return;
-  stretch_->events.back().count = count;
-  stretch_->events.back().last_time = last_time;
-}
-
 void Baker::AddPinEvent(int frame) {
-  if (const auto pin = pinned()) AddEvent(EventKind::kPinChange, frame, figure_.group(*pin).name);
-}
-
-void Baker::AddWarning(const std::string& place, const std::string& message) {
-  stretch_->warnings.push_back({place, message});
+  if (const auto pin = pinned())
+    recorder_.AddEvent(EventKind::kPinChange, frame, figure_.group(*pin).name);
 }
 
 std::optional<GroupIndex> Baker::pinned() const {

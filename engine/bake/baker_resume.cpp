@@ -44,7 +44,7 @@ void Baker::ResumeAfterRegion(int frame, size_t region) {
   double most = kNoticed;
   for (const JointIndex j : animation_.regions[region].joints) {
     free_[j.value()] = 0;
-    if (HasRegionFrom(frame, j)) {
+    if (schedule_.HasRegionFrom(frame, j)) {
       curves_.joint(j).Resume(frame, now_.q[j.value()], now_.qd[j.value()]);
       continue;
     }
@@ -57,12 +57,13 @@ void Baker::ResumeAfterRegion(int frame, size_t region) {
     worst = j;
   }
   if (!worst.is_valid()) return;
-  AddWarning("regions[" + std::to_string(region) + "]",
-             "joint \"" + figure_.joint(worst).name + "\" goes " +
-                 FormatShort(most * 180.0 / std::numbers::pi) +
-                 " degrees beyond its limit after frame " + std::to_string(frame) +
-                 ", before it turns back; set \"limit_tangents\": true on the region, or give it a "
-                 "key there");
+  recorder_.AddWarning(
+      "regions[" + std::to_string(region) + "]",
+      "joint \"" + figure_.joint(worst).name + "\" goes " +
+          FormatShort(most * 180.0 / std::numbers::pi) + " degrees beyond its limit after frame " +
+          std::to_string(frame) +
+          ", before it turns back; set \"limit_tangents\": true on the region, or give it a "
+          "key there");
 }
 
 // How far a joint's curve goes beyond its limits on the way to its next key, beyond which neither

@@ -80,14 +80,15 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
 
 GroupTask ExactDriver::TaskFor(const RegionModel& model) const {
   const int k = model.num_free;
-  GroupTask task{model, VecX(k), VecX(k), VecX(k), animation_.gravity, 0.0};
+  GroupTask task{model, VecX(k), VecX(k), {}, animation_.gravity, 0.0};
+  VecX rates(k);
   double tolerance = std::numeric_limits<double>::infinity();
   int i = 0;
   for (const ModelNode& node : model.nodes) {
     for (int h = 0; h < node.num_hinges && node.role == Role::kFree; ++h, ++i) {
       const Coordinate c = node.hinges[h].coordinate;
       const bool is_joint = c < figure_.num_joints();
-      task.friction[i] = FrictionRate(friction_[c]);
+      rates[i] = FrictionRate(friction_[c]);
       task.lower[i] =
           is_joint ? figure_.joints()[c].lower : -std::numeric_limits<double>::infinity();
       task.upper[i] =
@@ -96,6 +97,7 @@ GroupTask ExactDriver::TaskFor(const RegionModel& model) const {
       tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
     }
   }
+  if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
   task.step_tolerance = std::max(kFinestStep, tolerance * kStepShare / sharpness_);
   return task;
 }

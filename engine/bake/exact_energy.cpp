@@ -34,7 +34,7 @@ void ExactDriver::AddWork(Group* group, double t) {
   for (const double side : {-1.0, 1.0}) {
     for (int i = 0; i < 2; ++i) {
       const EnergyFlow flow = solution.Energy(middle + side * kNode[i] * half);
-      energy_.friction += half * kWeight[i] * flow.friction;
+      for (const auto& [law, power] : flow.laws) energy_.AddWork(law, half * kWeight[i] * power);
       energy_.keyed += half * kWeight[i] * flow.keyed;
     }
   }

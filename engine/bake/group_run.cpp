@@ -1,26 +1,23 @@
 #include "engine/bake/group_run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+
+#include "engine/bake/group_curves.h"
 
 namespace hazumi {
 
 namespace {
 
-// Friction slows motion down by e to the power of this in a step at most: beyond it the estimate of
-// a step's error is no estimate.
+// Laws slow motion down by e to the power of this in a step at most: beyond it the estimate of a
+// step's error is no estimate.
 constexpr double kMostDecay = 2.0;
 
-// The curves that a group reads are numbered anew: there may be as many groups as joints.
-RegionModel WithOwnCurves(RegionModel model, size_t* num_curves) {
-  *num_curves = 0;
-  for (ModelNode& node : model.nodes) {
-    if (node.role != Role::kDriven) continue;
-    for (int h = 0; h < node.num_hinges; ++h) {
-      node.hinges[h].coordinate = static_cast<Coordinate>((*num_curves)++);
-    }
-  }
-  return model;
+using Clock = std::chrono::steady_clock;
+
+double MicrosecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
 }  // namespace
@@ -28,116 +25,96 @@ RegionModel WithOwnCurves(RegionModel model, size_t* num_curves) {
 GroupRun::GroupRun(const GroupTask& task, AttachmentCache* attachments)
     : gravity_(task.gravity),
       attachments_(attachments),
-      dynamics_(WithOwnCurves(task.model, &num_curves_), task.friction, task.gravity),
+      dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity),
       solver_(&dynamics_, task.lower, task.upper) {
-  driven_.angles.resize(num_curves_);
   solver_.SetTolerance(task.step_tolerance);
-  const double friction = task.friction.size() > 0 ? task.friction.maxCoeff() : 0.0;
-  if (friction > 0.0) solver_.SetLongestStep(kMostDecay / friction);
-}
-
-Numbers GroupRun::Answer(const Numbers& question, const std::atomic<bool>* cancel) {
-  const double* arguments = question.data() + 1;
-  switch (static_cast<GroupCall>(static_cast<int>(question[0]))) {
-    case GroupCall::kBegin:
-      Begin(arguments);
-      return {};
-    case GroupCall::kDrive:
-      Drive(arguments);
-      return {};
-    case GroupCall::kFeelPin:
-      solver_.FeelPin({arguments[0], arguments[1], arguments[2]});
-      return {};
-    case GroupCall::kAdvance:
-      return Advance(arguments[0], arguments[1]);
-    case GroupCall::kAhead:
-      return AdvanceAhead(question, cancel);
-    case GroupCall::kSample:
-      return Sample(arguments[0]);
-    case GroupCall::kEnergy:
-      break;
+  if (const double rate = dynamics_.FastestRate(); rate > 0.0) {
+    solver_.SetLongestStep(kMostDecay / rate);
   }
-  const EnergyFlow flow = solver_.Energy(arguments[0]);
-  return {flow.kinetic, flow.potential, flow.friction, flow.keyed};
 }
 
-void GroupRun::Begin(const double* arguments) {
-  const double t = arguments[0], end = arguments[1];
-  const auto k = static_cast<Eigen::Index>(dynamics_.num_hinges());
-  const auto values = [&](int i) { return VecX(Eigen::Map<const VecX>(arguments + 2 + i * k, k)); };
-  ReadCurves(dynamics_.model(), arguments + 2 + 2 * k, &driven_);
-  Attach(t, end);
-  solver_.Start(t, values(0), values(1));
+GroupResult GroupRun::Do(const GroupRequest& request, const std::atomic<bool>* cancel) {
+  cancel_ = cancel;
+  return std::visit([this](const auto& of_a_kind) { return Do(of_a_kind); }, request);
 }
 
-void GroupRun::Drive(const double* arguments) {
-  ReadCurves(dynamics_.model(), arguments + 2, &driven_);
-  Attach(arguments[0], arguments[1]);
+GroupResult GroupRun::Do(const BeginGroup& request) {
+  Attach(request.curves, request.t, request.end);
+  solver_.Start(request.t, request.q, request.qd);
+  return {};
+}
+
+GroupResult GroupRun::Do(const DriveGroup& request) {
+  Attach(request.curves, request.t, request.end);
   solver_.Restart();
+  return {};
 }
 
-// The model is driven by the curves that were read, which are smooth from t to `end`.
-void GroupRun::Attach(double t, double end) {
-  dynamics_.SetCurves(&driven_, t);
+GroupResult GroupRun::Do(const StopPin& request) {
+  solver_.FeelPin(request.v_pin);
+  return {};
+}
+
+void GroupRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
+  curves_ = curves;
+  dynamics_.SetCurves(curves_.get(), t);
   if (!dynamics_.needs_attachment()) return;
-  Numbers key =
-      AttachmentKey(dynamics_.model(), dynamics_.first_moved(), gravity_, driven_, t, end);
+  Carrier carrier =
+      CarrierOf(dynamics_.model(), dynamics_.first_moved(), gravity_, *curves_, t, end);
   dynamics_.UseAttachment(
-      attachments_->Get(std::move(key), [&] { return dynamics_.FitAttachment(t, end); }));
+      attachments_->Get(std::move(carrier), [&] { return dynamics_.FitAttachment(t, end); }));
 }
 
-Numbers GroupRun::Advance(double t, double end) {
-  const Instant since = std::chrono::steady_clock::now();
-  std::optional<ExactFailure> stuck;
-  while (!stuck && solver_.time() <= t && solver_.time() < end) stuck = solver_.Advance(end);
-  return Progress(since, stuck);
+GroupResult GroupRun::Do(const AdvanceGroup& request) {
+  const Clock::time_point start = Clock::now();
+  std::optional<ExactFailure> failure;
+  while (!failure && solver_.time() <= request.t && solver_.time() < request.end) {
+    failure = solver_.Advance(request.end);
+  }
+  GroupResult result;
+  result.progress = Progress(failure);
+  result.progress.microseconds = MicrosecondsSince(start);
+  return result;
 }
 
 // What is at a time is that of the step which ends there, if one does.
-Numbers GroupRun::AdvanceAhead(const Numbers& question, const std::atomic<bool>* cancel) {
-  const Instant since = std::chrono::steady_clock::now();
-  const auto is_cancelled = [&] { return cancel && cancel->load(std::memory_order_relaxed); };
-  const double end = question[1];
-  std::optional<ExactFailure> stuck;
-  Numbers samples;
-  for (auto t = question.begin() + 2; t != question.end(); ++t) {
-    while (!stuck && solver_.time() < std::min(*t, end) && !is_cancelled()) {
-      stuck = solver_.Advance(end);
+GroupResult GroupRun::Do(const SolveGroup& request) {
+  const Clock::time_point start = Clock::now();
+  std::optional<ExactFailure> failure;
+  GroupResult result;
+  result.samples.reserve(request.times.size() * 2 * static_cast<size_t>(dynamics_.num_hinges()));
+  for (const double t : request.times) {
+    while (!failure && solver_.time() < std::min(t, request.end) && !is_cancelled()) {
+      failure = solver_.Advance(request.end);
     }
-    if (stuck || is_cancelled()) break;
-    const Numbers sample = Sample(*t);
-    samples.insert(samples.end(), sample.begin(), sample.end());
+    if (failure || is_cancelled()) break;
+    Sample(t, &result.samples);
   }
-  Numbers answer = Progress(since, stuck);
-  answer.insert(answer.end(), samples.begin(), samples.end());
-  return answer;
+  result.progress = Progress(failure);
+  result.progress.microseconds = MicrosecondsSince(start);
+  return result;
 }
 
-Numbers GroupRun::Progress(Instant since, const std::optional<ExactFailure>& stuck) {
-  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - since;
-  const std::vector<StopHit> hits = solver_.TakeHits();
-  using P = GroupProgress;
-  Numbers answer(P::kHits);
-  answer[P::kTime] = solver_.time();
-  answer[P::kStepStart] = solver_.step_start();
-  answer[P::kStuckHinge] = stuck ? stuck->hinge : -1.0;
-  answer[P::kCause] = stuck ? static_cast<double>(stuck->cause) : 0.0;
-  answer[P::kMicroseconds] = spent.count();
-  answer[P::kNumHits] = static_cast<double>(hits.size());
-  for (const StopHit& hit : hits) {
-    answer.insert(answer.end(), {static_cast<double>(hit.hinge), hit.time, hit.last_time,
-                                 static_cast<double>(hit.count)});
-  }
-  return answer;
+GroupResult GroupRun::Do(const SampleGroup& request) {
+  GroupResult result;
+  Sample(request.t, &result.samples);
+  return result;
 }
 
-Numbers GroupRun::Sample(double t) {
-  VecX q, qd;
-  solver_.Sample(t, &q, &qd);
-  Numbers sample;
-  Append(q, &sample);
-  Append(qd, &sample);
-  return sample;
+GroupResult GroupRun::Do(const MeasureGroup& request) {
+  GroupResult result;
+  result.energy = solver_.Energy(request.t);
+  return result;
+}
+
+GroupProgress GroupRun::Progress(const std::optional<ExactFailure>& failure) {
+  return {solver_.time(), solver_.step_start(), failure, 0.0, solver_.TakeHits()};
+}
+
+void GroupRun::Sample(double t, GroupSamples* samples) {
+  solver_.Sample(t, &q_, &qd_);
+  samples->insert(samples->end(), q_.begin(), q_.end());
+  samples->insert(samples->end(), qd_.begin(), qd_.end());
 }
 
 }  // namespace hazumi

@@ -1,46 +1,47 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
-#include <optional>
 
 #include "engine/bake/attachment_cache.h"
-#include "engine/bake/group_numbers.h"
-#include "engine/passive/exact_solver.h"
+#include "engine/bake/group_request.h"
 
 namespace hazumi {
 
-// The solution of one group at work: it answers one question after the other, the same ones always
-// in the same way.
+// A group at work: it does one request after the other, the same ones always in the same way.
 class GroupRun {
  public:
   // `attachments` must outlive it.
   GroupRun(const GroupTask& task, AttachmentCache* attachments);
 
-  // Gives up where `cancel` is set; the answer is of no use then.
-  Numbers Answer(const Numbers& question, const std::atomic<bool>* cancel);
+  // Gives up where `cancel` is set; the result is of no use then.
+  GroupResult Do(const GroupRequest& request, const std::atomic<bool>* cancel);
 
   // So far.
   long evaluations() const { return dynamics_.evaluations(); }
   long steps() const { return solver_.steps(); }
 
  private:
-  using Instant = std::chrono::steady_clock::time_point;
+  GroupResult Do(const BeginGroup& request);
+  GroupResult Do(const DriveGroup& request);
+  GroupResult Do(const StopPin& request);
+  GroupResult Do(const AdvanceGroup& request);
+  GroupResult Do(const SolveGroup& request);
+  GroupResult Do(const SampleGroup& request);
+  GroupResult Do(const MeasureGroup& request);
 
-  void Begin(const double* arguments);
-  void Drive(const double* arguments);
-  void Attach(double t, double end);
-  Numbers Advance(double t, double end);
-  Numbers AdvanceAhead(const Numbers& question, const std::atomic<bool>* cancel);
-  Numbers Progress(Instant since, const std::optional<ExactFailure>& stuck);
-  Numbers Sample(double t);
+  // The model is moved by these curves, which are smooth from t to `end`.
+  void Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end);
+  bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
+  GroupProgress Progress(const std::optional<ExactFailure>& failure);
+  void Sample(double t, GroupSamples* samples);
 
   double gravity_;
   AttachmentCache* attachments_;
-  size_t num_curves_ = 0;  // read by the model, which numbers them itself
-  DrivenMotion driven_;
+  const std::atomic<bool>* cancel_ = nullptr;
+  std::shared_ptr<const DrivenMotion> curves_;
   RegionDynamics dynamics_;
   ExactSolver solver_;
+  VecX q_, qd_;
 };
 
 }  // namespace hazumi

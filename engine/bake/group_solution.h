@@ -19,17 +19,17 @@ struct RotationState {
 // The motion of one group.
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
-// nothing; at the first other question it solves what was asked up to then. What has no answer is
-// not solved before something that has.
+// nothing; at the first other request it does all that was asked up to then. A request that gives
+// no result (Begin, Drive, StopPin) waits until one comes that does.
 class GroupSolution {
  public:
   // `attachments` must outlive it.
   GroupSolution(GroupTask task, AttachmentCache* attachments);
 
-  const RegionModel& model() const { return task_.model; }
+  const RegionModel& model() const { return task_->model; }
   const RegionLayout& layout() const { return layout_; }
   const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
-  double step_tolerance() const { return task_.step_tolerance; }
+  double step_tolerance() const { return task_->step_tolerance; }
 
   // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes; null: it
   // keeps none itself.
@@ -70,15 +70,15 @@ class GroupSolution {
   std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
 
  private:
-  bool IsKnown(const Numbers& question) const;
-  void Tell(Numbers question);
-  const Numbers& Ask(Numbers question);
-  void SolveWhatWasAsked();
-  void TakeProgress(const Numbers& answer);
-  void TakeAhead(const Numbers& answer);
+  bool IsKnown(const GroupRequest& request) const;
+  void Tell(GroupRequest request);
+  const GroupResult& Ask(GroupRequest request);
+  void DoWhatWasAsked();
+  void TakeProgress(const GroupProgress& progress);
+  void TakeAhead(const GroupResult& result);
   void Scatter(const double* sample, RotationState* state) const;
 
-  GroupTask task_;
+  std::shared_ptr<const GroupTask> task_;
   RegionLayout layout_;  // nothing locked
   AttachmentCache* attachments_;
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
@@ -86,12 +86,14 @@ class GroupSolution {
   bool keeps_log_ = true;
   size_t num_calls_ = 0;
   std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
-  size_t num_solved_ = 0;          // of own_
+  size_t num_done_ = 0;            // of own_
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
   // What SolveAhead is to solve; the times that were looked ahead to, and what is there.
-  Numbers ahead_, times_, samples_;
+  SolveGroup ahead_;
+  std::vector<double> times_;
+  GroupSamples samples_;
   const std::atomic<bool>* cancel_ = nullptr;
   long evaluations_ = 0, steps_ = 0;
   double microseconds_ = 0.0;

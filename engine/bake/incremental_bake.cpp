@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <tuple>
 
 #include "engine/bake/bake_size.h"
 #include "engine/base/memory.h"
@@ -14,12 +15,14 @@ namespace {
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
-// Whether an edit goes beyond keys and the settings of regions.
-bool IsSameOtherwise(const Animation& a, const Animation& b) {
-  return a.figure == b.figure && a.rate == b.rate && a.first_frame == b.first_frame &&
-         a.last_frame == b.last_frame && a.solver == b.solver && a.gravity == b.gravity &&
-         a.regions.size() == b.regions.size() && a.placements == b.placements &&
-         a.holds == b.holds && a.held_objects == b.held_objects && a.scene == b.scene;
+// All but keys and the settings of regions, which an edit may change without a new start. Every
+// member is named, so that one that is added is not forgotten here.
+auto FixedPartsOf(const Animation& animation) {
+  const auto& [figure, rate, first_frame, last_frame, solver, gravity, root_keys, joint_keys,
+               regions, placements, holds, held_objects, scene] = animation;
+  return std::tuple_cat(std::tie(figure, rate, first_frame, last_frame, solver, gravity, placements,
+                                 holds, held_objects, scene),
+                        std::make_tuple(regions.size()));
 }
 
 std::optional<Error> CheckSize(const Animation& animation) {
@@ -69,7 +72,7 @@ void IncrementalBake::Update(const Animation& animation) {
     animation_ = animation;
     return Forget(*error);
   }
-  if (!baker_ || !IsSameOtherwise(animation_, animation)) return StartAnew(animation);
+  if (!baker_ || FixedPartsOf(animation_) != FixedPartsOf(animation)) return StartAnew(animation);
   Reach reach{kEver, -kEver};
   for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
     ChangeKeys(animation.joint_keys[j], &animation_.joint_keys[j], &reach);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/warning.h"
@@ -56,12 +57,32 @@ struct MotionEvent {
 struct EnergyBalance {
   double kinetic_start = 0.0, kinetic_end = 0.0;
   double potential_start = 0.0, potential_end = 0.0;
-  double friction = 0.0;  // work of friction on the figure: negative where it is lost
-  double stops = 0.0;     // of impacts on stops and on the ground
-  double keyed = 0.0;     // of the keyed joints and the placement
+  // Of what acts on the region's joints and links, by name: negative where energy is lost.
+  struct Work {
+    std::string law;
+    double joules = 0.0;
+  };
+  std::vector<Work> laws = {{"friction", 0.0}};
+  double stops = 0.0;  // of impacts on stops and on the ground
+  double keyed = 0.0;  // of the keyed joints and the placement
   // What is left unexplained: 0 but for the error of the solution.
   double residual() const {
-    return kinetic_end + potential_end - kinetic_start - potential_start - friction - stops - keyed;
+    double rest = kinetic_end + potential_end - kinetic_start - potential_start;
+    for (const Work& work : laws) rest -= work.joules;
+    return rest - stops - keyed;
+  }
+  // 0 if no such law acts.
+  double WorkOf(std::string_view law) const {
+    for (const Work& work : laws) {
+      if (work.law == law) return work.joules;
+    }
+    return 0.0;
+  }
+  void AddWork(std::string_view law, double joules) {
+    for (Work& work : laws) {
+      if (work.law == law) return void(work.joules += joules);
+    }
+    laws.push_back({std::string(law), joules});
   }
 };
 

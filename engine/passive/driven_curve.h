@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 
 #include "engine/spatial/jet.h"
 
@@ -33,5 +34,9 @@ struct DrivenCurve {
     return {value, rate, 2.0 * half_acceleration};
   }
 };
+inline auto MembersOf(const DrivenCurve& curve) {
+  const auto& [start, degree, c] = curve;
+  return std::tie(start, degree, c);
+}
 
 }  // namespace hazumi

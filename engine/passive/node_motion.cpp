@@ -199,4 +199,22 @@ void NodeKinematics::SetOwnForces(const V3& base) {
   }
 }
 
+// What a node is given it does not ask for.
+void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
+  motion_[node].f -= force;
+  motion_[node].n -= Cross(r, force);
+}
+
+void NodeKinematics::AddTorque(int node, const V3& torque) { motion_[node].n -= torque; }
+
+void NodeKinematics::AddHingeTorque(int node, int dof, double torque) {
+  const V3 moment = torque * motion_[node].axis[dof];
+  motion_[node].n -= moment;
+  if (nodes_[node].parent >= 0) motion_[nodes_[node].parent].n += moment;
+}
+
+void NodeKinematics::ClearForces() {
+  for (NodeMotion& own : motion_) own.f = own.n = V3();
+}
+
 }  // namespace hazumi

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 #include "engine/passive/driven_curve.h"
@@ -15,6 +16,10 @@ struct DrivenMotion {
   std::vector<DrivenCurve> angles;
   std::array<DrivenCurve, 3> root_position;  // read where the root's position is prescribed
 };
+inline auto MembersOf(const DrivenMotion& driven) {
+  const auto& [angles, root_position] = driven;
+  return std::tie(angles, root_position);
+}
 
 // One node at one instant. World axes.
 struct NodeMotion {
@@ -42,6 +47,14 @@ class NodeKinematics {
   // Forces and inertias of the dynamic nodes themselves, everything being accelerated by `base`
   // [m/s^2] on top.
   void SetOwnForces(const small::V3& base);
+  // After it: something pulls at a node with a force [N], r from its origin [m], or turns it with a
+  // torque [N m].
+  void AddForce(int node, const small::V3& r, const small::V3& force);
+  void AddTorque(int node, const small::V3& torque);
+  // A torque about one of the free hinges of a node, no part of a ball: against its parent [N m].
+  void AddHingeTorque(int node, int dof, double torque);
+  // As if nothing asked for a force.
+  void ClearForces();
 
   std::vector<NodeMotion>& motion() { return motion_; }
   const std::vector<NodeMotion>& motion() const { return motion_; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/passive/semidefinite.h"
 
@@ -16,17 +15,23 @@ namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
-RegionDynamics::RegionDynamics(RegionModel model, VecX friction, double gravity)
+RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity)
     : model_(std::move(model)),
       layout_(model_, /*balls=*/true),
       hinge_layout_(model_, /*balls=*/false),
       kinematics_(model_),
       articulated_(model_),
-      friction_(std::move(friction)),
+      laws_(std::move(laws)),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
-  has_friction_ = !friction_.isZero(0.0);
-  damping_.setZero(num_hinges());
+  for (const auto& law : laws_) (law->is_rule() ? has_rules_ : has_forces_) = true;
+  added_.setZero(num_hinges());
+}
+
+double RegionDynamics::FastestRate() const {
+  double rate = 0.0;
+  for (const auto& law : laws_) rate = std::max(rate, law->FastestRate());
+  return rate;
 }
 
 // At the first dense evaluation: a long chain may never need one.
@@ -64,24 +69,27 @@ bool RegionDynamics::IsCarrierStill() const {
 }
 
 // A pinned root that answers couples every joint with the pin, which is solved the dense way unless
-// that takes too long. Only the dense way is written for friction that the root has to answer.
+// that takes too long. Only the dense way is written for rules that the root has to answer.
 bool RegionDynamics::UsesArticulatedBodies() const {
   if (!model_.root_answers) return true;
-  if (has_friction_ && model_.nodes[0].role == Role::kFree) return false;
+  if (has_rules_ && model_.nodes[0].role == Role::kFree) return false;
   return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
 }
 
 void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
                           const double* velocities) {
   const int count = kinematics_.size();
-  if (first_moved_ == 0) {
-    kinematics_.Move(layout, *driven_, t, positions, velocities, 0, count);
-    kinematics_.SetOwnForces(BaseAcceleration(t));
-    return;
-  }
-  if (!is_carrier_still_) MoveCarrier(t);
+  if (first_moved_ > 0 && !is_carrier_still_) MoveCarrier(t);
   kinematics_.Move(layout, *driven_, t, positions, velocities, first_moved_, count);
-  kinematics_.SetOwnForces(V3());
+  kinematics_.SetOwnForces(first_moved_ > 0 ? V3() : BaseAcceleration(t));
+  if (!has_forces_) return;
+  const RegionState state = StateAt(t, layout, positions, velocities);
+  for (const auto& law : laws_) law->AddForces(state, &kinematics_);
+}
+
+RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,
+                                    const double* velocities) const {
+  return {t, model_, layout, kinematics_, positions, velocities};
 }
 
 std::shared_ptr<const Attachment> RegionDynamics::FitAttachment(double start, double end) {
@@ -198,7 +206,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   } else {
     SolveDense(x);
   }
-  if (has_friction_) Damp(y, x);
+  if (has_rules_) AddRules(t, y, x);
   for (const RegionLayout::Node& own : layout_.nodes()) {
     if (own.kind == RegionLayout::NodeKind::kHinges) {
       std::copy_n(velocities + own.dof, own.num_dofs, dy + own.position);
@@ -215,51 +223,29 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   }
 }
 
-void RegionDynamics::Damp(const double* y, double* x) {
-  const int k = layout_.num_dofs();
-  for (int i = 0; i < static_cast<int>(model_.nodes.size()); ++i) {
-    const RegionLayout::Node& own = layout_.node(i);
-    const double* v = y + layout_.num_positions() + own.dof;
-    double* damping = damping_.data() + own.dof;
-    if (own.kind == RegionLayout::NodeKind::kBall) DampBall(i, y + own.position, v, damping);
-    if (own.kind != RegionLayout::NodeKind::kHinges) continue;
-    for (int h = 0, free = 0; free < own.num_dofs; ++h) {
-      if (own.locked[h]) continue;
-      damping[free] = -friction_[own.first_hinge + h] * v[free];
-      ++free;
-    }
+void RegionDynamics::AddRules(double t, const double* y, double* x) {
+  const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
+  for (const auto& law : laws_) {
+    if (!law->is_rule()) continue;
+    AddRule(*law, state);
+    for (int i = 0; i < layout_.num_dofs(); ++i) x[i] += added_[i];
   }
-  if (model_.root_answers && model_.nodes[0].role == Role::kFree) AnswerDamping();
-  for (int i = 0; i < k; ++i) x[i] += damping_[i];
 }
 
-// Equal factors: -c w. Unequal ones act on the hinges, but near the pole, where the hinges' rates
-// have no bound, on the ball as their geometric mean. [METHOD 2]
-void RegionDynamics::DampBall(int node, const double* quaternion, const double* w,
-                              double* damping) const {
-  constexpr double kFar = 10.0 * std::numbers::pi / 180.0;
-  const Vec3 c = friction_.segment<3>(layout_.node(node).first_hinge);
-  const Eigen::Map<const Vec3> w_B(w);
-  Eigen::Map<Vec3> sum(damping);
-  const double mean = c.mean();
-  sum = -mean * w_B;
-  if (c[0] == c[1] && c[1] == c[2]) return;
-  const HingeTriple& triple = *layout_.triple(node);
-  const Vec3 q = triple.Angles(RotationOfQuaternion(quaternion), Vec3::Zero(), false);
-  const double s = std::min(1.0, triple.FromPole(q[1]) / kFar);
-  const double weight = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-  if (weight == 0.0) return;
-  const Vec3 rates = triple.Rates(q, w_B);
-  sum -= weight * (triple.AxesInBody(q) * Vec3((c.array() - mean) * rates.array()));
+// Sets added_ to what a rule adds.
+void RegionDynamics::AddRule(const ForceLaw& rule, const RegionState& state) {
+  added_.setConstant(-0.0);  // which leaves the sign of any zero that is added
+  rule.AddAccelerations(state, added_.data());
+  if (model_.root_answers && model_.nodes[0].role == Role::kFree) AnswerRule();
 }
 
-// Friction inside the figure leaves its angular momentum alone: the root is solved again.
-void RegionDynamics::AnswerDamping() {
+// What a rule does inside the figure leaves its angular momentum alone: the root is solved again.
+void RegionDynamics::AnswerRule() {
   if (layout_.node(0).num_dofs == 0) return;
   Vec3 answer = Vec3::Zero();
-  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M_.block<3, 1>(0, j) * damping_[j];
+  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M_.block<3, 1>(0, j) * added_[j];
   const Mat3 M_rr = M_.topLeftCorner<3, 3>();
-  damping_.head<3>() = M_rr.ldlt().solve(answer);
+  added_.head<3>() = M_rr.ldlt().solve(answer);
 }
 
 void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {

@@ -1,33 +1,41 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/passive/articulated_bodies.h"
 #include "engine/passive/attachment.h"
+#include "engine/passive/forces/force_law.h"
 #include "engine/passive/node_motion.h"
 #include "engine/passive/region_layout.h"
 
 namespace hazumi {
 
 // The equations of motion of a region model in continuous time [METHOD 2]:
-//   M(q) x = -b(q, v, t),   v' = x - C v
-// with v the velocities of a RegionLayout and C the friction rates: friction is a rule for
-// accelerations, not a torque. World axes throughout; points from the root's origin.
+//   M(q) x = -b(q, v, t),   v' = x + r(q, v, t)
+// with v the velocities of a RegionLayout, b what motion, gravity and the forces of all laws ask
+// for, and r what the laws add that are rules for accelerations, as friction is. World axes
+// throughout; points from the root's origin.
+
 // Energy of the bodies that a model moves, and the power that flows into it. Where the root flies,
 // as seen from the centre of mass; else potential energy counts from the height of the world's
 // origin, or of the pin.
 struct EnergyFlow {
   double kinetic = 0.0, potential = 0.0;  // [J]
-  double friction = 0.0;                  // [W], negative where it is lost
   double keyed = 0.0;                     // [W], by driven joints and the motion of the attachment
+  struct OfLaw {
+    std::string name;
+    double power;  // [W], negative where energy is lost
+  };
+  std::vector<OfLaw> laws;
 };
 
 class RegionDynamics {
  public:
-  // `friction`: by free hinge, rates [1/s]. `gravity`: along -z [m/s^2].
-  RegionDynamics(RegionModel model, VecX friction, double gravity);
+  // `gravity`: along -z [m/s^2].
+  RegionDynamics(RegionModel model, ForceLaws laws, double gravity);
 
   const RegionModel& model() const { return model_; }
   const RegionLayout& layout() const { return layout_; }
@@ -81,6 +89,9 @@ class RegionDynamics {
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
 
+  // Of all laws, as ForceLaw has it [1/s].
+  double FastestRate() const;
+
   long evaluations() const { return evaluations_; }
 
  private:
@@ -103,12 +114,19 @@ class RegionDynamics {
   void PushPin(const RegionLayout& layout);
   void KeepPin(const small::V3& a, int size, double* x) const;
   bool IsOnPin() const { return model_.root_answers && model_.coupling == RootCoupling::kPinned; }
-  void Damp(const double* y, double* x);
-  void DampBall(int node, const double* quaternion, const double* w, double* damping) const;
-  void AnswerDamping();
-  void MoveWith(double t, const double* y, const double* x);
+  RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
+                      const double* velocities) const;
+  void AddRules(double t, const double* y, double* x);
+  void AddRule(const ForceLaw& rule, const RegionState& state);
+  void AnswerRule();
+  void MoveWith(const RegionState& state, const double* x);
   small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
   void SumForces();
+  double PowerOf(const ForceLaw& law, const RegionState& state, const std::vector<small::V3>& v);
+  double PowerInJoints(const std::vector<small::V3>& v, double* keyed);
+  double PowerWithout(const ForceLaw& rule, const RegionState& state,
+                      const std::vector<small::V3>& v, const VecX& x);
+  void AddStoredEnergy(double t, const std::vector<small::V3>& v, EnergyFlow* flow) const;
 
   RegionModel model_;
   RegionLayout layout_, hinge_layout_;
@@ -117,13 +135,14 @@ class RegionDynamics {
   std::shared_ptr<const Attachment> attachment_;
   int first_moved_ = 0;  // the nodes before it are there only to move the attachment
   bool is_carrier_still_ = false;
-  VecX friction_;
-  bool has_friction_ = false;
+  ForceLaws laws_;
+  bool has_forces_ = false, has_rules_ = false;  // laws that give forces, and that are rules
   int most_dense_ = 64;
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
   MatX M_, L_;
-  VecX b_, damping_;
+  VecX b_;
+  VecX added_;  // by a rule, by dof
   // Of unit forces on the pin: accelerations of the free joints and of the pin. Of unit torques:
   // of the free hinges.
   Eigen::MatrixX3d pushed_;

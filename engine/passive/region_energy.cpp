@@ -7,21 +7,25 @@ namespace hazumi {
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 // Places and moves all nodes, chains included, with accelerations x of the free joints, and sets
-// what each asks of its joint.
-void RegionDynamics::MoveWith(double t, const double* y, const double* x) {
-  kinematics_.Move(layout_, *driven_, t, y, y + layout_.num_positions(), 0, kinematics_.size());
+// what each asks of its joint, what the laws give it taken off.
+void RegionDynamics::MoveWith(const RegionState& state, const double* x) {
+  const int count = kinematics_.size();
+  kinematics_.Move(layout_, *driven_, state.t, state.positions, state.velocities, 0, count);
   kinematics_.Accelerate(layout_, x, first_moved_);
+  const auto ask_for = [&](const V3& base) {
+    kinematics_.SetOwnForces(base);
+    for (const auto& law : laws_) law->AddForces(state, &kinematics_);
+  };
   // A pin stays where it is under the accelerations that are now in.
-  V3 base = BaseAcceleration(t);
-  kinematics_.SetOwnForces(base);
+  const V3 base = BaseAcceleration(state.t);
+  ask_for(base);
   if (model_.coupling != RootCoupling::kFlight) return;
   V3 force;
-  for (int i = 0; i < kinematics_.size(); ++i) force += kinematics_.motion()[i].f;
-  base -= (1.0 / model_.mass) * force;
-  kinematics_.SetOwnForces(base);
+  for (int i = 0; i < count; ++i) force += kinematics_.motion()[i].f;
+  ask_for(base - (1.0 / model_.mass) * force);
 }
 
-// Velocities of the nodes' origins relative to the root's, and that of the root.
+// The velocity of the root; `velocity` gets those of the nodes' origins relative to it.
 V3 RegionDynamics::RootVelocity(double t, std::vector<V3>* velocity) const {
   const auto& motion = kinematics_.motion();
   V3 momentum;
@@ -51,31 +55,31 @@ void RegionDynamics::SumForces() {
   }
 }
 
-EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
-  std::vector<double> dy(layout_.state_size());
-  Derivative(t, y, dy.data());
-  MoveWith(t, y, dy.data() + layout_.num_positions());
-  const auto& motion = kinematics_.motion();
-  std::vector<V3> velocity(motion.size());
-  const V3 v_root = RootVelocity(t, &velocity);
-  const bool is_pinned = model_.coupling == RootCoupling::kPinned;
-  const NodeMotion& pin = motion[is_pinned ? model_.pin_node : 0];
-  const V3 p_pin = pin.p + pin.R * V3(model_.p_pin);
-  const double root_z = is_pinned ? -p_pin.z : driven_->root_position[2].At(t).v;
-  EnergyFlow flow;
+// Of what a law's forces do to the nodes, which move with velocities v.
+double RegionDynamics::PowerOf(const ForceLaw& law, const RegionState& state,
+                               const std::vector<V3>& v) {
+  kinematics_.ClearForces();
+  law.AddForces(state, &kinematics_);
+  double power = 0.0;
   for (int i = 0; i < kinematics_.size(); ++i) {
-    if (!model_.nodes[i].is_dynamic) continue;
-    const NodeMotion& own = motion[i];
-    const V3 v = velocity[i] + v_root;
-    flow.kinetic +=
-        0.5 * own.m * Dot(v, v) + Dot(v, Cross(own.w, own.h)) + 0.5 * Dot(own.w, own.I * own.w);
-    flow.potential += gravity_ * (own.m * (own.p.z + root_z) + own.h.z);
+    const NodeMotion& own = kinematics_.motion()[i];
+    power -= Dot(own.f, v[i]) + Dot(own.n, own.w);
   }
-  if (model_.coupling == RootCoupling::kFlight) flow.potential = 0.0;
+  return power;
+}
+
+// What comes in through the free joints; with what comes in elsewhere added to `keyed`. Velocities
+// v of the nodes' origins.
+double RegionDynamics::PowerInJoints(const std::vector<V3>& v, double* keyed) {
   SumForces();
+  const auto& motion = kinematics_.motion();
+  const bool is_pinned = model_.coupling == RootCoupling::kPinned;
   // What holds the figure acts at the pin, not at the root.
   const bool at_pin = is_pinned && model_.root_answers;
+  const NodeMotion& pin = motion[is_pinned ? model_.pin_node : 0];
+  const V3 p_pin = pin.p + pin.R * V3(model_.p_pin);
   const V3 f_pin = at_pin ? motion[0].f : V3();
+  double free = 0.0;
   for (int i = 0; i < kinematics_.size(); ++i) {
     if (!model_.nodes[i].is_dynamic) continue;
     const int parent = model_.nodes[i].parent;
@@ -85,10 +89,56 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
     for (int k = model_.pin_node; at_pin && k >= 0; k = model_.nodes[k].parent) to_pin |= k == i;
     if (to_pin) moment -= Cross(p_pin - motion[i].p, f_pin);
     const double power = Dot(moment, motion[i].w - w_parent);
-    (model_.nodes[i].role == Role::kFree ? flow.friction : flow.keyed) += power;
+    (model_.nodes[i].role == Role::kFree ? free : *keyed) += power;
     if (parent >= 0 && model_.nodes[parent].is_dynamic) continue;
     if (model_.root_answers) continue;
-    flow.keyed += Dot(motion[i].f, velocity[i] + v_root) + Dot(motion[i].n, w_parent);
+    *keyed += Dot(motion[i].f, v[i]) + Dot(motion[i].n, w_parent);
+  }
+  return free;
+}
+
+// A rule's power is what its accelerations ask of the free joints: with them, less without.
+double RegionDynamics::PowerWithout(const ForceLaw& rule, const RegionState& state,
+                                    const std::vector<V3>& v, const VecX& x) {
+  AddRule(rule, state);
+  const VecX without = x - added_.head(x.size());
+  MoveWith(state, without.data());
+  double keyed = 0.0;
+  return PowerInJoints(v, &keyed);
+}
+
+void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyFlow* flow) const {
+  const auto& motion = kinematics_.motion();
+  const bool is_pinned = model_.coupling == RootCoupling::kPinned;
+  const NodeMotion& pin = motion[is_pinned ? model_.pin_node : 0];
+  const V3 p_pin = pin.p + pin.R * V3(model_.p_pin);
+  const double root_z = is_pinned ? -p_pin.z : driven_->root_position[2].At(t).v;
+  for (int i = 0; i < kinematics_.size(); ++i) {
+    if (!model_.nodes[i].is_dynamic) continue;
+    const NodeMotion& own = motion[i];
+    flow->kinetic += 0.5 * own.m * Dot(v[i], v[i]) + Dot(v[i], Cross(own.w, own.h)) +
+                     0.5 * Dot(own.w, own.I * own.w);
+    flow->potential += gravity_ * (own.m * (own.p.z + root_z) + own.h.z);
+  }
+  if (model_.coupling == RootCoupling::kFlight) flow->potential = 0.0;
+}
+
+EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
+  VecX dy(layout_.state_size());
+  Derivative(t, y, dy.data());
+  const VecX x = dy.tail(layout_.num_dofs());
+  const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
+  MoveWith(state, x.data());
+  std::vector<V3> v(kinematics_.size());
+  const V3 v_root = RootVelocity(t, &v);
+  for (V3& velocity : v) velocity = velocity + v_root;
+  EnergyFlow flow;
+  AddStoredEnergy(t, v, &flow);
+  const double in_joints = PowerInJoints(v, &flow.keyed);
+  for (const auto& law : laws_) {
+    const double power =
+        law->is_rule() ? in_joints - PowerWithout(*law, state, v, x) : PowerOf(*law, state, v);
+    flow.laws.push_back({std::string(law->name()), power});
   }
   if (first_moved_ > 0 && is_carrier_still_) PlaceStillCarrier(t);
   return flow;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 #include "engine/figure/figure.h"
@@ -29,11 +30,15 @@ struct ModelRequest {
 
 // One of the concentric hinges of a node.
 struct NodeHinge {
-  Coordinate coordinate;
-  Vec3 axis;     // unit, in the node's frame at angle zero of all hinges of the node
-  int cardinal;  // 0, 1, 2: the axis is x, y, z times `sign`; 3: something else
-  double sign;   // 1 or -1
+  Coordinate coordinate = 0;
+  Vec3 axis = Vec3::Zero();  // unit, in the node's frame at angle zero of all hinges of the node
+  int cardinal = 3;          // 0, 1, 2: the axis is x, y, z times `sign`; 3: something else
+  double sign = 1.0;         // or -1
 };
+inline auto MembersOf(const NodeHinge& hinge) {
+  const auto& [coordinate, axis, cardinal, sign] = hinge;
+  return std::tie(coordinate, axis, cardinal, sign);
+}
 
 // Rigid body on up to three concentric hinges, all free or all driven. Its frame is parallel to its
 // parent's where all its hinges are at zero.
@@ -47,6 +52,10 @@ struct ModelNode {
   bool is_dynamic = false;  // at or beyond a free node, or every node where the root answers
   RigidInertia body;        // about its frame; massless if not dynamic
 };
+inline auto MembersOf(const ModelNode& node) {
+  const auto& [parent, p_P, role, num_hinges, hinges, is_ball, is_dynamic, body] = node;
+  return std::tie(parent, p_P, role, num_hinges, hinges, is_ball, is_dynamic, body);
+}
 
 // The least model of one group of free joints that feel each other [METHOD 4]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
@@ -63,6 +72,12 @@ struct RegionModel {
   int num_free = 0;    // free hinges
   int num_bodies = 0;  // dynamic nodes with mass
 };
+inline auto MembersOf(const RegionModel& model) {
+  const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies] =
+      model;
+  return std::tie(nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free,
+                  num_bodies);
+}
 
 // One model for each group, in order of their first joint. The root is prescribed where no free
 // joint lies between it and the pin; else, and in flight, all free joints are one group.

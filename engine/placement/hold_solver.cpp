@@ -107,18 +107,10 @@ HoldSolution HoldSolver::SolveExactly(const Problem& problem) {
   return {true, 0.0};
 }
 
-std::vector<double> HoldSolver::Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
-                                         const std::vector<Jet>& q) const {
-  std::vector<double> question;
-  const auto append = [&](const Jet& jet) {
-    question.insert(question.end(), {jet.v, jet.d, jet.dd});
-  };
-  for (const Jet& jet : X_WR.R.reshaped()) append(jet);
-  for (const Jet& jet : X_WR.p) append(jet);
-  for (const double value : target.orientation.reshaped()) question.push_back(value);
-  for (const double value : target.position) question.push_back(value);
-  chain_.ForEachJoint([&](JointIndex j) { append(q[j.value()]); });
-  return question;
+std::vector<Jet> HoldSolver::ChainOf(const std::vector<Jet>& q) const {
+  std::vector<Jet> chain;
+  chain_.ForEachJoint([&](JointIndex j) { chain.push_back(q[j.value()]); });
+  return chain;
 }
 
 // Newton's method on F = 0 from x_. Where the chain's part of the Hessian is left out it takes more

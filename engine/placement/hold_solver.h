@@ -3,6 +3,7 @@
 // Inverse kinematics of a held joint.
 
 #include <Eigen/LU>
+#include <tuple>
 #include <vector>
 
 #include "engine/placement/hold_chain.h"
@@ -16,6 +17,10 @@ struct HoldTarget {
   Mat3 orientation = Mat3::Identity();  // of the body that the held joint sits on
   bool operator==(const HoldTarget&) const = default;
 };
+inline auto MembersOf(const HoldTarget& target) {
+  const auto& [position, orientation] = target;
+  return std::tie(position, orientation);
+}
 
 struct HoldSolution {
   bool reached = false;
@@ -47,9 +52,8 @@ class HoldSolver {
   HoldSolution Solve(const PoseOf<Jet>& X_WR, const HoldTarget& target, std::vector<Jet>* q,
                      double tolerance = 0.0);
 
-  // All numbers of the arguments that the solution depends on.
-  std::vector<double> Question(const PoseOf<Jet>& X_WR, const HoldTarget& target,
-                               const std::vector<Jet>& q) const;
+  // Those of `q` that the solution depends on.
+  std::vector<Jet> ChainOf(const std::vector<Jet>& q) const;
 
  private:
   struct Problem {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <tuple>
 
 namespace hazumi {
 
@@ -33,6 +34,11 @@ inline Jet sin(const Jet& x) {
 inline Jet cos(const Jet& x) {
   const double s = std::sin(x.v), c = std::cos(x.v);
   return {c, -s * x.d, -s * x.dd - c * x.d * x.d};
+}
+
+inline auto MembersOf(const Jet& x) {
+  const auto& [v, d, dd] = x;
+  return std::tie(v, d, dd);
 }
 
 }  // namespace hazumi

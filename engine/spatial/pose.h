@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <tuple>
 
 #include "engine/spatial/types.h"
 
@@ -20,6 +21,12 @@ struct PoseOf {
   PoseOf Inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
   bool operator==(const PoseOf&) const = default;
 };
+
+template <typename T>
+auto MembersOf(const PoseOf<T>& X) {
+  const auto& [R, p] = X;
+  return std::tie(R, p);
+}
 
 using Pose = PoseOf<double>;
 

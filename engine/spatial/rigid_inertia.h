@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -13,6 +15,10 @@ struct RigidInertia {
 
   bool is_massless() const { return mass == 0.0 && I_com.isZero(0.0); }
 };
+inline auto MembersOf(const RigidInertia& body) {
+  const auto& [mass, com, I_com] = body;
+  return std::tie(mass, com, I_com);
+}
 
 // The inertia of both bodies fixed together. Both in the same frame.
 RigidInertia Combine(const RigidInertia& a, const RigidInertia& b);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/passive/exact_solver.h"
+#include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "tests/bench/stopwatch.h"
@@ -84,7 +85,7 @@ class ExactSwing {
 
   void Prepare(const SwingCase& c) {
     const VecX rates = -30.0 * c.friction.array().log();
-    dynamics_ = std::make_unique<RegionDynamics>(model_, rates, kGravity);
+    dynamics_ = std::make_unique<RegionDynamics>(model_, FrictionAlone(rates), kGravity);
     dynamics_->SetDriven(&still_, 0.0, c.seconds);
     solver_ = std::make_unique<ExactSolver>(dynamics_.get(), c.lower, c.upper);
     name_ = c.name;

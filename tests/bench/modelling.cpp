@@ -10,6 +10,7 @@
 
 #include "engine/bake/bake.h"
 #include "engine/dynamics/figure_dynamics.h"
+#include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/passive/semidefinite.h"
 #include "engine/project/compile.h"
@@ -101,7 +102,8 @@ struct Group {
   VecX q, qd, state, derivative;
 
   Group(const RegionModel& model, const Scene& scene, const DrivenMotion& driven)
-      : dynamics(model, VecX::Constant(model.num_free, 1.0), scene.animation.gravity),
+      : dynamics(model, FrictionAlone(VecX::Constant(model.num_free, 1.0)),
+                 scene.animation.gravity),
         q(model.num_free),
         qd(model.num_free),
         state(dynamics.layout().state_size()),

@@ -18,7 +18,7 @@ class FreeChain {
  public:
   explicit FreeChain(int joints) : joints_(joints), model_(ModelOf(Chain(joints))) {
     driven_.angles.resize(joints + kRootAngles);
-    dynamics_ = std::make_unique<RegionDynamics>(model_, VecX::Zero(joints), 9.81);
+    dynamics_ = std::make_unique<RegionDynamics>(model_, ForceLaws(), 9.81);
     dynamics_->SetDriven(&driven_, 0.0, 1.0);
     q_ = VecX::LinSpaced(joints, 0.1, 1.0);
     qd_ = VecX::LinSpaced(joints, -1.0, 1.0);

@@ -15,7 +15,7 @@
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/support/scaled_projects.h"
-#include "ui/edit/session.h"
+#include "ui/edit/session/session.h"
 
 namespace hazumi::test {
 

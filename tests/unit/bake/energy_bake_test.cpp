@@ -65,7 +65,7 @@ TEST(Energy, OfArmsOnAMovingTrunkIsAccountedFor) {
   Motion motion;
   const EnergyBalance energy = Account(animation, &motion);
   ExpectBalanced(energy);
-  EXPECT_LT(energy.friction, -0.1);
+  EXPECT_LT(energy.WorkOf("friction"), -0.1);
   EXPECT_GT(std::abs(energy.keyed), 0.1);
   EXPECT_EQ(motion.regions[0].groups, (std::vector<int>{7, 7}));
 }
@@ -81,7 +81,8 @@ TEST(Energy, OfAPinnedFigureIsAccountedFor) {
   ExpectBalanced(energy);
   const double change = TotalEnergy(animation, motion.frames[30].before) -
                         TotalEnergy(animation, motion.frames[0].after);
-  EXPECT_NEAR(change, energy.friction + energy.stops + energy.keyed, 1e-8 * std::abs(change));
+  EXPECT_NEAR(change, energy.WorkOf("friction") + energy.stops + energy.keyed,
+              1e-8 * std::abs(change));
 }
 
 // In flight keys do inner work only.
@@ -95,7 +96,7 @@ TEST(Energy, OfAFlyingFigureIsWhatItsKeysGaveIt) {
   Motion motion;
   const EnergyBalance energy = Account(animation, &motion);
   ExpectBalanced(energy);
-  EXPECT_NEAR(energy.friction, 0.0, 1e-9);
+  EXPECT_NEAR(energy.WorkOf("friction"), 0.0, 1e-9);
   const double start = TotalEnergy(animation, motion.frames[0].after);
   const double change = TotalEnergy(animation, motion.frames[30].before) - start;
   EXPECT_NEAR(change, energy.stops + energy.keyed, 1e-8 * start);

@@ -4,6 +4,7 @@
 #include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inertia_matrix.h"
 #include "engine/passive/exact_solver.h"
+#include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "tests/support/allocation_count.h"
@@ -122,7 +123,7 @@ TEST_F(NoAllocation, InStepsOfTheExactMethod) {
   request.angles = VecX::Zero(n + kRootAngles);
   std::fill_n(request.roles.begin() + kShoulder, kArm, Role::kFree);
   const RegionModel model = CompileRegionModels(figure_, request).at(0);
-  RegionDynamics dynamics(model, VecX::Constant(kArm, 1.0), 9.81);
+  RegionDynamics dynamics(model, FrictionAlone(VecX::Constant(kArm, 1.0)), 9.81);
   DrivenMotion driven;
   driven.angles.resize(n + kRootAngles);
   dynamics.SetDriven(&driven, 0.0, 10.0);

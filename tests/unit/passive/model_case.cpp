@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/passive/forces/force_spec.h"
+
 namespace hazumi::test {
 
 namespace {
@@ -123,8 +125,9 @@ PassiveState ModelCase::State() const {
 std::vector<RegionDynamics> ModelCase::Models(const VecX* friction) const {
   std::vector<RegionDynamics> all;
   for (RegionModel& model : CompileRegionModels(sample.figure, request)) {
-    RegionDynamics dynamics(model, VecX::Zero(model.num_free), kGravity);
-    if (friction) dynamics = RegionDynamics(model, Gather(dynamics, *friction), kGravity);
+    RegionDynamics dynamics(model, ForceLaws(), kGravity);
+    if (friction)
+      dynamics = RegionDynamics(model, FrictionAlone(Gather(dynamics, *friction)), kGravity);
     dynamics.SetDriven(&driven, t - 0.05, t + 0.05);
     all.push_back(std::move(dynamics));
   }

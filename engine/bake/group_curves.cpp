@@ -1,0 +1,35 @@
+#include "engine/bake/group_curves.h"
+
+#include <utility>
+
+namespace hazumi {
+
+namespace {
+
+// action(hinge), in the order of the numbers.
+template <typename Model, typename Action>
+void ForEachDrivenHinge(Model& model, Action&& action) {
+  for (auto& node : model.nodes) {
+    if (node.role != Role::kDriven) continue;
+    for (int h = 0; h < node.num_hinges; ++h) action(node.hinges[h]);
+  }
+}
+
+}  // namespace
+
+RegionModel WithOwnCurves(RegionModel model) {
+  Coordinate count = 0;
+  ForEachDrivenHinge(model, [&](NodeHinge& hinge) { hinge.coordinate = count++; });
+  return model;
+}
+
+std::shared_ptr<const DrivenMotion> CurvesOf(const RegionModel& model, const DrivenMotion& driven) {
+  DrivenMotion curves;
+  ForEachDrivenHinge(model, [&](const NodeHinge& hinge) {
+    curves.angles.push_back(driven.angles[hinge.coordinate]);
+  });
+  if (model.coupling == RootCoupling::kPrescribed) curves.root_position = driven.root_position;
+  return std::make_shared<const DrivenMotion>(std::move(curves));
+}
+
+}  // namespace hazumi

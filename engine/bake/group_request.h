@@ -1,0 +1,132 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "engine/base/members.h"
+#include "engine/passive/exact_solver.h"
+#include "engine/passive/forces/force_spec.h"
+#include "engine/passive/region_dynamics.h"
+
+namespace hazumi {
+
+// A group of joints that feel each other, and how accurately it is to be solved.
+struct GroupTask {
+  RegionModel model;
+  VecX lower, upper;  // stops, by free hinge [rad]
+  std::vector<ForceSpec> forces;
+  double gravity = 0.0;         // along -z [m/s^2]
+  double step_tolerance = 0.0;  // error of one step [rad]
+};
+inline auto MembersOf(const GroupTask& task) {
+  const auto& [model, lower, upper, forces, gravity, step_tolerance] = task;
+  return std::tie(model, lower, upper, forces, gravity, step_tolerance);
+}
+
+// What a group is asked to do, one after the other; its answers depend on nothing else. Times [s].
+//
+// Begins at t with angles q [rad] and rates qd [rad/s] by free hinge, moved by curves that are
+// smooth up to `end` and numbered as CurvesOf does it.
+struct BeginGroup {
+  double t = 0.0, end = 0.0;
+  VecX q, qd;
+  std::shared_ptr<const DrivenMotion> curves;
+  std::shared_ptr<const GroupTask> task;
+};
+inline auto MembersOf(const BeginGroup& request) {
+  const auto& [t, end, q, qd, curves, task] = request;
+  return std::tie(t, end, q, qd, curves, task);
+}
+
+// Goes on from t, where it is, with other curves.
+struct DriveGroup {
+  double t = 0.0, end = 0.0;
+  std::shared_ptr<const DrivenMotion> curves;
+};
+inline auto MembersOf(const DriveGroup& request) {
+  const auto& [t, end, curves] = request;
+  return std::tie(t, end, curves);
+}
+
+// A pin that moved with v_pin [m/s] was stopped at the time where it began.
+struct StopPin {
+  Vec3 v_pin = Vec3::Zero();
+};
+inline auto MembersOf(const StopPin& request) {
+  const auto& [v_pin] = request;
+  return std::tie(v_pin);
+}
+
+// Takes steps until it is beyond t, at most to `end`.
+struct AdvanceGroup {
+  double t = 0.0, end = 0.0;
+};
+inline auto MembersOf(const AdvanceGroup& request) {
+  const auto& [t, end] = request;
+  return std::tie(t, end);
+}
+
+// Takes all steps to `end`, and samples the motion at `times`, which rise.
+struct SolveGroup {
+  double end = 0.0;
+  std::vector<double> times;
+};
+inline auto MembersOf(const SolveGroup& request) {
+  const auto& [end, times] = request;
+  return std::tie(end, times);
+}
+
+// Angles and rates at t, which lies in the step that it is in.
+struct SampleGroup {
+  double t = 0.0;
+};
+inline auto MembersOf(const SampleGroup& request) {
+  const auto& [t] = request;
+  return std::tie(t);
+}
+
+// Energy and powers there.
+struct MeasureGroup {
+  double t = 0.0;
+};
+inline auto MembersOf(const MeasureGroup& request) {
+  const auto& [t] = request;
+  return std::tie(t);
+}
+
+using GroupRequest = std::variant<BeginGroup, DriveGroup, StopPin, AdvanceGroup, SolveGroup,
+                                  SampleGroup, MeasureGroup>;
+
+// How far it got, what it hit on the way, and why it cannot go on, if so.
+struct GroupProgress {
+  double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
+  std::optional<ExactFailure> failure;
+  double microseconds = 0.0;  // that it took
+  std::vector<StopHit> hits;
+};
+
+// Angles, then rates, by free hinge; of several times one after the other. Fewer times than asked
+// for where it could not go on.
+using GroupSamples = std::vector<double>;
+
+// To AdvanceGroup the progress, to SolveGroup both, to SampleGroup samples of one time, to
+// MeasureGroup the energy.
+struct GroupResult {
+  GroupProgress progress;
+  GroupSamples samples;
+  EnergyFlow energy;
+};
+
+struct GroupCall {
+  GroupRequest request;
+  GroupResult result;
+  long evaluations = 0, steps = 0;  // up to here, from the beginning on
+};
+// All that a group was asked, from the beginning on.
+using GroupLog = std::vector<GroupCall>;
+using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
+
+}  // namespace hazumi

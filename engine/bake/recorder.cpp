@@ -1,0 +1,165 @@
+#include "engine/bake/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "engine/bake/limits.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
+
+}  // namespace
+
+const char* NameOf(EventKind kind) {
+  switch (kind) {
+    case EventKind::kTakeOff:
+      return "take_off";
+    case EventKind::kApex:
+      return "apex";
+    case EventKind::kLanding:
+      return "landing";
+    case EventKind::kPinChange:
+      return "pin_change";
+    case EventKind::kStop:
+      return "stop";
+    case EventKind::kRelease:
+      return "release";
+  }
+  return "";
+}
+
+void SortByTime(std::vector<MotionEvent>* events) {
+  std::stable_sort(events->begin(), events->end(),
+                   [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
+}
+
+void DropRepeated(std::vector<Warning>* warnings) {
+  std::set<std::pair<std::string, std::string>> said;
+  std::erase_if(*warnings, [&](const Warning& warning) {
+    return !said.emplace(warning.place, warning.message).second;
+  });
+}
+
+Recorder::Recorder(const Animation& animation, const BakeOptions& options, Motion* motion)
+    : animation_(animation), keep_frames_(options.keep_frames), motion_(motion) {
+  motion_->rate = options.output_rate.value_or(animation.rate);
+  const double per_frame = outputs_per_frame();
+  first_output_ = static_cast<int>(std::ceil(animation_.first_frame * per_frame - kSameFrame));
+  const int last = static_cast<int>(std::floor(animation_.last_frame * per_frame + kSameFrame));
+  if (keep_frames_) motion_->frames.resize(std::max(0, last - first_output_ + 1));
+  motion_->regions.resize(animation_.regions.size());
+  for (size_t r = 0; r < animation_.regions.size(); ++r) ClearReport(static_cast<int>(r));
+}
+
+void Recorder::BeginStretch(Stretch* stretch) {
+  stretch_ = stretch;
+  stretch->events.clear();
+  stretch->warnings.clear();
+  stretch->placement_jumps.clear();
+  stretch->logs.clear();
+  last_stop_.assign(animation_.figure->num_joints(), std::nullopt);
+}
+
+void Recorder::ClearReport(int region) {
+  const DynamicsRegion& own = animation_.regions[region];
+  RegionReport report;
+  report.name = own.name;
+  report.method = own.method;
+  report.step = own.step.value_or(animation_.solver.step);
+  report.tolerance = own.tolerance.value_or(animation_.solver.tolerance);
+  report.free_joints = static_cast<int>(own.joints.size());
+  report.all_joints = animation_.figure->num_joints();
+  motion_->regions[region] = report;
+}
+
+double Recorder::outputs_per_frame() const {
+  return static_cast<double>(animation_.rate.den) * motion_->rate.num /
+         (static_cast<double>(animation_.rate.num) * motion_->rate.den);
+}
+
+std::optional<int> Recorder::OutputAt(double frame) const {
+  const double output = frame * outputs_per_frame();
+  if (std::abs(output - std::round(output)) > kSameFrame) return std::nullopt;
+  return static_cast<int>(std::round(output));
+}
+
+std::vector<int> Recorder::OutputsUpTo(double from, double to, double end) const {
+  const double per_frame = outputs_per_frame();
+  const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
+  std::vector<int> outputs;
+  for (int output = first; output <= to * per_frame + kSameFrame; ++output) {
+    if (output / per_frame > end - kSameFrame) break;
+    outputs.push_back(output);
+  }
+  return outputs;
+}
+
+std::pair<int, int> Recorder::OutputsBetween(double from, double to) const {
+  const double per_frame = outputs_per_frame();
+  return {static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1,
+          static_cast<int>(std::ceil(to * per_frame - kSameFrame)) - 1};
+}
+
+void Recorder::Record(int output, const Figure& figure, const FigureMotion& motion,
+                      const MotionLimit& before, std::optional<GroupIndex> pinned,
+                      const std::vector<ObjectFlight>& objects, const std::vector<char>& free,
+                      DynamicsWorkspace* ws) {
+  if (!keep_frames_) return;
+  ComputePositions(figure, motion.X_WR, motion.q, ws);
+  MotionFrame& frame = motion_->frames[output - first_output_];
+  frame.frame = output;
+  frame.q = motion.q;
+  frame.X_WR = motion.X_WR;
+  frame.before = before;
+  frame.after = LimitOf(motion);
+  frame.com = CenterOfMass(figure, *ws);
+  frame.pinned = pinned;
+  frame.objects.clear();
+  for (const ObjectFlight& object : objects) {
+    frame.objects.push_back(object.At(*ws, animation_.rate.SecondsAt(motion.frame)));
+  }
+  frame.in_region = free;
+}
+
+void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {
+  const double seconds = animation_.rate.SecondsAt(frame);
+  const double output = motion_->rate.FrameAt(seconds);
+  const double rounded = kind == EventKind::kApex ? std::round(output) : std::ceil(output - 1e-9);
+  stretch_->events.push_back({kind, seconds, static_cast<int>(rounded), joint});
+}
+
+// Or goes on with the event that it chatters on with.
+void Recorder::AddStop(JointIndex j, double time, double last_time, long count) {
+  auto& last = last_stop_[j.value()];
+  if (last && time - stretch_->events[*last].last_time < kChatterGap) {
+    MotionEvent& event = stretch_->events[*last];
+    event.count += count;
+    event.last_time = last_time;
+    return;
+  }
+  last = stretch_->events.size();
+  AddEvent(EventKind::kStop, animation_.rate.FrameAt(time), animation_.figure->joint(j).name);
+  if (count == 1) return;
+  stretch_->events.back().count = count;
+  stretch_->events.back().last_time = last_time;
+}
+
+void Recorder::AddWarning(const std::string& place, const std::string& message) {
+  stretch_->warnings.push_back({place, message});
+}
+
+void Recorder::AddJump(PlacementJump jump, const std::string& message) {
+  AddWarning("placements[" + std::to_string(jump.placement) + "]", message);
+  stretch_->placement_jumps.push_back(jump);
+}
+
+void Recorder::AddLogs(const GroupLogs& logs) {
+  stretch_->logs.insert(stretch_->logs.end(), logs.begin(), logs.end());
+}
+
+}  // namespace hazumi

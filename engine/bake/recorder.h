@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/bake.h"
+#include "engine/bake/stretch.h"
+
+namespace hazumi {
+
+// Writes down what a bake finds: frames and reports into the motion, events and warnings into the
+// stretch that is baked.
+class Recorder {
+ public:
+  // Makes room for all frames, and reports of regions that did nothing yet. The animation must
+  // outlive it, and so must the motion.
+  Recorder(const Animation& animation, const BakeOptions& options, Motion* motion);
+
+  // From here on events and warnings go to this stretch, which has none.
+  void BeginStretch(Stretch* stretch);
+
+  bool keeps_frames() const { return keep_frames_; }
+  // Output frames a frame of the animation; they are equally spaced, and frame 0 is at frame 0.
+  double outputs_per_frame() const;
+  // The output frame at a frame of the animation, if there is one.
+  std::optional<int> OutputAt(double frame) const;
+  // Those after `from` up to and including `to`, but for `end`; frames of the animation.
+  std::vector<int> OutputsUpTo(double from, double to, double end) const;
+  // Those strictly between two frames: first and last.
+  std::pair<int, int> OutputsBetween(double from, double to) const;
+  // `figure` holds what it holds at the time; `free`: by JointIndex, driven by a region.
+  void Record(int output, const Figure& figure, const FigureMotion& motion,
+              const MotionLimit& before, std::optional<GroupIndex> pinned,
+              const std::vector<ObjectFlight>& objects, const std::vector<char>& free,
+              DynamicsWorkspace* ws);
+
+  // Frames of the animation; seconds.
+  void AddEvent(EventKind kind, double frame, const std::string& joint);
+  void AddStop(JointIndex j, double time, double last_time, long count);
+  void AddWarning(const std::string& place, const std::string& message);
+  void AddJump(PlacementJump jump, const std::string& message);
+  void AddLogs(const GroupLogs& logs);
+
+  RegionReport& report(int region) { return motion_->regions[region]; }
+  // As of a region that did nothing yet.
+  void ClearReport(int region);
+
+ private:
+  const Animation& animation_;
+  bool keep_frames_;
+  Motion* motion_;
+  Stretch* stretch_ = nullptr;
+  int first_output_ = 0;
+  std::vector<std::optional<size_t>> last_stop_;  // by JointIndex: its latest event in the stretch
+};
+
+}  // namespace hazumi

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "engine/passive/node_motion.h"
+
+namespace hazumi {
+
+// A region's model at one instant, as a force law sees it. World axes; points from the root's
+// origin.
+struct RegionState {
+  double t;  // [s]
+  const RegionModel& model;
+  const RegionLayout& layout;
+  const NodeKinematics& kinematics;  // where the nodes are, and how they turn
+  const double* positions;           // of the free joints, as in the layout
+  const double* velocities;
+};
+
+// What acts on the links of a region's model, one after the other. A law acts in one of two ways:
+// by forces, which the equations of motion take in, or as a rule for the accelerations that come
+// out of them. Its power is found from what it does, by RegionDynamics::MeasureEnergy.
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+
+  // In the account of energy.
+  virtual std::string_view name() const = 0;
+  // Adds its forces on the nodes (NodeKinematics::AddForce, AddTorque).
+  virtual void AddForces(const RegionState&, NodeKinematics*) const {}
+  // Adds to the accelerations of the free joints, by dof of the layout [rad/s^2].
+  virtual void AddAccelerations(const RegionState&, double* /*x*/) const {}
+  // True if it adds any, ever.
+  virtual bool is_rule() const { return false; }
+  // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
+  virtual double FastestRate() const { return 0.0; }
+};
+
+using ForceLaws = std::vector<std::unique_ptr<const ForceLaw>>;
+
+}  // namespace hazumi

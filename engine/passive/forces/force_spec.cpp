@@ -1,0 +1,28 @@
+#include "engine/passive/forces/force_spec.h"
+
+#include <utility>
+
+namespace hazumi {
+
+namespace {
+
+std::unique_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
+  return std::make_unique<Retention>(spec);
+}
+
+}  // namespace
+
+ForceLaws MakeLaws(const std::vector<ForceSpec>& specs) {
+  ForceLaws laws;
+  for (const ForceSpec& spec : specs) {
+    laws.push_back(std::visit([](const auto& law) { return MakeLaw(law); }, spec));
+  }
+  return laws;
+}
+
+ForceLaws FrictionAlone(VecX rates) {
+  if (rates.isZero(0.0)) return {};
+  return MakeLaws({RetentionSpec{std::move(rates)}});
+}
+
+}  // namespace hazumi

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "engine/passive/forces/force_law.h"
+#include "engine/passive/forces/retention.h"
+
+namespace hazumi {
+
+// What acts on a group of joints, as plain values that can be compared: one struct for each law.
+using ForceSpec = std::variant<RetentionSpec>;
+
+// The laws themselves, in the same order.
+ForceLaws MakeLaws(const std::vector<ForceSpec>& specs);
+// Friction alone, with rates as RetentionSpec has them; no law if they are 0.
+ForceLaws FrictionAlone(VecX rates);
+
+}  // namespace hazumi
