@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-// The equations of motion of a region model in continuous time [METHOD 2]:
+// The equations of motion of a region model in continuous time [METHOD 2.2]:
 //   M(q) x = -b(q, v, t),   v' = x - C v
 // with v the velocities of a RegionLayout and C the friction rates: friction is a rule for
 // accelerations, not a torque. World axes throughout; points from the root's origin.
@@ -75,7 +75,7 @@ class RegionDynamics {
   VecX JumpOfPin(const Vec3& v_pin) const;
 
   // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
-  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 2, "kicks"]
+  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 5.7]
   void PinBlow(const Vec3& v_pin, VecX* blow) const;
 
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
