@@ -245,7 +245,6 @@ TEST(StopSolver, GivesNothingToAHingeThatMovesNoMass) {
   EXPECT_LE((problem.M * problem.solver.x() + problem.b).norm(), 1e-12 * problem.b.norm());
 }
 
-// After a first call of each.
 TEST(StopSolver, DoesTheSameBitsAgainWhateverItWasAskedBefore) {
   for (int seed = 0; seed < 50; ++seed) {
     Problem problem = AnyProblem(seed);
