@@ -72,7 +72,7 @@ class RegionDynamics {
   // After it: how the rates of all free hinges jump where those hinges get impulses [N m s] and a
   // pin that moved with v_pin is stopped.
   VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
-  VecX JumpOfPin(const Vec3& v_pin) const;
+  VecX JumpOfPin(const Vec3& v_pin);
 
   // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
   // that a pin, which moved with v_pin [m/s], stands still. [METHOD 5.7]
