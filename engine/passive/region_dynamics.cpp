@@ -234,7 +234,7 @@ void RegionDynamics::Damp(const double* y, double* x) {
 }
 
 // Equal factors: -c w. Unequal ones act on the hinges, but near the pole, where the hinges' rates
-// have no bound, on the ball as their geometric mean. [METHOD 2]
+// have no bound, on the ball as their geometric mean. [METHOD 2.5]
 void RegionDynamics::DampBall(int node, const double* quaternion, const double* w,
                               double* damping) const {
   constexpr double kFar = 10.0 * std::numbers::pi / 180.0;

@@ -48,7 +48,7 @@ struct ModelNode {
   RigidInertia body;        // about its frame; massless if not dynamic
 };
 
-// The least model of one group of free joints that feel each other [METHOD 4]: links that move
+// The least model of one group of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the attachment.
 struct RegionModel {
