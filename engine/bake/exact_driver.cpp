@@ -16,7 +16,7 @@ constexpr double kTwinCoarseness = 40.0;
 // The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
 
-// Friction is a factor per 1/30 s. [METHOD 2]
+// Friction is a factor per 1/30 s. [METHOD 2.3]
 double FrictionRate(double factor) { return -30.0 * std::log(factor); }
 
 std::string CauseOf(ExactFailure::Cause cause) {
@@ -53,7 +53,7 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
   }
 }
 
-// A joint whose friction is 0 is frozen [METHOD 2], as is one without room between its stops.
+// A joint whose friction is 0 is frozen [METHOD 2.4], as is one without room between its stops.
 bool ExactDriver::is_frozen(Coordinate c) const {
   if (c >= figure_.num_joints()) return false;
   return friction_[c] == 0.0 || figure_.joints()[c].is_fixed();

@@ -26,6 +26,9 @@ class ArticulatedBodies {
   // The same of nothing but a torque of 1 N m about a free hinge, no part of a ball.
   void Twist(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node, int dof,
              double* x);
+  // The same of nothing but an acceleration of all that carries the bodies [m/s^2].
+  void Shake(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+             const small::V3& acceleration, double* x);
   // What the accelerations found last do to a point of a dynamic node, r from its origin [m/s^2].
   small::V3 AccelerationAt(int node, const small::V3& r) const;
 

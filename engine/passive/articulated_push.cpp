@@ -52,6 +52,16 @@ void ArticulatedBodies::Twist(const RegionLayout& layout, const std::vector<Node
   twisted_node_ = -1;
 }
 
+// Every body asks for what moves it along: f0 = m a, n0 = h x a.
+void ArticulatedBodies::Shake(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                              const V3& acceleration, double* x) {
+  for (size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].n = is_dynamic_[i] ? Cross(motion[i].h, acceleration) : V3();
+    bodies_[i].f = is_dynamic_[i] ? motion[i].m * acceleration : V3();
+  }
+  Pass(layout, motion, x);
+}
+
 void ArticulatedBodies::Pass(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                              double* x) {
   for (int i = static_cast<int>(bodies_.size()) - 1; i >= 0; --i) {

@@ -83,7 +83,7 @@ const Attachment::Fit& Attachment::FitFor(double t) const {
 }
 
 Attachment::Frame Attachment::Evaluate(const Fit& fit, double t) {
-  const double s = (t - fit.middle) / fit.half;
+  const double s = fit.half > 0.0 ? (t - fit.middle) / fit.half : 0.0;
   using Values = Eigen::Array<double, kValues, 1>;
   Values v = Eigen::Map<const Values>(fit.c[kPoints - 1].data());
   for (int p = kPoints - 2; p >= 0; --p) v = v * s + Eigen::Map<const Values>(fit.c[p].data());

@@ -12,7 +12,7 @@
 namespace hazumi {
 
 // How the node that carries a group of free joints moves: all that the group feels of the rest of
-// the figure [METHOD 4]. The chain that moves it is evaluated at a few Chebyshev points of a
+// the figure [METHOD 6.3]. The chain that moves it is evaluated at a few Chebyshev points of a
 // stretch of time and fitted, as long as what is left out is rounding; after that it costs a
 // polynomial. Never changes once made: groups that hang on one node share it, in any thread.
 class Attachment {

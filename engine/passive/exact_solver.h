@@ -27,7 +27,7 @@ struct ExactFailure {
   enum class Cause { kStepTooSmall, kTooManyEvaluations } cause;
 };
 
-// The passive motion of one group of free joints in continuous time [METHOD 2], with its error
+// The passive motion of one group of free joints in continuous time [METHOD 2.1], with its error
 // under control: steps of order 8 whose size follows the error, ball joints as quaternions, stops
 // found inside the steps, hit inelastically and let go when they would have to pull.
 //

@@ -7,7 +7,7 @@ namespace hazumi {
 // Three concentric hinges whose middle axis is perpendicular to the outer two turn a body as a ball
 // joint does: R = Rot(a1, q1) Rot(a2, q2) Rot(a3, q3). Keyed and limited as hinges, simulated as a
 // ball: only its coordinates are singular, at the two poles where the outer axes line up.
-// [METHOD 3, near_gimbal]
+// [METHOD 4.1]
 class HingeTriple {
  public:
   // Axes: unit vectors, all in the frame before the hinges at angle zero.

@@ -13,7 +13,7 @@
 
 namespace hazumi {
 
-// The equations of motion of a region model in continuous time [METHOD 2]:
+// The equations of motion of a region model in continuous time [METHOD 2.2]:
 //   M(q) x = -b(q, v, t),   v' = x + r(q, v, t)
 // with v the velocities of a RegionLayout, b what motion, gravity and the forces of all laws ask
 // for, and r what the laws add that are rules for accelerations, as friction is. World axes
@@ -80,10 +80,10 @@ class RegionDynamics {
   // After it: how the rates of all free hinges jump where those hinges get impulses [N m s] and a
   // pin that moved with v_pin is stopped.
   VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
-  VecX JumpOfPin(const Vec3& v_pin) const;
+  VecX JumpOfPin(const Vec3& v_pin);
 
   // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
-  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 2, "kicks"]
+  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 5.7]
   void PinBlow(const Vec3& v_pin, VecX* blow) const;
 
   // At time t in state y. Each power is found from the forces in the joints, not from the others.

@@ -57,7 +57,7 @@ inline auto MembersOf(const ModelNode& node) {
   return std::tie(parent, p_P, role, num_hinges, hinges, is_ball, is_dynamic, body);
 }
 
-// The least model of one group of free joints that feel each other [METHOD 4]: links that move
+// The least model of one group of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the attachment.
 struct RegionModel {

@@ -87,10 +87,15 @@ void RegionDynamics::AssembleSome(const std::vector<int>& hinges, double t, cons
   b_ = -M_ * free;
 }
 
-// By an impulse on the pin that takes its velocity away.
-VecX RegionDynamics::JumpOfPin(const Vec3& v_pin) const {
+// By an impulse on the pin that takes its velocity away; where no free joint lies between root and
+// pin all that carries the group is stopped with it.
+VecX RegionDynamics::JumpOfPin(const Vec3& v_pin) {
   VecX jump = VecX::Zero(num_hinges());
-  if (IsOnPin()) KeepPin(V3(v_pin), num_hinges(), jump.data());
+  if (IsOnPin()) {
+    KeepPin(V3(v_pin), num_hinges(), jump.data());
+  } else {
+    articulated_.Shake(hinge_layout_, kinematics_.motion(), V3(Vec3(-v_pin)), jump.data());
+  }
   return jump;
 }
 

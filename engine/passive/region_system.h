@@ -7,7 +7,7 @@
 
 namespace hazumi {
 
-// What the rest of the world lets the root do while some joints are free. [METHOD 2, Arai 3]
+// What the rest of the world lets the root do while some joints are free. [METHOD 2.2, Arai 3]
 enum class RootCoupling {
   kPrescribed,  // the root moves as its curves say
   kPinned,      // a joint's origin stays in place; the pin's force does no work
@@ -45,7 +45,7 @@ class RegionSystem {
   const VecX& b() const { return b_; }  // k [N m]
 
   // Rates of the free joints after the root's velocity was forced from that of `state` to a pin at
-  // rest [METHOD 2, "kicks"]: M y' = P^T H (x' - c'), for a state whose root moved with state.root.
+  // rest [METHOD 5.7]: M y' = P^T H (x' - c'), for a state whose root moved with state.root.
   // Returns false if M is singular.
   bool RatesAfterPinning(const PassiveState& state, JointIndex pin, DynamicsWorkspace* ws,
                          VecX* rates);

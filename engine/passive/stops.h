@@ -9,7 +9,7 @@ namespace hazumi {
 // Joint stops that are pressed, hit or let go together. M, b: the equations of motion in the free
 // hinges' coordinates, M x = T - b. `side`, by hinge: +1 at its upper stop, -1 at its lower one, 0
 // at none. A stop pushes inwards only; what it does not hold moves inwards or stays.
-// [METHOD 2, "limits"]
+// [METHOD 3.2, 3.3]
 //
 // Both problems have one solution, since M is positive definite; it is found by principal pivots on
 // the first hinge that is wrong [Murty 1974]. Calls allocate nothing once Resize was called, but

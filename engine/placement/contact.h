@@ -9,7 +9,7 @@
 
 namespace hazumi {
 
-// The figure counts as touching when its clearance is at most this [m]. [METHOD 2]
+// The figure counts as touching when its clearance is at most this [m]. [METHOD 5.4]
 inline constexpr double kTouching = 1e-6;
 
 // The place where the figure is nearest to, or deepest in, anything of the scene.

@@ -17,7 +17,7 @@ struct GravityEvent {
   bool is_change() const { return kind != Kind::kApex; }
 };
 
-// Placement by gravity and contact [Arai 3.2] in continuous time [METHOD 2]: while the figure
+// Placement by gravity and contact [Arai 3.2] in continuous time [METHOD 5.3-5.6]: while the figure
 // touches something a joint is pinned; it takes off when the pin's normal force reaches zero or
 // contact is lost, flies with its CoM on a parabola, and lands where, between any two frames, it
 // first touches something.

@@ -14,7 +14,7 @@ namespace hazumi {
 //
 // The paper does not say which velocity the tentative pose starts from. We take the CoM's velocity
 // at t_c as the rates give it. The difference quotient of two steps would lag by half a step, which
-// lets a pinned figure go at -g/2 instead of -g however small the step. [METHOD 2, "take-off"]
+// lets a pinned figure go at -g/2 instead of -g however small the step. [METHOD 5.5]
 // Beyond (5), a figure that is free at t_c and at t_d but meets something between lands on it.
 class GravityPlacement {
  public:

@@ -10,7 +10,7 @@ namespace hazumi {
 
 enum class Method {
   kPaper,  // the passive step of Arai 2.4
-  kExact,  // its meaning in continuous time, with the error under control [METHOD 2]
+  kExact,  // its meaning in continuous time, with the error under control [METHOD 2.1]
 };
 constexpr const char* NameOf(Method method) {
   switch (method) {

@@ -1,4 +1,4 @@
-// The cubic that takes over from a region starts with the rate that the dynamics left. [METHOD 3]
+// The cubic that takes over from a region starts with the rate that the dynamics left. [METHOD 7.3]
 
 #include <gtest/gtest.h>
 

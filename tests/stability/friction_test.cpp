@@ -1,5 +1,5 @@
 // Friction at and next to the ends of its range. A factor of 1e-12 is a rate of 829 1/s; it is not
-// a factor of 0. [METHOD 2]
+// a factor of 0. [METHOD 2.3, 2.4]
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The swings of METHOD 3 with known results.
+// The swings with known results. [METHOD 8.4]
 
 #include <gtest/gtest.h>
 

@@ -31,7 +31,7 @@ void KeyJoints(int num_frames, Animation* animation) {
 }  // namespace
 
 Animation LongTimeline(int num_frames, int num_regions) {
-  const std::string path = std::string(HAZUMI_SOURCE_DIR) + "/assets/figures/human.json";
+  const std::string path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
   Animation animation = Still(Build(LoadFigure(path).value()));
   animation.last_frame = num_frames;
   animation.solver.method = Method::kExact;

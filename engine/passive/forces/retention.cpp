@@ -2,7 +2,7 @@
 // Balls of one rate:  w' = x - c w.  Of several, with mean m and rates of hinges s from A(q) s = w:
 //   w' = x - m w - f(d) A(q) (c - m) s
 // for the hinges' rates have no bound at the pole: f rises from 0 at the pole to 1 at 10 degrees
-// from it, with two derivatives, d being the distance.
+// from it, with two derivatives, d being the distance. [METHOD 2.5]
 
 #include "engine/passive/forces/retention.h"
 

@@ -15,7 +15,7 @@ inline auto MembersOf(const RetentionSpec& spec) {
   return std::tie(rates);
 }
 
-// Friction as the paper has it: a rule for accelerations, no torque. [METHOD 2]
+// Friction as the paper has it: a rule for accelerations, no torque. [METHOD 2.3]
 class Retention : public ForceLaw {
  public:
   explicit Retention(RetentionSpec spec) : rates_(std::move(spec.rates)) {}

@@ -60,7 +60,7 @@ void ExpectAgreement(const char* claim, RootCoupling coupling) {
     const ModelCase c(seed, coupling, /*is_root_free=*/false);
     for (RegionDynamics& dynamics : c.Models()) {
       const Stopped stopped(c, dynamics, seed);
-      const bool with_pin = coupling == RootCoupling::kPinned && dynamics.model().root_answers;
+      const bool with_pin = coupling == RootCoupling::kPinned;
       const Answers dense = Ask(stopped, with_pin, &dynamics);
       dynamics.SetMostDense(0);
       ASSERT_TRUE(dynamics.is_large());
@@ -69,8 +69,7 @@ void ExpectAgreement(const char* claim, RootCoupling coupling) {
       EXPECT_EQ(some.stays, dense.stays) << "seed " << seed;
       EXPECT_LE(worst(RelativeDifference(some.rested, dense.rested)), kTolerance)
           << "seed " << seed;
-      EXPECT_LE(worst(RelativeDifference(some.after, dense.after)), kTolerance)
-          << "seed " << seed;
+      EXPECT_LE(worst(RelativeDifference(some.after, dense.after)), kTolerance) << "seed " << seed;
       struck += (dense.after - stopped.qd).norm() > 0.0;
     }
   }

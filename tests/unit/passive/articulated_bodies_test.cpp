@@ -1,0 +1,231 @@
+// Articulated bodies against the dense equations M x = -b of the same group: what they make the
+// bodies do, whatever the layout of the joints is.
+
+#include "engine/passive/articulated_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "engine/passive/semidefinite.h"
+#include "tests/support/compare.h"
+#include "tests/unit/passive/random_group.h"
+
+namespace hazumi::test {
+namespace {
+
+using small::V3;
+
+constexpr double kTolerance = 1e-9;
+constexpr uint64_t kSeeds = 100;
+constexpr RootCoupling kCouplings[] = {RootCoupling::kPrescribed, RootCoupling::kFlight};
+
+template <typename Check>
+void ForEachGroup(Check&& check) {
+  for (const RootCoupling coupling : kCouplings) {
+    for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const auto group = RandomGroup::Of(seed, coupling);
+      SCOPED_TRACE("seed " + std::to_string(seed) + (coupling == kCouplings[0] ? "" : ", flying"));
+      if (group) check(group.get());
+    }
+  }
+}
+
+// Angular accelerations of all dynamic nodes and accelerations of their origins, from the root's.
+VecX BodiesAccelerated(const RandomGroup& group, const RegionLayout& layout, const VecX& x) {
+  NodeKinematics kinematics = MovedBy(group, layout);
+  int first = 0;
+  while (!group.model.nodes[first].is_dynamic) ++first;
+  kinematics.Accelerate(layout, x.data(), first);
+  VecX all(6 * (kinematics.size() - first));
+  for (int i = first; i < kinematics.size(); ++i) {
+    all.segment<3>(6 * (i - first)) = kinematics.motion()[i].alpha.eigen();
+    all.segment<3>(6 * (i - first) + 3) = kinematics.motion()[i].a.eigen();
+  }
+  return all;
+}
+
+VecX SolvedBy(const RandomGroup& group, const RegionLayout& layout) {
+  ArticulatedBodies articulated(group.model);
+  VecX x(layout.num_dofs());
+  articulated.Solve(layout, MovedBy(group, layout).motion(), x.data());
+  return x;
+}
+
+TEST(ArticulatedBodies, AccelerateChainsOfHingesAsTheDenseEquations) {
+  Worst worst("hinges");
+  ForEachGroup([&](RandomGroup* group) {
+    const RegionDynamics dense = Assembled(*group);
+    const VecX expected = dense.M().llt().solve(-dense.b());
+    const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
+    EXPECT_LE(worst(RelativeDifference(x, expected)), kTolerance);
+  });
+}
+
+TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
+  Worst worst("balls");
+  int balls = 0;
+  ForEachGroup([&](RandomGroup* group) {
+    const RegionDynamics dense = Assembled(*group);
+    const RegionLayout hinges(group->model, /*balls=*/false), layout(group->model, /*balls=*/true);
+    balls += layout.num_positions() - layout.num_dofs();
+    const VecX expected = BodiesAccelerated(*group, hinges, dense.M().llt().solve(-dense.b()));
+    const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
+    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTolerance);
+  });
+  EXPECT_GT(balls, 50);
+}
+
+// Rows and columns of what is locked are left out.
+VecX SolveUnlocked(const RegionDynamics& dense, const std::vector<char>& locked) {
+  std::vector<int> free;
+  for (size_t i = 0; i < locked.size(); ++i) {
+    if (!locked[i]) free.push_back(static_cast<int>(i));
+  }
+  VecX x = VecX::Zero(dense.b().size());
+  const MatX M = dense.M()(free, free);
+  const VecX right = -dense.b()(free);
+  const VecX solved = M.llt().solve(right);
+  x(free) = solved;
+  return x;
+}
+
+TEST(ArticulatedBodies, LeaveLockedHingesWhereTheyAre) {
+  Worst worst("locked");
+  int locked_balls = 0;
+  ForEachGroup([&](RandomGroup* group) {
+    std::vector<char> locked;
+    for (double& rate : group->qd) {
+      locked.push_back(group->random.Chance(0.3));
+      if (locked.back()) rate = 0.0;
+    }
+    const RegionLayout hinges(group->model, /*balls=*/false);
+    RegionLayout layout(group->model, /*balls=*/true);
+    const int balls = layout.num_positions() - layout.num_dofs();
+    layout.SetLocked(locked, group->q);
+    locked_balls += balls - (layout.num_positions() - layout.num_dofs());
+    const VecX expected =
+        BodiesAccelerated(*group, hinges, SolveUnlocked(Assembled(*group), locked));
+    const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
+    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTolerance);
+  });
+  EXPECT_GT(locked_balls, 20);
+}
+
+// A joint with nothing beyond it does not accelerate, and the others do as if it were not there.
+TEST(ArticulatedBodies, GiveNothingToADirectionThatMovesNoMass) {
+  Worst worst("massless");
+  int massless = 0;
+  ForEachGroup([&](RandomGroup* group) {
+    ModelNode& last = group->model.nodes.back();
+    if (last.role != Role::kFree || group->model.num_bodies < 2) return;
+    ++massless;
+    group->model.mass -= last.body.mass;
+    last.body = RigidInertia();
+    const RegionDynamics dense = Assembled(*group);
+    MatX L = dense.M();
+    VecX expected = -dense.b();
+    FactorSemidefinite(L);
+    SolveSemidefinite(L, expected);
+    const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
+    EXPECT_TRUE(x.tail(last.num_hinges).isZero(0.0));
+    EXPECT_LE(worst((x - expected).norm() / (1.0 + expected.norm())), kTolerance);
+  });
+  EXPECT_GT(massless, 50);
+}
+
+// How the velocity of a point of a node, r from its origin, follows from the hinges' rates, and in
+// flight from the root's that answers them.
+Eigen::Matrix3Xd PointJacobian(const RandomGroup& group, int node, const V3& r) {
+  const RegionLayout layout(group.model, /*balls=*/false);
+  const NodeKinematics kinematics = MovedBy(group, layout);
+  const auto& motion = kinematics.motion();
+  Eigen::Matrix3Xd J = Eigen::Matrix3Xd::Zero(3, layout.num_dofs());
+  const auto add = [&](int of, const V3& point, double weight) {
+    for (int i = of; i >= 0; i = group.model.nodes[i].parent) {
+      const RegionLayout::Node& where = layout.node(i);
+      for (int k = 0; k < where.num_dofs; ++k) {
+        J.col(where.dof + k) += weight * Cross(motion[i].axis[k], point - motion[i].p).eigen();
+      }
+    }
+  };
+  add(node, motion[node].p + r, 1.0);
+  if (group.model.coupling != RootCoupling::kFlight) return J;
+  for (int i = 0; i < kinematics.size(); ++i) {
+    if (motion[i].m == 0.0) continue;
+    const V3 com = motion[i].p + (1.0 / motion[i].m) * motion[i].h;
+    add(i, com, -motion[i].m / group.model.mass);
+  }
+  return J;
+}
+
+int AnyDynamicNode(RandomGroup* group) {
+  const int count = static_cast<int>(group->model.nodes.size());
+  int node = group->random.Integer(0, count - 1);
+  while (!group->model.nodes[node].is_dynamic) node = group->random.Integer(0, count - 1);
+  return node;
+}
+
+// x = M^-1 J^T f, and J x + f / m of a flying figure, where the force moves the root too.
+TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
+  Worst worst("push");
+  ForEachGroup([&](RandomGroup* group) {
+    const int node = AnyDynamicNode(group), other = AnyDynamicNode(group);
+    const V3 r(group->random.Vector3(0.3)), at(group->random.Vector3(0.3));
+    const Vec3 force = group->random.Vector3(50.0);
+    const bool flies = group->model.root_answers;
+    const VecX x =
+        Assembled(*group).M().llt().solve(PointJacobian(*group, node, r).transpose() * force);
+    Vec3 expected = PointJacobian(*group, other, at) * x;
+    if (flies) expected += force / group->model.mass;
+    for (const bool balls : {false, true}) {
+      const RegionLayout layout(group->model, balls);
+      const NodeKinematics kinematics = MovedBy(*group, layout);
+      ArticulatedBodies articulated(group->model);
+      VecX pushed(layout.num_dofs());
+      articulated.Solve(layout, kinematics.motion(), pushed.data());
+      articulated.Push(layout, kinematics.motion(), node, r, V3(force), pushed.data());
+      const double size = expected.norm() + x.norm();
+      const Vec3 actual = articulated.AccelerationAt(other, at).eigen();
+      EXPECT_LE(worst((actual - expected).norm() / size), kTolerance) << "balls " << balls;
+      if (balls) continue;
+      EXPECT_LE(worst((pushed - x).norm() / size), kTolerance);
+    }
+  });
+}
+
+TEST(ArticulatedBodies, AnswerATorqueAboutAHingeWithAColumnOfTheInverse) {
+  Worst worst("twist");
+  ForEachGroup([&](RandomGroup* group) {
+    const RegionLayout layout(group->model, /*balls=*/false);
+    const NodeKinematics kinematics = MovedBy(*group, layout);
+    const MatX inverse =
+        Assembled(*group).M().llt().solve(MatX::Identity(layout.num_dofs(), layout.num_dofs()));
+    ArticulatedBodies articulated(group->model);
+    VecX x(layout.num_dofs());
+    articulated.Solve(layout, kinematics.motion(), x.data());
+    for (int i = 0; i < layout.num_dofs(); ++i) {
+      const FreeHinge& hinge = layout.hinges()[i];
+      articulated.Twist(layout, kinematics.motion(), hinge.node, hinge.slot, x.data());
+      EXPECT_LE(worst(RelativeDifference(x, inverse.col(i))), kTolerance) << "hinge " << i;
+    }
+  });
+}
+
+// What was pushed or twisted leaves nothing behind.
+TEST(ArticulatedBodies, SolveTheSameBitsAfterAPush) {
+  ForEachGroup([&](RandomGroup* group) {
+    const RegionLayout layout(group->model, /*balls=*/true);
+    const NodeKinematics kinematics = MovedBy(*group, layout);
+    ArticulatedBodies articulated(group->model);
+    VecX first(layout.num_dofs()), x(layout.num_dofs());
+    articulated.Solve(layout, kinematics.motion(), first.data());
+    articulated.Push(layout, kinematics.motion(), AnyDynamicNode(group), V3(), V3(1.0, 2.0, 3.0),
+                     x.data());
+    articulated.Solve(layout, kinematics.motion(), x.data());
+    EXPECT_EQ(x, first);
+  });
+}
+
+}  // namespace
+}  // namespace hazumi::test
