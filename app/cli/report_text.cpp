@@ -66,7 +66,7 @@ std::string ModelText(const RegionReport& report, bool with_root) {
 std::string EnergyText(const EnergyBalance& energy) {
   std::string text = FromTo("kinetic", energy.kinetic_start, energy.kinetic_end) + ", " +
                      FromTo("potential", energy.potential_start, energy.potential_end);
-  for (const EnergyBalance::Work& work : energy.laws) text += Work(work.law, work.joules);
+  for (const EnergyBalance::Work& work : energy.laws) text += Work(work.law.c_str(), work.joules);
   return text + Work("stops", energy.stops) + Work("keys and placement", energy.keyed) +
          Work("unexplained", energy.residual());
 }

@@ -1,12 +1,16 @@
 #include "engine/bake/incremental_bake.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <new>
 #include <tuple>
+#include <utility>
 
 #include "engine/bake/bake_size.h"
+#include "engine/bake/baker.h"
 #include "engine/base/memory.h"
 
 namespace hazumi {
@@ -38,12 +42,69 @@ double FirstReach(const Keys& keys, size_t first) {
 
 }  // namespace
 
-IncrementalBake::IncrementalBake(Animation animation, const BakeOptions& options)
+// The stretches baked so far, and which of them an edit has made stale.
+class IncrementalBake::State {
+ public:
+  State(Animation animation, const BakeOptions& options);
+
+  void Update(const Animation& animation);
+  std::optional<Error> BakeTo(int frame);
+  bool is_fresh(int frame) const { return frame < fresh_until_; }
+  int last_frame() const { return animation_.last_frame; }
+  int fresh_until() const { return fresh_until_; }
+  const Motion& motion() const { return motion_; }
+  int stretches_baked() const { return stretches_baked_; }
+
+ private:
+  // Frames that an edit can reach.
+  struct Reach {
+    double first, last;
+    void Include(double frame) {
+      first = std::min(first, frame);
+      last = std::max(last, frame);
+    }
+  };
+
+  // A stretch, and whether it has to be baked again from its start.
+  struct Part {
+    Stretch stretch;
+    bool is_stale = true;
+  };
+  using Parts = std::map<int, Part>;  // by first frame
+
+  void StartAnew(const Animation& animation);
+  void Forget(const Error& error);
+  std::optional<Error> BakeFurther(int frame);
+  void ChangeKeys(const Keys& next, Keys* keys, Reach* reach);
+  void ChangeRegions(const Animation& next, Reach* reach);
+  void IncludeBlends(Reach* reach) const;
+  void MakeStale(const Reach& reach);
+  void KeepLogs(const Stretch& stretch);
+  std::optional<Error> Begin();
+  std::optional<Error> BakeStaleStretch();
+  void Join(std::optional<Checkpoint> next);
+  void CollectEvents();
+
+  Animation animation_;
+  BakeOptions options_;
+  Team team_;
+  Motion motion_;
+  std::unique_ptr<Baker> baker_;
+  Parts parts_;
+  bool has_begun_ = false;  // the first part's start is right
+  // Where the first stale part begins, whose start is right; those of later ones may not be.
+  std::atomic<int> fresh_until_ = 0;
+  KnownLogs known_;  // of stretches that are no more
+  std::optional<Error> error_;
+  int stretches_baked_ = 0;
+};
+
+IncrementalBake::State::State(Animation animation, const BakeOptions& options)
     : options_(options), team_(options.threads) {
   Update(animation);
 }
 
-void IncrementalBake::StartAnew(const Animation& animation) {
+void IncrementalBake::State::StartAnew(const Animation& animation) {
   animation_ = animation;
   for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
   parts_.clear();
@@ -56,7 +117,7 @@ void IncrementalBake::StartAnew(const Animation& animation) {
 }
 
 // There is no motion, and what there was of it takes no memory any more.
-void IncrementalBake::Forget(const Error& error) {
+void IncrementalBake::State::Forget(const Error& error) {
   baker_.reset();
   parts_.clear();
   known_.clear();
@@ -65,9 +126,9 @@ void IncrementalBake::Forget(const Error& error) {
   error_ = error;
 }
 
-void IncrementalBake::KeepLogs(const Stretch& stretch) { known_.Add(stretch.logs); }
+void IncrementalBake::State::KeepLogs(const Stretch& stretch) { known_.Add(stretch.logs); }
 
-void IncrementalBake::Update(const Animation& animation) {
+void IncrementalBake::State::Update(const Animation& animation) {
   if (const auto error = CheckSize(animation)) {
     animation_ = animation;
     return Forget(*error);
@@ -87,7 +148,7 @@ void IncrementalBake::Update(const Animation& animation) {
 
 // A blend leads in one piece from where its region ends to its target, beyond all keys that it
 // passes over: an edit that reaches into it reaches back to its start.
-void IncrementalBake::IncludeBlends(Reach* reach) const {
+void IncrementalBake::State::IncludeBlends(Reach* reach) const {
   struct Blend {
     double start, end;
   };
@@ -104,7 +165,7 @@ void IncrementalBake::IncludeBlends(Reach* reach) const {
   }
 }
 
-void IncrementalBake::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {
+void IncrementalBake::State::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {
   const auto [old_first, new_first] =
       std::mismatch(keys->begin(), keys->end(), next.begin(), next.end());
   if (old_first == keys->end() && new_first == next.end()) return;
@@ -118,7 +179,7 @@ void IncrementalBake::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {
   baker_->AddKeys(*keys);
 }
 
-void IncrementalBake::ChangeRegions(const Animation& next, Reach* reach) {
+void IncrementalBake::State::ChangeRegions(const Animation& next, Reach* reach) {
   const auto include = [&](const DynamicsRegion& region) {
     reach->Include(region.last_frame);
     // The curves arrive at the first frame with other tangents.
@@ -141,7 +202,7 @@ void IncrementalBake::ChangeRegions(const Animation& next, Reach* reach) {
   baker_->RegionsChanged();
 }
 
-void IncrementalBake::MakeStale(const Reach& reach) {
+void IncrementalBake::State::MakeStale(const Reach& reach) {
   error_.reset();
   auto part = parts_.begin();
   if (reach.first < animation_.first_frame) {
@@ -154,7 +215,7 @@ void IncrementalBake::MakeStale(const Reach& reach) {
   for (; part != parts_.end() && part->first <= reach.last; ++part) part->second.is_stale = true;
 }
 
-std::optional<Error> IncrementalBake::BakeTo(int frame) {
+std::optional<Error> IncrementalBake::State::BakeTo(int frame) {
   try {
     return BakeFurther(frame);
   } catch (const std::bad_alloc&) {
@@ -163,7 +224,7 @@ std::optional<Error> IncrementalBake::BakeTo(int frame) {
   }
 }
 
-std::optional<Error> IncrementalBake::BakeFurther(int frame) {
+std::optional<Error> IncrementalBake::State::BakeFurther(int frame) {
   frame = std::min(frame, animation_.last_frame);
   if (is_fresh(frame)) return std::nullopt;
   while (!error_ && !is_fresh(frame)) {
@@ -177,7 +238,7 @@ std::optional<Error> IncrementalBake::BakeFurther(int frame) {
   return error_;
 }
 
-std::optional<Error> IncrementalBake::Begin() {
+std::optional<Error> IncrementalBake::State::Begin() {
   Result<Checkpoint> start = baker_->Begin();
   if (!start.ok()) return start.error();
   parts_[animation_.first_frame].stretch.start = std::move(start.value());
@@ -185,7 +246,7 @@ std::optional<Error> IncrementalBake::Begin() {
   return std::nullopt;
 }
 
-std::optional<Error> IncrementalBake::BakeStaleStretch() {
+std::optional<Error> IncrementalBake::State::BakeStaleStretch() {
   if (!animation_.regions.empty()) team_.Expect();
   const auto part = parts_.find(fresh_until_);
   KeepLogs(part->second.stretch);
@@ -199,7 +260,7 @@ std::optional<Error> IncrementalBake::BakeStaleStretch() {
 }
 
 // What comes next is stale unless it begins in the same way as before.
-void IncrementalBake::Join(std::optional<Checkpoint> next) {
+void IncrementalBake::State::Join(std::optional<Checkpoint> next) {
   auto after = parts_.upper_bound(fresh_until_);
   while (after != parts_.end() && !(next && after->first >= next->frame)) {
     KeepLogs(after->second.stretch);
@@ -218,7 +279,7 @@ void IncrementalBake::Join(std::optional<Checkpoint> next) {
   fresh_until_ = stale == parts_.end() ? animation_.last_frame + 1 : stale->first;
 }
 
-void IncrementalBake::CollectEvents() {
+void IncrementalBake::State::CollectEvents() {
   motion_.events.clear();
   motion_.warnings.clear();
   motion_.placement_jumps.clear();
@@ -226,5 +287,16 @@ void IncrementalBake::CollectEvents() {
   SortByTime(&motion_.events);
   DropRepeated(&motion_.warnings);
 }
+
+IncrementalBake::IncrementalBake(Animation animation, const BakeOptions& options)
+    : state_(std::make_unique<State>(std::move(animation), options)) {}
+IncrementalBake::~IncrementalBake() = default;
+
+void IncrementalBake::Update(const Animation& animation) { state_->Update(animation); }
+std::optional<Error> IncrementalBake::BakeTo(int frame) { return state_->BakeTo(frame); }
+std::optional<Error> IncrementalBake::Finish() { return state_->BakeTo(state_->last_frame()); }
+int IncrementalBake::fresh_until() const { return state_->fresh_until(); }
+const Motion& IncrementalBake::motion() const { return state_->motion(); }
+int IncrementalBake::stretches_baked() const { return state_->stretches_baked(); }
 
 }  // namespace hazumi

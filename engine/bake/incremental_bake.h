@@ -1,12 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "engine/bake/bake.h"
-#include "engine/bake/baker.h"
 
 namespace hazumi {
 
@@ -18,6 +15,7 @@ namespace hazumi {
 class IncrementalBake {
  public:
   explicit IncrementalBake(Animation animation, const BakeOptions& options = {});
+  ~IncrementalBake();
 
   // The animation was edited. Cheap where only keys changed, or settings of regions.
   void Update(const Animation& animation);
@@ -26,60 +24,22 @@ class IncrementalBake {
   // After an error, as Bake gives it, everything before the frame that it names is there, or where
   // memory does not suffice nothing at all; the next try comes with the next edit.
   std::optional<Error> BakeTo(int frame);
-  std::optional<Error> Finish() { return BakeTo(animation_.last_frame); }
+  std::optional<Error> Finish();
 
   // True if the frame is what Bake would give.
-  bool is_fresh(int frame) const { return frame < fresh_until_; }
+  bool is_fresh(int frame) const { return frame < fresh_until(); }
   // Frames before this one are fresh. May be asked by any thread.
-  int fresh_until() const { return fresh_until_; }
+  int fresh_until() const;
   // Frames that are not fresh are as they were before the edit. Events and warnings are in order.
-  const Motion& motion() const { return motion_; }
+  const Motion& motion() const;
 
   // Stretches baked so far, by all edits.
-  int stretches_baked() const { return stretches_baked_; }
+  int stretches_baked() const;
 
  private:
-  // Frames that an edit can reach.
-  struct Reach {
-    double first, last;
-    void Include(double frame) {
-      first = std::min(first, frame);
-      last = std::max(last, frame);
-    }
-  };
-
-  // A stretch, and whether it has to be baked again from its start.
-  struct Part {
-    Stretch stretch;
-    bool is_stale = true;
-  };
-  using Parts = std::map<int, Part>;  // by first frame
-
-  void StartAnew(const Animation& animation);
-  void Forget(const Error& error);
-  std::optional<Error> BakeFurther(int frame);
-  void ChangeKeys(const Keys& next, Keys* keys, Reach* reach);
-  void ChangeRegions(const Animation& next, Reach* reach);
-  void IncludeBlends(Reach* reach) const;
-  void MakeStale(const Reach& reach);
-  void KeepLogs(const Stretch& stretch);
-  std::optional<Error> Begin();
-  std::optional<Error> BakeStaleStretch();
-  void Join(std::optional<Checkpoint> next);
-  void CollectEvents();
-
-  Animation animation_;
-  BakeOptions options_;
-  Team team_;
-  Motion motion_;
-  std::unique_ptr<Baker> baker_;
-  Parts parts_;
-  bool has_begun_ = false;  // the first part's start is right
-  // Where the first stale part begins, whose start is right; those of later ones may not be.
-  std::atomic<int> fresh_until_ = 0;
-  KnownLogs known_;  // of stretches that are no more
-  std::optional<Error> error_;
-  int stretches_baked_ = 0;
+  // The solvers and what they keep, of which whoever shows a motion knows nothing.
+  class State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace hazumi

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/warning.h"
+#include "engine/project/item_id.h"
 #include "engine/project/json/extra_fields.h"
 #include "engine/project/project_figure.h"
 #include "engine/project/project_scene.h"
@@ -105,6 +106,7 @@ struct ProjectRegion {
   bool limit_tangents = false;
   int blend_frames = 0;
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectRegion&) const = default;
 };
 
@@ -114,6 +116,7 @@ struct ProjectPlacement {
   std::string landing_pin;              // kGravity only; may be empty
   int first_frame = 0, last_frame = 0;  // half open
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectPlacement&) const = default;
 };
 
@@ -123,6 +126,7 @@ struct ProjectHold {
   HoldReach reach = HoldReach::kLimb;
   int first_frame = 0, last_frame = 0;
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectHold&) const = default;
 };
 
@@ -131,6 +135,7 @@ struct ProjectMarker {
   int frame = 0;
   std::string name;
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectMarker&) const = default;
 };
 

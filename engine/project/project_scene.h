@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/project/item_id.h"
 #include "engine/project/json/extra_fields.h"
 #include "engine/spatial/types.h"
 
@@ -36,6 +37,7 @@ struct ProjectSceneObject {
   std::variant<ProjectPlane, ProjectBox> shape;
   std::string color = kDefaultObjectColor;
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectSceneObject&) const = default;
 };
 
@@ -67,6 +69,7 @@ struct ProjectHeldObject {
   std::optional<int> release_frame;
   std::string color = kDefaultObjectColor;
   ExtraFields extra;
+  Identity identity = {};
   bool operator==(const ProjectHeldObject&) const = default;
 };
 

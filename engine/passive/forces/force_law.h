@@ -38,6 +38,6 @@ class ForceLaw {
   virtual double FastestRate() const { return 0.0; }
 };
 
-using ForceLaws = std::vector<std::unique_ptr<const ForceLaw>>;
+using ForceLaws = std::vector<std::shared_ptr<const ForceLaw>>;
 
 }  // namespace hazumi

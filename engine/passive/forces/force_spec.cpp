@@ -6,8 +6,8 @@ namespace hazumi {
 
 namespace {
 
-std::unique_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
-  return std::make_unique<Retention>(spec);
+std::shared_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
+  return std::make_shared<Retention>(spec);
 }
 
 }  // namespace

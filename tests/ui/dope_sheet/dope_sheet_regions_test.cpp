@@ -25,7 +25,7 @@ TEST_F(DopeSheet, DraggingARegionMovesItWhole) {
   EXPECT_EQ(arms().first_frame, 8);
   EXPECT_EQ(arms().last_frame, 18);
   EXPECT_EQ(user.num_steps(), 1u);
-  EXPECT_EQ(user.editor().sheet.region, "arms");
+  EXPECT_EQ(user.editor().sheet.bar, (ui::BarId{ui::BarKind::kRegion, arms().identity.id}));
 }
 
 TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {

@@ -70,17 +70,19 @@ TEST(PropertiesLayout, PartsOfARowDoNotOverlap) {
 
 TEST(ShownRegion, IsTheChosenOneElseOneAtTheFrame) {
   Project project;
-  EXPECT_FALSE(ShownRegion(project, "", 0.0));
+  EXPECT_FALSE(ShownRegion(project, ItemId(), 0.0));
   ProjectRegion first, second;
   first.name = "first";
   first.last_frame = 5;
   second.name = "second";
   second.first_frame = 10;
   second.last_frame = 15;
+  first.identity.id = ItemId(1);
+  second.identity.id = ItemId(2);
   project.regions = {first, second};
-  EXPECT_EQ(ShownRegion(project, "", 12.0), 1u);
-  EXPECT_EQ(ShownRegion(project, "first", 12.0), 0u);
-  EXPECT_EQ(ShownRegion(project, "gone", 30.0), 0u);
+  EXPECT_EQ(ShownRegion(project, ItemId(), 12.0), 1u);
+  EXPECT_EQ(ShownRegion(project, ItemId(1), 12.0), 0u);
+  EXPECT_EQ(ShownRegion(project, ItemId(9), 30.0), 0u);
 }
 
 TEST(ModelText, SaysWhatWasSolved) {

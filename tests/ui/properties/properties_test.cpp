@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "engine/project/project_writer.h"
+#include "ui/panels/dope_sheet/bars.h"
+#include "ui/panels/properties/layout.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/drag_tool.h"
 #include "ui/panels/window/panels.h"
@@ -69,6 +71,24 @@ class Properties : public ::testing::Test {
   Editor editor_;
   std::unique_ptr<OffscreenShell> shell_;
 };
+
+// Names that begin alike, or are taken, lead to no other region.
+TEST_F(Properties, TheChosenRegionStaysItWhenItIsRenamed) {
+  Do("region.add", {{"name", "other"}, {"joints", {"l_shoulder+"}}, {"first", 0}, {"last", 20}});
+  Do("region.add", {{"name", "arms"}, {"joints", {"neck"}}, {"first", 0}, {"last", 20}});
+  const auto names = [&] {
+    const Project& project = editor_.session().project();
+    const size_t shown = *ShownRegion(project, editor_.side.region, 0.0);
+    const std::optional<BarRef> bar = ChosenBar(project, editor_.sheet);
+    return std::pair(project.regions[shown].name, project.regions.at(bar->index).name);
+  };
+  ChooseBar(&editor_, {BarKind::kRegion, 1});
+  EXPECT_EQ(names(), std::pair(std::string("other"), std::string("other")));
+  Do("region.set", {{"region", "other"}, {"name", "arm"}});
+  EXPECT_EQ(names(), std::pair(std::string("arm 2"), std::string("arm 2")));
+  Do("region.remove", {{"region", "arm"}});
+  EXPECT_EQ(names(), std::pair(std::string("arm 2"), std::string("arm 2")));
+}
 
 TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
   editor_.side.section = Section::kRegion;

@@ -26,8 +26,12 @@ Case AnyCase(uint64_t seed, RootCoupling coupling) {
   while (!group) group = RandomGroup::Of(seed += 1000, coupling);  // nothing was free
   const RegionLayout layout(group->model, /*balls=*/true);
   const int k = layout.num_hinges(), n = static_cast<int>(group->driven.angles.size());
-  Case c{{group->model, VecX::Constant(k, 0.5), group->q.array() - 0.2, group->q.array() + 0.2,
-          RandomGroup::kGravity, 1e-8},
+  Case c{{group->model,
+          group->q.array() - 0.2,
+          group->q.array() + 0.2,
+          {RetentionSpec{VecX::Constant(k, 0.5)}},
+          RandomGroup::kGravity,
+          1e-8},
          {VecX::Zero(n), VecX::Zero(n)},
          group->driven};
   for (int i = 0; i < k; ++i) {
@@ -116,9 +120,9 @@ TEST(GroupSolution, TakesItsAnswersFromTheLog) {
   const Case c = CarriedCase();
   const KnownLogs nothing;
   auto log = std::make_shared<GroupLog>(*Walk(c, &nothing).log);
-  GroupAnswer& sample = (*log)[2];
-  ASSERT_EQ(sample.question[0], static_cast<double>(GroupCall::kSample));
-  sample.answer[0] = 12345.0;
+  GroupCall& sample = (*log)[2];
+  ASSERT_TRUE(std::holds_alternative<SampleGroup>(sample.request));
+  sample.result.samples[0] = 12345.0;
   const KnownLogs known = Knowing(log);
   EXPECT_EQ(Walk(c, &known).samples[0].maxCoeff(), 12345.0);
 }
@@ -134,7 +138,7 @@ TEST(GroupSolution, SolvesWhatWasAskedOnceItIsAskedSomethingElse) {
   EXPECT_EQ(departed.evaluations, shorter.evaluations);
   ASSERT_EQ(departed.log->size(), shorter.log->size());
   for (size_t i = 0; i < shorter.log->size(); ++i) {
-    EXPECT_TRUE(SameBits((*departed.log)[i].question, (*shorter.log)[i].question)) << i;
+    EXPECT_TRUE(SameBits((*departed.log)[i].request, (*shorter.log)[i].request)) << i;
   }
 }
 
@@ -198,19 +202,10 @@ DrivenCurve& CarryingCurve(Case* c) {
   return c->driven.angles[static_cast<size_t>(CarryingNode(c).hinges[0].coordinate)];
 }
 
-// Members that a new question has to tell. Those of NodeHinge and RegionModel that follow from
-// others are left out: cardinal and sign from the axis, the counts from the nodes.
 std::vector<Change> TaskChanges() {
-  const Case example = CarriedCase();
-  // Does not compile once there is a member that is not thought of here.
-  [[maybe_unused]] const auto& [model, friction, lower, upper, gravity, tolerance] = example.task;
-  [[maybe_unused]] const auto& [nodes, R_root, coupling, pin_node, p_pin, answers, mass, num_free,
-                                num_bodies] = model;
-  [[maybe_unused]] const auto& [parent, p_P, role, num_hinges, hinges, is_ball, is_dynamic, body] =
-      nodes[0];
-  [[maybe_unused]] const auto& [coordinate, axis, cardinal, sign] = hinges[0];
   return {
-      {"friction", [](Case* c) { Nudge(&c->task.friction[0]); }},
+      {"rates", [](Case* c) { Nudge(&std::get<RetentionSpec>(c->task.forces[0]).rates[0]); }},
+      {"forces", [](Case* c) { c->task.forces.clear(); }},
       {"lower", [](Case* c) { Nudge(&c->task.lower[0]); }},
       {"upper", [](Case* c) { Nudge(&c->task.upper[0]); }},
       {"gravity", [](Case* c) { Nudge(&c->task.gravity); }},
@@ -221,6 +216,8 @@ std::vector<Change> TaskChanges() {
       {"p_pin", [](Case* c) { Nudge(&c->task.model.p_pin.z()); }},
       {"root_answers", [](Case* c) { c->task.model.root_answers = true; }},
       {"mass", [](Case* c) { Nudge(&c->task.model.mass); }},
+      {"num_free", [](Case* c) { ++c->task.model.num_free; }},
+      {"num_bodies", [](Case* c) { ++c->task.model.num_bodies; }},
       {"nodes", [](Case* c) { c->task.model.nodes.emplace_back(); }},
       {"parent", [](Case* c) { --FreeNode(c).parent; }},
       {"p_P", [](Case* c) { Nudge(&FreeNode(c).p_P.x()); }},
@@ -233,12 +230,12 @@ std::vector<Change> TaskChanges() {
       {"body.I_com", [](Case* c) { Nudge(&FreeNode(c).body.I_com(1, 2)); }},
       {"hinge.coordinate", [](Case* c) { ++CarryingNode(c).hinges[0].coordinate; }},
       {"hinge.axis", [](Case* c) { Nudge(&FreeNode(c).hinges[0].axis.x()); }},
+      {"hinge.cardinal", [](Case* c) { FreeNode(c).hinges[0].cardinal ^= 1; }},
+      {"hinge.sign", [](Case* c) { Nudge(&FreeNode(c).hinges[0].sign); }},
   };
 }
 
 std::vector<Change> MotionChanges() {
-  const DrivenCurve example;
-  [[maybe_unused]] const auto& [start, degree, c_] = example;
   return {
       {"t", [](Case* c) { Nudge(&c->t); }},
       {"end", [](Case* c) { Nudge(&c->end); }},
@@ -287,7 +284,6 @@ TEST(GroupSolution, IsNotSolvedAnewForWhatItDoesNotRead) {
     c.driven.angles[i].c[0] += 1.0;
     c.state.q[static_cast<int>(i)] += 1.0;
   }
-  CarryingCurve(&c).c[9] = 5.0;  // beyond its degree
   EXPECT_GT(unread, 0);
   EXPECT_TRUE(IsKnown(c, known, log));
 }

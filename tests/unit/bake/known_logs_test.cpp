@@ -11,51 +11,60 @@
 namespace hazumi {
 namespace {
 
-std::shared_ptr<const GroupLog> LogOf(Numbers question, Numbers answer = {}) {
+BeginGroup RequestAt(double t) {
+  BeginGroup request;
+  request.t = t;
+  return request;
+}
+
+std::shared_ptr<const GroupLog> LogOf(const BeginGroup& request, double time = 0.0) {
   GroupLog log(1);
-  log[0].question = std::move(question);
-  log[0].answer = std::move(answer);
+  log[0].request = request;
+  log[0].result.progress.time = time;
   return std::make_shared<const GroupLog>(std::move(log));
 }
 
-TEST(KnownLogs, FindTheLogThatBeginsWithAQuestion) {
-  const auto one = LogOf({1.0, 2.0}), two = LogOf({1.0, 2.0, 3.0}), three = LogOf({2.0, 1.0});
+TEST(KnownLogs, FindTheLogThatBeginsWithARequest) {
+  BeginGroup with_angle = RequestAt(1.0), with_another = RequestAt(1.0);
+  with_angle.q = VecX::Constant(1, 2.0);
+  with_another.q = VecX::Constant(1, 3.0);
+  const auto one = LogOf(RequestAt(1.0)), two = LogOf(with_angle), three = LogOf(RequestAt(2.0));
   KnownLogs known;
   known.Add(GroupLogs{one, two});
   known.Add(GroupLogs{three});
-  EXPECT_EQ(known.Find({1.0, 2.0}), one);
-  EXPECT_EQ(known.Find({1.0, 2.0, 3.0}), two);
-  EXPECT_EQ(known.Find({2.0, 1.0}), three);
-  for (const Numbers& other : std::vector<Numbers>{{}, {1.0}, {1.0, 2.5}, {3.0, 2.0, 1.0}}) {
-    EXPECT_EQ(known.Find(other), nullptr);
-  }
+  EXPECT_EQ(known.Find(RequestAt(1.0)), one);
+  EXPECT_EQ(known.Find(with_angle), two);
+  EXPECT_EQ(known.Find(RequestAt(2.0)), three);
+  EXPECT_EQ(known.Find(with_another), nullptr);
+  EXPECT_EQ(known.Find(RequestAt(1.5)), nullptr);
 }
 
 TEST(KnownLogs, TellNumbersApartByTheirBits) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto zero = LogOf({0.0}), minus_zero = LogOf({-0.0}), no_number = LogOf({nan});
+  const auto zero = LogOf(RequestAt(0.0)), minus_zero = LogOf(RequestAt(-0.0)),
+             no_number = LogOf(RequestAt(nan));
   KnownLogs known;
   known.Add(GroupLogs{zero, minus_zero, no_number});
-  EXPECT_EQ(known.Find({0.0}), zero);
-  EXPECT_EQ(known.Find({-0.0}), minus_zero);
-  EXPECT_EQ(known.Find({nan}), no_number);
-  EXPECT_EQ(known.Find({std::nextafter(0.0, 1.0)}), nullptr);
+  EXPECT_EQ(known.Find(RequestAt(0.0)), zero);
+  EXPECT_EQ(known.Find(RequestAt(-0.0)), minus_zero);
+  EXPECT_EQ(known.Find(RequestAt(nan)), no_number);
+  EXPECT_EQ(known.Find(RequestAt(std::nextafter(0.0, 1.0))), nullptr);
 }
 
 TEST(KnownLogs, GiveTheLatestOfLogsThatBeginAlike) {
-  const auto early = LogOf({7.0}, {1.0}), late = LogOf({7.0}, {2.0});
+  const auto early = LogOf(RequestAt(7.0), 1.0), late = LogOf(RequestAt(7.0), 2.0);
   KnownLogs known;
-  known.Add(GroupLogs{early, LogOf({8.0})});
+  known.Add(GroupLogs{early, LogOf(RequestAt(8.0))});
   known.Add(GroupLogs{late});
-  EXPECT_EQ(known.Find({7.0}), late);
-  EXPECT_NE(known.Find({8.0}), nullptr);
+  EXPECT_EQ(known.Find(RequestAt(7.0)), late);
+  EXPECT_NE(known.Find(RequestAt(8.0)), nullptr);
 }
 
 TEST(KnownLogs, ForgetAll) {
   KnownLogs known;
-  known.Add(GroupLogs{LogOf({1.0})});
+  known.Add(GroupLogs{LogOf(RequestAt(1.0))});
   known.clear();
-  EXPECT_EQ(known.Find({1.0}), nullptr);
+  EXPECT_EQ(known.Find(RequestAt(1.0)), nullptr);
 }
 
 // Fits a carrier at rest; counts how often.
@@ -69,26 +78,33 @@ struct Fitter {
   }
 };
 
-TEST(AttachmentCache, FitsOnceForTheSameKeyAndSharesIt) {
+TEST(AttachmentCache, FitsOnceForTheSameCarrierAndSharesIt) {
   AttachmentCache cache;
   Fitter fit;
-  const auto get = [&](std::vector<double> key) {
-    return cache.Get(std::move(key), [&] { return fit(); });
-  };
-  const auto first = get({1.0, 2.0});
-  EXPECT_EQ(get({1.0, 2.0}), first);
+  Carrier carrier;
+  carrier.chain.resize(2);
+  const auto get = [&] { return cache.Get(carrier, [&] { return fit(); }); };
+  const auto first = get();
+  EXPECT_EQ(get(), first);
   EXPECT_EQ(fit.fits, 1);
-  EXPECT_NE(get({1.0, std::nextafter(2.0, 3.0)}), first);
-  EXPECT_NE(get({1.0}), first);
+  carrier.end = std::nextafter(carrier.end, 1.0);
+  EXPECT_NE(get(), first);
+  carrier.end = 0.0;
+  carrier.chain[1].body.mass = 1.0;
+  EXPECT_NE(get(), first);
   EXPECT_EQ(fit.fits, 3);
 }
 
 TEST(AttachmentCache, KeepsTheEightLatestFits) {
   AttachmentCache cache;
   Fitter fit;
-  const auto get = [&](double key) { return cache.Get({key}, [&] { return fit(); }); };
+  const auto get = [&](double t) {
+    Carrier carrier;
+    carrier.t = t;
+    return cache.Get(carrier, [&] { return fit(); });
+  };
   const auto oldest = get(0.0);
-  for (int key = 1; key <= 7; ++key) get(key);
+  for (int t = 1; t <= 7; ++t) get(t);
   EXPECT_EQ(get(0.0), oldest);
   EXPECT_EQ(fit.fits, 8);
   get(8.0);

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -41,6 +43,46 @@ TEST(RegionOperators, AnEditThatCannotBeAnimatedIsRefused) {
   Refused(&session, "region.friction", {{"region", "arms"}, {"factor", 1.5}});
   EXPECT_EQ(Refused(&session, "region.remove", {{"region", "legs"}}).ToString(),
             "region.remove.region: there is no \"legs\"; there is \"arms\"");
+}
+
+TEST(RegionOperators, GivenItsOwnNameARegionStaysAsItIs) {
+  Session session;
+  AddArms(&session);
+  const size_t steps = session.document().num_steps();
+  Do(&session, "region.set", {{"region", "arms"}, {"name", "arms"}});
+  EXPECT_EQ(session.project().regions[0].name, "arms");
+  EXPECT_EQ(session.document().num_steps(), steps);
+}
+
+TEST(RegionOperators, RegionsKeepTheirIdsWhateverIsDoneToThem) {
+  Session session;
+  AddArms(&session);
+  const auto id = [&](size_t i) { return session.project().regions[i].identity.id; };
+  const ItemId arms = id(0);
+  ASSERT_TRUE(arms.is_valid());
+  Do(&session, "region.split", {{"region", "arms"}, {"frame", 10}});
+  const ItemId second = id(1);
+  EXPECT_EQ(id(0), arms);
+  EXPECT_NE(second, arms);
+  Do(&session, "region.set", {{"region", "arms 2"}, {"name", "arms"}});  // is taken
+  EXPECT_EQ(id(1), second);
+  Do(&session, "region.remove", {{"region", "arms"}});
+  EXPECT_EQ(id(0), second);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(id(0), arms);
+  EXPECT_EQ(id(1), second);
+}
+
+// At each step of the drag the region is made again.
+TEST(RegionOperators, ARegionThatIsDraggedOutHasOneId) {
+  Session session;
+  std::set<ItemId> ids;
+  for (const int last : {8, 9, 10, 9}) {
+    Do(&session, "region.add",
+       {{"name", "arm"}, {"first", 5}, {"last", last}, {"joints", {"r_shoulder+"}}, {"drag", "d"}});
+    ids.insert(session.project().regions.at(0).identity.id);
+  }
+  EXPECT_EQ(ids.size(), 1u);
 }
 
 TEST(RegionOperators, FrictionOfOneJoint) {

@@ -68,7 +68,7 @@ TEST(Attachment, IsTheChainOfARandomTree) {
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
     if (!group) continue;
-    RegionDynamics dynamics(group->model, VecX::Zero(group->model.num_free), RandomGroup::kGravity);
+    RegionDynamics dynamics(group->model, ForceLaws(), RandomGroup::kGravity);
     dynamics.SetCurves(&group->driven, -0.05);
     if (!dynamics.needs_attachment()) continue;
     ++moved;
@@ -157,14 +157,13 @@ TEST(Attachment, IsTheSameSharedAsMadeTwice) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
     if (!group) continue;
-    const int n = group->model.num_free;
-    RegionDynamics own(group->model, VecX::Zero(n), RandomGroup::kGravity);
-    RegionDynamics other(group->model, VecX::Zero(n), RandomGroup::kGravity);
+    RegionDynamics own(group->model, ForceLaws(), RandomGroup::kGravity);
+    RegionDynamics other(group->model, ForceLaws(), RandomGroup::kGravity);
     own.SetDriven(&group->driven, -0.05, 0.05);
     other.SetCurves(&group->driven, -0.05);
     if (!other.needs_attachment()) continue;
     ++shared;
-    RegionDynamics third(group->model, VecX::Zero(n), RandomGroup::kGravity);
+    RegionDynamics third(group->model, ForceLaws(), RandomGroup::kGravity);
     third.SetCurves(&group->driven, -0.05);
     other.UseAttachment(third.FitAttachment(-0.05, 0.05));
     VecX y(own.layout().state_size()), dy(y.size()), other_dy(y.size());

@@ -80,8 +80,7 @@ NodeKinematics MovedBy(const RandomGroup& group, const RegionLayout& layout) {
 }
 
 RegionDynamics Assembled(const RandomGroup& group) {
-  const int n = group.model.num_free;
-  RegionDynamics dynamics(group.model, VecX::Zero(n), RandomGroup::kGravity);
+  RegionDynamics dynamics(group.model, ForceLaws(), RandomGroup::kGravity);
   dynamics.SetDriven(&group.driven, -0.01, 0.01);
   dynamics.AssembleHinges(0.0, group.q, group.qd);
   return dynamics;

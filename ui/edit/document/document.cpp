@@ -1,9 +1,13 @@
 #include "ui/edit/document/document.h"
 
+#include "ui/edit/document/give_ids.h"
+
 namespace hazumi::edit {
 
 Document::Document(Project project, std::string path)
-    : state_{std::move(project), {}}, path_(std::move(path)) {}
+    : state_{std::move(project), {}}, path_(std::move(path)) {
+  GiveIds(&state_.project, &state_.next_id);
+}
 
 std::optional<std::string> Document::undo_label() const {
   if (position_ == forgotten_) return std::nullopt;
@@ -107,6 +111,9 @@ void Document::Add(const std::string& label, const std::string& merge, const Sta
     merge_before_ = merge.empty() ? State() : before;
   }
   const State& from = merges ? merge_before_ : before;
+  // What a drag makes is the same item at each of its steps.
+  state_.next_id = from.next_id;
+  GiveIds(&state_.project, &state_.next_id);
   Step step{label, Change(from.project, state_.project), std::nullopt};
   if (from.keys != state_.keys) step.keys = {from.keys, state_.keys};
   bytes_ += step.bytes();

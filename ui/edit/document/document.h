@@ -48,6 +48,7 @@ class Document {
   struct State {
     Project project;
     KeySelection keys;
+    int next_id = 1;  // of an item of the project
   };
   const State* drag_start(const std::string& merge) const {
     return !merge.empty() && merge == merge_ ? &merge_before_ : nullptr;

@@ -92,11 +92,12 @@ Result<T*> EntryNamed(const std::string& name, const char* what, std::vector<T>*
       what, "there is no \"" + name + "\"; there " + (known.empty() ? "are none" : "is " + known));
 }
 
-// The name, or with a number behind it if an entry of the list has it.
+// The name, or with a number behind it if another entry of the list has it.
 template <typename T>
-std::string FreeName(const std::string& wanted, const std::vector<T>& list) {
+std::string FreeName(const std::string& wanted, const std::vector<T>& list,
+                     const T* own = nullptr) {
   std::string name = wanted;
-  const auto is_taken = [&](const T& entry) { return entry.name == name; };
+  const auto is_taken = [&](const T& entry) { return &entry != own && entry.name == name; };
   for (int i = 2; std::any_of(list.begin(), list.end(), is_taken); ++i) {
     name = wanted + " " + std::to_string(i);
   }

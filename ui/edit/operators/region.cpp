@@ -77,7 +77,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
       region->joints.clear();
       for (const std::string& name : p.names("joints")) region->joints.push_back(RefFrom(name));
     }
-    if (p.has("name")) region->name = FreeName(p.text("name"), project->regions);
+    if (p.has("name")) region->name = FreeName(p.text("name"), project->regions, region);
     if (!p.has("method")) return Result<Done>(Done());
     const Result<Method> method =
         ValueNamed<Method>(p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);

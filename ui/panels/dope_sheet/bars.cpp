@@ -1,42 +1,31 @@
 #include "ui/panels/dope_sheet/bars.h"
 
-#include <algorithm>
-
 namespace hazumi::ui {
 
 namespace {
 
 Error NothingChosen() { return {ErrorCode::kSchema, "", "", "no bar is chosen; click one"}; }
 
-std::optional<BarRef> RegionNamed(const Project& project, const std::string& name) {
-  const auto found = std::find_if(project.regions.begin(), project.regions.end(),
-                                  [&](const ProjectRegion& region) { return region.name == name; });
-  if (found == project.regions.end()) return std::nullopt;
-  return BarRef{BarKind::kRegion, static_cast<int>(found - project.regions.begin())};
-}
-
-size_t NumOf(const Project& project, BarKind kind) {
-  return kind == BarKind::kPlacement ? project.placements.size() : project.holds.size();
+// In the project's list of its kind; -1 if it is not there.
+int IndexOf(const Project& project, const BarId& bar) {
+  switch (bar.kind) {
+    case BarKind::kRegion:
+      return hazumi::IndexOf(bar.id, project.regions);
+    case BarKind::kPlacement:
+      return hazumi::IndexOf(bar.id, project.placements);
+    case BarKind::kHold:
+      break;
+  }
+  return hazumi::IndexOf(bar.id, project.holds);
 }
 
 // Its neighbours give way, so that its index may change. In a drag the operator counts as when that
 // began.
-Result<Done> EditPlacement(Editor* editor, const BarRef& span, Json change) {
-  SheetState& sheet = editor->sheet;
-  const std::string drag = change.value("drag", "");
-  if (drag.empty() || drag != sheet.span_drag.drag) sheet.span_drag = {drag, span.index, 0};
-  change["index"] = sheet.span_drag.index;
-  const Project& project = editor->session().project();
-  const int first = change.value("first", FramesOf(project, span).first);
-  Result<Done> done = editor->Invoke("placement.edit", change);
-  sheet.span_drag.revision = editor->session().document().revision();
-  if (!done.ok()) return done;
-  sheet.span.reset();
-  for (size_t i = 0; i < project.placements.size(); ++i) {
-    if (project.placements[i].first_frame != first) continue;
-    sheet.span = BarRef{BarKind::kPlacement, static_cast<int>(i)};
-  }
-  return done;
+Result<Done> EditPlacement(Editor* editor, const BarId& bar, Json change) {
+  const edit::Document& document = editor->session().document();
+  const auto* start = document.drag_start(change.value("drag", ""));
+  change["index"] = IndexOf(start ? start->project : document.project(), bar);
+  return editor->Invoke("placement.edit", change);
 }
 
 std::string TitleOf(const ProjectPlacement& span) {
@@ -89,44 +78,40 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
 }
 
 std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet) {
-  if (!sheet.region.empty()) return RegionNamed(project, sheet.region);
-  const std::optional<BarRef>& span = sheet.span;
-  if (!span || span->index >= static_cast<int>(NumOf(project, span->kind))) return std::nullopt;
-  return span;
+  if (!sheet.bar) return std::nullopt;
+  const int index = IndexOf(project, *sheet.bar);
+  return index < 0 ? std::nullopt : std::optional(BarRef{sheet.bar->kind, index});
+}
+
+BarId IdOf(const Project& project, const BarRef& bar) {
+  switch (bar.kind) {
+    case BarKind::kRegion:
+      return {bar.kind, project.regions[bar.index].identity.id};
+    case BarKind::kPlacement:
+      return {bar.kind, project.placements[bar.index].identity.id};
+    case BarKind::kHold:
+      break;
+  }
+  return {bar.kind, project.holds[bar.index].identity.id};
 }
 
 void ChooseBar(Editor* editor, const BarRef& bar) {
-  ChooseNoBar(&editor->sheet);
-  if (bar.kind == BarKind::kRegion) {
-    editor->sheet.region = editor->session().project().regions[bar.index].name;
-    editor->side.region = editor->sheet.region;  // the properties show it too
-  } else {
-    editor->sheet.span = bar;
-  }
+  editor->sheet.bar = IdOf(editor->session().project(), bar);
+  if (bar.kind == BarKind::kRegion) editor->side.region = editor->sheet.bar->id;
 }
 
-void ChooseNoBar(SheetState* sheet) {
-  sheet->region.clear();
-  sheet->span.reset();
-  sheet->span_drag = {};
-}
-
-void RestoreChoice(Editor* editor) {
-  const SheetState::SpanDrag& drag = editor->sheet.span_drag;
-  const edit::Document& document = editor->session().document();
-  if (drag.drag.empty() || document.is_merging() || document.revision() == drag.revision) return;
-  ChooseBar(editor, {BarKind::kPlacement, drag.index});
-}
+void ChooseNoBar(SheetState* sheet) { sheet->bar.reset(); }
 
 Result<Done> EditChosenBar(Editor* editor, Json change) {
-  const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
+  const Project& project = editor->session().project();
+  const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
   if (!bar) return NothingChosen();
   switch (bar->kind) {
     case BarKind::kRegion:
-      change["region"] = editor->sheet.region;
+      change["region"] = project.regions[bar->index].name;
       return editor->Invoke("region.set", change);
     case BarKind::kPlacement:
-      return EditPlacement(editor, *bar, std::move(change));
+      return EditPlacement(editor, *editor->sheet.bar, std::move(change));
     case BarKind::kHold:
       break;
   }
@@ -135,13 +120,13 @@ Result<Done> EditChosenBar(Editor* editor, Json change) {
 }
 
 Result<Done> RemoveChosenBar(Editor* editor) {
-  const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
+  const Project& project = editor->session().project();
+  const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
   if (!bar) return NothingChosen();
-  const std::string region = editor->sheet.region;
   ChooseNoBar(&editor->sheet);
   switch (bar->kind) {
     case BarKind::kRegion:
-      return editor->Invoke("region.remove", {{"region", region}});
+      return editor->Invoke("region.remove", {{"region", project.regions[bar->index].name}});
     case BarKind::kPlacement:
       return editor->Invoke("placement.remove", {{"index", bar->index}});
     case BarKind::kHold:

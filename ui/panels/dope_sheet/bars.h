@@ -18,10 +18,9 @@ std::string DetailsOf(const Project& project, const BarRef& bar);
 
 // The bar that was clicked last, if what it stands for is still there.
 std::optional<BarRef> ChosenBar(const Project& project, const SheetState& sheet);
-void ChooseBar(Editor* editor, const BarRef& bar);
+BarId IdOf(const Project& project, const BarRef& bar);
+void ChooseBar(Editor* editor, const BarRef& bar);  // the properties show a region, too
 void ChooseNoBar(SheetState* sheet);
-// After the drag of a field was given up: the span whose field it was is the chosen one again.
-void RestoreChoice(Editor* editor);
 
 // Run the operator of its kind on the chosen bar, which stays chosen. `change`: what its operator
 // takes, "first" and "last" whatever the kind.

@@ -95,7 +95,7 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kCurve:
       return info.kind == ParameterKind::kText ? SelectedHinge(*session) : Json();
     case Thing::kRegion: {
-      const auto shown = ShownRegion(project, "", session->frame());
+      const auto shown = ShownRegion(project, ItemId(), session->frame());
       return shown ? Json(project.regions[*shown].name) : Json();
     }
     case Thing::kObject:

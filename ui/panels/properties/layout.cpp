@@ -75,14 +75,14 @@ std::optional<GroupIndex> ActiveJoint(const Figure& figure, const std::set<std::
   return std::nullopt;
 }
 
-std::optional<size_t> ShownRegion(const Project& project, const std::string& chosen, double frame) {
+std::optional<size_t> ShownRegion(const Project& project, ItemId chosen, double frame) {
   const auto& regions = project.regions;
   const auto index = [&](auto is_meant) -> std::optional<size_t> {
     const auto found = std::find_if(regions.begin(), regions.end(), is_meant);
     if (found == regions.end()) return std::nullopt;
     return static_cast<size_t>(found - regions.begin());
   };
-  if (const auto named = index([&](const auto& r) { return r.name == chosen; })) return named;
+  if (const int there = IndexOf(chosen, regions); there >= 0) return there;
   const auto active =
       index([&](const auto& r) { return r.first_frame <= frame && frame <= r.last_frame; });
   if (active || regions.empty()) return active;

@@ -33,7 +33,7 @@ std::optional<GroupIndex> ActiveJoint(const Figure& figure, const std::set<std::
 
 // The region that is shown: the chosen one if there is one, else the first that is active at the
 // frame, else the first. By index; none if there are no regions.
-std::optional<size_t> ShownRegion(const Project& project, const std::string& chosen, double frame);
+std::optional<size_t> ShownRegion(const Project& project, ItemId chosen, double frame);
 
 // What was solved, in words: "14 of 37 joints, 2 groups of 7, 6 bodies".
 std::string ModelText(const RegionReport& report);

@@ -15,12 +15,13 @@ namespace hazumi::ui {
 namespace {
 
 void ChooseRegion(Editor* editor, const std::string& shown) {
+  const std::vector<ProjectRegion>& regions = editor->session().project().regions;
   std::vector<std::string> names;
-  for (const ProjectRegion& region : editor->session().project().regions) {
-    names.push_back(region.name);
-  }
-  DrawChoice(editor, "region", Tr("Region"), names, shown,
-             [&](const std::string& name) { editor->side.region = name; });
+  for (const ProjectRegion& region : regions) names.push_back(region.name);
+  DrawChoice(editor, "region", Tr("Region"), names, shown, [&](const std::string& name) {
+    const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+    editor->side.region = regions[at].identity.id;
+  });
 }
 
 // From the current frame on, of the selected joints.
@@ -31,7 +32,7 @@ void DrawAdd(Editor* editor) {
   const int frame = static_cast<int>(std::lround(session.frame()));
   const int last = std::min(frame + kFrames, session.project().frames.last);
   if (editor->Do("region.add", {{"first", frame}, {"last", last}})) {
-    editor->side.region = session.project().regions.back().name;
+    editor->side.region = session.project().regions.back().identity.id;
   }
 }
 
@@ -45,7 +46,6 @@ void DrawSpan(Editor* editor, const ProjectRegion& region) {
   const std::string name = region.name;
   DrawText(editor, "name", Tr("Name"), name, [&](const std::string& wanted) {
     Set(editor, name, {{"name", wanted}});
-    editor->side.region = wanted;
   });
   DrawInteger(editor, "first", Tr("First frame"), region.first_frame,
               [&](int frame, const std::string& drag) {

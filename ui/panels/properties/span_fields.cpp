@@ -70,7 +70,6 @@ void DrawFrame(Editor* editor, const char* id, const char* label, int frame) {
 }  // namespace
 
 void DrawSpanFields(Editor* editor) {
-  RestoreChoice(editor);
   // Copies: what is done below changes the lists.
   const Project& project = editor->session().project();
   const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "engine/project/item_id.h"
+
 namespace hazumi::ui {
 
 // What the properties show.
@@ -23,8 +25,8 @@ struct SideState {
   std::string anchor;            // the row that was clicked last; Shift+click selects from there
   std::string active;            // joint, root, object or camera that the properties show
   Section section = Section::kPose;
-  std::string region;  // that the properties show; if there is none, one at the frame
-  int drags = 0;       // so far, so that each has a name of its own
+  ItemId region;  // that the properties show; if there is none, one at the frame
+  int drags = 0;  // so far, so that each has a name of its own
   std::optional<TypedField> typed;
 };
 

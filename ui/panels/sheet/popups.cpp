@@ -87,10 +87,11 @@ void KeyItems(Editor* editor) {
   Item(editor, LabelOf("sheet.frame_all"), "sheet.frame_all", Json::object());
 }
 
-const ProjectRegion* RegionNamed(const Project& project, const std::string& name) {
-  const auto found = std::find_if(project.regions.begin(), project.regions.end(),
-                                  [&](const ProjectRegion& each) { return each.name == name; });
-  return found == project.regions.end() ? nullptr : &*found;
+// The one whose bar was clicked.
+const ProjectRegion* ChosenRegion(const Editor& editor) {
+  const Project& project = editor.session().project();
+  const std::optional<BarRef> bar = ChosenBar(project, editor.sheet);
+  return bar && bar->kind == BarKind::kRegion ? &project.regions[bar->index] : nullptr;
 }
 
 void NameField(Editor* editor, const ProjectRegion& region) {
@@ -98,11 +99,7 @@ void NameField(Editor* editor, const ProjectRegion& region) {
   std::strncpy(text.data(), region.name.c_str(), text.size() - 1);
   ImGui::InputText("##name", text.data(), text.size());
   if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == '\0' || region.name == text.data()) return;
-  if (!editor->Do("region.set", {{"region", region.name}, {"name", text.data()}})) return;
-  for (size_t i = 0; i < editor->session().project().regions.size(); ++i) {
-    const std::string& name = editor->session().project().regions[i].name;
-    if (name.starts_with(text.data())) editor->sheet.region = name;
-  }
+  editor->Do("region.set", {{"region", region.name}, {"name", text.data()}});
 }
 
 void FrictionSlider(Editor* editor, const ProjectRegion& region) {
@@ -118,19 +115,19 @@ void FrictionSlider(Editor* editor, const ProjectRegion& region) {
 }
 
 void RegionItems(Editor* editor) {
-  const ProjectRegion* region = RegionNamed(editor->session().project(), editor->sheet.region);
+  const ProjectRegion* region = ChosenRegion(*editor);
   if (!region) return ImGui::CloseCurrentPopup();
   Title(Tr("Dynamics region"));
   ImGui::PushItemWidth(12.0f * ImGui::GetFontSize());
   ImGui::TextUnformatted(Tr("Name"));
   NameField(editor, *region);
-  region = RegionNamed(editor->session().project(), editor->sheet.region);
+  region = ChosenRegion(*editor);
   if (region) {
     ImGui::TextUnformatted(Tr("Friction: speed left"));
     FrictionSlider(editor, *region);
   }
   ImGui::PopItemWidth();
-  region = RegionNamed(editor->session().project(), editor->sheet.region);
+  region = ChosenRegion(*editor);
   if (!region) return;
   ImGui::Separator();
   const std::string name = region->name;

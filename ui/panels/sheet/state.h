@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/project/item_id.h"
 #include "ui/panels/window/geometry.h"
 
 namespace hazumi::ui {
@@ -17,11 +18,17 @@ enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kPlacement, kH
 
 // What a bar of the dope sheet stands for: a region, what places the figure, a held joint.
 enum class BarKind { kRegion, kPlacement, kHold };
-// One of them, by its index in the project's list of them.
+// One of them, by its index in the project's list of them: until something is edited.
 struct BarRef {
   BarKind kind = BarKind::kRegion;
   int index = 0;
   bool operator==(const BarRef&) const = default;
+};
+// And for longer.
+struct BarId {
+  BarKind kind = BarKind::kRegion;
+  ItemId id;
+  bool operator==(const BarId&) const = default;
 };
 
 // Values from the lower to the upper edge of the graph.
@@ -37,8 +44,7 @@ struct SheetState {
   double scroll_px = 0.0;            // rows above the top edge
   std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
   bool only_selected = false;        // rows of the selected joints alone
-  std::string region;                // whose bar was clicked last; empty: another's was, or none
-  std::optional<BarRef> span;        // of placement or a hold, whose bar was clicked last
+  std::optional<BarId> bar;          // that was clicked last
   Rect rect;                         // where it was drawn last [px]
 
   // The graph.
@@ -57,13 +63,6 @@ struct SheetState {
   std::optional<Paint> paint;  // of a region to be
   bool is_quiet = false;       // a tool ended in this frame: the click that ended it does no more
   int num_drags = 0;           // so far: each has a name of its own
-  // The drag in which a span of placement was edited last, its index when that began, and the
-  // document's revision after the last edit of it.
-  struct SpanDrag {
-    std::string drag;
-    int index = 0;
-    long revision = 0;
-  } span_drag;
   // A field of the timeline's range while it is dragged.
   struct EditedRange {
     std::optional<int> frame;
