@@ -26,7 +26,7 @@ STRUCTS = {
         "engine/bake/group_request.h": ["GroupTask", "BeginGroup", "DriveGroup", "StopPin",
                                         "AdvanceGroup", "SolveGroup", "SampleGroup",
                                         "MeasureGroup"],
-        "engine/bake/attachment_cache.h": ["Carrier"],
+        "engine/bake/moving_base_cache.h": ["Carrier"],
     },
     "engine/bake/baker.cpp": {
         "engine/bake/stretch.h": ["Checkpoint"],

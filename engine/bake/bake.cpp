@@ -28,8 +28,8 @@ Result<Motion> BakeWhole(const Animation& animation, const BakeOptions& options)
                  "the figure has no joint that could be pinned where it lands; give it one"};
   }
   Motion motion;
-  Team team(options.threads);
-  Baker baker(animation, options, &motion, &team);
+  ThreadPool pool(options.threads);
+  Baker baker(animation, options, &motion, &pool);
   Result<Checkpoint> first = baker.Begin();
   if (!first.ok()) return first.error();
   Stretch stretch;

@@ -48,7 +48,8 @@ double MotionBytes(const Animation& animation, const FrameRate& rate) {
   return frame * std::max(0.0, NumOutputFrames(animation, rate));
 }
 
-// For each frame its time, and angle and rate of each free hinge: of the solution and of its twin.
+// For each frame its time, and angle and rate of each free hinge: of the solution and of its
+// control solution.
 double LogBytes(const Animation& animation) {
   double bytes = 0.0;
   for (const DynamicsRegion& region : animation.regions) {

@@ -9,22 +9,23 @@
 
 namespace hazumi {
 
-Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion, Team* team)
+Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion,
+             ThreadPool* pool)
     : animation_(animation),
       cancel_(options.cancel),
       energy_(options.energy),
       refine_(options.refine),
-      team_(team),
+      pool_(pool),
       figure_(*animation.figure),
       ws_(figure_),
       curves_(animation),
       schedule_(animation),
       free_(figure_.num_joints(), 0),
       refinements_(animation.regions.size()),
-      has_twin_(figure_.num_joints() + kRootAngles, 0),
+      has_control_(figure_.num_joints() + kRootAngles, 0),
       recorder_(animation, options, motion) {
   driven_.angles.resize(figure_.num_joints() + kRootAngles);
-  twin_.q = twin_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
+  control_.q = control_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
   root_.q = root_.qd = VecX::Zero(kRootAngles);
 }
 
@@ -83,7 +84,7 @@ void Baker::Restore(const Checkpoint& checkpoint) {
   curves_.Restart(pieces);
   active_regions_.clear();
   std::fill(free_.begin(), free_.end(), 0);
-  std::fill(has_twin_.begin(), has_twin_.end(), 0);
+  std::fill(has_control_.begin(), has_control_.end(), 0);
   root_free_ = exact_begun_ = false;
   driver_.reset();
   exact_.reset();

@@ -24,8 +24,8 @@ namespace hazumi {
 // equal steps within each frame; the rest goes in continuous time from one change to the next.
 class Baker {
  public:
-  // The motion that it fills: its frames and the reports of its regions. The team that helps.
-  Baker(const Animation& animation, const BakeOptions& options, Motion* motion, Team* team);
+  // The motion that it fills: its frames and the reports of its regions. The threads that help.
+  Baker(const Animation& animation, const BakeOptions& options, Motion* motion, ThreadPool* pool);
 
   // The animation's first frame.
   Result<Checkpoint> Begin();
@@ -140,7 +140,7 @@ class Baker {
   const Animation& animation_;
   const std::atomic<bool>* cancel_;
   bool energy_, refine_;
-  Team* team_;
+  ThreadPool* pool_;
   Figure figure_;  // with what it holds at present
   DynamicsWorkspace ws_;
   CurveSet curves_;
@@ -159,8 +159,8 @@ class Baker {
   std::vector<int> begun_;               // regions in this stretch
   std::set<int> active_regions_;         // begun and not ended
   DrivenMotion driven_;
-  RotationState twin_;  // of exact_'s twins, by Coordinate
-  std::vector<char> has_twin_;
+  RotationState control_;  // of exact_'s control solutions, by Coordinate
+  std::vector<char> has_control_;
   bool root_free_ = false;  // the root's orientation is driven by a region
   RotationState root_;      // its angles then (3)
   bool exact_begun_ = false;

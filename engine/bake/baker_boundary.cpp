@@ -143,12 +143,12 @@ void Baker::RebuildDriver(int frame) {
   driver_.reset();
   if (exact_) TakeReports();
   exact_.reset();
-  if (active.empty()) std::fill(has_twin_.begin(), has_twin_.end(), 0);
+  if (active.empty()) std::fill(has_control_.begin(), has_control_.end(), 0);
   if (active.empty()) return;
   if (IsExact(frame)) {
     double sharpness = 1.0;
     for (const int r : active) sharpness = std::max(sharpness, refinements_[r].sharpness);
-    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness, known_, team_);
+    exact_ = std::make_unique<ExactDriver>(animation_, figure_, active, sharpness, known_, pool_);
     return;
   }
   driver_ = std::make_unique<RegionDriver>(animation_, figure_, active);

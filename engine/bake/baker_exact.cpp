@@ -152,16 +152,16 @@ Baker::Failure Baker::BeginExact(double frame, double to, const Vec3& v_pin) {
     exact_->Drive(Seconds(to), state, driven_);
     return std::nullopt;
   }
-  RotationState twin = state;
-  for (int c = 0; c < static_cast<int>(has_twin_.size()); ++c) {
+  RotationState control = state;
+  for (int c = 0; c < static_cast<int>(has_control_.size()); ++c) {
     if (!exact_->is_free(c)) {
-      has_twin_[c] = 0;
-    } else if (has_twin_[c]) {
-      twin.q[c] = twin_.q[c];
-      twin.qd[c] = twin_.qd[c];
+      has_control_[c] = 0;
+    } else if (has_control_[c]) {
+      control.q[c] = control_.q[c];
+      control.qd[c] = control_.qd[c];
     }
   }
-  exact_->Begin(Seconds(frame), Seconds(to), state, twin, root_hold(), driven_);
+  exact_->Begin(Seconds(frame), Seconds(to), state, control, root_hold(), driven_);
   if (!v_pin.isZero(0.0)) exact_->FeelPin(v_pin);
   exact_begun_ = true;
   return std::nullopt;
@@ -184,7 +184,7 @@ void Baker::PoseWithoutPlace(double frame, double seconds, Side side, FigureMoti
   motion->frame = frame;
   curves_.SampleJoints(frame, side, free_, motion);
   if (exact_) {
-    RotationState state = twin_;
+    RotationState state = control_;
     exact_->Sample(seconds, &state);
     for (int j = 0; j < figure_.num_joints(); ++j) {
       if (!free_[j]) continue;
@@ -307,11 +307,11 @@ Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
     recorder_.AddEvent(EventKind::kLanding, frame, figure_.group(*fall_->pin()).name);
   }
   if (exact_) {
-    RotationState twin = StateAt(frame);
-    exact_->SampleTwin(Seconds(frame), &twin);
-    twin_ = twin;
-    for (size_t c = 0; c < has_twin_.size(); ++c)
-      has_twin_[c] = exact_->is_free(static_cast<int>(c));
+    RotationState control = StateAt(frame);
+    exact_->SampleControl(Seconds(frame), &control);
+    control_ = control;
+    for (size_t c = 0; c < has_control_.size(); ++c)
+      has_control_[c] = exact_->is_free(static_cast<int>(c));
     exact_begun_ = false;
   }
   return BeginExact(frame, to, v_pin);
@@ -325,8 +325,9 @@ Baker::Failure Baker::FinishExact(int frame) {
   before_ = LimitOf(now_);
   if (!exact_) return std::nullopt;
   exact_->Estimate(Seconds(frame));
-  exact_->SampleTwin(Seconds(frame), &twin_);
-  for (size_t c = 0; c < has_twin_.size(); ++c) has_twin_[c] = exact_->is_free(static_cast<int>(c));
+  exact_->SampleControl(Seconds(frame), &control_);
+  for (size_t c = 0; c < has_control_.size(); ++c)
+    has_control_[c] = exact_->is_free(static_cast<int>(c));
   return std::nullopt;
 }
 

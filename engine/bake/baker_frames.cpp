@@ -116,7 +116,7 @@ std::string Baker::RegionPlace(std::optional<JointIndex> joint) const {
   return "regions[" + std::to_string(candidates[0]) + "]";
 }
 
-// A landing stops the root's fall; the free joints feel the blow. [METHOD 5.7]
+// A landing stops the root's fall; the free joints feel the impulse. [METHOD 5.7]
 Baker::Failure Baker::FinishLanding() {
   if (!gravity_ || !gravity_->has_landed()) return std::nullopt;
   const JointIndex pin = figure_.group(*gravity_->pin()).first;

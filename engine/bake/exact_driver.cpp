@@ -12,8 +12,8 @@ namespace {
 constexpr double kStepShare = 0.05;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
-constexpr double kTwinCoarseness = 40.0;
-// The twin's distance is mostly the twin's own error; the solution's is this part of it at most.
+constexpr double kControlCoarseness = 40.0;
+// Its distance is mostly its own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
 
 // Friction is a factor per 1/30 s. [METHOD 2.3]
@@ -30,13 +30,13 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const KnownLogs* known, Team* team)
+                         double sharpness, const KnownLogs* known, ThreadPool* pool)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
       sharpness_(sharpness),
       known_(known),
-      team_(team),
+      pool_(pool),
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
       estimates_(active_.size(), 0.0) {
@@ -109,8 +109,9 @@ void ExactDriver::FinishGroups() {
   AppendLogs(&finished_);
 }
 
-void ExactDriver::Begin(double t, double end, const RotationState& state, const RotationState& twin,
-                        const RootHold& hold, const DrivenMotion& driven) {
+void ExactDriver::Begin(double t, double end, const RotationState& state,
+                        const RotationState& control, const RootHold& hold,
+                        const DrivenMotion& driven) {
   FinishGroups();
   hold_ = hold;
   const ModelRequest request = RequestFor(state, hold, driven);
@@ -121,11 +122,11 @@ void ExactDriver::Begin(double t, double end, const RotationState& state, const 
   for (const RegionModel& model : CompileRegionModels(figure_, request)) {
     GroupTask task = TaskFor(model);
     GroupTask coarse = task;
-    coarse.step_tolerance *= kTwinCoarseness;
-    groups_.push_back({GroupSolution(std::move(task), &attachments_),
-                       GroupSolution(std::move(coarse), &attachments_)});
+    coarse.step_tolerance *= kControlCoarseness;
+    groups_.push_back({GroupSolution(std::move(task), &moving_bases_),
+                       GroupSolution(std::move(coarse), &moving_bases_)});
     groups_.back().solution.Begin(t, end, state, driven, known_);
-    groups_.back().twin.Begin(t, end, twin, driven, known_);
+    groups_.back().control.Begin(t, end, control, driven, known_);
   }
   if (before.size() != groups_.size()) return;
   for (size_t g = 0; g < before.size(); ++g) {
@@ -143,10 +144,10 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
   }
   const double t = time();
   if (!same) {
-    RotationState main = state, twin = state;
+    RotationState main = state, control = state;
     Sample(t, &main);
-    SampleTwin(t, &twin);
-    return Begin(t, end, main, twin, hold_, driven);
+    SampleControl(t, &control);
+    return Begin(t, end, main, control, hold_, driven);
   }
   ForEachSolution([&](GroupSolution& solution) { solution.Drive(t, end, driven); });
 }
@@ -155,7 +156,7 @@ template <typename Action>
 void ExactDriver::ForEachSolution(Action&& action) {
   for (Group& group : groups_) {
     action(group.solution);
-    action(group.twin);
+    action(group.control);
   }
 }
 
@@ -175,14 +176,14 @@ std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<
   ForEachSolution([&](GroupSolution& solution) {
     if (!solution.LookAhead(times, end)) unknown.push_back(&solution);
   });
-  team_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
+  pool_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
   return FirstFailure();
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   const GroupSolution* first = nullptr;
   for (const Group& group : groups_) {
-    for (const GroupSolution* solution : {&group.solution, &group.twin}) {
+    for (const GroupSolution* solution : {&group.solution, &group.control}) {
       if (!solution->failure() || (first && first->time() <= solution->time())) continue;
       first = solution;
     }
@@ -197,7 +198,7 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
 double ExactDriver::time() const {
   double time = std::numeric_limits<double>::infinity();
   for (const Group& group : groups_) {
-    time = std::min({time, group.solution.time(), group.twin.time()});
+    time = std::min({time, group.solution.time(), group.control.time()});
   }
   return time;
 }
@@ -206,8 +207,8 @@ void ExactDriver::Sample(double t, RotationState* state) {
   for (Group& group : groups_) group.solution.Sample(t, state);
 }
 
-void ExactDriver::SampleTwin(double t, RotationState* state) {
-  for (Group& group : groups_) group.twin.Sample(t, state);
+void ExactDriver::SampleControl(double t, RotationState* state) {
+  for (Group& group : groups_) group.control.Sample(t, state);
 }
 
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
@@ -223,11 +224,11 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
 
 void ExactDriver::Estimate(double t) {
   const int n = figure_.num_joints() + kRootAngles;
-  RotationState state{VecX(n), VecX(n)}, twin = state;
+  RotationState state{VecX(n), VecX(n)}, control = state;
   Sample(t, &state);
-  SampleTwin(t, &twin);
+  SampleControl(t, &control);
   for (const Group& group : groups_) {
-    const VecX distances = group.solution.Distances(state, twin);
+    const VecX distances = group.solution.Distances(state, control);
     const auto& hinges = group.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
       double& estimate = estimates_[region_of_[hinges[i].coordinate]];
@@ -239,7 +240,8 @@ void ExactDriver::Estimate(double t) {
 
 long ExactDriver::evaluations() const {
   long sum = finished_evaluations_;
-  for (const Group& group : groups_) sum += group.solution.evaluations() + group.twin.evaluations();
+  for (const Group& group : groups_)
+    sum += group.solution.evaluations() + group.control.evaluations();
   return sum;
 }
 
@@ -252,7 +254,7 @@ long ExactDriver::steps() const {
 double ExactDriver::microseconds() const {
   double sum = finished_microseconds_;
   for (const Group& group : groups_) {
-    sum += group.solution.microseconds() + group.twin.microseconds();
+    sum += group.solution.microseconds() + group.control.microseconds();
   }
   return sum;
 }
@@ -268,7 +270,7 @@ void ExactDriver::AppendLogs(GroupLogs* logs) const {
   if (!known_) return;
   for (const Group& group : groups_) {
     logs->push_back(group.solution.log());
-    logs->push_back(group.twin.log());
+    logs->push_back(group.control.log());
   }
 }
 

@@ -6,25 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "engine/bake/attachment_cache.h"
 #include "engine/bake/group_solution.h"
 #include "engine/bake/motion.h"
+#include "engine/bake/moving_base_cache.h"
+#include "engine/bake/thread_pool.h"
 #include "engine/bake/region_driver.h"
-#include "engine/bake/team.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
 
 // Moves the joints of all exact regions that are active at one time, in continuous time. Each group
-// of joints that feel each other takes its own steps, and beside it a twin with a coarser
-// tolerance: how far the two get apart tells how far the solution may be off.
+// of joints that feel each other takes its own steps, and beside it a control solution with a
+// coarser tolerance: how far the two get apart tells how far the solution may be off.
 class ExactDriver {
  public:
-  // `active`: indices of Animation::regions. `figure`, `team` and `known`, the logs of earlier
+  // `active`: indices of Animation::regions. `figure`, `pool` and `known`, the logs of earlier
   // bakes, must outlive the driver; `known` null: no logs are kept. `sharpness`: divides the
   // tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness, const KnownLogs* known, Team* team);
+              double sharpness, const KnownLogs* known, ThreadPool* pool);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -32,8 +32,8 @@ class ExactDriver {
   bool is_frozen(Coordinate c) const;
 
   // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
-  // smooth up to `end`. Twins go on from `twin` where a coordinate was free before.
-  void Begin(double t, double end, const RotationState& state, const RotationState& twin,
+  // smooth up to `end`. Control solutions go on from `control` where a coordinate was free before.
+  void Begin(double t, double end, const RotationState& state, const RotationState& control,
              const RootHold& hold, const DrivenMotion& driven);
   // Goes on with new curves.
   void Drive(double end, const RotationState& state, const DrivenMotion& driven);
@@ -56,8 +56,8 @@ class ExactDriver {
   double time() const;
   // The free coordinates at a time between the last two values of time().
   void Sample(double t, RotationState* state);
-  // The twins' at time().
-  void SampleTwin(double t, RotationState* state);
+  // The control solutions' at time().
+  void SampleControl(double t, RotationState* state);
 
   // Adds up energies and work to t, which all groups have reached; an account is kept from the
   // first call on. `is_cut`: the driver begins anew at t.
@@ -72,7 +72,8 @@ class ExactDriver {
   };
   std::vector<Hit> TakeHits();
 
-  // Compares with the twins at time t and keeps the largest estimate of each active region.
+  // Compares with the control solutions at time t and keeps the largest estimate of each active
+  // region.
   void Estimate(double t);
   // By index in active() [rad].
   const std::vector<double>& estimates() const { return estimates_; }
@@ -87,7 +88,7 @@ class ExactDriver {
 
  private:
   struct Group {
-    GroupSolution solution, twin;
+    GroupSolution solution, control;
     double accounted = 0.0;              // up to this time [s]
     double stored = 0.0, kinetic = 0.0;  // energy there [J]
     bool is_accounted = false;
@@ -99,7 +100,7 @@ class ExactDriver {
   void FinishGroups();
   void AppendLogs(GroupLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
-  // Of solutions and twins.
+  // Of solutions and control solutions.
   template <typename Action>
   void ForEachSolution(Action&& action);
 
@@ -108,8 +109,8 @@ class ExactDriver {
   std::vector<int> active_;
   double sharpness_;
   const KnownLogs* known_;
-  Team* team_;
-  AttachmentCache attachments_;
+  ThreadPool* pool_;
+  MovingBaseCache moving_bases_;
   GroupLogs finished_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor

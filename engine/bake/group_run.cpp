@@ -22,9 +22,9 @@ double MicrosecondsSince(Clock::time_point start) {
 
 }  // namespace
 
-GroupRun::GroupRun(const GroupTask& task, AttachmentCache* attachments)
+GroupRun::GroupRun(const GroupTask& task, MovingBaseCache* moving_bases)
     : gravity_(task.gravity),
-      attachments_(attachments),
+      moving_bases_(moving_bases),
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity),
       solver_(&dynamics_, task.lower, task.upper) {
   solver_.SetTolerance(task.step_tolerance);
@@ -58,11 +58,11 @@ GroupResult GroupRun::Do(const StopPin& request) {
 void GroupRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
   curves_ = curves;
   dynamics_.SetCurves(curves_.get(), t);
-  if (!dynamics_.needs_attachment()) return;
+  if (!dynamics_.needs_moving_base()) return;
   Carrier carrier =
       CarrierOf(dynamics_.model(), dynamics_.first_moved(), gravity_, *curves_, t, end);
-  dynamics_.UseAttachment(
-      attachments_->Get(std::move(carrier), [&] { return dynamics_.FitAttachment(t, end); }));
+  dynamics_.UseMovingBase(
+      moving_bases_->Get(std::move(carrier), [&] { return dynamics_.FitMovingBase(t, end); }));
 }
 
 GroupResult GroupRun::Do(const AdvanceGroup& request) {

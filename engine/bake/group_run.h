@@ -2,16 +2,16 @@
 
 #include <atomic>
 
-#include "engine/bake/attachment_cache.h"
 #include "engine/bake/group_request.h"
+#include "engine/bake/moving_base_cache.h"
 
 namespace hazumi {
 
 // A group at work: it does one request after the other, the same ones always in the same way.
 class GroupRun {
  public:
-  // `attachments` must outlive it.
-  GroupRun(const GroupTask& task, AttachmentCache* attachments);
+  // `moving_bases` must outlive it.
+  GroupRun(const GroupTask& task, MovingBaseCache* moving_bases);
 
   // Gives up where `cancel` is set; the result is of no use then.
   GroupResult Do(const GroupRequest& request, const std::atomic<bool>* cancel);
@@ -36,7 +36,7 @@ class GroupRun {
   void Sample(double t, GroupSamples* samples);
 
   double gravity_;
-  AttachmentCache* attachments_;
+  MovingBaseCache* moving_bases_;
   const std::atomic<bool>* cancel_ = nullptr;
   std::shared_ptr<const DrivenMotion> curves_;
   RegionDynamics dynamics_;

@@ -7,10 +7,10 @@
 
 namespace hazumi {
 
-GroupSolution::GroupSolution(GroupTask task, AttachmentCache* attachments)
+GroupSolution::GroupSolution(GroupTask task, MovingBaseCache* moving_bases)
     : task_(std::make_shared<const GroupTask>(std::move(task))),
       layout_(task_->model, /*balls=*/true),
-      attachments_(attachments) {}
+      moving_bases_(moving_bases) {}
 
 bool GroupSolution::IsKnown(const GroupRequest& request) const {
   return !own_ && known_ && num_calls_ < known_->size() &&
@@ -43,7 +43,7 @@ const GroupResult& GroupSolution::Ask(GroupRequest request) {
 }
 
 void GroupSolution::DoWhatWasAsked() {
-  if (!run_) run_ = std::make_unique<GroupRun>(*task_, attachments_);
+  if (!run_) run_ = std::make_unique<GroupRun>(*task_, moving_bases_);
   for (; num_done_ < own_->size(); ++num_done_) {
     GroupCall& call = (*own_)[num_done_];
     call.result = run_->Do(call.request, cancel_);

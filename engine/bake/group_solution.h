@@ -23,8 +23,8 @@ struct RotationState {
 // no result (Begin, Drive, StopPin) waits until one comes that does.
 class GroupSolution {
  public:
-  // `attachments` must outlive it.
-  GroupSolution(GroupTask task, AttachmentCache* attachments);
+  // `moving_bases` must outlive it.
+  GroupSolution(GroupTask task, MovingBaseCache* moving_bases);
 
   const RegionModel& model() const { return task_->model; }
   const RegionLayout& layout() const { return layout_; }
@@ -80,7 +80,7 @@ class GroupSolution {
 
   std::shared_ptr<const GroupTask> task_;
   RegionLayout layout_;  // nothing locked
-  AttachmentCache* attachments_;
+  MovingBaseCache* moving_bases_;
   std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
   std::shared_ptr<GroupLog> own_;
   bool keeps_log_ = true;

@@ -87,7 +87,7 @@ class IncrementalBake::State {
 
   Animation animation_;
   BakeOptions options_;
-  Team team_;
+  ThreadPool pool_;
   Motion motion_;
   std::unique_ptr<Baker> baker_;
   Parts parts_;
@@ -100,7 +100,7 @@ class IncrementalBake::State {
 };
 
 IncrementalBake::State::State(Animation animation, const BakeOptions& options)
-    : options_(options), team_(options.threads) {
+    : options_(options), pool_(options.threads) {
   Update(animation);
 }
 
@@ -110,7 +110,7 @@ void IncrementalBake::State::StartAnew(const Animation& animation) {
   parts_.clear();
   MakeStale({-kEver, kEver});
   try {
-    baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &team_);
+    baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &pool_);
   } catch (const std::bad_alloc&) {
     Forget(OutOfMemory());
   }
@@ -247,7 +247,7 @@ std::optional<Error> IncrementalBake::State::Begin() {
 }
 
 std::optional<Error> IncrementalBake::State::BakeStaleStretch() {
-  if (!animation_.regions.empty()) team_.Expect();
+  if (!animation_.regions.empty()) pool_.Expect();
   const auto part = parts_.find(fresh_until_);
   KeepLogs(part->second.stretch);
   if (const auto next = std::next(part); next != parts_.end()) KeepLogs(next->second.stretch);

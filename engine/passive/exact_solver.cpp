@@ -72,17 +72,17 @@ void ExactSolver::FeelPin(const Vec3& v_pin) {
 // Which stops hold which hinges from time_ on, after the impact of those that go out and of a pin
 // that was stopped.
 void ExactSolver::ResolveStops(const Vec3& v_pin) {
-  const bool with_blow = !v_pin.isZero(0.0);
-  const int outward = any_limits_ ? FindSides(with_blow) : 0;
-  if (with_blow || outward > 0) Collide(v_pin);
+  const bool with_impulse = !v_pin.isZero(0.0);
+  const int outward = any_limits_ ? FindSides(with_impulse) : 0;
+  if (with_impulse || outward > 0) Collide(v_pin);
   Settle();
 }
 
-// The hinges at a stop; those on their way in only where a blow or another hinge's impact may send
-// them out. Returns how many are not at rest there.
-int ExactSolver::FindSides(bool with_blow) {
+// The hinges at a stop; those on their way in only where a impulse or another hinge's impact may
+// send them out. Returns how many are not at rest there.
+int ExactSolver::FindSides(bool with_impulse) {
   int moving = 0;
-  bool is_struck = with_blow;
+  bool is_struck = with_impulse;
   for (int i = 0; i < static_cast<int>(q_.size()); ++i) {
     side_[i] = 0;
     if (q_[i] >= upper_now_[i] - touch_) side_[i] = 1;

@@ -48,7 +48,7 @@ class ExactSolver {
   void Start(double t, const VecX& q, const VecX& qd);
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
-  // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the blow.
+  // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
   void FeelPin(const Vec3& v_pin);
 
   // One step, at most to `end`; it ends early where a stop is hit or lets go, which happens at the
@@ -87,7 +87,7 @@ class ExactSolver {
   // Steps and events (exact_solver.cpp).
   void MakeEventHappen();
   void ResolveStops(const Vec3& v_pin);
-  int FindSides(bool with_blow);
+  int FindSides(bool with_impulse);
   void AddHit(int hinge);
   void Collide(const Vec3& v_pin);
   void Settle();

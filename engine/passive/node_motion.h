@@ -6,7 +6,7 @@
 
 #include "engine/passive/driven_curve.h"
 #include "engine/passive/region_layout.h"
-#include "engine/passive/turns.h"
+#include "engine/passive/sines_and_cosines.h"
 #include "engine/spatial/small.h"
 
 namespace hazumi {
@@ -89,7 +89,7 @@ class NodeKinematics {
   small::M3 R_root_;
   std::vector<Node> nodes_;
   std::vector<NodeMotion> motion_;
-  Turns turns_;  // of the free hinges
+  SinesAndCosines turns_;  // of the free hinges
 };
 
 }  // namespace hazumi

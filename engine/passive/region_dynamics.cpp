@@ -92,18 +92,18 @@ RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const 
   return {t, model_, layout, kinematics_, positions, velocities};
 }
 
-std::shared_ptr<const Attachment> RegionDynamics::FitAttachment(double start, double end) {
-  return std::make_shared<const Attachment>(start, end, [&](double t) { return CarrierAt(t); });
+std::shared_ptr<const MovingBase> RegionDynamics::FitMovingBase(double start, double end) {
+  return std::make_shared<const MovingBase>(start, end, [&](double t) { return CarrierAt(t); });
 }
 
-Attachment::Frame RegionDynamics::CarrierAt(double t) {
+MovingBase::Frame RegionDynamics::CarrierAt(double t) {
   const NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
   kinematics_.Move(layout_, *driven_, t, nullptr, nullptr, 0, first_moved_);
   return {own.R, own.w, own.alpha, own.a + BaseAcceleration(t)};
 }
 
 void RegionDynamics::MoveCarrier(double t) {
-  const Attachment::Frame frame = attachment_->Covers(t) ? attachment_->At(t) : CarrierAt(t);
+  const MovingBase::Frame frame = moving_base_->Covers(t) ? moving_base_->At(t) : CarrierAt(t);
   NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
   own.R = frame.R;
   own.w = frame.w;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/passive/articulated_bodies.h"
-#include "engine/passive/attachment.h"
 #include "engine/passive/forces/force_law.h"
+#include "engine/passive/moving_base.h"
 #include "engine/passive/node_motion.h"
 #include "engine/passive/region_layout.h"
 
@@ -24,7 +24,7 @@ namespace hazumi {
 // origin, or of the pin.
 struct EnergyFlow {
   double kinetic = 0.0, potential = 0.0;  // [J]
-  double keyed = 0.0;                     // [W], by driven joints and the motion of the attachment
+  double keyed = 0.0;                     // [W], by driven joints and the motion of the moving base
   struct OfLaw {
     std::string name;
     double power;  // [W], negative where energy is lost
@@ -48,16 +48,16 @@ class RegionDynamics {
   // The curves must outlive their use, and move smoothly from `start` to `end` [s].
   void SetDriven(const DrivenMotion* driven, double start, double end) {
     SetCurves(driven, start);
-    if (needs_attachment()) UseAttachment(FitAttachment(start, end));
+    if (needs_moving_base()) UseMovingBase(FitMovingBase(start, end));
   }
   // The same in parts, so that dynamics whose carriers are moved in the same way, by the nodes
-  // before first_moved(), can share an attachment.
+  // before first_moved(), can share a moving base.
   void SetCurves(const DrivenMotion* driven, double start);
-  bool needs_attachment() const { return first_moved_ > 0 && !is_carrier_still_; }
+  bool needs_moving_base() const { return first_moved_ > 0 && !is_carrier_still_; }
   int first_moved() const { return first_moved_; }
-  std::shared_ptr<const Attachment> FitAttachment(double start, double end);
-  void UseAttachment(std::shared_ptr<const Attachment> attachment) {
-    attachment_ = std::move(attachment);
+  std::shared_ptr<const MovingBase> FitMovingBase(double start, double end);
+  void UseMovingBase(std::shared_ptr<const MovingBase> moving_base) {
+    moving_base_ = std::move(moving_base);
   }
   // Locks some free hinges at these angles [rad]; by free hinge.
   void SetLocked(const std::vector<char>& locked, const VecX& angles) {
@@ -82,9 +82,9 @@ class RegionDynamics {
   VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
   VecX JumpOfPin(const Vec3& v_pin);
 
-  // After AssembleHinges: the blow on the free hinges [N m s] when the root's velocity jumps so
+  // After AssembleHinges: the impulse on the free hinges [N m s] when the root's velocity jumps so
   // that a pin, which moved with v_pin [m/s], stands still. [METHOD 5.7]
-  void PinBlow(const Vec3& v_pin, VecX* blow) const;
+  void PinImpulse(const Vec3& v_pin, VecX* impulse) const;
 
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
@@ -100,7 +100,7 @@ class RegionDynamics {
             const double* velocities);
   bool IsCarrierStill() const;
   void PlaceStillCarrier(double t);
-  Attachment::Frame CarrierAt(double t);  // by the chain that moves it
+  MovingBase::Frame CarrierAt(double t);  // by the chain that moves it
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
   void MakeRoomForDense();
@@ -132,8 +132,8 @@ class RegionDynamics {
   RegionLayout layout_, hinge_layout_;
   NodeKinematics kinematics_;
   ArticulatedBodies articulated_;
-  std::shared_ptr<const Attachment> attachment_;
-  int first_moved_ = 0;  // the nodes before it are there only to move the attachment
+  std::shared_ptr<const MovingBase> moving_base_;
+  int first_moved_ = 0;  // the nodes before it are there only to move the moving base
   bool is_carrier_still_ = false;
   ForceLaws laws_;
   bool has_forces_ = false, has_rules_ = false;  // laws that give forces, and that are rules

@@ -59,7 +59,7 @@ inline auto MembersOf(const ModelNode& node) {
 
 // The least model of one group of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
-// only as the chain that moves the attachment.
+// only as the chain that moves the moving base.
 struct RegionModel {
   std::vector<ModelNode> nodes;    // parents first; node 0 is the root body
   Mat3 R_root = Mat3::Identity();  // orientation of node 0 at angles zero, or where it is constant

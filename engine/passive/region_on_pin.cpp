@@ -100,9 +100,9 @@ VecX RegionDynamics::JumpOfPin(const Vec3& v_pin) {
 }
 
 // With Du = -v_pin - J Dy for the root:  H Dy + F^T Du = 0 along what keeps the pin still.
-void RegionDynamics::PinBlow(const Vec3& v_pin, VecX* blow) const {
+void RegionDynamics::PinImpulse(const Vec3& v_pin, VecX* impulse) const {
   for (int i = 0; i < num_hinges(); ++i) {
-    (*blow)[i] = (F_.col(i) - model_.mass * J_.col(i)).dot(v_pin);
+    (*impulse)[i] = (F_.col(i) - model_.mass * J_.col(i)).dot(v_pin);
   }
 }
 

@@ -9,7 +9,7 @@ namespace hazumi {
 StopForces::StopForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
   const int n = dynamics->num_hinges();
   solver_.Resize(n);
-  blow_.setZero(n);
+  impulse_.setZero(n);
   T_.setZero(n);
   some_.reserve(n);
 }
@@ -29,8 +29,8 @@ void StopForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::v
                         const std::vector<char>& sticks, VecX* qd) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, *qd);
-    dynamics_->PinBlow(v_pin, &blow_);
-    return solver_.Impact(dynamics_->M(), blow_, side, sticks, qd);
+    dynamics_->PinImpulse(v_pin, &impulse_);
+    return solver_.Impact(dynamics_->M(), impulse_, side, sticks, qd);
   }
   AssembleSome(t, q, *qd, [&](int i) { return side[i] != 0; });
   if (!v_pin.isZero(0.0)) *qd += dynamics_->JumpOfPin(v_pin);

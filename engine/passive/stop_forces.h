@@ -32,7 +32,7 @@ class StopForces {
 
   RegionDynamics* dynamics_;
   StopSolver solver_;
-  VecX blow_;
+  VecX impulse_;
   // Of a large group: the hinges that are looked at, and what is known of them.
   std::vector<int> some_, side_;
   std::vector<char> flags_, held_;

@@ -63,10 +63,10 @@ int StopSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
   return -1;
 }
 
-void StopSolver::Impact(const MatX& M, const VecX& blow, const std::vector<int>& side,
+void StopSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
                         const std::vector<char>& sticks, VecX* v) {
   const int n = static_cast<int>(v->size());
-  against_ = -blow;
+  against_ = -impulse;
   given_ = -*v;
   for (int i = 0; i < n; ++i) held_[i] = side[i] != 0 && (sticks[i] || side[i] * (*v)[i] >= 0.0);
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {

@@ -18,11 +18,11 @@ class StopSolver {
  public:
   void Resize(int size);
 
-  // An inelastic impact of everything that is at a stop, with a blow from elsewhere [N m s]:
+  // An inelastic impact of everything that is at a stop, with a impulse from elsewhere [N m s]:
   // changes the rates v [rad/s] so that
-  //   M dv = blow + p,  side p <= 0,  side v <= 0,  p v = 0.
+  //   M dv = impulse + p,  side p <= 0,  side v <= 0,  p v = 0.
   // Hinges with `sticks` set come to rest even if that takes a pull.
-  void Impact(const MatX& M, const VecX& blow, const std::vector<int>& side,
+  void Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* v);
 
   // Which hinges at rest at a stop stay there: sets `held` from

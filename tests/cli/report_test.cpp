@@ -52,7 +52,7 @@ EnergyBalance SomeEnergy() {
   energy.kinetic_end = 2.0;
   energy.potential_start = 2.0;
   energy.potential_end = 1.0;
-  energy.friction = -0.5;
+  energy.laws = {{"friction", -0.5}};
   energy.stops = -0.25;
   energy.keyed = 0.25;
   return energy;

@@ -1,5 +1,5 @@
 // Two joints that throw each other off their stops, at ever shorter intervals: there are infinitely
-// many blows before they rest, more than a thousand before the last is lost to rounding.
+// many impacts before they rest, more than a thousand before the last is lost to rounding.
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,13 @@ Animation KickingStops(double rate, int frames, Method method) {
   return animation;
 }
 
-// The blows of small motions follow a geometric series; its sum, from the figure's inertias and
+// The impacts of small motions follow a geometric series; its sum, from the figure's inertias and
 // the moments of its weights.
 double RestTime(double rate) {
   const double M11 = 1e-4 + 0.1 * 0.015 * 0.015 + 0.03 + 0.01 * 0.01;
   const double M22 = 0.03 + 0.02 * 0.02, M12 = 0.03 - 0.01 * 0.02;
   const double G1 = 9.81 * (0.1 * 0.015 + 0.01), G2 = 9.81 * 0.02;
-  const double second = rate * M12 / M22, first = second * M12 / M11;  // after a blow
+  const double second = rate * M12 / M22, first = second * M12 / M11;  // after a impulse
   const double pair = 2.0 * second * M22 / G2 + 2.0 * first * M11 / G1;
   return pair / (1.0 - M12 * M12 / (M11 * M22));
 }
@@ -60,7 +60,7 @@ TEST(Exact, ComesToRestAfterInfinitelyManyBlowsWithinAFewHundredEvents) {
 TEST(Exact, CountsTheBlowsRightWhileTheyAreFarApart) {
   const Animation animation = KickingStops(0.5, 30, Method::kExact);
   const Motion motion = BakeFinite(animation);
-  // The start is a blow too; the second of the pair comes back after 2 v M22 / G2.
+  // The start is a impulse too; the second of the pair comes back after 2 v M22 / G2.
   const auto stops = EventsOf(motion, EventKind::kStop);
   ASSERT_GE(stops.size(), 3u);
   EXPECT_EQ(stops[0].joint, "first");
@@ -136,7 +136,8 @@ TEST(Exact, TellsOfStopsThatArePressedInTurnByTheirNumberAndTime) {
   }
 }
 
-// Whoever starts a frame beyond its stop is put back on it: the paper's step sees no blow at all.
+// Whoever starts a frame beyond its stop is put back on it: the paper's step sees no impulse at
+// all.
 TEST(Paper, RestsAtOnceWhereStopsKick) {
   const Motion motion = BakeFinite(KickingStops(0.02, 30, Method::kPaper));
   for (size_t f = 2; f < motion.frames.size(); ++f) {

@@ -230,8 +230,8 @@ TEST(Exact, HitsTwoStopsAtOnce) {
   EXPECT_LE(end.before.qd.norm(), 1e-6);
 }
 
-// One stop 1e-6 rad before the other: two hits within a step, in their order. The blow of the first
-// turns the bar, and the bar goes on.
+// One stop 1e-6 rad before the other: two hits within a step, in their order. The impulse of the
+// first turns the bar, and the bar goes on.
 TEST(Exact, HitsTwoStopsWithinOneStepInTheirOrder) {
   const Animation animation = MirrorSwing(0.5, 0.5 + 1e-6, Method::kExact);
   const Motion motion = BakeFinite(animation);

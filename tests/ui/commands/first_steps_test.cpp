@@ -59,7 +59,7 @@ TEST(FirstSteps, TwoKeysOnOneFrameAreOnePose) {
 }
 
 TEST(FirstSteps, ADragIsAPoseWhenItIsConfirmed) {
-  const Deed drag = {"pose.rotate", {{"drag", "turn 1"}}, 5.0, {}};
+  const ExecutedCommand drag = {"pose.rotate", {{"drag", "turn 1"}}, 5.0, {}};
   const FirstSteps turning = After({}, drag);
   EXPECT_EQ(turning.ticks(), Ticks{});
   EXPECT_EQ(After(turning, {"edit.end_drag", edit::Json::object(), 5.0, {}}).ticks(),

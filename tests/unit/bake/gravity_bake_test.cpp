@@ -128,8 +128,8 @@ TEST(GravityBake, TheFrameOfATakeOffOrLandingIsTheFirstAtOrAfterIt) {
   }
 }
 
-// The knee swings freely. The blow at the foot does no work on a motion that keeps the foot still,
-// so of all knee rates the one after it is nearest, in kinetic energy, to the motion before.
+// The knee swings freely. The impulse at the foot does no work on a motion that keeps the foot
+// still, so of all knee rates the one after it is nearest, in kinetic energy, to the motion before.
 TEST(GravityBake, ALandingKicksFreeJoints) {
   Animation animation = Jump(1.0 / 240.0);
   animation.root_keys[kRootZ] = {{0, 1.1, {}, kCubic}};

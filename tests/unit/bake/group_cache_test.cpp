@@ -73,8 +73,8 @@ VecX SampleAt(double t, const Case& c, GroupSolution* solution) {
 
 // Step by step: two samples inside each of so many steps, then one on other curves.
 Answers Walk(const Case& c, const KnownLogs* known, int steps = 4) {
-  AttachmentCache attachments;
-  GroupSolution solution(c.task, &attachments);
+  MovingBaseCache moving_bases;
+  GroupSolution solution(c.task, &moving_bases);
   Answers answers;
   const auto sample = [&](double t) { answers.samples.push_back(SampleAt(t, c, &solution)); };
   solution.Begin(c.t, c.end, c.state, c.driven, known);
@@ -153,9 +153,9 @@ TEST(GroupSolution, KeepsNoLogUnlessThereAreKnownOnes) {
 TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
   const Case c = CarriedCase();
   const std::vector<double> times = {0.02, 0.05, c.end};
-  AttachmentCache attachments;
+  MovingBaseCache moving_bases;
   const auto look = [&](const KnownLogs& known, bool is_known, double until) {
-    GroupSolution solution(c.task, &attachments);
+    GroupSolution solution(c.task, &moving_bases);
     solution.Begin(c.t, c.end, c.state, c.driven, &known);
     EXPECT_EQ(solution.LookAhead({0.02, until, c.end}, c.end), is_known);
     if (!is_known) solution.SolveAhead(nullptr);
@@ -172,8 +172,8 @@ TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
 
 // Whether a case is begun with the question of another one.
 bool IsKnown(const Case& c, const KnownLogs& known, const Log& log) {
-  AttachmentCache attachments;
-  GroupSolution solution(c.task, &attachments);
+  MovingBaseCache moving_bases;
+  GroupSolution solution(c.task, &moving_bases);
   solution.Begin(c.t, c.end, c.state, c.driven, &known);
   return solution.log() == log;
 }

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "engine/bake/attachment_cache.h"
+#include "engine/bake/moving_base_cache.h"
 
 namespace hazumi {
 namespace {
@@ -70,16 +70,16 @@ TEST(KnownLogs, ForgetAll) {
 // Fits a carrier at rest; counts how often.
 struct Fitter {
   int fits = 0;
-  std::shared_ptr<const Attachment> operator()() {
+  std::shared_ptr<const MovingBase> operator()() {
     ++fits;
-    Attachment::Frame still;
+    MovingBase::Frame still;
     still.R = small::ToSmall(Mat3::Identity());
-    return std::make_shared<const Attachment>(0.0, 0.1, [&](double) { return still; });
+    return std::make_shared<const MovingBase>(0.0, 0.1, [&](double) { return still; });
   }
 };
 
-TEST(AttachmentCache, FitsOnceForTheSameCarrierAndSharesIt) {
-  AttachmentCache cache;
+TEST(MovingBaseCache, FitsOnceForTheSameCarrierAndSharesIt) {
+  MovingBaseCache cache;
   Fitter fit;
   Carrier carrier;
   carrier.chain.resize(2);
@@ -95,8 +95,8 @@ TEST(AttachmentCache, FitsOnceForTheSameCarrierAndSharesIt) {
   EXPECT_EQ(fit.fits, 3);
 }
 
-TEST(AttachmentCache, KeepsTheEightLatestFits) {
-  AttachmentCache cache;
+TEST(MovingBaseCache, KeepsTheEightLatestFits) {
+  MovingBaseCache cache;
   Fitter fit;
   const auto get = [&](double t) {
     Carrier carrier;

@@ -1,4 +1,4 @@
-// What a region model consists of: groups, bodies, balls, locks, blows.
+// What a region model consists of: groups, bodies, balls, locks, impacts.
 
 #include "engine/passive/region_model.h"
 
@@ -162,7 +162,7 @@ TEST(RegionModel, LockingIsTheSameAsHoldingConstant) {
 
 // The impulse of a pin that is stopped, against the whole figure's momentum.
 TEST(RegionModel, ABlowAtThePinChangesRatesAsTheWholeFigureSays) {
-  Worst worst("blow");
+  Worst worst("impulse");
   for (uint64_t seed = 0; seed < kSamples; ++seed) {
     const ModelCase c(seed, RootCoupling::kPinned, /*is_root_free=*/false);
     DynamicsWorkspace ws(c.sample.figure);
@@ -178,9 +178,9 @@ TEST(RegionModel, ABlowAtThePinChangesRatesAsTheWholeFigureSays) {
     for (RegionDynamics& dynamics : c.Models()) {
       const VecX qd = Gather(dynamics, c.qd);
       dynamics.AssembleHinges(c.t, Gather(dynamics, c.q), qd);
-      VecX blow(dynamics.num_hinges());
-      dynamics.PinBlow(v_pin, &blow);
-      const VecX after = qd + dynamics.M().llt().solve(blow);
+      VecX impulse(dynamics.num_hinges());
+      dynamics.PinImpulse(v_pin, &impulse);
+      const VecX after = qd + dynamics.M().llt().solve(impulse);
       const double scale = expected.lpNorm<Eigen::Infinity>();
       const double error = (after - Gather(dynamics, all)).lpNorm<Eigen::Infinity>() / scale;
       EXPECT_LE(worst(error), 1e-9) << "seed " << seed;

@@ -23,7 +23,7 @@ struct Problem {
     M = A * A.transpose();
     if (mass >= hinges) M.diagonal().array() += 0.1;
     b = M * random.Vector(hinges, 10.0);  // what the masses can answer
-    blow = M * random.Vector(hinges, 1.0);
+    impulse = M * random.Vector(hinges, 1.0);
     v = random.Vector(hinges, 5.0);
     for (int i = 0; i < hinges; ++i) side.push_back(random.Integer(-1, 1));
     solver.Resize(hinges);
@@ -31,16 +31,16 @@ struct Problem {
   int size() const { return static_cast<int>(side.size()); }
   std::vector<char> None() const { return std::vector<char>(side.size(), 0); }
 
-  VecX AfterImpact(const VecX& with_blow, const std::vector<char>& sticks) {
+  VecX AfterImpact(const VecX& with_impulse, const std::vector<char>& sticks) {
     VecX after = v;
-    solver.Impact(M, with_blow, side, sticks, &after);
+    solver.Impact(M, with_impulse, side, sticks, &after);
     return after;
   }
   double Energy(const VecX& rates) const { return 0.5 * rates.dot(M * rates); }
 
   Random random;
   MatX M;
-  VecX b, blow, v;
+  VecX b, impulse, v;
   std::vector<int> side;
   StopSolver solver;
 };
@@ -71,8 +71,8 @@ TEST(StopSolver, ChangesRatesByImpulsesThatPushInwardsAndOnlyOnWhatStays) {
   for (int seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Problem problem = AnyProblem(seed);
-    const VecX after = problem.AfterImpact(problem.blow, problem.None());
-    const VecX impulses = problem.M * (after - problem.v) - problem.blow;
+    const VecX after = problem.AfterImpact(problem.impulse, problem.None());
+    const VecX impulses = problem.M * (after - problem.v) - problem.impulse;
     ExpectComplementary(problem.side, after, impulses);
   }
 }
@@ -110,8 +110,8 @@ TEST(StopSolver, StopsWhatSticksEvenByAPull) {
     for (int i = 0; i < problem.size(); ++i) {
       sticks[i] = problem.side[i] != 0 && problem.random.Chance(0.5);
     }
-    const VecX after = problem.AfterImpact(problem.blow, sticks);
-    const VecX impulses = problem.M * (after - problem.v) - problem.blow;
+    const VecX after = problem.AfterImpact(problem.impulse, sticks);
+    const VecX impulses = problem.M * (after - problem.v) - problem.impulse;
     for (int i = 0; i < problem.size(); ++i) {
       if (!sticks[i]) continue;
       EXPECT_EQ(after[i], 0.0);
@@ -222,9 +222,9 @@ TEST(StopSolver, AnswersWhereHingesMoveTheSameMass) {
     Random sizes(static_cast<uint64_t>(seed));
     const int hinges = sizes.Integer(2, 8);
     Problem problem(static_cast<uint64_t>(seed), hinges, sizes.Integer(1, hinges - 1));
-    const VecX after = problem.AfterImpact(problem.blow, problem.None());
+    const VecX after = problem.AfterImpact(problem.impulse, problem.None());
     ASSERT_TRUE(after.allFinite());
-    const VecX impulses = problem.M * (after - problem.v) - problem.blow;
+    const VecX impulses = problem.M * (after - problem.v) - problem.impulse;
     ExpectComplementary(problem.side, after, impulses);
     std::vector<char> held = problem.None();
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
@@ -251,10 +251,10 @@ TEST(StopSolver, DoesTheSameBitsAgainWhateverItWasAskedBefore) {
     StopSolver fresh;
     fresh.Resize(problem.size());
     VecX expected = problem.v;
-    fresh.Impact(problem.M, problem.blow, problem.side, problem.None(), &expected);
+    fresh.Impact(problem.M, problem.impulse, problem.side, problem.None(), &expected);
     std::vector<char> held = problem.None();
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
-    EXPECT_EQ(problem.AfterImpact(problem.blow, problem.None()), expected) << "seed " << seed;
+    EXPECT_EQ(problem.AfterImpact(problem.impulse, problem.None()), expected) << "seed " << seed;
   }
 }
 

@@ -17,7 +17,7 @@ bool PosesFigure(const std::string& id) {
          id == "pose.rotate" || id == "pose.reach";
 }
 
-bool IsRegionOfArm(const Deed& deed) {
+bool IsRegionOfArm(const ExecutedCommand& deed) {
   if (deed.id != "region.add") return false;
   if (!deed.parameters.contains("joints")) {
     return std::any_of(deed.selected_joints.begin(), deed.selected_joints.end(), IsOfArm);
@@ -43,7 +43,7 @@ void FirstSteps::TakeDragged() {
   dragged_frame.reset();
 }
 
-FirstSteps After(FirstSteps steps, const Deed& deed) {
+FirstSteps After(FirstSteps steps, const ExecutedCommand& deed) {
   if (deed.id == "file.new") return {};
   if (PosesFigure(deed.id)) {
     const bool names_frame = deed.id == "key.set" && deed.parameters.contains("frame");

@@ -10,7 +10,7 @@
 namespace hazumi::ui {
 
 // Something that was done: an action or operator that succeeded, and what was then seen.
-struct Deed {
+struct ExecutedCommand {
   std::string id;
   edit::Json parameters;
   double frame = 0.0;  // current
@@ -32,7 +32,7 @@ struct FirstSteps {
 };
 
 // The steps after a deed.
-FirstSteps After(FirstSteps steps, const Deed& deed);
+FirstSteps After(FirstSteps steps, const ExecutedCommand& deed);
 
 // What to do in a step, in English.
 struct StepText {

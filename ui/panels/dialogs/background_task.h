@@ -12,16 +12,16 @@ namespace hazumi::ui {
 
 // Work beside the interface, in a thread of its own. Its object waits for the end.
 template <typename T>
-class Beside {
+class BackgroundTask {
  public:
-  explicit Beside(std::function<Result<T>()> work)
+  explicit BackgroundTask(std::function<Result<T>()> work)
       : thread_([this, work = std::move(work)] {
           result_ = WithinMemory(work);
           has_ended_ = true;
         }) {}
-  ~Beside() { thread_.join(); }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
+  ~BackgroundTask() { thread_.join(); }
+  BackgroundTask(const BackgroundTask&) = delete;
+  BackgroundTask& operator=(const BackgroundTask&) = delete;
 
   // Null before it has ended.
   const Result<T>* result() const { return has_ended_ ? &*result_ : nullptr; }

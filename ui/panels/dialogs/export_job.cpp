@@ -59,7 +59,7 @@ void StartPreview(Editor* editor) {
     ExportSummary summary = SummaryOf(settings.format, bytes.value());
     return ExportedFile{std::move(bytes).value(), std::move(summary)};
   };
-  state.preview = std::make_shared<Beside<ExportedFile>>(make);
+  state.preview = std::make_shared<BackgroundTask<ExportedFile>>(make);
 }
 
 void StartWrite(Editor* editor) {
@@ -81,7 +81,7 @@ void StartWrite(Editor* editor) {
     const std::string& bytes = preview->result()->value().bytes;
     return WriteFileAtomically(path, bytes, WriteMode::kDurable, cancel.get());
   };
-  state.write = std::make_shared<Beside<Done>>(write);
+  state.write = std::make_shared<BackgroundTask<Done>>(write);
 }
 
 void FinishWrite(Editor* editor) {

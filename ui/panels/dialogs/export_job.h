@@ -40,13 +40,13 @@ struct ExportState {
   std::pair<long, long> source_state = {-1, -1};  // document and revision
   std::optional<Error> source_error;              // kInterrupted: it is being computed
   // The file with `previewed`; the last one is kept until there is another.
-  std::shared_ptr<Beside<ExportedFile>> preview;
+  std::shared_ptr<BackgroundTask<ExportedFile>> preview;
   edit::ExportSettings previewed;
   std::shared_ptr<const edit::ExportSource> previewed_source;
 
   bool asks_overwrite = false;
   bool wants_write = false;  // as soon as the preview is what the options say
-  std::shared_ptr<Beside<Done>> write;
+  std::shared_ptr<BackgroundTask<Done>> write;
   std::shared_ptr<std::atomic<bool>> cancels_write;
   std::string written_path;
   size_t written_bytes = 0;

@@ -42,7 +42,7 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
 
 // What follows from something that was done.
 void Editor::Note(const std::string& id, const Json& parameters) {
-  const Deed deed = {id, parameters, session_.frame(), session_.selected_joints()};
+  const ExecutedCommand deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
   FrameNewDocument(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");

@@ -1,6 +1,6 @@
 // The fitted motion of a carrier against the chain that it was fitted to.
 
-#include "engine/passive/attachment.h"
+#include "engine/passive/moving_base.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace hazumi::test {
 namespace {
 
 using small::V3;
-using Frame = Attachment::Frame;
+using Frame = MovingBase::Frame;
 
 // Turns about z at the rate w + b cos(b t) / 2 while it shakes along x: closed forms.
 struct Shaker {
@@ -39,40 +39,40 @@ double Difference(const Frame& a, const Frame& b, double size) {
   return turn + rest / (1.0 + size);
 }
 
-double WorstDifference(const Attachment& attachment, const Shaker& chain, double start,
+double WorstDifference(const MovingBase& moving_base, const Shaker& chain, double start,
                        double end) {
   constexpr int kLooks = 1000;
   const double size = chain.b * chain.b + std::abs(chain.w);
   double worst = 0.0;
   for (int i = 0; i <= kLooks; ++i) {
     const double t = i == kLooks ? end : start + (end - start) * i / kLooks;
-    worst = std::max(worst, Difference(attachment.At(t), chain(t), size));
+    worst = std::max(worst, Difference(moving_base.At(t), chain(t), size));
   }
   return worst;
 }
 
-TEST(Attachment, IsTheChainToRoundingHoweverFastItMoves) {
+TEST(MovingBase, IsTheChainToRoundingHoweverFastItMoves) {
   for (const double b : {0.0, 1.0, 20.0, 300.0, 5000.0}) {
     for (const double end : {1e-5, 1.0 / 30.0, 1.0}) {
       const Shaker chain{0.3 * b, b};
-      const Attachment attachment(-0.5, -0.5 + end, chain);
-      EXPECT_TRUE(attachment.Covers(-0.5 + end));
-      EXPECT_LE(WorstDifference(attachment, chain, -0.5, -0.5 + end), 1e-9)
+      const MovingBase moving_base(-0.5, -0.5 + end, chain);
+      EXPECT_TRUE(moving_base.Covers(-0.5 + end));
+      EXPECT_LE(WorstDifference(moving_base, chain, -0.5, -0.5 + end), 1e-9)
           << b << " 1/s for " << end << " s";
     }
   }
 }
 
-TEST(Attachment, IsTheChainOfARandomTree) {
+TEST(MovingBase, IsTheChainOfARandomTree) {
   int moved = 0;
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
     if (!group) continue;
     RegionDynamics dynamics(group->model, ForceLaws(), RandomGroup::kGravity);
     dynamics.SetCurves(&group->driven, -0.05);
-    if (!dynamics.needs_attachment()) continue;
+    if (!dynamics.needs_moving_base()) continue;
     ++moved;
-    const auto attachment = dynamics.FitAttachment(-0.05, 0.25);
+    const auto moving_base = dynamics.FitMovingBase(-0.05, 0.25);
     const RegionLayout layout(group->model, /*balls=*/true);
     NodeKinematics chain(group->model);
     const int first = dynamics.first_moved(), carrier = group->model.nodes[first].parent;
@@ -83,76 +83,76 @@ TEST(Attachment, IsTheChainOfARandomTree) {
       const V3 base(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd + RandomGroup::kGravity);
       const Frame expected = {own.R, own.w, own.alpha, own.a + base};
       const double size = Size(own.w) + Size(own.alpha) + Size(own.a);
-      EXPECT_LE(Difference(attachment->At(t), expected, size), 1e-8) << "seed " << seed;
+      EXPECT_LE(Difference(moving_base->At(t), expected, size), 1e-8) << "seed " << seed;
     }
   }
   EXPECT_GT(moved, 20);
 }
 
 // Half a turn changes the sign of a quaternion's parts.
-TEST(Attachment, TurnsRoundAndRound) {
+TEST(MovingBase, TurnsRoundAndRound) {
   const Shaker chain{40.0, 0.0};
-  const Attachment attachment(0.0, 2.0, chain);
-  EXPECT_LE(WorstDifference(attachment, chain, 0.0, 2.0), 1e-10);
+  const MovingBase moving_base(0.0, 2.0, chain);
+  EXPECT_LE(WorstDifference(moving_base, chain, 0.0, 2.0), 1e-10);
 }
 
-TEST(Attachment, NeedsNoTime) {
+TEST(MovingBase, NeedsNoTime) {
   const Shaker chain{3.0, 2.0};
-  const Attachment attachment(0.7, 0.7, chain);
-  EXPECT_TRUE(attachment.Covers(0.7));
-  EXPECT_LE(Difference(attachment.At(0.7), chain(0.7), 1.0), 1e-12);
+  const MovingBase moving_base(0.7, 0.7, chain);
+  EXPECT_TRUE(moving_base.Covers(0.7));
+  EXPECT_LE(Difference(moving_base.At(0.7), chain(0.7), 1.0), 1e-12);
 }
 
 // Polynomials of degree 13 over 0.15 s at most: a slow second takes seven fits of 14 points, and no
 // more but for what was tried in vain.
-TEST(Attachment, AsksTheChainForFourteenPointsAFit) {
+TEST(MovingBase, AsksTheChainForFourteenPointsAFit) {
   int calls = 0;
-  const Attachment slow(0.0, 1.0, Shaker{1.0, 1.0, &calls});
+  const MovingBase slow(0.0, 1.0, Shaker{1.0, 1.0, &calls});
   EXPECT_EQ(calls, 7 * 14);
   int fast_calls = 0;
-  const Attachment fast(0.0, 1.0, Shaker{1.0, 300.0, &fast_calls});
+  const MovingBase fast(0.0, 1.0, Shaker{1.0, 300.0, &fast_calls});
   EXPECT_GT(fast_calls, 10 * calls);
   EXPECT_LT(fast_calls, 300 * calls);
 }
 
 // What breaks off in the middle is cut into ever shorter fits there, and no shorter than 0.1 ms.
-TEST(Attachment, GoesOnBehindAPlaceThatNoPolynomialFits) {
+TEST(MovingBase, GoesOnBehindAPlaceThatNoPolynomialFits) {
   int calls = 0;
   const auto chain = [&](double t) {
     Frame frame = Shaker{1.0, 2.0, &calls}(t);
     if (t > 0.31415) frame.a.y = 5.0;
     return frame;
   };
-  const Attachment attachment(0.0, 1.0, chain);
-  EXPECT_TRUE(attachment.Covers(1.0));
+  const MovingBase moving_base(0.0, 1.0, chain);
+  EXPECT_TRUE(moving_base.Covers(1.0));
   EXPECT_LT(calls, 14 * 100);
   for (const double t : {0.1, 0.313, 0.3155, 0.7, 1.0}) {
-    EXPECT_LE(Difference(attachment.At(t), chain(t), 5.0), 1e-8) << t;
+    EXPECT_LE(Difference(moving_base.At(t), chain(t), 5.0), 1e-8) << t;
   }
 }
 
-TEST(Attachment, GivesUpLateInAMotionThatIsTooWild) {
+TEST(MovingBase, GivesUpLateInAMotionThatIsTooWild) {
   const Shaker chain{1.0, 1e6};
-  const Attachment attachment(0.0, 10.0, chain);
-  EXPECT_TRUE(attachment.Covers(0.0));
-  EXPECT_FALSE(attachment.Covers(10.0));
+  const MovingBase moving_base(0.0, 10.0, chain);
+  EXPECT_TRUE(moving_base.Covers(0.0));
+  EXPECT_FALSE(moving_base.Covers(10.0));
   double t = 10.0;
-  while (!attachment.Covers(t)) t *= 0.5;
+  while (!moving_base.Covers(t)) t *= 0.5;
   EXPECT_GT(t, 0.0);
 }
 
-TEST(Attachment, EndsWhereTheChainGivesNoNumbers) {
+TEST(MovingBase, EndsWhereTheChainGivesNoNumbers) {
   const auto chain = [](double) {
     Frame frame = Shaker{1.0, 1.0}(0.0);
     frame.a.x = std::numeric_limits<double>::quiet_NaN();
     return frame;
   };
-  const Attachment attachment(0.0, 0.1, chain);
-  EXPECT_TRUE(std::isnan(attachment.At(0.05).a.x));
+  const MovingBase moving_base(0.0, 0.1, chain);
+  EXPECT_TRUE(std::isnan(moving_base.At(0.05).a.x));
 }
 
 // Dynamics with the same carrier may share a fit: the same bits as each with its own.
-TEST(Attachment, IsTheSameSharedAsMadeTwice) {
+TEST(MovingBase, IsTheSameSharedAsMadeTwice) {
   int shared = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
@@ -161,11 +161,11 @@ TEST(Attachment, IsTheSameSharedAsMadeTwice) {
     RegionDynamics other(group->model, ForceLaws(), RandomGroup::kGravity);
     own.SetDriven(&group->driven, -0.05, 0.05);
     other.SetCurves(&group->driven, -0.05);
-    if (!other.needs_attachment()) continue;
+    if (!other.needs_moving_base()) continue;
     ++shared;
     RegionDynamics third(group->model, ForceLaws(), RandomGroup::kGravity);
     third.SetCurves(&group->driven, -0.05);
-    other.UseAttachment(third.FitAttachment(-0.05, 0.05));
+    other.UseMovingBase(third.FitMovingBase(-0.05, 0.05));
     VecX y(own.layout().state_size()), dy(y.size()), other_dy(y.size());
     own.layout().Pack(group->q, group->qd, y.data());
     own.Derivative(0.0123, y.data(), dy.data());

@@ -1,13 +1,12 @@
 // Threads that do jobs together.
 
-#include "engine/bake/team.h"
-
 #include <gtest/gtest.h>
 
 #include <new>
 #include <set>
 
 #include "engine/bake/bake.h"
+#include "engine/bake/thread_pool.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/support/animations.h"
@@ -15,57 +14,57 @@
 namespace hazumi::test {
 namespace {
 
-TEST(Team, DoesEachJobOnceHoweverManyThereAre) {
-  Team team(3);
+TEST(ThreadPool, DoesEachJobOnceHoweverManyThereAre) {
+  ThreadPool pool(3);
   for (int round = 0; round < 500; ++round) {
     const int count = round % 7;
     std::vector<std::atomic<int>> done(count);
-    team.Do(count, [&](int i) { ++done[i]; });
+    pool.Do(count, [&](int i) { ++done[i]; });
     for (const std::atomic<int>& times : done) ASSERT_EQ(times, 1) << "round " << round;
   }
 }
 
 // Each of two jobs waits for the other to begin: one thread alone would never finish.
-TEST(Team, DoesTwoJobsAtOnce) {
-  Team team(2);
+TEST(ThreadPool, DoesTwoJobsAtOnce) {
+  ThreadPool pool(2);
   std::atomic<int> begun = 0;
-  team.Do(2, [&](int) {
+  pool.Do(2, [&](int) {
     ++begun;
     while (begun < 2) std::this_thread::yield();
   });
   EXPECT_EQ(begun, 2);
 }
 
-TEST(Team, DoesOneJobInTheCallersThread) {
-  Team team(2);
+TEST(ThreadPool, DoesOneJobInTheCallersThread) {
+  ThreadPool pool(2);
   std::thread::id thread;
-  team.Do(1, [&](int) { thread = std::this_thread::get_id(); });
+  pool.Do(1, [&](int) { thread = std::this_thread::get_id(); });
   EXPECT_EQ(thread, std::this_thread::get_id());
 }
 
-TEST(Team, OfOneDoesAllJobsInTheCallersThread) {
-  Team team(1);
+TEST(ThreadPool, OfOneDoesAllJobsInTheCallersThread) {
+  ThreadPool pool(1);
   std::set<std::thread::id> threads;
-  team.Do(20, [&](int) { threads.insert(std::this_thread::get_id()); });
+  pool.Do(20, [&](int) { threads.insert(std::this_thread::get_id()); });
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(Team, ThrowsWhatAJobThrewAfterAllOthersAreDone) {
-  Team team(3);
+TEST(ThreadPool, ThrowsWhatAJobThrewAfterAllOthersAreDone) {
+  ThreadPool pool(3);
   for (int round = 0; round < 200; ++round) {
     std::atomic<int> done = 0;
     const auto job = [&](int i) {
       if (i == round % 5) throw std::bad_alloc();
       ++done;
     };
-    EXPECT_THROW(team.Do(5, job), std::bad_alloc);
+    EXPECT_THROW(pool.Do(5, job), std::bad_alloc);
     EXPECT_EQ(done, 4);
-    team.Do(5, [&](int) { ++done; });
+    pool.Do(5, [&](int) { ++done; });
     EXPECT_EQ(done, 9);
   }
 }
 
-// Both arms and their twins are four jobs.
+// Both arms and their control solutions are four jobs.
 TEST(Bake, GivesTheSameBitsOnAnyNumberOfThreads) {
   const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/throw.kfa";
   const Animation animation = CompileAnimation(LoadProject(path).value()).value().animation;

@@ -1,4 +1,4 @@
-#include "engine/passive/turns.h"
+#include "engine/passive/sines_and_cosines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 #include "engine/dynamics/lane_trig.h"
 }  // namespace
 
-void Turns::Set(const double* state, const std::vector<int>& from) {
+void SinesAndCosines::Set(const double* state, const std::vector<int>& from) {
   const int count = static_cast<int>(from.size());
   for (int i = 0; i < count; i += kMaxLanes) {
     int lane[kMaxLanes];  // the last angle fills up

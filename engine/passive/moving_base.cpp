@@ -1,4 +1,4 @@
-#include "engine/passive/attachment.h"
+#include "engine/passive/moving_base.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -43,9 +43,9 @@ const Transforms& TheTransforms() {
 
 }  // namespace
 
-double Attachment::Point(int i) { return TheTransforms().points[i]; }
+double MovingBase::Point(int i) { return TheTransforms().points[i]; }
 
-void Attachment::Take(const Frame& frame, int i, Samples* samples) {
+void MovingBase::Take(const Frame& frame, int i, Samples* samples) {
   const Eigen::Quaterniond turn(frame.R.eigen());
   auto& to = (*samples)[i];
   const V3 &w = frame.w, &alpha = frame.alpha, &a = frame.a;
@@ -57,7 +57,7 @@ void Attachment::Take(const Frame& frame, int i, Samples* samples) {
   for (int k = 0; k < 4 && dot < 0.0; ++k) to[k] = -to[k];
 }
 
-double Attachment::SetFit(const Samples& samples, Fit* fit) {
+double MovingBase::SetFit(const Samples& samples, Fit* fit) {
   constexpr double kRounding = 1e-12;
   using Matrix = Eigen::Matrix<double, kPoints, kValues, Eigen::RowMajor>;
   const Eigen::Map<const Matrix> f(samples[0].data());
@@ -69,20 +69,20 @@ double Attachment::SetFit(const Samples& samples, Fit* fit) {
 
 // How much longer the next fit may be. The last coefficients go with the length to the 12th and
 // 13th power.
-double Attachment::Growth(double left_out, bool is_good) {
+double MovingBase::Growth(double left_out, bool is_good) {
   constexpr double kSafety = 0.9;
   if (!std::isfinite(left_out)) return 0.5;
   const double grow = kSafety * std::pow(std::max(left_out, 1e-6), -1.0 / 12.5);
   return is_good ? std::max(0.8, grow) : std::clamp(grow, 0.25, 0.8);
 }
 
-const Attachment::Fit& Attachment::FitFor(double t) const {
+const MovingBase::Fit& MovingBase::FitFor(double t) const {
   const auto ends_before = [t](const Fit& fit) { return fit.middle + fit.half < t; };
   const auto fit = std::partition_point(fits_.begin(), fits_.end(), ends_before);
   return fit == fits_.end() ? fits_.back() : *fit;
 }
 
-Attachment::Frame Attachment::Evaluate(const Fit& fit, double t) {
+MovingBase::Frame MovingBase::Evaluate(const Fit& fit, double t) {
   const double s = fit.half > 0.0 ? (t - fit.middle) / fit.half : 0.0;
   using Values = Eigen::Array<double, kValues, 1>;
   Values v = Eigen::Map<const Values>(fit.c[kPoints - 1].data());

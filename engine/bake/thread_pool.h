@@ -11,14 +11,14 @@
 namespace hazumi {
 
 // Does independent jobs on several threads, that of the caller among them. The others start when
-// they are first needed and wait for more until the team is gone. One thread may call at a time.
-class Team {
+// they are first needed and wait for more until the pool is gone. One thread may call at a time.
+class ThreadPool {
  public:
   // At most so many threads, the caller's included; 0: as many as the machine has.
-  explicit Team(int most = 0);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit ThreadPool(int most = 0);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   // Calls job(0) to job(count - 1), each once, in any order and thread; returns when all are done.
   // One job alone is done in the caller's thread. What a job throws ends here, after all others.

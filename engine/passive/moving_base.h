@@ -15,7 +15,7 @@ namespace hazumi {
 // the figure [METHOD 6.3]. The chain that moves it is evaluated at a few Chebyshev points of a
 // stretch of time and fitted, as long as what is left out is rounding; after that it costs a
 // polynomial. Never changes once made: groups that hang on one node share it, in any thread.
-class Attachment {
+class MovingBase {
  public:
   // The carrier's motion at a time, computed by its chain.
   struct Frame {
@@ -25,7 +25,7 @@ class Attachment {
 
   // Fits the motion, smooth from `start` to `end` [s]. `chain`: Frame(double t).
   template <typename Chain>
-  Attachment(double start, double end, Chain&& chain) {
+  MovingBase(double start, double end, Chain&& chain) {
     double length = kLongest;
     covered_until_ = start;
     for (double& from = covered_until_; from < end || fits_.empty();) {

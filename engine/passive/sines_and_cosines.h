@@ -7,10 +7,10 @@
 namespace hazumi {
 
 // Sines and cosines of the angles of a state, four at a time.
-class Turns {
+class SinesAndCosines {
  public:
   // At most `count` angles.
-  explicit Turns(int count) : sines_(Padded(count)), cosines_(Padded(count)) {}
+  explicit SinesAndCosines(int count) : sines_(Padded(count)), cosines_(Padded(count)) {}
 
   // Of the angles state[from[0]], state[from[1]], ... [rad].
   void Set(const double* state, const std::vector<int>& from);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/members.h"
-#include "engine/passive/attachment.h"
+#include "engine/passive/moving_base.h"
 
 namespace hazumi {
 
@@ -32,27 +32,27 @@ inline auto MembersOf(const Carrier& carrier) {
 Carrier CarrierOf(const RegionModel& model, int first_moved, double gravity,
                   const DrivenMotion& curves, double t, double end);
 
-// The latest fits of attachments: groups that hang on one node, and solutions of one group, share
+// The latest fits of moving bases: groups that hang on one node, and solutions of one group, share
 // them. Any thread may ask.
-class AttachmentCache {
+class MovingBaseCache {
  public:
   // `fit`: makes it if it is not there.
   template <typename Fit>
-  std::shared_ptr<const Attachment> Get(Carrier carrier, Fit&& fit) {
+  std::shared_ptr<const MovingBase> Get(Carrier carrier, Fit&& fit) {
     const std::lock_guard lock(mutex_);
     for (const Entry& entry : entries_) {
-      if (SameBits(entry.carrier, carrier)) return entry.attachment;
+      if (SameBits(entry.carrier, carrier)) return entry.moving_base;
     }
     if (entries_.size() == kMost) entries_.erase(entries_.begin());
     entries_.push_back({std::move(carrier), fit()});
-    return entries_.back().attachment;
+    return entries_.back().moving_base;
   }
 
  private:
   static constexpr size_t kMost = 8;
   struct Entry {
     Carrier carrier;
-    std::shared_ptr<const Attachment> attachment;
+    std::shared_ptr<const MovingBase> moving_base;
   };
   std::mutex mutex_;
   std::vector<Entry> entries_;  // the oldest first

@@ -1,4 +1,4 @@
-#include "engine/bake/attachment_cache.h"
+#include "engine/bake/moving_base_cache.h"
 
 namespace hazumi {
 

@@ -1,8 +1,8 @@
-#include "engine/bake/team.h"
-
 #include <algorithm>
 #include <system_error>
 #include <utility>
+
+#include "engine/bake/thread_pool.h"
 
 namespace hazumi {
 
@@ -15,12 +15,12 @@ constexpr int kExpectingYields = 4 * kYields;
 
 }  // namespace
 
-Team::Team(int most) {
+ThreadPool::ThreadPool(int most) {
   const int has = static_cast<int>(std::thread::hardware_concurrency());
   most_ = static_cast<size_t>(std::clamp(most > 0 ? most : has, 1, kMostThreads) - 1);
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   {
     const std::lock_guard lock(mutex_);
     is_over_ = true;
@@ -29,7 +29,7 @@ Team::~Team() {
   for (std::thread& helper : helpers_) helper.join();
 }
 
-void Team::Do(int count, const std::function<void(int)>& job) {
+void ThreadPool::Do(int count, const std::function<void(int)>& job) {
   next_ = 0;
   thrown_ = nullptr;
   if (count <= 1 || most_ == 0) {
@@ -53,19 +53,19 @@ void Team::Do(int count, const std::function<void(int)>& job) {
   Rethrow();
 }
 
-void Team::Rethrow() {
+void ThreadPool::Rethrow() {
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 // The system may refuse threads; then fewer do the work.
-void Team::AddHelpers(size_t wanted) {
+void ThreadPool::AddHelpers(size_t wanted) {
   try {
     while (helpers_.size() < wanted) helpers_.emplace_back([this] { Help(); });
   } catch (const std::system_error&) {
   }
 }
 
-void Team::Expect() {
+void ThreadPool::Expect() {
   if (helpers_.empty()) return;
   {
     const std::lock_guard lock(mutex_);
@@ -74,15 +74,15 @@ void Team::Expect() {
   wake_.notify_all();
 }
 
-void Team::StayAwake(int yields) const {
+void ThreadPool::StayAwake(int yields) const {
   for (int i = 0; i < yields && job_ == nullptr; ++i) std::this_thread::yield();
 }
 
-void Team::Work(const std::function<void(int)>& job, int count) {
+void ThreadPool::Work(const std::function<void(int)>& job, int count) {
   for (int i = next_++; i < count; i = next_++) Try(job, i);
 }
 
-void Team::Try(const std::function<void(int)>& job, int i) {
+void ThreadPool::Try(const std::function<void(int)>& job, int i) {
   try {
     job(i);
   } catch (...) {  // for want of memory, say
@@ -91,7 +91,7 @@ void Team::Try(const std::function<void(int)>& job, int i) {
   }
 }
 
-void Team::Help() {
+void ThreadPool::Help() {
   std::unique_lock lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return is_over_ || is_expecting_ || job_ != nullptr; });
