@@ -207,8 +207,7 @@ void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
 
 void NodeKinematics::AddTorque(int node, const V3& torque) { motion_[node].n -= torque; }
 
-void NodeKinematics::AddHingeTorque(int node, int dof, double torque) {
-  const V3 moment = torque * motion_[node].axis[dof];
+void NodeKinematics::AddJointMoment(int node, const V3& moment) {
   motion_[node].n -= moment;
   if (nodes_[node].parent >= 0) motion_[nodes_[node].parent].n += moment;
 }

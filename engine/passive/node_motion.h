@@ -51,8 +51,8 @@ class NodeKinematics {
   // torque [N m].
   void AddForce(int node, const small::V3& r, const small::V3& force);
   void AddTorque(int node, const small::V3& torque);
-  // A torque about one of the free hinges of a node, no part of a ball: against its parent [N m].
-  void AddHingeTorque(int node, int dof, double torque);
+  // A moment on a node against the one that carries it [N m].
+  void AddJointMoment(int node, const small::V3& moment);
   // As if nothing asked for a force.
   void ClearForces();
 

@@ -81,9 +81,15 @@ void RegionDynamics::Move(double t, const RegionLayout& layout, const double* po
   const int count = kinematics_.size();
   if (first_moved_ > 0 && !is_carrier_still_) MoveCarrier(t);
   kinematics_.Move(layout, *driven_, t, positions, velocities, first_moved_, count);
-  kinematics_.SetOwnForces(first_moved_ > 0 ? V3() : BaseAcceleration(t));
+  AskForForces(first_moved_ > 0 ? V3() : BaseAcceleration(t),
+               StateAt(t, layout, positions, velocities));
+}
+
+// What the nodes ask for, accelerated by `base` on top, what the laws give them taken off.
+void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
+  if (has_forces_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
+  kinematics_.SetOwnForces(base);
   if (!has_forces_) return;
-  const RegionState state = StateAt(t, layout, positions, velocities);
   for (const auto& law : laws_) law->AddForces(state, &kinematics_);
 }
 

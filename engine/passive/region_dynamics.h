@@ -114,6 +114,7 @@ class RegionDynamics {
   void PushPin(const RegionLayout& layout);
   void KeepPin(const small::V3& a, int size, double* x) const;
   bool IsOnPin() const { return model_.root_answers && model_.coupling == RootCoupling::kPinned; }
+  void AskForForces(const small::V3& base, const RegionState& state);
   RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
                       const double* velocities) const;
   void AddRules(double t, const double* y, double* x);

@@ -7,22 +7,18 @@ namespace hazumi {
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 // Places and moves all nodes, chains included, with accelerations x of the free joints, and sets
-// what each asks of its joint, what the laws give it taken off.
+// what each asks of its joint.
 void RegionDynamics::MoveWith(const RegionState& state, const double* x) {
   const int count = kinematics_.size();
   kinematics_.Move(layout_, *driven_, state.t, state.positions, state.velocities, 0, count);
   kinematics_.Accelerate(layout_, x, first_moved_);
-  const auto ask_for = [&](const V3& base) {
-    kinematics_.SetOwnForces(base);
-    for (const auto& law : laws_) law->AddForces(state, &kinematics_);
-  };
   // A pin stays where it is under the accelerations that are now in.
   const V3 base = BaseAcceleration(state.t);
-  ask_for(base);
+  AskForForces(base, state);
   if (model_.coupling != RootCoupling::kFlight) return;
   V3 force;
   for (int i = 0; i < count; ++i) force += kinematics_.motion()[i].f;
-  ask_for(base - (1.0 / model_.mass) * force);
+  AskForForces(base - (1.0 / model_.mass) * force, state);
 }
 
 // The velocity of the root; `velocity` gets those of the nodes' origins relative to it.
@@ -81,7 +77,10 @@ double RegionDynamics::PowerInJoints(const std::vector<V3>& v, double* keyed) {
   const V3 f_pin = at_pin ? motion[0].f : V3();
   double free = 0.0;
   for (int i = 0; i < kinematics_.size(); ++i) {
-    if (!model_.nodes[i].is_dynamic) continue;
+    if (!model_.nodes[i].is_dynamic) {  // the keys answer what laws do to it
+      if (has_forces_) *keyed += Dot(motion[i].f, v[i]) + Dot(motion[i].n, motion[i].w);
+      continue;
+    }
     const int parent = model_.nodes[i].parent;
     const V3 w_parent = parent < 0 ? V3() : motion[parent].w;
     V3 moment = motion[i].n;

@@ -28,7 +28,7 @@ class ForceLaw {
 
   // In the account of energy.
   virtual std::string_view name() const = 0;
-  // Adds its forces on the nodes (NodeKinematics::AddForce, AddTorque).
+  // Adds its forces on the nodes (NodeKinematics::AddForce, AddTorque, AddJointMoment).
   virtual void AddForces(const RegionState&, NodeKinematics*) const {}
   // Adds to the accelerations of the free joints, by dof of the layout [rad/s^2].
   virtual void AddAccelerations(const RegionState&, double* /*x*/) const {}

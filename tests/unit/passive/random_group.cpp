@@ -46,6 +46,7 @@ std::unique_ptr<RandomGroup> RandomGroup::Of(uint64_t seed, RootCoupling couplin
   request.angles.resize(n + kRootAngles);
   request.angles << RandomAngles(figure, &random), random.Vector(kRootAngles, 1.0);
   const VecX rates = random.Vector(n + kRootAngles, 3.0);
+  if (coupling == RootCoupling::kPinned) request.pin = JointIndex(random.Integer(0, n - 1));
   for (int c = 0; c < n + kRootAngles; ++c) {
     group->driven.angles.push_back(CurveFrom(request.angles[c], rates[c], &random));
   }

@@ -8,8 +8,8 @@
 
 namespace hazumi::test {
 
-// One group of free joints of a random tree at t = 0, some of whose other joints are driven. In
-// flight its root turns freely, is driven or constant.
+// One group of free joints of a random tree at t = 0, some of whose other joints are driven. Pinned
+// by any joint. In flight its root turns freely, is driven or constant.
 struct RandomGroup {
   // Null where nothing is free.
   static std::unique_ptr<RandomGroup> Of(uint64_t seed, RootCoupling coupling);
