@@ -120,13 +120,13 @@ class RegionDynamics {
   void AddRules(double t, const double* y, double* x);
   void AddRule(const ForceLaw& rule, const RegionState& state);
   void AnswerRule();
-  void MoveWith(const RegionState& state, const double* x);
+  void Accelerate(const RegionState& state, const VecX& x);
   small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
   void SumForces();
   double PowerOf(const ForceLaw& law, const RegionState& state, const std::vector<small::V3>& v);
   double PowerInJoints(const std::vector<small::V3>& v, double* keyed);
   double PowerWithout(const ForceLaw& rule, const RegionState& state,
-                      const std::vector<small::V3>& v, const VecX& x);
+                      const std::vector<small::V3>& v);
   void AddStoredEnergy(double t, const std::vector<small::V3>& v, EnergyFlow* flow) const;
 
   RegionModel model_;

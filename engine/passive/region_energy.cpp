@@ -6,18 +6,16 @@ namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
-// Places and moves all nodes, chains included, with accelerations x of the free joints, and sets
-// what each asks of its joint.
-void RegionDynamics::MoveWith(const RegionState& state, const double* x) {
-  const int count = kinematics_.size();
-  kinematics_.Move(layout_, *driven_, state.t, state.positions, state.velocities, 0, count);
-  kinematics_.Accelerate(layout_, x, first_moved_);
+// Adds accelerations x of the free joints to what all nodes, chains included, move with, and sets
+// what each then asks of its joint.
+void RegionDynamics::Accelerate(const RegionState& state, const VecX& x) {
+  kinematics_.Accelerate(layout_, x.data(), first_moved_);
   // A pin stays where it is under the accelerations that are now in.
   const V3 base = BaseAcceleration(state.t);
   AskForForces(base, state);
   if (model_.coupling != RootCoupling::kFlight) return;
   V3 force;
-  for (int i = 0; i < count; ++i) force += kinematics_.motion()[i].f;
+  for (int i = 0; i < kinematics_.size(); ++i) force += kinematics_.motion()[i].f;
   AskForForces(base - (1.0 / model_.mass) * force, state);
 }
 
@@ -98,12 +96,14 @@ double RegionDynamics::PowerInJoints(const std::vector<V3>& v, double* keyed) {
 
 // A rule's power is what its accelerations ask of the free joints: with them, less without.
 double RegionDynamics::PowerWithout(const ForceLaw& rule, const RegionState& state,
-                                    const std::vector<V3>& v, const VecX& x) {
+                                    const std::vector<V3>& v) {
   AddRule(rule, state);
-  const VecX without = x - added_.head(x.size());
-  MoveWith(state, without.data());
+  const VecX added = added_.head(layout_.num_dofs());
+  Accelerate(state, -added);
   double keyed = 0.0;
-  return PowerInJoints(v, &keyed);
+  const double power = PowerInJoints(v, &keyed);
+  kinematics_.Accelerate(layout_, added.data(), first_moved_);
+  return power;
 }
 
 void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyFlow* flow) const {
@@ -125,9 +125,9 @@ void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyF
 EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   VecX dy(layout_.state_size());
   Derivative(t, y, dy.data());
-  const VecX x = dy.tail(layout_.num_dofs());
   const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
-  MoveWith(state, x.data());
+  kinematics_.Move(layout_, *driven_, t, state.positions, state.velocities, 0, kinematics_.size());
+  Accelerate(state, dy.tail(layout_.num_dofs()));
   std::vector<V3> v(kinematics_.size());
   const V3 v_root = RootVelocity(t, &v);
   for (V3& velocity : v) velocity = velocity + v_root;
@@ -136,7 +136,7 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   const double in_joints = PowerInJoints(v, &flow.keyed);
   for (const auto& law : laws_) {
     const double power =
-        law->is_rule() ? in_joints - PowerWithout(*law, state, v, x) : PowerOf(*law, state, v);
+        law->is_rule() ? in_joints - PowerWithout(*law, state, v) : PowerOf(*law, state, v);
     flow.laws.push_back({std::string(law->name()), power});
   }
   if (first_moved_ > 0 && is_carrier_still_) PlaceStillCarrier(t);
