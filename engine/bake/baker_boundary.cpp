@@ -10,12 +10,13 @@ namespace hazumi {
 
 Baker::Failure Baker::CrossFrame(int frame) {
   const bool was_keyed = !span_ || span_->kind == PlacementKind::kKeyed;
-  const bool ended = EndRegions(frame) | EndHolds(frame);
+  const bool regions_ended = EndRegions(frame), holds_ended = EndHolds(frame);
   const bool has_landed = gravity_ && gravity_->has_landed();  // which stops the root by itself
   const bool unplaced = EndPlacement(frame);
   const bool released = ReleaseObjects(frame);
-  const bool begun = BeginRegions(frame) | BeginHolds(frame);
+  const bool regions_begun = BeginRegions(frame), holds_begun = BeginHolds(frame);
   const bool placed = BeginPlacement(frame, was_keyed);
+  const bool ended = regions_ended || holds_ended, begun = regions_begun || holds_begun;
   if (ended || begun) RebuildDriver(frame);
   exact_begun_ &= !ended && !unplaced && !released && !begun && !placed;
   if (!ended && !unplaced && !released && !begun && !placed && !schedule_.HasKeyAt(frame)) {

@@ -6,7 +6,11 @@
 // function of a shared header is.
 
 #if defined(__x86_64__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC target("avx2")
+#endif
 #define HAZUMI_VECTORS_OF_FOUR
 #endif
 
@@ -22,3 +26,7 @@ LaneKernels Avx2Kernels(int width) {
 }
 
 }  // namespace hazumi
+
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute pop
+#endif

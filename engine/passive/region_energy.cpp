@@ -1,4 +1,9 @@
-// Energy and power of a region model: an inverse dynamics pass with the accelerations found.
+// Energy and power of a region model [METHOD 8.5], over its bodies (mass m, h = m c, inertia I
+// about the origin, which moves with v, w):
+//   kinetic    sum m v.v / 2 + v.(w x h) + w.(I w) / 2,     potential    g sum (m z + h_z)
+// What comes in: by laws that give forces F and torques M, sum F.v + M.w; through a joint, n.(w -
+// w_parent) with n what inverse dynamics asks of it at the accelerations found, less what laws
+// give.
 
 #include "engine/passive/region_dynamics.h"
 

@@ -51,10 +51,11 @@ double RoundedDegrees(double radians) {
 // Builds the animation from a project whose values and names have been checked.
 class Compiler {
  public:
-  Compiler(const Project& project, Figure figure, const std::atomic<bool>* cancel)
+  Compiler(const Project& project, std::shared_ptr<const Figure> figure,
+           const std::atomic<bool>* cancel)
       : project_(project),
         cancel_(cancel),
-        figure_(std::make_shared<const Figure>(std::move(figure))),
+        figure_(std::move(figure)),
         warnings_(project.read.warnings) {}
 
   Result<Compiled> Compile() {
@@ -211,15 +212,19 @@ class Compiler {
 
 }  // namespace
 
-Result<Compiled> CompileAnimation(const Project& project, const std::atomic<bool>* cancel) {
+Result<Compiled> CompileAnimation(const Project& project, const std::atomic<bool>* cancel,
+                                  std::shared_ptr<const Figure> figure) {
   FirstError errors;
   CheckDocument(project, &errors);
   if (!errors.ok()) return *errors.error();
-  Result<Figure> figure = BuildFigure(project.figure.spec);
-  if (!figure.ok()) return InFigure(figure.error());
-  CheckNames(project, figure.value(), &errors);
+  if (!figure) {
+    Result<Figure> built = BuildFigure(project.figure.spec);
+    if (!built.ok()) return InFigure(built.error());
+    figure = std::make_shared<const Figure>(std::move(built).value());
+  }
+  CheckNames(project, *figure, &errors);
   if (!errors.ok()) return *errors.error();
-  return Compiler(project, std::move(figure).value(), cancel).Compile();
+  return Compiler(project, std::move(figure), cancel).Compile();
 }
 
 }  // namespace hazumi

@@ -21,15 +21,21 @@ void Session::Replace(Project project, const std::string& path) {
   locked_joints_.clear();
   frame_ = document_->project().frames.first;
   compiled_revision_ = -1;
-  TakeFigure();
-}
-
-// The same figure as long as the project's does not change, so that a bake can go on.
-void Session::TakeFigure() {
   const ProjectFigure& source = document_->project().figure;
   if (figure_ && figure_source_ == source) return;
-  figure_source_ = source;
-  figure_ = std::make_shared<const Figure>(BuildFigure(source.spec).value());
+  TakeFigure(std::make_shared<const Figure>(BuildFigure(source.spec).value()));
+}
+
+// The same figure as long as the project's does not change: nothing is built anew, and a bake can
+// go on.
+Result<Compiled> Session::CompileProject(const Project& project) const {
+  const bool is_same = figure_ && figure_source_ == project.figure;
+  return CompileAnimation(project, nullptr, is_same ? figure_ : nullptr);
+}
+
+void Session::TakeFigure(std::shared_ptr<const Figure> figure) {
+  figure_ = std::move(figure);
+  figure_source_ = document_->project().figure;
 }
 
 Result<Done> Session::Edit(const std::string& label,
@@ -39,7 +45,7 @@ Result<Done> Session::Edit(const std::string& label,
   Transaction transaction(document_.get());
   Result<Done> done = change(&transaction.project());
   if (!done.ok()) return done;
-  Result<Compiled> compiled = CompileAnimation(transaction.project());
+  Result<Compiled> compiled = CompileProject(transaction.project());
   if (!compiled.ok() && (could_be_animated || compiled.error().code == ErrorCode::kSchema)) {
     return compiled.error();
   }
@@ -95,7 +101,7 @@ Result<Done> Session::RunUnobserved(const std::string& id, const Json& parameter
 
 void Session::Compile() {
   if (compiled_revision_ == document_->revision()) return;
-  Take(CompileAnimation(document_->project()));
+  Take(CompileProject(document_->project()));
 }
 
 // What became of the document as it is now.
@@ -108,9 +114,8 @@ void Session::Take(Result<Compiled> compiled) {
     animation_.reset();
     return;
   }
-  TakeFigure();
   animation_ = std::move(compiled).value().animation;
-  animation_->figure = figure_;
+  if (animation_->figure != figure_) TakeFigure(animation_->figure);
   if (bake_) {
     bake_->Update(*animation_);
   } else {

@@ -110,7 +110,8 @@ class Session {
   void Tell(const std::function<void(const SessionObserver&)>& what) const;
   void Compile();
   void Take(Result<Compiled> compiled);
-  void TakeFigure();
+  Result<Compiled> CompileProject(const Project& project) const;
+  void TakeFigure(std::shared_ptr<const Figure> figure);
   int NearestFrame() const;
 
   std::unique_ptr<Document> document_;

@@ -193,11 +193,11 @@ void DrawDopeSheet(Editor* editor, const Rect& rect) {
   ImGui::InvisibleButton("##rows", {rect.w, rect.h},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
-  TakeDopeSheetInput(
-      editor, LayOutDopeSheet(editor->session(), editor->sheet, rect, editor->settings.scale));
-  // What the input changed is seen at once.
-  const DopeSheetLayout layout =
-      LayOutDopeSheet(editor->session(), editor->sheet, rect, editor->settings.scale);
+  const auto lay_out = [&] {
+    return LayOutDopeSheet(editor->session(), editor->sheet, rect, editor->settings.scale);
+  };
+  DopeSheetLayout layout = lay_out();
+  if (TakeDopeSheetInput(editor, layout)) layout = lay_out();
   DopeSheetPainter(ImGui::GetWindowDrawList(), editor, layout).Draw();
   DrawSheetPopups(editor);
   EndPanel();

@@ -1,6 +1,7 @@
 #include "ui/panels/dope_sheet/input.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "ui/panels/dope_sheet/bar_tool.h"
 #include "ui/panels/dope_sheet/bars.h"
@@ -152,22 +153,29 @@ void ScrollRows(SheetState* sheet, const DopeSheetLayout& layout) {
 
 }  // namespace
 
-void TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout) {
+bool TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout) {
+  const SheetState& sheet = editor->sheet;
+  const auto view = [&] { return std::tuple(sheet.first, sheet.last, sheet.scroll_px); };
+  const auto view_before = view();
   const bool is_hovered = ImGui::IsItemHovered();
   if (is_hovered || ImGui::IsItemActive()) {
     NavigateTime(editor, layout.frame);
     ScrollRows(&editor->sheet, layout);
   }
-  if (!is_hovered || editor->has_tool() || editor->sheet.is_quiet) return;
+  const bool has_moved = view() != view_before;
+  if (!is_hovered || editor->has_tool() || sheet.is_quiet) return has_moved;
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   const SheetHit hit = HitDopeSheet(layout, editor->session(), mouse);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     Click(editor, layout, hit, mouse);
-  } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    RightClick(editor, layout, hit);
-  } else {
-    ShowWhatIsUnder(editor, layout, hit);
+    return true;
   }
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    RightClick(editor, layout, hit);
+    return true;
+  }
+  ShowWhatIsUnder(editor, layout, hit);
+  return has_moved;
 }
 
 }  // namespace hazumi::ui

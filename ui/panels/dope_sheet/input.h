@@ -6,7 +6,8 @@
 namespace hazumi::ui {
 
 // Acts on the mouse over the dope sheet. To be called with the panel's item as ImGui's last one.
-void TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout);
+// True if what is seen may not be where the layout has it any more.
+bool TakeDopeSheetInput(Editor* editor, const DopeSheetLayout& layout);
 
 // The small windows that keys and the right button open, and what they do. Called by both sheets.
 void DrawSheetPopups(Editor* editor);
