@@ -1,8 +1,8 @@
+#include "engine/bake/thread_pool.h"
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
-
-#include "engine/bake/thread_pool.h"
 
 namespace hazumi {
 

@@ -21,8 +21,7 @@ struct Compiled {
 // Errors have no file: kSchema for a value out of range or an unknown name (a project just read has
 // none), kSemantics for parts that contradict each other, kInterrupted where `cancel` is set.
 // `figure`: what was built of the project's figure before, if it was: it becomes the animation's.
-Result<Compiled> CompileAnimation(const Project& project,
-                                  const std::atomic<bool>* cancel = nullptr,
+Result<Compiled> CompileAnimation(const Project& project, const std::atomic<bool>* cancel = nullptr,
                                   std::shared_ptr<const Figure> figure = nullptr);
 
 }  // namespace hazumi

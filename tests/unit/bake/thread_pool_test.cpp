@@ -1,12 +1,13 @@
 // Threads that do jobs together.
 
+#include "engine/bake/thread_pool.h"
+
 #include <gtest/gtest.h>
 
 #include <new>
 #include <set>
 
 #include "engine/bake/bake.h"
-#include "engine/bake/thread_pool.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/support/animations.h"
