@@ -17,6 +17,7 @@ namespace {
 void ChooseRegion(Editor* editor, const std::string& shown) {
   const std::vector<ProjectRegion>& regions = editor->session().project().regions;
   std::vector<std::string> names;
+  names.reserve(regions.size());
   for (const ProjectRegion& region : regions) names.push_back(region.name);
   DrawChoice(editor, "region", Tr("Region"), names, shown, [&](const std::string& name) {
     const auto at = std::find(names.begin(), names.end(), name) - names.begin();
