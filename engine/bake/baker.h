@@ -104,6 +104,7 @@ class Baker {
   Failure BeginExact(double frame, double to, const Vec3& v_pin);
   Failure Happen(const GravityEvent& event, double to);
   Failure FinishExact(int frame);
+  void KeepControl(double frame);
   RotationState StateAt(double frame);
   void TurnRoot(double frame, Side side, FigureMotion* motion);
   void TakeReports();

@@ -307,11 +307,8 @@ Baker::Failure Baker::Happen(const GravityEvent& event, double to) {
     recorder_.AddEvent(EventKind::kLanding, frame, figure_.group(*fall_->pin()).name);
   }
   if (exact_) {
-    RotationState control = StateAt(frame);
-    exact_->SampleControl(Seconds(frame), &control);
-    control_ = control;
-    for (size_t c = 0; c < has_control_.size(); ++c)
-      has_control_[c] = exact_->is_free(static_cast<int>(c));
+    control_ = StateAt(frame);
+    KeepControl(frame);
     exact_begun_ = false;
   }
   return BeginExact(frame, to, v_pin);
@@ -325,10 +322,16 @@ Baker::Failure Baker::FinishExact(int frame) {
   before_ = LimitOf(now_);
   if (!exact_) return std::nullopt;
   exact_->Estimate(Seconds(frame));
-  exact_->SampleControl(Seconds(frame), &control_);
-  for (size_t c = 0; c < has_control_.size(); ++c)
-    has_control_[c] = exact_->is_free(static_cast<int>(c));
+  KeepControl(frame);
   return std::nullopt;
+}
+
+// Where the control solutions are, for those that go on from there.
+void Baker::KeepControl(double frame) {
+  exact_->SampleControl(Seconds(frame), &control_);
+  for (size_t c = 0; c < has_control_.size(); ++c) {
+    has_control_[c] = exact_->is_free(static_cast<int>(c));
+  }
 }
 
 // What the driver did, for the reports of its regions.

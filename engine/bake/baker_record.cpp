@@ -16,8 +16,8 @@ void Baker::RecordIfOutput() {
 }
 
 Baker::Failure Baker::RecordUpTo(double from, double to, double end) {
-  if (!recorder_.keeps_frames() && !exact_ && holds_.empty())
-    return std::nullopt;  // nothing can go wrong
+  const bool can_fail = exact_ || !holds_.empty();
+  if (!recorder_.keeps_frames() && !can_fail) return std::nullopt;
   for (const int output : recorder_.OutputsUpTo(from, to, end)) {
     if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     const double frame = output / recorder_.outputs_per_frame();
@@ -64,8 +64,8 @@ void Baker::SetBetween(const FigureMotion& from, const FigureMotion& to, FigureM
 }
 
 void Baker::AddPinEvent(int frame) {
-  if (const auto pin = pinned())
-    recorder_.AddEvent(EventKind::kPinChange, frame, figure_.group(*pin).name);
+  const std::optional<GroupIndex> pin = pinned();
+  if (pin) recorder_.AddEvent(EventKind::kPinChange, frame, figure_.group(*pin).name);
 }
 
 std::optional<GroupIndex> Baker::pinned() const {

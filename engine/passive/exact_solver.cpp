@@ -78,7 +78,7 @@ void ExactSolver::ResolveStops(const Vec3& v_pin) {
   Settle();
 }
 
-// The hinges at a stop; those on their way in only where a impulse or another hinge's impact may
+// The hinges at a stop; those on their way in only where an impulse or another hinge's impact may
 // send them out. Returns how many are not at rest there.
 int ExactSolver::FindSides(bool with_impulse) {
   int moving = 0;

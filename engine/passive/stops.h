@@ -18,7 +18,7 @@ class StopSolver {
  public:
   void Resize(int size);
 
-  // An inelastic impact of everything that is at a stop, with a impulse from elsewhere [N m s]:
+  // An inelastic impact of everything that is at a stop, with an impulse from elsewhere [N m s]:
   // changes the rates v [rad/s] so that
   //   M dv = impulse + p,  side p <= 0,  side v <= 0,  p v = 0.
   // Hinges with `sticks` set come to rest even if that takes a pull.

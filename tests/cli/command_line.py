@@ -1,5 +1,6 @@
 """What the tests of the command line share. Each is called with the path of hazumi."""
 
+import json
 import os
 import pathlib
 import signal
@@ -38,6 +39,12 @@ class InFolder(unittest.TestCase):
     def tearDown(self):
         subprocess.run(["chmod", "-R", "u+w", self.folder], check=True)
         subprocess.run(["rm", "-rf", self.folder], check=True)
+
+    def project(self):
+        """The throw, to be changed and written anywhere."""
+        project = json.loads(THROW.read_text())
+        project["figure"] = {"file": str(ROOT / "assets" / "figures" / "human.json")}
+        return project
 
     def data_files(self, folder, pattern):
         """Of the data beside the repository. Without them it fails where HAZUMI_DATA is set, and

@@ -88,7 +88,7 @@ TEST(Exact, LetsTheOthersFeelAFrozenJointRigid) {
 }
 
 // Friction is a rule for accelerations: with 1e-12 the first rod moves as if the second were free,
-// and lost its rate without a impulse.
+// and lost its rate without an impulse.
 TEST(Exact, TellsNearlyAllFrictionFromAFrozenJoint) {
   const double frozen = FirstAngle(TwoRods(0.0, true, Method::kExact));
   const double damped = FirstAngle(TwoRods(kNearlyAll, true, Method::kExact));

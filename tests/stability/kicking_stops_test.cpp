@@ -31,7 +31,7 @@ double RestTime(double rate) {
   const double M11 = 1e-4 + 0.1 * 0.015 * 0.015 + 0.03 + 0.01 * 0.01;
   const double M22 = 0.03 + 0.02 * 0.02, M12 = 0.03 - 0.01 * 0.02;
   const double G1 = 9.81 * (0.1 * 0.015 + 0.01), G2 = 9.81 * 0.02;
-  const double second = rate * M12 / M22, first = second * M12 / M11;  // after a impulse
+  const double second = rate * M12 / M22, first = second * M12 / M11;  // after an impulse
   const double pair = 2.0 * second * M22 / G2 + 2.0 * first * M11 / G1;
   return pair / (1.0 - M12 * M12 / (M11 * M22));
 }
@@ -60,7 +60,7 @@ TEST(Exact, ComesToRestAfterInfinitelyManyBlowsWithinAFewHundredEvents) {
 TEST(Exact, CountsTheBlowsRightWhileTheyAreFarApart) {
   const Animation animation = KickingStops(0.5, 30, Method::kExact);
   const Motion motion = BakeFinite(animation);
-  // The start is a impulse too; the second of the pair comes back after 2 v M22 / G2.
+  // The start is an impulse too; the second of the pair comes back after 2 v M22 / G2.
   const auto stops = EventsOf(motion, EventKind::kStop);
   ASSERT_GE(stops.size(), 3u);
   EXPECT_EQ(stops[0].joint, "first");

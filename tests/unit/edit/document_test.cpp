@@ -4,18 +4,36 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/edit/document/give_ids.h"
 #include "ui/edit/new_project.h"
 
 namespace hazumi::test {
 namespace {
 
 using edit::Document;
+using edit::GiveIds;
 using edit::Transaction;
 
 void Rename(Document* document, const std::string& name, const std::string& merge = "") {
   Transaction transaction(document);
   transaction.project().name = name;
   transaction.Commit("Rename", merge);
+}
+
+// Whatever stands before it in the project, and even if `next` has come back to its id.
+TEST(GiveIds, AnItemKeepsTheIdThatItHas) {
+  Project project;
+  project.regions.resize(2);
+  project.holds.resize(2);
+  project.holds[0].identity.id = ItemId(7);
+  project.holds[1].identity.id = ItemId(7);  // a copy
+  int next = 7;
+  GiveIds(&project, &next);
+  EXPECT_EQ(project.holds[0].identity.id, ItemId(7));
+  EXPECT_EQ(project.regions[0].identity.id, ItemId(8));
+  EXPECT_EQ(project.regions[1].identity.id, ItemId(9));
+  EXPECT_EQ(project.holds[1].identity.id, ItemId(10));
+  EXPECT_EQ(next, 11);
 }
 
 TEST(Document, UndoesAndRedoesStepByStep) {

@@ -1,26 +1,40 @@
 #include "ui/edit/document/give_ids.h"
 
-#include <set>
+#include <vector>
 
 namespace hazumi::edit {
 
-void GiveIds(Project* project, int* next) {
-  std::set<ItemId> given;
-  const auto give = [&](auto* items) {
-    for (auto& item : *items) {
-      ItemId& id = item.identity.id;
-      if (id.is_valid() && given.insert(id).second) continue;
-      while (given.contains(ItemId(*next))) ++*next;
-      id = ItemId((*next)++);
-      given.insert(id);
-    }
+namespace {
+
+template <typename Action>
+void ForEachIdentity(Project* project, Action&& action) {
+  const auto all = [&](auto* items) {
+    for (auto& item : *items) action(&item.identity.id);
   };
-  give(&project->regions);
-  give(&project->placements);
-  give(&project->holds);
-  give(&project->held_objects);
-  give(&project->scene.objects);
-  give(&project->markers);
+  all(&project->regions);
+  all(&project->placements);
+  all(&project->holds);
+  all(&project->held_objects);
+  all(&project->scene.objects);
+  all(&project->markers);
+}
+
+}  // namespace
+
+void GiveIds(Project* project, int* next) {
+  std::vector<char> is_taken(static_cast<size_t>(*next), 0);  // by id
+  std::vector<ItemId*> without;
+  ForEachIdentity(project, [&](ItemId* id) {
+    if (!id->is_valid()) return without.push_back(id);
+    const auto value = static_cast<size_t>(id->value());
+    if (value >= is_taken.size()) is_taken.resize(value + 1, 0);
+    if (is_taken[value]) return without.push_back(id);
+    is_taken[value] = 1;
+  });
+  for (ItemId* id : without) {
+    while (static_cast<size_t>(*next) < is_taken.size() && is_taken[*next]) ++*next;
+    *id = ItemId((*next)++);
+  }
 }
 
 }  // namespace hazumi::edit
