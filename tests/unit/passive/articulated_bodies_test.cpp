@@ -76,18 +76,18 @@ TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
   EXPECT_GT(balls, 50);
 }
 
-// Rows and columns of what is locked are left out.
+// What is locked stands in equations of its own, x = 0.
 VecX SolveUnlocked(const RegionDynamics& dense, const std::vector<char>& locked) {
-  std::vector<int> free;
-  for (size_t i = 0; i < locked.size(); ++i) {
-    if (!locked[i]) free.push_back(static_cast<int>(i));
+  MatX M = dense.M();
+  VecX right = -dense.b();
+  for (Eigen::Index i = 0; i < right.size(); ++i) {
+    if (!locked[static_cast<size_t>(i)]) continue;
+    M.row(i).setZero();
+    M.col(i).setZero();
+    M(i, i) = 1.0;
+    right[i] = 0.0;
   }
-  VecX x = VecX::Zero(dense.b().size());
-  const MatX M = dense.M()(free, free);
-  const VecX right = -dense.b()(free);
-  const VecX solved = M.llt().solve(right);
-  x(free) = solved;
-  return x;
+  return M.llt().solve(right);
 }
 
 TEST(ArticulatedBodies, LeaveLockedHingesWhereTheyAre) {
