@@ -39,10 +39,9 @@ class FieldWriter {
   }
   template <typename T>
   void Optional(const char* name, const T& value, const T& otherwise = T()) {
-    if (value == otherwise) return;
     if constexpr (requires { value.has_value(); }) {
-      Put(name, ToJson(*value));
-    } else {
+      if (value) Put(name, ToJson(*value));
+    } else if (!(value == otherwise)) {
       Put(name, ToJson(value));
     }
   }
