@@ -29,6 +29,8 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunEdits(options);
     case hazumi::Task::kOperators:
       return hazumi::RunOperators();
+    case hazumi::Task::kSchema:
+      return hazumi::RunSchema();
     case hazumi::Task::kWindow:
       return hazumi::RunWindow(options);
   }

@@ -17,6 +17,7 @@ int RunFlight(const Options& options);
 int RunWindow(const Options& options);
 int RunEdits(const Options& options);
 int RunOperators();
+int RunSchema();
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);

@@ -40,6 +40,7 @@ Tasks
                     {"op": "capture", "path": "editor.png"} draws the editor,
                     without a display, --size wide and high (1280x800)
   --operators       list the operators and their parameters
+  --schema          write the JSON schema of .kfa files
   --help, --version
 
 Drawing, with --render and --export to .mp4

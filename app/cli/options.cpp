@@ -36,6 +36,7 @@ enum TaskBits : unsigned {
   kVideo = 1024,
   kJson = 2048,
   kPlain = 4096,  // others
+  kSchema = 8192,
   kExport = kBvh | kVideo | kJson | kPlain,
   kDraw = kRender | kVideo,
   kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,
@@ -168,6 +169,7 @@ constexpr OptionRule kTasks[] = {
     {"--import", kImport, "name a file: BVH, FBX, glTF, GLB or Collada", ReadImported},
     {"--run", kRun, "name a script, a JSON list of operators", ReadScript},
     {"--operators", kOperators, nullptr, Choose<Task::kOperators>},
+    {"--schema", kSchema, nullptr, Choose<Task::kSchema>},
 };
 
 constexpr OptionRule kRules[] = {
@@ -345,8 +347,8 @@ void ReadOptions(const CLI::App& app, Options* options) {
     if (options->rate) options->import.fps = options->rate->FrameAt(1.0);
     return;
   }
-  if (task.tasks & kOperators) {
-    if (!options->files.empty()) throw UsageError("--operators takes no FILE");
+  if (task.tasks & (kOperators | kSchema)) {
+    if (!options->files.empty()) throw UsageError(std::string(task.name) + " takes no FILE");
     return;
   }
   if (options->files.empty() && !(task.tasks & (kRun | kWindow))) {

@@ -22,7 +22,8 @@ enum class Task {
   kFlight,
   kImport,
   kRun,
-  kOperators
+  kOperators,
+  kSchema
 };
 
 struct FrameRange {

@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal.h"
 #include "engine/project/json/text_file.h"
+#include "engine/project/schema.h"
 #include "ui/edit/recovery/state_folder.h"
 #include "ui/edit/script.h"
 #include "ui/panels/commands/actions.h"
@@ -80,10 +81,13 @@ namespace {
 
 void PrintParameters(const std::vector<edit::ParameterInfo>& infos) {
   for (const edit::ParameterInfo& info : infos) {
-    const std::string offered = edit::Describe(info.offer.thing);
-    PrintLine(stdout, "    %s%s: %s, %s%s", info.name, info.is_required ? "" : " (optional)",
-              edit::Describe(info.kind), info.help,
-              offered.empty() ? "" : (" (" + offered + ")").c_str());
+    std::string what = edit::Describe(info.kind);
+    const std::string named = edit::Describe(info.offer.thing), range = edit::Describe(info.range);
+    if (info.unit[0] != '\0') what += std::string(" in ") + info.unit;
+    if (!range.empty()) what += " " + range;
+    if (!named.empty()) what += ", " + named;
+    PrintLine(stdout, "    %s%s: %s: %s", info.name, info.is_required ? "" : " (optional)",
+              what.c_str(), info.help);
   }
 }
 
@@ -99,6 +103,11 @@ int RunOperators() {
     PrintLine(stdout, "%s: %s", action.id, action.help);
     PrintParameters(action.parameters);
   }
+  return kExitOk;
+}
+
+int RunSchema() {
+  std::fputs(ProjectSchema().c_str(), stdout);
   return kExitOk;
 }
 

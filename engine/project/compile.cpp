@@ -7,8 +7,8 @@
 #include "engine/project/checks/compile_checks.h"
 #include "engine/project/checks/document_checks.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
-#include "engine/project/project_fields.h"
 
 namespace hazumi {
 

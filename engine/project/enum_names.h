@@ -20,7 +20,7 @@ struct EnumName {
   const char* name;
 };
 
-// What the enumeration is called in messages, and its words.
+// What the enumeration is called in messages, and its words in the order in which they are offered.
 template <typename Enum>
 struct EnumNames;
 
@@ -44,9 +44,9 @@ template <>
 struct EnumNames<PlacementKind> {
   static constexpr const char* kWhat = "placement kind";
   static constexpr EnumName<PlacementKind> kNames[] = {
-      {PlacementKind::kKeyed, NameOf(PlacementKind::kKeyed)},
       {PlacementKind::kPinned, NameOf(PlacementKind::kPinned)},
-      {PlacementKind::kGravity, NameOf(PlacementKind::kGravity)}};
+      {PlacementKind::kGravity, NameOf(PlacementKind::kGravity)},
+      {PlacementKind::kKeyed, NameOf(PlacementKind::kKeyed)}};
 };
 
 template <>
@@ -67,6 +67,25 @@ template <typename Enum>
 concept FileEnum = requires {
   EnumNames<Enum>::kNames;
 };
+// An item whose kind decides which fields it has.
+template <typename T>
+concept HasKind = requires(T item) {
+  EnumNames<decltype(item.kind)>::kNames;
+};
+
+// An item of each kind, if there are kinds.
+template <typename T, typename Action>
+void ForEachKind(Action action) {
+  T item;
+  if constexpr (HasKind<T>) {
+    for (const auto& kind : EnumNames<decltype(item.kind)>::kNames) {
+      item.kind = kind.value;
+      action(item, kind.name);
+    }
+  } else {
+    action(item, "");
+  }
+}
 
 template <FileEnum Enum>
 const char* NameOf(Enum value) {

@@ -47,25 +47,25 @@ void ReadAxis(FieldReader& in, Vec3& axis) {
 }
 
 void ReadPositive(FieldReader& in, const char* name, double& value) {
-  in.Required(name, value);
+  in.Required({name}, value);
   CheckPositive(value, in.At(name));
 }
 
 void ReadNotNegative(FieldReader& in, const char* name, std::optional<double>& value) {
-  in.Optional(name, value);
+  in.Optional({name}, value);
   if (value) CheckNotNegative(*value, in.At(name));
 }
 
 void ReadColor(FieldReader& in, const char* name, std::string& color) {
-  in.Required(name, color);
+  in.Required({name}, color);
   CheckColor(color, in.At(name));
 }
 
 void ReadTaperedCapsule(FieldReader& in, Look& look) {
   std::array<double, 2> radii{1.0, 1.0};
-  in.Required("from_m", look.from);
-  in.Required("to_m", look.to);
-  in.Required("radii_m", radii);
+  in.Required({"from_m"}, look.from);
+  in.Required({"to_m"}, look.to);
+  in.Required({"radii_m"}, radii);
   for (size_t i = 0; i < 2; ++i) CheckPositive(radii[i], in.At("radii_m").Item(i));
   look.radius_from = radii[0];
   look.radius_to = radii[1];
@@ -73,8 +73,8 @@ void ReadTaperedCapsule(FieldReader& in, Look& look) {
 
 void ReadEllipsoid(FieldReader& in, Look& look) {
   look.half_axes = Vec3::Ones();
-  in.Required("center_m", look.center);
-  in.Required("half_axes_m", look.half_axes);
+  in.Required({"center_m"}, look.center);
+  in.Required({"half_axes_m"}, look.half_axes);
   CheckPositive(look.half_axes, in.At("half_axes_m"));
 }
 
@@ -87,41 +87,41 @@ Mat3 SymmetricMatrix(const std::array<double, 6>& m) {  // xx, yy, zz, xy, xz, y
 }  // namespace
 
 static void Describe(FieldReader& in, Look& look) {
-  in.Required("shape", look.shape);
+  in.Required({"shape"}, look.shape);
   if (look.shape == Look::Shape::kTaperedCapsule) {
     ReadTaperedCapsule(in, look);
   } else {
     ReadEllipsoid(in, look);
   }
   ReadColor(in, "color", look.color);
-  in.Optional("mirror_color", look.mirror_color);
+  in.Optional({"mirror_color"}, look.mirror_color);
   if (!look.mirror_color.empty()) CheckColor(look.mirror_color, in.At("mirror_color"));
 }
 
 static void Describe(FieldReader& in, LinkSpec& link) {
-  in.Required("name", link.name);
-  in.Required("from_m", link.from);
-  in.Required("to_m", link.to);
+  in.Required({"name"}, link.name);
+  in.Required({"from_m"}, link.from);
+  in.Required({"to_m"}, link.to);
   ReadPositive(in, "radius_m", link.radius);
   ReadNotNegative(in, "mass_kg", link.mass);
   ReadNotNegative(in, "density_kg_m3", link.density);
   if (link.mass.has_value() == link.density.has_value()) {
     in.site().Report(Check::kNotOneOf, {"\"mass_kg\" and \"density_kg_m3\""});
   }
-  if (in.Find("com_m")) in.Required("com_m", link.com.emplace(Vec3::Zero()));
+  if (in.Find("com_m")) in.Required({"com_m"}, link.com.emplace(Vec3::Zero()));
   std::optional<std::array<double, 6>> inertia;
-  in.Optional("inertia_kg_m2", inertia);
+  in.Optional({"inertia_kg_m2"}, inertia);
   if (inertia) link.inertia = SymmetricMatrix(*inertia);
-  in.Optional("look", link.looks);
+  in.Optional({"look"}, link.looks);
 }
 
 static void Describe(FieldReader& in, HingeSpec& hinge) {
   std::array<double, 2> limits_deg{0.0, 0.0};
   double rest_deg = 0.0;
-  in.Optional("name", hinge.name);
+  in.Optional({"name"}, hinge.name);
   ReadAxis(in, hinge.axis);
-  in.Required("limits_deg", limits_deg);
-  in.Stated("rest_deg", rest_deg);
+  in.Required({"limits_deg"}, limits_deg);
+  in.Stated({"rest_deg"}, rest_deg);
   hinge.lower = limits_deg[0] * kRadiansPerDegree;
   hinge.upper = limits_deg[1] * kRadiansPerDegree;
   hinge.rest = rest_deg * kRadiansPerDegree;
@@ -129,19 +129,19 @@ static void Describe(FieldReader& in, HingeSpec& hinge) {
 
 static void Describe(FieldReader& in, JointSpec& joint) {
   Vec3 orientation_deg = Vec3::Zero();
-  in.Required("name", joint.name);
+  in.Required({"name"}, joint.name);
   CheckNotEmpty(joint.name, in.At("name"));
-  in.Required("parent", joint.parent);
-  in.Required("offset_m", joint.offset);
-  in.Optional("orientation_deg", orientation_deg);
+  in.Required({"parent"}, joint.parent);
+  in.Required({"offset_m"}, joint.offset);
+  in.Optional({"orientation_deg"}, orientation_deg);
   joint.orientation = RotationFromAngles(orientation_deg);
-  in.Required("hinges", joint.hinges);
-  in.Optional("links", joint.links);
+  in.Required({"hinges"}, joint.hinges);
+  in.Optional({"links"}, joint.links);
 }
 
 static void Describe(FieldReader& in, MirrorSpec& mirror) {
-  in.Required("from", mirror.from);
-  in.Required("to", mirror.to);
+  in.Required({"from"}, mirror.from);
+  in.Required({"to"}, mirror.to);
   CheckNotEmpty(mirror.from, in.At("from"));
   CheckNotEmpty(mirror.to, in.At("to"));
 }
@@ -149,14 +149,14 @@ static void Describe(FieldReader& in, MirrorSpec& mirror) {
 static void Describe(FieldReader& in, FigureSpec& spec) {
   in.Literal("format", "");
   in.Literal("version", 1);
-  in.Optional("name", spec.name);
-  in.Nested("root", spec, [](FieldReader& root, FigureSpec& figure) {
-    root.Required("name", figure.root_name);
-    root.Optional("links", figure.root_links);
+  in.Optional({"name"}, spec.name);
+  in.Nested({"root"}, spec, [](FieldReader& root, FigureSpec& figure) {
+    root.Required({"name"}, figure.root_name);
+    root.Optional({"links"}, figure.root_links);
   });
   in.FindRequired("root");
-  in.Required("joints", spec.joints);
-  in.Optional("mirror", spec.mirror);
+  in.Required({"joints"}, spec.joints);
+  in.Optional({"mirror"}, spec.mirror);
 }
 
 static void CheckParents(const FigureSpec& spec, const Site& site) {
@@ -185,7 +185,7 @@ bool ExpectFormat(const Json& json, const char* format, Check other_format, cons
     return false;
   }
   int version = 0;
-  FieldReader(json, site).Required("version", version);
+  FieldReader(json, site).Required({"version"}, version);
   const Site place = site.Field("version");
   if (version > 1) place.Report(Check::kNewerFormat, {std::to_string(version)});
   if (version < 1) place.Report(Check::kUnknownFormat, {std::to_string(version)});

@@ -31,9 +31,6 @@ struct ProjectFrames {
   bool operator==(const ProjectFrames&) const = default;
 };
 
-// Numbers lie between this and its negative.
-inline constexpr double kLargestNumber = 1e9;
-
 // What holds where the file states neither.
 inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
 inline constexpr double kDefaultToleranceDeg = 0.01;

@@ -6,10 +6,11 @@
 #include "engine/project/checks/document_checks.h"
 #include "engine/project/checks/field_checks.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
 #include "engine/project/figure_reader.h"
+#include "engine/project/json/read_value.h"
 #include "engine/project/json/text_file.h"
-#include "engine/project/project_fields.h"
 
 namespace hazumi {
 
@@ -67,7 +68,7 @@ void ReadValue(const Json& json, const Site& site, ProjectFigure& figure) {
     return;
   }
   ReadObject(json, site, figure, [](FieldReader& in, ProjectFigure& reference) {
-    in.Required("file", reference.file);
+    in.Required({"file"}, reference.file);
     CheckNotEmpty(reference.file, in.At("file"));
   });
 }

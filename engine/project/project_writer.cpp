@@ -2,15 +2,16 @@
 
 #include <filesystem>
 
+#include "engine/project/fields/project_fields.h"
+#include "engine/project/json/field_writer.h"
 #include "engine/project/json/text_file.h"
-#include "engine/project/project_fields.h"
 
 namespace hazumi {
 
 Json ToJson(const ProjectFigure& figure) {
   if (figure.file.empty()) return FromText(figure.embedded_json);
   return ObjectToJson(figure, [](FieldWriter& out, const ProjectFigure& reference) {
-    out.Required("file", reference.file);
+    out.Required({"file"}, reference.file);
   });
 }
 

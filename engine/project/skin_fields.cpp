@@ -5,7 +5,9 @@
 
 #include "engine/base/base64.h"
 #include "engine/figure/skin_check.h"
-#include "engine/project/project_fields.h"
+#include "engine/project/fields/project_fields.h"
+#include "engine/project/json/field_writer.h"
+#include "engine/project/json/read_value.h"
 
 namespace hazumi {
 
@@ -22,7 +24,7 @@ Json Bytes(const std::vector<T>& values) {
 template <typename T>
 void ReadBytes(FieldReader& in, const char* name, std::vector<T>& values) {
   std::string text;
-  in.Required(name, text);
+  in.Required({name}, text);
   const std::optional<std::string> bytes = FromBase64(text);
   if (!bytes || bytes->size() % sizeof(T) != 0) return in.At(name).Report(Check::kNotBytes);
   values.resize(bytes->size() / sizeof(T));
@@ -73,15 +75,15 @@ Json ListToJson(const std::vector<T>& items) {
 
 static void Describe(FieldReader& in, SkinMesh::Bind& bind) {
   std::array<double, 12> matrix{};
-  in.Required("bone", bind.bone);
-  in.Required("inverse_bind", matrix);
+  in.Required({"bone"}, bind.bone);
+  in.Required({"inverse_bind"}, matrix);
   for (int i = 0; i < 12; ++i) bind.inverse_bind(i / 4, i % 4) = matrix[i];
 }
 
 static void Describe(FieldReader& in, SkinMesh& mesh) {
-  in.Required("name", mesh.name);
-  in.Required("material", mesh.material);
-  in.Required("binds", mesh.binds);
+  in.Required({"name"}, mesh.name);
+  in.Required({"material"}, mesh.material);
+  in.Required({"binds"}, mesh.binds);
   ReadBytes(in, "positions", mesh.positions);
   ReadBytes(in, "normals", mesh.normals);
   ReadBytes(in, "texture_coordinates", mesh.texture_coordinates);
@@ -92,22 +94,22 @@ static void Describe(FieldReader& in, SkinMesh& mesh) {
 
 static void Describe(FieldReader& in, Material& material) {
   std::array<double, 4> color{};
-  in.Required("name", material.name);
-  in.Required("base_color", color);
-  in.Required("texture", material.texture);
+  in.Required({"name"}, material.name);
+  in.Required({"base_color"}, color);
+  in.Required({"texture"}, material.texture);
   for (size_t i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[i]);
 }
 
 static void Describe(FieldReader& in, Texture& texture) {
-  in.Required("name", texture.name);
+  in.Required({"name"}, texture.name);
   ReadBytes(in, "image", texture.encoded);
 }
 
 static void Describe(FieldReader& in, Skin& skin) {
-  in.Required("bones", skin.bones);
-  in.Required("meshes", skin.meshes);
-  in.Optional("materials", skin.materials);
-  in.Optional("textures", skin.textures);
+  in.Required({"bones"}, skin.bones);
+  in.Required({"meshes"}, skin.meshes);
+  in.Optional({"materials"}, skin.materials);
+  in.Optional({"textures"}, skin.textures);
 }
 
 void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {

@@ -197,7 +197,7 @@ class CommandLine(InFolder):
     def test_a_full_or_closed_standard_output_exits_with_73_whatever_the_task(self):
         for task in (["--bake", "-", THROW], ["--check", THROW], ["--check", "--json", THROW, JUMP],
                      ["--info", THROW], ["--info", "--json", THROW], ["--flight", JUMP],
-                     ["--flight", "--json", JUMP], ["--operators"], ["--help"], ["--version"]):
+                     ["--flight", "--json", JUMP], ["--operators"], ["--schema"], ["--help"], ["--version"]):
             with open("/dev/full", "w") as full:
                 done = subprocess.run([HAZUMI, *map(str, task)], stdout=full, text=True,
                                       stderr=subprocess.PIPE, timeout=60)
@@ -277,7 +277,7 @@ class CommandLine(InFolder):
     def test_the_operators_are_listed_with_their_parameters(self):
         lines = run("--operators").stdout.splitlines()
         self.assertIn("region.split: Makes two regions of one.", lines)
-        self.assertIn("    region: a text, the region's name (names a region)", lines)
+        self.assertIn("    region: a text, names a region: the region's name", lines)
 
     def test_another_frame_rate_is_the_same_motion(self):
         at_30 = json.loads(run("--bake", "-", JUMP).stdout)

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/project/project.h"
+#include "engine/base/text.h"
 
 namespace hazumi::edit {
 
@@ -46,9 +46,15 @@ const char* Describe(Thing thing) {
                                             "number of a marker",
                                             "number of a span of placement",
                                             "number of a hold",
-                                            "a colour",
-                                            "from 0 to 1"};
+                                            "a colour"};
   return kThings[static_cast<int>(thing)];
+}
+
+std::string Describe(const NumberRange& range) {
+  const std::string lower = FormatShort(range.lower), upper = FormatShort(range.upper);
+  if (range == NumberRange()) return "";
+  if (range.upper < kLargestNumber) return "from " + lower + " to " + upper;
+  return (range.is_above ? "greater than " : "at least ") + lower;
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/project/fields/field.h"
 
 namespace hazumi::edit {
 
@@ -14,23 +15,6 @@ using Json = nlohmann::ordered_json;
 enum class ParameterKind { kText, kNumber, kInteger, kYesNo, kNames, kNumbers };
 // "a text", "a number" and so on.
 const char* Describe(ParameterKind kind);
-
-// What a parameter may name, or each entry of a list of names.
-enum class Thing {
-  kAny,
-  kJoint,
-  kHinge,
-  kJointOrHinge,
-  kCurve,
-  kRegion,
-  kObject,
-  kLink,
-  kMarker,     // by its number, as are the next two
-  kPlacement,  // a span of it
-  kHold,
-  kColor,  // "#rrggbb"
-  kShare,  // a number from 0 to 1
-};
 
 // What forms offer for a value: one of some words, or what the project has of a thing.
 struct Offer {
@@ -46,7 +30,7 @@ inline constexpr Offer kOnUnlessGiven = [] {
   offer.is_on = true;
   return offer;
 }();
-// "names a joint"; empty if it names nothing.
+// What a parameter may name, or each entry of a list of names: "names a joint"; empty: nothing.
 const char* Describe(Thing thing);
 std::vector<std::string> WordsOf(const Offer& offer);
 
@@ -57,7 +41,12 @@ struct ParameterInfo {
   bool is_required;
   const char* help;
   Offer offer = {};
+  const char* label = "";  // where the name with a capital would not say it
+  const char* unit = "";   // "m", "s", "°"
+  NumberRange range = {};  // of numbers
 };
+// "from 0 to 1", "at least 0"; empty: any number.
+std::string Describe(const NumberRange& range);
 
 // What an operator was called with, checked against what it takes.
 class Parameters {

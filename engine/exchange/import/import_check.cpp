@@ -2,6 +2,7 @@
 
 #include "engine/base/text.h"
 #include "engine/project/compile.h"
+#include "engine/project/fields/field.h"
 #include "engine/project/figure_reader.h"
 
 namespace hazumi {

@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "engine/project/project.h"
-
 namespace hazumi {
 
 namespace {
@@ -37,13 +35,23 @@ void CheckNotNegative(double value, const Site& site) {
   if (!(value >= 0.0)) site.Report(Check::kNegative, {NumberText(value)});
 }
 
-void CheckNumber(double value, const Site& site) {
-  if (!std::isfinite(value)) return site.Report(Check::kNotFinite);
-  if (std::abs(value) > kLargestNumber) site.Report(Check::kNumberTooLarge, {NumberText(value)});
+bool IsWithin(double value, const NumberRange& range) {
+  const bool is_low_enough = value <= range.upper;  // false for NaN
+  return is_low_enough && (range.is_above ? value > range.lower : value >= range.lower);
 }
 
-void CheckNumber(const Vec3& value, const Site& site) {
-  for (int i = 0; i < 3; ++i) CheckNumber(value[i], site.Item(static_cast<size_t>(i)));
+void CheckRange(double value, const Field& field, const Site& site) {
+  const NumberRange& range = field.range;
+  if (IsWithin(value, range)) return;
+  if (!std::isfinite(value)) return site.Report(Check::kNotFinite);
+  if (std::abs(value) > kLargestNumber) {
+    return site.Report(Check::kNumberTooLarge, {NumberText(value)});
+  }
+  if (range == kNotNegative) return CheckNotNegative(value, site);
+  if (range == kPositive) return CheckPositive(value, site);
+  const std::string help = field.help[0] == '\0' ? "" : std::string(" (") + field.help + ")";
+  site.Report(Check::kRange, {NumberText(range.lower), NumberText(range.upper) + Suffix(field),
+                              NumberText(value) + help});
 }
 
 void CheckUnitVector(const Vec3& value, const Site& site) {

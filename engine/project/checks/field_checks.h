@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/project/fields/field.h"
 #include "engine/project/json/site.h"
 #include "engine/spatial/types.h"
 
@@ -12,9 +13,9 @@ namespace hazumi {
 void CheckPositive(double value, const Site& site);
 void CheckPositive(const Vec3& value, const Site& site);  // each component
 void CheckNotNegative(double value, const Site& site);
-// Finite, and no larger than files hold.
-void CheckNumber(double value, const Site& site);
-void CheckNumber(const Vec3& value, const Site& site);  // each component
+// Finite, and in the field's range.
+bool IsWithin(double value, const NumberRange& range);
+void CheckRange(double value, const Field& field, const Site& site);
 void CheckUnitVector(const Vec3& value, const Site& site);
 void CheckColor(const std::string& color, const Site& site);
 void CheckNotEmpty(const std::string& name, const Site& site);

@@ -147,7 +147,7 @@ void ReadValue(const Json& json, const Site& site, JointRef& value) {
   if (!json.is_object()) return ReadValue(json, site, value.name);
   value.beyond = true;
   ReadObject(json, site, value,
-             [](FieldReader& in, JointRef& ref) { in.Required("beyond", ref.name); });
+             [](FieldReader& in, JointRef& ref) { in.Required({"beyond"}, ref.name); });
 }
 
 void ReadValue(const Json& json, const Site& site, std::vector<Named<double>>& values) {

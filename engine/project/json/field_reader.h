@@ -2,9 +2,9 @@
 
 // Internal. Reads JSON objects field by field into structs. The first thing wrong goes to a
 // FirstError with its place; reading goes on, with the value left as it was.
-// A struct is read by a function `Describe(Archive&, Ref<Archive, Struct>)` that names its fields
-// once for FieldReader and FieldWriter alike; fields it does not name are kept in `value.extra`.
-// Single values are read by the overloads of ReadValue in read_value.h.
+// A struct is read by a function `Describe(Archive&, Ref<Archive, Struct>)` that describes its
+// fields (fields/project_fields.h); fields it does not name are kept in `value.extra`. Single
+// values are read by the overloads of ReadValue in read_value.h.
 
 #include <array>
 #include <optional>
@@ -12,14 +12,12 @@
 #include <variant>
 #include <vector>
 
+#include "engine/project/fields/field.h"
 #include "engine/project/json/json.h"
 #include "engine/project/json/site.h"
 #include "engine/project/project.h"
 
 namespace hazumi {
-
-template <typename Archive, typename T>
-using Ref = typename Archive::template RefTo<T>;
 
 bool ExpectObject(const Json& json, const Site& site);
 bool ExpectArray(const Json& json, const Site& site);
@@ -42,16 +40,16 @@ class FieldReader {
   void WarnAboutSlips(const ExtraFields& unknown) const;
 
   template <typename T>
-  void Required(const char* name, T& value) {
-    if (const Json* json = FindRequired(name)) ReadValue(*json, At(name), value);
+  void Required(const Field& field, T& value) {
+    if (const Json* json = FindRequired(field.name)) ReadValue(*json, At(field.name), value);
   }
   template <typename T>
-  void Stated(const char* name, T& value) {
-    if (const Json* json = Find(name)) ReadValue(*json, At(name), value);
+  void Stated(const Field& field, T& value) {
+    if (const Json* json = Find(field.name)) ReadValue(*json, At(field.name), value);
   }
   template <typename T>
-  void Optional(const char* name, T& value, const T& = T()) {
-    Stated(name, value);
+  void Optional(const Field& field, T& value, const T& = T()) {
+    Stated(field, value);
   }
   template <typename T>
   void Literal(const char* name, const T&) {
@@ -68,21 +66,23 @@ class FieldReader {
 
   // An object or a list of objects whose fields are given by fields(archive, value).
   template <typename T, typename Fields>
-  void Nested(const char* name, T& value, Fields fields) {
-    if (const Json* json = Find(name)) ReadObject(*json, At(name), value, fields);
+  void Nested(const Field& field, T& value, Fields fields) {
+    if (const Json* json = Find(field.name)) ReadObject(*json, At(field.name), value, fields);
   }
   template <typename T, typename Fields>
-  void List(const char* name, std::vector<T>& values, Fields fields) {
-    if (const Json* json = FindRequired(name)) ReadList(*json, At(name), values, fields);
+  void List(const Field& field, std::vector<T>& values, Fields fields) {
+    if (const Json* json = FindRequired(field.name))
+      ReadList(*json, At(field.name), values, fields);
   }
   // An object whose field names are names of the document.
   template <typename T, typename Fields>
-  void Map(const char* name, std::vector<Named<T>>& values, Fields fields) {
-    const Json* json = Find(name);
-    if (!json || !ExpectObject(*json, At(name))) return;
+  void Map(const Field& field, std::vector<Named<T>>& values, Fields fields) {
+    const Json* json = Find(field.name);
+    const Site site = At(field.name);
+    if (!json || !ExpectObject(*json, site)) return;
     for (const auto& item : json->items()) {
       T& value = values.emplace_back(Named<T>{item.key(), {}}).value;
-      ReadObject(item.value(), At(name).Field(item.key()), value, fields);
+      ReadObject(item.value(), site.Field(item.key()), value, fields);
     }
   }
 
@@ -91,7 +91,7 @@ class FieldReader {
 
   template <typename T, typename Variant>
   void ReadAlternative(const char* name, Variant& value) {
-    if (Find(name)) Required(name, value.template emplace<T>());
+    if (Find(name)) Required({name}, value.template emplace<T>());
   }
 
   const Json* object_;

@@ -12,7 +12,7 @@ Json ToJson(const Vec3& value) { return Json::array({value.x(), value.y(), value
 Json ToJson(const JointRef& value) {
   if (!value.beyond) return value.name;
   return ObjectToJson(
-      value, [](FieldWriter& out, const JointRef& ref) { out.Required("beyond", ref.name); });
+      value, [](FieldWriter& out, const JointRef& ref) { out.Required({"beyond"}, ref.name); });
 }
 
 Json ToJson(const std::vector<Named<double>>& values) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Internal. The writing twin of FieldReader: the same Describe functions turn structs into JSON.
+// Internal. The counterpart of FieldReader: the same Describe functions turn structs into JSON.
 
 #include <array>
 #include <optional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/project/enum_names.h"
+#include "engine/project/fields/field.h"
 #include "engine/project/json/json.h"
 #include "engine/project/project.h"
 
@@ -21,6 +22,8 @@ Json ToJson(const std::string& value);
 Json ToJson(const char* value);
 Json ToJson(const Vec3& value);
 Json ToJson(const JointRef& value);
+Json ToJson(const ProjectFigure& figure);
+Json ToJson(const ProjectSkin& skin);
 Json ToJson(const std::vector<Named<double>>& values);
 Json FromText(const std::string& json_text);
 
@@ -30,19 +33,19 @@ class FieldWriter {
   using RefTo = const T&;
 
   template <typename T>
-  void Required(const char* name, const T& value) {
-    Put(name, ToJson(value));
+  void Required(const Field& field, const T& value) {
+    Put(field.name, ToJson(value));
   }
   template <typename T>
-  void Stated(const char* name, const T& value) {
-    Put(name, ToJson(value));
+  void Stated(const Field& field, const T& value) {
+    Put(field.name, ToJson(value));
   }
   template <typename T>
-  void Optional(const char* name, const T& value, const T& otherwise = T()) {
+  void Optional(const Field& field, const T& value, const T& otherwise = T()) {
     if constexpr (requires { value.has_value(); }) {
-      if (value) Put(name, ToJson(*value));
+      if (value) Put(field.name, ToJson(*value));
     } else if (!(value == otherwise)) {
-      Put(name, ToJson(value));
+      Put(field.name, ToJson(value));
     }
   }
   template <typename T>
@@ -54,11 +57,11 @@ class FieldWriter {
     std::visit([&](const auto& item) { Put(names[value.index()], ToJson(item)); }, value);
   }
   template <typename T, typename Fields>
-  void Nested(const char* name, const T& value, Fields fields);
+  void Nested(const Field& field, const T& value, Fields fields);
   template <typename T, typename Fields>
-  void List(const char* name, const std::vector<T>& values, Fields fields);
+  void List(const Field& field, const std::vector<T>& values, Fields fields);
   template <typename T, typename Fields>
-  void Map(const char* name, const std::vector<Named<T>>& values, Fields fields);
+  void Map(const Field& field, const std::vector<Named<T>>& values, Fields fields);
 
   void PutExtra(const ExtraFields& extra) {
     for (const ExtraField& field : extra) {
@@ -101,24 +104,24 @@ Json ToJson(const std::vector<T>& values) {
 
 // Left out if it is as a fresh one.
 template <typename T, typename Fields>
-void FieldWriter::Nested(const char* name, const T& value, Fields fields) {
-  if (!(value == T())) Put(name, ObjectToJson(value, fields));
+void FieldWriter::Nested(const Field& field, const T& value, Fields fields) {
+  if (!(value == T())) Put(field.name, ObjectToJson(value, fields));
 }
 
 template <typename T, typename Fields>
-void FieldWriter::List(const char* name, const std::vector<T>& values, Fields fields) {
+void FieldWriter::List(const Field& field, const std::vector<T>& values, Fields fields) {
   Json array = Json::array();
   for (const T& value : values) array.push_back(ObjectToJson(value, fields));
-  Put(name, std::move(array));
+  Put(field.name, std::move(array));
 }
 
 // Left out if empty.
 template <typename T, typename Fields>
-void FieldWriter::Map(const char* name, const std::vector<Named<T>>& values, Fields fields) {
+void FieldWriter::Map(const Field& field, const std::vector<Named<T>>& values, Fields fields) {
   if (values.empty()) return;
   Json object = Json::object();
   for (const Named<T>& item : values) object[item.name] = ObjectToJson(item.value, fields);
-  Put(name, std::move(object));
+  Put(field.name, std::move(object));
 }
 
 }  // namespace hazumi

@@ -23,6 +23,10 @@ void ReadValue(const Json& json, const Site& site, bool& value);
 void ReadValue(const Json& json, const Site& site, std::string& value);
 void ReadValue(const Json& json, const Site& site, Vec3& value);
 void ReadValue(const Json& json, const Site& site, JointRef& value);
+// A reference to a figure file, or the figure itself.
+void ReadValue(const Json& json, const Site& site, ProjectFigure& figure);
+// Lists of numbers are base64 of their little-endian bytes.
+void ReadValue(const Json& json, const Site& site, ProjectSkin& skin);
 // An object of numbers by name, as in friction.
 void ReadValue(const Json& json, const Site& site, std::vector<Named<double>>& values);
 

@@ -67,11 +67,12 @@ TEST(ParameterForm, AsksForAPinOnlyWhereThereIsOne) {
 TEST(ParameterForm, PutsWhatMustBeGivenFirstAndAxesIntoOneRow) {
   edit::Session session;
   EXPECT_EQ(LabelsOf(MakeForm("object.add_box", Json::object(), &session)),
-            (std::vector<std::string>{"Name", "Position", "Size", "Color"}));
+            (std::vector<std::string>{"Name", "Position", "Size", "Rotation", "Color"}));
   FormState key = MakeForm("key.set", Json::object(), &session);
   EXPECT_EQ(Find("interpolation", &key)->text, "");  // as it is
   EXPECT_EQ(LabelsOf(MakeForm("region.add", Json::object(), &session)),
-            (std::vector<std::string>{"Frames", "Joints", "Friction", "Name", "Blend"}));
+            (std::vector<std::string>{"Frames", "Joints", "Friction", "Name", "Method", "Time step",
+                                      "Tolerance", "Limit tangents", "Blend"}));
 }
 
 TEST(ParameterForm, OffersWhatTheProjectHas) {
@@ -96,12 +97,12 @@ TEST(ParameterForm, OffersWhatTheProjectHas) {
 TEST(ParameterForm, EveryOfferIsTakenByItsOperator) {
   for (const edit::Operator& op : edit::AllOperators()) {
     for (const edit::ParameterInfo& info : op.parameters) {
-      const bool is_offered = info.offer.thing != edit::Thing::kAny || *info.offer.words;
+      const bool is_offered = info.offer.thing != Thing::kAny || *info.offer.words;
       const bool is_text =
           info.kind == edit::ParameterKind::kText || info.kind == edit::ParameterKind::kNames;
-      const bool is_number =
-          info.offer.thing == edit::Thing::kMarker || info.offer.thing == edit::Thing::kPlacement ||
-          info.offer.thing == edit::Thing::kHold || info.offer.thing == edit::Thing::kShare;
+      const bool is_number = info.offer.thing == Thing::kMarker ||
+                             info.offer.thing == Thing::kPlacement ||
+                             info.offer.thing == Thing::kHold;
       EXPECT_TRUE(!is_offered || is_text || is_number) << op.id << " " << info.name;
     }
   }

@@ -12,7 +12,7 @@ namespace {
 struct LikelyNumber {
   const char* id;
   const char* name;
-  Range range;
+  Likely range;
 };
 const LikelyNumber kLikelyNumbers[] = {{"keys.scale", "factor", {0.4, 2.5}},
                                        {"keys.scale", "values", {-1.0, 2.0}},
@@ -42,9 +42,7 @@ const LikelyNumber kLikelyNumbers[] = {{"keys.scale", "factor", {0.4, 2.5}},
                                        {"", "step", {0.004, 0.034}},
                                        {"", "rate", {-200.0, 200.0}},
                                        {"", "value", {-30.0, 60.0}},
-                                       {"", "friction", {0.1, 1.0}},
                                        {"", "factor", {0.1, 1.0}},
-                                       {"", "blend", {0.0, 4.0}},
                                        {"", "fov", {15.0, 90.0}},
                                        {"", "scale", {0.75, 3.0}},
                                        {"", "num", {24.0, 60.0}},
@@ -61,9 +59,14 @@ bool IsFrame(const std::string& name) {
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
-Range LikelyRange(const std::string& id, const std::string& name, const edit::Session& session) {
+Likely LikelyRange(const std::string& id, const edit::ParameterInfo& info,
+                   const edit::Session& session) {
+  const std::string name = info.name;
   for (const LikelyNumber& likely : kLikelyNumbers) {
     if (id.starts_with(likely.id) && name.starts_with(likely.name)) return likely.range;
+  }
+  if (info.range.lower > -kLargestNumber) {
+    return {info.range.lower, std::min(info.range.upper, info.range.lower + 4.0)};
   }
   if (!IsFrame(name)) return {-1.0, 1.0};
   const ProjectFrames& frames = session.project().frames;

@@ -6,12 +6,14 @@
 
 namespace hazumi::test {
 
-struct Range {
+struct Likely {
   double low, high;
 };
 
-// Between which numbers a parameter is likely to be, by its name and that of its operator.
-Range LikelyRange(const std::string& id, const std::string& name, const edit::Session& session);
+// Between which numbers a parameter is likely to be, by its name and that of its operator, else by
+// its range.
+Likely LikelyRange(const std::string& id, const edit::ParameterInfo& info,
+                   const edit::Session& session);
 
 // Where time goes on: what else is called so means no frame.
 bool IsFrame(const std::string& name);

@@ -15,7 +15,6 @@ using edit::Json;
 using edit::ParameterInfo;
 using edit::ParameterKind;
 using edit::Session;
-using edit::Thing;
 
 template <typename T>
 const T& OneOf(const std::vector<T>& list, Random* random) {
@@ -99,8 +98,8 @@ bool HasAny(Thing thing, const Session& session) {
 
 Json LikelyNumberFor(const std::string& id, const ParameterInfo& info, const Session& session,
                      Random* random) {
-  const Range range = LikelyRange(id, info.name, session);
-  const double value = random->Uniform(range.low, range.high);
+  const Likely likely = LikelyRange(id, info, session);
+  const double value = random->Uniform(likely.low, likely.high);
   const bool is_whole = info.kind == ParameterKind::kInteger || IsFrame(info.name);
   return is_whole ? Json(static_cast<int>(std::lround(value))) : Json(value);
 }
@@ -114,7 +113,6 @@ std::string RandomColor(Random* random) {
 // A name or number of something that there is; null if there is nothing.
 Json SomeOf(Thing thing, const Session& session, Random* random) {
   if (thing == Thing::kColor) return RandomColor(random);
-  if (thing == Thing::kShare) return random->Uniform(0.0, 1.0);
   if (const auto count = CountOf(thing, session.project())) {
     return *count == 0 ? Json() : Json(random->Integer(0, static_cast<int>(*count) - 1));
   }

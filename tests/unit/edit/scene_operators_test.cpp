@@ -32,7 +32,8 @@ TEST(SceneOperators, TheCameraKeepsWhatIsNotGiven) {
   EXPECT_EQ(camera.vertical_fov_deg, 50.0);
   EXPECT_EQ(session.document().num_steps(), 1u);
   EXPECT_EQ(Refused(&session, "camera.set", {{"fov", 180}}).ToString(),
-            "camera.set.camera.vertical_fov_deg: must lie between 1 and 179 degrees, is 180");
+            "camera.set.camera.vertical_fov_deg: must lie between 1 and 179°, is 180 (vertical "
+            "field of view)");
 }
 
 TEST(SceneOperators, AnObjectKeepsWhatIsNotGiven) {
@@ -47,7 +48,7 @@ TEST(SceneOperators, AnObjectKeepsWhatIsNotGiven) {
   Refused(&session, "object.set", {{"object", "box"}, {"size_y", -1}});
   Refused(&session, "object.set", {{"object", "box"}, {"color", "pink"}});
   EXPECT_EQ(Refused(&session, "object.set", {{"object", "floor"}, {"size_z", 1}}).ToString(),
-            "object.set.size_z: a plane has no size; boxes have");
+            "object.set.size_z: a plane has none; boxes have");
 }
 
 TEST(SessionOperators, SelectMirrorAndNone) {

@@ -1,5 +1,7 @@
 // Every shipped file against the published schemas, and the schemas against the reader.
 
+#include "engine/project/schema.h"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -52,6 +54,11 @@ std::vector<std::string> FilesIn(const std::string& folder, const std::string& e
   return files;
 }
 
+// `hazumi --schema > assets/schema/kfa.schema.json` brings it up to date.
+TEST(Schema, IsTheOneThatTheFieldsDescribe) {
+  EXPECT_EQ(ReadFile(kAssets + "schema/kfa.schema.json"), ProjectSchema());
+}
+
 TEST(Schema, TheSampleIsValid) {
   const PlainJson sample = PlainJson::parse(SampleProject().dump());
   EXPECT_EQ(Complaint("kfa.schema.json", sample), "");
@@ -91,7 +98,11 @@ TEST(Schema, FindsMistakes) {
                             {"/markers/0/frame", "1.5"},
                             {"/markers/0/name", ""},
                             {"/preview/last", ""},
-                            {"/fps/num", "0"}};
+                            {"/fps/num", "0"},
+                            {"/placements/0/kind", "\"magic\""},
+                            {"/holds/0/reach", "\"far\""},
+                            {"/regions/0/joints", "[]"},
+                            {"/regions/0/blend_frames", "-1"}};
   for (const auto& mistake : mistakes) {
     const std::string wrong = Changed(SampleProject(), {mistake}).dump();
     EXPECT_NE(Complaint("kfa.schema.json", PlainJson::parse(wrong)), "") << mistake.first;

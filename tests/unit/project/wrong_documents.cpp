@@ -55,17 +55,19 @@ std::vector<WrongProject> WrongValues() {
        "frames: 1000001 frames; a project has 1000000 at most"},
       {Check::kNewerSolver, Read("/solver/version", "2"),
        "solver.version: made for version 2 of the solver, this Hazumi has 1; please update it"},
-      {Check::kStepRange, Read("/solver/step_s", "0"),
-       "solver.step_s: must lie between 0.000001 and 1 s, is 0"},
-      {Check::kStepRange, Read("/regions/0/step_s", "1e-9"),
-       "regions[0].step_s: must lie between 0.000001 and 1 s, is 1e-09"},
-      {Check::kToleranceRange, Read("/solver/tolerance_deg", "6"),
-       "solver.tolerance_deg: must lie between 1e-10 and 5 degrees, is 6"},
-      {Check::kToleranceRange, Read("/regions/0/tolerance_deg", "0"),
-       "regions[0].tolerance_deg: must lie between 1e-10 and 5 degrees, is 0"},
-      {Check::kToleranceRange,
-       Spoilt([](Project& p) { p.regions[1].tolerance_deg = std::nan(""); }),
-       "regions[1].tolerance_deg: must lie between 1e-10 and 5 degrees, is nan"},
+      {Check::kRange, Read("/solver/step_s", "0"),
+       "solver.step_s: must lie between 1e-06 and 1 s, is 0 (length of a step of method paper)"},
+      {Check::kRange, Read("/regions/0/step_s", "1e-9"),
+       "regions[0].step_s: must lie between 1e-06 and 1 s, is 1e-09 (length of a step of method "
+       "paper)"},
+      {Check::kRange, Read("/solver/tolerance_deg", "6"),
+       "solver.tolerance_deg: must lie between 1e-10 and 5°, is 6 (greatest error of an angle, by "
+       "method exact)"},
+      {Check::kRange, Read("/regions/0/tolerance_deg", "0"),
+       "regions[0].tolerance_deg: must lie between 1e-10 and 5°, is 0 (greatest error of an "
+       "angle, by method exact)"},
+      {Check::kNotFinite, Spoilt([](Project& p) { p.regions[1].tolerance_deg = std::nan(""); }),
+       "regions[1].tolerance_deg: must be a finite number"},
       {Check::kNotFinite,
        Spoilt([](Project& p) { p.joints[0].value.keys[0].value = std::nan(""); }),
        "joints.r_knee.keys[0].angle_deg: must be a finite number"},
@@ -86,18 +88,19 @@ std::vector<WrongProject> WrongValues() {
        "regions[0].joints: a region needs at least one joint"},
       {Check::kNegative, Read("/regions/0/blend_frames", "-1"),
        "regions[0].blend_frames: must not be negative, is -1"},
-      {Check::kFactorRange, Read("/regions/0/friction/default", "1.5"),
-       "regions[0].friction.default: must lie between 0 (frozen) and 1 (no friction), is 1.5"},
-      {Check::kFactorRange, Read("/regions/0/friction/joints/r_wrist", "-0.1"),
-       "regions[0].friction.joints.r_wrist: must lie between 0 (frozen) and 1 (no friction), is "
-       "-0.1"},
+      {Check::kRange, Read("/regions/0/friction/default", "1.5"),
+       "regions[0].friction.default: must lie between 0 and 1, is 1.5 (speed that is left after "
+       "1/30 s: 0 frozen, 1 no friction)"},
+      {Check::kRange, Read("/regions/0/friction/joints/r_wrist", "-0.1"),
+       "regions[0].friction.joints.r_wrist: must lie between 0 and 1, is -0.1 (the same, of single "
+       "joints and hinges: 0 frozen, 1 no friction)"},
       {Check::kNameTwice, Read("/regions/1/name", "\"arm\""),
        "regions[1].name: the name \"arm\" is already used by regions[0]; choose another"},
       {Check::kNameTwice, Read("/held_objects/1/name", "\"ball\""),
        "held_objects[1].name: the name \"ball\" is already used by held_objects[0]; choose "
        "another"},
-      {Check::kFieldOfView, Read("/camera/vertical_fov_deg", "180"),
-       "camera.vertical_fov_deg: must lie between 1 and 179 degrees, is 180"},
+      {Check::kRange, Read("/camera/vertical_fov_deg", "180"),
+       "camera.vertical_fov_deg: must lie between 1 and 179°, is 180 (vertical field of view)"},
       {Check::kNoView, Read("/camera/target_m", "[0, -3, 1]"),
        "camera: eye_m and target_m are the same point; move one of them"},
   };
@@ -235,8 +238,9 @@ std::vector<WrongProject> Contradictions() {
        "holds[0].joint: no joint \"nose\"; use one of \"waist\", \"r_shoulder\", \"r_elbow\", "
        "\"r_wrist\", \"l_shoulder\", \"l_elbow\", \"l_wrist\", \"r_hip\", \"r_knee\", \"r_ankle\", "
        "\"l_hip\", \"l_knee\" (and 22 more)"},
-      {Check::kFactorRange, Spoilt([](Project& p) { p.regions[0].friction.default_factor = 2; }),
-       "regions[0].friction.default: must lie between 0 (frozen) and 1 (no friction), is 2"},
+      {Check::kRange, Spoilt([](Project& p) { p.regions[0].friction.default_factor = 2; }),
+       "regions[0].friction.default: must lie between 0 and 1, is 2 (speed that is left after 1/30 "
+       "s: 0 frozen, 1 no friction)"},
       {Check::kNumChecks, Spoilt([](Project& p) { p.figure.spec = {}; }),
        "figure: the figure has no mass"},
   };

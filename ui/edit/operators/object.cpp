@@ -1,5 +1,9 @@
-// What an object of the scene looks like.
+// Objects of the scene.
 
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -8,40 +12,140 @@ namespace {
 
 using enum ParameterKind;
 
-// What is not given stays. Errors: no such object, or a size for a plane.
+const ParameterInfo kObject = {"object", kText, true, "the object's name", Thing::kObject};
+
+template <typename Shape>
+ProjectSceneObject NewObject(Shape shape) {
+  ProjectSceneObject object;
+  object.shape = std::move(shape);
+  return object;
+}
+
+// Of planes and boxes.
+ParameterInfos FieldsOfShapes() {
+  ParameterInfos all = FieldsOf(NewObject(ProjectBox()));
+  for (const ParameterInfo& info : FieldsOf(NewObject(ProjectPlane()))) {
+    const auto is_it = [&](const ParameterInfo& other) {
+      return std::string(other.name) == info.name;
+    };
+    if (std::none_of(all.begin(), all.end(), is_it)) all.push_back(info);
+  }
+  return all;
+}
+
+// The length of what is given as a plane's normal does not matter.
+Result<Done> WithUnitNormal(ProjectSceneObject* object) {
+  auto* plane = std::get_if<ProjectPlane>(&object->shape);
+  if (!plane) return Done();
+  if (plane->normal.norm() < 1e-9) {
+    return Refusal("normal_x", "the normal must not be zero: it gives a direction");
+  }
+  if (std::abs(plane->normal.norm() - 1.0) > 1e-12) plane->normal.normalize();
+  return Done();
+}
+
+// A parameter of planes that a box does not have, or the other way round.
+Result<Done> ExpectOwn(const Parameters& p, const ProjectSceneObject& object) {
+  const bool is_box = std::holds_alternative<ProjectBox>(object.shape);
+  const ParameterInfos own = FieldsOf(object);
+  for (const ParameterInfo& info : FieldsOfShapes()) {
+    const auto is_it = [&](const ParameterInfo& other) {
+      return std::string(other.name) == info.name;
+    };
+    if (!p.has(info.name) || std::any_of(own.begin(), own.end(), is_it)) continue;
+    return Refusal(info.name,
+                   is_box ? "a box has none; planes have" : "a plane has none; boxes have");
+  }
+  return Done();
+}
+
+// What is not given stays. A normal is brought to length 1.
 Result<Done> SetObject(Session* session, const Parameters& p) {
   return session->Edit(
       "Change object",
       [&](Project* project) -> Result<Done> {
+        auto& objects = project->scene.objects;
+        const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
+        if (!object.ok()) return object.error();
+        if (const Result<Done> own = ExpectOwn(p, *object.value()); !own.ok()) return own;
+        if (const Result<Done> set = SetFields(p, object.value()); !set.ok()) return set;
+        if (p.has("name")) {
+          object.value()->name = FreeName(object.value()->name, objects, object.value());
+        }
+        return WithUnitNormal(object.value());
+      },
+      p.text("drag"));
+}
+
+Result<Done> AddBox(Session* session, const Parameters& p) {
+  return session->Edit("Add box", [&](Project* project) -> Result<Done> {
+    ProjectSceneObject object = NewObject(ProjectBox());
+    if (const Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+    project->scene.objects.push_back(std::move(object));
+    return Done();
+  });
+}
+
+Result<Done> AddPlane(Session* session, const Parameters& p) {
+  return session->Edit("Add plane", [&](Project* project) -> Result<Done> {
+    ProjectSceneObject object;
+    auto& plane = std::get<ProjectPlane>(object.shape);
+    if (p.has("normal_x") || p.has("normal_y") || p.has("normal_z")) plane.normal.setZero();
+    if (const Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+    if (const Result<Done> unit = WithUnitNormal(&object); !unit.ok()) return unit;
+    project->scene.objects.push_back(std::move(object));
+    return Done();
+  });
+}
+
+// A box, or how high a plane is.
+Result<Done> MoveObject(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Move object",
+      [&](Project* project) -> Result<Done> {
         const Result<ProjectSceneObject*> object =
             EntryNamed(p.text("object"), "object", &project->scene.objects);
         if (!object.ok()) return object.error();
-        object.value()->color = p.text("color", object.value()->color);
-        auto* box = std::get_if<ProjectBox>(&object.value()->shape);
-        const char* sizes[] = {"size_x", "size_y", "size_z"};
-        for (int i = 0; i < 3; ++i) {
-          if (!p.has(sizes[i])) continue;
-          if (!box) return Refusal(sizes[i], "a plane has no size; boxes have");
-          box->size_m[i] = p.number(sizes[i]);
+        const Vec3 by(p.number("x"), p.number("y"), p.number("z"));
+        if (auto* box = std::get_if<ProjectBox>(&object.value()->shape)) box->center_m += by;
+        if (auto* plane = std::get_if<ProjectPlane>(&object.value()->shape)) {
+          plane->offset_m += plane->normal.dot(by);
         }
         return Done();
       },
       p.text("drag"));
 }
 
+Result<Done> RemoveObject(Session* session, const Parameters& p) {
+  return session->Edit("Remove object", [&](Project* project) -> Result<Done> {
+    auto& objects = project->scene.objects;
+    const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
+    if (!object.ok()) return object.error();
+    objects.erase(objects.begin() + (object.value() - objects.data()));
+    return Done();
+  });
+}
+
 }  // namespace
 
 std::vector<Operator> ObjectOperators() {
-  return {{"object.set",
-           "Change object",
-           "Sets the size and the colour of an object; what is not given stays.",
-           {{"object", kText, true, "the object's name", Thing::kObject},
-            {"size_x", kNumber, false, "length of a box's edges in metres"},
-            {"size_y", kNumber, false, "metres"},
-            {"size_z", kNumber, false, "metres"},
-            {"color", kText, false, "#rrggbb", Thing::kColor},
-            kDrag},
-           SetObject}};
+  return {
+      {"object.add_box", "Add box", "Puts a box into the scene.",
+       Requiring({"name"}, FieldsOf(NewObject(ProjectBox()))), AddBox},
+      {"object.add_plane", "Add plane", "Puts a plane into the scene; one side of it is solid.",
+       Requiring({"name"}, FieldsOf(NewObject(ProjectPlane()))), AddPlane},
+      {"object.set", "Change object", "Sets what is given of an object; what is not given stays.",
+       Joined({{kObject}, FieldsOfShapes(), {kDrag}}), SetObject},
+      {"object.move",
+       "Move object",
+       "Moves an object of the scene.",
+       {kObject,
+        {"x", kNumber, false, "metres"},
+        {"y", kNumber, false, "metres"},
+        {"z", kNumber, false, "metres"},
+        kDrag},
+       MoveObject},
+      {"object.remove", "Remove object", "Takes an object away.", {kObject}, RemoveObject}};
 }
 
 }  // namespace hazumi::edit

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/timeline/placement_span.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -12,12 +13,6 @@ namespace {
 using enum ParameterKind;
 
 using Spans = std::vector<ProjectPlacement>;
-
-Result<PlacementKind> KindFrom(const Parameters& p) {
-  return ValueNamed<PlacementKind>(
-      p.text("kind"), "kind",
-      {PlacementKind::kKeyed, PlacementKind::kPinned, PlacementKind::kGravity}, &NameOf);
-}
 
 // The entry that the parameter "index" counts out.
 template <typename T>
@@ -42,33 +37,19 @@ void MakeRoom(int first, int last, Spans* spans) {
 }
 
 Result<Done> Place(Session* session, const Parameters& p) {
-  const Result<PlacementKind> kind = KindFrom(p);
-  if (!kind.ok()) return kind.error();
   return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
     ProjectPlacement span;
-    span.kind = kind.value();
-    span.first_frame = p.integer("first");
-    span.last_frame = p.integer("last");
-    span.pin = p.text("pin");
-    span.landing_pin = p.text("landing_pin");
-    return PutPlacement(std::move(span), kind.value() != PlacementKind::kKeyed,
-                        &project->placements);
+    if (const Result<Done> set = SetFields(p, &span); !set.ok()) return set;
+    const bool is_said = span.kind != PlacementKind::kKeyed;
+    return PutPlacement(std::move(span), is_said, &project->placements);
   });
 }
 
 // What is given of it. Only gravity ends in a landing.
 Result<Done> Change(const Parameters& p, ProjectPlacement* span) {
-  if (p.has("kind")) {
-    const Result<PlacementKind> kind = KindFrom(p);
-    if (!kind.ok()) return kind.error();
-    span->kind = kind.value();
-  }
-  span->first_frame = p.integer("first", span->first_frame);
-  span->last_frame = p.integer("last", span->last_frame);
-  span->pin = p.text("pin", span->pin);
-  span->landing_pin = p.text("landing_pin", span->landing_pin);
+  const Result<Done> set = SetFields(p, span);
   if (span->kind != PlacementKind::kGravity) span->landing_pin.clear();
-  return Done();
+  return set;
 }
 
 // In a drag spans are as they were when it began, so that those that gave way come back.
@@ -102,28 +83,12 @@ Result<Done> RemovePlacement(Session* session, const Parameters& p) {
   });
 }
 
-// What is given of it.
-Result<Done> Change(const Parameters& p, ProjectHold* hold) {
-  if (p.has("reach")) {
-    const Result<HoldReach> reach = ValueNamed<HoldReach>(
-        p.text("reach"), "reach", {HoldReach::kLimb, HoldReach::kBody}, &NameOf);
-    if (!reach.ok()) return reach.error();
-    hold->reach = reach.value();
-  }
-  hold->joint = p.text("joint", hold->joint);
-  hold->orientation = p.yes("orientation", hold->orientation);
-  hold->first_frame = p.integer("first", hold->first_frame);
-  hold->last_frame = p.integer("last", hold->last_frame);
-  return Done();
-}
-
 Result<Done> Hold(Session* session, const Parameters& p) {
   return session->Edit(
       "Hold joint",
       [&](Project* project) -> Result<Done> {
         ProjectHold hold;
-        Result<Done> changed = Change(p, &hold);
-        if (!changed.ok()) return changed;
+        if (const Result<Done> set = SetFields(p, &hold); !set.ok()) return set;
         project->holds.push_back(std::move(hold));
         return Done();
       },
@@ -136,7 +101,7 @@ Result<Done> SetHold(Session* session, const Parameters& p) {
       [&](Project* project) -> Result<Done> {
         const Result<ProjectHold*> hold = EntryAt(p, "hold", &project->holds);
         if (!hold.ok()) return hold.error();
-        return Change(p, hold.value());
+        return SetFields(p, hold.value());
       },
       p.text("drag"));
 }
@@ -154,20 +119,6 @@ const ParameterInfo kPlacement = {"index", kInteger, true, "which of them, count
                                   Thing::kPlacement};
 const ParameterInfo kHold = {"index", kInteger, true, "which of them, counted from 0",
                              Thing::kHold};
-const ParameterInfo kFirst = {"first", kInteger, false, "first frame"};
-const ParameterInfo kLast = {"last", kInteger, false, "last frame"};
-const ParameterInfo kPin = {"pin", kText, false, "the pinned joint", Thing::kJoint};
-const ParameterInfo kLandingPin = {"landing_pin", kText, false,
-                                   "with gravity: the joint pinned after a landing", Thing::kJoint};
-const ParameterInfo kOrientation = {"orientation", kYesNo, false, "true: also how it is turned"};
-
-const ParameterInfo kReach = {"reach", kText, false, "what moves to hold it: limb or body",
-                              "limb body"};
-
-ParameterInfo Required(ParameterInfo info) {
-  info.is_required = true;
-  return info;
-}
 
 }  // namespace
 
@@ -187,52 +138,21 @@ Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
 }
 
 std::vector<Operator> PlacementOperators() {
-  return {{"placement.set",
-           "Place figure",
+  return {{"placement.set", "Place figure",
            "Says what places the figure for some frames; what was said of them before gives way.",
-           {{"kind", kText, true, "keyed, pinned or gravity", "pinned gravity keyed"},
-            Required(kFirst),
-            Required(kLast),
-            kPin,
-            kLandingPin},
-           Place},
-          {"placement.edit",
-           "Change placement",
+           Requiring({"kind", "first", "last"}, FieldsOf<ProjectPlacement>()), Place},
+          {"placement.edit", "Change placement",
            "Changes what is given of a span of placement; what is said of its frames gives way.",
-           {kPlacement,
-            {"kind", kText, false, "keyed, pinned or gravity", "pinned gravity keyed"},
-            kFirst,
-            kLast,
-            kPin,
-            kLandingPin,
-            kDrag},
-           EditPlacement},
+           Joined({{kPlacement}, FieldsOf<ProjectPlacement>(), {kDrag}}), EditPlacement},
           {"placement.remove",
            "Remove placement",
            "Takes a span of placement away: the root's keys place the figure there.",
            {kPlacement},
            RemovePlacement},
-          {"hold.add",
-           "Hold joint",
-           "Keeps a joint where it is by inverse kinematics.",
-           {{"joint", kText, true, "a joint", Thing::kJoint},
-            Required(kFirst),
-            Required(kLast),
-            kOrientation,
-            kReach,
-            kDrag},
-           Hold},
-          {"hold.set",
-           "Change hold",
-           "Changes what is given of a hold.",
-           {kHold,
-            {"joint", kText, false, "a joint", Thing::kJoint},
-            kFirst,
-            kLast,
-            kOrientation,
-            kReach,
-            kDrag},
-           SetHold},
+          {"hold.add", "Hold joint", "Keeps a joint where it is by inverse kinematics.",
+           Joined({Requiring({"joint", "first", "last"}, FieldsOf<ProjectHold>()), {kDrag}}), Hold},
+          {"hold.set", "Change hold", "Changes what is given of a hold.",
+           Joined({{kHold}, FieldsOf<ProjectHold>(), {kDrag}}), SetHold},
           {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};
 }
 

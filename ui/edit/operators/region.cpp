@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/root_curves.h"
 
@@ -14,15 +15,6 @@ using enum ParameterKind;
 
 const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
-// "r_shoulder+" is that joint and all beyond it.
-JointRef RefFrom(std::string name) {
-  JointRef ref;
-  ref.beyond = name.ends_with('+');
-  if (ref.beyond) name.pop_back();
-  ref.name = name;
-  return ref;
-}
-
 // In a drag the region takes the place of the one before.
 Result<Done> Add(Session* session, const Parameters& p) {
   const std::string merge = p.has("drag") ? "region.add " + p.text("drag") : "";
@@ -32,16 +24,13 @@ Result<Done> Add(Session* session, const Parameters& p) {
         const Document::State* start = session->document().drag_start(merge);
         if (start) project->regions = start->project.regions;
         ProjectRegion region;
-        region.name = FreeName(p.text("name", "region"), project->regions);
-        region.first_frame = p.integer("first");
-        region.last_frame = p.integer("last");
-        std::vector<std::string> names = p.names("joints");
-        if (!p.has("joints")) {
-          names.assign(session->selected_joints().begin(), session->selected_joints().end());
+        region.name = "region";
+        region.friction.default_factor = 0.8;
+        for (const std::string& name : session->selected_joints()) {
+          region.joints.push_back(RefFrom(name));
         }
-        for (const std::string& name : names) region.joints.push_back(RefFrom(name));
-        region.friction.default_factor = p.number("friction", 0.8);
-        region.blend_frames = p.integer("blend", 0);
+        if (const Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
+        region.name = FreeName(region.name, project->regions);
         project->regions.push_back(std::move(region));
         return Done();
       },
@@ -64,26 +53,14 @@ Result<Done> Change(Session* session, const Parameters& p, const char* label, Ac
 
 Result<Done> SetRegion(Session* session, const Parameters& p) {
   return Change(session, p, "Change region", [&](Project* project, ProjectRegion* region) {
-    region->first_frame = p.integer("first", region->first_frame);
-    region->last_frame = p.integer("last", region->last_frame);
-    region->limit_tangents = p.yes("limit_tangents", region->limit_tangents);
-    region->blend_frames = p.integer("blend", region->blend_frames);
     if (p.yes("as_project")) {
       region->method.reset();
+      region->step_s.reset();
       region->tolerance_deg.reset();
     }
-    if (p.has("tolerance")) region->tolerance_deg = p.number("tolerance");
-    if (p.has("joints")) {
-      region->joints.clear();
-      for (const std::string& name : p.names("joints")) region->joints.push_back(RefFrom(name));
-    }
-    if (p.has("name")) region->name = FreeName(p.text("name"), project->regions, region);
-    if (!p.has("method")) return Result<Done>(Done());
-    const Result<Method> method =
-        ValueNamed<Method>(p.text("method"), "method", {Method::kPaper, Method::kExact}, &NameOf);
-    if (!method.ok()) return Result<Done>(method.error());
-    region->method = method.value();
-    return Result<Done>(Done());
+    const Result<Done> set = SetFields(p, region);
+    if (p.has("name")) region->name = FreeName(region->name, project->regions, region);
+    return set;
   });
 }
 
@@ -193,61 +170,45 @@ Result<Done> BakeToKeys(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> RegionOperators() {
-  const ParameterInfo first = {"first", kInteger, true, "first frame"};
-  const ParameterInfo last = {"last", kInteger, true, "last frame"};
-  const ParameterInfo joints = {
-      "joints", kNames, false,
-      "joints, with + behind the name all beyond too; not given: the selected ones", Thing::kJoint};
-  const ParameterInfo blend = {"blend", kInteger, false,
-                               "frames in which joints come back to their keys after it; 0"};
-  return {{"region.add",
-           "Add dynamics region",
-           "Lets joints swing by their own inertia for some frames.",
-           {{"name", kText, false, "its name"},
-            first,
-            last,
-            joints,
-            {"friction", kNumber, false, "factor of all joints, 0 to 1; 0.8", Thing::kShare},
-            blend,
-            kDrag},
-           Add},
-          {"region.set",
-           "Change region",
-           "Changes what is given of a region.",
-           {kRegion,
-            {"name", kText, false, "a new name"},
-            {"first", kInteger, false, "first frame"},
-            {"last", kInteger, false, "last frame"},
-            {"joints", kNames, false, "its joints instead", Thing::kJoint},
-            {"method", kText, false, "exact or paper", "exact paper"},
-            {"tolerance", kNumber, false, "greatest error of an angle in degrees"},
-            {"as_project", kYesNo, false, "true: method and tolerance are the project's again"},
-            {"limit_tangents", kYesNo, false, "curves after it stay inside the joints' limits"},
-            blend,
-            kDrag},
-           SetRegion},
-          {"region.friction",
-           "Change friction",
-           "Sets the factor of speed that is left after 1/30 s.",
-           {kRegion,
-            {"factor", kNumber, false,
-             "0 frozen, 1 no friction; not given: the joint has none of its own any more",
-             Thing::kShare},
-            {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
-             Thing::kJointOrHinge},
-            kDrag},
-           SetFriction},
-          {"region.split",
-           "Split region",
-           "Makes two regions of one.",
-           {kRegion, {"frame", kInteger, true, "where the second one begins"}},
-           Split},
-          {"region.remove", "Remove region", "Takes a region away.", {kRegion}, Remove},
-          {"region.to_keys",
-           "Bake region to keys",
-           "Makes a key of each frame of a region and takes the region away.",
-           {kRegion},
-           BakeToKeys}};
+  return {
+      {"region.add", "Add dynamics region",
+       "Lets joints swing by their own inertia for some frames. Not given: the selected joints, "
+       "friction 0.8.",
+       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kDrag}}), Add},
+      {"region.set", "Change region", "Changes what is given of a region.",
+       Joined({{kRegion},
+               FieldsOf<ProjectRegion>(),
+               {{"as_project", kYesNo, false,
+                 "true: method, step and tolerance are the project's again"},
+                kDrag}}),
+       SetRegion},
+      {"region.friction",
+       "Change friction",
+       "Sets the factor of speed that is left after 1/30 s.",
+       {kRegion,
+        {"factor",
+         kNumber,
+         false,
+         "0 frozen, 1 no friction; not given: the joint has none of its own any more",
+         {},
+         "",
+         "",
+         kShare},
+        {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
+         Thing::kJointOrHinge},
+        kDrag},
+       SetFriction},
+      {"region.split",
+       "Split region",
+       "Makes two regions of one.",
+       {kRegion, {"frame", kInteger, true, "where the second one begins"}},
+       Split},
+      {"region.remove", "Remove region", "Takes a region away.", {kRegion}, Remove},
+      {"region.to_keys",
+       "Bake region to keys",
+       "Makes a key of each frame of a region and takes the region away.",
+       {kRegion},
+       BakeToKeys}};
 }
 
 }  // namespace hazumi::edit

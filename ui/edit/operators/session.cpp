@@ -6,6 +6,7 @@
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/check_saved.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
 
@@ -106,8 +107,8 @@ Result<Done> SetRate(Session* session, const Parameters& p) {
       "Set frame rate",
       [&](Project* project) -> Result<Done> {
         const double before = FramesPerSecond(project->fps);
-        project->fps.num = p.integer("num");
-        project->fps.den = p.integer("den", 1);
+        project->fps.den = 1;
+        if (const Result<Done> set = SetFields(p, &project->fps); !set.ok()) return set;
         if (p.yes("keep_shape")) ScaleRates(FramesPerSecond(project->fps) / before, project);
         return Done();
       },
@@ -212,19 +213,13 @@ std::vector<Operator> SessionOperators() {
        "Sets the current frame.",
        {{"frame", kNumber, true, "may lie between frames"}},
        SetFrame},
-      {"time.range",
-       "Set frame range",
-       "Sets the first and last frame of the animation.",
-       {{"first", kInteger, false, "first frame"}, {"last", kInteger, false, "last frame"}, kDrag},
-       SetRange},
-      {"time.rate",
-       "Set frame rate",
-       "Sets the frames per second. Keys stay on their frames.",
-       {{"num", kInteger, true, "frames"},
-        {"den", kInteger, false, "in so many seconds; 1"},
-        {"keep_shape", kYesNo, false,
-         "true: curves keep their shape frame by frame, the rates of keys change with it"},
-        kDrag},
+      {"time.range", "Set frame range", "Sets the first and last frame of the animation.",
+       Joined({FieldsOf<ProjectFrames>(), {kDrag}}), SetRange},
+      {"time.rate", "Set frame rate", "Sets the frames per second. Keys stay on their frames.",
+       Joined({Requiring({"num"}, FieldsOf<ProjectRate>()),
+               {{"keep_shape", kYesNo, false,
+                 "true: curves keep their shape frame by frame, the rates of keys change with it"},
+                kDrag}}),
        SetRate},
       {"project.rename",
        "Rename project",

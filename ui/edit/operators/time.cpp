@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -16,8 +17,9 @@ const ParameterInfo kIndex = {"index", kInteger, true, "which marker, counted fr
 Result<Done> AddMarker(Session* session, const Parameters& p) {
   return session->Edit("Add marker", [&](Project* project) -> Result<Done> {
     ProjectMarker marker;
-    marker.frame = p.integer("frame", static_cast<int>(std::lround(session->frame())));
-    marker.name = p.text("name", "F_" + std::to_string(marker.frame));
+    marker.frame = static_cast<int>(std::lround(session->frame()));
+    if (const Result<Done> set = SetFields(p, &marker); !set.ok()) return set;
+    if (!p.has("name")) marker.name = "F_" + std::to_string(marker.frame);
     project->markers.push_back(std::move(marker));
     return Done();
   });
@@ -74,8 +76,7 @@ Result<Done> SetPreview(Session* session, const Parameters& p) {
         }
         ProjectFrames preview = project->preview.value_or(
             ProjectFrames{project->frames.first, project->frames.last, {}});
-        preview.first = p.integer("first", preview.first);
-        preview.last = p.integer("last", preview.last);
+        if (const Result<Done> set = SetFields(p, &preview); !set.ok()) return set;
         if (preview.first > preview.last) {
           return Refusal("first", "must not come after last, " + std::to_string(preview.last));
         }
@@ -88,12 +89,9 @@ Result<Done> SetPreview(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> TimeOperators() {
-  return {{"marker.add",
-           "Add marker",
-           "Gives a frame a name.",
-           {{"frame", kInteger, false, "not given: the current one"},
-            {"name", kText, false, "not given: F_ and the frame"}},
-           AddMarker},
+  return {{"marker.add", "Add marker",
+           "Gives a frame a name. Not given: the current frame; F_ and its number.",
+           FieldsOf<ProjectMarker>(), AddMarker},
           {"marker.move",
            "Move marker",
            "Moves a marker to another frame.",
@@ -105,13 +103,9 @@ std::vector<Operator> TimeOperators() {
            {kIndex, {"name", kText, true, "its new name"}},
            RenameMarker},
           {"marker.remove", "Remove marker", "Takes a marker away.", {kIndex}, RemoveMarker},
-          {"time.preview",
-           "Set preview range",
-           "Sets the part of the animation that is played.",
-           {{"first", kInteger, false, "first frame"},
-            {"last", kInteger, false, "last frame"},
-            {"off", kYesNo, false, "true: all is played again"},
-            kDrag},
+          {"time.preview", "Set preview range", "Sets the part of the animation that is played.",
+           Joined({FieldsOf<ProjectFrames>(),
+                   {{"off", kYesNo, false, "true: all is played again"}, kDrag}}),
            SetPreview}};
 }
 

@@ -160,9 +160,7 @@ const char* WithoutTrue(const char* help) {
 
 // True if it has a field for the keyboard.
 bool IsTyped(const edit::ParameterInfo& info) {
-  const edit::Thing thing = info.offer.thing;
-  return info.offer.words[0] == '\0' &&
-         (thing == edit::Thing::kAny || thing == edit::Thing::kShare) &&
+  return info.offer.words[0] == '\0' && info.offer.thing == Thing::kAny &&
          info.kind != ParameterKind::kYesNo;
 }
 
@@ -175,9 +173,9 @@ void DrawField(FormState* form, FormField* field, bool is_alone, Editor* editor)
     FaintText(*editor, WithoutTrue(Tr(field->info.help)));
   } else if (field->info.kind == ParameterKind::kNames && !options.empty()) {
     DrawTicks(options, field, editor);
-  } else if (field->info.offer.thing == edit::Thing::kColor) {
+  } else if (field->info.offer.thing == Thing::kColor) {
     DrawColorField(field);
-  } else if (field->info.offer.thing == edit::Thing::kShare) {
+  } else if (field->info.range == kShare) {
     DrawShare(*form, field, editor);
   } else if (are_words && options.size() <= kFewWords) {
     DrawWords(*form, options, field, *editor);

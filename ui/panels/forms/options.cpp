@@ -13,8 +13,6 @@ namespace hazumi::ui {
 
 namespace {
 
-using edit::Thing;
-
 // "keyed": "Keyed".
 std::string WithCapital(std::string word) {
   word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
@@ -106,7 +104,6 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
     case Thing::kHold:
       return Spans(project, BarKind::kHold, project.holds.size());
     case Thing::kColor:
-    case Thing::kShare:
     case Thing::kAny:
       break;
   }

@@ -16,6 +16,11 @@ namespace {
 using edit::ParameterInfo;
 using edit::ParameterKind;
 
+// Operators that change what they are told, and nothing that they are not.
+bool DoesNothingAlone(const std::string& id) { return id == "time.range" || id == "solver.set"; }
+
+}  // namespace
+
 std::string TextOf(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return FormatNumber(value.get<double>());
@@ -25,11 +30,6 @@ std::string TextOf(const Json& value) {
   }
   return list;
 }
-
-// Operators that change what they are told, and nothing that they are not.
-bool DoesNothingAlone(const std::string& id) { return id == "time.range" || id == "solver.set"; }
-
-}  // namespace
 
 std::vector<std::string> Parts(const std::string& text) {
   std::vector<std::string> parts;

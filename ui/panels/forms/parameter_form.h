@@ -46,6 +46,8 @@ bool NeedsForm(const std::string& id, const edit::Json& given);
 // What an action or operator takes; empty if there is no such thing.
 const std::vector<edit::ParameterInfo>& ParametersOf(const std::string& id);
 
+// A value as it is typed into a field.
+std::string TextOf(const edit::Json& value);
 // Names or numbers in a list, which commas separate.
 std::vector<std::string> Parts(const std::string& text);
 // What was typed, as parameters. Names and numbers in lists are separated by commas. Error: the

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/forms/options.h"
 #include "ui/panels/outliner/limbs.h"
@@ -18,7 +20,6 @@ namespace {
 using edit::Json;
 using edit::ParameterInfo;
 using edit::ParameterKind;
-using edit::Thing;
 
 // At the end of the animation there is nothing behind the current frame.
 Json Frame(const std::string& name, const edit::Session& session) {
@@ -107,19 +108,11 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kHold:
       return OptionsOf(info, *session).empty() ? Json() : Json(0);
     case Thing::kColor:
-    case Thing::kShare:
     case Thing::kAny:
       break;
   }
   const std::vector<std::string> words = edit::WordsOf(info.offer);
   return words.empty() || !info.is_required ? Json() : Json(words.front());
-}
-
-std::string OfRegion(const ProjectRegion& region, const std::string& name) {
-  if (name == "name") return region.name;
-  if (name == "first") return std::to_string(region.first_frame);
-  if (name == "last") return std::to_string(region.last_frame);
-  return name == "tolerance" && region.tolerance_deg ? FormatNumber(*region.tolerance_deg) : "";
 }
 
 std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
@@ -128,24 +121,40 @@ std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
   return name == "upper" ? FormatShort(hinge.upper * kRadian) : "";
 }
 
-std::string OfBox(const ProjectSceneObject& object, const std::string& name) {
-  const auto* box = std::get_if<ProjectBox>(&object.shape);
-  if (!box || !name.starts_with("size_")) return "";
-  return FormatShort(box->size_m[name.back() - 'x']);
+// The entry of a list that a form changes, by its name or number; null: none.
+template <typename T>
+const T* Chosen(const std::vector<T>& list, const std::string& subject) {
+  if constexpr (requires(T item) { item.name; }) {
+    for (const T& item : list) {
+      if (item.name == subject) return &item;
+    }
+    return nullptr;
+  } else {
+    const size_t index = std::strtoul(subject.c_str(), nullptr, 10);
+    return subject.empty() || index >= list.size() ? nullptr : &list[index];
+  }
+}
+
+// What the item that a form changes says now.
+Json Present(const FormState& form, const std::string& name, const Project& project) {
+  const std::string& subject = form.fields.front().text;
+  const auto of = [&](const auto& list) {
+    const auto* item = Chosen(list, subject);
+    return item ? edit::FieldValue(*item, name) : Json();
+  };
+  if (form.id == "region.set") return of(project.regions);
+  if (form.id == "object.set") return of(project.scene.objects);
+  if (form.id == "placement.edit") return of(project.placements);
+  return form.id == "hold.set" ? of(project.holds) : Json();
 }
 
 }  // namespace
 
 std::string PresentValue(const FormState& form, const std::string& name,
                          const edit::Session& session) {
+  const Json present = Present(form, name, session.project());
+  if (!present.is_null()) return TextOf(present);
   const std::string& subject = form.fields.front().text;
-  const Project& project = session.project();
-  for (const ProjectRegion& region : project.regions) {
-    if (form.id == "region.set" && region.name == subject) return OfRegion(region, name);
-  }
-  for (const ProjectSceneObject& object : project.scene.objects) {
-    if (form.id == "object.set" && object.name == subject) return OfBox(object, name);
-  }
   const auto hinge = session.figure().FindJoint(subject);
   if (form.id != "figure.joint_limits" || !hinge) return "";
   return OfHinge(session.figure().joint(*hinge), name);

@@ -24,16 +24,6 @@ constexpr Label kLabels[] = {{"first", "First frame"},
                              {"within_limits", "Within limits"},
                              {"chain", "Joints that turn"},
                              {"index", "Which"},
-                             {"pin", "Pinned joint"},
-                             {"landing_pin", "Landing joint"},
-                             {"kind", "Kind"},
-                             {"orientation", "Keep orientation"},
-                             {"reach", "Moves"},
-                             {"limit_tangents", "Limit tangents"},
-                             {"blend", "Blend"},
-                             {"num", "Frames"},
-                             {"den", "in seconds"},
-                             {"fov", "Field of view"},
                              {"lower", "Lower limit"},
                              {"upper", "Upper limit"},
                              {"add", "Add to selection"},
@@ -41,7 +31,6 @@ constexpr Label kLabels[] = {{"first", "First frame"},
                              {"about", "About frame"},
                              {"subframe", "Between frames"},
                              {"path", "File"},
-                             {"step", "Time step"},
                              {"dark", "Dark"},
                              {"feet_stay", "Feet stay"},
                              {"keep_shape", "Keep shape"},
@@ -53,11 +42,10 @@ struct Row {
   const char* label;
 };
 
-constexpr Row kRows[] = {
-    {"root.turn", "x", "Axis"},     {"object.move", "x", "Move by"}, {"", "first", "Frames"},
-    {"", "to_first", "New frames"}, {"", "num", "Frames"},           {"", "x", "Position"},
-    {"", "size_x", "Size"},         {"", "normal_x", "Normal"},      {"", "eye_x", "Camera"},
-    {"", "target_x", "Target"},     {"", "lower", "Limits"}};
+constexpr Row kRows[] = {{"root.turn", "x", "Axis"}, {"object.move", "x", "Move by"},
+                         {"", "first", "Frames"},    {"", "to_first", "New frames"},
+                         {"", "num", "Frames"},      {"", "x", "Position"},
+                         {"", "lower", "Limits"}};
 
 struct Meaning {
   const char* id;
@@ -102,6 +90,7 @@ constexpr Row kMain[] = {
 }  // namespace
 
 std::string LabelOf(const edit::ParameterInfo& info) {
+  if (info.label[0] != '\0') return info.label;
   std::string name = info.name;
   for (const Label& label : kLabels) {
     if (name == label.name) return label.label;

@@ -86,7 +86,7 @@ std::vector<std::vector<FormOption>> ByGroup(const std::vector<FormOption>& opti
 Names SelectedOf(const FormField& field, const std::vector<FormOption>& options,
                  const edit::Session& session) {
   const std::set<std::string>& selected = session.selected_joints();
-  if (field.info.offer.thing != edit::Thing::kCurve) {
+  if (field.info.offer.thing != Thing::kCurve) {
     return WithSelected({}, session.figure(), selected);
   }
   const bool has_root = session.is_root_selected();

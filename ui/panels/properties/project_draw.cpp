@@ -1,7 +1,7 @@
 // The project: its name, its time and what regions are solved with.
 
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/sections.h"
 
 namespace hazumi::ui {
@@ -10,23 +10,12 @@ namespace {
 
 void DrawTime(Editor* editor, const Project& project) {
   if (!DrawHeading(Tr("Frames"))) return;
-  DrawInteger(editor, "first", Tr("First frame"), project.frames.first,
-              [&](int frame, const std::string& drag) {
-                editor->Do("time.range", {{"first", frame}, {"drag", drag}});
-              });
-  DrawInteger(editor, "last", Tr("Last frame"), project.frames.last,
-              [&](int frame, const std::string& drag) {
-                editor->Do("time.range", {{"last", frame}, {"drag", drag}});
-              });
-  DrawInteger(
-      editor, "fps", Tr("Frames"), project.fps.num, [&](int frames, const std::string& drag) {
-        editor->Do("time.rate", {{"num", frames}, {"den", project.fps.den}, {"drag", drag}});
-      });
-  DrawInteger(
-      editor, "seconds", Tr("in seconds"), project.fps.den,
-      [&](int seconds, const std::string& drag) {
-        editor->Do("time.rate", {{"num", project.fps.num}, {"den", seconds}, {"drag", drag}});
-      });
+  DrawFieldRows(editor, project.frames, {}, SetBy(editor, "time.range"));
+  DrawFieldRows(editor, project.fps, {}, [&](Json change, const std::string& drag) {
+    if (!change.contains("num")) change["num"] = project.fps.num;
+    if (!change.contains("den")) change["den"] = project.fps.den;
+    SetBy(editor, "time.rate")(change, drag);
+  });
 }
 
 void DrawPreview(Editor* editor, const Project& project) {
@@ -35,22 +24,15 @@ void DrawPreview(Editor* editor, const Project& project) {
     editor->Do("time.preview", on ? Json{{"first", project.frames.first}} : Json{{"off", true}});
   });
   if (!project.preview) return;
-  const auto set = [&](const char* end) {
-    return [editor, end](int frame, const std::string& drag) {
-      editor->Do("time.preview", {{end, frame}, {"drag", drag}});
-    };
-  };
-  DrawInteger(editor, "preview first", Tr("First frame"), project.preview->first, set("first"));
-  DrawInteger(editor, "preview last", Tr("Last frame"), project.preview->last, set("last"));
+  ImGui::PushID("preview");
+  DrawFieldRows(editor, *project.preview, {}, SetBy(editor, "time.preview"));
+  ImGui::PopID();
 }
 
 void DrawSolver(Editor* editor, const Project& project) {
   if (!DrawHeading(Tr("Solver"))) return;
   const ProjectSolver& solver = project.solver;
-  DrawChoice(editor, "method", Tr("Method"), {"exact", "paper"}, hazumi::NameOf(solver.method),
-             [&](const std::string& name) {
-               editor->Do("solver.set", {{"method", name}});
-             });
+  DrawFieldRows(editor, solver, {}, SetBy(editor, "solver.set"));
   if (solver.method == Method::kExact) {
     const double tolerance = solver.tolerance_deg.value_or(kDefaultToleranceDeg);
     DrawNumber(editor, {"tolerance", Tr("Tolerance"), tolerance, "%.4f°", 0.0005},

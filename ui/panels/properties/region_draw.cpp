@@ -5,7 +5,7 @@
 
 #include "engine/project/checks/joint_names.h"
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/text/filled.h"
@@ -43,23 +43,11 @@ void Set(Editor* editor, const std::string& region, Json change, const std::stri
   editor->Do("region.set", change);
 }
 
-void DrawSpan(Editor* editor, const ProjectRegion& region) {
-  const std::string name = region.name;
-  DrawText(editor, "name", Tr("Name"), name, [&](const std::string& wanted) {
-    Set(editor, name, {{"name", wanted}});
-  });
-  DrawInteger(editor, "first", Tr("First frame"), region.first_frame,
-              [&](int frame, const std::string& drag) {
-                Set(editor, name, {{"first", frame}}, drag);
-              });
-  DrawInteger(editor, "last", Tr("Last frame"), region.last_frame,
-              [&](int frame, const std::string& drag) {
-                Set(editor, name, {{"last", frame}}, drag);
-              });
-  DrawInteger(editor, "blend", Tr("Blend"), region.blend_frames,
-              [&](int frames, const std::string& drag) {
-                Set(editor, name, {{"blend", std::max(frames, 0)}}, drag);
-              });
+// What a region says that no section below draws.
+void DrawFields(Editor* editor, const ProjectRegion& region) {
+  DrawFieldRows(
+      editor, region, {"joints", "friction", "method", "step", "tolerance", "limit_tangents"},
+      [&](const Json& change, const std::string& drag) { Set(editor, region.name, change, drag); });
 }
 
 // A joint that a click takes out. In lines as wide as the panel.
@@ -146,8 +134,8 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
                  Tr("Method and tolerance are those of the project again."))) {
     Set(editor, region.name, {{"as_project", true}});
   }
-  DrawCheck(editor, "tangents", Tr("Limit tangents"), region.limit_tangents, [&](bool on) {
-    Set(editor, region.name, {{"limit_tangents", on}});
+  DrawFieldRow(editor, region, "limit_tangents", [&](const Json& change, const std::string& drag) {
+    Set(editor, region.name, change, drag);
   });
 }
 
@@ -232,7 +220,7 @@ void DrawRegionSection(Editor* editor) {
   const ProjectRegion region = session.project().regions[*index];
   ChooseRegion(editor, region.name);
   DrawAdd(editor);
-  DrawSpan(editor, region);
+  DrawFields(editor, region);
   DrawJoints(editor, region);
   DrawFriction(editor, region);
   DrawMethod(editor, region);

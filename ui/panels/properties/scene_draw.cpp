@@ -6,7 +6,7 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/properties/span_fields.h"
@@ -73,50 +73,16 @@ void DrawHolds(Editor* editor) {
   if (DrawButton(Tr("Hold from here"), HelpOf("span.hold"))) editor->Do("span.hold");
 }
 
-void MoveObject(Editor* editor, const std::string& object, int axis, double by,
-                const std::string& drag) {
-  const char* axes[] = {"x", "y", "z"};
-  editor->Do("object.move", {{"object", object}, {axes[axis], by}, {"drag", drag}});
-}
-
-void DrawBox(Editor* editor, const std::string& name, const ProjectBox& box) {
-  DrawVector(editor, Tr("Position"), box.center_m, "%.3f m",
-             [&](int axis, double value, const std::string& drag) {
-               MoveObject(editor, name, axis, value - box.center_m[axis], drag);
-             });
-  DrawVector(editor, Tr("Size"), box.size_m, "%.3f m",
-             [&](int axis, double value, const std::string& drag) {
-               const char* sizes[] = {"size_x", "size_y", "size_z"};
-               editor->Do("object.set", {{"object", name}, {sizes[axis], value}, {"drag", drag}});
-             });
-}
-
-// How far from the origin; the operator moves along an axis of the world.
-void DrawPlane(Editor* editor, const std::string& name, const ProjectPlane& plane) {
-  int axis = 0;
-  plane.normal.cwiseAbs().maxCoeff(&axis);
-  DrawNumber(editor, {"offset", Tr("Offset"), plane.offset_m, "%.3f m", 0.005},
-             [&](double value, const std::string& drag) {
-               const double by = (value - plane.offset_m) / plane.normal[axis];
-               MoveObject(editor, name, axis, by, drag);
-             });
-}
-
 void DrawObject(Editor* editor, const ProjectSceneObject& object) {
   ImGui::PushID(object.name.c_str());
   const bool is_open = ImGui::TreeNodeEx(
       object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
   if (is_open) {
-    if (const auto* box = std::get_if<ProjectBox>(&object.shape))
-      DrawBox(editor, object.name, *box);
-    if (const auto* plane = std::get_if<ProjectPlane>(&object.shape)) {
-      DrawPlane(editor, object.name, *plane);
-    }
-    DrawColor(
-        editor, "color", Tr("Color"), object.color,
-        [&](const std::string& color, const std::string& drag) {
-          editor->Do("object.set", {{"object", object.name}, {"color", color}, {"drag", drag}});
-        });
+    DrawFieldRows(editor, object, {}, [&](Json change, const std::string& drag) {
+      change["object"] = object.name;
+      if (!drag.empty()) change["drag"] = drag;
+      editor->Do("object.set", change);
+    });
     if (DrawButton(Tr("Remove"), HelpOf("object.remove"))) {
       editor->Do("object.remove", {{"object", object.name}});
     }
@@ -135,10 +101,7 @@ void DrawObjects(Editor* editor) {
   if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {
     editor->Do("object.add_plane", {{"name", edit::FreeName("plane", scene.objects)}});
   }
-  DrawNumber(editor, {"gravity", Tr("Gravity"), scene.gravity_m_s2, "%.2f m/s²", 0.02},
-             [&](double value, const std::string& drag) {
-               editor->Do("scene.gravity", {{"gravity", value}, {"drag", drag}});
-             });
+  DrawFieldRows(editor, scene, {}, SetBy(editor, "scene.gravity"));
 }
 
 void DrawHeldObjects(Editor* editor) {
@@ -170,19 +133,7 @@ void DrawCamera(Editor* editor) {
   if (!DrawHeading(Tr("Camera"), false)) return;
   const std::optional<ProjectCamera> camera = editor->session().project().camera;
   if (camera) {
-    const auto submit = [editor](const char* const* names) {
-      return [editor, names](int axis, double value, const std::string& drag) {
-        editor->Do("camera.set", {{names[axis], value}, {"drag", drag}});
-      };
-    };
-    static constexpr const char* kEye[] = {"eye_x", "eye_y", "eye_z"};
-    static constexpr const char* kTarget[] = {"target_x", "target_y", "target_z"};
-    DrawVector(editor, Tr("Position"), camera->eye_m, "%.2f m", submit(kEye));
-    DrawVector(editor, Tr("Target"), camera->target_m, "%.2f m", submit(kTarget));
-    DrawNumber(editor, {"fov", Tr("Field of view"), camera->vertical_fov_deg, "%.1f°", 0.2},
-               [&](double value, const std::string& drag) {
-                 editor->Do("camera.set", {{"fov", value}, {"drag", drag}});
-               });
+    DrawFieldRows(editor, *camera, {}, SetBy(editor, "camera.set"));
   } else {
     DrawNote(Tr("The project has no camera of its own: pictures are framed by themselves."));
   }

@@ -1,7 +1,7 @@
 #include "ui/panels/properties/span_fields.h"
 
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/field_rows.h"
 
 namespace hazumi::ui {
 
@@ -50,23 +50,6 @@ void DrawPlacement(Editor* editor, const ProjectPlacement& span) {
   DrawMaybeJoint(editor, "landing_pin", Tr("Lands on"), span.landing_pin);
 }
 
-void DrawHold(Editor* editor, const ProjectHold& hold) {
-  DrawJoint(editor, "joint", hold.joint);
-  DrawCheck(editor, "orientation", Tr("Keep orientation"), hold.orientation, [&](bool on) {
-    Set(editor, {{"orientation", on}});
-  });
-  DrawChoice(editor, "reach", Tr("Moves"), {"limb", "body"}, hazumi::NameOf(hold.reach),
-             [&](const std::string& reach) {
-               Set(editor, {{"reach", reach}});
-             });
-}
-
-void DrawFrame(Editor* editor, const char* id, const char* label, int frame) {
-  DrawInteger(editor, id, label, frame, [&](int wanted, const std::string& drag) {
-    Set(editor, {{id, wanted}, {"drag", drag}});
-  });
-}
-
 }  // namespace
 
 void DrawSpanFields(Editor* editor) {
@@ -74,14 +57,17 @@ void DrawSpanFields(Editor* editor) {
   const Project& project = editor->session().project();
   const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
   if (!bar || bar->kind == BarKind::kRegion) return;
-  const ProjectFrames frames = FramesOf(project, *bar);
+  const auto set = [editor](Json change, const std::string& drag) {
+    if (!drag.empty()) change["drag"] = drag;
+    Set(editor, change);
+  };
   if (bar->kind == BarKind::kPlacement) {
-    DrawPlacement(editor, ProjectPlacement(project.placements[bar->index]));
+    const ProjectPlacement span = project.placements[bar->index];
+    DrawPlacement(editor, span);
+    DrawFieldRows(editor, span, {"kind", "pin", "landing_pin"}, set);
   } else {
-    DrawHold(editor, ProjectHold(project.holds[bar->index]));
+    DrawFieldRows(editor, ProjectHold(project.holds[bar->index]), {}, set);
   }
-  DrawFrame(editor, "first", Tr("First frame"), frames.first);
-  DrawFrame(editor, "last", Tr("Last frame"), frames.last);
 }
 
 }  // namespace hazumi::ui

@@ -1,0 +1,170 @@
+#pragma once
+
+// The fields of project_scene.h; see project_fields.h.
+
+#include "engine/project/fields/field.h"
+#include "engine/project/project_scene.h"
+
+namespace hazumi {
+
+inline constexpr Field kNameField = {
+    .name = "name", .label = "Name", .help = "its name", .is_filled = true};
+inline constexpr Field kColorField = {.name = "color",
+                                      .label = "Color",
+                                      .help = "#rrggbb",
+                                      .details = "sRGB.",
+                                      .thing = Thing::kColor};
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectPlane> plane) {
+  ar.Required({.name = "normal",
+               .parameter = "normal_?",
+               .label = "Normal",
+               .help = "out of the solid side; its length does not matter",
+               .details = "In the file a unit vector."},
+              plane.normal);
+  ar.Required({.name = "offset_m",
+               .parameter = "offset",
+               .label = "Offset",
+               .help = "from the origin along the normal",
+               .unit = "m",
+               .step = 0.005},
+              plane.offset_m);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectBox> box) {
+  ar.Required({.name = "center_m",
+               .parameter = "?",
+               .label = "Position",
+               .help = "of its centre",
+               .unit = "m",
+               .step = 0.005},
+              box.center_m);
+  ar.Required({.name = "size_m",
+               .parameter = "size_?",
+               .label = "Size",
+               .help = "length of its edges",
+               .unit = "m",
+               .range = kPositive,
+               .step = 0.005},
+              box.size_m);
+  ar.Optional({.name = "rotation_deg",
+               .parameter = "angle_?",
+               .label = "Rotation",
+               .help = "angles of R = Rz Ry Rx",
+               .unit = "°",
+               .step = 0.5,
+               .axes = "zyx"},
+              box.rotation_deg, Vec3(Vec3::Zero()));
+}
+
+template <>
+inline constexpr StructInfo kStructInfo<ProjectSceneObject> = {"scene_object",
+                                                               "Something to touch."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSceneObject> object) {
+  ar.Required(kNameField, object.name);
+  ar.OneOf({"plane", "box"}, object.shape);
+  ar.Stated(kColorField, object.color);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectScene> scene) {
+  ar.Stated({.name = "gravity_m_s2",
+             .parameter = "gravity",
+             .label = "Gravity",
+             .help = "downwards, along -z",
+             .unit = "m/s²",
+             .range = kNotNegative,
+             .step = 0.02},
+            scene.gravity_m_s2);
+  ar.Optional({"objects"}, scene.objects);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSphereShape> sphere) {
+  ar.Required({.name = "radius_m",
+               .parameter = "radius",
+               .label = "Radius",
+               .help = "of the sphere",
+               .unit = "m",
+               .range = kPositive,
+               .step = 0.001},
+              sphere.radius_m);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectBoxShape> box) {
+  ar.Required({.name = "size_m",
+               .parameter = "size_?",
+               .label = "Size",
+               .help = "length of its edges",
+               .details = "Along the holder's axes.",
+               .unit = "m",
+               .range = kPositive,
+               .step = 0.005},
+              box.size_m);
+}
+
+template <>
+inline constexpr StructInfo kStructInfo<ProjectHeldObject> = {
+    "held_object", "Fixed to a joint's body until it is let go."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
+  ar.Required(kNameField, object.name);
+  ar.OneOf({"sphere", "box"}, object.shape);
+  ar.Required({.name = "mass_kg",
+               .parameter = "mass",
+               .label = "Mass",
+               .help = "of the object",
+               .unit = "kg",
+               .range = kPositive,
+               .step = 0.01},
+              object.mass_kg);
+  ar.Required({.name = "joint",
+               .label = "Joint",
+               .help = "the holder",
+               .thing = Thing::kJoint,
+               .is_filled = true},
+              object.joint);
+  ar.Optional({.name = "offset_m",
+               .parameter = "offset_?",
+               .label = "Offset",
+               .help = "of its centre, in the holder's frame",
+               .unit = "m",
+               .step = 0.005},
+              object.offset_m, Vec3(Vec3::Zero()));
+  ar.Optional({.name = "release_frame",
+               .parameter = "release",
+               .label = "Release frame",
+               .help = "let go on this frame; not given: never"},
+              object.release_frame);
+  ar.Stated(kColorField, object.color);
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectCamera> camera) {
+  ar.Required({.name = "eye_m",
+               .parameter = "eye_?",
+               .label = "Position",
+               .help = "where it stands",
+               .unit = "m"},
+              camera.eye_m);
+  ar.Required({.name = "target_m",
+               .parameter = "target_?",
+               .label = "Target",
+               .help = "what it looks at",
+               .unit = "m"},
+              camera.target_m);
+  ar.Required({.name = "vertical_fov_deg",
+               .parameter = "fov",
+               .label = "Field of view",
+               .help = "vertical field of view",
+               .unit = "°",
+               .range = {1.0, 179.0},
+               .step = 0.2},
+              camera.vertical_fov_deg);
+}
+
+}  // namespace hazumi
