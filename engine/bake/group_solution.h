@@ -8,13 +8,9 @@
 
 #include "engine/bake/group_run.h"
 #include "engine/bake/known_logs.h"
+#include "engine/bake/rotation_state.h"
 
 namespace hazumi {
-
-// All rotations of a figure, by Coordinate: N hinges, then the root's about z, y, x.
-struct RotationState {
-  VecX q, qd;  // [rad, rad/s]
-};
 
 // The motion of one group.
 //

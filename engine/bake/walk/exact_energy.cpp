@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/bake/exact_driver.h"
+#include "engine/bake/walk/exact_driver.h"
 
 namespace hazumi {
 

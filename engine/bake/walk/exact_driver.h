@@ -9,7 +9,7 @@
 #include "engine/bake/group_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/moving_base_cache.h"
-#include "engine/bake/region_driver.h"
+#include "engine/bake/pose/root_placement.h"
 #include "engine/bake/thread_pool.h"
 #include "engine/timeline/animation.h"
 

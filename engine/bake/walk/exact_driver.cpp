@@ -1,4 +1,4 @@
-#include "engine/bake/exact_driver.h"
+#include "engine/bake/walk/exact_driver.h"
 
 #include <algorithm>
 #include <cmath>
