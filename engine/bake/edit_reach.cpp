@@ -1,3 +1,6 @@
+// A curve between two keys depends on those two and on the tangents there, a tangent on the keys
+// before and behind it, and all that on whether a region or a blend takes over there.
+
 #include "engine/bake/edit_reach.h"
 
 #include <algorithm>

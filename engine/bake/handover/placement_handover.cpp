@@ -1,3 +1,7 @@
+// The root on its way from one placement to the next [METHOD 5.8]: a fall takes its velocity from
+// keys or curves; behind a placement the curves go on from where the figure is; what jumps, or has
+// far to go, is warned of.
+
 #include "engine/bake/handover/placement_handover.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Joints on their way into a region and out of it [METHOD 7.1, 7.3]: the rate of a key on its first
+// frame counts, unless another region hands the joint over; behind it the curve goes on from what
+// the region left, at once or with a blend.
+
 #include "engine/bake/handover/region_handover.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// Holds one after the other, each from the pose that those before it left (HoldSolver): the same
+// request, bit for bit, has the same answer and is not solved again (KnownHolds).
+
 #include "engine/bake/pose/active_holds.h"
 
 #include <utility>

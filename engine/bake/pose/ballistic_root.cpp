@@ -1,3 +1,6 @@
+// Falls, as both methods tell of them: a take-off is of the joint that was pinned, a landing of the
+// one that is pinned now.
+
 #include "engine/bake/pose/ballistic_root.h"
 
 namespace hazumi {

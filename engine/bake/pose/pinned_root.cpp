@@ -1,3 +1,5 @@
+// The root from its pin [Arai 3.1].
+
 #include "engine/bake/pose/pinned_root.h"
 
 #include "engine/placement/root_placement.h"

@@ -1,3 +1,7 @@
+// A pose in the order in which its parts depend on each other: joints and orientation from curves
+// or regions; the root's place, which a pin and the centre of mass find from them; holds, which
+// bend what was keyed so that a joint stays where it is.
+
 #include "engine/bake/pose/pose_evaluator.h"
 
 #include <algorithm>

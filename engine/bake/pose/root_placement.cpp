@@ -1,3 +1,5 @@
+// The one place that knows which kinds of placement there are.
+
 #include "engine/bake/pose/root_placement.h"
 
 #include "engine/bake/pose/ballistic_root.h"

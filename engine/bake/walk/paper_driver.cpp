@@ -1,3 +1,6 @@
+// The joints y of all regions that are active, as one system M y'' = -b (RegionSystem), in steps of
+// the smallest length that one of them asks for (PaperStep) [Arai 2.4].
+
 #include "engine/bake/walk/paper_driver.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-// From frame to frame by the paper's method [Arai 2.4, 2.5, 3]: ceil(frame time / step) equal steps
+// From frame to frame by the paper's method [Arai 2.4, 3]: ceil(frame time / step) equal steps
 // in each, and in each step
-//   the free joints   y' <- y' + y'' dt, y <- y + y' dt, from M y'' = -b at its start (PaperStep),
+//   the free joints   y' <- f (y' + y'' dt), y <- y + y' dt, from M y'' = -b at its start, with
+//                     friction f, and stops (PaperStep),
 //   the others        at its end, from their curves,
 //   the root          at its end, from its placement,
 //   holds             solved there.

@@ -1,3 +1,5 @@
+// What walks say alike: why they cannot go on, and what a placement did.
+
 #include "engine/bake/walk/region_walk.h"
 
 #include <algorithm>
