@@ -30,7 +30,7 @@ STRUCTS = {
     },
     "engine/bake/baker.cpp": {
         "engine/bake/stretch.h": ["Checkpoint"],
-        "engine/bake/known_holds.h": ["HoldRequest"],
+        "engine/bake/pose/known_holds.h": ["HoldRequest"],
         "engine/placement/hold_solver.h": ["HoldTarget"],
     },
     "engine/bake/incremental_bake.cpp": {"engine/timeline/animation.h": ["Animation"]},

@@ -1,128 +1,92 @@
+// A bake as a walk from change to change. At each frame F where something changes (CrossFrame)
+//   what ends at F ends: regions, holds, placement, objects are let go of,
+//   what begins at F begins, from the figure as it came there,
+//   the figure is evaluated anew: the limit from the right.
+// From F to the next frame a walk advances it (RegionWalk). Where no region is active the state at
+// a frame is a checkpoint: all that comes after depends on it and the animation alone.
+
 #include "engine/bake/baker.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "engine/bake/limits.h"
-#include "engine/base/text.h"
 
 namespace hazumi {
 
 Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion,
              ThreadPool* pool)
     : animation_(animation),
-      cancel_(options.cancel),
-      energy_(options.energy),
-      refine_(options.refine),
-      pool_(pool),
-      figure_(*animation.figure),
-      ws_(figure_),
-      curves_(animation),
-      schedule_(animation),
-      free_(figure_.num_joints(), 0),
+      context_(animation, options, motion),
+      regions_(&context_),
+      placement_(&context_),
       refinements_(animation.regions.size()),
-      has_control_(figure_.num_joints() + kRootAngles, 0),
-      recorder_(animation, options, motion) {
-  driven_.angles.resize(figure_.num_joints() + kRootAngles);
-  control_.q = control_.qd = VecX::Zero(figure_.num_joints() + kRootAngles);
-  root_.q = root_.qd = VecX::Zero(kRootAngles);
-}
+      exact_(&context_, &refinements_, pool),
+      paper_(&context_),
+      walk_(&WalkOf(animation.solver.method)) {}
 
-// The figure with what it holds.
-void Baker::LoadFigure() {
-  figure_ = *animation_.figure;
-  for (size_t i = 0; i < objects_.size(); ++i) {
-    const HeldObject& object = animation_.held_objects[i];
-    if (!objects_[i].is_held()) continue;
-    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
-  }
+RegionWalk& Baker::WalkOf(Method method) {
+  if (method == Method::kExact) return exact_;
+  return paper_;
 }
 
 void Baker::RegionsChanged() {
-  curves_ = CurveSet(animation_);
-  schedule_.RegionsChanged();
+  context_.poses.ResetCurves();
+  context_.schedule.RegionsChanged();
 }
 
 Result<Checkpoint> Baker::Begin() {
-  curves_ = CurveSet(animation_);
+  PoseEvaluator& poses = context_.poses;
+  const int frame = animation_.first_frame;
+  poses.ResetCurves();
   Checkpoint nothing;
-  nothing.now.q = nothing.now.qd = nothing.now.qdd = VecX::Zero(figure_.num_joints());
-  nothing.pieces = curves_.PiecesBefore(animation_.first_frame);
+  nothing.now.q = nothing.now.qd = nothing.now.qdd = VecX::Zero(poses.figure().num_joints());
+  nothing.pieces = poses.curves().PiecesBefore(frame);
   for (const HeldObject& object : animation_.held_objects) {
-    nothing.objects.emplace_back(figure_, object, animation_.gravity);
+    nothing.objects.emplace_back(poses.figure(), object, animation_.gravity);
   }
   Restore(nothing);
-  if (auto error = Evaluate(animation_.first_frame, Side::kBefore, &now_)) return *error;
-  before_ = LimitOf(now_);
-  return Save(animation_.first_frame);
+  FigureMotion first = context_.now;
+  if (auto error = poses.Evaluate(frame, Side::kBefore, &first)) return *error;
+  context_.Arrive(std::move(first));
+  return Save(frame);
 }
 
 Checkpoint Baker::Save(int frame) {
+  PoseEvaluator& poses = context_.poses;
   Checkpoint checkpoint;
   checkpoint.frame = frame;
-  checkpoint.now = now_;
-  checkpoint.before = before_;
-  checkpoint.pieces = curves_.PiecesBefore(frame);
-  if (span_) checkpoint.span = span_ - animation_.placements.data();
-  checkpoint.pin_W = pin_W_;
-  if (gravity_) checkpoint.gravity = gravity_->state();
-  if (fall_) checkpoint.fall = fall_->state();
-  for (const ActiveHold& active : holds_) {
-    const size_t index = active.hold - animation_.holds.data();
-    checkpoint.holds.push_back({index, active.target});
-  }
-  checkpoint.objects = objects_;
+  checkpoint.now = context_.now;
+  checkpoint.before = context_.before;
+  checkpoint.pieces = poses.curves().PiecesBefore(frame);
+  if (poses.span()) checkpoint.span = poses.span() - animation_.placements.data();
+  checkpoint.placement = poses.placement().state();
+  checkpoint.holds = poses.holds().begun();
+  checkpoint.objects = poses.objects();
   return checkpoint;
 }
 
 // Names every member, so that one that is added is not forgotten here.
 void Baker::Restore(const Checkpoint& checkpoint) {
-  const auto& [frame, now, before, pieces, span, pin_W, gravity, fall, holds, objects] = checkpoint;
-  now_ = now;
-  before_ = before;
-  curves_.Restart(pieces);
-  active_regions_.clear();
-  std::fill(free_.begin(), free_.end(), 0);
-  std::fill(has_control_.begin(), has_control_.end(), 0);
-  root_free_ = exact_begun_ = false;
-  driver_.reset();
-  exact_.reset();
-  if (objects_ != objects) {
-    objects_ = objects;
-    LoadFigure();
-  }
-  span_ = span ? &animation_.placements[*span] : nullptr;
-  pin_W_ = pin_W;
-  gravity_.reset();
-  fall_.reset();
-  if (gravity) {
-    gravity_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
-    gravity_->Resume(*gravity);
-  }
-  if (fall) {
-    fall_.emplace(figure_, animation_.scene, *span_, animation_.gravity);
-    fall_->Resume(*fall);
-  }
-  holds_.clear();
-  for (const Checkpoint::Hold& held : holds) {
-    const IkHold& hold = animation_.holds[held.index];
-    holds_.push_back({&hold, HoldSolver(figure_, hold), held.target});
-  }
+  const auto& [frame, now, before, pieces, span, placement, holds, objects] = checkpoint;
+  PoseEvaluator& poses = context_.poses;
+  context_.now = now;
+  context_.before = before;
+  poses.Resume(pieces, objects);
+  poses.StartPlacement(span ? &animation_.placements[*span] : nullptr).Resume(placement);
+  poses.holds().Resume(holds);
+  regions_.Reset();
+  exact_.Reset();
+  paper_.Reset();
+  walk_ = &WalkOf(animation_.solver.method);
 }
 
 Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Stretch* stretch) {
-  known_ = known;
-  std::fill(refinements_.begin(), refinements_.end(), Refinement());
+  exact_.UseLogs(known);
+  refinements_.Reset();
   int frame;
   do {
-    recorder_.BeginStretch(stretch);
-    begun_.clear();
+    context_.recorder.BeginStretch(stretch);
     Restore(stretch->start);
     const Result<int> end = AdvanceToCheckpoint(stretch->start.frame);
     if (!end.ok()) return end.error();
     frame = end.value();
-  } while (refine_ && Sharpen());
+  } while (context_.options.refine && refinements_.Sharpen(regions_.begun(), &context_.recorder));
   if (frame > animation_.last_frame) return std::optional<Checkpoint>();
   return std::optional(Save(frame));
 }
@@ -131,47 +95,88 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Str
 Result<int> Baker::AdvanceToCheckpoint(int frame) {
   for (;;) {
     if (auto error = CrossFrame(frame)) return *error;
-    RecordIfOutput();
+    context_.RecordNow();
     if (frame == animation_.last_frame) break;
-    if (IsExact(frame)) {
-      const Result<int> next = AdvanceExact(frame);
-      if (!next.ok()) return next.error();
-      frame = next.value();
-    } else {
-      if (auto error = AdvanceFrame(frame)) return *error;
-      ++frame;
-    }
-    if (!driver_ && !exact_ && schedule_.ChangesAt(frame)) return frame;
+    const Result<int> next = walk_->Advance(frame);
+    if (!next.ok()) return next.error();
+    frame = next.value();
+    if (!walk_->has_regions() && context_.schedule.ChangesAt(frame)) return frame;
   }
-  if (exact_) TakeReports();
+  walk_->End();
   return animation_.last_frame + 1;
 }
 
-// Asks for finer steps where the estimate says that a region may miss its tolerance, as long as
-// that helps. The error is at times a few times the estimate. False if there is nothing to ask for.
-bool Baker::Sharpen() {
-  constexpr double kFinest = 1e6, kSafely = 0.2;
+// At the animation's last frame nothing takes over: regions, holds and pins are what they were.
+std::optional<Error> Baker::CrossFrame(int frame) {
+  const bool is_last = frame == animation_.last_frame;
+  const bool was_keyed = context_.poses.placement().is_keyed();
+  const bool has_landed =
+      context_.poses.placement().has_landed();  // which stops the root by itself
+  const bool regions_ended = !is_last && regions_.End(frame);
+  const bool holds_ended = !is_last && EndHolds(frame);
+  const bool unplaced = !is_last && placement_.End(frame);
+  const bool released = ReleaseObjects(frame);
+  const bool regions_begun = regions_.Begin(frame, *walk_);
+  const bool holds_begun = BeginHolds(frame);
+  const bool placed = placement_.Begin(frame, was_keyed);
+  const bool is_moved_otherwise = regions_ended || holds_ended || regions_begun || holds_begun;
+  const bool is_placed_otherwise = unplaced || placed;
+  if (is_moved_otherwise) ChooseWalk(frame);
+  if (is_placed_otherwise || released) walk_->Interrupt();
+  const bool changes = is_moved_otherwise || is_placed_otherwise || released;
+  if (!changes && !context_.schedule.HasKeyAt(frame)) return std::nullopt;
+  if (auto error = context_.poses.Evaluate(frame, Side::kAfter, &context_.now)) return error;
+  if (is_placed_otherwise && !has_landed) placement_.WarnOfVelocityJump(frame);
+  return std::nullopt;
+}
+
+bool Baker::EndHolds(int frame) {
+  PoseEvaluator& poses = context_.poses;
+  const FigureMotion& now = context_.now;
   bool any = false;
-  for (const int r : begun_) {
-    const RegionReport& report = recorder_.report(r);
-    Refinement& refinement = refinements_[r];
-    const double safe = kSafely * report.tolerance;
-    if (report.method != Method::kExact || report.error_estimate <= safe) continue;
-    const double finer = refinement.sharpness * 3.0 * report.error_estimate / safe;
-    if (finer > kFinest || report.error_estimate > 0.3 * refinement.last_estimate) {
-      if (report.error_estimate <= report.tolerance) continue;
-      recorder_.AddWarning(
-          "regions[" + std::to_string(r) + "]",
-          "its angles may be off by " +
-              FormatShort(report.error_estimate * 180.0 / std::numbers::pi) +
-              " degrees, more than its tolerance: the motion is so sensitive that finer "
-              "steps do not help");
-      continue;
-    }
-    refinement = {finer, report.error_estimate};
+  for (const ActiveHolds::Moved& moved : poses.holds().moved()) {
+    if (moved.last_frame != frame) continue;
     any = true;
+    for (const JointIndex j : moved.joints) {
+      poses.curves().joint(j).Resume(frame, now.q[j.value()], now.qd[j.value()], /*as_keyed=*/true);
+      if (context_.schedule.HasRegionFrom(frame, j)) continue;
+      WarnIfItStopsDead(frame, j, "holds[" + std::to_string(moved.index) + "]", &context_);
+    }
   }
+  if (any) poses.holds().EndAt(frame);
   return any;
+}
+
+bool Baker::BeginHolds(int frame) {
+  PoseEvaluator& poses = context_.poses;
+  const auto begins = context_.schedule.HoldsFrom(frame);
+  if (begins.empty()) return false;
+  ComputePositions(poses.figure(), context_.now.X_WR, context_.now.q, &poses.workspace());
+  for (const auto& [first_frame, i] : begins) poses.holds().Begin(i, poses.workspace());
+  return true;
+}
+
+bool Baker::ReleaseObjects(int frame) {
+  std::vector<size_t> objects;
+  for (const auto& [release_frame, i] : context_.schedule.Releases(frame)) {
+    objects.push_back(i);
+    const std::string holder = context_.NameOf(animation_.held_objects[i].holder);
+    context_.recorder.AddEvent(EventKind::kRelease, frame, holder);
+  }
+  if (objects.empty()) return false;
+  context_.poses.Release(objects, context_.Seconds(frame), context_.now, context_.before);
+  return true;
+}
+
+// That of the regions that are active from this frame on, else that of the file.
+void Baker::ChooseWalk(int frame) {
+  walk_->End();
+  const std::vector<int> active = regions_.ActiveFrom(frame);
+  const SolverSettings& solver = animation_.solver;
+  walk_ = &WalkOf(active.empty() ? solver.method : animation_.regions[active[0]].method);
+  if (!active.empty()) return walk_->Begin(active, frame);
+  exact_.Reset();
+  paper_.Reset();
 }
 
 }  // namespace hazumi

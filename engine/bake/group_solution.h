@@ -6,21 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/bake/group_run.h"
-#include "engine/bake/known_logs.h"
+#include "engine/bake/group_answers.h"
+#include "engine/bake/rotation_state.h"
 
 namespace hazumi {
 
-// All rotations of a figure, by Coordinate: N hinges, then the root's about z, y, x.
-struct RotationState {
-  VecX q, qd;  // [rad, rad/s]
-};
-
-// The motion of one group.
-//
-// It keeps a log. As long as it is asked what a known log holds it answers from there and solves
-// nothing; at the first other request it does all that was asked up to then. A request that gives
-// no result (Begin, Drive, StopPin) waits until one comes that does.
+// The motion of one group, as it answers for it (GroupAnswers).
 class GroupSolution {
  public:
   // `moving_bases` must outlive it.
@@ -63,30 +54,20 @@ class GroupSolution {
   // Hits since the last call.
   std::vector<StopHit> TakeHits() { return std::exchange(hits_, {}); }
 
-  long evaluations() const { return evaluations_; }
-  long steps() const { return steps_; }
+  long evaluations() const { return answers_.evaluations(); }
+  long steps() const { return answers_.steps(); }
   // It took to solve [us], whenever that was.
   double microseconds() const { return microseconds_; }
-  std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
+  std::shared_ptr<const GroupLog> log() const { return answers_.log(); }
 
  private:
-  bool IsKnown(const GroupRequest& request) const;
-  void Tell(GroupRequest request);
-  const GroupResult& Ask(GroupRequest request);
-  void DoWhatWasAsked();
   void TakeProgress(const GroupProgress& progress);
   void TakeAhead(const GroupResult& result);
   void Scatter(const double* sample, RotationState* state) const;
 
   std::shared_ptr<const GroupTask> task_;
   RegionLayout layout_;  // nothing locked
-  MovingBaseCache* moving_bases_;
-  std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
-  std::shared_ptr<GroupLog> own_;
-  bool keeps_log_ = true;
-  size_t num_calls_ = 0;
-  std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
-  size_t num_done_ = 0;            // of own_
+  GroupAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
@@ -94,8 +75,6 @@ class GroupSolution {
   SolveGroup ahead_;
   std::vector<double> times_;
   GroupSamples samples_;
-  const std::atomic<bool>* cancel_ = nullptr;
-  long evaluations_ = 0, steps_ = 0;
   double microseconds_ = 0.0;
 };
 

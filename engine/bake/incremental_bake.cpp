@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <new>
 #include <tuple>
@@ -11,13 +10,12 @@
 
 #include "engine/bake/bake_size.h"
 #include "engine/bake/baker.h"
+#include "engine/bake/edit_reach.h"
 #include "engine/base/memory.h"
 
 namespace hazumi {
 
 namespace {
-
-constexpr double kEver = std::numeric_limits<double>::infinity();
 
 // All but keys and the settings of regions, which an edit may change without a new start. Every
 // member is named, so that one that is added is not forgotten here.
@@ -32,12 +30,6 @@ auto FixedPartsOf(const Animation& animation) {
 std::optional<Error> CheckSize(const Animation& animation) {
   const double bytes = MotionBytes(animation, animation.rate) + LogBytes(animation);
   return CheckBytes(bytes, animation, animation.rate);
-}
-
-// The frame from which on a curve can differ whose keys are the same up to number `first`: the
-// tangent at the key before looks ahead to it. What leads to the first key may come from anywhere.
-double FirstReach(const Keys& keys, size_t first) {
-  return first < 2 ? -kEver : keys[first - 2].frame;
 }
 
 }  // namespace
@@ -56,15 +48,6 @@ class IncrementalBake::State {
   int stretches_baked() const { return stretches_baked_; }
 
  private:
-  // Frames that an edit can reach.
-  struct Reach {
-    double first, last;
-    void Include(double frame) {
-      first = std::min(first, frame);
-      last = std::max(last, frame);
-    }
-  };
-
   // A stretch, and whether it has to be baked again from its start.
   struct Part {
     Stretch stretch;
@@ -75,10 +58,9 @@ class IncrementalBake::State {
   void StartAnew(const Animation& animation);
   void Forget(const Error& error);
   std::optional<Error> BakeFurther(int frame);
-  void ChangeKeys(const Keys& next, Keys* keys, Reach* reach);
-  void ChangeRegions(const Animation& next, Reach* reach);
-  void IncludeBlends(Reach* reach) const;
-  void MakeStale(const Reach& reach);
+  void ChangeKeys(const Keys& next, Keys* keys, EditReach* reach);
+  void ChangeRegions(const Animation& next, EditReach* reach);
+  void MakeStale(const EditReach& reach);
   void KeepLogs(const Stretch& stretch);
   std::optional<Error> Begin();
   std::optional<Error> BakeStaleStretch();
@@ -108,7 +90,7 @@ void IncrementalBake::State::StartAnew(const Animation& animation) {
   animation_ = animation;
   for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
   parts_.clear();
-  MakeStale({-kEver, kEver});
+  MakeStale(EditReach::Everything());
   try {
     baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &pool_);
   } catch (const std::bad_alloc&) {
@@ -122,7 +104,7 @@ void IncrementalBake::State::Forget(const Error& error) {
   parts_.clear();
   known_.clear();
   motion_ = Motion();
-  MakeStale({-kEver, kEver});
+  MakeStale(EditReach::Everything());
   error_ = error;
 }
 
@@ -134,7 +116,7 @@ void IncrementalBake::State::Update(const Animation& animation) {
     return Forget(*error);
   }
   if (!baker_ || FixedPartsOf(animation_) != FixedPartsOf(animation)) return StartAnew(animation);
-  Reach reach{kEver, -kEver};
+  EditReach reach;
   for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
     ChangeKeys(animation.joint_keys[j], &animation_.joint_keys[j], &reach);
   }
@@ -142,77 +124,38 @@ void IncrementalBake::State::Update(const Animation& animation) {
     ChangeKeys(animation.root_keys[i], &animation_.root_keys[i], &reach);
   }
   if (animation_.regions != animation.regions) ChangeRegions(animation, &reach);
-  IncludeBlends(&reach);
-  if (reach.first <= reach.last) MakeStale(reach);
+  reach.IncludeBlends(animation_);
+  if (!reach.is_empty()) MakeStale(reach);
 }
 
-// A blend leads in one piece from where its region ends to its target, beyond all keys that it
-// passes over: an edit that reaches into it reaches back to its start.
-void IncrementalBake::State::IncludeBlends(Reach* reach) const {
-  struct Blend {
-    double start, end;
-  };
-  std::vector<Blend> blends;
-  for (const DynamicsRegion& region : animation_.regions) {
-    const double start = region.last_frame, end = start + region.blend_frames;
-    if (start < end && start < reach->first) blends.push_back({start, end});
-  }
-  // The latest first: what one reaches back to may lie in an earlier one.
-  std::sort(blends.begin(), blends.end(),
-            [](const Blend& a, const Blend& b) { return a.start > b.start; });
-  for (const Blend& blend : blends) {
-    if (blend.start < reach->first && reach->first < blend.end) reach->Include(blend.start);
-  }
-}
-
-void IncrementalBake::State::ChangeKeys(const Keys& next, Keys* keys, Reach* reach) {
-  const auto [old_first, new_first] =
-      std::mismatch(keys->begin(), keys->end(), next.begin(), next.end());
-  if (old_first == keys->end() && new_first == next.end()) return;
-  reach->Include(FirstReach(*keys, old_first - keys->begin()));
-  const auto [old_last, new_last] =
-      std::mismatch(keys->rbegin(), keys->rend(), next.rbegin(), next.rend());
-  if (old_last != keys->rend()) reach->Include(old_last->frame);
-  if (new_last != next.rend()) reach->Include(new_last->frame);
+void IncrementalBake::State::ChangeKeys(const Keys& next, Keys* keys, EditReach* reach) {
+  if (!reach->IncludeKeys(*keys, next)) return;
   baker_->RemoveKeys(*keys);
   *keys = next;
   baker_->AddKeys(*keys);
 }
 
-void IncrementalBake::State::ChangeRegions(const Animation& next, Reach* reach) {
-  const auto include = [&](const DynamicsRegion& region) {
-    reach->Include(region.last_frame);
-    // The curves arrive at the first frame with other tangents.
-    const auto include_arrival = [&](const Keys& keys) {
-      const auto is_before = [](const Key& key, double frame) { return key.frame < frame; };
-      const auto key = std::lower_bound(keys.begin(), keys.end(), region.first_frame, is_before);
-      reach->Include(key == keys.begin() ? -kEver : std::prev(key)->frame);
-    };
-    for (const JointIndex j : region.joints) include_arrival(animation_.joint_keys[j.value()]);
-    for (int c = kRootAngleZ; c < kNumRootCurves && region.root; ++c) {
-      include_arrival(animation_.root_keys[c]);
-    }
-  };
+void IncrementalBake::State::ChangeRegions(const Animation& next, EditReach* reach) {
   for (size_t r = 0; r < next.regions.size(); ++r) {
     if (animation_.regions[r] == next.regions[r]) continue;
-    include(animation_.regions[r]);
-    include(next.regions[r]);
+    reach->IncludeRegion(animation_.regions[r], animation_);
+    reach->IncludeRegion(next.regions[r], animation_);
   }
   animation_.regions = next.regions;
   baker_->RegionsChanged();
 }
 
-void IncrementalBake::State::MakeStale(const Reach& reach) {
+void IncrementalBake::State::MakeStale(const EditReach& reach) {
   error_.reset();
   auto part = parts_.begin();
-  if (reach.first < animation_.first_frame) {
+  if (reach.first() < animation_.first_frame) {
     has_begun_ = false;
     fresh_until_ = animation_.first_frame;
   } else if (!parts_.empty()) {
-    part = std::prev(parts_.upper_bound(static_cast<int>(std::floor(reach.first))));
+    part = std::prev(parts_.upper_bound(static_cast<int>(std::floor(reach.first()))));
     fresh_until_ = std::min(fresh_until_.load(), part->first);
   }
-  for (; part != parts_.end() && part->first <= reach.last; ++part) part->second.is_stale = true;
+  for (; part != parts_.end() && part->first <= reach.last(); ++part) part->second.is_stale = true;
 }
 
 std::optional<Error> IncrementalBake::State::BakeTo(int frame) {

@@ -5,7 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "engine/bake/limits.h"
+#include "engine/bake/pose/limits.h"
+#include "engine/bake/pose/pose_evaluator.h"
 
 namespace hazumi {
 
@@ -105,25 +106,24 @@ std::pair<int, int> Recorder::OutputsBetween(double from, double to) const {
           static_cast<int>(std::ceil(to * per_frame - kSameFrame)) - 1};
 }
 
-void Recorder::Record(int output, const Figure& figure, const FigureMotion& motion,
-                      const MotionLimit& before, std::optional<GroupIndex> pinned,
-                      const std::vector<ObjectFlight>& objects, const std::vector<char>& free,
-                      DynamicsWorkspace* ws) {
+void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit& before,
+                      std::optional<GroupIndex> pinned, PoseEvaluator* poses) {
   if (!keep_frames_) return;
-  ComputePositions(figure, motion.X_WR, motion.q, ws);
+  DynamicsWorkspace& ws = poses->workspace();
+  ComputePositions(poses->figure(), motion.X_WR, motion.q, &ws);
   MotionFrame& frame = motion_->frames[output - first_output_];
   frame.frame = output;
   frame.q = motion.q;
   frame.X_WR = motion.X_WR;
   frame.before = before;
   frame.after = LimitOf(motion);
-  frame.com = CenterOfMass(figure, *ws);
+  frame.com = CenterOfMass(poses->figure(), ws);
   frame.pinned = pinned;
   frame.objects.clear();
-  for (const ObjectFlight& object : objects) {
-    frame.objects.push_back(object.At(*ws, animation_.rate.SecondsAt(motion.frame)));
+  for (const ObjectFlight& object : poses->objects()) {
+    frame.objects.push_back(object.At(ws, animation_.rate.SecondsAt(motion.frame)));
   }
-  frame.in_region = free;
+  frame.in_region = poses->free();
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {

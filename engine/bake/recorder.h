@@ -9,6 +9,8 @@
 
 namespace hazumi {
 
+class PoseEvaluator;
+
 // Writes down what a bake finds: frames and reports into the motion, events and warnings into the
 // stretch that is baked.
 class Recorder {
@@ -29,11 +31,9 @@ class Recorder {
   std::vector<int> OutputsUpTo(double from, double to, double end) const;
   // Those strictly between two frames: first and last.
   std::pair<int, int> OutputsBetween(double from, double to) const;
-  // `figure` holds what it holds at the time; `free`: by JointIndex, driven by a region.
-  void Record(int output, const Figure& figure, const FigureMotion& motion,
-              const MotionLimit& before, std::optional<GroupIndex> pinned,
-              const std::vector<ObjectFlight>& objects, const std::vector<char>& free,
-              DynamicsWorkspace* ws);
+  // The figure at `motion`, as the evaluator has it loaded; its workspace is filled.
+  void Record(int output, const FigureMotion& motion, const MotionLimit& before,
+              std::optional<GroupIndex> pinned, PoseEvaluator* poses);
 
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);

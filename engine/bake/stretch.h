@@ -5,10 +5,9 @@
 
 #include "engine/bake/group_solution.h"
 #include "engine/bake/motion.h"
-#include "engine/bake/object_flight.h"
-#include "engine/placement/continuous_gravity.h"
-#include "engine/placement/gravity_placement.h"
-#include "engine/placement/hold_solver.h"
+#include "engine/bake/pose/active_holds.h"
+#include "engine/bake/pose/object_flight.h"
+#include "engine/bake/pose/root_placement.h"
 #include "engine/timeline/curve_track.h"
 
 namespace hazumi {
@@ -16,21 +15,13 @@ namespace hazumi {
 // All that the rest of a bake depends on besides the animation: the figure at a frame, before
 // anything there ends or begins, while no region is active.
 struct Checkpoint {
-  struct Hold {
-    size_t index;  // of Animation::holds
-    HoldTarget target;
-    bool operator==(const Hold&) const = default;
-  };
-
   int frame = 0;
   FigureMotion now;
   MotionLimit before;
   std::vector<CurveTrack::Piece> pieces;  // that lead there: of all joints, then of the root
   std::optional<size_t> span;             // index of Animation::placements
-  Vec3 pin_W = Vec3::Zero();
-  std::optional<GravityPlacement::State> gravity;
-  std::optional<ContinuousGravity::State> fall;
-  std::vector<Hold> holds;
+  RootPlacementState placement;
+  std::vector<ActiveHolds::Begun> holds;
   std::vector<ObjectFlight> objects;
   bool operator==(const Checkpoint&) const = default;
 };

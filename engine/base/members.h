@@ -28,7 +28,7 @@
 namespace hazumi {
 
 template <typename T>
-concept HasMembers = requires(const T& x) {
+concept HasMembers = std::is_class_v<T> && requires(const T& x) {
   MembersOf(x);
 };
 template <typename T>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/bake/object_flight.h"
+#include "engine/bake/pose/object_flight.h"
 #include "tests/support/animations.h"
 #include "tests/support/stick_figures.h"
 

@@ -9,8 +9,9 @@
 #include "engine/bake/group_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/moving_base_cache.h"
-#include "engine/bake/region_driver.h"
+#include "engine/bake/pose/root_placement.h"
 #include "engine/bake/thread_pool.h"
+#include "engine/bake/walk/energy_account.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -63,7 +64,7 @@ class ExactDriver {
   // first call on. `is_cut`: the driver begins anew at t.
   void Account(double t, bool is_cut);
   // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
-  std::optional<EnergyBalance> energy() const;
+  std::optional<EnergyBalance> energy() const { return energy_.balance(); }
 
   struct Hit {  // as StopHit
     double time, last_time;
@@ -89,9 +90,12 @@ class ExactDriver {
  private:
   struct Group {
     GroupSolution solution, control;
-    double accounted = 0.0;              // up to this time [s]
-    double stored = 0.0, kinetic = 0.0;  // energy there [J]
-    bool is_accounted = false;
+  };
+  // Of groups that are no more.
+  struct Finished {
+    long evaluations = 0, steps = 0;
+    double microseconds = 0.0;
+    GroupLogs logs;
   };
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
@@ -111,21 +115,13 @@ class ExactDriver {
   const KnownLogs* known_;
   ThreadPool* pool_;
   MovingBaseCache moving_bases_;
-  GroupLogs finished_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
-  RootHold hold_;
-  std::vector<Role> roles_;  // of the models, by Coordinate
-  VecX angles_;              // where constant [rad]
+  ModelRequest request_;          // of the groups as they are
   std::vector<Group> groups_;
   std::vector<double> estimates_;
-  void AddWork(Group* group, double t);
-
-  EnergyBalance energy_;
-  std::optional<RootCoupling> accounted_coupling_;
-  bool has_energy_ = true;
-  long finished_evaluations_ = 0, finished_steps_ = 0;
-  double finished_microseconds_ = 0.0;
+  EnergyAccount energy_;
+  Finished finished_;
 };
 
 }  // namespace hazumi

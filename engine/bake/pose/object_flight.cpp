@@ -1,4 +1,4 @@
-#include "engine/bake/object_flight.h"
+#include "engine/bake/pose/object_flight.h"
 
 namespace hazumi {
 

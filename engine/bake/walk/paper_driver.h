@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/bake/pose/root_placement.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"
 #include "engine/placement/figure_motion.h"
@@ -12,18 +13,12 @@
 
 namespace hazumi {
 
-// What holds the root during a step.
-struct RootHold {
-  RootCoupling coupling = RootCoupling::kPrescribed;
-  JointIndex pin;  // kPinned
-};
-
 // Steps the joints of all regions that are active at one time, as one system: limbs on one trunk
 // may feel each other.
-class RegionDriver {
+class PaperDriver {
  public:
   // `active`: indices of Animation::regions. `figure` must outlive the driver.
-  RegionDriver(const Animation& animation, const Figure& figure, std::vector<int> active);
+  PaperDriver(const Animation& animation, const Figure& figure, std::vector<int> active);
 
   const std::vector<int>& active() const { return active_; }
   double step() const { return step_; }  // the smallest any of the regions asks for [s]

@@ -1,4 +1,4 @@
-#include "engine/bake/curve_set.h"
+#include "engine/bake/pose/curve_set.h"
 
 #include <algorithm>
 

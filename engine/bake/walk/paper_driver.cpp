@@ -1,4 +1,7 @@
-#include "engine/bake/region_driver.h"
+// The joints y of all regions that are active, as one system M y'' = -b (RegionSystem), in steps of
+// the smallest length that one of them asks for (PaperStep) [Arai 2.4].
+
+#include "engine/bake/walk/paper_driver.h"
 
 #include <algorithm>
 
@@ -29,8 +32,7 @@ double LeastStep(const Animation& animation, const std::vector<int>& active) {
 
 }  // namespace
 
-RegionDriver::RegionDriver(const Animation& animation, const Figure& figure,
-                           std::vector<int> active)
+PaperDriver::PaperDriver(const Animation& animation, const Figure& figure, std::vector<int> active)
     : animation_(animation),
       active_(std::move(active)),
       step_(LeastStep(animation, active_)),
@@ -55,14 +57,14 @@ RegionDriver::RegionDriver(const Animation& animation, const Figure& figure,
   }
 }
 
-bool RegionDriver::is_free(JointIndex j) const {
+bool PaperDriver::is_free(JointIndex j) const {
   return std::binary_search(system_.free().begin(), system_.free().end(), j);
 }
 
-std::optional<RegionDriver::Failure> RegionDriver::Advance(const FigureMotion& from,
-                                                           const RootHold& hold, double dt,
-                                                           DynamicsWorkspace* ws, VecX* q, VecX* qd,
-                                                           std::vector<JointIndex>* stops) {
+std::optional<PaperDriver::Failure> PaperDriver::Advance(const FigureMotion& from,
+                                                         const RootHold& hold, double dt,
+                                                         DynamicsWorkspace* ws, VecX* q, VecX* qd,
+                                                         std::vector<JointIndex>* stops) {
   system_.Evaluate({from.X_WR, from.root, from.q, from.qd, from.qdd}, hold.coupling, hold.pin,
                    animation_.gravity, ws);
   for (int i = 0; i < system_.size(); ++i) {
@@ -90,8 +92,8 @@ std::optional<RegionDriver::Failure> RegionDriver::Advance(const FigureMotion& f
   return std::nullopt;
 }
 
-bool RegionDriver::ApplyLanding(const FigureMotion& from, JointIndex pin, DynamicsWorkspace* ws,
-                                VecX* qd) {
+bool PaperDriver::ApplyLanding(const FigureMotion& from, JointIndex pin, DynamicsWorkspace* ws,
+                               VecX* qd) {
   VecX rates(system_.size());
   if (!system_.RatesAfterPinning({from.X_WR, from.root, from.q, from.qd, from.qdd}, pin, ws,
                                  &rates)) {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "engine/bake/group_run.h"
+#include "engine/bake/known_logs.h"
+
+namespace hazumi {
+
+// What a group answers to its requests.
+//
+// It keeps a log. As long as it is asked what a known log holds it answers from there and solves
+// nothing; at the first other request it does all that was asked up to then. A request that gives
+// no result (Begin, Drive, StopPin) waits until one comes that does.
+class GroupAnswers {
+ public:
+  // `moving_bases` must outlive it.
+  GroupAnswers(std::shared_ptr<const GroupTask> task, MovingBaseCache* moving_bases)
+      : task_(std::move(task)), moving_bases_(moving_bases) {}
+
+  // The first request. `known`: logs of earlier bakes; null: it keeps none itself.
+  void Begin(BeginGroup request, const KnownLogs* known);
+  // One that gives no result.
+  void Tell(GroupRequest request);
+  // The result stays until the next request.
+  const GroupResult& Ask(GroupRequest request);
+  // Whether a known log tells the answer.
+  bool IsKnown(const GroupRequest& request) const;
+  // It gives up where this is set, from now on.
+  void SetCancel(const std::atomic<bool>* cancel) { cancel_ = cancel; }
+
+  // That the results so far took.
+  long evaluations() const { return evaluations_; }
+  long steps() const { return steps_; }
+  std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
+
+ private:
+  void DoWhatWasAsked();
+
+  std::shared_ptr<const GroupTask> task_;
+  MovingBaseCache* moving_bases_;
+  const std::atomic<bool>* cancel_ = nullptr;
+  std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
+  std::shared_ptr<GroupLog> own_;
+  bool keeps_log_ = true;
+  size_t num_calls_ = 0;
+  std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
+  size_t num_done_ = 0;            // of own_
+  long evaluations_ = 0, steps_ = 0;
+};
+
+}  // namespace hazumi

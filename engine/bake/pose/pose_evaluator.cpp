@@ -1,0 +1,122 @@
+// A pose in the order in which its parts depend on each other: joints and orientation from curves
+// or regions; the root's place, which a pin and the centre of mass find from them; holds, which
+// bend what was keyed so that a joint stays where it is.
+
+#include "engine/bake/pose/pose_evaluator.h"
+
+#include <algorithm>
+
+namespace hazumi {
+
+PoseEvaluator::PoseEvaluator(const Animation& animation, Recorder* recorder)
+    : animation_(animation),
+      figure_(*animation.figure),
+      ws_(figure_),
+      curves_(animation),
+      free_(figure_.num_joints(), 0),
+      holds_(animation, figure_, recorder) {
+  StartPlacement(nullptr);
+}
+
+// The figure with what it holds.
+void PoseEvaluator::LoadFigure() {
+  figure_ = *animation_.figure;
+  for (size_t i = 0; i < objects_.size(); ++i) {
+    const HeldObject& object = animation_.held_objects[i];
+    if (!objects_[i].is_held()) continue;
+    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
+  }
+}
+
+void PoseEvaluator::Resume(const std::vector<CurveTrack::Piece>& pieces,
+                           const std::vector<ObjectFlight>& objects) {
+  curves_.Restart(pieces);
+  std::fill(free_.begin(), free_.end(), 0);
+  BindRoot();
+  if (objects_ == objects) return;
+  objects_ = objects;
+  LoadFigure();
+}
+
+void PoseEvaluator::FreeRoot(const RootAngles& angles) {
+  free_root_.emplace(RotationState{VecX(kRootAngles), VecX(kRootAngles)});
+  for (int i = 0; i < kRootAngles; ++i) {
+    free_root_->q[i] = angles.angle[i];
+    free_root_->qd[i] = angles.rate[i];
+  }
+}
+
+void PoseEvaluator::TurnFreeRoot(const RotationState& state) {
+  if (!free_root_) return;
+  free_root_->q = state.q.tail(kRootAngles);
+  free_root_->qd = state.qd.tail(kRootAngles);
+}
+
+RootPlacement& PoseEvaluator::StartPlacement(const PlacementSpan* span) {
+  span_ = span;
+  placement_ = MakeRootPlacement(span, {animation_, figure_, curves_, ws_});
+  return *placement_;
+}
+
+void PoseEvaluator::Release(const std::vector<size_t>& objects, double seconds,
+                            const FigureMotion& motion, const MotionLimit& before) {
+  ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
+  ComputeVelocities(figure_, before.root_w, before.root_v, before.qd, &ws_);
+  for (const size_t i : objects) objects_[i].Release(ws_, seconds);
+  LoadFigure();
+  placement_->MassesChanged(seconds, motion);
+}
+
+std::optional<Error> PoseEvaluator::Evaluate(double frame, Side side, FigureMotion* motion) {
+  SetJoints(frame, side, motion);
+  TurnRoot(frame, side, motion);
+  placement_->Place(frame, side, motion);
+  return SolveHolds(side, motion);
+}
+
+// Where the root's orientation comes from: a region or its curves.
+void PoseEvaluator::TurnRoot(double frame, Side side, FigureMotion* motion) {
+  if (!free_root_) return curves_.SampleRootOrientation(frame, side, motion);
+  RootAngles angles;
+  for (int i = 0; i < kRootAngles; ++i) {
+    angles.angle[i] = free_root_->q[i];
+    angles.rate[i] = free_root_->qd[i];
+    angles.acceleration[i] = 0.0;
+  }
+  SetRootOrientation(angles, motion);
+}
+
+std::optional<Error> PoseEvaluator::SolveHolds(Side side, FigureMotion* motion, double tolerance) {
+  if (holds_.empty()) return std::nullopt;
+  return holds_.Solve(curves_.RootAnglesAt(motion->frame, side), side, tolerance, motion);
+}
+
+RotationState PoseEvaluator::StateAt(const FigureMotion& motion) {
+  const int n = figure_.num_joints();
+  RotationState state{VecX(n + kRootAngles), VecX(n + kRootAngles)};
+  state.q.head(n) = motion.q;
+  state.qd.head(n) = motion.qd;
+  if (free_root_) {
+    state.q.tail(kRootAngles) = free_root_->q;
+    state.qd.tail(kRootAngles) = free_root_->qd;
+    return state;
+  }
+  const RootAngles angles = curves_.RootAnglesAt(motion.frame, Side::kAfter);
+  for (int i = 0; i < kRootAngles; ++i) {
+    state.q[n + i] = angles.angle[i];
+    state.qd[n + i] = angles.rate[i];
+  }
+  return state;
+}
+
+bool PoseEvaluator::IsPlacedByRegions() const {
+  const RootHold hold = placement_->hold();
+  if (hold.coupling == RootCoupling::kFlight) return true;
+  if (hold.coupling == RootCoupling::kPrescribed) return false;
+  for (JointIndex j = figure_.joint(hold.pin).parent; j.is_valid(); j = figure_.joint(j).parent) {
+    if (free_[j.value()]) return true;
+  }
+  return false;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,111 @@
+// Keyed curves are cubics between their keys, c0 + c1 t + c2 t^2 + c3 t^3 with t from the key on
+// the left. A joint that holds move has no curve: from frame to frame its angle is fitted by the
+// polynomial p of degree n through n + 1 Chebyshev points s_i = h cos(pi (2 i + 1) / (2 n + 2)) of
+// the frame, h being half of it, in Newton's form with divided differences d_i,
+//   p(s) = d_0 + (s - s_0) (d_1 + (s - s_1) (d_2 + ...)),
+// multiplied out about the frame's middle.
+
+#include "engine/bake/walk/driven_curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/text.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
+constexpr int kPoints = DrivenCurve::kMaxDegree + 1;
+using Points = std::array<double, kPoints>;
+
+DrivenCurve ToDriven(const CurveTrack::Piece& piece, FrameRate rate) {
+  DrivenCurve curve;
+  const auto c = piece.interval.coefficients();
+  std::copy(c.begin(), c.end(), curve.c.begin());
+  curve.degree = 3;
+  while (curve.degree > 0 && curve.c[curve.degree] == 0.0) --curve.degree;
+  if (std::isfinite(piece.first_frame)) curve.start = rate.SecondsAt(piece.first_frame);
+  return curve;
+}
+
+Points ChebyshevPoints(double half) {
+  Points s;
+  for (int i = 0; i < kPoints; ++i) {
+    s[i] = half * std::cos(std::numbers::pi * (2 * i + 1) / (2.0 * kPoints));
+  }
+  return s;
+}
+
+// That takes the values d at the points s from the middle.
+DrivenCurve PolynomialThrough(const Points& s, Points d, double middle) {
+  for (int level = 1; level < kPoints; ++level) {
+    for (int i = kPoints - 1; i >= level; --i) d[i] = (d[i] - d[i - 1]) / (s[i] - s[i - level]);
+  }
+  DrivenCurve curve;
+  curve.start = middle;
+  curve.degree = DrivenCurve::kMaxDegree;
+  for (int i = kPoints - 1; i >= 0; --i) {  // c := c (x - s_i) + d_i
+    for (int p = kPoints - 1; p > 0; --p) curve.c[p] = curve.c[p - 1] - s[i] * curve.c[p];
+    curve.c[0] = d[i] - s[i] * curve.c[0];
+  }
+  return curve;
+}
+
+}  // namespace
+
+DrivenCurves::DrivenCurves(BakeContext* context) : context_(*context) {
+  motion_.angles.resize(context->poses.figure().num_joints() + kRootAngles);
+}
+
+Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
+  PoseEvaluator& poses = context_.poses;
+  double to = end;
+  const auto take = [&](CurveTrack& track, DrivenCurve* curve) {
+    const CurveTrack::Piece piece = track.PieceAt(from);
+    *curve = ToDriven(piece, context_.animation.rate);
+    if (curve->degree > 0 || piece.last_frame > from) to = std::min(to, piece.last_frame);
+  };
+  const int n = poses.figure().num_joints();
+  for (int j = 0; j < n; ++j) {
+    if (!poses.free()[j]) take(poses.curves().joint(JointIndex(j)), &motion_.angles[j]);
+  }
+  for (int i = 0; i < kRootAngles; ++i) {
+    if (!poses.free_root()) take(poses.curves().root(kRootAngleZ + i), &motion_.angles[n + i]);
+    take(poses.curves().root(kRootX + i), &motion_.root_position[i]);
+  }
+  if (!with_holds) return to;
+  to = std::min(to, std::floor(from + kSameFrame) + 1.0);
+  if (auto error = FitHolds(from, to)) return *error;
+  return to;
+}
+
+std::optional<Error> DrivenCurves::FitHolds(double from, double to) {
+  PoseEvaluator& poses = context_.poses;
+  if (poses.free_root() || poses.IsPlacedByRegions()) {
+    return Error{ErrorCode::kSemantics, "", "holds",
+                 "cannot go on after frame " + FormatShort(from) +
+                     ": a held joint cannot be solved while a region moves the root; end the hold "
+                     "before the region or leave the joints up to the pin out of it"};
+  }
+  const double middle = 0.5 * context_.Seconds(from + to);
+  const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
+  std::vector<FigureMotion> solved(kPoints, context_.now);
+  for (int i = 0; i < kPoints; ++i) {
+    const double frame = context_.animation.rate.FrameAt(middle + s[i]);
+    if (auto error = poses.Evaluate(frame, Side::kAfter, &solved[i])) return error;
+  }
+  for (const ActiveHolds::Moved& moved : poses.holds().moved()) {
+    for (const JointIndex j : moved.joints) {
+      Points d;
+      for (int i = 0; i < kPoints; ++i) d[i] = solved[i].q[j.value()];
+      motion_.angles[j.value()] = PolynomialThrough(s, d, middle);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace hazumi

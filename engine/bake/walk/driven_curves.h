@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/bake/bake_context.h"
+#include "engine/passive/node_motion.h"
+
+namespace hazumi {
+
+// What drives the models of exact regions from outside, as polynomials of time.
+class DrivenCurves {
+ public:
+  explicit DrivenCurves(BakeContext* context);
+
+  // Takes the curves of what no region drives from a frame on; returns up to which frame, `end` at
+  // the latest, they are one polynomial each. With holds the joints that they move are fitted,
+  // which goes to the next frame at most; an error where one is out of reach.
+  Result<double> Take(double from, int end, bool with_holds);
+
+  // By Coordinate.
+  const DrivenMotion& motion() const { return motion_; }
+
+ private:
+  std::optional<Error> FitHolds(double from, double to);
+
+  BakeContext& context_;
+  DrivenMotion motion_;
+};
+
+}  // namespace hazumi

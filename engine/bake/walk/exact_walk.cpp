@@ -1,0 +1,250 @@
+// Continuous time, from a frame to the next at which regions, holds, placement or keys change. In
+// between
+//   the curves        are polynomials, from one change of theirs to the next (DrivenCurves):
+//   pieces, the free joints   solve M y'' = -b to a tolerance in steps of their own (ExactDriver),
+//   the placement     may have events in each piece: the first one of a frame ends what is known,
+//   output frames     are read off the solution.
+// Where nothing but curves and stops acts on the regions a piece is solved at once, on all threads.
+
+#include "engine/bake/walk/exact_walk.h"
+
+#include <algorithm>
+
+namespace hazumi {
+
+ExactWalk::ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool)
+    : RegionWalk(context), refinements_(*refinements), pool_(pool), curves_(context) {
+  const int n = context->poses.figure().num_joints() + kRootAngles;
+  has_control_.assign(n, 0);
+  control_.q = control_.qd = sample_.q = sample_.qd = VecX::Zero(n);
+}
+
+void ExactWalk::Reset() {
+  driver_.reset();
+  has_begun_ = false;
+  std::fill(has_control_.begin(), has_control_.end(), 0);
+}
+
+void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
+  driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
+                                          refinements_.SharpnessOf(regions), known_, pool_);
+  has_begun_ = false;
+}
+
+void ExactWalk::End() {
+  if (driver_) WriteReports();
+  driver_.reset();
+}
+
+Result<int> ExactWalk::Advance(int frame) {
+  int end = frame + 1;
+  while (!context_.schedule.ChangesAt(end)) ++end;
+  for (double from = frame; from < end;) {
+    const bool fits_holds = driver_ && !context_.poses.holds().empty();
+    const Result<double> to = curves_.Take(from, end, fits_holds);
+    if (!to.ok()) return to.error();
+    Drive(from, to.value(), Vec3::Zero());
+    if (auto error = AdvancePiece(from, to.value(), end)) return *error;
+    if (auto error = Arrive(to.value())) return *error;
+    from = to.value();
+  }
+  if (!driver_) return end;
+  driver_->Estimate(context_.Seconds(end));
+  KeepControl(end);
+  return end;
+}
+
+std::optional<Error> ExactWalk::Arrive(double frame) {
+  FigureMotion motion;
+  if (auto error = PoseAt(frame, Side::kBefore, &motion)) return error;
+  context_.Arrive(std::move(motion));
+  return std::nullopt;
+}
+
+void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
+  if (!driver_) return;
+  const double end = context_.Seconds(to);
+  const RotationState state = context_.poses.StateAt(context_.now);
+  if (has_begun_ && v_pin.isZero(0.0)) return driver_->Drive(end, state, curves_.motion());
+  driver_->Begin(context_.Seconds(frame), end, state, ControlStart(state),
+                 context_.poses.placement().hold(), curves_.motion());
+  if (!v_pin.isZero(0.0)) driver_->FeelPin(v_pin);
+  has_begun_ = true;
+}
+
+// Control solutions go on from where they were; others begin with the solution.
+RotationState ExactWalk::ControlStart(const RotationState& state) {
+  RotationState control = state;
+  for (int c = 0; c < static_cast<int>(has_control_.size()); ++c) {
+    if (!driver_->is_free(c)) {
+      has_control_[c] = 0;
+    } else if (has_control_[c]) {
+      control.q[c] = control_.q[c];
+      control.qd[c] = control_.qd[c];
+    }
+  }
+  return control;
+}
+
+// Where the control solutions are, for those that go on from there.
+void ExactWalk::KeepControl(double frame) {
+  driver_->SampleControl(context_.Seconds(frame), &control_);
+  for (size_t c = 0; c < has_control_.size(); ++c) {
+    has_control_[c] = driver_->is_free(static_cast<int>(c));
+  }
+}
+
+// Smooth curves from `from` to `to`; `end` is where the next change is.
+std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
+  const bool falls = context_.poses.placement().is_ballistic();
+  const bool accounts = driver_ && context_.options.energy;
+  if (driver_ && !falls && !accounts) return AdvanceUndisturbed(from, to, end);
+  const double last = context_.Seconds(to);
+  for (double t = context_.Seconds(from); t < last;) {
+    if (auto error = context_.CheckCancelled()) return error;
+    double next = falls ? std::min(last, t + context_.animation.rate.seconds_per_frame()) : last;
+    if (driver_) {
+      if (auto error = AdvanceRegions(t, last)) return error;
+      next = std::min(next, driver_->time());
+    }
+    const std::optional<GravityEvent> event = FirstEvent(t, next, to);
+    if (event) next = event->time;
+    if (accounts) driver_->Account(next, event.has_value() && event->is_change());
+    if (auto error = RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end)) return error;
+    t = next;
+    if (!event) continue;
+    const Side side = t >= last ? Side::kBefore : Side::kAfter;
+    if (auto error = PoseAt(FrameOf(t, from, to), side, &context_.now)) return error;
+    Happen(*event, to);
+  }
+  return std::nullopt;
+}
+
+// The regions are solved up to the end at once, or as far as so many frames need.
+std::optional<Error> ExactWalk::AdvanceUndisturbed(double from, double to, double end) {
+  constexpr size_t kMostAhead = 4096;  // frames
+  const double per_frame = context_.recorder.outputs_per_frame();
+  const std::vector<int> outputs = context_.recorder.OutputsUpTo(from, to, end);
+  double done = from;
+  for (size_t i = 0; done < to; i += kMostAhead) {
+    std::vector<double> times;
+    for (size_t k = i; k < std::min(i + kMostAhead, outputs.size()); ++k) {
+      times.push_back(context_.Seconds(outputs[k] / per_frame));
+    }
+    const bool is_last = i + kMostAhead >= outputs.size();
+    if (is_last) times.push_back(context_.Seconds(to));
+    std::sort(times.begin(), times.end());
+    const double next = is_last ? to : outputs[i + kMostAhead - 1] / per_frame;
+    if (auto error = AdvanceAhead(times, done, next, to, end)) return error;
+    done = next;
+  }
+  return std::nullopt;
+}
+
+// From frame to frame, with the curves' next change at `to`; the regions can be sampled at `times`.
+std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, double from,
+                                             double next, double to, double end) {
+  const auto failure = driver_->AdvanceAhead(times, context_.Seconds(to), context_.options.cancel);
+  if (auto error = context_.CheckCancelled()) return error;
+  const double reached = failure ? failure->time : context_.Seconds(to);
+  AddHits(reached);
+  if (auto error = RecordUpTo(from, std::min(next, FrameOf(reached, from, to)), end)) return error;
+  if (!failure) return std::nullopt;
+  return CannotGoOnAfter(context_.animation.rate.FrameAt(reached), failure->joint, failure->cause);
+}
+
+std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
+  const auto failure = driver_->Advance(t, last);
+  AddHits(last);
+  if (!failure) return std::nullopt;
+  return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
+}
+
+// Those up to a time [s].
+void ExactWalk::AddHits(double until) {
+  for (const ExactDriver::Hit& hit : driver_->TakeHits()) {
+    if (hit.time > until) continue;
+    context_.recorder.AddStop(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
+  }
+}
+
+std::optional<GravityEvent> ExactWalk::FirstEvent(double t, double next, double to) {
+  const auto pose = [this, to](double seconds, FigureMotion* motion) {
+    const bool at_end = seconds >= context_.Seconds(to);
+    const double frame = at_end ? to : std::min(to, context_.animation.rate.FrameAt(seconds));
+    PoseWithoutPlace(frame, seconds, at_end ? Side::kBefore : Side::kAfter, motion);
+  };
+  return context_.poses.placement().FirstEvent(t, next, pose);
+}
+
+// The figure is at the event.
+void ExactWalk::Happen(const GravityEvent& event, double to) {
+  const double frame = context_.now.frame;
+  const RootEvent happened = context_.poses.placement().Happen(event, context_.now);
+  AddEvent(happened.kind, frame, happened.joint);
+  if (!event.is_change() || !driver_) return;
+  control_ = context_.poses.StateAt(context_.now);
+  KeepControl(frame);
+  has_begun_ = false;
+  Drive(frame, to, happened.v_pin);
+}
+
+std::optional<Error> ExactWalk::PoseAt(double frame, Side side, FigureMotion* motion) {
+  PoseWithoutPlace(frame, context_.Seconds(frame), side, motion);
+  context_.poses.placement().Place(frame, side, motion);
+  return context_.poses.SolveHolds(side, motion);
+}
+
+void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, FigureMotion* motion) {
+  const FigureMotion& now = context_.now;
+  *motion = now;
+  context_.poses.SetJoints(frame, side, motion);
+  if (driver_) {
+    driver_->Sample(seconds, &sample_);
+    for (int j = 0; j < static_cast<int>(motion->q.size()); ++j) {
+      if (!context_.poses.free()[j]) continue;
+      motion->q[j] = driver_->is_frozen(j) ? now.q[j] : sample_.q[j];
+      motion->qd[j] = driver_->is_frozen(j) ? 0.0 : sample_.qd[j];
+    }
+    context_.poses.TurnFreeRoot(sample_);
+  }
+  context_.poses.TurnRoot(frame, side, motion);
+}
+
+// The frame of an instant between two others, which are exact.
+double ExactWalk::FrameOf(double seconds, double from, double to) const {
+  if (seconds >= context_.Seconds(to)) return to;
+  return std::clamp(context_.animation.rate.FrameAt(seconds), from, to);
+}
+
+std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
+  const bool can_fail = driver_ || !context_.poses.holds().empty();
+  if (!context_.recorder.keeps_frames() && !can_fail) return std::nullopt;
+  for (const int output : context_.recorder.OutputsUpTo(from, to, end)) {
+    if (auto error = context_.CheckCancelled()) return error;
+    const double frame = output / context_.recorder.outputs_per_frame();
+    FigureMotion motion;
+    if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
+    if (driver_) driver_->Estimate(context_.Seconds(frame));
+    context_.Record(output, motion, LimitOf(motion));
+  }
+  return std::nullopt;
+}
+
+// What the driver did, for the reports of its regions.
+void ExactWalk::WriteReports() {
+  const auto regions = static_cast<double>(driver_->active().size());
+  context_.recorder.AddLogs(driver_->logs());
+  for (size_t a = 0; a < driver_->active().size(); ++a) {
+    RegionReport& report = context_.recorder.report(driver_->active()[a]);
+    report.steps += static_cast<int>(driver_->steps());
+    report.evaluations += static_cast<int>(driver_->evaluations());
+    report.microseconds += driver_->microseconds() / regions;
+    report.groups = driver_->group_sizes();
+    report.bodies = driver_->num_bodies();
+    report.energy = driver_->energy();
+    report.error_estimate = std::max(report.error_estimate, driver_->estimates()[a]);
+  }
+}
+
+}  // namespace hazumi

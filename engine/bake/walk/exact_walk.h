@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/bake/walk/driven_curves.h"
+#include "engine/bake/walk/exact_driver.h"
+#include "engine/bake/walk/refinements.h"
+#include "engine/bake/walk/region_walk.h"
+
+namespace hazumi {
+
+// In continuous time from a frame to the next at which something changes.
+class ExactWalk : public RegionWalk {
+ public:
+  // All of it must outlive the walk. `refinements`: how finely regions are solved; `pool`: the
+  // threads that help.
+  ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool);
+
+  // Regions are not solved anew where one of these logs tells what they do; null: nothing will be
+  // asked again, and no logs are kept.
+  void UseLogs(const KnownLogs* known) { known_ = known; }
+
+  void Reset() override;
+  void Begin(const std::vector<int>& regions, int frame) override;
+  void End() override;
+  void Interrupt() override { has_begun_ = false; }
+  Result<int> Advance(int frame) override;
+  bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
+
+ private:
+  const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
+
+  // The driver: begins or goes on at `frame` with curves that change at `to`.
+  void Drive(double frame, double to, const Vec3& v_pin);
+  RotationState ControlStart(const RotationState& state);
+  void KeepControl(double frame);
+  void WriteReports();
+
+  std::optional<Error> AdvancePiece(double from, double to, double end);
+  std::optional<Error> AdvanceUndisturbed(double from, double to, double end);
+  std::optional<Error> AdvanceAhead(const std::vector<double>& times, double from, double next,
+                                    double to, double end);
+  std::optional<Error> AdvanceRegions(double t, double last);
+  std::optional<Error> Arrive(double frame);
+  void AddHits(double until);
+
+  // What the placement does by itself.
+  std::optional<GravityEvent> FirstEvent(double t, double next, double to);
+  void Happen(const GravityEvent& event, double to);
+
+  std::optional<Error> PoseAt(double frame, Side side, FigureMotion* motion);
+  void PoseWithoutPlace(double frame, double seconds, Side side, FigureMotion* motion);
+  double FrameOf(double seconds, double from, double to) const;
+  std::optional<Error> RecordUpTo(double from, double to, double end);
+
+  const Refinements& refinements_;
+  ThreadPool* pool_;
+  const KnownLogs* known_ = nullptr;
+  DrivenCurves curves_;
+  std::unique_ptr<ExactDriver> driver_;  // null: no region is active
+  bool has_begun_ = false;               // the driver, under the present circumstances
+  RotationState control_;                // of the control solutions, by Coordinate
+  std::vector<char> has_control_;        // by Coordinate: there was one before
+  RotationState sample_;                 // scratch
+};
+
+}  // namespace hazumi

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/bake_context.h"
+
+namespace hazumi {
+
+// Takes the figure on from a frame to a later one, between which nothing begins or ends: the joints
+// of the regions that are active, curves, placement and holds. One class a method.
+class RegionWalk {
+ public:
+  virtual ~RegionWalk() = default;
+
+  // No region is active, and what is known of earlier ones is forgotten.
+  virtual void Reset() = 0;
+  // From `frame` on these are active, one at least; indices of Animation::regions. None was.
+  virtual void Begin(const std::vector<int>& regions, int frame) = 0;
+  // They are no longer; their reports are written.
+  virtual void End() = 0;
+  // Placement or masses are not what they were.
+  virtual void Interrupt() {}
+
+  // From the context's `now`, which is at the frame, on to a frame that is returned.
+  virtual Result<int> Advance(int frame) = 0;
+
+  bool has_regions() const { return active() != nullptr; }
+  virtual bool moves(JointIndex j) const = 0;
+
+ protected:
+  explicit RegionWalk(BakeContext* context) : context_(*context) {}
+
+  // Null: no region is active.
+  virtual const std::vector<int>* active() const = 0;
+  // An invalid joint is the root.
+  Error CannotGoOnAfter(double frame, JointIndex joint, const std::string& cause) const;
+  // "regions[1]", where it is known which: the one that moves the joint, or the only active one.
+  std::string PlaceOfRegion(std::optional<JointIndex> joint) const;
+  // Something that the placement did.
+  void AddEvent(EventKind kind, double frame, std::optional<GroupIndex> joint);
+
+  BakeContext& context_;
+};
+
+}  // namespace hazumi
