@@ -1,5 +1,5 @@
 """Every [METHOD section] cited anywhere exists in engine/METHOD.md, every other bracketed source in
-engine/REFERENCES.md, and every source there is cited.
+engine/REFERENCES.md, and every source there is cited. Every source file that a README names is there.
 
 usage: citations_test.py"""
 
@@ -12,6 +12,8 @@ FOLDERS = ["engine", "render", "ui", "app", "tests", "scripts"]
 SUFFIXES = {"", ".h", ".cpp", ".inc", ".py", ".md", ".txt", ".cmake"}
 # A name or several, then a place or a year: [Arai 2.4], [Hairer, Wanner 1996, IV.2], [METHOD 2.3].
 CITATION = re.compile(r"(?<![\w\])])\[([A-Z][\w-]+(?:, [A-Z][\w-]+)* [(\d][^\[\]]*)\](?!\()")
+# A source file in a README: `bake/baker.cpp`. Capitals are to be filled in: `NAME.h`.
+FILE_NAME = re.compile(r"`([a-z0-9_./-]+\.(?:h|cpp|py|inc))`")
 NEXT_SOURCE = re.compile(r", (?=[A-Z][a-z]{2,}|[A-Z]{3,} )")
 LINE_BREAK = re.compile(r"\s*\n\s*(?://|#)?\s*")
 
@@ -60,6 +62,30 @@ def sources():
     not_asked = {pathlib.Path(__file__).resolve(), ROOT / "engine/REFERENCES.md"}
     return [f for f in files if f.suffix in SUFFIXES and f not in not_asked
             and not {"corpus", "__pycache__"} & set(f.parts)]
+
+
+def missing_files(text, files):
+    """Source files that the text names and that end none of these paths."""
+    names = [name.removeprefix("../") for name in FILE_NAME.findall(text)]
+    return [name for name in names if not any(("/" + file).endswith("/" + name) for file in files)]
+
+
+class FilesOfReadmes(unittest.TestCase):
+    def test_every_source_file_that_a_readme_names_is_there(self):
+        own = pathlib.Path(__file__).resolve()
+        files = [str(file.relative_to(ROOT)) for file in [*sources(), own]]
+        readmes = [ROOT / file for file in files if file.endswith(".md")]
+        named = sum(len(FILE_NAME.findall(file.read_text())) for file in readmes)
+        self.assertGreater(named, 100)
+        wrong = [f"{file.relative_to(ROOT)}: {name}" for file in readmes
+                 for name in missing_files(file.read_text(), files)]
+        self.assertEqual(wrong, [])
+
+    def test_a_file_that_is_not_there_is_missing(self):
+        files = ["engine/bake/baker.cpp", "engine/base/text.h"]
+        self.assertEqual(missing_files("`bake/baker.cpp`, `text.h`, `../base/text.h`, `NAME.h`", files), [])
+        self.assertEqual(missing_files("`baker.h`, `dynamics/baker.cpp`", files),
+                         ["baker.h", "dynamics/baker.cpp"])
 
 
 class Citations(unittest.TestCase):

@@ -104,6 +104,8 @@ TEST_F(DopeSheetSpans, TheHintSaysWhyADragIsRefused) {
 TEST_F(DopeSheetSpans, TheHintSaysWhyThereIsNoMotionAnyMore) {
   const Point end = EndOf(HoldOf("r_hip"));
   user.Pull(end, {end.x + X(3) - X(0), end.y});
+  EXPECT_FALSE(user.session().WholeMotion().ok());  // as the picture asks for it
+  user.Pass(0.0);
   const std::string hint = user.editor().tool_hint();
   EXPECT_NE(hint.find("out of reach"), std::string::npos) << hint;
   user.Press(ui::kEscape);

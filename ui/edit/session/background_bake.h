@@ -30,6 +30,9 @@ class BackgroundBake {
   // Valid until the next call.
   const Motion& motion() const { return is_beside_ ? shown_ : bake_.motion(); }
 
+  // Why the animation as it is has no motion, as far as it was baked.
+  const std::optional<Error>& error() const { return error_; }
+
   // Something goes on beside. How far it is: frames before this one are done.
   bool is_busy() const { return is_beside_ && is_running_; }
   int done_until() const { return bake_.fresh_until(); }

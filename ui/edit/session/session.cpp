@@ -151,6 +151,11 @@ Result<const Motion*> Session::ShownMotionTo(int frame) {
 
 Result<const Motion*> Session::WholeMotion() { return MotionTo(document_->project().frames.last); }
 
+std::optional<Error> Session::KnownError() {
+  Compile();
+  return compile_error_ ? compile_error_ : bake_->error();
+}
+
 Result<const MotionFrame*> Session::FrameNow() {
   const int frame = NearestFrame();
   const Result<const Motion*> motion = MotionTo(frame);

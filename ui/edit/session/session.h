@@ -88,6 +88,8 @@ class Session {
   // it takes longer than the session has patience for.
   Result<const Motion*> MotionTo(int frame);
   Result<const Motion*> WholeMotion();
+  // Why there is no motion, as far as that is known by now: nothing is baked for it.
+  std::optional<Error> KnownError();
   // The motion at the frame nearest to the current one.
   Result<const MotionFrame*> FrameNow();
   // The same to be looked at: where it is not there yet or there is none, as it was before. An

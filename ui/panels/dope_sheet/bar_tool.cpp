@@ -58,11 +58,15 @@ class DragBarTool : public SheetDrag {
     const double by = (input.mouse.x - start().x) / SheetAxis(*editor).px_per_frame();
     const ProjectFrames wanted = Dragged(before_, part_, static_cast<int>(std::lround(by)),
                                          editor->session().project().frames);
-    if (wanted == wanted_) return;
-    wanted_ = wanted;
-    const Result<Done> done =
-        EditChosenBar(editor, {{"first", wanted.first}, {"last", wanted.last}, {"drag", drag()}});
-    trouble_ = done.ok() ? TroubleOf(&editor->session()) : done.error().message;
+    if (wanted != wanted_) {
+      wanted_ = wanted;
+      const Result<Done> done =
+          EditChosenBar(editor, {{"first", wanted.first}, {"last", wanted.last}, {"drag", drag()}});
+      refusal_ = done.ok() ? "" : done.error().message;
+    }
+    // The picture asks for the motion; what it finds is said from the next frame on.
+    const std::optional<Error> error = editor->session().KnownError();
+    trouble_ = !refusal_.empty() ? refusal_ : error ? error->message : "";
   }
 
   void Cancel(Editor* editor) override {
@@ -71,18 +75,12 @@ class DragBarTool : public SheetDrag {
   }
 
  private:
-  // Why there is no motion any more, e.g. because a joint cannot be held so long.
-  static std::string TroubleOf(edit::Session* session) {
-    const Result<const Motion*> motion = session->WholeMotion();
-    return motion.ok() ? "" : motion.error().message;
-  }
-
   BarRef bar_;  // as it was when the drag began
   SheetPart part_;
   std::string title_;
   ProjectFrames before_, wanted_;
-  // Why they were refused, and the bar stays where it could be last; or why nothing moves now.
-  std::string trouble_;
+  std::string refusal_;  // why it stays where it could be last
+  std::string trouble_;  // that, or why there is no motion, e.g. because a hold is out of reach
 };
 
 }  // namespace
