@@ -17,9 +17,9 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
   for (auto&& list :
-       {FigureOperators(), FlightOperators(), JointStateOperators(), KeyOperators(),
-        KeySelectionOperators(), ObjectOperators(), PlacementOperators(), PoseOperators(),
-        ReachOperators(), RegionOperators(), RootOperators(), SceneOperators(),
+       {FigureOperators(), FlightOperators(), HeldObjectOperators(), JointStateOperators(),
+        KeyOperators(), KeySelectionOperators(), ObjectOperators(), PlacementOperators(),
+        PoseOperators(), ReachOperators(), RegionOperators(), RootOperators(), SceneOperators(),
         SelectedKeyOperators(), ImportOperators(), ExportOperators(), SessionOperators(),
         StartRateOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());

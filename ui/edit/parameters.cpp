@@ -42,6 +42,7 @@ const char* Describe(Thing thing) {
                                             "names a curve",
                                             "names a region",
                                             "names an object",
+                                            "names a held object",
                                             "names a link",
                                             "number of a marker",
                                             "number of a span of placement",

@@ -29,6 +29,7 @@ enum class Thing {
   kCurve,
   kRegion,
   kObject,
+  kHeldObject,
   kLink,
   kMarker,     // by its number, as are the next two
   kPlacement,  // a span of it

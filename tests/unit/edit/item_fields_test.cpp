@@ -113,6 +113,7 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectHold>(), {"hold.add", "hold.set"});
   expect(edit::FieldsOf<ProjectMarker>(), {"marker.add"});
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
+  expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});
   expect(edit::FieldsOf<ProjectScene>(), {"scene.gravity"});
   expect(edit::FieldsOf<ProjectRate>(), {"time.rate"});

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tests/unit/edit/likely_numbers.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::test {
@@ -74,6 +75,8 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       return NamesOf(project.regions);
     case Thing::kObject:
       return NamesOf(project.scene.objects);
+    case Thing::kHeldObject:
+      return NamesOf(project.held_objects);
     case Thing::kLink:
       return NamesOf(figure.links());
     default:
@@ -234,6 +237,26 @@ void KeepInRegion(const Session& session, Random* random, Json* parameters) {
   (*parameters)["joint"] = group ? figure.joint(figure.group(*group).first).name : name;
 }
 
+// Only what this item has: a plane has no size.
+template <typename T>
+void KeepToItem(const std::vector<T>& list, const std::vector<ParameterInfo>& infos,
+                Json* parameters) {
+  const std::string name = parameters->value("object", "");
+  const auto item =
+      std::find_if(list.begin(), list.end(), [&](const T& each) { return each.name == name; });
+  if (item == list.end()) return;
+  const edit::ParameterInfos own = edit::FieldsOf(*item);
+  const auto has = [](const edit::ParameterInfos& of, const std::string& parameter) {
+    return std::any_of(of.begin(), of.end(),
+                       [&](const ParameterInfo& info) { return info.name == parameter; });
+  };
+  for (const ParameterInfo& info : infos) {
+    const bool is_special = std::string(info.name) == "object" ||
+                            std::string(info.name) == "drag" || std::string(info.name) == "never";
+    if (!is_special && !has(own, info.name)) parameters->erase(info.name);
+  }
+}
+
 // Only what a format has.
 void KeepToFormat(Json* parameters) {
   const std::string path = parameters->value("path", "");
@@ -256,6 +279,8 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id == "time.range") KeepRange(session.project().frames, random, &parameters);
   if (id.starts_with("region.")) KeepInRegion(session, random, &parameters);
   if (id == "file.export") KeepToFormat(&parameters);
+  if (id == "object.set") KeepToItem(session.project().scene.objects, infos, &parameters);
+  if (id == "held.set") KeepToItem(session.project().held_objects, infos, &parameters);
   Order("first", "last", session.project().frames, &parameters);
   Order("to_first", "to_last", session.project().frames, &parameters);
   return parameters;
@@ -264,6 +289,7 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
 bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& infos,
                     const Session& session) {
   const bool is_of_selected = id.starts_with("keys.") && !id.starts_with("keys.select");
+  if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();
   if (is_of_selected && session.selected_keys().empty()) return false;

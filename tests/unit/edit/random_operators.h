@@ -26,15 +26,17 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<edit::ParameterInfo
                     const edit::Session& session);
 
 // One of a list of operators or actions that has what it needs, nearly always; those of regions
-// more often than their number says.
+// more often than their number says, and so is redo where there is something to redo.
 template <typename T>
 const T& SomeThatCanBeDone(const std::vector<T>& all, const edit::Session& session,
                            Random* random) {
   const bool wants_region = random->Chance(0.15);
+  const bool wants_redo = session.document().redo_label() && random->Chance(0.15);
   for (;;) {
     const T& some = all[random->Integer(0, static_cast<int>(all.size()) - 1)];
     const std::string id = some.id;
-    if (wants_region && !id.starts_with("region.")) continue;
+    if (wants_redo && id != "edit.redo") continue;
+    if (wants_region && !wants_redo && !id.starts_with("region.")) continue;
     if (HasWhatItNeeds(id, some.parameters, session) || random->Chance(0.05)) return some;
   }
 }

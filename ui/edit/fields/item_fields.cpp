@@ -31,9 +31,9 @@ ParameterInfos Requiring(std::initializer_list<const char*> names, ParameterInfo
   return infos;
 }
 
-ParameterInfos Without(std::initializer_list<const char*> names, ParameterInfos infos) {
+ParameterInfos Only(std::initializer_list<const char*> names, ParameterInfos infos) {
   for (const char* name : names) HAZUMI_DEMAND(Has(infos, name));
-  std::erase_if(infos, [&](const ParameterInfo& info) { return IsAnyOf(info.name, names); });
+  std::erase_if(infos, [&](const ParameterInfo& info) { return !IsAnyOf(info.name, names); });
   return infos;
 }
 

@@ -24,8 +24,8 @@ using ParameterInfos = std::vector<ParameterInfo>;
 ParameterInfos Joined(std::initializer_list<ParameterInfos> lists);
 // The same parameters, these of which must be given.
 ParameterInfos Requiring(std::initializer_list<const char*> names, ParameterInfos infos);
-// Without these.
-ParameterInfos Without(std::initializer_list<const char*> names, ParameterInfos infos);
+// Of them these alone.
+ParameterInfos Only(std::initializer_list<const char*> names, ParameterInfos infos);
 
 // "size_?" and 'x': "size_x", which lives as long as the program.
 const char* NameOfAxis(const char* parameter, char axis);

@@ -18,6 +18,7 @@ namespace hazumi::edit {
 std::vector<Operator> ExportOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
+std::vector<Operator> HeldObjectOperators();
 std::vector<Operator> JointStateOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();

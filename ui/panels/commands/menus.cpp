@@ -164,6 +164,8 @@ MenuEntry SceneMenu() {
   return Submenu("Scene", {{"scene.gravity"},
                            {"object.add_box"},
                            {"object.add_plane"},
+                           {"held.add_ball"},
+                           {"held.add_box"},
                            {"object.remove"},
                            Line(),
                            {"span.pin"},

@@ -95,6 +95,8 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return NamesIn(project.regions);
     case Thing::kObject:
       return NamesIn(project.scene.objects);
+    case Thing::kHeldObject:
+      return NamesIn(project.held_objects);
     case Thing::kLink:
       return NamesIn(session.figure().links());
     case Thing::kMarker:

@@ -101,6 +101,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     }
     case Thing::kObject:
       return project.scene.objects.empty() ? Json() : Json(project.scene.objects.back().name);
+    case Thing::kHeldObject:
+      return project.held_objects.empty() ? Json() : Json(project.held_objects.back().name);
     case Thing::kLink:
       return SelectedLink(*session);
     case Thing::kMarker:
@@ -144,6 +146,7 @@ Json Present(const FormState& form, const std::string& name, const Project& proj
   };
   if (form.id == "region.set") return of(project.regions);
   if (form.id == "object.set") return of(project.scene.objects);
+  if (form.id == "held.set") return of(project.held_objects);
   if (form.id == "placement.edit") return of(project.placements);
   return form.id == "hold.set" ? of(project.holds) : Json();
 }

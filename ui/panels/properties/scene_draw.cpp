@@ -104,18 +104,48 @@ void DrawObjects(Editor* editor) {
   DrawFieldRows(editor, scene, {}, SetBy(editor, "scene.gravity"));
 }
 
-void DrawHeldObjects(Editor* editor) {
-  const std::vector<ProjectHeldObject>& held = editor->session().project().held_objects;
-  if (held.empty() || !DrawHeading(Tr("Held objects"), false)) return;
-  for (const ProjectHeldObject& object : held) {
-    char mass[32];
-    std::snprintf(mass, sizeof mass, "%.3g kg", object.mass_kg);
-    std::string text = object.joint + ", " + mass;
-    if (object.release_frame) {
-      text += std::string(", ") + Tr("let go on") + " " + std::to_string(*object.release_frame);
+// When it is let go, if ever.
+void DrawRelease(Editor* editor, const ProjectHeldObject& object, const SetItem& set) {
+  const int now = static_cast<int>(std::lround(editor->session().frame()));
+  DrawCheck(editor, "is released", Tr("Let go"), object.release_frame.has_value(), [&](bool on) {
+    set(on ? Json{{"release", now}} : Json{{"never", true}}, "");
+  });
+  if (!object.release_frame) return;
+  DrawInteger(editor, "release", Tr("Release frame"), *object.release_frame,
+              [&](int frame, const std::string& drag) {
+                set({{"release", frame}}, drag);
+              });
+}
+
+void DrawHeldObject(Editor* editor, const ProjectHeldObject& object) {
+  ImGui::PushID(object.name.c_str());
+  const bool is_open = ImGui::TreeNodeEx(
+      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  if (is_open) {
+    const SetItem set = [&](Json change, const std::string& drag) {
+      change["object"] = object.name;
+      if (!drag.empty()) change["drag"] = drag;
+      editor->Do("held.set", change);
+    };
+    DrawFieldRows(editor, object, {}, set);
+    DrawRelease(editor, object, set);
+    if (DrawButton(Tr("Remove"), HelpOf("held.remove"))) {
+      editor->Do("held.remove", {{"object", object.name}});
     }
-    DrawFact(editor, object.name, text);
   }
+  ImGui::PopID();
+}
+
+void DrawHeldObjects(Editor* editor) {
+  if (!DrawHeading(Tr("Held objects"))) return;
+  // A copy: what is done below changes the list.
+  const std::vector<ProjectHeldObject> held = editor->session().project().held_objects;
+  ImGui::PushID("held");
+  for (const ProjectHeldObject& object : held) DrawHeldObject(editor, object);
+  if (DrawButton(LabelOf("held.add_ball"), HelpOf("held.add_ball"), 2)) editor->Do("held.add_ball");
+  ImGui::SameLine();
+  if (DrawButton(LabelOf("held.add_box"), HelpOf("held.add_box"), 2)) editor->Do("held.add_box");
+  ImGui::PopID();
 }
 
 void SetFromView(Editor* editor) {
