@@ -62,7 +62,7 @@ Result<Done> Add(Session* session, const Parameters& p, ProjectHeldObject object
   const Result<GroupIndex> holder = Holder(*session, p);
   if (!holder.ok()) return holder.error();
   return session->Edit("Add held object", [&](Project* project) -> Result<Done> {
-    if (const Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+    if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
     object.name = FreeName(object.name, project->held_objects);
     object.joint = session->figure().group(holder.value()).name;
     if (!IsOffsetGiven(p)) {
@@ -103,7 +103,7 @@ Result<Done> Set(Session* session, const Parameters& p) {
     if (!is_ball && p.has("radius")) {
       return Result<Done>(Refusal("radius", "a box has none; balls have"));
     }
-    const Result<Done> set = SetFields(p, object);
+    Result<Done> set = SetFields(p, object);
     if (p.yes("never")) object->release_frame.reset();
     if (p.has("name")) object->name = FreeName(object->name, *objects, object);
     return set;

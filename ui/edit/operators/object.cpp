@@ -67,8 +67,8 @@ Result<Done> SetObject(Session* session, const Parameters& p) {
         auto& objects = project->scene.objects;
         const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
         if (!object.ok()) return object.error();
-        if (const Result<Done> own = ExpectOwn(p, *object.value()); !own.ok()) return own;
-        if (const Result<Done> set = SetFields(p, object.value()); !set.ok()) return set;
+        if (Result<Done> own = ExpectOwn(p, *object.value()); !own.ok()) return own;
+        if (Result<Done> set = SetFields(p, object.value()); !set.ok()) return set;
         if (p.has("name")) {
           object.value()->name = FreeName(object.value()->name, objects, object.value());
         }
@@ -80,7 +80,7 @@ Result<Done> SetObject(Session* session, const Parameters& p) {
 Result<Done> AddBox(Session* session, const Parameters& p) {
   return session->Edit("Add box", [&](Project* project) -> Result<Done> {
     ProjectSceneObject object = NewObject(ProjectBox());
-    if (const Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+    if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
     project->scene.objects.push_back(std::move(object));
     return Done();
   });
@@ -91,8 +91,8 @@ Result<Done> AddPlane(Session* session, const Parameters& p) {
     ProjectSceneObject object;
     auto& plane = std::get<ProjectPlane>(object.shape);
     if (p.has("normal_x") || p.has("normal_y") || p.has("normal_z")) plane.normal.setZero();
-    if (const Result<Done> set = SetFields(p, &object); !set.ok()) return set;
-    if (const Result<Done> unit = WithUnitNormal(&object); !unit.ok()) return unit;
+    if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+    if (Result<Done> unit = WithUnitNormal(&object); !unit.ok()) return unit;
     project->scene.objects.push_back(std::move(object));
     return Done();
   });

@@ -39,7 +39,7 @@ void MakeRoom(int first, int last, Spans* spans) {
 Result<Done> Place(Session* session, const Parameters& p) {
   return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
     ProjectPlacement span;
-    if (const Result<Done> set = SetFields(p, &span); !set.ok()) return set;
+    if (Result<Done> set = SetFields(p, &span); !set.ok()) return set;
     const bool is_said = span.kind != PlacementKind::kKeyed;
     return PutPlacement(std::move(span), is_said, &project->placements);
   });
@@ -47,7 +47,7 @@ Result<Done> Place(Session* session, const Parameters& p) {
 
 // What is given of it. Only gravity ends in a landing.
 Result<Done> Change(const Parameters& p, ProjectPlacement* span) {
-  const Result<Done> set = SetFields(p, span);
+  Result<Done> set = SetFields(p, span);
   if (span->kind != PlacementKind::kGravity) span->landing_pin.clear();
   return set;
 }
@@ -88,7 +88,7 @@ Result<Done> Hold(Session* session, const Parameters& p) {
       "Hold joint",
       [&](Project* project) -> Result<Done> {
         ProjectHold hold;
-        if (const Result<Done> set = SetFields(p, &hold); !set.ok()) return set;
+        if (Result<Done> set = SetFields(p, &hold); !set.ok()) return set;
         project->holds.push_back(std::move(hold));
         return Done();
       },

@@ -29,7 +29,7 @@ Result<Done> Add(Session* session, const Parameters& p) {
         for (const std::string& name : session->selected_joints()) {
           region.joints.push_back(RefFrom(name));
         }
-        if (const Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
+        if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
         region.name = FreeName(region.name, project->regions);
         project->regions.push_back(std::move(region));
         return Done();
@@ -58,7 +58,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
       region->step_s.reset();
       region->tolerance_deg.reset();
     }
-    const Result<Done> set = SetFields(p, region);
+    Result<Done> set = SetFields(p, region);
     if (p.has("name")) region->name = FreeName(region->name, project->regions, region);
     return set;
   });

@@ -20,7 +20,7 @@ Result<Done> SetCamera(Session* session, const Parameters& p) {
       "Set camera",
       [&](Project* project) -> Result<Done> {
         ProjectCamera camera = project->camera.value_or(ProjectCamera());
-        if (const Result<Done> set = SetFields(p, &camera); !set.ok()) return set;
+        if (Result<Done> set = SetFields(p, &camera); !set.ok()) return set;
         project->camera = std::move(camera);
         return Done();
       },

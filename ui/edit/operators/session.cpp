@@ -108,7 +108,7 @@ Result<Done> SetRate(Session* session, const Parameters& p) {
       [&](Project* project) -> Result<Done> {
         const double before = FramesPerSecond(project->fps);
         project->fps.den = 1;
-        if (const Result<Done> set = SetFields(p, &project->fps); !set.ok()) return set;
+        if (Result<Done> set = SetFields(p, &project->fps); !set.ok()) return set;
         if (p.yes("keep_shape")) ScaleRates(FramesPerSecond(project->fps) / before, project);
         return Done();
       },

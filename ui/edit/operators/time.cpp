@@ -18,7 +18,7 @@ Result<Done> AddMarker(Session* session, const Parameters& p) {
   return session->Edit("Add marker", [&](Project* project) -> Result<Done> {
     ProjectMarker marker;
     marker.frame = static_cast<int>(std::lround(session->frame()));
-    if (const Result<Done> set = SetFields(p, &marker); !set.ok()) return set;
+    if (Result<Done> set = SetFields(p, &marker); !set.ok()) return set;
     if (!p.has("name")) marker.name = "F_" + std::to_string(marker.frame);
     project->markers.push_back(std::move(marker));
     return Done();
@@ -76,7 +76,7 @@ Result<Done> SetPreview(Session* session, const Parameters& p) {
         }
         ProjectFrames preview = project->preview.value_or(
             ProjectFrames{project->frames.first, project->frames.last, {}});
-        if (const Result<Done> set = SetFields(p, &preview); !set.ok()) return set;
+        if (Result<Done> set = SetFields(p, &preview); !set.ok()) return set;
         if (preview.first > preview.last) {
           return Refusal("first", "must not come after last, " + std::to_string(preview.last));
         }
