@@ -13,6 +13,7 @@
 #include "app/cli/version.h"
 #include "engine/base/text.h"
 #include "engine/exchange/export_motion.h"
+#include "engine/project/fields/project_fields.h"
 #include "engine/project/json/did_you_mean.h"
 
 namespace hazumi {
@@ -64,22 +65,17 @@ bool KeepInt(const std::string& text, int least, int most, int* field) {
   return number && *number >= least && *number <= most && Keep(number, field);
 }
 
-bool ReadStep(const std::string& text, Options* options) {
-  constexpr double kShortest = 1e-6, kLongest = 1.0;  // as in files [s]
-  const auto step = ReadFinite(text);
-  return step && *step >= kShortest && *step <= kLongest && Keep(step, &options->step_s);
-}
-
-bool ReadTolerance(const std::string& text, Options* options) {
-  constexpr double kFinest = 1e-10, kCoarsest = 5.0;  // as in files [deg]
-  const auto tolerance = ReadFinite(text);
-  return tolerance && *tolerance >= kFinest && *tolerance <= kCoarsest &&
-         Keep(tolerance, &options->tolerance_deg);
+// As in files.
+template <const Field& kField, std::optional<double> Options::*kMember>
+bool ReadField(const std::string& text, Options* options) {
+  const auto number = ReadFinite(text);
+  return number && *number >= kField.range.lower && *number <= kField.range.upper &&
+         Keep(number, &(options->*kMember));
 }
 
 bool ReadMethod(const std::string& text, Options* options) {
-  for (const Method method : {Method::kExact, Method::kPaper}) {
-    if (text == NameOf(method)) options->method = method;
+  for (const auto& method : EnumNames<Method>::kNames) {
+    if (text == method.name) options->method = method.value;
   }
   return options->method.has_value();
 }
@@ -226,8 +222,9 @@ constexpr OptionRule kRules[] = {
      }},
     {"--all-warnings", kForeign, nullptr, Set<&Options::all_warnings>},
     {"--method", kMotion, "the methods are: exact, paper", ReadMethod},
-    {"--step", kMotion, "give seconds from 0.000001 to 1", ReadStep},
-    {"--tolerance", kMotion, "give degrees from 1e-10 to 5", ReadTolerance},
+    {"--step", kMotion, "give seconds from 0.000001 to 1", ReadField<kStepField, &Options::step_s>},
+    {"--tolerance", kMotion, "give degrees from 1e-10 to 5",
+     ReadField<kToleranceField, &Options::tolerance_deg>},
     {"--fps", kRender | kBake | kInfo | kFlight | kImport | kExport,
      "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
      [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},

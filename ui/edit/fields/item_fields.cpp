@@ -37,6 +37,15 @@ ParameterInfos Only(std::initializer_list<const char*> names, ParameterInfos inf
   return infos;
 }
 
+Result<Done> ExpectOwn(const ParameterInfos& own, const ParameterInfos& all,
+                       const Parameters& given, const char* message) {
+  for (const ParameterInfo& info : all) {
+    if (!given.has(info.name) || Has(own, info.name)) continue;
+    return Error{ErrorCode::kSchema, "", info.name, message};
+  }
+  return Done();
+}
+
 const char* NameOfAxis(const char* parameter, char axis) {
   static std::mutex mutex;
   static std::set<std::string> names;

@@ -27,6 +27,11 @@ ParameterInfos Requiring(std::initializer_list<const char*> names, ParameterInfo
 // Of them these alone.
 ParameterInfos Only(std::initializer_list<const char*> names, ParameterInfos infos);
 
+// Errors: kSchema with this message if one of `all` is given that is none of `own`: of another
+// shape.
+Result<Done> ExpectOwn(const ParameterInfos& own, const ParameterInfos& all,
+                       const Parameters& given, const char* message);
+
 // "size_?" and 'x': "size_x", which lives as long as the program.
 const char* NameOfAxis(const char* parameter, char axis);
 

@@ -25,6 +25,11 @@ ProjectHeldObject NewObject(Shape shape, const char* name) {
 ProjectHeldObject NewBall() { return NewObject(ProjectSphereShape{0.037, {}}, "ball"); }
 ProjectHeldObject NewBox() { return NewObject(ProjectBoxShape{Vec3(0.1, 0.1, 0.1), {}}, "box"); }
 
+// Of balls and boxes.
+ParameterInfos FieldsOfShapes() {
+  return Joined({FieldsOf(NewBall()), Only({"size_x", "size_y", "size_z"}, FieldsOf(NewBox()))});
+}
+
 // From a holder's bones to the centre of what lies at its surface.
 double RadiusOf(const ProjectSphereShape& sphere) { return sphere.radius_m; }
 double RadiusOf(const ProjectBoxShape& box) { return 0.5 * box.size_m.y(); }
@@ -97,12 +102,10 @@ using Objects = std::vector<ProjectHeldObject>;
 Result<Done> Set(Session* session, const Parameters& p) {
   return Change(session, p, "Change held object", [&](Objects* objects, ProjectHeldObject* object) {
     const bool is_ball = std::holds_alternative<ProjectSphereShape>(object->shape);
-    for (const char* size : {"size_x", "size_y", "size_z"}) {
-      if (is_ball && p.has(size)) return Result<Done>(Refusal(size, "a ball has none; boxes have"));
-    }
-    if (!is_ball && p.has("radius")) {
-      return Result<Done>(Refusal("radius", "a box has none; balls have"));
-    }
+    Result<Done> own =
+        ExpectOwn(FieldsOf(*object), FieldsOfShapes(), p,
+                  is_ball ? "a ball has none; boxes have" : "a box has none; balls have");
+    if (!own.ok()) return own;
     Result<Done> set = SetFields(p, object);
     if (p.yes("never")) object->release_frame.reset();
     if (p.has("name")) object->name = FreeName(object->name, *objects, object);
@@ -115,11 +118,6 @@ Result<Done> Remove(Session* session, const Parameters& p) {
     objects->erase(objects->begin() + (object - objects->data()));
     return Result<Done>(Done());
   });
-}
-
-// Of balls and boxes.
-ParameterInfos FieldsOfShapes() {
-  return Joined({FieldsOf(NewBall()), Only({"size_x", "size_y", "size_z"}, FieldsOf(NewBox()))});
 }
 
 }  // namespace

@@ -44,19 +44,10 @@ Result<Done> WithUnitNormal(ProjectSceneObject* object) {
   return Done();
 }
 
-// A parameter of planes that a box does not have, or the other way round.
 Result<Done> ExpectOwn(const Parameters& p, const ProjectSceneObject& object) {
   const bool is_box = std::holds_alternative<ProjectBox>(object.shape);
-  const ParameterInfos own = FieldsOf(object);
-  for (const ParameterInfo& info : FieldsOfShapes()) {
-    const auto is_it = [&](const ParameterInfo& other) {
-      return std::string(other.name) == info.name;
-    };
-    if (!p.has(info.name) || std::any_of(own.begin(), own.end(), is_it)) continue;
-    return Refusal(info.name,
+  return ExpectOwn(FieldsOf(object), FieldsOfShapes(), p,
                    is_box ? "a box has none; planes have" : "a plane has none; boxes have");
-  }
-  return Done();
 }
 
 // What is not given stays. A normal is brought to length 1.

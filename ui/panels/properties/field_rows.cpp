@@ -14,8 +14,9 @@ std::string FormatOf(const Field& field) {
 
 }  // namespace
 
-SetItem SetBy(Editor* editor, const char* id) {
-  return [editor, id](Json change, const std::string& drag) {
+SetItem SetBy(Editor* editor, const char* id, Json item) {
+  return [editor, id, item = std::move(item)](Json change, const std::string& drag) {
+    change.update(item);
     if (!drag.empty()) change["drag"] = drag;
     editor->Do(id, change);
   };

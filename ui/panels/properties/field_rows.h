@@ -14,8 +14,8 @@ namespace hazumi::ui {
 // What is set of an item, by the names of its parameters, and the drag that it belongs to.
 using SetItem = std::function<void(const Json& change, const std::string& drag)>;
 
-// By an operator that needs nothing but what is set.
-SetItem SetBy(Editor* editor, const char* id);
+// By an operator that needs nothing but what is set, and what names the item.
+SetItem SetBy(Editor* editor, const char* id, Json item = Json::object());
 
 // Rows for an item's fields, one a field, as their descriptions say (engine/project/fields).
 class FieldRows {

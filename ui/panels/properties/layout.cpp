@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "ui/edit/fields/item_fields.h"
 #include "ui/panels/text/catalogue.h"
 
 namespace hazumi::ui {
@@ -103,7 +104,7 @@ std::string ModelText(const RegionReport& report) {
 std::vector<std::string> NamesOf(const std::vector<JointRef>& joints) {
   std::vector<std::string> names;
   names.reserve(joints.size());
-  for (const JointRef& joint : joints) names.push_back(joint.name + (joint.beyond ? "+" : ""));
+  for (const JointRef& joint : joints) names.push_back(edit::NameOf(joint));
   return names;
 }
 

@@ -37,10 +37,9 @@ void DrawAdd(Editor* editor) {
   }
 }
 
-void Set(Editor* editor, const std::string& region, Json change, const std::string& drag = "") {
-  change["region"] = region;
-  if (!drag.empty()) change["drag"] = drag;
-  editor->Do("region.set", change);
+void Set(Editor* editor, const std::string& region, const Json& change,
+         const std::string& drag = "") {
+  SetBy(editor, "region.set", {{"region", region}})(change, drag);
 }
 
 // What a region says that no section below draws.
@@ -134,9 +133,8 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
                  Tr("Method and tolerance are those of the project again."))) {
     Set(editor, region.name, {{"as_project", true}});
   }
-  DrawFieldRow(editor, region, "limit_tangents", [&](const Json& change, const std::string& drag) {
-    Set(editor, region.name, change, drag);
-  });
+  DrawFieldRow(editor, region, "limit_tangents",
+               SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
 // Rates with which the joints are let go: of the key on the first frame, else what they have there.

@@ -78,11 +78,7 @@ void DrawObject(Editor* editor, const ProjectSceneObject& object) {
   const bool is_open = ImGui::TreeNodeEx(
       object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
   if (is_open) {
-    DrawFieldRows(editor, object, {}, [&](Json change, const std::string& drag) {
-      change["object"] = object.name;
-      if (!drag.empty()) change["drag"] = drag;
-      editor->Do("object.set", change);
-    });
+    DrawFieldRows(editor, object, {}, SetBy(editor, "object.set", {{"object", object.name}}));
     if (DrawButton(Tr("Remove"), HelpOf("object.remove"))) {
       editor->Do("object.remove", {{"object", object.name}});
     }
@@ -122,11 +118,7 @@ void DrawHeldObject(Editor* editor, const ProjectHeldObject& object) {
   const bool is_open = ImGui::TreeNodeEx(
       object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
   if (is_open) {
-    const SetItem set = [&](Json change, const std::string& drag) {
-      change["object"] = object.name;
-      if (!drag.empty()) change["drag"] = drag;
-      editor->Do("held.set", change);
-    };
+    const SetItem set = SetBy(editor, "held.set", {{"object", object.name}});
     DrawFieldRows(editor, object, {}, set);
     DrawRelease(editor, object, set);
     if (DrawButton(Tr("Remove"), HelpOf("held.remove"))) {
