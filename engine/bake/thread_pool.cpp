@@ -1,6 +1,7 @@
 #include "engine/bake/thread_pool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -10,8 +11,18 @@ namespace {
 
 // More do not find enough groups to solve.
 constexpr int kMostThreads = 8;
-constexpr int kYields = 200;  // about 50 us
-constexpr int kExpectingYields = 4 * kYields;
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::microseconds;
+constexpr microseconds kAwake(50), kExpecting(200);
+
+// Where other programs want the processor as well one yield may take milliseconds: time is
+// counted, not yields.
+template <typename Condition>
+void YieldUntil(Condition&& condition, microseconds most) {
+  const Clock::time_point end = Clock::now() + most;
+  while (!condition() && Clock::now() < end) std::this_thread::yield();
+}
 
 }  // namespace
 
@@ -46,7 +57,7 @@ void ThreadPool::Do(int count, const std::function<void(int)>& job) {
   wake_.notify_all();
   Work(job, count);
   // The last jobs are nearly done: to sleep and be woken would take longer.
-  for (int i = 0; i < kYields && working_ > 0; ++i) std::this_thread::yield();
+  YieldUntil([this] { return working_ == 0; }, kAwake);
   std::unique_lock lock(mutex_);
   job_ = nullptr;
   rest_.wait(lock, [this] { return working_ == 0; });
@@ -74,8 +85,8 @@ void ThreadPool::Expect() {
   wake_.notify_all();
 }
 
-void ThreadPool::StayAwake(int yields) const {
-  for (int i = 0; i < yields && job_ == nullptr; ++i) std::this_thread::yield();
+void ThreadPool::StayAwake(microseconds most) const {
+  YieldUntil([this] { return job_ != nullptr || is_over_; }, most);
 }
 
 void ThreadPool::Work(const std::function<void(int)>& job, int count) {
@@ -99,7 +110,7 @@ void ThreadPool::Help() {
     if (is_expecting_) {
       is_expecting_ = false;
       lock.unlock();
-      StayAwake(kExpectingYields);
+      StayAwake(kExpecting);
       lock.lock();
     }
     if (job_ == nullptr) continue;
@@ -112,7 +123,7 @@ void ThreadPool::Help() {
     job_ = nullptr;  // all jobs are taken
     if (--working_ == 0) rest_.notify_one();
     lock.unlock();
-    StayAwake(kYields);
+    StayAwake(kAwake);
     lock.lock();
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -29,7 +30,7 @@ class ThreadPool {
  private:
   void AddHelpers(size_t wanted);
   void Help();
-  void StayAwake(int yields) const;
+  void StayAwake(std::chrono::microseconds most) const;
   void Work(const std::function<void(int)>& job, int count);
   void Rethrow();
   void Try(const std::function<void(int)>& job, int i);
@@ -43,7 +44,8 @@ class ThreadPool {
   int count_ = 0;
   std::exception_ptr thrown_;     // the first
   std::atomic<int> working_ = 0;  // helpers; written under the mutex
-  bool is_expecting_ = false, is_over_ = false;
+  bool is_expecting_ = false;
+  std::atomic<bool> is_over_ = false;  // written under the mutex
 };
 
 }  // namespace hazumi
