@@ -13,17 +13,16 @@
 
 namespace hazumi {
 
-// A group of joints that feel each other, and how accurately it is to be solved.
+// A group of joints that feel each other, and what acts on them.
 struct GroupTask {
   RegionModel model;
   VecX lower, upper;  // stops, by free hinge [rad]
   std::vector<ForceSpec> forces;
-  double gravity = 0.0;         // along -z [m/s^2]
-  double step_tolerance = 0.0;  // error of one step [rad]
+  double gravity = 0.0;  // along -z [m/s^2]
 };
 inline auto MembersOf(const GroupTask& task) {
-  const auto& [model, lower, upper, forces, gravity, step_tolerance] = task;
-  return std::tie(model, lower, upper, forces, gravity, step_tolerance);
+  const auto& [model, lower, upper, forces, gravity] = task;
+  return std::tie(model, lower, upper, forces, gravity);
 }
 
 // What a group is asked to do, one after the other; its answers depend on nothing else. Times [s].
@@ -32,13 +31,14 @@ inline auto MembersOf(const GroupTask& task) {
 // smooth up to `end` and numbered as CurvesOf does it.
 struct BeginGroup {
   double t = 0.0, end = 0.0;
+  double step_tolerance = 0.0;  // error of one step [rad]
   VecX q, qd;
   std::shared_ptr<const DrivenMotion> curves;
   std::shared_ptr<const GroupTask> task;
 };
 inline auto MembersOf(const BeginGroup& request) {
-  const auto& [t, end, q, qd, curves, task] = request;
-  return std::tie(t, end, q, qd, curves, task);
+  const auto& [t, end, step_tolerance, q, qd, curves, task] = request;
+  return std::tie(t, end, step_tolerance, q, qd, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.
@@ -72,7 +72,7 @@ inline auto MembersOf(const AdvanceGroup& request) {
 // Takes all steps to `end`, and samples the motion at `times`, which rise.
 struct SolveGroup {
   double end = 0.0;
-  std::vector<double> times;
+  std::shared_ptr<const std::vector<double>> times;
 };
 inline auto MembersOf(const SolveGroup& request) {
   const auto& [end, times] = request;

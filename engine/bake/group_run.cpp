@@ -27,7 +27,6 @@ GroupRun::GroupRun(const GroupTask& task, MovingBaseCache* moving_bases)
       moving_bases_(moving_bases),
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity),
       solver_(&dynamics_, task.lower, task.upper) {
-  solver_.SetTolerance(task.step_tolerance);
   if (const double rate = dynamics_.FastestRate(); rate > 0.0) {
     solver_.SetLongestStep(kMostDecay / rate);
   }
@@ -40,6 +39,7 @@ GroupResult GroupRun::Do(const GroupRequest& request, const std::atomic<bool>* c
 
 GroupResult GroupRun::Do(const BeginGroup& request) {
   Attach(request.curves, request.t, request.end);
+  solver_.SetTolerance(request.step_tolerance);
   solver_.Start(request.t, request.q, request.qd);
   return {};
 }
@@ -82,8 +82,8 @@ GroupResult GroupRun::Do(const SolveGroup& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
   GroupResult result;
-  result.samples.reserve(request.times.size() * 2 * static_cast<size_t>(dynamics_.num_hinges()));
-  for (const double t : request.times) {
+  result.samples.reserve(request.times->size() * 2 * static_cast<size_t>(dynamics_.num_hinges()));
+  for (const double t : *request.times) {
     while (!failure && solver_.time() < std::min(t, request.end) && !is_cancelled()) {
       failure = solver_.Advance(request.end);
     }

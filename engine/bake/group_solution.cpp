@@ -7,15 +7,16 @@
 
 namespace hazumi {
 
-GroupSolution::GroupSolution(GroupTask task, MovingBaseCache* moving_bases)
-    : task_(std::make_shared<const GroupTask>(std::move(task))),
-      layout_(task_->model, /*balls=*/true),
-      answers_(task_, moving_bases) {}
+GroupSolution::GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
+                             MovingBaseCache* moving_bases)
+    : group_(std::move(group)),
+      step_tolerance_(step_tolerance),
+      answers_({group_, &group_->task}, moving_bases) {}
 
 void GroupSolution::Begin(double t, double end, const RotationState& state,
-                          const DrivenMotion& driven, const KnownLogs* known) {
+                          std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known) {
   const auto k = static_cast<Eigen::Index>(hinges().size());
-  BeginGroup request = {t, end, VecX(k), VecX(k), CurvesOf(task_->model, driven), task_};
+  BeginGroup request = {t, end, step_tolerance_, VecX(k), VecX(k), curves, {group_, &group_->task}};
   for (Eigen::Index i = 0; i < k; ++i) {
     request.q[i] = state.q[hinges()[i].coordinate];
     request.qd[i] = state.qd[hinges()[i].coordinate];
@@ -24,30 +25,31 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   time_ = step_start_ = t;
 }
 
-void GroupSolution::Drive(double t, double end, const DrivenMotion& driven) {
-  times_.clear();
-  answers_.Tell(DriveGroup{t, end, CurvesOf(task_->model, driven)});
+void GroupSolution::Drive(double t, double end, std::shared_ptr<const DrivenMotion> curves) {
+  times_.reset();
+  answers_.Tell(DriveGroup{t, end, std::move(curves)});
 }
 
 void GroupSolution::FeelPin(const Vec3& v_pin) { answers_.Tell(StopPin{v_pin}); }
 
 void GroupSolution::Advance(double t, double end) {
   if (time_ > t || time_ >= end) return;
-  times_.clear();
+  times_.reset();
   TakeProgress(answers_.Ask(AdvanceGroup{t, end}).progress);
 }
 
-bool GroupSolution::LookAhead(const std::vector<double>& times, double end) {
-  times_ = times;
-  ahead_ = {end, times};
-  if (!answers_.IsKnown(ahead_)) return false;
-  TakeAhead(answers_.Ask(std::move(ahead_)));
+bool GroupSolution::LookAhead(std::shared_ptr<const std::vector<double>> times, double end) {
+  times_ = std::move(times);
+  ahead_end_ = end;
+  SolveGroup request = {end, times_};
+  if (!answers_.IsKnown(request)) return false;
+  TakeAhead(answers_.Ask(std::move(request)));
   return true;
 }
 
 void GroupSolution::SolveAhead(const std::atomic<bool>* cancel) {
   answers_.SetCancel(cancel);
-  TakeAhead(answers_.Ask(std::move(ahead_)));
+  TakeAhead(answers_.Ask(SolveGroup{ahead_end_, times_}));
 }
 
 void GroupSolution::TakeProgress(const GroupProgress& progress) {
@@ -64,15 +66,22 @@ void GroupSolution::TakeAhead(const GroupResult& result) {
 }
 
 void GroupSolution::Sample(double t, RotationState* state) {
-  const auto ahead = std::lower_bound(times_.begin(), times_.end(), t);
+  const double* ahead = SampleAhead(t);
+  Scatter(ahead ? ahead : answers_.Ask(SampleGroup{t}).samples.data(), state);
+}
+
+// Null unless this time was looked ahead to.
+const double* GroupSolution::SampleAhead(double t) const {
+  if (!times_) return nullptr;
+  const auto ahead = std::lower_bound(times_->begin(), times_->end(), t);
   const size_t size = 2 * hinges().size();
-  const size_t at = size * static_cast<size_t>(ahead - times_.begin());
-  const bool is_there = ahead != times_.end() && *ahead == t && at + size <= samples_.size();
-  Scatter(is_there ? samples_.data() + at : answers_.Ask(SampleGroup{t}).samples.data(), state);
+  const size_t at = size * static_cast<size_t>(ahead - times_->begin());
+  const bool is_there = ahead != times_->end() && *ahead == t && at + size <= samples_.size();
+  return is_there ? samples_.data() + at : nullptr;
 }
 
 void GroupSolution::Scatter(const double* sample, RotationState* state) const {
-  const int k = layout_.num_hinges();
+  const int k = group_->layout.num_hinges();
   for (int i = 0; i < k; ++i) {
     state->q[hinges()[i].coordinate] = sample[i];
     state->qd[hinges()[i].coordinate] = sample[k + i];
@@ -80,13 +89,13 @@ void GroupSolution::Scatter(const double* sample, RotationState* state) const {
 }
 
 VecX GroupSolution::Distances(const RotationState& a, const RotationState& b) const {
-  const int k = layout_.num_hinges();
+  const int k = group_->layout.num_hinges();
   VecX q(k), other(k), distances(k);
   for (int i = 0; i < k; ++i) {
     q[i] = a.q[hinges()[i].coordinate];
     other[i] = b.q[hinges()[i].coordinate];
   }
-  layout_.Distances(q, other, &distances);
+  group_->layout.Distances(q, other, &distances);
   return distances;
 }
 

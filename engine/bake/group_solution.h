@@ -11,23 +11,32 @@
 
 namespace hazumi {
 
+// What all solutions of a group share.
+struct SharedGroup {
+  explicit SharedGroup(GroupTask group_task)
+      : task(std::move(group_task)), layout(task.model, /*balls=*/true) {}
+
+  GroupTask task;
+  RegionLayout layout;  // nothing locked
+};
+
 // The motion of one group, as it answers for it (GroupAnswers).
 class GroupSolution {
  public:
-  // `moving_bases` must outlive it.
-  GroupSolution(GroupTask task, MovingBaseCache* moving_bases);
+  // `moving_bases` must outlive it. `step_tolerance`: error of one step [rad].
+  GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
+                MovingBaseCache* moving_bases);
 
-  const RegionModel& model() const { return task_->model; }
-  const RegionLayout& layout() const { return layout_; }
-  const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
-  double step_tolerance() const { return task_->step_tolerance; }
+  const RegionModel& model() const { return group_->task.model; }
+  const std::vector<FreeHinge>& hinges() const { return group_->layout.hinges(); }
+  double step_tolerance() const { return step_tolerance_; }
 
-  // Begins at t, with curves that are smooth up to `end`. `known`: logs of earlier bakes; null: it
-  // keeps none itself.
-  void Begin(double t, double end, const RotationState& state, const DrivenMotion& driven,
-             const KnownLogs* known);
+  // Begins at t, with curves (CurvesOf) that are smooth up to `end`. `known`: logs of earlier
+  // bakes; null: it keeps none itself.
+  void Begin(double t, double end, const RotationState& state,
+             std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known);
   // Goes on from t, where it is, with other curves.
-  void Drive(double t, double end, const DrivenMotion& driven);
+  void Drive(double t, double end, std::shared_ptr<const DrivenMotion> curves);
   // A pin that moved with v_pin [m/s] was stopped at the time where it began.
   void FeelPin(const Vec3& v_pin);
   // Takes steps until it is beyond t, at most to `end`.
@@ -37,7 +46,7 @@ class GroupSolution {
   // `end`, and nowhere else. True if a known log tells how: else SolveAhead is to be called, which
   // may be done in any thread while no one asks this solution anything. It gives up where `cancel`
   // is set.
-  bool LookAhead(const std::vector<double>& times, double end);
+  bool LookAhead(std::shared_ptr<const std::vector<double>> times, double end);
   void SolveAhead(const std::atomic<bool>* cancel);
 
   // How far it has got [s], and why it cannot go on from there.
@@ -63,17 +72,18 @@ class GroupSolution {
  private:
   void TakeProgress(const GroupProgress& progress);
   void TakeAhead(const GroupResult& result);
+  const double* SampleAhead(double t) const;
   void Scatter(const double* sample, RotationState* state) const;
 
-  std::shared_ptr<const GroupTask> task_;
-  RegionLayout layout_;  // nothing locked
+  std::shared_ptr<const SharedGroup> group_;
+  double step_tolerance_;
   GroupAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
-  // What SolveAhead is to solve; the times that were looked ahead to, and what is there.
-  SolveGroup ahead_;
-  std::vector<double> times_;
+  // What was looked ahead to, null if nothing was, and the samples there.
+  double ahead_end_ = 0.0;
+  std::shared_ptr<const std::vector<double>> times_;
   GroupSamples samples_;
   double microseconds_ = 0.0;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <unordered_map>
 
@@ -17,7 +19,7 @@ class KnownLogs {
 
   // The latest that begins with the request; null if there is none.
   std::shared_ptr<const GroupLog> Find(const BeginGroup& request) const {
-    const auto [begin, end] = logs_.equal_range(HashOfBits(request));
+    const auto [begin, end] = logs_.equal_range(HashOf(request));
     for (auto it = begin; it != end; ++it) {
       if (SameBits(FirstOf(*it->second), request)) return it->second;
     }
@@ -25,12 +27,25 @@ class KnownLogs {
   }
 
  private:
+  // Of what is seldom the same for two requests, which is less than all of it.
+  static uint64_t HashOf(const BeginGroup& request) {
+    uint64_t sum = request.task ? request.task->model.nodes.back().hinges[0].coordinate : 0;
+    const auto add = [&sum](double number) {
+      sum = (sum ^ std::bit_cast<uint64_t>(number)) * 0x9e3779b97f4a7c15;
+      sum ^= sum >> 32;
+    };
+    add(request.t);
+    add(request.step_tolerance);
+    for (const double q : request.q) add(q);
+    for (const double qd : request.qd) add(qd);
+    return sum;
+  }
   static const BeginGroup& FirstOf(const GroupLog& log) {
     return std::get<BeginGroup>(log.front().request);
   }
 
   void Add(const std::shared_ptr<const GroupLog>& log) {
-    const uint64_t hash = HashOfBits(FirstOf(*log));
+    const uint64_t hash = HashOf(FirstOf(*log));
     const auto [begin, end] = logs_.equal_range(hash);
     for (auto it = begin; it != end; ++it) {
       if (!SameBits(FirstOf(*it->second), FirstOf(*log))) continue;

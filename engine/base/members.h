@@ -14,7 +14,7 @@
 
 #include "engine/base/typed_index.h"
 
-// Values compared and hashed bit by bit, NaN and the sign of zero included, so that caches answer
+// Values compared bit by bit, NaN and the sign of zero included, so that caches answer
 // what was asked and nothing that only looks like it. A struct takes part by a function beside it
 // that names all its members by a structured binding,
 //
@@ -100,66 +100,6 @@ class BitComparison {
 template <typename T>
 bool SameBits(const T& a, const T& b) {
   return BitComparison()(a, b);
-}
-
-// Sums up the bits of values, so that those with other bits hardly ever have the same sum. For
-// tables in memory: it may differ from machine to machine.
-class BitHash {
- public:
-  uint64_t sum() const { return sum_; }
-
-  template <IsNumber T>
-  void operator()(const T& number) {
-    uint64_t bits = 0;
-    std::memcpy(&bits, &number, sizeof number);
-    sum_ = (sum_ ^ bits) * 0x9e3779b97f4a7c15;
-    sum_ ^= sum_ >> 32;
-  }
-  template <typename Tag>
-  void operator()(TypedIndex<Tag> index) {
-    (*this)(index.value());
-  }
-  template <typename T, int kRows, int kCols, int kOptions, int kMaxRows, int kMaxCols>
-  void operator()(const Eigen::Matrix<T, kRows, kCols, kOptions, kMaxRows, kMaxCols>& matrix) {
-    All(matrix.data(), static_cast<size_t>(matrix.size()));
-  }
-  template <typename T, size_t kSize>
-  void operator()(const std::array<T, kSize>& values) {
-    All(values.data(), kSize);
-  }
-  template <typename T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(values.size());
-    All(values.data(), values.size());
-  }
-  template <typename T>
-  void operator()(const std::shared_ptr<const T>& value) {
-    if (value) (*this)(*value);
-  }
-  template <typename... T>
-  void operator()(const std::variant<T...>& value) {
-    (*this)(value.index());
-    std::visit(*this, value);
-  }
-  template <HasMembers T>
-  void operator()(const T& x) {
-    std::apply([this](const auto&... members) { ((*this)(members), ...); }, MembersOf(x));
-  }
-
- private:
-  template <typename T>
-  void All(const T* values, size_t count) {
-    for (size_t i = 0; i < count; ++i) (*this)(values[i]);
-  }
-
-  uint64_t sum_ = 0;
-};
-
-template <typename T>
-uint64_t HashOfBits(const T& value) {
-  BitHash hash;
-  hash(value);
-  return hash.sum();
 }
 
 }  // namespace hazumi

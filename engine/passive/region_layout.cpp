@@ -25,6 +25,7 @@ RegionLayout::RegionLayout(const RegionModel& model, bool balls)
     : num_hinges_of_(model.nodes.size(), 0),
       triple_of_(model.nodes.size(), -1),
       nodes_(model.nodes.size()) {
+  hinges_.reserve(static_cast<size_t>(model.num_free));
   for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i) {
     const ModelNode& node = model.nodes[i];
     if (node.role != Role::kFree) {

@@ -139,8 +139,10 @@ class Extraction {
 
   // The nodes at or beyond `top` as a model of their own, after the chains that move them.
   RegionModel Take(int top) {
+    const std::vector<int> carriers = Carriers(top);
     part_ = header_;
-    for (const int i : Carriers(top)) Add(i, /*of_group=*/false);
+    part_.nodes.reserve(carriers.size() + static_cast<size_t>(EndOf(top) - top));
+    for (const int i : carriers) Add(i, /*of_group=*/false);
     for (int i = top; i < EndOf(top); ++i) Add(i, /*of_group=*/true);
     if (whole_.pin_node >= 0) part_.pin_node = renamed_[whole_.pin_node];
     return std::move(part_);
@@ -215,7 +217,9 @@ std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRe
     models.push_back(std::move(whole));
   } else {
     Extraction extraction(whole);
-    for (const int top : FirstFree(whole)) models.push_back(extraction.Take(top));
+    const std::vector<int> first = FirstFree(whole);
+    models.reserve(first.size());
+    for (const int top : first) models.push_back(extraction.Take(top));
   }
   for (RegionModel& model : models) Count(&model);
   return models;

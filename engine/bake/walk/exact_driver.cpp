@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "engine/bake/group_curves.h"
 
 namespace hazumi {
 
@@ -22,6 +25,15 @@ constexpr double kEstimateShare = 0.2;
 
 // Friction is a factor per 1/30 s. [METHOD 2.3]
 double FrictionRate(double factor) { return -30.0 * std::log(factor); }
+
+// action(coordinate), in the order of the model's free hinges.
+template <typename Action>
+void ForEachFreeHinge(const RegionModel& model, Action&& action) {
+  for (const ModelNode& node : model.nodes) {
+    if (node.role != Role::kFree) continue;
+    for (int h = 0; h < node.num_hinges; ++h) action(node.hinges[h].coordinate);
+  }
+}
 
 std::string CauseOf(ExactFailure::Cause cause) {
   if (cause == ExactFailure::Cause::kTooManyEvaluations) {
@@ -82,28 +94,30 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-GroupTask ExactDriver::TaskFor(const RegionModel& model) const {
+GroupTask ExactDriver::TaskFor(RegionModel model) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
-  GroupTask task{model, VecX(k), VecX(k), {}, animation_.gravity, 0.0};
+  GroupTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
   VecX rates(k);
-  double tolerance = std::numeric_limits<double>::infinity();
   int i = 0;
-  for (const ModelNode& node : model.nodes) {
-    for (int h = 0; h < node.num_hinges && node.role == Role::kFree; ++h, ++i) {
-      const Coordinate c = node.hinges[h].coordinate;
-      const bool is_joint = c < figure_.num_joints();
-      rates[i] = FrictionRate(friction_[c]);
-      task.lower[i] =
-          is_joint ? figure_.joints()[c].lower : -std::numeric_limits<double>::infinity();
-      task.upper[i] =
-          is_joint ? figure_.joints()[c].upper : std::numeric_limits<double>::infinity();
-      const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
-      tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
-    }
-  }
+  ForEachFreeHinge(task.model, [&](Coordinate c) {
+    const bool is_joint = c < figure_.num_joints();
+    rates[i] = FrictionRate(friction_[c]);
+    task.lower[i] = is_joint ? figure_.joints()[c].lower : -kInfinity;
+    task.upper[i] = is_joint ? figure_.joints()[c].upper : kInfinity;
+    ++i;
+  });
   if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
-  task.step_tolerance = std::max(kFinestStep, tolerance * kStepShare / sharpness_);
   return task;
+}
+
+double ExactDriver::StepToleranceFor(const RegionModel& model) const {
+  double tolerance = std::numeric_limits<double>::infinity();
+  ForEachFreeHinge(model, [&](Coordinate c) {
+    const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
+    tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
+  });
+  return std::max(kFinestStep, tolerance * kStepShare / sharpness_);
 }
 
 void ExactDriver::FinishGroups() {
@@ -119,14 +133,17 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   FinishGroups();
   request_ = RequestFor(state, hold, driven);
   groups_.clear();
-  for (const RegionModel& model : CompileRegionModels(figure_, request_)) {
-    GroupTask task = TaskFor(model);
-    GroupTask coarse = task;
-    coarse.step_tolerance *= kControlCoarseness;
-    groups_.push_back({GroupSolution(std::move(task), &moving_bases_),
-                       GroupSolution(std::move(coarse), &moving_bases_)});
-    groups_.back().solution.Begin(t, end, state, driven, known_);
-    groups_.back().control.Begin(t, end, control, driven, known_);
+  std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
+  groups_.reserve(models.size());
+  for (RegionModel& model : models) {
+    const double tolerance = StepToleranceFor(model);
+    const auto shared = std::make_shared<const SharedGroup>(TaskFor(std::move(model)));
+    const auto curves = CurvesOf(shared->task.model, driven);
+    Group& group =
+        groups_.emplace_back(Group{{shared, tolerance, &moving_bases_},
+                                   {shared, tolerance * kControlCoarseness, &moving_bases_}});
+    group.solution.Begin(t, end, state, curves, known_);
+    group.control.Begin(t, end, control, curves, known_);
   }
   energy_.Restart(groups_.size());
 }
@@ -145,7 +162,11 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
     SampleControl(t, &control);
     return Begin(t, end, main, control, hold, driven);
   }
-  ForEachSolution([&](GroupSolution& solution) { solution.Drive(t, end, driven); });
+  for (Group& group : groups_) {
+    const auto curves = CurvesOf(group.solution.model(), driven);
+    group.solution.Drive(t, end, curves);
+    group.control.Drive(t, end, curves);
+  }
 }
 
 template <typename Action>
@@ -169,8 +190,9 @@ std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<
                                                               double end,
                                                               const std::atomic<bool>* cancel) {
   std::vector<GroupSolution*> unknown;
+  const auto shared_times = std::make_shared<const std::vector<double>>(times);
   ForEachSolution([&](GroupSolution& solution) {
-    if (!solution.LookAhead(times, end)) unknown.push_back(&solution);
+    if (!solution.LookAhead(shared_times, end)) unknown.push_back(&solution);
   });
   pool_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
   return FirstFailure();

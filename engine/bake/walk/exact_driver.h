@@ -100,7 +100,8 @@ class ExactDriver {
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
-  GroupTask TaskFor(const RegionModel& model) const;
+  GroupTask TaskFor(RegionModel model) const;
+  double StepToleranceFor(const RegionModel& model) const;
   void FinishGroups();
   void AppendLogs(GroupLogs* logs) const;
   std::optional<Failure> FirstFailure() const;

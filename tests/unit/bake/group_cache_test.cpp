@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/bake/group_curves.h"
 #include "engine/bake/group_solution.h"
 #include "tests/unit/passive/random_group.h"
 
@@ -16,6 +17,7 @@ namespace {
 // A group and what it is asked first.
 struct Case {
   GroupTask task;
+  double step_tolerance = 1e-8;
   RotationState state;
   DrivenMotion driven;
   double t = 0.0, end = 0.1;
@@ -30,8 +32,8 @@ Case AnyCase(uint64_t seed, RootCoupling coupling) {
           group->q.array() - 0.2,
           group->q.array() + 0.2,
           {RetentionSpec{VecX::Constant(k, 0.5)}},
-          RandomGroup::kGravity,
-          1e-8},
+          RandomGroup::kGravity},
+         1e-8,
          {VecX::Zero(n), VecX::Zero(n)},
          group->driven};
   for (int i = 0; i < k; ++i) {
@@ -55,6 +57,14 @@ Case CarriedCase() {
   }
 }
 
+GroupSolution SolutionOf(const Case& c, MovingBaseCache* moving_bases) {
+  return {std::make_shared<const SharedGroup>(c.task), c.step_tolerance, moving_bases};
+}
+
+void Begin(const Case& c, const KnownLogs* known, GroupSolution* solution) {
+  solution->Begin(c.t, c.end, c.state, CurvesOf(c.task.model, c.driven), known);
+}
+
 using Log = std::shared_ptr<const GroupLog>;
 
 struct Answers {
@@ -74,10 +84,10 @@ VecX SampleAt(double t, const Case& c, GroupSolution* solution) {
 // Step by step: two samples inside each of so many steps, then one on other curves.
 Answers Walk(const Case& c, const KnownLogs* known, int steps = 4) {
   MovingBaseCache moving_bases;
-  GroupSolution solution(c.task, &moving_bases);
+  GroupSolution solution = SolutionOf(c, &moving_bases);
   Answers answers;
   const auto sample = [&](double t) { answers.samples.push_back(SampleAt(t, c, &solution)); };
-  solution.Begin(c.t, c.end, c.state, c.driven, known);
+  Begin(c, known, &solution);
   for (int i = 0; i < steps; ++i) {
     solution.Advance(solution.time(), c.end);
     sample(0.5 * (solution.step_start() + solution.time()));
@@ -85,7 +95,7 @@ Answers Walk(const Case& c, const KnownLogs* known, int steps = 4) {
   }
   DrivenMotion slower = c.driven;
   for (DrivenCurve& curve : slower.angles) curve.c[2] *= 0.5;
-  solution.Drive(solution.time(), c.end, slower);
+  solution.Drive(solution.time(), c.end, CurvesOf(c.task.model, slower));
   solution.Advance(solution.time(), c.end);
   sample(solution.time());
   answers.evaluations = solution.evaluations();
@@ -155,9 +165,11 @@ TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
   const std::vector<double> times = {0.02, 0.05, c.end};
   MovingBaseCache moving_bases;
   const auto look = [&](const KnownLogs& known, bool is_known, double until) {
-    GroupSolution solution(c.task, &moving_bases);
-    solution.Begin(c.t, c.end, c.state, c.driven, &known);
-    EXPECT_EQ(solution.LookAhead({0.02, until, c.end}, c.end), is_known);
+    GroupSolution solution = SolutionOf(c, &moving_bases);
+    Begin(c, &known, &solution);
+    const std::vector<double> ahead = {0.02, until, c.end};
+    EXPECT_EQ(solution.LookAhead(std::make_shared<const std::vector<double>>(ahead), c.end),
+              is_known);
     if (!is_known) solution.SolveAhead(nullptr);
     EXPECT_EQ(solution.time(), c.end);
     const std::vector<VecX> samples = {SampleAt(0.02, c, &solution), SampleAt(c.end, c, &solution)};
@@ -173,8 +185,8 @@ TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
 // Whether a case is begun with the question of another one.
 bool IsKnown(const Case& c, const KnownLogs& known, const Log& log) {
   MovingBaseCache moving_bases;
-  GroupSolution solution(c.task, &moving_bases);
-  solution.Begin(c.t, c.end, c.state, c.driven, &known);
+  GroupSolution solution = SolutionOf(c, &moving_bases);
+  Begin(c, &known, &solution);
   return solution.log() == log;
 }
 
@@ -209,7 +221,7 @@ std::vector<Change> TaskChanges() {
       {"lower", [](Case* c) { Nudge(&c->task.lower[0]); }},
       {"upper", [](Case* c) { Nudge(&c->task.upper[0]); }},
       {"gravity", [](Case* c) { Nudge(&c->task.gravity); }},
-      {"step_tolerance", [](Case* c) { Nudge(&c->task.step_tolerance); }},
+      {"step_tolerance", [](Case* c) { Nudge(&c->step_tolerance); }},
       {"R_root", [](Case* c) { Nudge(&c->task.model.R_root(2, 1)); }},
       {"coupling", [](Case* c) { c->task.model.coupling = RootCoupling::kPinned; }},
       {"pin_node", [](Case* c) { ++c->task.model.pin_node; }},
