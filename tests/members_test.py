@@ -21,8 +21,8 @@ STRUCTS = {
         "engine/spatial/rigid_inertia.h": ["RigidInertia"],
         "engine/passive/driven_curve.h": ["DrivenCurve"],
         "engine/passive/node_motion.h": ["DrivenMotion"],
-        "engine/passive/region_model.h": ["NodeHinge", "ModelNode", "RegionModel"],
-        "engine/passive/forces/retention.h": ["RetentionSpec"],
+        "engine/passive/region_model.h": ["NodeHinge", "ModelNode", "NodeJoint", "RegionModel"],
+        "engine/spatial/point_motion.h": ["PointMotion"],
         "engine/bake/group_request.h": ["GroupTask", "BeginGroup", "DriveGroup", "StopPin",
                                         "AdvanceGroup", "SolveGroup", "SampleGroup",
                                         "MeasureGroup"],
@@ -36,6 +36,13 @@ STRUCTS = {
     "engine/bake/incremental_bake.cpp": {"engine/timeline/animation.h": ["Animation"]},
     "ui/edit/document/change.cpp": {"engine/project/project.h": ["Project"]},
 }
+
+
+# What forces are made of: each spec of a law.
+for law in sorted((ROOT / "engine/passive/forces").glob("*.h")):
+    specs = re.findall(r"^struct (\w+Spec) \{", law.read_text(), re.M)
+    if specs:
+        STRUCTS["engine/bake/group_solution.cpp"][str(law.relative_to(ROOT))] = specs
 
 
 def with_members(header, structs):

@@ -165,6 +165,7 @@ bool Baker::ReleaseObjects(int frame) {
   }
   if (objects.empty()) return false;
   context_.poses.Release(objects, context_.Seconds(frame), context_.now, context_.before);
+  context_.now.fall.reset();  // of what it was with them
   return true;
 }
 

@@ -33,12 +33,13 @@ struct BeginGroup {
   double t = 0.0, end = 0.0;
   double step_tolerance = 0.0;  // error of one step [rad]
   VecX q, qd;
+  PointMotion anchor;  // as RegionDynamics has it; zero unless laws act from outside
   std::shared_ptr<const DrivenMotion> curves;
   std::shared_ptr<const GroupTask> task;
 };
 inline auto MembersOf(const BeginGroup& request) {
-  const auto& [t, end, step_tolerance, q, qd, curves, task] = request;
-  return std::tie(t, end, step_tolerance, q, qd, curves, task);
+  const auto& [t, end, step_tolerance, q, qd, anchor, curves, task] = request;
+  return std::tie(t, end, step_tolerance, q, qd, anchor, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.
@@ -108,9 +109,13 @@ struct GroupProgress {
   std::vector<StopHit> hits;
 };
 
-// Angles, then rates, by free hinge; of several times one after the other. Fewer times than asked
-// for where it could not go on.
-using GroupSamples = std::vector<double>;
+// Fewer times than asked for where it could not go on.
+struct GroupSamples {
+  // Angles, then rates, by free hinge; of several times one after the other.
+  std::vector<double> hinges;
+  // Of the centre of mass, by time, where the fall is solved along.
+  std::vector<PointMotion> falls;
+};
 
 // To AdvanceGroup the progress, to SolveGroup both, to SampleGroup samples of one time, to
 // MeasureGroup the energy.

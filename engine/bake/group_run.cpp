@@ -40,7 +40,7 @@ GroupResult GroupRun::Do(const GroupRequest& request, const std::atomic<bool>* c
 GroupResult GroupRun::Do(const BeginGroup& request) {
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
-  solver_.Start(request.t, request.q, request.qd);
+  solver_.Start(request.t, request.q, request.qd, request.anchor);
   return {};
 }
 
@@ -82,7 +82,8 @@ GroupResult GroupRun::Do(const SolveGroup& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
   GroupResult result;
-  result.samples.reserve(request.times->size() * 2 * static_cast<size_t>(dynamics_.num_hinges()));
+  result.samples.hinges.reserve(request.times->size() * 2 *
+                                static_cast<size_t>(dynamics_.num_hinges()));
   for (const double t : *request.times) {
     while (!failure && solver_.time() < std::min(t, request.end) && !is_cancelled()) {
       failure = solver_.Advance(request.end);
@@ -113,8 +114,9 @@ GroupProgress GroupRun::Progress(const std::optional<ExactFailure>& failure) {
 
 void GroupRun::Sample(double t, GroupSamples* samples) {
   solver_.Sample(t, &q_, &qd_);
-  samples->insert(samples->end(), q_.begin(), q_.end());
-  samples->insert(samples->end(), qd_.begin(), qd_.end());
+  samples->hinges.insert(samples->hinges.end(), q_.begin(), q_.end());
+  samples->hinges.insert(samples->hinges.end(), qd_.begin(), qd_.end());
+  if (dynamics_.is_pushed_in_flight()) samples->falls.push_back(solver_.SampledAnchor());
 }
 
 }  // namespace hazumi

@@ -16,7 +16,9 @@ GroupSolution::GroupSolution(std::shared_ptr<const SharedGroup> group, double st
 void GroupSolution::Begin(double t, double end, const RotationState& state,
                           std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known) {
   const auto k = static_cast<Eigen::Index>(hinges().size());
-  BeginGroup request = {t, end, step_tolerance_, VecX(k), VecX(k), curves, {group_, &group_->task}};
+  const GroupTask& task = group_->task;
+  BeginGroup request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {group_, &task}};
+  if (ActsFromOutside(task.forces)) request.anchor = state.anchor;
   for (Eigen::Index i = 0; i < k; ++i) {
     request.q[i] = state.q[hinges()[i].coordinate];
     request.qd[i] = state.qd[hinges()[i].coordinate];
@@ -66,26 +68,28 @@ void GroupSolution::TakeAhead(const GroupResult& result) {
 }
 
 void GroupSolution::Sample(double t, RotationState* state) {
-  const double* ahead = SampleAhead(t);
-  Scatter(ahead ? ahead : answers_.Ask(SampleGroup{t}).samples.data(), state);
+  if (const auto ahead = AheadAt(t)) return Scatter(samples_, *ahead, state);
+  Scatter(answers_.Ask(SampleGroup{t}).samples, 0, state);
 }
 
-// Null unless this time was looked ahead to.
-const double* GroupSolution::SampleAhead(double t) const {
-  if (!times_) return nullptr;
+// Which of the samples is of this time, if it was looked ahead to.
+std::optional<size_t> GroupSolution::AheadAt(double t) const {
+  if (!times_) return std::nullopt;
   const auto ahead = std::lower_bound(times_->begin(), times_->end(), t);
-  const size_t size = 2 * hinges().size();
-  const size_t at = size * static_cast<size_t>(ahead - times_->begin());
-  const bool is_there = ahead != times_->end() && *ahead == t && at + size <= samples_.size();
-  return is_there ? samples_.data() + at : nullptr;
+  const auto index = static_cast<size_t>(ahead - times_->begin());
+  const bool is_there = ahead != times_->end() && *ahead == t &&
+                        2 * hinges().size() * (index + 1) <= samples_.hinges.size();
+  return is_there ? std::optional(index) : std::nullopt;
 }
 
-void GroupSolution::Scatter(const double* sample, RotationState* state) const {
+void GroupSolution::Scatter(const GroupSamples& samples, size_t index, RotationState* state) const {
   const int k = group_->layout.num_hinges();
+  const double* sample = samples.hinges.data() + 2 * hinges().size() * index;
   for (int i = 0; i < k; ++i) {
     state->q[hinges()[i].coordinate] = sample[i];
     state->qd[hinges()[i].coordinate] = sample[k + i];
   }
+  if (!samples.falls.empty()) state->anchor = samples.falls[index];
 }
 
 VecX GroupSolution::Distances(const RotationState& a, const RotationState& b) const {

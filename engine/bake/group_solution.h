@@ -27,6 +27,10 @@ class GroupSolution {
   GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
                 MovingBaseCache* moving_bases);
 
+  // Whether the fall of the centre of mass is solved along, and sampled as the state's anchor.
+  bool solves_fall() const {
+    return model().coupling == RootCoupling::kFlight && ActsFromOutside(group_->task.forces);
+  }
   const RegionModel& model() const { return group_->task.model; }
   const std::vector<FreeHinge>& hinges() const { return group_->layout.hinges(); }
   double step_tolerance() const { return step_tolerance_; }
@@ -72,8 +76,8 @@ class GroupSolution {
  private:
   void TakeProgress(const GroupProgress& progress);
   void TakeAhead(const GroupResult& result);
-  const double* SampleAhead(double t) const;
-  void Scatter(const double* sample, RotationState* state) const;
+  std::optional<size_t> AheadAt(double t) const;
+  void Scatter(const GroupSamples& samples, size_t index, RotationState* state) const;
 
   std::shared_ptr<const SharedGroup> group_;
   double step_tolerance_;

@@ -93,7 +93,7 @@ std::optional<ExactSolver::Crossing> ExactSolver::FirstCrossing(double before, d
 void ExactSolver::EndStepAt(double t) {
   if (t < time_) {
     step_.At(t, y_.data());
-    dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, &q_, &qd_);
+    TakeState(y_.data());
     time_ = t;
   }
   for (const int node : suspects_) {

@@ -75,6 +75,7 @@ void ExactSolver::EndStepAtRelease(double t) {
   Sample(t, &sample_q_, &sample_qd_);
   q_ = sample_q_;
   qd_ = sample_qd_;
+  anchor_ = dynamics_->anchor();
   time_ = t;
   has_event_ = true;
   is_cut_ = false;

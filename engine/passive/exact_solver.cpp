@@ -26,7 +26,8 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   for (VecX* x : {&q_, &qd_, &q_start_, &qd_start_, &sample_q_, &sample_qd_, &look_q_, &look_qd_,
                   &before_q_, &before_qd_, &after_q_, &after_qd_})
     x->setZero(n);
-  for (VecX* x : {&y_, &scale_}) x->resize(2 * n + n / 3);  // the longest state, all in balls
+  // The longest state: all in balls, and a fall.
+  for (VecX* x : {&y_, &scale_}) x->resize(2 * n + n / 3 + 6);
   side_.assign(n, 0);
   locked_.assign(n, 0);
   held_after_.assign(n, 0);
@@ -40,11 +41,12 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
   suspects_.reserve(n);
 }
 
-void ExactSolver::Start(double t, const VecX& q, const VecX& qd) {
+void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
   time_ = t;
   if (steps_ == 0) first_start_ = t;
   q_ = q;
   qd_ = qd;
+  anchor_ = anchor;
   lower_now_ = lower_.cwiseMin(q);
   upper_now_ = upper_.cwiseMax(q);
   touch_ = kTouch;
@@ -72,6 +74,7 @@ void ExactSolver::FeelPin(const Vec3& v_pin) {
 // Which stops hold which hinges from time_ on, after the impact of those that go out and of a pin
 // that was stopped.
 void ExactSolver::ResolveStops(const Vec3& v_pin) {
+  dynamics_->SetAnchor(anchor_);
   const bool with_impulse = !v_pin.isZero(0.0);
   const int outward = any_limits_ ? FindSides(with_impulse) : 0;
   if (with_impulse || outward > 0) Collide(v_pin);
@@ -138,9 +141,10 @@ void ExactSolver::Relock() {
   after_release_ = -std::numeric_limits<double>::infinity();
   is_cut_ = false;
   dynamics_->SetLocked(locked_, q_);
-  const int size = dynamics_->layout().state_size();
   dynamics_->layout().Pack(q_, qd_, y_.data());
-  step_.Resize(size);
+  dynamics_->SetAnchor(anchor_);
+  dynamics_->PackAnchor(y_.data());
+  step_.Resize(dynamics_->state_size());
   SetScale();
   const auto field = [this](double t, const double* y, double* dy) {
     dynamics_->Derivative(t, y, dy);
@@ -151,9 +155,14 @@ void ExactSolver::Relock() {
 
 void ExactSolver::SetScale() {
   const int positions = dynamics_->layout().num_positions();
-  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
+  const int size = dynamics_->layout().state_size();
+  for (int i = 0; i < size; ++i) {
     scale_[i] = i < positions ? (dynamics_->layout().is_quaternion(i) ? 0.5 : 1.0) * tolerance_
                               : kRateScale * tolerance_;
+  }
+  // Of a fall: a radian at the end of a metre is a metre.
+  for (int i = size; i < dynamics_->state_size(); ++i) {
+    scale_[i] = (i < size + 3 ? 1.0 : kRateScale) * tolerance_;
   }
 }
 
@@ -184,7 +193,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   time_ = step_.end_time();
   if (std::abs(time_ - end) < kSameTime) time_ = end;
   sample_q_ = q_;
-  dynamics_->layout().Unpack(step_.y(), lower_now_, upper_now_, &q_, &qd_);
+  TakeState(step_.y());
   if (!any_limits_) return std::nullopt;
   has_event_ = FindHit();
   const std::optional<double> release = any_locked_ ? FindRelease() : std::nullopt;
@@ -250,6 +259,13 @@ bool ExactSolver::Step(double end, std::optional<ExactFailure>* failure) {
   }
 }
 
+// q_ is near by.
+void ExactSolver::TakeState(const double* y) {
+  dynamics_->layout().Unpack(y, lower_now_, upper_now_, &q_, &qd_);
+  dynamics_->SetAnchorOf(y);
+  anchor_ = dynamics_->anchor();
+}
+
 void ExactSolver::MakeDense() {
   step_.MakeDense(
       [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); });
@@ -263,6 +279,7 @@ void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
   *q = s < 0.5 ? q_start_ : q_;  // nearby, to pick the branch
   qd->resize(q->size());
   dynamics_->layout().Unpack(y_.data(), lower_now_, upper_now_, q, qd);
+  dynamics_->SetAnchorOf(y_.data());
 }
 
 EnergyFlow ExactSolver::Energy(double t) {

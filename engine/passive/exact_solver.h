@@ -45,7 +45,7 @@ class ExactSolver {
 
   // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
   // stop where it is until it has come inside.
-  void Start(double t, const VecX& q, const VecX& qd);
+  void Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor = {});
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
   // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
@@ -59,6 +59,8 @@ class ExactSolver {
   double time() const { return time_; }
   // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
   void Sample(double t, VecX* q, VecX* qd);
+  // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
+  const PointMotion& SampledAnchor() const { return dynamics_->anchor(); }
   // At `time`, before impacts.
   const VecX& q() const { return q_; }
   const VecX& qd() const { return qd_; }
@@ -93,6 +95,7 @@ class ExactSolver {
   void Settle();
   void Relock();
   void SetScale();
+  void TakeState(const double* y);
   double FirstStep(double end) const;
   double Growth(double error) const;
   bool Step(double end, std::optional<ExactFailure>* failure);
@@ -135,6 +138,7 @@ class ExactSolver {
   double time_ = 0.0, first_start_ = 0.0, next_h_ = 0.0;
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
   VecX q_, qd_;              // at time_
+  PointMotion anchor_;       // at time_
   VecX q_start_, qd_start_;  // at the start of the step
   VecX look_q_, look_qd_, before_q_, before_qd_;
   VecX sample_q_, sample_qd_, y_, scale_;

@@ -178,6 +178,7 @@ void NodeKinematics::Accelerate(const RegionLayout& layout, const double* x, int
 }
 
 void NodeKinematics::SetOwnForces(const V3& base) {
+  added_force_ = V3();
   for (int i = 0; i < size(); ++i) {
     const Node& node = nodes_[i];
     if (!node.is_dynamic) continue;
@@ -201,6 +202,7 @@ void NodeKinematics::SetOwnForces(const V3& base) {
 
 // What a node is given it does not ask for.
 void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
+  added_force_ += force;
   motion_[node].f -= force;
   motion_[node].n -= Cross(r, force);
 }
@@ -213,6 +215,7 @@ void NodeKinematics::AddJointMoment(int node, const V3& moment) {
 }
 
 void NodeKinematics::ClearForces() {
+  added_force_ = V3();
   for (NodeMotion& own : motion_) own.f = own.n = V3();
 }
 

@@ -53,6 +53,8 @@ class NodeKinematics {
   void AddTorque(int node, const small::V3& torque);
   // A moment on a node against the one that carries it [N m].
   void AddJointMoment(int node, const small::V3& moment);
+  // Of AddForce, of all nodes since SetOwnForces or ClearForces [N].
+  const small::V3& added_force() const { return added_force_; }
   // As if nothing asked for a force.
   void ClearForces();
 
@@ -86,6 +88,7 @@ class NodeKinematics {
                        const double* velocities, Frame* frame, NodeMotion* own);
 
   std::vector<small::V3> dalpha_, da_;  // scratch
+  small::V3 added_force_;
   small::M3 R_root_;
   std::vector<Node> nodes_;
   std::vector<NodeMotion> motion_;

@@ -24,7 +24,14 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       laws_(std::move(laws)),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
-  for (const auto& law : laws_) (law->is_rule() ? has_rules_ : has_forces_) = true;
+  for (const auto& law : laws_) {
+    (law->is_rule() ? has_rules_ : has_forces_) = true;
+    has_outer_ |= law->is_outer();
+  }
+  if (has_outer_) {
+    places_.resize(model_.nodes.size());
+    velocities_.resize(model_.nodes.size());
+  }
   added_.setZero(num_hinges());
 }
 
@@ -89,13 +96,14 @@ void RegionDynamics::Move(double t, const RegionLayout& layout, const double* po
 void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
   if (has_forces_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
   kinematics_.SetOwnForces(base);
+  if (has_outer_) PlaceNodes(state.t);
   if (!has_forces_) return;
   for (const auto& law : laws_) law->AddForces(state, &kinematics_);
 }
 
 RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,
                                     const double* velocities) const {
-  return {t, model_, layout, kinematics_, positions, velocities};
+  return {t, model_, layout, kinematics_, positions, velocities, places_};
 }
 
 std::shared_ptr<const MovingBase> RegionDynamics::FitMovingBase(double start, double end) {
@@ -109,7 +117,9 @@ MovingBase::Frame RegionDynamics::CarrierAt(double t) {
 }
 
 void RegionDynamics::MoveCarrier(double t) {
-  const MovingBase::Frame frame = moving_base_->Covers(t) ? moving_base_->At(t) : CarrierAt(t);
+  // Laws that act from outside ask for more of the chain than a moving base knows.
+  const bool is_fitted = !has_outer_ && moving_base_->Covers(t);
+  const MovingBase::Frame frame = is_fitted ? moving_base_->At(t) : CarrierAt(t);
   NodeMotion& own = kinematics_.motion()[model_.nodes[first_moved_].parent];
   own.R = frame.R;
   own.w = frame.w;
@@ -202,8 +212,28 @@ void RegionDynamics::SolveDense(double* x) {
   SolveSemidefinite(L_.topLeftCorner(k, k), solution);
 }
 
+// c'' = g + sum F / m
+void RegionDynamics::Fall(double* dy) const {
+  const Vec3 push = kinematics_.added_force().eigen() / model_.mass;
+  Eigen::Map<Vec3>(dy + layout_.state_size()) = anchor_.v;
+  Eigen::Map<Vec3>(dy + layout_.state_size() + 3) = push - gravity_ * Vec3::UnitZ();
+}
+
+void RegionDynamics::SetAnchorOf(const double* y) {
+  if (!is_pushed_in_flight()) return;
+  anchor_.p = Eigen::Map<const Vec3>(y + layout_.state_size());
+  anchor_.v = Eigen::Map<const Vec3>(y + layout_.state_size() + 3);
+}
+
+void RegionDynamics::PackAnchor(double* y) const {
+  if (!is_pushed_in_flight()) return;
+  Eigen::Map<Vec3>(y + layout_.state_size()) = anchor_.p;
+  Eigen::Map<Vec3>(y + layout_.state_size() + 3) = anchor_.v;
+}
+
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   ++evaluations_;
+  SetAnchorOf(y);
   const double* velocities = y + layout_.num_positions();
   double* x = dy + layout_.num_positions();
   Move(t, layout_, y, velocities);
@@ -213,6 +243,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
     SolveDense(x);
   }
   if (has_rules_) AddRules(t, y, x);
+  if (is_pushed_in_flight()) Fall(dy);
   for (const RegionLayout::Node& own : layout_.nodes()) {
     if (own.kind == RegionLayout::NodeKind::kHinges) {
       std::copy_n(velocities + own.dof, own.num_dofs, dy + own.position);

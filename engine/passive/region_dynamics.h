@@ -10,6 +10,7 @@
 #include "engine/passive/moving_base.h"
 #include "engine/passive/node_motion.h"
 #include "engine/passive/region_layout.h"
+#include "engine/spatial/point_motion.h"
 
 namespace hazumi {
 
@@ -53,12 +54,27 @@ class RegionDynamics {
   // The same in parts, so that dynamics whose carriers are moved in the same way, by the nodes
   // before first_moved(), can share a moving base.
   void SetCurves(const DrivenMotion* driven, double start);
-  bool needs_moving_base() const { return first_moved_ > 0 && !is_carrier_still_; }
+  bool needs_moving_base() const { return first_moved_ > 0 && !is_carrier_still_ && !has_outer_; }
   int first_moved() const { return first_moved_; }
   std::shared_ptr<const MovingBase> FitMovingBase(double start, double end);
   void UseMovingBase(std::shared_ptr<const MovingBase> moving_base) {
     moving_base_ = std::move(moving_base);
   }
+  // In flight, with laws that act from outside, the fall is solved along: the state ends with the
+  // centre of mass and its velocity. Else it is the layout's.
+  bool is_pushed_in_flight() const {
+    return has_outer_ && model_.coupling == RootCoupling::kFlight;
+  }
+  int state_size() const { return layout_.state_size() + (is_pushed_in_flight() ? 6 : 0); }
+  // What the figure is placed by where nothing prescribes it: its pin, which rests, or in flight
+  // its centre of mass. Read by laws that act from outside. While the fall is solved along it is
+  // that of the state which was looked at last.
+  void SetAnchor(const PointMotion& anchor) { anchor_ = anchor; }
+  const PointMotion& anchor() const { return anchor_; }
+  void SetAnchorOf(const double* y);
+  // Its part of a state, if it has one.
+  void PackAnchor(double* y) const;
+
   // Locks some free hinges at these angles [rad]; by free hinge.
   void SetLocked(const std::vector<char>& locked, const VecX& angles) {
     layout_.SetLocked(locked, angles);
@@ -118,10 +134,13 @@ class RegionDynamics {
   RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
                       const double* velocities) const;
   void AddRules(double t, const double* y, double* x);
+  void Fall(double* dy) const;
   void AddRule(const ForceLaw& rule, const RegionState& state);
   void AnswerRule();
   void Accelerate(const RegionState& state, const VecX& x);
   small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
+  small::V3 RootPosition(double t) const;
+  void PlaceNodes(double t);
   void SumForces();
   double PowerOf(const ForceLaw& law, const RegionState& state, const std::vector<small::V3>& v);
   double PowerInJoints(const std::vector<small::V3>& v, double* keyed);
@@ -137,7 +156,11 @@ class RegionDynamics {
   int first_moved_ = 0;  // the nodes before it are there only to move the moving base
   bool is_carrier_still_ = false;
   ForceLaws laws_;
-  bool has_forces_ = false, has_rules_ = false;  // laws that give forces, and that are rules
+  // Laws that give forces, that act from outside, that are rules.
+  bool has_forces_ = false, has_outer_ = false, has_rules_ = false;
+  PointMotion anchor_;
+  std::vector<NodePlace> places_;
+  std::vector<small::V3> velocities_;  // of the nodes' origins, relative to the root
   int most_dense_ = 64;
   double gravity_;
   const DrivenMotion* driven_ = nullptr;

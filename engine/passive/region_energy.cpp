@@ -44,6 +44,32 @@ V3 RegionDynamics::RootVelocity(double t, std::vector<V3>* velocity) const {
   return {root[0].At(t).d, root[1].At(t).d, root[2].At(t).d};
 }
 
+// In the world.
+V3 RegionDynamics::RootPosition(double t) const {
+  const auto& motion = kinematics_.motion();
+  const V3 anchor(anchor_.p);
+  if (model_.coupling == RootCoupling::kFlight) {
+    V3 sum;
+    for (const NodeMotion& own : motion) sum += own.m * own.p + own.h;
+    return anchor - (1.0 / model_.mass) * sum;
+  }
+  if (model_.coupling == RootCoupling::kPinned) {
+    const NodeMotion& pin = motion[model_.pin_node];
+    return anchor - (pin.p + pin.R * V3(model_.p_pin));
+  }
+  const auto& root = driven_->root_position;
+  return {root[0].At(t).v, root[1].At(t).v, root[2].At(t).v};
+}
+
+void RegionDynamics::PlaceNodes(double t) {
+  const V3 p_root = RootPosition(t);
+  V3 v_root = RootVelocity(t, &velocities_);
+  if (model_.coupling == RootCoupling::kFlight) v_root += V3(anchor_.v);
+  for (int i = 0; i < kinematics_.size(); ++i) {
+    places_[i] = {p_root + kinematics_.motion()[i].p, v_root + velocities_[i]};
+  }
+}
+
 void RegionDynamics::SumForces() {
   auto& motion = kinematics_.motion();
   for (int i = kinematics_.size() - 1; i >= 0; --i) {
@@ -128,11 +154,11 @@ void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyF
 }
 
 EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
-  VecX dy(layout_.state_size());
+  VecX dy(state_size());
   Derivative(t, y, dy.data());
   const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
   kinematics_.Move(layout_, *driven_, t, state.positions, state.velocities, 0, kinematics_.size());
-  Accelerate(state, dy.tail(layout_.num_dofs()));
+  Accelerate(state, dy.segment(layout_.num_positions(), layout_.num_dofs()));
   std::vector<V3> v(kinematics_.size());
   const V3 v_root = RootVelocity(t, &v);
   for (V3& velocity : v) velocity = velocity + v_root;

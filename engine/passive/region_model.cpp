@@ -9,10 +9,11 @@ namespace hazumi {
 
 namespace {
 
-// Where the frame of a joint sits: fixed to a node.
+// Where the frame of a joint sits: fixed to a node, beyond so many of its hinges.
 struct Seat {
   int node = 0;
   Pose X_NJ;
+  int num_hinges = 0;
 };
 
 RigidInertia Moved(const RigidInertia& body, const Pose& X) {
@@ -44,6 +45,7 @@ class ModelCompiler {
       model_.pin_node = seat.node;
       model_.p_pin = seat.X_NJ.p;
     }
+    if (request_.lists_joints) ListJoints();
     return std::move(model_);
   }
 
@@ -65,11 +67,23 @@ class ModelCompiler {
     model_.nodes.push_back(root);
   }
 
+  void ListJoints() {
+    model_.joints.push_back({JointIndex(), 0, Vec3::Zero(), Mat3::Identity()});
+    for (int j = 0; j < figure_.num_joints(); ++j) {
+      const Seat& seat = seats_[j];
+      // A hinge of the node turns beyond it: what it carries is massless.
+      if (seat.num_hinges < model_.nodes[seat.node].num_hinges) continue;
+      model_.joints.push_back({JointIndex(j), seat.node, seat.X_NJ.p, seat.X_NJ.R});
+    }
+    std::stable_sort(model_.joints.begin(), model_.joints.end(),
+                     [](const NodeJoint& a, const NodeJoint& b) { return a.node < b.node; });
+  }
+
   // The frame of joint j, before it turns.
   Seat SeatBefore(JointIndex j) const {
     const Joint& joint = figure_.joint(j);
     const Seat parent = joint.parent.is_valid() ? seats_[joint.parent.value()] : Seat();
-    return {parent.node, parent.X_NJ * joint.X_PJ};
+    return {parent.node, parent.X_NJ * joint.X_PJ, parent.num_hinges};
   }
 
   void AddJoint(JointIndex j) {
@@ -93,6 +107,7 @@ class ModelCompiler {
       const Vec3 axis = seat.X_NJ.R * joint.axis;
       node.hinges[node.num_hinges++] = HingeAbout(axis, j.value());
     }
+    seat.num_hinges = model_.nodes[seat.node].num_hinges;
     seats_[j.value()] = seat;
     const RigidInertia& body = figure_.body(j);
     RigidInertia& whole = model_.nodes[seat.node].body;
@@ -135,6 +150,7 @@ class Extraction {
   explicit Extraction(const RegionModel& whole)
       : whole_(whole), renamed_(whole.nodes.size(), -1), header_(whole) {
     header_.nodes.clear();
+    header_.joints.clear();
   }
 
   // The nodes at or beyond `top` as a model of their own, after the chains that move them.
@@ -145,6 +161,7 @@ class Extraction {
     for (const int i : carriers) Add(i, /*of_group=*/false);
     for (int i = top; i < EndOf(top); ++i) Add(i, /*of_group=*/true);
     if (whole_.pin_node >= 0) part_.pin_node = renamed_[whole_.pin_node];
+    AddJoints(top);
     return std::move(part_);
   }
 
@@ -175,6 +192,15 @@ class Extraction {
     node.parent = node.parent < 0 ? -1 : renamed_[node.parent];
     node.is_dynamic = of_group;
     if (!of_group) node.body = RigidInertia();
+  }
+
+  void AddJoints(int top) {
+    const auto is_before = [](const NodeJoint& seat, int node) { return seat.node < node; };
+    const auto& all = whole_.joints;
+    const auto first = std::lower_bound(all.begin(), all.end(), top, is_before);
+    const auto last = std::lower_bound(first, all.end(), EndOf(top), is_before);
+    part_.joints.assign(first, last);
+    for (NodeJoint& seat : part_.joints) seat.node = renamed_[seat.node];
   }
 
   const RegionModel& whole_;

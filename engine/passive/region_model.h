@@ -25,7 +25,8 @@ struct ModelRequest {
   std::vector<Role> roles;  // by Coordinate, N + 3; the root's three have one role
   VecX angles;              // [rad], by Coordinate; read where constant
   RootCoupling coupling = RootCoupling::kPrescribed;
-  JointIndex pin;  // kPinned: the joint whose origin stays
+  JointIndex pin;             // kPinned: the joint whose origin stays
+  bool lists_joints = false;  // in RegionModel::joints, for laws that act on links
 };
 
 // One of the concentric hinges of a node.
@@ -57,6 +58,18 @@ inline auto MembersOf(const ModelNode& node) {
   return std::tie(parent, p_P, role, num_hinges, hinges, is_ball, is_dynamic, body);
 }
 
+// A joint, with all that is fixed to it, on the node that it moves with.
+struct NodeJoint {
+  JointIndex joint;  // none: the root
+  int node = 0;
+  Vec3 p_N = Vec3::Zero();       // its origin in the node's frame [m]
+  Mat3 R_NJ = Mat3::Identity();  // its orientation there, after it has turned
+};
+inline auto MembersOf(const NodeJoint& seat) {
+  const auto& [joint, node, p_N, R_NJ] = seat;
+  return std::tie(joint, node, p_N, R_NJ);
+}
+
 // The least model of one group of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the moving base.
@@ -71,12 +84,14 @@ struct RegionModel {
   double mass = 0.0;   // of all dynamic nodes [kg]
   int num_free = 0;    // free hinges
   int num_bodies = 0;  // dynamic nodes with mass
+  // On dynamic nodes, by node, but for those that turn within one; none unless asked for.
+  std::vector<NodeJoint> joints;
 };
 inline auto MembersOf(const RegionModel& model) {
-  const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies] =
-      model;
+  const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies,
+               joints] = model;
   return std::tie(nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free,
-                  num_bodies);
+                  num_bodies, joints);
 }
 
 // One model for each group, in order of their first joint. The root is prescribed where no free

@@ -53,12 +53,13 @@ void ContinuousGravity::Start(double t, const FigureMotion& motion, DynamicsWork
   if (contact && contact->clearance <= kTouching) PinAt(span_.pin, *contact, *ws);
 }
 
-void ContinuousGravity::MassesChanged(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+void ContinuousGravity::RenewFlight(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
   if (!state_.pin) Fly(t, motion, ws);
 }
 
 void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
   if (state_.pin) return PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
+  if (motion->fall) return PlaceCenterOfMass(figure_, motion->fall->p, motion->fall->v, ws, motion);
   const double s = t - state_.start;
   PlaceCenterOfMass(figure_, state_.com + state_.com_v * s + 0.5 * g_ * s * s,
                     state_.com_v + g_ * s, ws, motion);
@@ -81,11 +82,26 @@ double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorksp
 std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
                                                           DynamicsWorkspace* ws) {
   if (state_.pin) return FindTakeOff(t0, t1, pose, ws);
-  const double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kFree;
-  const bool has_apex = apex > t0 && apex <= t1;
-  const auto landing = FindLanding(t0, has_apex ? apex : t1, pose, ws);
-  if (landing || !has_apex) return landing;
-  return GravityEvent{GravityEvent::Kind::kApex, apex};
+  const std::optional<double> apex = ApexIn(t0, t1, pose);
+  const auto landing = FindLanding(t0, apex.value_or(t1), pose, ws);
+  if (landing || !apex) return landing;
+  return GravityEvent{GravityEvent::Kind::kApex, *apex};
+}
+
+// In (t0, t1].
+std::optional<double> ContinuousGravity::ApexIn(double t0, double t1, const Pose& pose) const {
+  FigureMotion motion;
+  pose(t1, &motion);
+  double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kFree;
+  if (motion.fall) {
+    const auto sinks = [&](double t) {
+      pose(t, &motion);
+      return -motion.fall->v.z();
+    };
+    const double f0 = sinks(t0), f1 = sinks(t1);
+    apex = f0 < 0.0 && f1 >= 0.0 ? Narrow({t0, f0, t1, f1}, kSameTime, sinks).b : kFree;
+  }
+  return apex > t0 && apex <= t1 ? std::optional(apex) : std::nullopt;
 }
 
 // How much faster than freely the pinned CoM would have to fall, along the ground's normal: the

@@ -31,8 +31,9 @@ class ContinuousGravity {
 
   // Begins at `motion`: pinned if it touches something, else in flight.
   void Start(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
-  // The figure let go of something: in flight its CoM is taken anew.
-  void MassesChanged(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
+  // The figure let go of something, or nothing pushes it any more: in flight its CoM's parabola is
+  // taken anew.
+  void RenewFlight(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
 
   // The first event in (t0, t1], during which the poses are smooth. Apexes are for the record only.
   std::optional<GravityEvent> FirstEvent(double t0, double t1, const Pose& pose,
@@ -41,7 +42,7 @@ class ContinuousGravity {
   // velocity of the pin that a landing stopped [m/s].
   Vec3 Happen(const GravityEvent& event, const FigureMotion& motion, DynamicsWorkspace* ws);
 
-  // Places the root of `motion`.
+  // Places the root of `motion`: in flight as its fall says, else on the parabola.
   void Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const;
 
   std::optional<GroupIndex> pin() const { return state_.pin; }
@@ -71,6 +72,7 @@ class ContinuousGravity {
   double Lift(double t, double t0, double t1, const Pose& pose, DynamicsWorkspace* ws) const;
   std::optional<GravityEvent> FindLanding(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws);
+  std::optional<double> ApexIn(double t0, double t1, const Pose& pose) const;
   double ClearanceAt(double t, const Pose& pose, DynamicsWorkspace* ws) const;
   double SpeedBound(double t0, double t1, const Pose& pose, DynamicsWorkspace* ws) const;
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/dynamics/kinematics.h"
+#include "engine/spatial/point_motion.h"
 
 namespace hazumi {
 
@@ -10,6 +13,8 @@ struct FigureMotion {
   VecX q, qd, qdd;  // all joints [rad, rad/s, rad/s^2]; qdd is 0 for joints of a dynamics region
   Pose X_WR;        // root in the world
   RootMotion root;
+  // Where forces from outside push a figure in flight off its parabola: its centre of mass.
+  std::optional<PointMotion> fall;
   bool operator==(const FigureMotion&) const = default;
 };
 

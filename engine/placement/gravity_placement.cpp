@@ -43,7 +43,7 @@ void GravityPlacement::TakeCenterOfMass(const FigureMotion& motion, DynamicsWork
 }
 
 // While pinned every step takes it anew, but for the velocity that a landing left.
-void GravityPlacement::MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws) {
+void GravityPlacement::RenewFlight(const FigureMotion& motion, DynamicsWorkspace* ws) {
   if (!state_.pin) TakeCenterOfMass(motion, ws);
 }
 

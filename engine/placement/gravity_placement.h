@@ -32,7 +32,7 @@ class GravityPlacement {
   void Start(const FigureMotion& motion, DynamicsWorkspace* ws);
 
   // Takes the CoM of `motion` anew after an object was let go in flight.
-  void MassesChanged(const FigureMotion& motion, DynamicsWorkspace* ws);
+  void RenewFlight(const FigureMotion& motion, DynamicsWorkspace* ws);
 
   // Places the root of `to`, whose joint angles and root orientation are those at the end of the
   // step; `from` is the start. The root's velocity is that just before a landing.

@@ -33,8 +33,8 @@ class PaperBallisticRoot : public BallisticRoot {
     gravity_.Resume(std::get<GravityPlacement::State>(state));
   }
   RootPlacementState state() const override { return gravity_.state(); }
-  void MassesChanged(double /*seconds*/, const FigureMotion& motion) override {
-    gravity_.MassesChanged(motion, &ws_);
+  void RenewFlight(double /*seconds*/, const FigureMotion& motion) override {
+    gravity_.RenewFlight(motion, &ws_);
   }
 
   std::optional<GroupIndex> pin() const override { return gravity_.pin(); }
@@ -63,8 +63,8 @@ class ExactBallisticRoot : public BallisticRoot {
     gravity_.Resume(std::get<ContinuousGravity::State>(state));
   }
   RootPlacementState state() const override { return gravity_.state(); }
-  void MassesChanged(double seconds, const FigureMotion& motion) override {
-    gravity_.MassesChanged(seconds, motion, &ws_);
+  void RenewFlight(double seconds, const FigureMotion& motion) override {
+    gravity_.RenewFlight(seconds, motion, &ws_);
   }
 
   std::optional<GroupIndex> pin() const override { return gravity_.pin(); }

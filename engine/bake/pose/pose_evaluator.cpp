@@ -39,7 +39,7 @@ void PoseEvaluator::Resume(const std::vector<CurveTrack::Piece>& pieces,
 }
 
 void PoseEvaluator::FreeRoot(const RootAngles& angles) {
-  free_root_.emplace(RotationState{VecX(kRootAngles), VecX(kRootAngles)});
+  free_root_.emplace(RotationState{VecX(kRootAngles), VecX(kRootAngles), {}});
   for (int i = 0; i < kRootAngles; ++i) {
     free_root_->q[i] = angles.angle[i];
     free_root_->qd[i] = angles.rate[i];
@@ -64,7 +64,7 @@ void PoseEvaluator::Release(const std::vector<size_t>& objects, double seconds,
   ComputeVelocities(figure_, before.root_w, before.root_v, before.qd, &ws_);
   for (const size_t i : objects) objects_[i].Release(ws_, seconds);
   LoadFigure();
-  placement_->MassesChanged(seconds, motion);
+  placement_->RenewFlight(seconds, motion);
 }
 
 std::optional<Error> PoseEvaluator::Evaluate(double frame, Side side, FigureMotion* motion) {
@@ -93,7 +93,7 @@ std::optional<Error> PoseEvaluator::SolveHolds(Side side, FigureMotion* motion, 
 
 RotationState PoseEvaluator::StateAt(const FigureMotion& motion) {
   const int n = figure_.num_joints();
-  RotationState state{VecX(n + kRootAngles), VecX(n + kRootAngles)};
+  RotationState state{VecX(n + kRootAngles), VecX(n + kRootAngles), AnchorAt(motion)};
   state.q.head(n) = motion.q;
   state.qd.head(n) = motion.qd;
   if (free_root_) {
@@ -107,6 +107,15 @@ RotationState PoseEvaluator::StateAt(const FigureMotion& motion) {
     state.qd[n + i] = angles.rate[i];
   }
   return state;
+}
+
+PointMotion PoseEvaluator::AnchorAt(const FigureMotion& motion) {
+  const RootHold hold = placement_->hold();
+  if (hold.coupling == RootCoupling::kPrescribed) return {};
+  ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
+  if (hold.coupling == RootCoupling::kPinned) return {ws_.body(hold.pin).p, Vec3::Zero()};
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, &ws_);
+  return {CenterOfMass(figure_, ws_), CenterOfMassVelocity(figure_, ws_)};
 }
 
 bool PoseEvaluator::IsPlacedByRegions() const {

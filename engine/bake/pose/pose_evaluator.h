@@ -72,6 +72,7 @@ class PoseEvaluator {
 
  private:
   void LoadFigure();
+  PointMotion AnchorAt(const FigureMotion& motion);
 
   const Animation& animation_;
   Figure figure_;

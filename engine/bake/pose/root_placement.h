@@ -50,8 +50,8 @@ class RootPlacement {
   // Goes on from a state of this kind of placement.
   virtual void Resume(const RootPlacementState& /*state*/) {}
   virtual RootPlacementState state() const { return {}; }
-  // The figure let go of something.
-  virtual void MassesChanged(double /*seconds*/, const FigureMotion& /*motion*/) {}
+  // The figure let go of something, or nothing pushes it any more: a flight begins anew.
+  virtual void RenewFlight(double /*seconds*/, const FigureMotion& /*motion*/) {}
 
   virtual bool is_keyed() const { return false; }
   // Carries the figure's momentum on.

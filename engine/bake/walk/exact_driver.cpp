@@ -221,6 +221,11 @@ double ExactDriver::time() const {
   return time;
 }
 
+bool ExactDriver::solves_fall() const {
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [](const Group& group) { return group.solution.solves_fall(); });
+}
+
 void ExactDriver::Sample(double t, RotationState* state) {
   for (Group& group : groups_) group.solution.Sample(t, state);
 }
@@ -251,7 +256,7 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
 
 void ExactDriver::Estimate(double t) {
   const int n = figure_.num_joints() + kRootAngles;
-  RotationState state{VecX(n), VecX(n)}, control = state;
+  RotationState state{VecX(n), VecX(n), {}}, control = state;
   Sample(t, &state);
   SampleControl(t, &control);
   for (const Group& group : groups_) {

@@ -53,6 +53,8 @@ class ExactDriver {
   // set.
   std::optional<Failure> AdvanceAhead(const std::vector<double>& times, double end,
                                       const std::atomic<bool>* cancel);
+  // Whether samples tell where a figure in flight is: forces from outside push it off its parabola.
+  bool solves_fall() const;
   // How far all groups have got [s].
   double time() const;
   // The free coordinates at a time between the last two values of time().

@@ -34,6 +34,9 @@ void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
 void ExactWalk::End() {
   if (driver_) WriteReports();
   driver_.reset();
+  if (!context_.now.fall) return;
+  context_.now.fall.reset();
+  context_.poses.placement().RenewFlight(context_.Seconds(context_.now.frame), context_.now);
 }
 
 Result<int> ExactWalk::Advance(int frame) {
@@ -207,6 +210,7 @@ void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, Figure
       motion->qd[j] = driver_->is_frozen(j) ? 0.0 : sample_.qd[j];
     }
     context_.poses.TurnFreeRoot(sample_);
+    motion->fall = driver_->solves_fall() ? std::optional(sample_.anchor) : std::nullopt;
   }
   context_.poses.TurnRoot(frame, side, motion);
 }

@@ -8,8 +8,13 @@
 
 namespace hazumi {
 
-// A region's model at one instant, as a force law sees it. World axes; points from the root's
-// origin.
+// Where a node's origin is and how it moves, in the world [m, m/s].
+struct NodePlace {
+  small::V3 p, v;
+};
+
+// A region's model at one instant, as a force law sees it. World axes; points of the kinematics are
+// from the root's origin.
 struct RegionState {
   double t;  // [s]
   const RegionModel& model;
@@ -17,6 +22,13 @@ struct RegionState {
   const NodeKinematics& kinematics;  // where the nodes are, and how they turn
   const double* positions;           // of the free joints, as in the layout
   const double* velocities;
+  const std::vector<NodePlace>& places;  // by node, for laws that act from outside
+
+  // Of a point of a node, r from its origin.
+  small::V3 PositionAt(int node, const small::V3& r) const { return places[node].p + r; }
+  small::V3 VelocityAt(int node, const small::V3& r) const {
+    return places[node].v + Cross(kinematics.motion()[node].w, r);
+  }
 };
 
 // What acts on the links of a region's model, one after the other. A law acts in one of two ways:
@@ -34,6 +46,9 @@ class ForceLaw {
   virtual void AddAccelerations(const RegionState&, double* /*x*/) const {}
   // True if it adds any, ever.
   virtual bool is_rule() const { return false; }
+  // True if its forces come from outside the figure: it may ask where nodes are in the world, and a
+  // figure in flight falls otherwise than freely.
+  virtual bool is_outer() const { return false; }
   // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
   virtual double FastestRate() const { return 0.0; }
 };

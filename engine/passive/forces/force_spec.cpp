@@ -1,5 +1,6 @@
 #include "engine/passive/forces/force_spec.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hazumi {
@@ -11,6 +12,12 @@ std::shared_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
 }
 
 }  // namespace
+
+bool ActsFromOutside(const std::vector<ForceSpec>& specs) {
+  return std::any_of(specs.begin(), specs.end(), [](const ForceSpec& spec) {
+    return std::visit([](const auto& law) { return law.kIsOuter; }, spec);
+  });
+}
 
 ForceLaws MakeLaws(const std::vector<ForceSpec>& specs) {
   ForceLaws laws;

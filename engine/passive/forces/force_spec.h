@@ -12,6 +12,8 @@ namespace hazumi {
 // What acts on a group of joints, as plain values that can be compared: one struct for each law.
 using ForceSpec = std::variant<RetentionSpec>;
 
+// Whether any of them does (ForceLaw::is_outer).
+bool ActsFromOutside(const std::vector<ForceSpec>& specs);
 // The laws themselves, in the same order.
 ForceLaws MakeLaws(const std::vector<ForceSpec>& specs);
 // Friction alone, with rates as RetentionSpec has them; no law if they are 0.

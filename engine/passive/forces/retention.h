@@ -8,6 +8,7 @@
 namespace hazumi {
 
 struct RetentionSpec {
+  static constexpr bool kIsOuter = false;  // as its law says
   VecX rates;  // by free hinge [1/s]: a hinge left to itself slows down as e^(-rate t)
 };
 inline auto MembersOf(const RetentionSpec& spec) {

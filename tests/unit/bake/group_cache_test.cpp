@@ -34,7 +34,7 @@ Case AnyCase(uint64_t seed, RootCoupling coupling) {
           {RetentionSpec{VecX::Constant(k, 0.5)}},
           RandomGroup::kGravity},
          1e-8,
-         {VecX::Zero(n), VecX::Zero(n)},
+         {VecX::Zero(n), VecX::Zero(n), {}},
          group->driven};
   for (int i = 0; i < k; ++i) {
     c.state.q[layout.hinges()[i].coordinate] = group->q[i];
@@ -132,7 +132,7 @@ TEST(GroupSolution, TakesItsAnswersFromTheLog) {
   auto log = std::make_shared<GroupLog>(*Walk(c, &nothing).log);
   GroupCall& sample = (*log)[2];
   ASSERT_TRUE(std::holds_alternative<SampleGroup>(sample.request));
-  sample.result.samples[0] = 12345.0;
+  sample.result.samples.hinges[0] = 12345.0;
   const KnownLogs known = Knowing(log);
   EXPECT_EQ(Walk(c, &known).samples[0].maxCoeff(), 12345.0);
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/passive/exact_solver.h"
+#include "engine/passive/forces/force_spec.h"
 #include "engine/passive/forces/hinge_moment.h"
 #include "tests/unit/passive/random_group.h"
 
@@ -26,8 +27,9 @@ struct Push {
 
 class PushLaw : public ForceLaw {
  public:
-  explicit PushLaw(const Push& push) : push_(push) {}
+  PushLaw(const Push& push, bool is_outer) : push_(push), is_outer_(is_outer) {}
   std::string_view name() const override { return "push"; }
+  bool is_outer() const override { return is_outer_; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override {
     kinematics->AddForce(push_.node, push_.r, push_.force);
     kinematics->AddTorque(push_.node, push_.torque);
@@ -40,6 +42,25 @@ class PushLaw : public ForceLaw {
 
  private:
   Push push_;
+  bool is_outer_;
+};
+
+// Every body is slowed down by kRate for each kilogram, against air that moves with kWind.
+class DragLaw : public ForceLaw {
+ public:
+  static constexpr double kRate = 3.0;  // [1/s]
+  static inline const Vec3 kWind = Vec3(1.5, -0.5, 0.25);
+
+  std::string_view name() const override { return "drag"; }
+  bool is_outer() const override { return true; }
+  void AddForces(const RegionState& state, NodeKinematics* kinematics) const override {
+    for (int i = 0; i < kinematics->size(); ++i) {
+      const NodeMotion& own = kinematics->motion()[i];
+      if (!state.model.nodes[i].is_dynamic || own.m == 0.0) continue;
+      const V3 com = (1.0 / own.m) * own.h;
+      kinematics->AddForce(i, com, -(kRate * own.m) * (state.VelocityAt(i, com) - V3(kWind)));
+    }
+  }
 };
 
 Push AnyPush(const RandomGroup& group, Random* random) {
@@ -106,7 +127,42 @@ void ForEachGroup(Action&& action) {
   EXPECT_GE(groups, 60);
 }
 
-ForceLaws With(const Push& push) { return {std::make_shared<PushLaw>(push)}; }
+ForceLaws With(const Push& push, bool is_outer = false) {
+  return {std::make_shared<PushLaw>(push, is_outer)};
+}
+
+// Each law by itself. A new one is to be added here.
+std::vector<ForceLaws> EachLaw(const RandomGroup& group, Random* random) {
+  return {With(AnyPush(group, random)),
+          With(AnyPush(group, random), /*is_outer=*/true),
+          {std::make_shared<DragLaw>()},
+          FrictionAlone(VecX::Constant(group.q.size(), 2.0))};
+}
+
+// Where the pin or the CoM is, and how fast it moves.
+const PointMotion kAnchor = {Vec3(0.3, -0.2, 1.1), Vec3(-1.0, 2.0, 3.0)};
+PointMotion AnchorOf(const RandomGroup& group) {
+  if (group.model.coupling == RootCoupling::kFlight) return kAnchor;
+  return {kAnchor.p, Vec3::Zero()};
+}
+
+// A law on its way: a solver of a group, one step on. Empty where a direction moves no mass.
+struct Solved {
+  Solved(const RandomGroup& group, ForceLaws laws)
+      : dynamics(group.model, std::move(laws), RandomGroup::kGravity), solver([&] {
+          dynamics.SetDriven(&group.driven, 0.0, 0.01);
+          const VecX none = VecX::Constant(group.q.size(), std::numeric_limits<double>::infinity());
+          return ExactSolver(&dynamics, -none, none);
+        }()) {
+    solver.SetTolerance(1e-10);
+    solver.Start(0.0, group.q, group.qd, AnchorOf(group));
+    is_solved = !solver.Advance(0.002);
+  }
+
+  RegionDynamics dynamics;
+  ExactSolver solver;
+  bool is_solved = false;
+};
 
 TEST(ForceLaw, ActsByVirtualPower) {
   ForEachGroup([](const RandomGroup& group, const std::string& what) {
@@ -143,33 +199,100 @@ TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
 }
 
 // By Gauss's formula over one step of the solver.
-TEST(ForceLaw, ItsPowerIsTheEnergyThatComesIn) {
+void ExpectPowerIsEnergy(const RandomGroup& group, const ForceLaws& laws, const std::string& what) {
   constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
   constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
+  Solved solved(group, laws);
+  if (!solved.is_solved) return;
+  ExactSolver& solver = solved.solver;
+  const double end = solver.time(), half = 0.5 * end;
+  const EnergyFlow first = solver.Energy(0.0), last = solver.Energy(end);
+  ASSERT_EQ(first.laws.size(), 1u);
+  EXPECT_EQ(first.laws[0].name, laws[0]->name());
+  double work = 0.0, size = std::abs(last.kinetic) + std::abs(last.potential);
+  for (const double side : {-1.0, 1.0}) {
+    for (int i = 0; i < 2; ++i) {
+      const EnergyFlow flow = solver.Energy(half + side * kNode[i] * half);
+      work += half * kWeight[i] * (flow.laws[0].power + flow.keyed);
+      size += half * (std::abs(flow.laws[0].power) + std::abs(flow.keyed));
+    }
+  }
+  const double change = last.kinetic + last.potential - first.kinetic - first.potential;
+  EXPECT_NEAR(work, change, 1e-7 * size) << what << ", " << laws[0]->name();
+}
+
+TEST(ForceLaw, ItsPowerIsTheEnergyThatComesIn) {
   ForEachGroup([&](const RandomGroup& group, const std::string& what) {
     Random random(5);
-    RegionDynamics dynamics(group.model, With(AnyPush(group, &random)), RandomGroup::kGravity);
-    dynamics.SetDriven(&group.driven, 0.0, 0.01);
-    const VecX none = VecX::Constant(group.q.size(), std::numeric_limits<double>::infinity());
-    ExactSolver solver(&dynamics, -none, none);
-    solver.SetTolerance(1e-10);
-    solver.Start(0.0, group.q, group.qd);
-    if (solver.Advance(0.002)) return;  // a direction that moves no mass
-    const double end = solver.time(), half = 0.5 * end;
-    const EnergyFlow first = solver.Energy(0.0), last = solver.Energy(end);
-    ASSERT_EQ(first.laws.size(), 1u);
-    EXPECT_EQ(first.laws[0].name, "push");
-    double work = 0.0, size = std::abs(last.kinetic) + std::abs(last.potential);
-    for (const double side : {-1.0, 1.0}) {
-      for (int i = 0; i < 2; ++i) {
-        const EnergyFlow flow = solver.Energy(half + side * kNode[i] * half);
-        work += half * kWeight[i] * (flow.laws[0].power + flow.keyed);
-        size += half * (std::abs(flow.laws[0].power) + std::abs(flow.keyed));
-      }
-    }
-    const double change = last.kinetic + last.potential - first.kinetic - first.potential;
-    EXPECT_NEAR(work, change, 1e-7 * size) << what;
+    for (const ForceLaws& laws : EachLaw(group, &random)) ExpectPowerIsEnergy(group, laws, what);
   });
+}
+
+// Tells where a point of each node is that it is asked about.
+class Witness : public ForceLaw {
+ public:
+  static inline const V3 kPoint = V3(0.1, -0.2, 0.3);  // in the node's frame
+  struct Seen {
+    std::vector<Vec3> p, v;
+  };
+
+  explicit Witness(Seen* seen) : seen_(seen) {}
+  std::string_view name() const override { return "witness"; }
+  bool is_outer() const override { return true; }
+  void AddForces(const RegionState& state, NodeKinematics*) const override {
+    *seen_ = {};
+    for (int i = 0; i < state.kinematics.size(); ++i) {
+      const V3 r = state.kinematics.motion()[i].R * kPoint;
+      seen_->p.push_back(state.PositionAt(i, r).eigen());
+      seen_->v.push_back(state.VelocityAt(i, r).eigen());
+    }
+  }
+
+ private:
+  Seen* seen_;
+};
+
+// Their velocities are how their places change, on moving bases, pins and in flight.
+TEST(ForceLaw, IsToldWherePointsAreAndHowTheyMove) {
+  ForEachGroup([&](const RandomGroup& group, const std::string& what) {
+    Witness::Seen seen;
+    Solved solved(group, {std::make_shared<Witness>(&seen)});
+    if (!solved.is_solved) return;
+    const double middle = 0.5 * solved.solver.time(), h = 1e-3 * middle;
+    const auto at = [&](double t) {
+      solved.solver.Energy(t);
+      return seen;
+    };
+    const Witness::Seen before = at(middle - h), now = at(middle), after = at(middle + h);
+    for (size_t i = 0; i < now.v.size(); ++i) {
+      const Vec3 moved = (after.p[i] - before.p[i]) / (2.0 * h);
+      EXPECT_LE((moved - now.v[i]).norm(), 1e-5 * (1.0 + now.v[i].norm())) << what << " " << i;
+    }
+  });
+}
+
+// A figure whose every part is slowed down alike falls as one body would:
+//   v = u + (v_0 - u) e^(-c t),   u = wind - g / c.
+TEST(ForceLaw, FromOutsidePushesAFigureOffItsParabola) {
+  int figures = 0;
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto group = RandomGroup::Of(seed, RootCoupling::kFlight);
+    if (!group) continue;
+    Solved solved(*group, {std::make_shared<DragLaw>()});
+    ExactSolver& solver = solved.solver;
+    while (solved.is_solved && solver.time() < 0.2) solved.is_solved = !solver.Advance(0.2);
+    if (!solved.is_solved) continue;
+    ++figures;
+    const double c = DragLaw::kRate, left = std::exp(-c * 0.2);
+    const Vec3 u = DragLaw::kWind - RandomGroup::kGravity / c * Vec3::UnitZ();
+    VecX q, qd;
+    solver.Sample(0.2, &q, &qd);
+    const PointMotion fall = solver.SampledAnchor();
+    EXPECT_LE((fall.v - u - (kAnchor.v - u) * left).norm(), 1e-8) << seed;
+    EXPECT_LE((fall.p - kAnchor.p - 0.2 * u - (kAnchor.v - u) * (1.0 - left) / c).norm(), 1e-8)
+        << seed;
+  }
+  EXPECT_GE(figures, 20);
 }
 
 }  // namespace

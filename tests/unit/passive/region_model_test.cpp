@@ -113,6 +113,46 @@ TEST(RegionModel, ThreeFreeConcentricHingesAreABallAndFewerAreNot) {
   EXPECT_FALSE(has_ball());
 }
 
+// Where the model's nodes are, the figure's joints are.
+TEST(RegionModel, ListsTheJointsThatMoveWithItsNodes) {
+  int listed = 0;
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    for (const RootCoupling coupling : {RootCoupling::kPrescribed, RootCoupling::kFlight}) {
+      ModelCase c(seed, coupling, /*is_root_free=*/seed % 2 == 0);
+      const Figure& figure = c.sample.figure;
+      for (const RegionModel& model : CompileRegionModels(figure, c.request)) {
+        EXPECT_TRUE(model.joints.empty());
+      }
+      c.request.lists_joints = true;
+      const DynamicsWorkspace ws = c.sample.Placed();
+      std::vector<int> times(figure.num_joints(), 0);
+      for (const RegionModel& model : CompileRegionModels(figure, c.request)) {
+        const RegionLayout layout(model, /*balls=*/false);
+        NodeKinematics kinematics(model);
+        VecX q(layout.num_hinges()), qd = VecX::Zero(layout.num_hinges());
+        for (int i = 0; i < layout.num_hinges(); ++i) q[i] = c.q[layout.hinges()[i].coordinate];
+        kinematics.Move(layout, c.driven, c.t, q.data(), qd.data(), 0, kinematics.size());
+        for (const NodeJoint& seat : model.joints) {
+          EXPECT_TRUE(model.nodes[seat.node].is_dynamic);
+          if (!seat.joint.is_valid()) continue;
+          ++times[seat.joint.value()];
+          ++listed;
+          const NodeMotion& node = kinematics.motion()[seat.node];
+          const Vec3 p = node.p.eigen() + node.R.eigen() * seat.p_N;
+          EXPECT_LE((p - ws.body(seat.joint).p + c.sample.moving_root.p).norm(), 1e-12) << seed;
+          EXPECT_LE((node.R.eigen() * seat.R_NJ - ws.body(seat.joint).R).norm(), 1e-12) << seed;
+        }
+      }
+      for (const JointIndex j : c.free) {
+        const int least = figure.body(j).is_massless() ? 0 : 1;
+        EXPECT_GE(times[j.value()], least) << seed;
+        EXPECT_LE(times[j.value()], 1) << seed;
+      }
+    }
+  }
+  EXPECT_GE(listed, 500);
+}
+
 TEST(RegionModel, NothingFreeIsNoModel) {
   const Figure human = Human37();
   EXPECT_TRUE(CompileRegionModels(human, AllConstant(human, RootCoupling::kPrescribed)).empty());

@@ -159,12 +159,12 @@ void DrawStartRates(Editor* editor, const ProjectRegion& region, size_t index) {
 }
 
 void DrawEnergy(Editor* editor, const EnergyBalance& energy) {
-  const auto row = [&](const char* label, double joules) {
-    DrawFact(editor, Tr(label), Filled("%.3f J", joules));
+  const auto row = [&](const std::string& label, double joules) {
+    DrawFact(editor, Tr(label.c_str()), Filled("%.3f J", joules));
   };
   row("Kinetic energy", energy.kinetic_end - energy.kinetic_start);
   row("Potential energy", energy.potential_end - energy.potential_start);
-  row("By friction", energy.WorkOf("friction"));
+  for (const EnergyBalance::Work& work : energy.laws) row("By " + work.law, work.joules);
   row("By stops", energy.stops);
   row("By keyed joints", energy.keyed);
   row("Unexplained", energy.residual());
