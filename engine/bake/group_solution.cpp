@@ -7,6 +7,17 @@
 
 namespace hazumi {
 
+SharedGroup::SharedGroup(GroupTask group_task) : task(std::move(group_task)) {
+  hinges.reserve(static_cast<size_t>(task.model.num_free));
+  bool any_ball = false;
+  for (const ModelNode& node : task.model.nodes) {
+    if (node.role != Role::kFree) continue;
+    for (int h = 0; h < node.num_hinges; ++h) hinges.push_back(node.hinges[h].coordinate);
+    any_ball |= node.is_ball;
+  }
+  if (any_ball) with_balls.emplace(task.model, /*balls=*/true);
+}
+
 GroupSolution::GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
                              MovingBaseCache* moving_bases)
     : group_(std::move(group)),
@@ -20,8 +31,8 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   BeginGroup request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {group_, &task}};
   if (ActsFromOutside(task.forces)) request.anchor = state.anchor;
   for (Eigen::Index i = 0; i < k; ++i) {
-    request.q[i] = state.q[hinges()[i].coordinate];
-    request.qd[i] = state.qd[hinges()[i].coordinate];
+    request.q[i] = state.q[hinges()[i]];
+    request.qd[i] = state.qd[hinges()[i]];
   }
   answers_.Begin(std::move(request), known);
   time_ = step_start_ = t;
@@ -83,23 +94,24 @@ std::optional<size_t> GroupSolution::AheadAt(double t) const {
 }
 
 void GroupSolution::Scatter(const GroupSamples& samples, size_t index, RotationState* state) const {
-  const int k = group_->layout.num_hinges();
+  const int k = static_cast<int>(hinges().size());
   const double* sample = samples.hinges.data() + 2 * hinges().size() * index;
   for (int i = 0; i < k; ++i) {
-    state->q[hinges()[i].coordinate] = sample[i];
-    state->qd[hinges()[i].coordinate] = sample[k + i];
+    state->q[hinges()[i]] = sample[i];
+    state->qd[hinges()[i]] = sample[k + i];
   }
   if (!samples.falls.empty()) state->anchor = samples.falls[index];
 }
 
 VecX GroupSolution::Distances(const RotationState& a, const RotationState& b) const {
-  const int k = group_->layout.num_hinges();
+  const int k = static_cast<int>(hinges().size());
   VecX q(k), other(k), distances(k);
   for (int i = 0; i < k; ++i) {
-    q[i] = a.q[hinges()[i].coordinate];
-    other[i] = b.q[hinges()[i].coordinate];
+    q[i] = a.q[hinges()[i]];
+    other[i] = b.q[hinges()[i]];
   }
-  group_->layout.Distances(q, other, &distances);
+  if (!group_->with_balls) return (q - other).cwiseAbs();
+  group_->with_balls->Distances(q, other, &distances);
   return distances;
 }
 

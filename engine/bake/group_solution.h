@@ -13,11 +13,11 @@ namespace hazumi {
 
 // What all solutions of a group share.
 struct SharedGroup {
-  explicit SharedGroup(GroupTask group_task)
-      : task(std::move(group_task)), layout(task.model, /*balls=*/true) {}
+  explicit SharedGroup(GroupTask group_task);
 
   GroupTask task;
-  RegionLayout layout;  // nothing locked
+  std::vector<Coordinate> hinges;          // free ones
+  std::optional<RegionLayout> with_balls;  // where there are any; nothing locked
 };
 
 // The motion of one group, as it answers for it (GroupAnswers).
@@ -32,7 +32,7 @@ class GroupSolution {
     return model().coupling == RootCoupling::kFlight && ActsFromOutside(group_->task.forces);
   }
   const RegionModel& model() const { return group_->task.model; }
-  const std::vector<FreeHinge>& hinges() const { return group_->layout.hinges(); }
+  const std::vector<Coordinate>& hinges() const { return group_->hinges; }
   double step_tolerance() const { return step_tolerance_; }
 
   // Begins at t, with curves (CurvesOf) that are smooth up to `end`. `known`: logs of earlier

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <unordered_map>
 
 #include "engine/bake/group_request.h"
@@ -15,11 +16,11 @@ class KnownLogs {
   void Add(const GroupLogs& logs) {
     for (const auto& log : logs) Add(log);
   }
-  void clear() { logs_.clear(); }
+  void clear() { table_ = std::make_unique<Table>(); }
 
   // The latest that begins with the request; null if there is none.
   std::shared_ptr<const GroupLog> Find(const BeginGroup& request) const {
-    const auto [begin, end] = logs_.equal_range(HashOf(request));
+    const auto [begin, end] = table_->logs.equal_range(HashOf(request));
     for (auto it = begin; it != end; ++it) {
       if (SameBits(FirstOf(*it->second), request)) return it->second;
     }
@@ -27,6 +28,12 @@ class KnownLogs {
   }
 
  private:
+  // There may be as many logs as joints, and they go all at once.
+  struct Table {
+    std::pmr::monotonic_buffer_resource memory;
+    std::pmr::unordered_multimap<uint64_t, std::shared_ptr<const GroupLog>> logs{&memory};
+  };
+
   // Of what is seldom the same for two requests, which is less than all of it.
   static uint64_t HashOf(const BeginGroup& request) {
     uint64_t sum = request.task ? request.task->model.nodes.back().hinges[0].coordinate : 0;
@@ -46,16 +53,16 @@ class KnownLogs {
 
   void Add(const std::shared_ptr<const GroupLog>& log) {
     const uint64_t hash = HashOf(FirstOf(*log));
-    const auto [begin, end] = logs_.equal_range(hash);
+    const auto [begin, end] = table_->logs.equal_range(hash);
     for (auto it = begin; it != end; ++it) {
       if (!SameBits(FirstOf(*it->second), FirstOf(*log))) continue;
       it->second = log;
       return;
     }
-    logs_.emplace(hash, log);
+    table_->logs.emplace(hash, log);
   }
 
-  std::unordered_multimap<uint64_t, std::shared_ptr<const GroupLog>> logs_;
+  std::unique_ptr<Table> table_ = std::make_unique<Table>();
 };
 
 }  // namespace hazumi

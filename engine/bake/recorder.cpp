@@ -158,8 +158,4 @@ void Recorder::AddJump(PlacementJump jump, const std::string& message) {
   stretch_->placement_jumps.push_back(jump);
 }
 
-void Recorder::AddLogs(const GroupLogs& logs) {
-  stretch_->logs.insert(stretch_->logs.end(), logs.begin(), logs.end());
-}
-
 }  // namespace hazumi

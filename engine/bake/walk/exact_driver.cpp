@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -207,7 +208,7 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
     }
   }
   if (!first) return std::nullopt;
-  const Coordinate c = first->hinges()[first->failure()->hinge].coordinate;
+  const Coordinate c = first->hinges()[first->failure()->hinge];
   const bool is_joint = c < figure_.num_joints();
   return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(first->failure()->cause),
                  first->time()};
@@ -247,7 +248,7 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
   std::vector<Hit> hits;
   for (Group& group : groups_) {
     for (const StopHit& hit : group.solution.TakeHits()) {
-      const Coordinate c = group.solution.hinges()[hit.hinge].coordinate;
+      const Coordinate c = group.solution.hinges()[hit.hinge];
       hits.push_back({hit.time, hit.last_time, hit.count, c});
     }
   }
@@ -263,7 +264,7 @@ void ExactDriver::Estimate(double t) {
     const VecX distances = group.solution.Distances(state, control);
     const auto& hinges = group.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
-      double& estimate = estimates_[region_of_[hinges[i].coordinate]];
+      double& estimate = estimates_[region_of_[hinges[i]]];
       estimate =
           std::max({estimate, group.solution.step_tolerance(), kEstimateShare * distances[i]});
     }
@@ -291,10 +292,10 @@ double ExactDriver::microseconds() const {
   return sum;
 }
 
-GroupLogs ExactDriver::logs() const {
-  GroupLogs logs = finished_.logs;
-  AppendLogs(&logs);
-  return logs;
+void ExactDriver::MoveLogsTo(GroupLogs* logs) {
+  std::move(finished_.logs.begin(), finished_.logs.end(), std::back_inserter(*logs));
+  finished_.logs.clear();
+  AppendLogs(logs);
 }
 
 // Of the groups as they are now, if they keep any.

@@ -238,7 +238,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
 // What the driver did, for the reports of its regions.
 void ExactWalk::WriteReports() {
   const auto regions = static_cast<double>(driver_->active().size());
-  context_.recorder.AddLogs(driver_->logs());
+  driver_->MoveLogsTo(&context_.recorder.logs());
   for (size_t a = 0; a < driver_->active().size(); ++a) {
     RegionReport& report = context_.recorder.report(driver_->active()[a]);
     report.steps += static_cast<int>(driver_->steps());
