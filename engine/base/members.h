@@ -87,7 +87,7 @@ class BitComparison {
   template <typename T>
   bool AreSame(const T* a, const T* b, size_t count) const {
     if constexpr (IsNumber<T>) {
-      return std::memcmp(a, b, count * sizeof(T)) == 0;
+      return count == 0 || std::memcmp(a, b, count * sizeof(T)) == 0;
     } else {
       for (size_t i = 0; i < count; ++i) {
         if (!(*this)(a[i], b[i])) return false;
