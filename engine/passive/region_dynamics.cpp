@@ -287,6 +287,7 @@ void RegionDynamics::AnswerRule() {
 
 void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {
   ++evaluations_;
+  ++assembled_;
   Move(t, hinge_layout_, q.data(), qd.data());
   Assemble(hinge_layout_);
 }
