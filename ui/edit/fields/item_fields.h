@@ -219,6 +219,19 @@ Json JsonOf(const std::optional<T>& value) {
   return value ? JsonOf(*value) : Json();
 }
 
+// And back; a word of an enumeration is one of its own.
+template <typename T>
+T FromJson(const Json& value) {
+  if constexpr (FileEnum<T>) {
+    for (const auto& entry : EnumNames<T>::kNames) {
+      if (value == entry.name) return entry.value;
+    }
+    return T();
+  } else {
+    return value.get<T>();
+  }
+}
+
 // By the name of the parameter; null: the item says nothing of it.
 template <typename T>
 Json FieldValue(const T& item, const std::string& parameter) {

@@ -22,6 +22,12 @@ SetItem SetBy(Editor* editor, const char* id, Json item) {
   };
 }
 
+Instead InsteadBy(ProjectSolver solver) {
+  if (!solver.step_s) solver.step_s = kDefaultStep;
+  if (!solver.tolerance_deg) solver.tolerance_deg = kDefaultToleranceDeg;
+  return [solver](const std::string& parameter) { return edit::FieldValue(solver, parameter); };
+}
+
 bool FieldRows::IsLeftOut(const Field& field) const {
   return std::find(without_.begin(), without_.end(), ParameterOf(field)) != without_.end();
 }

@@ -17,11 +17,21 @@ using SetItem = std::function<void(const Json& change, const std::string& drag)>
 // By an operator that needs nothing but what is set, and what names the item.
 SetItem SetBy(Editor* editor, const char* id, Json item = Json::object());
 
+// What is used in place of a field that the item may leave out and does, by its parameter; null:
+// there is nothing to show.
+using Instead = std::function<Json(const std::string& parameter)>;
+
+// Of regions and the project: what the solver is, its defaults put in.
+Instead InsteadBy(ProjectSolver solver);
+
 // Rows for an item's fields, one a field, as their descriptions say (engine/project/fields).
 class FieldRows {
  public:
-  FieldRows(Editor* editor, std::vector<std::string> without, SetItem set)
-      : editor_(editor), without_(std::move(without)), set_(std::move(set)) {}
+  FieldRows(Editor* editor, std::vector<std::string> without, SetItem set, Instead instead)
+      : editor_(editor),
+        without_(std::move(without)),
+        set_(std::move(set)),
+        instead_(std::move(instead)) {}
 
   void operator()(const Field& field, double value);
   void operator()(const Field& field, int value);
@@ -32,9 +42,13 @@ class FieldRows {
   void operator()(const Field& field, Enum value) {
     DrawWords(field, edit::WordsOf(edit::Offer(edit::WordsOf<Enum>())), hazumi::NameOf(value));
   }
-  // What may be missing is taken from somewhere else then: its panel draws it. So are joints.
   template <typename T>
-  void operator()(const Field&, const std::optional<T>&) {}
+  void operator()(const Field& field, const std::optional<T>& value) {
+    if (value) return (*this)(field, *value);
+    const Json other = instead_ ? instead_(ParameterOf(field)) : Json();
+    if (!other.is_null()) (*this)(field, edit::FromJson<T>(other));
+  }
+  // The panel draws joints in a way of their own.
   void operator()(const Field&, const std::vector<JointRef>&) {}
 
  private:
@@ -46,21 +60,25 @@ class FieldRows {
   Editor* editor_;
   std::vector<std::string> without_;
   SetItem set_;
+  Instead instead_;
 };
 
 // All rows but those of the parameters in `without`, which the panel draws in a way of their own.
 template <typename T>
-void DrawFieldRows(Editor* editor, const T& item, std::vector<std::string> without, SetItem set) {
-  FieldRows rows(editor, std::move(without), std::move(set));
+void DrawFieldRows(Editor* editor, const T& item, std::vector<std::string> without, SetItem set,
+                   Instead instead = {}) {
+  FieldRows rows(editor, std::move(without), std::move(set), std::move(instead));
   edit::ForEachField(item, [&](const Field& field, const auto& value) { rows(field, value); });
 }
 
-// The row of one parameter.
+// The rows of these parameters.
 template <typename T>
-void DrawFieldRow(Editor* editor, const T& item, const std::string& parameter, SetItem set) {
-  FieldRows rows(editor, {}, std::move(set));
+void DrawRowsOf(const std::vector<std::string>& parameters, Editor* editor, const T& item,
+                SetItem set, Instead instead = {}) {
+  FieldRows rows(editor, {}, std::move(set), std::move(instead));
   edit::ForEachField(item, [&](const Field& field, const auto& value) {
-    if (parameter == ParameterOf(field)) rows(field, value);
+    const auto found = std::find(parameters.begin(), parameters.end(), ParameterOf(field));
+    if (found != parameters.end()) rows(field, value);
   });
 }
 

@@ -29,22 +29,12 @@ void DrawPreview(Editor* editor, const Project& project) {
   ImGui::PopID();
 }
 
+// Of the tolerance and the step that which the method has.
 void DrawSolver(Editor* editor, const Project& project) {
   if (!DrawHeading(Tr("Solver"))) return;
   const ProjectSolver& solver = project.solver;
-  DrawFieldRows(editor, solver, {}, SetBy(editor, "solver.set"));
-  if (solver.method == Method::kExact) {
-    const double tolerance = solver.tolerance_deg.value_or(kDefaultToleranceDeg);
-    DrawNumber(editor, {"tolerance", Tr("Tolerance"), tolerance, "%.4f°", 0.0005},
-               [&](double value, const std::string& drag) {
-                 editor->Do("solver.set", {{"tolerance", value}, {"drag", drag}});
-               });
-    return;
-  }
-  DrawNumber(editor, {"step", Tr("Step"), solver.step_s.value_or(kDefaultStep), "%.4f s", 0.0005},
-             [&](double value, const std::string& drag) {
-               editor->Do("solver.set", {{"step", value}, {"drag", drag}});
-             });
+  DrawFieldRows(editor, solver, {solver.method == Method::kExact ? "step" : "tolerance"},
+                SetBy(editor, "solver.set"), InsteadBy(solver));
 }
 
 }  // namespace

@@ -37,16 +37,15 @@ void DrawAdd(Editor* editor) {
   }
 }
 
-void Set(Editor* editor, const std::string& region, const Json& change,
-         const std::string& drag = "") {
-  SetBy(editor, "region.set", {{"region", region}})(change, drag);
+void Set(Editor* editor, const std::string& region, const Json& change) {
+  SetBy(editor, "region.set", {{"region", region}})(change, "");
 }
 
 // What a region says that no section below draws.
 void DrawFields(Editor* editor, const ProjectRegion& region) {
-  DrawFieldRows(
-      editor, region, {"joints", "friction", "method", "step", "tolerance", "limit_tangents"},
-      [&](const Json& change, const std::string& drag) { Set(editor, region.name, change, drag); });
+  DrawFieldRows(editor, region,
+                {"joints", "friction", "method", "step", "tolerance", "limit_tangents"},
+                SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
 // A joint that a click takes out. In lines as wide as the panel.
@@ -115,26 +114,18 @@ void DrawFriction(Editor* editor, const ProjectRegion& region) {
              {{"region", region.name}, {"joint", joint}, {"factor", friction.default_factor}});
 }
 
+// Where the region says nothing of its own, as the project has it.
 void DrawMethod(Editor* editor, const ProjectRegion& region) {
   if (!DrawHeading(Tr("Method"))) return;
   const ProjectSolver& solver = editor->session().project().solver;
-  DrawChoice(editor, "method", Tr("Method"), {"exact", "paper"},
-             hazumi::NameOf(region.method.value_or(solver.method)), [&](const std::string& method) {
-               Set(editor, region.name, {{"method", method}});
-             });
-  const double tolerance =
-      region.tolerance_deg.value_or(solver.tolerance_deg.value_or(kDefaultToleranceDeg));
-  NumberField field{"tolerance", Tr("Tolerance"), tolerance, "%.4f°", 0.0005};
-  DrawNumber(editor, field, [&](double value, const std::string& drag) {
-    Set(editor, region.name, {{"tolerance", value}}, drag);
-  });
-  if ((region.method || region.tolerance_deg) &&
-      DrawButton(Tr("As the project"),
-                 Tr("Method and tolerance are those of the project again."))) {
+  const bool is_exact = region.method.value_or(solver.method) == Method::kExact;
+  DrawRowsOf({"method", is_exact ? "tolerance" : "step", "limit_tangents"}, editor, region,
+             SetBy(editor, "region.set", {{"region", region.name}}), InsteadBy(solver));
+  if (!region.method && !region.tolerance_deg && !region.step_s) return;
+  if (DrawButton(Tr("As the project"),
+                 Tr("Method, tolerance and step are those of the project again."))) {
     Set(editor, region.name, {{"as_project", true}});
   }
-  DrawFieldRow(editor, region, "limit_tangents",
-               SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
 // Rates with which the joints are let go: of the key on the first frame, else what they have there.
