@@ -38,8 +38,8 @@ class Properties : public ::testing::Test {
   }
 
   // Of the panel: its middle column has the fields.
-  Rect Content() const {
-    return LayOutWindow({0.0f, 0.0f, kWidth, kHeight}, editor_.settings.shares, 1.0).properties;
+  Rect Content(float height = kHeight) const {
+    return LayOutWindow({0.0f, 0.0f, kWidth, height}, editor_.settings.shares, 1.0).properties;
   }
   void MoveTo(float x, float y) {
     shell_->MoveMouse(x, y);
@@ -122,6 +122,35 @@ TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
   EXPECT_EQ(editor_.session().document().num_steps(), steps + 1);
   Do("edit.undo", Json::object());
   EXPECT_EQ(friction(), factor);
+}
+
+// What a region leaves out is shown as it is used, and can be set there.
+TEST_F(Properties, ARegionTakesAStepOfItsOwnWhereItsMethodHasSteps) {
+  constexpr int kTall = 1600;
+  shell_.reset();
+  auto shell = OffscreenShell::Create(&editor_, {kWidth, kTall});
+  ASSERT_TRUE(shell.ok()) << shell.error().ToString();
+  shell_ = std::move(shell).value();
+  Do("region.set", {{"region", "arm"}, {"method", "paper"}});
+  editor_.side.section = Section::kRegion;
+  shell_->Frame();
+  shell_->Frame();
+  const std::string before = WriteProject(editor_.session().project());
+  const auto step = [&] { return editor_.session().project().regions[0].step_s; };
+  // Up the panel from below its fields: above the step there is a list, which a click opens.
+  const Rect content = Content(kTall);
+  bool found = false;
+  for (float y = content.y + 340.0f; y > content.y && !found; y -= 8.0f) {
+    found = DragAt(content.x + 0.7f * content.w, y, -24.0f, [&] { return step().has_value(); });
+    Button(false);
+    if (!found && WriteProject(editor_.session().project()) != before) {
+      Do("edit.undo", Json::object());
+    }
+  }
+  ASSERT_TRUE(found);
+  EXPECT_LT(*step(), kDefaultStep);
+  EXPECT_GT(*step(), 0.5 * kDefaultStep);
+  EXPECT_FALSE(editor_.session().project().regions[0].tolerance_deg);
 }
 
 TEST_F(Properties, ARefusedLimitLeavesTheDocumentAndSaysWhy) {
