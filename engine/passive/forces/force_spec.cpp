@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/assert.h"
+
 namespace hazumi {
 
 namespace {
@@ -22,7 +24,13 @@ bool ActsFromOutside(const std::vector<ForceSpec>& specs) {
 ForceLaws MakeLaws(const std::vector<ForceSpec>& specs) {
   ForceLaws laws;
   for (const ForceSpec& spec : specs) {
-    laws.push_back(std::visit([](const auto& law) { return MakeLaw(law); }, spec));
+    laws.push_back(std::visit(
+        [](const auto& values) {
+          std::shared_ptr<const ForceLaw> law = MakeLaw(values);
+          HAZUMI_DEMAND(law->is_outer() == values.kIsOuter);
+          return law;
+        },
+        spec));
   }
   return laws;
 }
