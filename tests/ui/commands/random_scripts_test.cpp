@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <new>
 
 #include "tests/support/from_environment.h"
@@ -115,6 +116,7 @@ class RandomScripts : public ::testing::Test {
     const bool had_failed = ::testing::Test::HasFailure();
     const pid_t child = ::fork();
     if (child == 0) {
+      std::filesystem::current_path(folder.path());  // where names without a folder lead
       const RandomFiles files = WriteRandomFiles(folder.path(), first / kScriptsABatch);
       Batch batch(files, told_);
       for (int seed = first; seed <= last; ++seed) batch.Run(seed);
