@@ -105,6 +105,10 @@ double TouchOf(const std::vector<double>& c, double at, int peak, int end, int s
   return at + step * std::min(frames, std::abs(stop - at));
 }
 
+Edge EdgeAt(int frame, double ground) {
+  return {static_cast<double>(frame), ground, static_cast<double>(frame)};
+}
+
 }  // namespace
 
 std::vector<Hill> HillsOf(const std::vector<double>& c, const Heights& heights) {
@@ -126,12 +130,13 @@ Edge EdgeOf(const std::vector<double>& c, int peak, int end, int step, const Hei
   const double lowest = LowestGround(c, peak, end, step);
   const double box = PlateauBeside(c, peak, end, step, heights).value_or(lowest);
   const double ground = box > lowest + 1.5 * contact ? box : lowest;
+  if (c[peak] <= ground + contact) return EdgeAt(peak, ground);
   for (int i = peak; i != end; i += step) {
     if (c[i + step] > ground + contact) continue;
     const double at = Crossing(c, i, step, ground + contact);
     return {at, ground, TouchOf(c, at, peak, end, step, ground, contact)};
   }
-  return {static_cast<double>(end), ground, static_cast<double>(end)};
+  return EdgeAt(end, ground);
 }
 
 }  // namespace hazumi

@@ -33,7 +33,7 @@ struct Edge {
 };
 
 // From the peak towards the valley at `end`, by `step`, 1 or -1. A box on which the figure stands
-// goes before the ground.
+// goes before the ground. A peak that is not `contact` above it is its own foot.
 Edge EdgeOf(const std::vector<double>& clearance, int peak, int end, int step,
             const Heights& heights);
 
