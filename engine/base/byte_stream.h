@@ -82,6 +82,8 @@ class ByteReader {
     rest_.remove_prefix(size);
     return bytes;
   }
+  // What was read contradicts itself otherwise.
+  void Expect(bool holds) { ok_ = ok_ && holds; }
   bool ok() const { return ok_; }
   bool at_end() const { return ok_ && rest_.empty(); }
 

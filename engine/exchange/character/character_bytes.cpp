@@ -118,8 +118,10 @@ void Visit(Archive& a, Character& c) {
   a.Flag(is_z);
   Maybe(a, c.metres_per_unit);
   a.List(c.warnings);
-  if constexpr (Archive::kReads)
+  if constexpr (Archive::kReads) {
+    a.Expect(knows_up || !is_z);
     if (knows_up) c.up = is_z ? UpAxis::kZ : UpAxis::kY;
+  }
 }
 
 template <typename Archive>

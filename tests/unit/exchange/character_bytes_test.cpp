@@ -82,6 +82,19 @@ TEST(CharacterBytes, WhatIsCutShortOrTooLongIsAnError) {
   EXPECT_FALSE(CharacterFromBytes(bytes + "x", "a.glb").ok());
 }
 
+// Up is told by two bytes: whether it is known, and whether it is z.
+TEST(CharacterBytes, AnAxisThatIsNotKnownIsNotZ) {
+  Character c = Sample();
+  c.up.reset();
+  c.metres_per_unit.reset();
+  c.warnings.clear();
+  std::string bytes = CharacterToBytes(c);
+  ASSERT_TRUE(CharacterFromBytes(bytes, "a.glb").ok());
+  constexpr size_t kBehind = 1 + sizeof(uint64_t);  // no metres, and no warnings
+  bytes[bytes.size() - kBehind - 1] = 1;
+  EXPECT_FALSE(CharacterFromBytes(bytes, "a.glb").ok());
+}
+
 // Whatever is accepted keeps what character.h promises; a huge count allocates nothing huge (the
 // test would take hours).
 TEST(CharacterBytes, RandomDamageIsAnErrorOrASoundCharacter) {
