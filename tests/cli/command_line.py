@@ -3,10 +3,12 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -28,6 +30,17 @@ def start(*arguments, inherited=signal.SIG_DFL, **more):
     return subprocess.Popen([HAZUMI, *map(str, arguments)], text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, inherited), **more)
+
+
+def wait_until_it_handles(process, number):
+    """Until a program has come so far that a signal no longer ends it at once."""
+    status = pathlib.Path(f"/proc/{process.pid}/status")
+    for _ in range(6000):
+        caught = re.search(r"^SigCgt:\s*([0-9a-f]+)", status.read_text(), re.M)
+        if int(caught[1], 16) >> (number - 1) & 1:
+            return
+        time.sleep(0.01)
+    raise AssertionError(f"it does not handle signal {number}")
 
 
 class InFolder(unittest.TestCase):

@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from command_line import JUMP, THROW, InFolder, run, start
+from command_line import JUMP, THROW, InFolder, run, start, wait_until_it_handles
 
 
 class Limits(InFolder):
@@ -100,6 +100,7 @@ class Limits(InFolder):
                      ["--render", self.folder / "pictures"]):
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 process = start(*task, "--method", "paper", "--step", "0.000002", THROW)
+                wait_until_it_handles(process, number)
                 time.sleep(0.3)
                 process.send_signal(number)
                 out, complaint = process.communicate(timeout=60)
