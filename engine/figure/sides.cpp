@@ -5,6 +5,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "engine/spatial/degrees.h"
+
 namespace hazumi {
 
 namespace {
@@ -120,7 +122,7 @@ std::vector<BodySide> SidesOf(const Figure& figure, const Groups& other) {
 }
 
 Vec3 NearAxis(const Vec3& direction) {
-  const double kNear = std::cos(10.0 * 3.14159265358979323846 / 180.0);
+  const double kNear = std::cos(10.0 * kDegree);
   for (int i = 0; i < 3; ++i) {
     if (std::abs(direction[i]) >= kNear) return Vec3::Unit(i);
   }

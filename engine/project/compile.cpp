@@ -9,6 +9,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -44,9 +45,7 @@ Error InFigure(Error error) {
   return error;
 }
 
-double RoundedDegrees(double radians) {
-  return std::round(radians / kRadiansPerDegree * 1e6) / 1e6;
-}
+double RoundedDegrees(double radians) { return std::round(radians / kDegree * 1e6) / 1e6; }
 
 // Builds the animation from a project whose values and names have been checked.
 class Compiler {
@@ -94,20 +93,20 @@ class Compiler {
     animation_.last_frame = project_.frames.last;
     const ProjectSolver& solver = project_.solver;
     animation_.solver = {solver.method, solver.step_s.value_or(kDefaultStep),
-                         solver.tolerance_deg.value_or(kDefaultToleranceDeg) * kRadiansPerDegree,
+                         solver.tolerance_deg.value_or(kDefaultToleranceDeg) * kDegree,
                          solver.version};
     animation_.gravity = project_.scene.gravity_m_s2;
   }
 
   void AddCurves() {
     for (int i = 0; i < kNumRootCurves; ++i) {
-      const double scale = i <= kRootZ ? 1.0 : kRadiansPerDegree;
+      const double scale = i <= kRootZ ? 1.0 : kDegree;
       animation_.root_keys[i] = ToKeys(project_.root.curves[i], scale);
     }
     animation_.joint_keys.resize(figure_->joints().size());
     for (const auto& joint : project_.joints) {
       const JointIndex j = *figure_->FindJoint(joint.name);
-      animation_.joint_keys[j.value()] = ToKeys(joint.value, kRadiansPerDegree);
+      animation_.joint_keys[j.value()] = ToKeys(joint.value, kDegree);
       WarnAboutLimits(figure_->joint(j), joint);
     }
   }
@@ -152,7 +151,7 @@ class Compiler {
     region.step = source.step_s;
     region.limit_tangents = source.limit_tangents;
     region.blend_frames = source.blend_frames;
-    if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kRadiansPerDegree;
+    if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kDegree;
     region.root = DrivesRoot(source, *figure_);
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
     const std::vector<double> factors = FrictionFactors(source.friction);

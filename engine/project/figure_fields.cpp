@@ -7,6 +7,7 @@
 #include "engine/figure/mirror.h"
 #include "engine/project/checks/field_checks.h"
 #include "engine/project/json/read_value.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -122,9 +123,9 @@ static void Describe(FieldReader& in, HingeSpec& hinge) {
   ReadAxis(in, hinge.axis);
   in.Required({"limits_deg"}, limits_deg);
   in.Stated({"rest_deg"}, rest_deg);
-  hinge.lower = limits_deg[0] * kRadiansPerDegree;
-  hinge.upper = limits_deg[1] * kRadiansPerDegree;
-  hinge.rest = rest_deg * kRadiansPerDegree;
+  hinge.lower = limits_deg[0] * kDegree;
+  hinge.upper = limits_deg[1] * kDegree;
+  hinge.rest = rest_deg * kDegree;
 }
 
 static void Describe(FieldReader& in, JointSpec& joint) {
@@ -206,7 +207,7 @@ FigureSpec ReadFigure(const Json& json, const Site& site) {
 
 Mat3 RotationFromAngles(const Vec3& zyx_deg) {
   if (zyx_deg.isZero(0.0)) return Mat3::Identity();
-  const Vec3 angles = zyx_deg * kRadiansPerDegree;
+  const Vec3 angles = zyx_deg * kDegree;
   return (Eigen::AngleAxisd(angles[0], Vec3::UnitZ()) *
           Eigen::AngleAxisd(angles[1], Vec3::UnitY()) * Eigen::AngleAxisd(angles[2], Vec3::UnitX()))
       .toRotationMatrix();

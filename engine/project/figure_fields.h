@@ -17,6 +17,4 @@ FigureSpec ReadFigure(const Json& json, const Site& site);
 // R = Rz Ry Rx from its angles z, y, x [deg].
 Mat3 RotationFromAngles(const Vec3& zyx_deg);
 
-inline constexpr double kRadiansPerDegree = 0.017453292519943295;
-
 }  // namespace hazumi

@@ -7,12 +7,11 @@
 #include "engine/project/figure_fields.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/json.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
 namespace {
-
-double Degrees(double radians) { return radians / kRadiansPerDegree; }
 
 // Angles z, y, x [deg] of R = Rz Ry Rx. Where y is near a right angle z is hardly known; x follows
 // from it, so that together they are right.
@@ -21,7 +20,7 @@ Vec3 AnglesOf(const Mat3& R) {
   const Mat3 rest = Eigen::AngleAxisd(-z, Vec3::UnitZ()).toRotationMatrix() * R;
   const double y = std::atan2(-rest(2, 0), rest(0, 0));
   const double x = std::atan2(-rest(1, 2), rest(1, 1));
-  return {Degrees(z), Degrees(y), Degrees(x)};
+  return {ShortestDegrees(z), ShortestDegrees(y), ShortestDegrees(x)};
 }
 
 Json ToJson(const Look& look) {
@@ -65,8 +64,8 @@ Json ToJson(const HingeSpec& hinge) {
   Json json = Json::object();
   if (!hinge.name.empty()) json["name"] = hinge.name;
   json["axis"] = hazumi::ToJson(hinge.axis);
-  json["limits_deg"] = Json::array({Degrees(hinge.lower), Degrees(hinge.upper)});
-  json["rest_deg"] = Degrees(hinge.rest);
+  json["limits_deg"] = Json::array({ShortestDegrees(hinge.lower), ShortestDegrees(hinge.upper)});
+  json["rest_deg"] = ShortestDegrees(hinge.rest);
   return json;
 }
 

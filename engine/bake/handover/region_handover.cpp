@@ -9,6 +9,7 @@
 
 #include "engine/bake/handover/resume_curve.h"
 #include "engine/base/text.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -133,8 +134,8 @@ void RegionHandover::WarnOfOvershoot(int frame, size_t region, JointIndex j, dou
   context_.recorder.AddWarning(
       PlaceOf(region),
       "joint \"" + context_.poses.figure().joint(j).name + "\" goes " +
-          FormatShort(overshoot * 180.0 / std::numbers::pi) +
-          " degrees beyond its limit after frame " + std::to_string(frame) +
+          FormatShort(overshoot / kDegree) + " degrees beyond its limit after frame " +
+          std::to_string(frame) +
           ", before it turns back; set \"limit_tangents\": true on the region, or give it a "
           "key there");
 }

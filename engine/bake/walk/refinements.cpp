@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -18,8 +19,7 @@ constexpr double kFinest = 1e6, kSafely = 0.2;
 
 void WarnOfSensitivity(int region, double estimate, Recorder* recorder) {
   recorder->AddWarning("regions[" + std::to_string(region) + "]",
-                       "its angles may be off by " +
-                           FormatShort(estimate * 180.0 / std::numbers::pi) +
+                       "its angles may be off by " + FormatShort(estimate / kDegree) +
                            " degrees, more than its tolerance: the motion is so sensitive that "
                            "finer steps do not help");
 }

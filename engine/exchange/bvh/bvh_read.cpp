@@ -9,6 +9,7 @@
 #include "engine/exchange/bvh/bvh_motion.h"
 #include "engine/exchange/bvh/bvh_scanner.h"
 #include "engine/exchange/bvh/bvh_skeleton.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -63,7 +64,7 @@ void AddRotation(const double* row, const BoneColumns& columns, BoneTrack* track
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   for (int k = 0; k < columns.num_rotations; ++k) {
     const auto i = static_cast<size_t>(k);
-    angles[k] = row[columns.rotations[i]] * (std::numbers::pi / 180.0);
+    angles[k] = row[columns.rotations[i]] * kDegree;
     turn = turn * Eigen::AngleAxisd(angles[k], Vec3::Unit(columns.axes[i]));
   }
   track->angles.push_back(angles);

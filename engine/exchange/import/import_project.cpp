@@ -17,19 +17,20 @@
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_writer.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);         // [kg/m^2]
-constexpr double kMargin = 15.0 * std::numbers::pi / 180.0;  // beyond the clip [rad]
-constexpr double kFree = 4.0 * std::numbers::pi;             // beyond the clip, without limits
-constexpr double kMetresPerDegree = 0.002;                   // tolerance of the root's place
-constexpr double kDwarf = 1e-3;                              // [m]
-constexpr double kPoint = 1e-8;                              // of a file's height, in its unit
-constexpr double kFar = 100.0;                               // from the origin [m]
-constexpr double kWorthAWord = 1e-4;                         // [m]
+constexpr double kMassOfHeight = 70.0 / (1.7 * 1.7);  // [kg/m^2]
+constexpr double kMargin = 15.0 * kDegree;            // beyond the clip [rad]
+constexpr double kFree = 4.0 * std::numbers::pi;      // beyond the clip, without limits
+constexpr double kMetresPerDegree = 0.002;            // tolerance of the root's place
+constexpr double kDwarf = 1e-3;                       // [m]
+constexpr double kPoint = 1e-8;                       // of a file's height, in its unit
+constexpr double kFar = 100.0;                        // from the origin [m]
+constexpr double kWorthAWord = 1e-4;                  // [m]
 
 Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
   if (name.empty()) return character.clips.empty() ? nullptr : &character.clips.front();
@@ -173,30 +174,37 @@ class Importer {
     return curve;
   }
 
-  // Curve of one component; what its keys say goes back there.
-  ProjectCurve CurveOf(std::vector<Vec3>* vectors, int component, double unit, double tolerance) {
+  // Curve of one component [m]; what its keys say goes back there.
+  ProjectCurve CurveOfPlace(std::vector<Vec3>* places, int component, double tolerance) {
     std::vector<double> values;
-    values.reserve(vectors->size());
-    for (const Vec3& v : *vectors) values.push_back(v[component] / unit);
+    values.reserve(places->size());
+    for (const Vec3& place : *places) values.push_back(place[component]);
     ProjectCurve curve = CurveOf(&values, tolerance);
-    for (size_t f = 0; f < values.size(); ++f) (*vectors)[f][component] = values[f] * unit;
+    for (size_t f = 0; f < values.size(); ++f) (*places)[f][component] = values[f];
+    return curve;
+  }
+  // The same of angles [rad].
+  ProjectCurve CurveOfAngle(std::vector<Vec3>* angles, int component, double tolerance) {
+    std::vector<double> degrees;
+    degrees.reserve(angles->size());
+    for (const Vec3& angle : *angles) degrees.push_back(ShortestDegrees(angle[component]));
+    ProjectCurve curve = CurveOf(&degrees, tolerance);
+    for (size_t f = 0; f < degrees.size(); ++f) (*angles)[f][component] = degrees[f] * kDegree;
     return curve;
   }
 
   void SetKeys() {
     const double tolerance = options_.reduce_deg.value_or(0.0);
-    const double degree = std::numbers::pi / 180.0;
     for (int i = 0; i < 3; ++i) {
       project_.root.curves[kRootX + i] =
-          CurveOf(&plan_.root_position, i, 1.0, kMetresPerDegree * tolerance);
-      project_.root.curves[kRootAngleZ + i] = CurveOf(&plan_.root_angles, i, degree, tolerance);
+          CurveOfPlace(&plan_.root_position, i, kMetresPerDegree * tolerance);
+      project_.root.curves[kRootAngleZ + i] = CurveOfAngle(&plan_.root_angles, i, tolerance);
     }
     for (size_t k = 1; k < plan_.joints.size(); ++k) {
       PlannedJoint& joint = plan_.joints[k];
       for (int h = 0; h < joint.num_hinges; ++h) {
         if (!clip_) continue;
-        project_.joints.push_back(
-            {HingeOf(joint, h), CurveOf(&joint.angles, h, degree, tolerance)});
+        project_.joints.push_back({HingeOf(joint, h), CurveOfAngle(&joint.angles, h, tolerance)});
       }
     }
     if (!clip_) return;

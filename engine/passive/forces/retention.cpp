@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/spatial/degrees.h"
+
 namespace hazumi {
 
 double Retention::FastestRate() const { return rates_.size() > 0 ? rates_.maxCoeff() : 0.0; }
@@ -32,7 +34,7 @@ void Retention::AddOfHinges(const RegionState& state, const RegionLayout::Node& 
 }
 
 void Retention::AddOfBall(const RegionState& state, int node, double* x) const {
-  constexpr double kFar = 10.0 * std::numbers::pi / 180.0;
+  constexpr double kFar = 10.0 * kDegree;
   const RegionLayout::Node& own = state.layout.node(node);
   const Vec3 c = rates_.segment<3>(own.first_hinge);
   const Eigen::Map<const Vec3> w_B(state.velocities + own.dof);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/spatial/degrees.h"
 #include "ui/edit/operator.h"
 #include "ui/edit/session/session.h"
 
@@ -37,7 +38,6 @@ std::vector<Operator> TimeOperators();
 
 // 60 degrees come back from radians as 60, not as 59.99999999999999.
 inline double WithoutRoundOff(double degrees) { return std::round(degrees * 1e9) / 1e9; }
-inline constexpr double kDegree = 3.14159265358979323846 / 180.0;  // [rad]
 
 // For whatever can be dragged.
 inline const ParameterInfo kDrag = {"drag", ParameterKind::kText, false,

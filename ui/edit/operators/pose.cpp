@@ -24,7 +24,7 @@ double Limited(const std::string& hinge, double angle, const Figure& figure) {
   const std::optional<JointIndex> j = figure.FindJoint(hinge);
   if (!j) return angle;
   const Joint& joint = figure.joint(*j);
-  return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
+  return std::clamp(angle, ShortestDegrees(joint.lower), ShortestDegrees(joint.upper));
 }
 
 // To an angle or by one; the joint's limits hold.
@@ -55,7 +55,7 @@ Result<Done> Clear(Session* session, const Parameters&) {
     const std::optional<int> of_root = RootCurveNamed(name);
     if (of_root && *of_root < kRootAngleZ) continue;  // where it is is no pose
     const auto hinge = session->figure().FindJoint(name);
-    rest.push_back({name, hinge ? session->figure().joint(*hinge).rest / kDegree : 0.0});
+    rest.push_back({name, hinge ? ShortestDegrees(session->figure().joint(*hinge).rest) : 0.0});
   }
   return KeyPose(session, "Clear pose", rest);
 }

@@ -80,7 +80,7 @@ Result<Done> ReachFor(Session* session, const Parameters& p) {
         &q);
   Pose pose;
   for (const JointIndex j : hinges.value()) {
-    pose.push_back({figure.joint(j).name, q[j.value()] / kDegree});
+    pose.push_back({figure.joint(j).name, ShortestDegrees(q[j.value()])});
   }
   return KeyPose(session, "Reach", pose, p.text("drag"));
 }

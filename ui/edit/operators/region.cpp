@@ -117,8 +117,8 @@ void RemoveKeys(int first, int last, ProjectCurve* curve) {
 void KeyHinge(JointIndex hinge, const MotionFrame& at, ProjectCurve* curve) {
   ProjectKey key;
   key.frame = at.frame;
-  key.value = at.q[hinge.value()] / kDegree;
-  key.rate = at.after.qd[hinge.value()] / kDegree;
+  key.value = ShortestDegrees(at.q[hinge.value()]);
+  key.rate = ShortestDegrees(at.after.qd[hinge.value()]);
   PutKey(key, curve);
 }
 

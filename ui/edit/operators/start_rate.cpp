@@ -46,7 +46,7 @@ Result<ProjectKey> KeyAtStart(const std::string& hinge, int frame, Session* sess
   const MotionFrame& at = motion.value()->frames[frame - session->project().frames.first];
   ProjectKey key;
   key.frame = frame;
-  key.value = at.q[session->figure().FindJoint(hinge)->value()] / kDegree;
+  key.value = ShortestDegrees(at.q[session->figure().FindJoint(hinge)->value()]);
   return key;
 }
 

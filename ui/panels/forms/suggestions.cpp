@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/forms/options.h"
@@ -118,9 +119,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
 }
 
 std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
-  constexpr double kRadian = 180.0 / std::numbers::pi;  // [degrees]
-  if (name == "lower") return FormatShort(hinge.lower * kRadian);
-  return name == "upper" ? FormatShort(hinge.upper * kRadian) : "";
+  if (name == "lower") return FormatShort(hinge.lower / kDegree);
+  return name == "upper" ? FormatShort(hinge.upper / kDegree) : "";
 }
 
 // The entry of a list that a form changes, by its name or number; null: none.

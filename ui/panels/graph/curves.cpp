@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/spatial/degrees.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-using edit::kDegree;
 
 // A curve's value and rate on one side of a frame, in the units of the document.
 struct Limit {

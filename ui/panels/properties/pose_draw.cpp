@@ -6,6 +6,7 @@
 
 #include "engine/base/text.h"
 #include "engine/figure/mirror.h"
+#include "engine/spatial/degrees.h"
 #include "ui/edit/operators/at_frame.h"
 #include "ui/edit/operators/root_curves.h"
 #include "ui/panels/commands/actions.h"
@@ -56,8 +57,8 @@ std::vector<HingeNow> HingesOf(Editor* editor, const JointGroup& group) {
     const ProjectCurve* curve = CurveOf(hinge.name, session.project());
     if (const ProjectKey* key = KeyAt(curve, session.frame())) hinge.key = *key;
     if (now.ok()) {
-      hinge.angle_deg = now.value()->q[j] * kRadian;
-      hinge.rate_deg_s = now.value()->after.qd[j] * kRadian;
+      hinge.angle_deg = now.value()->q[j] / kDegree;
+      hinge.rate_deg_s = now.value()->after.qd[j] / kDegree;
       const bool is_computed = edit::IsSwung(*session.animation(), hinge.index, session.frame());
       hinge.state = StateOfField(curve, session.frame(), hinge.angle_deg, is_computed);
     }
@@ -76,7 +77,8 @@ void ToggleKey(Editor* editor, const std::string& curve, bool has_key) {
 
 // Says that an angle was not taken as it was wanted; takes that back once one is.
 void TellLimit(const HingeNow& hinge, double wanted_deg, Editor* editor) {
-  const double lower = hinge.joint->lower * kRadian, upper = hinge.joint->upper * kRadian;
+  const double lower = ShortestDegrees(hinge.joint->lower),
+               upper = ShortestDegrees(hinge.joint->upper);
   constexpr double kEpsilon = 1e-6;
   const std::string about = hinge.name + ": ";
   if (wanted_deg >= lower - kEpsilon && wanted_deg <= upper + kEpsilon) {
@@ -136,7 +138,7 @@ void DrawLimits(Editor* editor, const std::vector<HingeNow>& hinges) {
   DrawEmbed(editor);
   for (const HingeNow& hinge : hinges) {
     const auto draw = [&](const char* which, const std::string& label, double value) {
-      DrawNumber(editor, {which + hinge.name, label, value * kRadian, "%.1f°", 0.5},
+      DrawNumber(editor, {which + hinge.name, label, ShortestDegrees(value), "%.1f°", 0.5},
                  [&](double wanted, const std::string& drag) {
                    editor->Do("figure.joint_limits",
                               {{"joint", hinge.name}, {which, wanted}, {"drag", drag}});

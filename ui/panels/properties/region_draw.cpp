@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/spatial/degrees.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
@@ -140,7 +141,7 @@ void DrawStartRates(Editor* editor, const ProjectRegion& region, size_t index) {
   const std::vector<JointIndex> joints = session.animation()->regions[index].joints;
   for (const JointIndex j : joints) {
     const std::string hinge = session.figure().joint(j).name;
-    DrawNumber(editor, {"start " + hinge, hinge, rates[j.value()] * kRadian, "%.0f°/s", 2.0},
+    DrawNumber(editor, {"start " + hinge, hinge, rates[j.value()] / kDegree, "%.0f°/s", 2.0},
                [&](double value, const std::string& drag) {
                  editor->Do(
                      "region.start_rate",
@@ -173,7 +174,7 @@ void DrawReport(Editor* editor, const ProjectRegion& region) {
   DrawFact(editor, Tr("Evaluations"), std::to_string(report->evaluations));
   DrawFact(editor, Tr("Time"), Filled("%.0f µs", report->microseconds));
   if (report->method == Method::kExact) {
-    DrawFact(editor, Tr("Error"), Filled("%.2g°", report->error_estimate * kRadian));
+    DrawFact(editor, Tr("Error"), Filled("%.2g°", report->error_estimate / kDegree));
   }
   if (report->energy) DrawEnergy(editor, *report->energy);
 }

@@ -11,6 +11,4 @@ void DrawSceneSection(Editor* editor);
 void DrawProjectSection(Editor* editor);
 void DrawFlights(Editor* editor);  // of the project
 
-inline constexpr double kRadian = 180.0 / 3.14159265358979323846;  // [degrees]
-
 }  // namespace hazumi::ui

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/degrees.h"
+
 namespace hazumi::ui {
 
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
 constexpr double kNearest = 0.2, kFarthest = 100.0;  // of the target [m]
 
 double HalfHeight(double vertical_fov_deg) { return std::tan(0.5 * vertical_fov_deg * kDegree); }

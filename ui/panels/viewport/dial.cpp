@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/spatial/degrees.h"
+
 namespace hazumi::ui {
 
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
+namespace {}  // namespace
 
 Dial::Dial(const View& view, const Vec3& center, const Vec3& axis, const Vec3& taken_at)
     : pivot_(view.ToWindow(center).value_or(Point{})) {

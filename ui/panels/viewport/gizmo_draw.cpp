@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/spatial/degrees.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/window/widgets.h"
@@ -68,7 +69,6 @@ void DrawAngle(const Editor& editor, const View& view, const LimitArc& arc) {
   const auto center = view.ToWindow(arc.center);
   if (!center) return;
   const Joint& joint = editor.session().figure().joint(arc.hinge);
-  constexpr double kDegree = kPi / 180.0;
   char text[160];
   std::snprintf(text, sizeof text, "%s  %.1f\u00b0  (%.0f\u00b0 \u2013 %.0f\u00b0)",
                 joint.name.c_str(), WithoutMinusZero(arc.angle / kDegree, 1),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/degrees.h"
 #include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/tools.h"
 
@@ -10,7 +11,6 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 class ReachTool : public PointMoveTool {
  public:
   using PointMoveTool::PointMoveTool;
@@ -44,7 +44,7 @@ class LimitTool : public DragTool {
         is_upper_(end.part == GizmoPart::kUpper) {
     const Joint& joint = editor->session().figure().joint(hinge_);
     name_ = joint.name;
-    angle_deg_ = (is_upper_ ? joint.upper : joint.lower) / kDegree;
+    angle_deg_ = ShortestDegrees(is_upper_ ? joint.upper : joint.lower);
   }
 
   std::string hint() const override {
@@ -73,8 +73,8 @@ bool LimitTool::Follow(Editor* editor, const ToolInput& input) {
   const Joint& joint = editor->session().figure().joint(hinge_);
   const double step = input.precise ? 0.1 : input.snap ? 5.0 : 1.0;
   double angle = step * std::round(*at / kDegree / step);
-  angle =
-      is_upper_ ? std::max(angle, joint.lower / kDegree) : std::min(angle, joint.upper / kDegree);
+  angle = is_upper_ ? std::max(angle, ShortestDegrees(joint.lower))
+                    : std::min(angle, ShortestDegrees(joint.upper));
   if (angle == angle_deg_) return true;
   angle_deg_ = angle;
   return Run(editor, "figure.joint_limits",

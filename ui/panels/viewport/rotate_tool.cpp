@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/degrees.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/viewport/dial.h"
 #include "ui/panels/viewport/drag_tool.h"
@@ -12,7 +13,6 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kStep = 5.0;  // with Ctrl [degrees]
 
 double Snapped(double value, double step) { return step * std::round(value / step); }
@@ -104,8 +104,9 @@ void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& fi
   const Joint& joint = figure.figure().joint(hinge);
   const double now = edit::WithoutRoundOff(figure.frame().q[hinge.value()] / kDegree);
   const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
-  turns_.push_back({joint.name, now, now, joint.lower / kDegree, joint.upper / kDegree,
-                    facing < 0.0 ? -1.0 : 1.0, figure.frame().in_region[hinge.value()] != 0});
+  turns_.push_back({joint.name, now, now, ShortestDegrees(joint.lower),
+                    ShortestDegrees(joint.upper), facing < 0.0 ? -1.0 : 1.0,
+                    figure.frame().in_region[hinge.value()] != 0});
   if (turns_.size() == 1) editor->viewport.active_hinge = joint.name;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/degrees.h"
 #include "render/motion/motion_scene.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/figure.h"
@@ -13,7 +14,7 @@ namespace hazumi::ui {
 namespace {
 
 // Of a path, for each frame.
-constexpr double kMostTurn = 4.0 * 3.14159265358979323846 / 180.0;  // from point to point [rad]
+constexpr double kMostTurn = 4.0 * kDegree;  // from point to point [rad]
 constexpr int kLeastParts = 2, kMostParts = 32;
 
 // Cubic from `a` to `b` with derivatives `da` and `db` with respect to t in [0, 1].
