@@ -5,7 +5,15 @@
 
 #include <utility>
 
+#include "engine/bake/group_run.h"
+
 namespace hazumi {
+
+GroupAnswers::GroupAnswers(std::shared_ptr<const GroupTask> task, MovingBaseCache* moving_bases)
+    : task_(std::move(task)), moving_bases_(moving_bases) {}
+GroupAnswers::GroupAnswers(GroupAnswers&&) noexcept = default;
+GroupAnswers& GroupAnswers::operator=(GroupAnswers&&) noexcept = default;
+GroupAnswers::~GroupAnswers() = default;
 
 void GroupAnswers::Begin(BeginGroup request, const KnownLogs* known) {
   keeps_log_ = known != nullptr;

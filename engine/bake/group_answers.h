@@ -3,10 +3,13 @@
 #include <atomic>
 #include <memory>
 
-#include "engine/bake/group_run.h"
+#include "engine/bake/group_request.h"
 #include "engine/bake/known_logs.h"
+#include "engine/bake/moving_base_cache.h"
 
 namespace hazumi {
+
+class GroupRun;
 
 // What a group answers to its requests.
 //
@@ -16,8 +19,10 @@ namespace hazumi {
 class GroupAnswers {
  public:
   // `moving_bases` must outlive it.
-  GroupAnswers(std::shared_ptr<const GroupTask> task, MovingBaseCache* moving_bases)
-      : task_(std::move(task)), moving_bases_(moving_bases) {}
+  GroupAnswers(std::shared_ptr<const GroupTask> task, MovingBaseCache* moving_bases);
+  GroupAnswers(GroupAnswers&&) noexcept;
+  GroupAnswers& operator=(GroupAnswers&&) noexcept;
+  ~GroupAnswers();
 
   // The first request. `known`: logs of earlier bakes; null: it keeps none itself.
   void Begin(BeginGroup request, const KnownLogs* known);

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "engine/base/members.h"
-#include "engine/passive/exact_solver.h"
+#include "engine/passive/exact/exact_failure.h"
+#include "engine/passive/exact/stop_hits.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 

@@ -4,6 +4,7 @@
 
 #include "engine/bake/group_request.h"
 #include "engine/bake/moving_base_cache.h"
+#include "engine/passive/exact/exact_solver.h"
 
 namespace hazumi {
 

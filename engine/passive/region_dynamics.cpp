@@ -1,15 +1,7 @@
 #include "engine/passive/region_dynamics.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-
-#include "engine/passive/semidefinite.h"
-
-// The dense way: with the composite body beyond node i (m, h = m c, I about its origin) every free
-// direction e of it needs, per unit acceleration,
-//   f = e x h,  n = I e;   M(e', e) = e' . n about the origin of e', for e' between i and the root
-//   b(e) = e . n_i, n_i what everything beyond asks for with the free accelerations zero
-// [Luh, Walker, Paul 1980] for b, composite rigid bodies [Featherstone 2008, 6.2] for M.
 
 namespace hazumi {
 
@@ -20,7 +12,8 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       layout_(model_, /*balls=*/true),
       hinge_layout_(model_, /*balls=*/false),
       kinematics_(model_),
-      articulated_(model_),
+      dense_(model_),
+      tree_(model_),
       laws_(std::move(laws)),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
@@ -39,16 +32,6 @@ double RegionDynamics::FastestRate() const {
   double rate = 0.0;
   for (const auto& law : laws_) rate = std::max(rate, law->FastestRate());
   return rate;
-}
-
-// At the first dense evaluation: a long chain may never need one.
-void RegionDynamics::MakeRoomForDense() {
-  const int k = num_hinges();
-  if (M_.cols() == k && F_.cols() == k) return;
-  b_.setZero(k);
-  M_.setZero(k, k);
-  F_.setZero(3, k);
-  J_.setZero(3, k);
 }
 
 void RegionDynamics::SetCurves(const DrivenMotion* driven, double start) {
@@ -141,77 +124,6 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
   return up + V3(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd);
 }
 
-void RegionDynamics::Assemble(const RegionLayout& layout) {
-  MakeRoomForDense();
-  for (int i = 0; i < layout.num_dofs(); ++i) std::fill_n(&M_(0, i), layout.num_dofs(), 0.0);
-  for (int i = kinematics_.size() - 1; i >= 0; --i) {
-    if (!model_.nodes[i].is_dynamic) continue;
-    const RegionLayout::Node& where = layout.node(i);
-    const NodeMotion& own = kinematics_.motion()[i];
-    for (int k = 0; k < where.num_dofs; ++k) {
-      AssembleColumn(layout, i, where.dof + k, own.axis[k]);
-      b_[where.dof + k] = Dot(own.axis[k], own.n);
-    }
-    PassToParent(i);
-  }
-  if (model_.root_answers) Couple(layout);
-}
-
-void RegionDynamics::AssembleColumn(const RegionLayout& layout, int node, int dof, const V3& axis) {
-  const auto& motion = kinematics_.motion();
-  const V3 f = Cross(axis, motion[node].h);
-  V3 n = motion[node].I * axis;
-  F_.col(dof) << f.x, f.y, f.z;
-  for (int i = node;; i = model_.nodes[i].parent) {
-    const RegionLayout::Node& where = layout.node(i);
-    for (int k = 0; k < where.num_dofs; ++k) {
-      M_(where.dof + k, dof) = M_(dof, where.dof + k) = Dot(motion[i].axis[k], n);
-    }
-    const int parent = model_.nodes[i].parent;
-    if (parent < 0 || !model_.nodes[parent].is_dynamic) return;
-    n += Cross(motion[i].r, f);
-  }
-}
-
-void RegionDynamics::PassToParent(int node) {
-  const int parent = model_.nodes[node].parent;
-  if (parent < 0 || !model_.nodes[parent].is_dynamic) return;
-  const NodeMotion& own = kinematics_.motion()[node];
-  NodeMotion& to = kinematics_.motion()[parent];
-  const V3 &r = own.r, &h = own.h;
-  const V3 g = h + own.m * r;  // of the composite about the parent's origin
-  const double d = Dot(r, h) + Dot(r, g);
-  to.f += own.f;
-  to.n += own.n + Cross(r, own.f);
-  to.m += own.m;
-  to.h += g;
-  to.I += own.I;
-  to.I += S3{d - r.x * h.x - g.x * r.x, -r.x * h.y - g.x * r.y, -r.x * h.z - g.x * r.z,
-             d - r.y * h.y - g.y * r.y, -r.y * h.z - g.y * r.z, d - r.z * h.z - g.z * r.z};
-}
-
-// Eliminates the root's translation, as RegionSystem does.
-void RegionDynamics::Couple(const RegionLayout& layout) {
-  if (model_.coupling == RootCoupling::kPinned) return ProjectOnPin(layout);
-  const Vec3 f_root = kinematics_.motion()[0].f.eigen();
-  for (int j = 0; j < layout.num_dofs(); ++j) {
-    const Vec3 column = F_.col(j) / model_.mass;
-    for (int i = 0; i < layout.num_dofs(); ++i) M_(i, j) -= F_.col(i).dot(column);
-    b_[j] -= column.dot(f_root);
-  }
-}
-
-void RegionDynamics::SolveDense(double* x) {
-  const int k = layout_.num_dofs();
-  Assemble(layout_);
-  if (L_.cols() != num_hinges()) L_.setZero(num_hinges(), num_hinges());
-  for (int j = 0; j < k; ++j) std::copy_n(&M_(0, j), k, &L_(0, j));
-  FactorSemidefinite(L_.topLeftCorner(k, k));
-  Eigen::Map<VecX> solution(x, k);
-  solution = -b_.head(k);
-  SolveSemidefinite(L_.topLeftCorner(k, k), solution);
-}
-
 // c'' = g + sum F / m
 void RegionDynamics::Fall(double* dy) const {
   const Vec3 push = kinematics_.added_force().eigen() / model_.mass;
@@ -238,9 +150,10 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   double* x = dy + layout_.num_positions();
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
-    SolveLarge(layout_, x);
+    tree_.Solve(layout_, kinematics_.motion(), x);
   } else {
-    SolveDense(x);
+    dense_.Assemble(layout_, &kinematics_.motion());
+    dense_.Solve(layout_, x);
   }
   if (has_rules_) AddRules(t, y, x);
   if (is_pushed_in_flight()) Fall(dy);
@@ -279,17 +192,27 @@ void RegionDynamics::AddRule(const ForceLaw& rule, const RegionState& state) {
 // What a rule does inside the figure leaves its angular momentum alone: the root is solved again.
 void RegionDynamics::AnswerRule() {
   if (layout_.node(0).num_dofs == 0) return;
+  const MatX& M = dense_.equations().M;
   Vec3 answer = Vec3::Zero();
-  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M_.block<3, 1>(0, j) * added_[j];
-  const Mat3 M_rr = M_.topLeftCorner<3, 3>();
+  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M.block<3, 1>(0, j) * added_[j];
+  const Mat3 M_rr = M.topLeftCorner<3, 3>();
   added_.head<3>() = M_rr.ldlt().solve(answer);
 }
 
 void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {
   ++evaluations_;
-  ++assembled_;
+  ++num_assembled_;
   Move(t, hinge_layout_, q.data(), qd.data());
-  Assemble(hinge_layout_);
+  dense_.Assemble(hinge_layout_, &kinematics_.motion());
+  assembled_some_ = false;
+}
+
+void RegionDynamics::AssembleSome(const std::vector<int>& hinges, double t, const VecX& q,
+                                  const VecX& qd) {
+  ++evaluations_;
+  Move(t, hinge_layout_, q.data(), qd.data());
+  tree_.AssembleSome(hinge_layout_, kinematics_.motion(), hinges);
+  assembled_some_ = true;
 }
 
 }  // namespace hazumi

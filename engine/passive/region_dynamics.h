@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/dense_equations.h"
 #include "engine/passive/forces/force_law.h"
 #include "engine/passive/moving_base.h"
 #include "engine/passive/node_motion.h"
 #include "engine/passive/region_layout.h"
+#include "engine/passive/tree_equations.h"
 #include "engine/spatial/point_motion.h"
 
 namespace hazumi {
@@ -86,21 +87,20 @@ class RegionDynamics {
   // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what stops
   // press and what impacts do. Counts as one evaluation.
   void AssembleHinges(double t, const VecX& q, const VecX& qd);
-  const MatX& M() const { return M_; }
-  const VecX& b() const { return b_; }
-
-  // The same of a group that is large, and not solved the dense way: M and b of some hinges alone,
-  // k of them, with the others following freely, in O(k n + k^3).
+  // The same of a group that is large, and not solved the dense way: of some hinges alone, with the
+  // others following freely. Counts as one evaluation.
   bool is_large() const { return model_.num_free > most_dense_ && UsesArticulatedBodies(); }
   void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
-  // After it: how the rates of all free hinges jump where those hinges get impulses [N m s] and a
-  // pin that moved with v_pin is stopped.
-  VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
-  VecX JumpOfPin(const Vec3& v_pin);
+  // Assembled last.
+  const MatX& M() const { return assembled().M; }
+  const VecX& b() const { return assembled().b; }
 
-  // After AssembleHinges: the impulse on the free hinges [N m s] when the root's velocity jumps so
-  // that a pin, which moved with v_pin [m/s], stands still. [METHOD 5.7]
-  void PinImpulse(const Vec3& v_pin, VecX* impulse) const;
+  // After AssembleHinges, as DenseEquations has it; after AssembleSome, as TreeEquations.
+  void PinImpulse(const Vec3& v_pin, VecX* impulse) const { dense_.PinImpulse(v_pin, impulse); }
+  VecX JumpOf(const VecX& impulses) const { return tree_.JumpOf(impulses); }
+  VecX JumpOfPin(const Vec3& v_pin) {
+    return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
+  }
 
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
@@ -113,10 +113,13 @@ class RegionDynamics {
   // make of them, take about one more for each 250 entries of their matrix.
   double work() const {
     const double entries = static_cast<double>(num_hinges()) * num_hinges();
-    return static_cast<double>(evaluations_) + entries / 250.0 * assembled_;
+    return static_cast<double>(evaluations_) + entries / 250.0 * num_assembled_;
   }
 
  private:
+  const GroupEquations& assembled() const {
+    return assembled_some_ ? tree_.some() : dense_.equations();
+  }
   bool UsesArticulatedBodies() const;
   void Move(double t, const RegionLayout& layout, const double* positions,
             const double* velocities);
@@ -125,17 +128,6 @@ class RegionDynamics {
   MovingBase::Frame CarrierAt(double t);  // by the chain that moves it
   void MoveCarrier(double t);
   small::V3 BaseAcceleration(double t) const;
-  void MakeRoomForDense();
-  void Assemble(const RegionLayout& layout);
-  void AssembleColumn(const RegionLayout& layout, int node, int dof, const small::V3& axis);
-  void PassToParent(int node);
-  void Couple(const RegionLayout& layout);
-  void ProjectOnPin(const RegionLayout& layout);
-  void SolveDense(double* x);
-  void SolveLarge(const RegionLayout& layout, double* x);
-  void PushPin(const RegionLayout& layout);
-  void KeepPin(const small::V3& a, int size, double* x) const;
-  bool IsOnPin() const { return model_.root_answers && model_.coupling == RootCoupling::kPinned; }
   void AskForForces(const small::V3& base, const RegionState& state);
   RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
                       const double* velocities) const;
@@ -157,7 +149,9 @@ class RegionDynamics {
   RegionModel model_;
   RegionLayout layout_, hinge_layout_;
   NodeKinematics kinematics_;
-  ArticulatedBodies articulated_;
+  DenseEquations dense_;
+  TreeEquations tree_;
+  bool assembled_some_ = false;  // and not all, last
   std::shared_ptr<const MovingBase> moving_base_;
   int first_moved_ = 0;  // the nodes before it are there only to move the moving base
   bool is_carrier_still_ = false;
@@ -170,17 +164,9 @@ class RegionDynamics {
   int most_dense_ = 64;
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
-  MatX M_, L_;
-  VecX b_;
   VecX added_;  // by a rule, by dof
-  // Of unit forces on the pin: accelerations of the free joints and of the pin. Of unit torques:
-  // of the free hinges.
-  Eigen::MatrixX3d pushed_;
-  Mat3 pin_pushed_;
-  MatX responses_;
-  Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
   long evaluations_ = 0;
-  double assembled_ = 0.0;  // of them by AssembleHinges
+  double num_assembled_ = 0.0;  // of them by AssembleHinges
 };
 
 }  // namespace hazumi

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/passive/exact_solver.h"
+#include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"

@@ -3,7 +3,7 @@
 #include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inertia_matrix.h"
-#include "engine/passive/exact_solver.h"
+#include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/paper_step.h"
 #include "engine/passive/region_system.h"

@@ -1,6 +1,6 @@
 // The integrator by itself, against closed forms and a published orbit.
 
-#include "engine/passive/dop853.h"
+#include "engine/passive/exact/dop853.h"
 
 #include <gtest/gtest.h>
 

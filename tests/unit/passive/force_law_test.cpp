@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/passive/exact_solver.h"
+#include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/forces/hinge_moment.h"
 #include "tests/unit/passive/random_group.h"

@@ -1,6 +1,6 @@
 // What stops do to a large group, found from those at a stop alone, against the dense way.
 
-#include "engine/passive/stop_forces.h"
+#include "engine/passive/exact/stop_forces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Stops that are hit or pressed together: the conditions that define the answer, and all sets of
 // stops tried one by one.
 
-#include "engine/passive/stops.h"
+#include "engine/passive/exact/stops.h"
 
 #include <gtest/gtest.h>
 

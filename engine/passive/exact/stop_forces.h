@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "engine/passive/exact/stops.h"
 #include "engine/passive/region_dynamics.h"
-#include "engine/passive/stops.h"
 
 namespace hazumi {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/passive/dop853_tableau.h"
+#include "engine/passive/exact/dop853_tableau.h"
 
 namespace hazumi {
 

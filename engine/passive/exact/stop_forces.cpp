@@ -2,7 +2,7 @@
 // large group are those of the hinges at stops, with M and b as RegionDynamics::AssembleSome gives
 // them.
 
-#include "engine/passive/stop_forces.h"
+#include "engine/passive/exact/stop_forces.h"
 
 namespace hazumi {
 

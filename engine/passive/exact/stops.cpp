@@ -1,4 +1,4 @@
-#include "engine/passive/stops.h"
+#include "engine/passive/exact/stops.h"
 
 #include <algorithm>
 #include <cmath>

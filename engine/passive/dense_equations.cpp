@@ -1,0 +1,143 @@
+// With the composite body beyond node i (m, h = m c, I about its origin) every free direction e of
+// it needs, per unit acceleration,
+//   f = e x h,  n = I e;   M(e', e) = e' . n about the origin of e', for e' between i and the root
+//   b(e) = e . n_i, n_i what everything beyond asks for with the free accelerations zero
+// [Luh, Walker, Paul 1980] for b, composite rigid bodies [Featherstone 2008, 6.2] for M. With F the
+// force on the root for unit accelerations of all e and u the root's own acceleration,
+//   in flight  F x + f + m u = 0,     on a pin  u = -J x.
+
+#include "engine/passive/dense_equations.h"
+
+#include <algorithm>
+
+#include "engine/passive/semidefinite.h"
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+DenseEquations::DenseEquations(const RegionModel& model)
+    : p_pin_(model.p_pin),
+      root_answers_(model.root_answers),
+      is_pinned_(model.coupling == RootCoupling::kPinned),
+      mass_(model.mass),
+      num_free_(model.num_free) {
+  for (const ModelNode& node : model.nodes) {
+    const bool is_carried = node.parent >= 0 && model.nodes[node.parent].is_dynamic;
+    nodes_.push_back({is_carried ? node.parent : -1, node.is_dynamic});
+  }
+  for (int i = model.pin_node; i >= 0; i = model.nodes[i].parent) to_pin_.push_back(i);
+}
+
+// At the first evaluation: a long chain may never need one.
+void DenseEquations::MakeRoom() {
+  if (L_.cols() == num_free_ && F_.cols() == num_free_) return;
+  equations_.b.setZero(num_free_);
+  for (MatX* matrix : {&equations_.M, &L_}) matrix->setZero(num_free_, num_free_);
+  for (Eigen::Matrix3Xd* rows : {&F_, &J_}) rows->setZero(3, num_free_);
+}
+
+void DenseEquations::Assemble(const RegionLayout& layout, std::vector<NodeMotion>* motion) {
+  MakeRoom();
+  for (int i = 0; i < layout.num_dofs(); ++i) {
+    std::fill_n(&equations_.M(0, i), layout.num_dofs(), 0.0);
+  }
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    if (!nodes_[i].is_dynamic) continue;
+    const RegionLayout::Node& where = layout.node(i);
+    const NodeMotion& own = (*motion)[i];
+    for (int k = 0; k < where.num_dofs; ++k) {
+      AssembleColumn(layout, *motion, i, where.dof + k, own.axis[k]);
+      equations_.b[where.dof + k] = Dot(own.axis[k], own.n);
+    }
+    PassToParent(i, motion);
+  }
+  if (!root_answers_) return;
+  if (is_pinned_) {
+    EliminatePin(layout, *motion);
+  } else {
+    EliminateFlight(layout, *motion);
+  }
+}
+
+void DenseEquations::AssembleColumn(const RegionLayout& layout,
+                                    const std::vector<NodeMotion>& motion, int node, int dof,
+                                    const V3& axis) {
+  MatX& M = equations_.M;
+  const V3 f = Cross(axis, motion[node].h);
+  V3 n = motion[node].I * axis;
+  F_.col(dof) << f.x, f.y, f.z;
+  for (int i = node;; i = nodes_[i].parent) {
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) {
+      M(where.dof + k, dof) = M(dof, where.dof + k) = Dot(motion[i].axis[k], n);
+    }
+    if (nodes_[i].parent < 0) return;
+    n += Cross(motion[i].r, f);
+  }
+}
+
+void DenseEquations::PassToParent(int node, std::vector<NodeMotion>* motion) const {
+  if (nodes_[node].parent < 0) return;
+  const NodeMotion& own = (*motion)[node];
+  NodeMotion& to = (*motion)[nodes_[node].parent];
+  const V3 &r = own.r, &h = own.h;
+  const V3 g = h + own.m * r;  // of the composite about the parent's origin
+  const double d = Dot(r, h) + Dot(r, g);
+  to.f += own.f;
+  to.n += own.n + Cross(r, own.f);
+  to.m += own.m;
+  to.h += g;
+  to.I += own.I;
+  to.I += S3{d - r.x * h.x - g.x * r.x, -r.x * h.y - g.x * r.y, -r.x * h.z - g.x * r.z,
+             d - r.y * h.y - g.y * r.y, -r.y * h.z - g.y * r.z, d - r.z * h.z - g.z * r.z};
+}
+
+void DenseEquations::EliminateFlight(const RegionLayout& layout,
+                                     const std::vector<NodeMotion>& motion) {
+  const Vec3 f_root = motion[0].f.eigen();
+  for (int j = 0; j < layout.num_dofs(); ++j) {
+    const Vec3 column = F_.col(j) / mass_;
+    for (int i = 0; i < layout.num_dofs(); ++i) equations_.M(i, j) -= F_.col(i).dot(column);
+    equations_.b[j] -= column.dot(f_root);
+  }
+}
+
+void DenseEquations::EliminatePin(const RegionLayout& layout,
+                                  const std::vector<NodeMotion>& motion) {
+  const Vec3 f_root = motion[0].f.eigen();
+  const NodeMotion& pin = motion[to_pin_.front()];
+  const V3 p_pin = pin.p + pin.R * V3(p_pin_);
+  J_.leftCols(layout.num_dofs()).setZero();
+  for (const int i : to_pin_) {
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) {
+      J_.col(where.dof + k) = Cross(motion[i].axis[k], p_pin - motion[i].p).eigen();
+    }
+  }
+  for (int j = 0; j < layout.num_dofs(); ++j) {
+    const Vec3 push = mass_ * J_.col(j) - F_.col(j);
+    for (int i = 0; i < layout.num_dofs(); ++i) {
+      equations_.M(i, j) += J_.col(i).dot(push) - F_.col(i).dot(J_.col(j));
+    }
+    equations_.b[j] -= J_.col(j).dot(f_root);
+  }
+}
+
+void DenseEquations::Solve(const RegionLayout& layout, double* x) {
+  const int k = layout.num_dofs();
+  for (int j = 0; j < k; ++j) std::copy_n(&equations_.M(0, j), k, &L_(0, j));
+  FactorSemidefinite(L_.topLeftCorner(k, k));
+  Eigen::Map<VecX> solution(x, k);
+  solution = -equations_.b.head(k);
+  SolveSemidefinite(L_.topLeftCorner(k, k), solution);
+}
+
+// With Du = -v_pin - J Dy for the root:  H Dy + F^T Du = 0 along what keeps the pin still.
+void DenseEquations::PinImpulse(const Vec3& v_pin, VecX* impulse) const {
+  for (int i = 0; i < num_free_; ++i) {
+    (*impulse)[i] = (F_.col(i) - mass_ * J_.col(i)).dot(v_pin);
+  }
+}
+
+}  // namespace hazumi

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/passive/node_motion.h"
+#include "engine/passive/region_model.h"
+
+namespace hazumi {
+
+// M x = T - b for free directions or hinges of a group.
+struct GroupEquations {
+  MatX M;
+  VecX b;
+};
+
+// The equations of motion of a model with their matrix, which takes n^3 to solve. A root that
+// answers the free joints is eliminated: in flight by the momentum that nothing changes, on a pin
+// by what keeps the pin still.
+class DenseEquations {
+ public:
+  explicit DenseEquations(const RegionModel& model);
+
+  // M (k x k) and b (k) of the layout's dofs, the first k of what is kept, for nodes that move and
+  // ask for forces as in `motion`, which is summed up towards the root on the way.
+  void Assemble(const RegionLayout& layout, std::vector<NodeMotion>* motion);
+  const GroupEquations& equations() const { return equations_; }
+  // After it: x = -M^-1 b. A direction that moves no mass gets 0.
+  void Solve(const RegionLayout& layout, double* x);
+
+  // After Assemble: the impulse on the dofs [N m s] when the root's velocity jumps so that a pin,
+  // which moved with v_pin [m/s], stands still. [METHOD 5.7]
+  void PinImpulse(const Vec3& v_pin, VecX* impulse) const;
+
+ private:
+  void MakeRoom();
+  void AssembleColumn(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
+                      int dof, const small::V3& axis);
+  void PassToParent(int node, std::vector<NodeMotion>* motion) const;
+  void EliminateFlight(const RegionLayout& layout, const std::vector<NodeMotion>& motion);
+  void EliminatePin(const RegionLayout& layout, const std::vector<NodeMotion>& motion);
+
+  struct Node {
+    int parent;  // -1 where nothing dynamic carries it
+    bool is_dynamic;
+  };
+  std::vector<Node> nodes_;
+  std::vector<int> to_pin_;  // nodes from the pin's to the root
+  Vec3 p_pin_;
+  bool root_answers_, is_pinned_;
+  double mass_;
+  int num_free_;
+  GroupEquations equations_;
+  MatX L_;
+  Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
+};
+
+}  // namespace hazumi

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/passive/exact/exact_step.h"
+#include "engine/passive/exact/held_stops.h"
+#include "engine/passive/exact/hit_search.h"
+#include "engine/passive/exact/release_search.h"
+
+namespace hazumi {
+
+// The passive motion of one group of free joints in continuous time [METHOD 2.1], with its error
+// under control: steps of order 8 whose size follows the error (ExactStep), ball joints as
+// quaternions, stops found inside the steps (HitSearch), hit inelastically (HeldStops) and let go
+// when they would have to pull (ReleaseSearch).
+//
+// Between Advance and the next one the solver is "in" the accepted step: Sample looks inside it.
+class ExactSolver {
+ public:
+  // `dynamics` must outlive the solver. `lower`, `upper`: stops by free hinge [rad].
+  ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper);
+  ExactSolver(const ExactSolver&) = delete;
+  ExactSolver& operator=(const ExactSolver&) = delete;
+
+  // As ExactStep.
+  void SetTolerance(double radians) { step_.SetTolerance(radians); }
+  static constexpr double kRateScale = ExactStep::kRateScale;  // [1/s]
+  void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
+
+  // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
+  // stop where it is until it has come inside.
+  void Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor = {});
+  // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
+  void Restart();
+  // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
+  void FeelPin(const Vec3& v_pin);
+
+  // One step, at most to `end`; it ends early where a stop is hit or lets go, which happens at the
+  // beginning of the next step.
+  std::optional<ExactFailure> Advance(double end);
+
+  double step_start() const { return step_.start_time(); }
+  double time() const { return step_.time(); }
+  // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
+  void Sample(double t, VecX* q, VecX* qd);
+  // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
+  const PointMotion& SampledAnchor() const { return dynamics_->anchor(); }
+  // At `time`, before impacts.
+  const VecX& q() const { return step_.now().q; }
+  const VecX& qd() const { return step_.now().qd; }
+  // Energy and powers at t in [step_start, time], from the left.
+  EnergyFlow Energy(double t) { return step_.Energy(t); }
+
+  // Hits since the last call.
+  std::vector<StopHit> TakeHits() { return hits_.Take(); }
+  long steps() const { return steps_; }
+
+ private:
+  // What happens at `time`, before the next step.
+  enum class Next { kGoOn, kGoOnFromCut, kEvent };
+
+  void MakeEventHappen();
+  void Resolve(const Vec3& v_pin);
+
+  RegionDynamics* dynamics_;
+  StopRange range_;
+  ExactStep step_;
+  HeldStops held_;
+  HitSearch hit_search_;
+  ReleaseSearch release_search_;
+  StopHits hits_;
+  HingeState sample_;
+  Next next_ = Next::kGoOn;
+  bool follows_event_ = false;  // the step begins with rates or forces that have jumped
+  double first_start_ = 0.0;    // [s]
+  long steps_ = 0;
+};
+
+}  // namespace hazumi

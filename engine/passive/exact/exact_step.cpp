@@ -1,0 +1,148 @@
+#include "engine/passive/exact/exact_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi {
+
+namespace {
+
+constexpr double kLeastStep = 1e-12;  // [s]
+constexpr double kSafety = 0.9;       // of steps, so that few are rejected
+constexpr double kSameTime = 1e-13;   // [s]
+
+}  // namespace
+
+ExactStep::ExactStep(RegionDynamics* dynamics, const StopRange* stops)
+    : dynamics_(dynamics),
+      stops_(stops),
+      start_(dynamics->num_hinges()),
+      now_(dynamics->num_hinges()),
+      inside_(dynamics->num_hinges()) {
+  const int n = dynamics->num_hinges();
+  // The longest state: all in balls, and a fall.
+  for (VecX* x : {&y_, &scale_}) x->resize(2 * n + n / 3 + 6);
+}
+
+void ExactStep::Place(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
+  time_ = t;
+  now_.q = q;
+  now_.qd = qd;
+  anchor_ = anchor;
+  next_h_ = 0.0;
+}
+
+void ExactStep::Begin() {
+  dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
+  dynamics_->SetAnchor(anchor_);
+  dynamics_->PackAnchor(y_.data());
+  step_.Resize(dynamics_->state_size());
+  SetScale();
+  step_.Start(time_, y_.data(), Field());
+  last_error_ = 1.0;
+}
+
+void ExactStep::SetScale() {
+  const RegionLayout& layout = dynamics_->layout();
+  const int positions = layout.num_positions(), size = layout.state_size();
+  for (int i = 0; i < size; ++i) {
+    scale_[i] = i < positions ? (layout.is_quaternion(i) ? 0.5 : 1.0) * tolerance_
+                              : kRateScale * tolerance_;
+  }
+  // Of a fall: a radian at the end of a metre is a metre.
+  for (int i = size; i < dynamics_->state_size(); ++i) {
+    scale_[i] = (i < size + 3 ? 1.0 : kRateScale) * tolerance_;
+  }
+}
+
+// From how fast the motion is: a step of order 8 covers about this much of a turn.
+double ExactStep::FirstStep(double end) const {
+  const double* dy = step_.end_derivative();
+  double speed = 1.0;
+  const int positions = dynamics_->layout().num_positions();
+  for (int i = 0; i < dynamics_->layout().state_size(); ++i) {
+    const double size = std::abs(dy[i]);
+    speed = std::max(speed, i < positions ? size : std::sqrt(size));
+  }
+  return std::min(end - time_, 1.5 * std::pow(tolerance_, 0.125) / speed);
+}
+
+// What the step may grow by. Errors that rise from step to step go on rising: proportional and
+// integral control [Hairer, Wanner 1996, IV.2] sees that and saves most rejections, and so does
+// slow growth, unless there is next to no error.
+double ExactStep::Growth(double error) const {
+  constexpr double kNone = 1e-5;
+  const double trend = std::pow(std::max(last_error_, 1e-4), 0.04);
+  const double grow = kSafety * std::pow(std::max(error, 1e-10), -0.1) * trend;
+  return std::clamp(grow, 0.333, error < kNone ? 6.0 : 1.5);
+}
+
+std::optional<ExactFailure> ExactStep::Take(double end) {
+  start_.q = now_.q;
+  start_.qd = now_.qd;
+  double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
+  for (;;) {
+    const double rest = end - time_;
+    // Equal steps to the end rather than a tiny last one.
+    const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
+    const double error = step_.Try(use, scale_.data(), Field());
+    if (error <= 1.0) {
+      step_.Accept(Field());
+      const double grow = Growth(error);
+      next_h_ = std::max(h * 0.5, use * grow);
+      if (use < h) next_h_ = std::max(next_h_, std::min(h, use * grow));
+      last_error_ = error;
+      break;
+    }
+    const double grow = kSafety * std::pow(error, -0.125);
+    h = use * (std::isfinite(error) ? std::clamp(grow, 0.1, 0.9) : 0.1);
+    if (h < kLeastStep) return ExactFailure{worst_hinge(), ExactFailure::Cause::kStepTooSmall};
+  }
+  time_ = step_.end_time();
+  if (std::abs(time_ - end) < kSameTime) time_ = end;
+  // The branch is that of the state before, which is near by.
+  dynamics_->layout().Unpack(step_.y(), stops_->lower(), stops_->upper(), &now_.q, &now_.qd);
+  dynamics_->SetAnchorOf(step_.y());
+  anchor_ = dynamics_->anchor();
+  return std::nullopt;
+}
+
+void ExactStep::EndAt(double t) {
+  Sample(t, &inside_);
+  now_.swap(inside_);
+  anchor_ = dynamics_->anchor();
+  time_ = t;
+}
+
+void ExactStep::GoOn() {
+  step_.At(time_, y_.data());
+  step_.Start(time_, y_.data(), Field());
+}
+
+void ExactStep::MakeDense() { step_.MakeDense(Field()); }
+
+void ExactStep::Sample(double t, HingeState* state) {
+  MakeDense();
+  step_.At(t, y_.data());
+  const double length = time_ - step_.start_time();
+  const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
+  state->q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
+  dynamics_->layout().Unpack(y_.data(), stops_->lower(), stops_->upper(), &state->q, &state->qd);
+  dynamics_->SetAnchorOf(y_.data());
+}
+
+void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState* state) {
+  step_.At(t, y_.data());
+  for (const int node : nodes) {
+    dynamics_->layout().UnpackNode(node, y_.data(), stops_->lower(), stops_->upper(), &state->q,
+                                   &state->qd);
+  }
+}
+
+EnergyFlow ExactStep::Energy(double t) {
+  MakeDense();
+  step_.At(t, y_.data());
+  return dynamics_->MeasureEnergy(t, y_.data());
+}
+
+}  // namespace hazumi

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/passive/exact/dop853.h"
+#include "engine/passive/exact/exact_failure.h"
+#include "engine/passive/exact/hinge_state.h"
+#include "engine/passive/exact/stop_range.h"
+#include "engine/passive/region_dynamics.h"
+
+namespace hazumi {
+
+// Steps of order 8 through the motion of a group whose size follows the error, and the inside of
+// the latest one. Knows nothing of events: whoever finds one ends the step there.
+//
+// The step goes from start_time() to time(), where the group is at now().
+class ExactStep {
+ public:
+  // Both must outlive it. The stops tell the sides of ball joints.
+  ExactStep(RegionDynamics* dynamics, const StopRange* stops);
+
+  // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
+  void SetTolerance(double radians) { tolerance_ = radians; }
+  double tolerance() const { return tolerance_; }
+  static constexpr double kRateScale = 20.0;  // [1/s]
+  // [s]; none unless set.
+  void SetLongestStep(double seconds) { longest_step_ = seconds; }
+
+  // Another motion, from here on: nothing is known of how long its steps may be.
+  void Place(double t, const VecX& q, const VecX& qd, const PointMotion& anchor);
+  // Lays the state out anew after it, locks or curves have changed.
+  void Begin();
+  // One accepted step, at most to `end` [s].
+  std::optional<ExactFailure> Take(double end);
+  // Ends the step earlier, at t.
+  void EndAt(double t);
+  // Goes on with the state where the step was ended as it is: next to a pole angles and rates do
+  // not tell it well.
+  void GoOn();
+
+  double start_time() const { return step_.start_time(); }
+  double end_time() const { return step_.end_time(); }  // before it was ended earlier
+  double time() const { return time_; }
+  const HingeState& start() const { return start_; }
+  const HingeState& now() const { return now_; }
+  HingeState& now() { return now_; }  // for events to change
+  const PointMotion& anchor() const { return anchor_; }
+  // The one that the error is largest of.
+  int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
+
+  // At t in [start_time, time]; RegionDynamics::anchor() is of the same time.
+  void Sample(double t, HingeState* state);
+  // Of some nodes' hinges alone; the others' are left. MakeDense must have been called.
+  void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
+  void MakeDense();
+  EnergyFlow Energy(double t);
+
+ private:
+  auto Field() {
+    return [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); };
+  }
+  void SetScale();
+  double FirstStep(double end) const;
+  double Growth(double error) const;
+
+  RegionDynamics* dynamics_;
+  const StopRange* stops_;
+  double tolerance_ = 1e-6;
+  double longest_step_ = std::numeric_limits<double>::infinity();
+  Dop853 step_;
+  double next_h_ = 0.0;      // [s]; 0: not known
+  double last_error_ = 1.0;  // of the step before, in units of the tolerance
+  double time_ = 0.0;
+  HingeState start_, now_, inside_;
+  PointMotion anchor_;  // at time_
+  VecX y_, scale_;
+};
+
+}  // namespace hazumi

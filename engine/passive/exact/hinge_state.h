@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+// Angles [rad] and rates [rad/s] of free hinges.
+struct HingeState {
+  explicit HingeState(int num_hinges) : q(VecX::Zero(num_hinges)), qd(VecX::Zero(num_hinges)) {}
+
+  void swap(HingeState& other) {
+    q.swap(other.q);
+    qd.swap(other.qd);
+  }
+
+  VecX q, qd;
+};
+
+}  // namespace hazumi
