@@ -19,10 +19,12 @@ Result<Done> RunScript(std::string_view text, const std::string& file_name,
     parameters.erase("op");
     const Result<Done> result = run(id, parameters);
     if (!result.ok()) {
-      Error error = result.error();
-      if (error.file.empty()) error.file = file_name;
-      error.place = place + (error.place.empty() ? "" : ": ") + error.place;
-      return error;
+      const Error& error = result.error();
+      std::string where = place;  // in the script, then in a file that the operator read
+      for (const std::string& part : {error.file, error.place}) {
+        if (!part.empty()) where += ": " + part;
+      }
+      return Error{error.code, file_name, where, error.message};
     }
   }
   return Done();

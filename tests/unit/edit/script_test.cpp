@@ -1,5 +1,8 @@
 #include "ui/edit/script.h"
 
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -36,6 +39,11 @@ TEST(Script, StopsWhereSomethingIsWrongAndSaysWhere) {
   EXPECT_EQ(error(R"([{"op": "project.rename", "name": "a"}, {"op": "edit.redo"}])"),
             "script.json: [1]: edit.redo: there is nothing to redo");
   EXPECT_EQ(session.project().name, "a");
+  const TemporaryFolder folder;
+  const std::string broken = folder / "broken.kfa";
+  std::ofstream(broken) << "{";
+  const std::string said = error((R"([{"op": "file.open", "path": ")" + broken + "\"}]").c_str());
+  EXPECT_TRUE(said.starts_with("script.json: [0]: " + broken + ": ")) << said;
 }
 
 TEST(Script, WhatWasRecordedReplays) {
