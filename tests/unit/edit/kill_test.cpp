@@ -15,7 +15,7 @@
 #include "tests/support/from_environment.h"
 #include "tests/unit/edit/journals.h"
 #include "tests/unit/edit/random_operators.h"
-#include "ui/edit/recovery/journal_format.h"
+#include "ui/edit/document/file_digest.h"
 
 namespace hazumi::test {
 namespace {

@@ -273,5 +273,18 @@ TEST(Recovery, ClearsUpWhatWasNotFinished) {
   EXPECT_FALSE(fs::exists(folder / "1.journal.new"));
 }
 
+// After the crash, before the recovery.
+TEST(Recovery, DoesNotSaveOverWhatAnotherProgramHasWritten) {
+  const TemporaryFolder folder;
+  const std::string project = folder / "jump.kfa";
+  Crash(folder, project);
+  Write(project, Read(project) + "\n");
+  Session session;
+  Recover(folder.path(), &session);
+  EXPECT_NE(Refused(&session, "file.save", edit::Json::object()).message.find("another program"),
+            std::string::npos);
+  Do(&session, "file.save", {{"path", folder / "mine.kfa"}});
+}
+
 }  // namespace
 }  // namespace hazumi::test

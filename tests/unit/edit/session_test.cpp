@@ -3,7 +3,9 @@
 #include "ui/edit/session/session.h"
 
 #include <filesystem>
+#include <fstream>
 
+#include "engine/project/project_reader.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/recovery/state_folder.h"
@@ -70,6 +72,45 @@ TEST(StateFolder, FollowsTheEnvironment) {
   EXPECT_EQ(folder("", "/home/me"), "/home/me/.local/state/hazumi");
   EXPECT_EQ(folder("not/absolute", "/home/me"), "/home/me/.local/state/hazumi");
   EXPECT_EQ(folder(nullptr, nullptr), "XDG_STATE_HOME");
+}
+
+void AppendTo(const std::string& path) { std::ofstream(path, std::ios::app) << "\n"; }
+
+TEST(Session, DoesNotSaveOverWhatAnotherProgramHasWritten) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.kfa";
+  Session session;
+  Do(&session, "file.save", {{"path", path}});
+  Do(&session, "project.rename", {{"name", "mine"}});
+  Do(&session, "file.save");  // its own is no other program's
+  AppendTo(path);
+  Do(&session, "project.rename", {{"name", "mine again"}});
+  for (const edit::Json& where : {edit::Json::object(), edit::Json{{"path", path}}}) {
+    const Error error = Refused(&session, "file.save", where);
+    EXPECT_EQ(error.file, path);
+    EXPECT_NE(error.message.find("another program has changed it"), std::string::npos);
+  }
+  EXPECT_EQ(LoadProject(path).value().name, "mine");
+  EXPECT_FALSE(session.document().is_saved());
+  Do(&session, "file.save", {{"overwrite", true}});
+  EXPECT_EQ(LoadProject(path).value().name, "mine again");
+  Do(&session, "project.rename", {{"name", "once more"}});
+  Do(&session, "file.save");
+}
+
+TEST(Session, SavesOverWhatWasOpenedAndWhereTheFileIsGone) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.kfa";
+  Session().Run("file.save", {{"path", path}}).value();
+  AppendTo(path);
+  Session session;
+  Do(&session, "file.open", {{"path", path}});
+  Do(&session, "project.rename", {{"name", "mine"}});
+  Do(&session, "file.save");
+  std::filesystem::remove(path);
+  Do(&session, "project.rename", {{"name", "again"}});
+  Do(&session, "file.save");
+  EXPECT_EQ(LoadProject(path).value().name, "again");
 }
 
 }  // namespace

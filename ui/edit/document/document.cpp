@@ -1,5 +1,6 @@
 #include "ui/edit/document/document.h"
 
+#include "ui/edit/document/file_digest.h"
 #include "ui/edit/document/give_ids.h"
 
 namespace hazumi::edit {
@@ -78,7 +79,15 @@ bool Document::CancelMerge() {
 void Document::MarkSaved(const std::string& path) {
   EndMerge();
   path_ = path;
+  file_digest_ = DigestOfFile(path);
   saved_ = position_;
+}
+
+// A file that is gone is not changed: nothing is lost where it is written again.
+bool Document::is_changed_elsewhere() const {
+  if (path_.empty() || file_digest_.empty()) return false;
+  const std::string now = DigestOfFile(path_);
+  return !now.empty() && now != file_digest_;
 }
 
 void Document::MarkBase() {

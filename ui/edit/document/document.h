@@ -59,6 +59,11 @@ class Document {
   // It is as it was read or saved.
   bool is_saved() const { return saved_ == position_; }
   void MarkSaved(const std::string& path);
+  // What the file held when it was read or saved, as DigestOf; empty: not known.
+  const std::string& file_digest() const { return file_digest_; }
+  void set_file_digest(std::string digest) { file_digest_ = std::move(digest); }
+  // Another program has written its file since.
+  bool is_changed_elsewhere() const;
   // It is as no file is, whatever is undone.
   void MarkUnsaved() { saved_.reset(); }
 
@@ -87,7 +92,7 @@ class Document {
   void Forget();
 
   State state_;
-  std::string path_;
+  std::string path_, file_digest_;
   long revision_ = 0;
   std::deque<Step> steps_;
   long forgotten_ = 0;             // steps before steps_[0]

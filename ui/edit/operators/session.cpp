@@ -6,6 +6,7 @@
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/check_saved.h"
+#include "ui/edit/document/file_digest.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
@@ -27,9 +28,12 @@ Result<Done> New(Session* session, const Parameters&) {
 }
 
 Result<Done> Open(Session* session, const Parameters& p) {
-  Result<Project> project = LoadProject(p.text("path"));
+  const std::string path = p.text("path");
+  const std::string digest = DigestOfFile(path);  // before, so that no change is missed
+  Result<Project> project = LoadProject(path);
   if (!project.ok()) return project.error();
-  session->Replace(std::move(project).value(), p.text("path"));
+  session->Replace(std::move(project).value(), path);
+  session->document().set_file_digest(digest);
   return Done();
 }
 
@@ -44,6 +48,12 @@ Result<Done> Save(Session* session, const Parameters& p) {
   Document& document = session->document();
   const std::string path = p.text("path", document.path());
   if (path.empty()) return Refusal("path", "the project has no file yet; give it one");
+  if (path == document.path() && !p.yes("overwrite") && document.is_changed_elsewhere()) {
+    return Error{
+        ErrorCode::kCannotWrite, path, "",
+        "another program has changed it since it was read (so it is not saved); open it "
+        "again, save under another name, or save with \"overwrite\" to lose what it holds"};
+  }
   Project project = document.project();
   if (!document.path().empty() && FolderOf(path) != FolderOf(document.path())) {
     RebaseReferences(&project, FolderOf(document.path()), FolderOf(path));
@@ -198,7 +208,8 @@ std::vector<Operator> SessionOperators() {
       {"file.save",
        "Save",
        "Saves the project, whole or not at all.",
-       {{"path", kText, false, "where to; not given: where it came from"}},
+       {{"path", kText, false, "where to; not given: where it came from"},
+        {"overwrite", kYesNo, false, "true: also what another program has written there since"}},
        Save},
       {"edit.undo", "Undo", "Takes the last step back.", {}, Undo},
       {"edit.redo", "Redo", "Takes the last step that was undone again.", {}, Redo},

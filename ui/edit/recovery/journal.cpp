@@ -168,7 +168,8 @@ Result<Done> Journal::WriteLines() {
   if (!begins_anew_) return file_->Append(lines);
   Result<Done> made = MakeFolder(folder_);
   if (!made.ok()) return made;
-  const std::string head = JournalHead(Absolute(document.path()), base_, base_state_);
+  const std::string head =
+      JournalHead({Absolute(document.path()), document.file_digest()}, base_, base_state_);
   Result<LockedFile> file =
       LockedFile::Create(file_ ? file_->path() : NewFile(folder_), head + lines);
   if (!file.ok()) return file.error();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 
 #include "engine/base/utf8.h"
+#include "ui/edit/document/file_digest.h"
 
 namespace hazumi::edit {
 
@@ -50,9 +50,10 @@ std::vector<JournalLine> LinesOf(std::string_view text, bool* is_cut_off) {
 
 }  // namespace
 
-std::string JournalHead(const std::string& path, const std::string& base, const Json& state) {
-  return LineOf({{"journal", kVersion}, {"path", PathToJson(path)}}) + LineOf({{"base", base}}) +
-         StateLine(state);
+std::string JournalHead(const DocumentFile& file, const std::string& base, const Json& state) {
+  Json head = {{"journal", kVersion}, {"path", PathToJson(file.path)}};
+  if (!file.digest.empty()) head["file"] = file.digest;
+  return LineOf(head) + LineOf({{"base", base}}) + StateLine(state);
 }
 
 std::string StateLine(const Json& state) { return LineOf({{"state", state}}); }
@@ -64,16 +65,6 @@ std::string OperatorLine(const std::string& id, const Json& parameters) {
 }
 
 std::string DigestLine(std::string_view text) { return LineOf({{"digest", DigestOf(text)}}); }
-
-std::string DigestOf(std::string_view text) {
-  uint64_t hash = 0xcbf29ce484222325;
-  for (const char byte : text) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  }
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
-}
 
 int JournalText::num_operators() const {
   return static_cast<int>(std::count_if(
@@ -97,7 +88,9 @@ Result<JournalText> ReadJournal(std::string_view text, const std::string& file) 
     return Error{ErrorCode::kSyntax, file, "line 2",
                  "the project that the journal begins with is damaged; nothing can be recovered"};
   }
-  journal.path = *path;
+  journal.file.path = *path;
+  const Json digest = lines[0].json.value("file", Json());
+  if (digest.is_string()) journal.file.digest = digest.get<std::string>();
   journal.base = lines[1].json["base"].get<std::string>();
   journal.lines.assign(lines.begin() + 2, lines.end());
   return journal;

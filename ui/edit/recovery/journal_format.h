@@ -1,7 +1,8 @@
 #pragma once
 
 // Internal. A journal's text: one JSON object a line.
-//   {"journal": 1, "path": "/home/me/jump.kfa"}    of the document; empty: it has no file
+//   {"journal": 1, "path": "/home/me/jump.kfa",    of the document; empty: it has no file
+//    "file": "<16 hexadecimal digits>"}            what it held when it was read or saved, if known
 //   {"base": "<.kfa text>"}                        from where the rest replays
 // and then, in any order,
 //   {"state": {...}}                               of session_state.h, from here on
@@ -18,14 +19,14 @@
 
 namespace hazumi::edit {
 
-// `path` is absolute or empty.
-std::string JournalHead(const std::string& path, const std::string& base, const Json& state);
+struct DocumentFile {
+  std::string path;    // absolute or empty
+  std::string digest;  // Document::file_digest
+};
+std::string JournalHead(const DocumentFile& file, const std::string& base, const Json& state);
 std::string StateLine(const Json& state);
 std::string OperatorLine(const std::string& id, const Json& parameters);
 std::string DigestLine(std::string_view text);
-
-// FNV-1a, 64 bits, in hexadecimal: of a .kfa text.
-std::string DigestOf(std::string_view text);
 
 struct JournalLine {
   int number;  // from 1
@@ -34,7 +35,8 @@ struct JournalLine {
 };
 
 struct JournalText {
-  std::string path, base;
+  DocumentFile file;
+  std::string base;
   std::vector<JournalLine> lines;  // after the base
   bool is_cut_off = false;         // a last line had no end
   int num_operators() const;

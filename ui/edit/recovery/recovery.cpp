@@ -8,6 +8,7 @@
 
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
+#include "ui/edit/document/file_digest.h"
 #include "ui/edit/recovery/journal_format.h"
 #include "ui/edit/recovery/locked_file.h"
 #include "ui/edit/session/session_state.h"
@@ -42,7 +43,7 @@ AbandonedJournal Describe(const LockedFile& file) {
     journal.damage = text.error();
     return journal;
   }
-  journal.path = text.value().path;
+  journal.path = text.value().file.path;
   journal.num_operators = text.value().num_operators();
   journal.is_project_newer = WrittenAt(journal.path) > journal.written;
   return journal;
@@ -151,10 +152,11 @@ Result<Recovered> RecoverJournal(const std::string& path, Session* session) {
   if (!file.ok()) return file.error();
   const Result<JournalText> journal = ReadFrom(file.value());
   if (!journal.ok()) return journal.error();
-  Result<Project> base = ParseProject(journal.value().base, journal.value().path);
+  Result<Project> base = ParseProject(journal.value().base, journal.value().file.path);
   if (!base.ok()) return InLine(2, base.error(), path);
-  session->Replace(std::move(base).value(), journal.value().path);
+  session->Replace(std::move(base).value(), journal.value().file.path);
   Document& document = session->document();
+  document.set_file_digest(journal.value().file.digest);
   document.MarkUnsaved();
   // What could be undone when it was written can be undone now.
   const size_t limit = document.history_limit();

@@ -44,15 +44,7 @@ Result<Done> ImportWithDialog(Editor* editor, const Parameters&) {
   });
 }
 
-Result<Done> Save(Editor* editor, const Parameters&) {
-  if (!editor->session().document().path().empty()) {
-    Result<Done> saved = editor->Invoke("file.save");
-    if (saved.ok()) editor->Say(Tr("Saved."));
-    return saved;
-  }
-  OpenFileDialog(editor, true);
-  return Done();
-}
+Result<Done> Save(Editor* editor, const Parameters&) { return SaveThen(editor, nullptr); }
 
 Result<Done> SaveAs(Editor* editor, const Parameters&) {
   OpenFileDialog(editor, true);
@@ -171,9 +163,43 @@ Result<Done> AskToSave(Editor* editor, Then then) {
 void AnswerSave(Editor* editor) {
   const Then then = editor->dialogs.then;
   Close(editor);
-  if (editor->session().document().path().empty()) return OpenFileDialog(editor, true, then);
-  if (editor->Do("file.save")) DoThen(then, editor);
+  (void)SaveThen(editor, then);
 }
+
+Result<Done> SaveThen(Editor* editor, Then then) {
+  const edit::Document& document = editor->session().document();
+  if (document.path().empty()) {
+    OpenFileDialog(editor, true, std::move(then));
+    return Done();
+  }
+  if (document.is_changed_elsewhere()) {
+    editor->dialogs.then = std::move(then);
+    Open(Modal::kChangedElsewhere, editor);
+    return Done();
+  }
+  Result<Done> saved = editor->Invoke("file.save");
+  if (!saved.ok()) return saved;
+  editor->Say(Tr("Saved."));
+  DoThen(then, editor);
+  return saved;
+}
+
+void AnswerKeepMine(Editor* editor) {
+  const Then then = editor->dialogs.then;
+  Close(editor);
+  if (!editor->Do("file.save", {{"overwrite", true}})) return;
+  editor->Say(Tr("Saved."));
+  DoThen(then, editor);
+}
+
+void AnswerTakeTheirs(Editor* editor) {
+  const Then then = editor->dialogs.then;
+  const std::string path = editor->session().document().path();
+  Close(editor);
+  if (editor->Do("file.open", {{"path", path}})) DoThen(then, editor);
+}
+
+void AnswerSaveAs(Editor* editor) { OpenFileDialog(editor, true, editor->dialogs.then); }
 
 void AnswerDiscard(Editor* editor) {
   const Then then = editor->dialogs.then;

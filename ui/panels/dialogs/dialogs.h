@@ -23,6 +23,13 @@ Result<Done> AskToSave(Editor* editor, Then then);
 void AnswerSave(Editor* editor);
 void AnswerDiscard(Editor* editor);
 void AnswerCancel(Editor* editor);
+// Saves the project; asks for a name if it has none, and what to do if another program has changed
+// its file. `then` is done after it was saved, or after the file's version was taken.
+Result<Done> SaveThen(Editor* editor, Then then);
+// The answers to that question. Saving as opens the file dialog.
+void AnswerKeepMine(Editor* editor);
+void AnswerTakeTheirs(Editor* editor);
+void AnswerSaveAs(Editor* editor);
 
 // Shows the file dialog; `then` is done after a project was saved.
 void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);

@@ -21,6 +21,8 @@ Frame FrameOf(const DialogsState& dialogs) {
       return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
     case Modal::kUnsaved:
       return {"Unsaved changes", 400, 0};
+    case Modal::kChangedElsewhere:
+      return {"Changed elsewhere", 520, 0};
     case Modal::kSearch:
       return {"Search", 480, 0};
     case Modal::kForm:
@@ -57,12 +59,29 @@ void DrawUnsaved(Editor* editor) {
   if (clicked == 2 || IsEscapePressed(*editor)) AnswerCancel(editor);
 }
 
+void DrawChangedElsewhere(Editor* editor) {
+  const std::string name = NameIn(editor->session().document().path());
+  ImGui::TextWrapped(Tr("Another program has changed \"%s\" since it was read."), name.c_str());
+  ImGui::Spacing();
+  const int clicked = DrawButtons(
+      *editor, {{Tr("Save as"), Tr("Saves yours under another name. Both are kept.")},
+                {Tr("Keep mine (K)"), Tr("Saves yours; what the file holds is lost.")},
+                {Tr("Take theirs (T)"), Tr("Opens the file again; what is not saved is lost.")},
+                {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  if (clicked == 0) AnswerSaveAs(editor);
+  if (clicked == 1 || ImGui::IsKeyPressed('K', false)) AnswerKeepMine(editor);
+  if (clicked == 2 || ImGui::IsKeyPressed('T', false)) AnswerTakeTheirs(editor);
+  if (clicked == 3 || IsEscapePressed(*editor)) AnswerCancel(editor);
+}
+
 void DrawContent(Editor* editor) {
   switch (editor->dialogs.modal) {
     case Modal::kFiles:
       return DrawFileDialog(editor);
     case Modal::kUnsaved:
       return DrawUnsaved(editor);
+    case Modal::kChangedElsewhere:
+      return DrawChangedElsewhere(editor);
     case Modal::kSearch:
       return DrawSearch(editor);
     case Modal::kForm:

@@ -47,7 +47,8 @@ void Finish(const Result<Done>& done, Editor* editor) {
 
 void Save(Editor* editor) {
   const std::string path = ChosenPath(editor->dialogs.files);
-  Finish(editor->Invoke("file.save", {{"path", path}}), editor);
+  // It was asked before whether what is there may go.
+  Finish(editor->Invoke("file.save", {{"path", path}, {"overwrite", true}}), editor);
 }
 
 // Without the suffix too, as long as there is no such file.
@@ -181,8 +182,9 @@ void ChooseFile(Editor* editor) {
     return Finish(editor->Invoke("file.open", {{"path", ExistingPath(files)}}), editor);
   }
   const std::string path = ChosenPath(files);
-  const bool is_same = path == editor->session().document().path();
-  if (std::filesystem::exists(path, unknown) && !is_same) {
+  const edit::Document& document = editor->session().document();
+  const bool is_own = path == document.path() && !document.is_changed_elsewhere();
+  if (std::filesystem::exists(path, unknown) && !is_own) {
     files.asks_overwrite = true;
     return;
   }

@@ -98,6 +98,7 @@ void DrawList(Editor* editor) {
   if (files.entries.empty()) {
     ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
                               : files.exports    ? Tr("There is no such file in this folder.")
+                              : files.imports    ? Tr("There is no character in this folder.")
                                                  : Tr("There is no project in this folder."));
   }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {

@@ -23,6 +23,7 @@ enum class Modal {
   kNone,
   kFiles,
   kUnsaved,
+  kChangedElsewhere,
   kSearch,
   kForm,
   kImport,
@@ -56,7 +57,7 @@ struct DialogsState {
   Modal modal = Modal::kNone;
   bool just_opened = false;  // nothing of it was drawn yet
   bool has_list = false;     // one of its lists is open, which has the keys
-  Then then;                 // after the question about unsaved changes
+  Then then;                 // after a question about what is not saved
   FileDialogState files;
   SearchState search;
   FormState form;
