@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/project/project_writer.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/ui/viewport/fixture.h"
 #include "ui/panels/commands/keys.h"
 #include "ui/panels/viewport/gizmo.h"
@@ -185,6 +186,26 @@ TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
   EXPECT_EQ(std::get<ProjectBox>(scene.objects.back().shape).center_m, Vec3(0.0, -1.0, 3.0));
 }
 
+TEST_F(ViewportTools, ABoxIsSelectedUntilJointsAreOrItIsGone) {
+  const auto add = [&] {
+    ASSERT_TRUE(editor_.Do("object.add_box", {{"name", "crate"}}));
+    editor_.viewport.selected_object = "crate";
+  };
+  add();
+  ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 9}}));
+  EXPECT_EQ(editor_.viewport.selected_object, "crate");
+  ASSERT_TRUE(editor_.Do("select.joints", {{"joints", {"r_knee"}}}));
+  EXPECT_EQ(editor_.viewport.selected_object, "");
+  editor_.viewport.selected_object = "crate";
+  ASSERT_TRUE(editor_.Do("object.remove", {{"object", "crate"}}));
+  EXPECT_EQ(editor_.viewport.selected_object, "");
+  add();
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", folder / "crate.kfa"}}));
+  ASSERT_TRUE(editor_.Do("file.open", {{"path", folder / "crate.kfa"}}));
+  EXPECT_EQ(editor_.viewport.selected_object, "");
+}
+
 TEST_F(ViewportTools, TheRootIsPulledByItsMarkAndTheFeetStay) {
   const Vec3 before = PoseNow(&editor_.session())->frame().X_WR.p;
   const Point foot = MarkOf("l_toe");
@@ -247,6 +268,30 @@ TEST_F(ViewportTools, ThePictureIsDrawnAgainOnlyWhenItChanges) {
 TEST_F(ViewportTools, WithoutACameraOneIsAskedFor) {
   EXPECT_FALSE(editor_.Do("view.camera"));
   EXPECT_FALSE(editor_.viewport.through_project_camera);
+  EXPECT_NE(editor_.message.text.find("Set camera to the view"), std::string::npos);
+}
+
+TEST_F(ViewportTools, TheCameraIsSetToTheView) {
+  ASSERT_TRUE(editor_.Do("view.side", {{"side", "left"}}));
+  ASSERT_TRUE(editor_.Do("view.set_camera"));
+  const render::Camera view = CameraOf(editor_.viewport.camera);
+  const std::optional<ProjectCamera>& camera = editor_.session().project().camera;
+  ASSERT_TRUE(camera.has_value());
+  EXPECT_EQ(camera->eye_m, view.eye);
+  EXPECT_EQ(camera->target_m, view.target);
+  EXPECT_EQ(camera->vertical_fov_deg, view.vertical_fov_deg);
+  ASSERT_TRUE(editor_.Do("view.camera"));
+  ASSERT_TRUE(editor_.Do("edit.undo"));
+  EXPECT_FALSE(editor_.session().project().camera.has_value());
+}
+
+TEST_F(ViewportTools, FramingAllFramesTheBoxesToo) {
+  ASSERT_TRUE(editor_.Do("object.add_box", {{"name", "far"}, {"x", 6}}));
+  ASSERT_TRUE(editor_.Do("view.frame_all"));
+  const Rect& rect = editor_.viewport.rect;
+  const auto box = View(CameraOf(editor_.viewport.camera), rect).ToWindow(Vec3(6.0, 0.0, 0.0));
+  ASSERT_TRUE(box.has_value());
+  EXPECT_TRUE(rect.Contains(*box));
 }
 
 }  // namespace

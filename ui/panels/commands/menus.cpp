@@ -174,7 +174,7 @@ MenuEntry SceneMenu() {
                            {"placement.set"},
                            {"placement.flight"},
                            Line(),
-                           {"camera.set"}});
+                           {"view.set_camera"}});
 }
 
 MenuEntry HelpMenu() {

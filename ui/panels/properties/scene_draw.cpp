@@ -140,17 +140,6 @@ void DrawHeldObjects(Editor* editor) {
   ImGui::PopID();
 }
 
-void SetFromView(Editor* editor) {
-  const render::Camera view = CameraOf(editor->viewport.camera);
-  editor->Do("camera.set", {{"eye_x", view.eye.x()},
-                            {"eye_y", view.eye.y()},
-                            {"eye_z", view.eye.z()},
-                            {"target_x", view.target.x()},
-                            {"target_y", view.target.y()},
-                            {"target_z", view.target.z()},
-                            {"fov", view.vertical_fov_deg}});
-}
-
 void DrawCamera(Editor* editor) {
   if (!DrawHeading(Tr("Camera"), false)) return;
   const std::optional<ProjectCamera> camera = editor->session().project().camera;
@@ -159,7 +148,7 @@ void DrawCamera(Editor* editor) {
   } else {
     DrawNote(Tr("The project has no camera of its own: pictures are framed by themselves."));
   }
-  if (DrawButton(Tr("Set from view"), HelpOf("camera.set"))) SetFromView(editor);
+  if (DrawButton(Tr("Set from view"), HelpOf("view.set_camera"))) editor->Do("view.set_camera");
 }
 
 }  // namespace

@@ -21,6 +21,12 @@ void Extend(const PosedFigure& figure, Eigen::AlignedBox3d* bounds) {
   }
 }
 
+void Extend(const Box& box, Eigen::AlignedBox3d* bounds) {
+  const Vec3 reach = Vec3::Constant(box.half_size.norm());
+  bounds->extend(box.X_WB.p - reach);
+  bounds->extend(box.X_WB.p + reach);
+}
+
 Result<Done> Look(Editor* editor, const Eigen::AlignedBox3d& bounds, double least_radius) {
   ViewportState& state = editor->viewport;
   state.through_project_camera = false;
@@ -45,10 +51,7 @@ Result<Done> FrameSelected(Editor* editor) {
   if (session.is_root_selected()) bounds.extend(figure->frame().X_WR.p);
   for (const SceneObject& object : session.animation()->scene) {
     const Box* box = std::get_if<Box>(&object.shape);
-    if (!box || object.name != editor->viewport.selected_object) continue;
-    const Vec3 reach = Vec3::Constant(box->half_size.norm());
-    bounds.extend(box->X_WB.p - reach);
-    bounds.extend(box->X_WB.p + reach);
+    if (box && object.name == editor->viewport.selected_object) Extend(*box, &bounds);
   }
   if (bounds.isEmpty()) Extend(*figure, &bounds);
   constexpr double kLeast = 0.3;  // [m]: a joint with what is around it
@@ -62,6 +65,9 @@ Result<Done> FrameAll(Editor* editor) {
   Eigen::AlignedBox3d bounds;
   for (const MotionFrame& frame : motion.value()->frames) {
     Extend(PosedFigure(session.figure(), frame), &bounds);
+  }
+  for (const SceneObject& object : session.animation()->scene) {
+    if (const Box* box = std::get_if<Box>(&object.shape)) Extend(*box, &bounds);
   }
   return Look(editor, bounds, 0.3);
 }
@@ -80,10 +86,21 @@ Result<Done> LookThroughCamera(Editor* editor) {
   bool& through = editor->viewport.through_project_camera;
   if (!through && !editor->session().project().camera) {
     return Error{ErrorCode::kSchema, "", "view.camera",
-                 "the project has no camera; give it one with \"camera.set\""};
+                 "the project has no camera; give it one with Scene > Set camera to the view"};
   }
   through = !through;
   return Done();
+}
+
+Result<Done> SetCameraToView(Editor* editor) {
+  const render::Camera view = CameraOf(editor->viewport.camera);
+  return editor->session().Run("camera.set", {{"eye_x", view.eye.x()},
+                                              {"eye_y", view.eye.y()},
+                                              {"eye_z", view.eye.z()},
+                                              {"target_x", view.target.x()},
+                                              {"target_y", view.target.y()},
+                                              {"target_z", view.target.z()},
+                                              {"fov", view.vertical_fov_deg}});
 }
 
 }  // namespace hazumi::ui

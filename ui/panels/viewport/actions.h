@@ -11,6 +11,8 @@ Result<Done> FrameAll(Editor* editor);
 // and all its frames.
 void FrameNewDocument(Editor* editor);
 Result<Done> LookThroughCamera(Editor* editor);
+// The project gets a camera that looks as the view does.
+Result<Done> SetCameraToView(Editor* editor);
 // Each frame; what the mouse does on the viewport, which is the item drawn last.
 void ActOnViewport(Editor* editor, const Rect& rect);
 

@@ -27,6 +27,7 @@ bool IsNewDeed(const std::string& id) { return id != "edit.end_drag" && id != "e
 Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
   Result<Done> done = Done();
   const Message before = message;
+  const long document = session_.document_number();
   if (const Action* action = FindAction(id)) {
     const auto checked = edit::Parameters::Check(action->parameters, parameters);
     done = checked.ok() ? action->run(this, checked.value()) : checked.error();
@@ -34,16 +35,32 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
     done = session_.Run(id, parameters);
   }
   if (!done.ok()) Say(TextOf(done.error(), id), true);
-  const bool is_stale = message.is_error && message.text == before.text;
-  if (done.ok() && is_stale && IsNewDeed(id)) Say("");
+  const bool is_as_before = message.text == before.text;
+  const bool is_of_before =
+      document != session_.document_number() || (message.is_error && IsNewDeed(id));
+  if (done.ok() && is_as_before && is_of_before) Say("");
   if (done.ok()) Note(id, parameters);
   return done;
+}
+
+// A selected object that is gone is not selected, nor one of another document; joints that are
+// selected take its place.
+void Editor::DropObject(const std::string& id) {
+  std::string& selected = viewport.selected_object;
+  if (selected.empty()) return;
+  const auto& objects = session_.project().scene.objects;
+  const bool is_there = std::any_of(objects.begin(), objects.end(),
+                                    [&](const auto& object) { return object.name == selected; });
+  const bool is_other = viewport.framed_document != session_.document_number();
+  const bool selects_joints = id.starts_with("select.") && !session_.selected_joints().empty();
+  if (!is_there || is_other || selects_joints) selected.clear();
 }
 
 // What follows from something that was done.
 void Editor::Note(const std::string& id, const Json& parameters) {
   const ExecutedCommand deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
+  DropObject(id);
   FrameNewDocument(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
