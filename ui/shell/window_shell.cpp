@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "ui/panels/window/layout.h"
 #include "ui/panels/window/panels.h"
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
@@ -45,6 +46,8 @@ class Window {
       glfwTerminate();
       return error;
     }
+    glfwSetWindowSizeLimits(window, static_cast<int>(kLeastWidth), static_cast<int>(kLeastHeight),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
     return std::unique_ptr<Window>(new Window(window));

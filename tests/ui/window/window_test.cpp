@@ -54,6 +54,14 @@ TEST_F(EditorWindow, ARefusalIsSaidUntilSomethingElseIsDone) {
   EXPECT_EQ(editor_.message.text, "");
 }
 
+TEST_F(EditorWindow, WhatWasSaidOfADocumentGoesWithIt) {
+  editor_.Say("Saved.");
+  ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 9}}));
+  EXPECT_EQ(editor_.message.text, "Saved.");
+  ASSERT_TRUE(editor_.Do("file.new"));
+  EXPECT_EQ(editor_.message.text, "");
+}
+
 TEST_F(EditorWindow, EnterRecoversWhatACrashLeftAndEscLeavesItForTheNextTime) {
   std::vector<std::string> answers;
   editor_.recovery.answer = [&](const edit::AbandonedJournal& journal, bool recovers) {
@@ -73,6 +81,23 @@ TEST_F(EditorWindow, EnterRecoversWhatACrashLeftAndEscLeavesItForTheNextTime) {
     }
   }
   EXPECT_EQ(answers, (std::vector<std::string>{"whole recovered"}));
+}
+
+TEST(EditorWindowSizes, NoneIsTooSmall) {
+  for (const render::PictureSize& size :
+       {render::PictureSize{1, 1}, {50, 100}, {1280, 100}, {1280, 60}, {40, 800}, {200, 150}}) {
+    for (const double scale : {1.0, 2.0}) {
+      for (const SheetKind kind : {SheetKind::kDopeSheet, SheetKind::kGraph}) {
+        SCOPED_TRACE(std::to_string(size.width) + "x" + std::to_string(size.height));
+        Editor editor;
+        editor.settings.scale = scale;
+        editor.sheet.kind = kind;
+        auto shell = OffscreenShell::Create(&editor, size);
+        ASSERT_TRUE(shell.ok()) << shell.error().ToString();
+        for (int i = 0; i < 3; ++i) shell.value()->Frame();
+      }
+    }
+  }
 }
 
 TEST_F(EditorWindow, UndoIsAKeyAway) {

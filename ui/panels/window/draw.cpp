@@ -97,7 +97,7 @@ void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layou
 }  // namespace
 
 void DrawWindow(Editor* editor, float width, float height) {
-  const Rect window = {0.0f, 0.0f, width, height};
+  const Rect window = LeastWindow({0.0f, 0.0f, width, height}, editor->settings.scale);
   SetLanguage(editor->settings.language);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);

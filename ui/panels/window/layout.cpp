@@ -14,6 +14,11 @@ float Whole(double x) { return static_cast<float>(std::round(x)); }
 
 }  // namespace
 
+Rect LeastWindow(const Rect& size, double scale) {
+  return {size.x, size.y, std::max(size.w, Whole(kLeastWidth * scale)),
+          std::max(size.h, Whole(kLeastHeight * scale))};
+}
+
 WindowLayout LayOutWindow(const Rect& size, const Shares& shares, double scale) {
   WindowLayout layout;
   const float menu = Whole(kMenu * scale), status = Whole(kStatus * scale);

@@ -20,6 +20,11 @@ struct WindowLayout {
 
 enum class Splitter { kSide, kBottom, kOutliner };
 
+// The smallest size that a window is laid out in [px at scale 1]. What a smaller one has no room for
+// is cut off.
+constexpr float kLeastWidth = 480.0f, kLeastHeight = 300.0f;
+Rect LeastWindow(const Rect& size, double scale);
+
 // `scale`: of the interface, 1 at 96 dpi. `size`: of the window [px], x and y are 0.
 WindowLayout LayOutWindow(const Rect& size, const Shares& shares, double scale);
 
