@@ -18,8 +18,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       held_(dynamics, &range_),
       hit_search_(dynamics, &range_, &step_),
       release_search_(&step_, &held_),
-      hits_(dynamics->num_hinges()),
-      sample_(dynamics->num_hinges()) {}
+      hits_(dynamics->num_hinges()) {}
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
   if (steps_ == 0) first_start_ = t;
@@ -70,12 +69,6 @@ void ExactSolver::MakeEventHappen() {
   held_.CountEvent(time());
   range_.Widen(q());
   Resolve(Vec3::Zero());
-}
-
-void ExactSolver::Sample(double t, VecX* q, VecX* qd) {
-  step_.Sample(t, &sample_);
-  *q = sample_.q;
-  *qd = sample_.qd;
 }
 
 }  // namespace hazumi

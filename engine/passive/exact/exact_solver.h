@@ -43,7 +43,7 @@ class ExactSolver {
   double step_start() const { return step_.start_time(); }
   double time() const { return step_.time(); }
   // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
-  void Sample(double t, VecX* q, VecX* qd);
+  void Sample(double t, VecX* q, VecX* qd) { step_.Sample(t, q, qd); }
   // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
   const PointMotion& SampledAnchor() const { return dynamics_->anchor(); }
   // At `time`, before impacts.
@@ -70,7 +70,6 @@ class ExactSolver {
   HitSearch hit_search_;
   ReleaseSearch release_search_;
   StopHits hits_;
-  HingeState sample_;
   Next next_ = Next::kGoOn;
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]

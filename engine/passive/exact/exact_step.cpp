@@ -121,13 +121,14 @@ void ExactStep::GoOn() {
 
 void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 
-void ExactStep::Sample(double t, HingeState* state) {
+void ExactStep::Sample(double t, VecX* q, VecX* qd) {
   MakeDense();
   step_.At(t, y_.data());
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
-  state->q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
-  dynamics_->layout().Unpack(y_.data(), stops_->lower(), stops_->upper(), &state->q, &state->qd);
+  *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
+  qd->resize(q->size());
+  dynamics_->layout().Unpack(y_.data(), stops_->lower(), stops_->upper(), q, qd);
   dynamics_->SetAnchorOf(y_.data());
 }
 

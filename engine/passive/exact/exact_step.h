@@ -51,7 +51,8 @@ class ExactStep {
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
   // At t in [start_time, time]; RegionDynamics::anchor() is of the same time.
-  void Sample(double t, HingeState* state);
+  void Sample(double t, VecX* q, VecX* qd);
+  void Sample(double t, HingeState* state) { Sample(t, &state->q, &state->qd); }
   // Of some nodes' hinges alone; the others' are left. MakeDense must have been called.
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();
