@@ -20,8 +20,8 @@ struct WindowLayout {
 
 enum class Splitter { kSide, kBottom, kOutliner };
 
-// The smallest size that a window is laid out in [px at scale 1]. What a smaller one has no room for
-// is cut off.
+// The smallest size that a window is laid out in [px at scale 1]. What a smaller one has no room
+// for is cut off.
 constexpr float kLeastWidth = 480.0f, kLeastHeight = 300.0f;
 Rect LeastWindow(const Rect& size, double scale);
 
