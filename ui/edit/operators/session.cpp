@@ -1,6 +1,7 @@
 // Files, history, time and selection.
 
 #include <algorithm>
+#include <filesystem>
 
 #include "engine/figure/sides.h"
 #include "engine/project/project_reader.h"
@@ -43,12 +44,18 @@ Error NotSaved(Error error, const std::string& path) {
   return error;
 }
 
+// By whatever way it is named.
+bool IsSameFile(const std::string& a, const std::string& b) {
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);
+}
+
 // Under another name the figure's file is still found.
 Result<Done> Save(Session* session, const Parameters& p) {
   Document& document = session->document();
   const std::string path = p.text("path", document.path());
   if (path.empty()) return Refusal("path", "the project has no file yet; give it one");
-  if (path == document.path() && !p.yes("overwrite") && document.is_changed_elsewhere()) {
+  if (IsSameFile(path, document.path()) && !p.yes("overwrite") && document.is_changed_elsewhere()) {
     return Error{
         ErrorCode::kCannotWrite, path, "",
         "another program has changed it since it was read (so it is not saved); open it "
