@@ -1,66 +1,11 @@
-#include "ui/panels/dialogs/dialogs.h"
-
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 
+#include "tests/ui/dialogs/fixture.h"
 #include "ui/panels/commands/menus.h"
 #include "ui/panels/window/status_line.h"
-#include "ui/shell/offscreen_shell.h"
 
 namespace hazumi::ui {
 namespace {
-
-namespace fs = std::filesystem;
-
-// An editor in memory, driven by keys, and a folder of its own.
-class Dialogs : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    auto made = OffscreenShell::Create(&editor_, {720, 480});
-    ASSERT_TRUE(made.ok());
-    shell_ = std::move(made).value();
-    Frames();
-  }
-  void TearDown() override {
-    shell_.reset();
-    fs::remove_all(folder_);
-  }
-
-  void Frames(int count = 3) {
-    for (int i = 0; i < count; ++i) shell_->Frame();
-  }
-  void Press(Chord chord) {
-    if (chord.ctrl) shell_->PressKey(kLeftControl, true);
-    if (chord.shift) shell_->PressKey(kLeftShift, true);
-    if (chord.alt) shell_->PressKey(kLeftAlt, true);
-    shell_->PressKey(chord.key, true);
-    shell_->Frame();
-    shell_->PressKey(chord.key, false);
-    if (chord.ctrl) shell_->PressKey(kLeftControl, false);
-    if (chord.shift) shell_->PressKey(kLeftShift, false);
-    if (chord.alt) shell_->PressKey(kLeftAlt, false);
-    Frames();
-  }
-  void Type(const std::string& text) {
-    shell_->Type(text);
-    Frames();
-  }
-  void Change() { ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "neck_flexion"}, {"to", 9}})); }
-  std::string File(const std::string& name) const { return (folder_ / name).string(); }
-  Modal modal() const { return editor_.dialogs.modal; }
-  bool is_saved() const { return editor_.session().document().is_saved(); }
-
-  // Of this process alone: others may run the same tests.
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / ("hazumi_dialogs_test_" + std::to_string(getpid()));
-  Editor editor_;
-  std::unique_ptr<OffscreenShell> shell_;
-};
 
 TEST_F(Dialogs, ANewProjectIsSavedUnderTheNameThatIsTyped) {
   Change();
@@ -387,84 +332,6 @@ TEST_F(Dialogs, TheStatusBarSaysFileFrameAndMemory) {
   EXPECT_EQ(StatusParts(editor_)[1], "Frame 12 / 30");
   EXPECT_EQ(MemoryText(12'345), "13 kB");
   EXPECT_EQ(MemoryText(3'400'000), "3.4 MB");
-}
-
-// A project of its own file, changed here, and there by another program.
-class ChangedElsewhere : public Dialogs {
- protected:
-  void SetUp() override {
-    Dialogs::SetUp();
-    Save();
-    Change();
-    std::ofstream(path(), std::ios::app) << "\n";
-  }
-  void Save() { ASSERT_TRUE(editor_.Do("file.save", {{"path", path()}})); }
-  std::string path() const { return File("a.kfa"); }
-  size_t num_steps() const { return editor_.session().document().num_steps(); }
-  bool ends_with_line() const {
-    std::ifstream file(path());
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    return text.ends_with("\n\n");
-  }
-};
-
-TEST_F(ChangedElsewhere, SavingAsksAndCanBeCancelled) {
-  Press({'S', true});
-  ASSERT_EQ(modal(), Modal::kChangedElsewhere);
-  Press({kEscape});
-  EXPECT_EQ(modal(), Modal::kNone);
-  EXPECT_FALSE(is_saved());
-  EXPECT_TRUE(ends_with_line());
-}
-
-TEST_F(ChangedElsewhere, KKeepsMine) {
-  Press({'S', true});
-  Press({'K'});
-  EXPECT_EQ(modal(), Modal::kNone);
-  EXPECT_TRUE(is_saved());
-  EXPECT_EQ(num_steps(), 1u);
-  EXPECT_FALSE(ends_with_line());
-}
-
-TEST_F(ChangedElsewhere, TTakesTheirs) {
-  Press({'S', true});
-  Press({'T'});
-  EXPECT_EQ(modal(), Modal::kNone);
-  EXPECT_TRUE(is_saved());
-  EXPECT_EQ(num_steps(), 0u);
-  EXPECT_TRUE(ends_with_line());
-}
-
-TEST_F(ChangedElsewhere, EnterSavesAsAndBothAreKept) {
-  Press({'S', true});
-  Press({kEnter});
-  ASSERT_EQ(modal(), Modal::kFiles);
-  Type(File("mine"));
-  Press({kEnter});
-  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
-  EXPECT_TRUE(fs::exists(File("mine.kfa")));
-  EXPECT_TRUE(ends_with_line());
-}
-
-// From the question about unsaved changes too, and what was asked for comes after the answer.
-TEST_F(ChangedElsewhere, LeavingGoesOnAfterTheAnswer) {
-  Press({'Q', true});
-  ASSERT_EQ(modal(), Modal::kUnsaved);
-  Press({kEnter});
-  ASSERT_EQ(modal(), Modal::kChangedElsewhere);
-  EXPECT_FALSE(editor_.wants_to_quit);
-  Press({'K'});
-  EXPECT_TRUE(editor_.wants_to_quit);
-  EXPECT_FALSE(ends_with_line());
-}
-
-TEST_F(ChangedElsewhere, SavingAsOverItsOwnFileAsksToo) {
-  Press({'S', true, true});
-  Press({kEnter});
-  EXPECT_TRUE(editor_.dialogs.files.asks_overwrite);
-  EXPECT_TRUE(ends_with_line());
-  ConfirmOverwrite(&editor_);
-  EXPECT_TRUE(is_saved());
 }
 
 }  // namespace
