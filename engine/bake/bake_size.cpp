@@ -8,13 +8,13 @@
 
 #include "engine/bake/motion.h"
 #include "engine/base/text.h"
+#include "engine/timeline/frame_time.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kBlock = 16.0;      // that the heap adds to a block [bytes]
-constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
+constexpr double kBlock = 16.0;  // that the heap adds to a block [bytes]
 
 double Gigabytes(double bytes) { return bytes / 1e9; }
 

@@ -7,14 +7,11 @@
 
 #include "engine/bake/pose/limits.h"
 #include "engine/bake/pose/pose_evaluator.h"
+#include "engine/timeline/frame_time.h"
 
 namespace hazumi {
 
-namespace {
-
-constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
-
-}  // namespace
+namespace {}  // namespace
 
 const char* NameOf(EventKind kind) {
   switch (kind) {

@@ -23,7 +23,7 @@ namespace hazumi {
 namespace {
 
 // Nearer than this [m] counts as overlapping: the direction e / |e| is then mostly rounding.
-constexpr double kContact = 1e-12;
+constexpr double kTouchingLength = 1e-12;
 // A u_i x d shorter than this [m] changes no depth by more than this.
 constexpr double kParallel = 1e-13;
 
@@ -107,7 +107,7 @@ SegmentBoxDistance SegmentToBox(const Vec3& p, const Vec3& d, const Vec3& half_s
   const double t = NearestParameter(segment, half_size);
   const Vec3 gap = Beyond(segment.At(t), half_size);
   const double length = gap.norm();
-  if (length <= kContact) return Overlap(segment, half_size);
+  if (length <= kTouchingLength) return Overlap(segment, half_size);
   return {length, t, gap / length};
 }
 

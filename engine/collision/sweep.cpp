@@ -19,7 +19,7 @@
 namespace hazumi {
 namespace {
 
-constexpr double kTouch = 1e-11;       // metres
+constexpr double kTouchGap = 1e-11;    // metres
 constexpr double kNormalError = 1e-5;  // radians: what 1 mm from 100 m shapes may come to
 constexpr int kMaxSteps = 64;
 constexpr double kGolden = 0.6180339887498949;  // 0.618^80 = 2e-17
@@ -38,9 +38,9 @@ struct Path {
 
 // The first touch between s = free, where the path is free, and s = touching, where it is not.
 double Bisect(const Path& path, double free, double touching) {
-  for (int k = 0; k < kMaxSteps && path.GapAt(touching) < -kTouch; ++k) {
+  for (int k = 0; k < kMaxSteps && path.GapAt(touching) < -kTouchGap; ++k) {
     const double middle = 0.5 * (free + touching);
-    (path.GapAt(middle) <= kTouch ? touching : free) = middle;
+    (path.GapAt(middle) <= kTouchGap ? touching : free) = middle;
   }
   return touching;
 }
@@ -63,7 +63,7 @@ double LeastGap(const Path& path, double lo) {
 
 std::optional<double> SearchRest(const Path& path, double free) {
   const double s = LeastGap(path, free);
-  if (path.GapAt(s) > kTouch) return std::nullopt;
+  if (path.GapAt(s) > kTouchGap) return std::nullopt;
   return Bisect(path, free, s);
 }
 
@@ -76,9 +76,9 @@ std::optional<double> FirstTouch(const Capsule& capsule, const Vec3& translation
   double free = 0.0, s = 0.0;
   for (int step = 0; step < kMaxSteps; ++step) {
     const Distance gap = path.At(s);
-    if (gap.value <= kTouch) return s == 0.0 ? s : Bisect(path, free, s);
+    if (gap.value <= kTouchGap) return s == 0.0 ? s : Bisect(path, free, s);
     const double slope = gap.normal.dot(translation) - slope_error;
-    if (!(gap.value + slope * (1.0 - s) <= kTouch)) return std::nullopt;
+    if (!(gap.value + slope * (1.0 - s) <= kTouchGap)) return std::nullopt;
     free = s;
     s = std::min(s - gap.value / slope, 1.0);
   }

@@ -13,7 +13,7 @@ namespace hazumi {
 namespace {
 
 // Of each body: the bodies on the longest chain from it outwards, itself included.
-std::vector<int> Heights(const std::vector<LaneBody>& bodies) {
+std::vector<int> HeightsOf(const std::vector<LaneBody>& bodies) {
   std::vector<int> heights(bodies.size(), 1);
   for (int b = static_cast<int>(bodies.size()) - 1; b >= 0; --b) {
     const int parent = bodies[b].parent;
@@ -35,7 +35,7 @@ class Scheduler {
   Scheduler(int width, std::vector<LaneBody>* bodies)
       : width_(width),
         bodies_(*bodies),
-        heights_(Heights(*bodies)),
+        heights_(HeightsOf(*bodies)),
         children_(ChildLists(*bodies)) {}
 
   int Run() {

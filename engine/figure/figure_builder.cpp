@@ -75,10 +75,6 @@ std::optional<Error> CheckJoint(const JointSpec& joint, const std::string& place
   return CheckLinks(joint.links, place);
 }
 
-std::string HingeName(const JointSpec& joint, const HingeSpec& hinge) {
-  return hinge.name.empty() ? joint.name : joint.name + "_" + hinge.name;
-}
-
 }  // namespace
 
 // Turns a specification with its twins into a Figure, depth first from the root.
@@ -117,7 +113,7 @@ class FigureAssembler {
     if (auto error = ClaimName(joint.name, place)) return error;
     for (const HingeSpec& hinge : joint.hinges) {
       if (hinge.name.empty() && joint.hinges.size() == 1) continue;
-      if (auto error = ClaimName(HingeName(joint, hinge), place)) return error;
+      if (auto error = ClaimName(joint.NameOf(hinge), place)) return error;
     }
     return std::nullopt;
   }
@@ -215,7 +211,7 @@ class FigureAssembler {
   void AddHinge(const JointSpec& spec, const HingeSpec& hinge, GroupIndex group, JointIndex parent,
                 const Pose& X_PJ) {
     Joint joint;
-    joint.name = HingeName(spec, hinge);
+    joint.name = spec.NameOf(hinge);
     joint.parent = parent;
     joint.group = group;
     joint.X_PJ = X_PJ;

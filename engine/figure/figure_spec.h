@@ -49,6 +49,11 @@ struct JointSpec {
   Mat3 orientation = Mat3::Identity();  // of the joint's frame in the parent's, all angles zero
   std::vector<HingeSpec> hinges;
   std::vector<LinkSpec> links;
+
+  // What a hinge is called in the figure.
+  std::string NameOf(const HingeSpec& hinge) const {
+    return hinge.name.empty() ? name : name + "_" + hinge.name;
+  }
 };
 
 // Joints whose name begins with `from` get a twin, reflected through the plane y = 0, whose name

@@ -9,16 +9,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/assert.h"
+#include "engine/spatial/degrees.h"
 #include "engine/spatial/euler_angles.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kExact = 1e-9;  // [rad]
 
 Mat3 About(const Vec3& axis, double angle) {
@@ -61,7 +60,7 @@ void TurnOne(const Mat3& R, const HingeRow& row, size_t i, std::vector<double>* 
   const double along = left.vec().dot(row[i].axis);
   if (std::hypot(along, left.w()) < 1e-12) return;  // any angle is as good
   const double angle = 2.0 * std::atan2(along, left.w());
-  (*angles)[i] = angle + kTurn * std::round(((*angles)[i] - angle) / kTurn);
+  (*angles)[i] = NearestTurn(angle, (*angles)[i]);
 }
 
 // Where a second try begins, if the first one ends too soon.

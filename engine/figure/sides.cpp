@@ -122,9 +122,9 @@ std::vector<BodySide> SidesOf(const Figure& figure, const Groups& other) {
 }
 
 Vec3 NearAxis(const Vec3& direction) {
-  const double kNear = std::cos(10.0 * kDegree);
+  const double kAlongAxis = std::cos(10.0 * kDegree);
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(direction[i]) >= kNear) return Vec3::Unit(i);
+    if (std::abs(direction[i]) >= kAlongAxis) return Vec3::Unit(i);
   }
   return direction;
 }

@@ -10,7 +10,7 @@ std::string Item(const char* list, size_t i) {
   return std::string(list) + "[" + std::to_string(i) + "]";
 }
 
-Error Wrong(const std::string& place, const std::string& message) {
+Error WrongSkin(const std::string& place, const std::string& message) {
   return {ErrorCode::kSemantics, "", place, message};
 }
 
@@ -20,8 +20,8 @@ bool IsIndexOrNone(int i, size_t size) { return i == -1 || IsIndex(i, size); }
 Result<Done> CheckLengths(const SkinMesh& mesh, const std::string& place) {
   const size_t n = mesh.positions.size();
   const auto wrong = [&](const char* list, size_t size) {
-    return Wrong(place + "." + list, "has " + std::to_string(size) + " entries for " +
-                                         std::to_string(n) + " vertices; import the mesh anew");
+    return WrongSkin(place + "." + list, "has " + std::to_string(size) + " entries for " +
+                                             std::to_string(n) + " vertices; import the mesh anew");
   };
   if (mesh.normals.size() != n) return wrong("normals", mesh.normals.size());
   if (mesh.bind_indices.size() != n) return wrong("bind_indices", mesh.bind_indices.size());
@@ -42,16 +42,16 @@ bool IsWeight(float w) { return w >= 0.0f && w <= 1.001f; }
 Result<Done> CheckVertices(const SkinMesh& mesh, const std::string& place) {
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!IsFinite(mesh, i)) {
-      return Wrong(place + "." + Item("positions", i), "the vertex is not finite");
+      return WrongSkin(place + "." + Item("positions", i), "the vertex is not finite");
     }
     if (!std::all_of(mesh.weights[i].begin(), mesh.weights[i].end(), IsWeight)) {
-      return Wrong(place + "." + Item("weights", i), "must be numbers from 0 to 1");
+      return WrongSkin(place + "." + Item("weights", i), "must be numbers from 0 to 1");
     }
     for (const std::uint16_t bind : mesh.bind_indices[i]) {
       if (bind >= mesh.binds.size()) {
-        return Wrong(place + "." + Item("bind_indices", i),
-                     "there is no bind " + std::to_string(bind) + "; the mesh has " +
-                         std::to_string(mesh.binds.size()));
+        return WrongSkin(place + "." + Item("bind_indices", i),
+                         "there is no bind " + std::to_string(bind) + "; the mesh has " +
+                             std::to_string(mesh.binds.size()));
       }
     }
   }
@@ -62,17 +62,17 @@ Result<Done> CheckBindsAndTriangles(const Skin& skin, const SkinMesh& mesh,
                                     const std::string& place) {
   for (size_t i = 0; i < mesh.binds.size(); ++i) {
     if (!IsIndex(mesh.binds[i].bone, skin.bones.size())) {
-      return Wrong(place + "." + Item("binds", i) + ".bone", "there is no such bone");
+      return WrongSkin(place + "." + Item("binds", i) + ".bone", "there is no such bone");
     }
     if (!mesh.binds[i].inverse_bind.allFinite()) {
-      return Wrong(place + "." + Item("binds", i) + ".inverse_bind", "is not finite");
+      return WrongSkin(place + "." + Item("binds", i) + ".inverse_bind", "is not finite");
     }
   }
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t vertex : mesh.triangles[i]) {
       if (vertex >= mesh.positions.size()) {
-        return Wrong(place + "." + Item("triangles", i),
-                     "there is no vertex " + std::to_string(vertex));
+        return WrongSkin(place + "." + Item("triangles", i),
+                         "there is no vertex " + std::to_string(vertex));
       }
     }
   }
@@ -81,7 +81,7 @@ Result<Done> CheckBindsAndTriangles(const Skin& skin, const SkinMesh& mesh,
 
 Result<Done> CheckMesh(const Skin& skin, const SkinMesh& mesh, const std::string& place) {
   if (!IsIndexOrNone(mesh.material, skin.materials.size())) {
-    return Wrong(place + ".material", "there is no such material");
+    return WrongSkin(place + ".material", "there is no such material");
   }
   Result<Done> checked = CheckLengths(mesh, place);
   if (checked.ok()) checked = CheckVertices(mesh, place);
@@ -93,7 +93,7 @@ Result<Done> CheckMesh(const Skin& skin, const SkinMesh& mesh, const std::string
 Result<Done> CheckSkin(const Skin& skin) {
   for (size_t i = 0; i < skin.materials.size(); ++i) {
     if (!IsIndexOrNone(skin.materials[i].texture, skin.textures.size())) {
-      return Wrong(Item("materials", i) + ".texture", "there is no such texture");
+      return WrongSkin(Item("materials", i) + ".texture", "there is no such texture");
     }
   }
   for (size_t i = 0; i < skin.meshes.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/spatial/degrees.h"
+
 // With g = q2 + beta, u = R a3 and v = R^T a1:
 //   u = cos g a1 + sin g (cos q1 (a2 x a1) + sin q1 a2)
 //   v = cos g a3 + sin g (cos q3 (a3 x a2) + sin q3 a2)
@@ -18,11 +20,6 @@ constexpr double kAtPole = 1e-9;  // sine of the distance
 
 Mat3 Rot(const Vec3& axis, double angle) {
   return AxisRotation<double>(axis, std::sin(angle), std::cos(angle));
-}
-
-double Nearest(double angle, double to) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  return angle + kTurn * std::round((to - angle) / kTurn);
 }
 
 }  // namespace
@@ -57,7 +54,7 @@ Vec3 HingeTriple::ThroughPole(const Mat3& R, const Vec3& before) const {
   const double g = std::atan2(a1_.cross(u).norm(), a1_.dot(u));
   const double side = std::sin(before[1] + beta_) > 0.0 ? 1.0 : -1.0;
   Vec3 q = AtPole(R, before, -side * std::max(g, kAtPole));
-  for (int i : {1, 2}) q[i] = Nearest(q[i], before[i]);
+  for (int i : {1, 2}) q[i] = NearestTurn(q[i], before[i]);
   return q;
 }
 
@@ -69,8 +66,8 @@ Vec3 HingeTriple::Angles(const Mat3& R, const Vec3& near, bool keeps_side) const
   if (sine < kAtPole) q = AtPole(R, near, g);
   Vec3 other(q[0] + std::numbers::pi, -g - beta_, q[2] + std::numbers::pi);
   for (int i = 0; i < 3; ++i) {
-    q[i] = Nearest(q[i], near[i]);
-    other[i] = Nearest(other[i], near[i]);
+    q[i] = NearestTurn(q[i], near[i]);
+    other[i] = NearestTurn(other[i], near[i]);
   }
   const double side = std::sin(near[1] + beta_);
   if (keeps_side && sine >= kAtPole && std::abs(side) >= kAtPole) return side > 0.0 ? q : other;

@@ -7,7 +7,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kWithoutLimit = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -110,9 +110,9 @@ void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, cons
   const int first = own.first_hinge;
   if (const HingeTriple* ball = triple(node)) {
     const Vec3 near = q->segment<3>(first);
-    const bool has_stops =
-        (lower.segment<3>(first).array() > -kNever || upper.segment<3>(first).array() < kNever)
-            .any();
+    const bool has_stops = (lower.segment<3>(first).array() > -kWithoutLimit ||
+                            upper.segment<3>(first).array() < kWithoutLimit)
+                               .any();
     const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, has_stops);
     q->segment<3>(first) = angles;
     qd->segment<3>(first) = ball->Rates(angles, Eigen::Map<const Vec3>(velocity));

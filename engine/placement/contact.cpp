@@ -1,6 +1,7 @@
 #include "engine/placement/contact.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/collision/distance.h"
 #include "engine/collision/sweep.h"
@@ -26,6 +27,12 @@ std::optional<Contact> NearestContact(const Figure& figure, const std::vector<Sc
     }
   }
   return nearest;
+}
+
+double Clearance(const Figure& figure, const std::vector<SceneObject>& scene,
+                 const DynamicsWorkspace& ws, const Vec3& shift) {
+  const std::optional<Contact> contact = NearestContact(figure, scene, ws, shift);
+  return contact ? contact->clearance : std::numeric_limits<double>::infinity();
 }
 
 std::optional<double> FirstTouchOfFigure(const Figure& figure,

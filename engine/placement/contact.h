@@ -30,6 +30,10 @@ std::optional<Contact> NearestContact(const Figure& figure, const std::vector<Sc
                                       const DynamicsWorkspace& ws,
                                       const Vec3& shift = Vec3::Zero());
 
+// Its signed distance [m], infinite without one.
+double Clearance(const Figure& figure, const std::vector<SceneObject>& scene,
+                 const DynamicsWorkspace& ws, const Vec3& shift = Vec3::Zero());
+
 // The least fraction of `translation` after which the figure touches something; none if it passes
 // freely. To 1e-9 m.
 std::optional<double> FirstTouchOfFigure(const Figure& figure,

@@ -11,9 +11,9 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kDeeper = 1e-9;     // [m]
-constexpr double kSameTime = 1e-10;  // [s]
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kDeeper = 1e-9;        // [m]
+constexpr double kSameInstant = 1e-10;  // [s]
 // More landings than this in one window, and the pin holds on for one, even if it has to pull: the
 // joint that is pinned is not the point that touches, so what lifts off may go deeper at once.
 constexpr int kMostLandings = 4;
@@ -22,7 +22,7 @@ constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
 template <typename Function>
 double Root(double t0, double f0, double t1, double f1, Function&& f) {
-  return Narrow({t0, std::min(f0, 0.0), t1, f1}, kSameTime, f).b;
+  return Narrow({t0, std::min(f0, 0.0), t1, f1}, kSameInstant, f).b;
 }
 
 }  // namespace
@@ -75,8 +75,7 @@ FigureMotion ContinuousGravity::PlacedAt(double t, const Pose& pose, DynamicsWor
 
 double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorkspace* ws) const {
   PlacedAt(t, pose, ws);
-  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  return contact ? contact->clearance : kFree;
+  return Clearance(figure_, scene_, *ws);
 }
 
 std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
@@ -92,14 +91,14 @@ std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, 
 std::optional<double> ContinuousGravity::ApexIn(double t0, double t1, const Pose& pose) const {
   FigureMotion motion;
   pose(t1, &motion);
-  double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kFree;
+  double apex = g_.z() < 0.0 ? state_.start + state_.com_v.z() / -g_.z() : kNever;
   if (motion.fall) {
     const auto sinks = [&](double t) {
       pose(t, &motion);
       return -motion.fall->v.z();
     };
     const double f0 = sinks(t0), f1 = sinks(t1);
-    apex = f0 < 0.0 && f1 >= 0.0 ? Narrow({t0, f0, t1, f1}, kSameTime, sinks).b : kFree;
+    apex = f0 < 0.0 && f1 >= 0.0 ? Narrow({t0, f0, t1, f1}, kSameInstant, sinks).b : kNever;
   }
   return apex > t0 && apex <= t1 ? std::optional(apex) : std::nullopt;
 }
@@ -134,10 +133,10 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
   for (int look = 1; look <= kLooks; ++look) {
     const double t = look == kLooks ? t1 : from + (t1 - from) * look / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
-    double first = kFree;
+    double first = kNever;
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, lift);
     if (lost_now > 0.0) first = std::min(first, Root(before, lost_before, t, lost_now, lost));
-    if (first < kFree) return take_off(first);
+    if (first < kNever) return take_off(first);
     before = t;
     lift_before = lift_now;
     lost_before = lost_now;

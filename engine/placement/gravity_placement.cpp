@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/placement/root_placement.h"
 
@@ -10,8 +9,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kRounding = 1e-12;  // [m]
-constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr double kSameDepth = 1e-12;  // [m]
 
 // When something that is thrown upwards with velocity v has risen by `rise`: of the two times that
 // which is nearer to `guess`, or `guess` if it never rises so far. `g` points downwards.
@@ -49,9 +47,9 @@ void GravityPlacement::RenewFlight(const FigureMotion& motion, DynamicsWorkspace
 
 void GravityPlacement::Start(const FigureMotion& motion, DynamicsWorkspace* ws) {
   TakeCenterOfMass(motion, ws);
-  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
-  state_.clearance = contact ? contact->clearance : kFree;
-  if (state_.clearance <= kTouching) PinAt(span_.pin, contact->point, *ws);
+  state_.clearance = Clearance(figure_, scene_, *ws);
+  if (state_.clearance <= kTouching)
+    PinAt(span_.pin, NearestContact(figure_, scene_, *ws)->point, *ws);
 }
 
 void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWorkspace* ws,
@@ -64,7 +62,7 @@ void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWork
   const Vec3 com = state_.com, velocity = state_.com_v;
   const Vec3 path = velocity * dt + 0.5 * g_ * dt * dt;
   PlaceCenterOfMass(figure_, com + path, velocity + g_ * dt, ws, to);
-  const double clearance = ClearanceAt(*ws, to->X_WR.p);
+  const double clearance = Clearance(figure_, scene_, *ws, to->X_WR.p);
   if (touches && !Leaves(*ws, to->X_WR.p, clearance)) {  // (3)
     PinRoot(figure_, pin_joint(), state_.pin_W, ws, to);
     return;
@@ -73,7 +71,7 @@ void GravityPlacement::Advance(const FigureMotion& from, double dt, DynamicsWork
   state_.pin.reset();
   Fly(com + path, dt);  // (4), (5)
   // A figure that took off from a hair inside the ground is stopped only if it goes deeper.
-  const bool is_deeper = clearance <= std::min(state_.clearance, 0.0) + kRounding;
+  const bool is_deeper = clearance <= std::min(state_.clearance, 0.0) + kSameDepth;
   state_.clearance = clearance;
   const bool is_stopped = is_deeper || (clearance > 0.0 && PassesThrough(*ws, *to, path));
   if (!touches && is_stopped) Land(path, velocity, dt, ws, to);  // (6)
@@ -85,7 +83,7 @@ void GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspa
   TakeCenterOfMass(motion, ws);
   // After a landing: the velocity that the contact took away, or the figure would hop.
   if (state_.just_landed) state_.com_v = before_landing;
-  state_.clearance = ClearanceAt(*ws, Vec3::Zero());
+  state_.clearance = Clearance(figure_, scene_, *ws);
 }
 
 // Whether a standing figure gets free with its tentative root at p: higher than its pin would have
@@ -94,20 +92,15 @@ void GravityPlacement::MeasurePinned(const FigureMotion& motion, DynamicsWorkspa
 bool GravityPlacement::Leaves(const DynamicsWorkspace& ws, const Vec3& p, double clearance) const {
   const Vec3 pinned = state_.pin_W - ws.body(pin_joint()).p;
   const Contact contact = *NearestContact(figure_, scene_, ws, pinned);
-  return clearance > std::max(contact.clearance, -kTouching) + kRounding &&
+  return clearance > std::max(contact.clearance, -kTouching) + kSameDepth &&
          contact.normal.dot(p - pinned) > 0.0;
-}
-
-double GravityPlacement::ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const {
-  const std::optional<Contact> contact = NearestContact(figure_, scene_, ws, shift);
-  return contact ? contact->clearance : kFree;
 }
 
 // Whether a figure that is free at both ends of the path that led to `motion` met something on it.
 bool GravityPlacement::PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                                      const Vec3& path) const {
   const Vec3 start = motion.X_WR.p - path;
-  if (ClearanceAt(ws, start) <= kTouching) return false;
+  if (Clearance(figure_, scene_, ws, start) <= kTouching) return false;
   return FirstTouchOfFigure(figure_, scene_, ws, start, path).has_value();
 }
 

@@ -68,7 +68,6 @@ class GravityPlacement {
   void TakeCenterOfMass(const FigureMotion& motion, DynamicsWorkspace* ws);
   void Fly(const Vec3& com, double dt);
   void MeasurePinned(const FigureMotion& motion, DynamicsWorkspace* ws);
-  double ClearanceAt(const DynamicsWorkspace& ws, const Vec3& shift) const;
   bool Leaves(const DynamicsWorkspace& ws, const Vec3& p, double clearance) const;
   bool PassesThrough(const DynamicsWorkspace& ws, const FigureMotion& motion,
                      const Vec3& path) const;

@@ -13,9 +13,9 @@ constexpr int kNewtonSteps = 30;
 constexpr int kDescentSteps = 60;  // without the chain's curvature
 constexpr int kDampedSteps = 240;
 constexpr int kStarts = 4;
-constexpr double kLargestStep = 0.4;  // [rad] an iteration
-constexpr double kConverged = 1e-12;  // [m, rad]
-constexpr double kBeyond = 1e-9;      // [rad]
+constexpr double kLargestHoldStep = 0.4;  // [rad] an iteration
+constexpr double kConverged = 1e-12;      // [m, rad]
+constexpr double kBeyond = 1e-9;          // [rad]
 
 // The position error and, for six constraints, sine times axis of the orientation error.
 template <typename T>
@@ -126,7 +126,7 @@ bool HoldSolver::Converge(const Problem& problem, int iterations, Hessian hessia
     }
     VecX& step = SolveLinear(F_);
     const double largest = step.head(n_).cwiseAbs().maxCoeff();
-    if (largest > kLargestStep) step *= kLargestStep / largest;
+    if (largest > kLargestHoldStep) step *= kLargestHoldStep / largest;
     x_ -= step;
     if (!x_.allFinite()) return false;
   }

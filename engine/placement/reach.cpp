@@ -17,12 +17,12 @@ namespace hazumi {
 namespace {
 
 constexpr int kSteps = 200;
-constexpr double kReached = 1e-9;       // [m]
-constexpr double kNear = 1e-6;          // [m]
-constexpr double kLargestStep = 0.5;    // [rad] of any hinge
-constexpr double kBent = 0.1;           // [rad] that a straight limb is bent to begin with
-constexpr double kWorthBending = 1e-3;  // [m] that it must come nearer
-constexpr double kTurnWeight = 0.2;     // [m/rad]
+constexpr double kReached = 1e-9;          // [m]
+constexpr double kNearTarget = 1e-6;       // [m]
+constexpr double kLargestReachStep = 0.5;  // [rad] of any hinge
+constexpr double kBent = 0.1;              // [rad] that a straight limb is bent to begin with
+constexpr double kWorthBending = 1e-3;     // [m] that it must come nearer
+constexpr double kTurnWeight = 0.2;        // [m/rad]
 
 // 3 numbers, or 6 with the orientation.
 using ErrorVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6>;
@@ -134,7 +134,7 @@ class ReachSolver {
     A.diagonal().array() += damping;
     VecX step = -J_.transpose() * A.ldlt().solve(e_);
     const double largest = size() > 0 ? step.cwiseAbs().maxCoeff() : 0.0;
-    if (largest > kLargestStep) step *= kLargestStep / largest;
+    if (largest > kLargestReachStep) step *= kLargestReachStep / largest;
     for (int r = 0; r < size(); ++r) step[r] = Limited(r, x[r] + step[r]);
     return step;
   }
@@ -159,7 +159,7 @@ double Solve(const Figure& figure, const ReachProblem& problem, VecX* q) {
     VecX bent = solver.Bent();
     const double distance_bent = solver.Minimise(&bent);
     if (distance_bent < distance - kWorthBending ||
-        (distance_bent <= kReached && distance > kNear)) {
+        (distance_bent <= kReached && distance > kNearTarget)) {
       distance = distance_bent;
       x = bent;
     }
@@ -172,7 +172,7 @@ double Solve(const Figure& figure, const ReachProblem& problem, VecX* q) {
 
 double Reach(const Figure& figure, const ReachProblem& problem, VecX* q) {
   const double distance = Solve(figure, problem, q);
-  if (!problem.orientation || distance <= kNear) return distance;
+  if (!problem.orientation || distance <= kNearTarget) return distance;
   ReachProblem place = problem;
   place.orientation.reset();
   return Solve(figure, place, q);

@@ -21,10 +21,6 @@ std::string OriginalName(const std::string& name, const FigureSpec& spec) {
   return spec.mirror->from + name.substr(spec.mirror->to.size());
 }
 
-std::string HingeName(const JointSpec& joint, const HingeSpec& hinge) {
-  return hinge.name.empty() ? joint.name : joint.name + "_" + hinge.name;
-}
-
 // Reads the text again; only then the figure changes.
 Result<Done> Take(const Json& json, ProjectFigure* figure) {
   std::string text = CompactJson(json);
@@ -54,7 +50,7 @@ Result<Done> EditText(ProjectFigure* figure, Edit edit) {
 Json* FindHinge(const std::string& name, const FigureSpec& spec, Json* json) {
   for (size_t i = 0; i < spec.joints.size(); ++i) {
     for (size_t h = 0; h < spec.joints[i].hinges.size(); ++h) {
-      if (HingeName(spec.joints[i], spec.joints[i].hinges[h]) != name) continue;
+      if (spec.joints[i].NameOf(spec.joints[i].hinges[h]) != name) continue;
       return &(*json)["joints"][i]["hinges"][h];
     }
   }

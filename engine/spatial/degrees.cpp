@@ -1,8 +1,10 @@
 #include "engine/spatial/degrees.h"
 
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 
 namespace hazumi {
 
@@ -19,6 +21,11 @@ double ShortestDegrees(double radians) {
     if (rounded * kDegree == radians) return rounded;
   }
   return degrees;
+}
+
+double NearestTurn(double angle, double to) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  return angle + kTurn * std::round((to - angle) / kTurn);
 }
 
 }  // namespace hazumi

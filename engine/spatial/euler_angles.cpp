@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/spatial/degrees.h"
+
 namespace hazumi {
 
 namespace {
@@ -18,14 +20,9 @@ Mat3 AboutAxis(int axis, double angle) {
   return Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix();
 }
 
-double Nearest(double angle, double previous) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  return angle + kTurn * std::round((previous - angle) / kTurn);
-}
-
 Vec3 Nearest(const Vec3& angles, const Vec3& previous) {
-  return {Nearest(angles[0], previous[0]), Nearest(angles[1], previous[1]),
-          Nearest(angles[2], previous[2])};
+  return {NearestTurn(angles[0], previous[0]), NearestTurn(angles[1], previous[1]),
+          NearestTurn(angles[2], previous[2])};
 }
 
 }  // namespace

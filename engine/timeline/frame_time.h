@@ -2,6 +2,8 @@
 
 namespace hazumi {
 
+inline constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
+
 // Frames per second as a fraction, e.g. 30/1 or 30000/1001.
 struct FrameRate {
   int num = 30;

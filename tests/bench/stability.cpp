@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 
+#include "engine/spatial/degrees.h"
 #include "engine/timeline/animation.h"
 #include "tests/bench/step_method.h"
 #include "tests/bench/tables.h"
@@ -21,7 +21,6 @@ namespace hazumi::bench {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 struct Start {
   const Figure& arm;
   VecX q, qd;

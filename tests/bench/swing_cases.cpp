@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
+#include "engine/spatial/degrees.h"
 #include "tests/bench/peer_joints.h"
 #include "tests/support/arm7_cases.h"
 #include "tests/support/figures.h"
@@ -14,7 +14,6 @@ namespace {
 
 using test::Vec7;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double Finite(double error) { return std::isfinite(error) ? error : kInfinity; }

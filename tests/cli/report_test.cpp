@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/cli/report_text.h"
 #include "engine/exchange/motion_json.h"
+#include "engine/spatial/degrees.h"
 #include "tests/support/figures.h"
 
 namespace hazumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 RegionReport ExactReport() {
   RegionReport report;

@@ -13,16 +13,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numbers>
 
 #include "engine/bake/bake.h"
+#include "engine/spatial/degrees.h"
 #include "tests/property/random_region.h"
 #include "tests/support/from_environment.h"
 
 namespace hazumi::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kTolerance = 0.01;  // [deg]
 constexpr double kChaos = 1e-4;      // references may differ by this much [deg]
 

@@ -12,8 +12,6 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kG = 9.81;
-
 // The root falls from `height` with velocity `vz`.
 Animation Falling(Figure figure, double height, double vz, Method method) {
   Animation animation = Still(std::move(figure));

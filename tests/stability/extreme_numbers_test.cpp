@@ -17,13 +17,6 @@ namespace {
 constexpr double kTolerance = 1e-8;   // of a step [rad]
 constexpr double kSwing = 1.0 / 3.0;  // [s]
 
-// A bent arm, away from every pole.
-VecX BentArm() {
-  VecX q(7);
-  q << -1.9, -0.55, 0.4, -1.2, 0.3, 0.2, 0.4;
-  return q;
-}
-
 VecX Rates(double shoulder, double elbow, double wrist) {
   VecX qd(7);
   qd << shoulder, -shoulder, shoulder, elbow, -elbow, wrist, -wrist;

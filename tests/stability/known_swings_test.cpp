@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/passive/hinge_triple.h"
+#include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/arm7_cases.h"
 #include "tests/support/odd_figures.h"
@@ -14,8 +14,6 @@
 
 namespace hazumi::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Animation AnimationOf(const ArmCase& c, Method method, double tolerance = 1e-8) {
   Animation animation = Released(Arm7Within(c.lower_deg * kDegree, c.upper_deg * kDegree),

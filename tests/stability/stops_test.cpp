@@ -16,15 +16,8 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kG = 9.81;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const VecX kAtRest = VecX::Zero(7);
-
-VecX BentArm() {
-  VecX q(7);
-  q << -1.9, -0.55, 0.4, -1.2, 0.3, 0.2, 0.4;
-  return q;
-}
 
 // The arm with a stop on one side of each joint where it is: above where `upper_at` is positive,
 // below where it is negative.

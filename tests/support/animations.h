@@ -9,6 +9,9 @@
 
 namespace hazumi::test {
 
+inline constexpr Interpolation kCubic = Interpolation::kCubic;
+inline constexpr double kG = 9.81;  // [m/s^2]
+
 // Frames 0 to 30 at 30 a second, everything at rest and keyed, nothing in the scene.
 Animation Still(Figure figure);
 

@@ -44,8 +44,8 @@ LinkSpec Rod(const std::string& name, double mass, const Vec3& to, double radius
   return link;
 }
 
-JointSpec Joint(const std::string& name, const std::string& parent, const Vec3& offset,
-                std::vector<HingeSpec> hinges, LinkSpec link) {
+JointSpec JointOn(const std::string& name, const std::string& parent, const Vec3& offset,
+                  std::vector<HingeSpec> hinges, LinkSpec link) {
   return {name, parent, offset, Mat3::Identity(), std::move(hinges), {std::move(link)}};
 }
 
@@ -63,6 +63,12 @@ FigureSpec FreeArm7Spec() {
 }
 
 }  // namespace
+
+VecX BentArm() {
+  VecX q(7);
+  q << -1.9, -0.55, 0.4, -1.2, 0.3, 0.2, 0.4;
+  return q;
+}
 
 Figure Arm7Within(const VecX& lower, const VecX& upper, double hand_scale) {
   FigureSpec spec = Arm7Spec();
@@ -87,10 +93,10 @@ FigureSpec ChainSpec(int links) {
   FigureSpec spec = OnBase("chain");
   const Vec3 down(0.0, 0.0, -1.0 / links);
   for (int i = 0; i < links; ++i) {
-    spec.joints.push_back(Joint("j" + std::to_string(i),
-                                i == 0 ? "base" : "j" + std::to_string(i - 1),
-                                i == 0 ? Vec3(Vec3::Zero()) : down, {HingeAboutY(-kFar, kFar)},
-                                Rod("l" + std::to_string(i), 1.0 / links, down, 0.002)));
+    spec.joints.push_back(JointOn("j" + std::to_string(i),
+                                  i == 0 ? "base" : "j" + std::to_string(i - 1),
+                                  i == 0 ? Vec3(Vec3::Zero()) : down, {HingeAboutY(-kFar, kFar)},
+                                  Rod("l" + std::to_string(i), 1.0 / links, down, 0.002)));
   }
   return spec;
 }
@@ -116,11 +122,11 @@ Figure ThinRod(double length) {
   LinkSpec rod = Rod("rod", 1.0, Vec3(0.0, 0.0, -length), 0.01);
   const double across = length * length / 12.0;
   rod.inertia = Vec3(across, across, 0.0).asDiagonal();
-  spec.joints.push_back(Joint("ball", "base", Vec3::Zero(),
-                              {{"y", Vec3::UnitY(), -kFar, kFar, 0.0},
-                               {"x", Vec3::UnitX(), -kFar, kFar, 0.0},
-                               {"z", Vec3::UnitZ(), -kFar, kFar, 0.0}},
-                              rod));
+  spec.joints.push_back(JointOn("ball", "base", Vec3::Zero(),
+                                {{"y", Vec3::UnitY(), -kFar, kFar, 0.0},
+                                 {"x", Vec3::UnitX(), -kFar, kFar, 0.0},
+                                 {"z", Vec3::UnitZ(), -kFar, kFar, 0.0}},
+                                rod));
   return Build(spec);
 }
 
@@ -130,22 +136,22 @@ Figure ThinRod(double length) {
 Figure StopsThatKickEachOther() {
   FigureSpec spec = OnBase("kicks");
   const double arm = 0.03, beyond = 0.02;
-  spec.joints.push_back(Joint("first", "base", Vec3::Zero(), {HingeAboutY(-1.0, 0.0)},
-                              Lump("lever", 0.1, Vec3(0.5 * arm, 0, 0), 1e-4)));
-  spec.joints.push_back(Joint("second", "first", Vec3(arm, 0, 0), {HingeAboutY(0.0, 1.0)},
-                              Lump("weight", 1.0, Vec3(-beyond, 0, 0), 0.03)));
+  spec.joints.push_back(JointOn("first", "base", Vec3::Zero(), {HingeAboutY(-1.0, 0.0)},
+                                Lump("lever", 0.1, Vec3(0.5 * arm, 0, 0), 1e-4)));
+  spec.joints.push_back(JointOn("second", "first", Vec3(arm, 0, 0), {HingeAboutY(0.0, 1.0)},
+                                Lump("weight", 1.0, Vec3(-beyond, 0, 0), 0.03)));
   return Build(spec);
 }
 
 Figure MirrorArms(double left, double right) {
   FigureSpec spec = OnBase("mirror arms");
-  spec.joints.push_back(Joint("bar", "base", Vec3::Zero(), {HingeAboutY(-kFar, kFar)},
-                              Lump("beam", 2.0, Vec3::Zero(), 0.02)));
+  spec.joints.push_back(JointOn("bar", "base", Vec3::Zero(), {HingeAboutY(-kFar, kFar)},
+                                Lump("beam", 2.0, Vec3::Zero(), 0.02)));
   const Vec3 down(0.0, 0.0, -0.3);
-  spec.joints.push_back(Joint("left", "bar", Vec3(-0.2, 0, 0), {HingeAboutY(-left, left)},
-                              Rod("left", 1.0, down, 0.02)));
-  spec.joints.push_back(Joint("right", "bar", Vec3(0.2, 0, 0), {HingeAboutY(-right, right)},
-                              Rod("right", 1.0, down, 0.02)));
+  spec.joints.push_back(JointOn("left", "bar", Vec3(-0.2, 0, 0), {HingeAboutY(-left, left)},
+                                Rod("left", 1.0, down, 0.02)));
+  spec.joints.push_back(JointOn("right", "bar", Vec3(0.2, 0, 0), {HingeAboutY(-right, right)},
+                                Rod("right", 1.0, down, 0.02)));
   return Build(spec);
 }
 

@@ -6,6 +6,8 @@
 
 namespace hazumi::test {
 
+// Angles of Arm7, bent and away from every pole [rad].
+VecX BentArm();
 // Arm7 with these stops [rad] and its hand's mass and inertia scaled.
 Figure Arm7Within(const VecX& lower, const VecX& upper, double hand_scale = 1.0);
 // Arm7 that turns as far as it likes.

@@ -78,34 +78,34 @@ void AddArm(const std::string& side, const std::string& parent, const Vec3& offs
                                  Link(name("hand"), Down(0.1), 0.03, 0.4)));
 }
 
-Figure Build(const FigureSpec& spec) { return BuildFigure(spec).value(); }
+Figure BuildSpec(const FigureSpec& spec) { return BuildFigure(spec).value(); }
 
 }  // namespace
 
 Figure Pogo() {
   FigureSpec spec = Root(Ball("body", 0.1, 4.0));
   spec.joints.push_back(JointOf("foot", "root", Down(0.5), "y", Ball("sole", 0.05, 1.0)));
-  return Build(spec);
+  return BuildSpec(spec);
 }
 
 Figure TwoLinks() {
   FigureSpec spec = Root(Ball("body", 0.1, 3.0));
   spec.joints.push_back(JointOf("knee", "root", Down(0.4), "y", Link("shank", Down(0.4), 0.04, 2)));
   spec.joints.push_back(JointOf("foot", "knee", Down(0.4), "y", Ball("sole", 0.05, 1.0)));
-  return Build(spec);
+  return BuildSpec(spec);
 }
 
 Figure Leg() {
   FigureSpec spec = Root(Ball("body", 0.1, 40.0));
   AddLeg("", 0.0, &spec);
-  return Build(spec);
+  return BuildSpec(spec);
 }
 
 Figure Arm() {
   FigureSpec spec = Root(Ball("body", 0.1, 40.0));
   AddArm("", "root", {0, -0.2, 0.4}, &spec);
   spec.joints.push_back(JointOf("tip", "wrist", Down(0.1), "y", Ball("ball", 0.03, 0.1)));
-  return Build(spec);
+  return BuildSpec(spec);
 }
 
 Figure Human() {
@@ -120,7 +120,7 @@ Figure Human() {
   AddArm("l_", "chest", {0, 0.2, 0.2}, &spec);
   AddLeg("r_", -0.1, &spec);
   AddLeg("l_", 0.1, &spec);
-  return Build(spec);
+  return BuildSpec(spec);
 }
 
 }  // namespace hazumi::test

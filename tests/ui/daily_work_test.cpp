@@ -2,8 +2,8 @@
 // only a part of it: see daily_features.md.
 
 #include <algorithm>
-#include <numbers>
 
+#include "engine/spatial/degrees.h"
 #include "tests/ui/user.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/gizmo.h"
@@ -12,8 +12,6 @@ namespace hazumi::test {
 namespace {
 
 using ui::Point;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Before a large viewport, the mouse in a corner of it.
 class DailyWork : public testing::Test {

@@ -5,7 +5,6 @@
 #include "engine/bake/handover/region_handover.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/bake/handover/resume_curve.h"
 #include "engine/base/text.h"
@@ -15,7 +14,7 @@ namespace hazumi {
 
 namespace {
 
-std::string PlaceOf(size_t region) { return "regions[" + std::to_string(region) + "]"; }
+std::string PlaceOfRegion(size_t region) { return "regions[" + std::to_string(region) + "]"; }
 
 }  // namespace
 
@@ -126,13 +125,13 @@ void RegionHandover::ResumeJoint(int frame, size_t region, JointIndex j) {
   CurveTrack& curve = context_.poses.curves().joint(j);
   const HingeEnd end = {frame, context_.now.q[j.value()], context_.now.qd[j.value()]};
   ResumeCurve(end, own, &joint, &curve);
-  if (own.blend_frames == 0) WarnIfItStopsDead(frame, j, PlaceOf(region), &context_);
+  if (own.blend_frames == 0) WarnIfItStopsDead(frame, j, PlaceOfRegion(region), &context_);
   if (own.limit_tangents) ResumeInside(end, own, joint, context_.animation.rate, &curve);
 }
 
 void RegionHandover::WarnOfOvershoot(int frame, size_t region, JointIndex j, double overshoot) {
   context_.recorder.AddWarning(
-      PlaceOf(region),
+      PlaceOfRegion(region),
       "joint \"" + context_.poses.figure().joint(j).name + "\" goes " +
           FormatShort(overshoot / kDegree) + " degrees beyond its limit after frame " +
           std::to_string(frame) +

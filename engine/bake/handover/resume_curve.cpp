@@ -9,7 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -18,8 +19,7 @@ namespace {
 // The angle without the whole turns that it is away from another one. A stop cannot be turned
 // through, so they stay where the angle would not be inside the joint's limits without them.
 double WithoutTurns(double angle, double from, const Joint* joint) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const double near = angle - kTurn * std::round((angle - from) / kTurn);
+  const double near = NearestTurn(angle, from);
   const bool is_inside = !joint || (near >= joint->lower && near <= joint->upper);
   return is_inside ? near : angle;
 }

@@ -13,7 +13,7 @@ namespace hazumi {
 
 namespace {
 
-std::string PlaceOf(size_t index) { return "holds[" + std::to_string(index) + "]"; }
+std::string PlaceOfHold(size_t index) { return "holds[" + std::to_string(index) + "]"; }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ std::optional<Error> ActiveHolds::SolveHold(const Place& place, double tolerance
 
 Error ActiveHolds::OutOfReach(size_t index, double frame, double distance) const {
   const IkHold& held = animation_.holds[index];
-  return {ErrorCode::kSemantics, "", PlaceOf(index),
+  return {ErrorCode::kSemantics, "", PlaceOfHold(index),
           "\"" + figure_.group(held.joint).name + "\" is out of reach at frame " +
               FormatShort(frame) + ": " + FormatShort(distance) + " m short; move the root nearer" +
               (held.reach == HoldReach::kLimb ? ", give the hold the reach \"body\", or shorten it"
@@ -100,7 +100,7 @@ Error ActiveHolds::OutOfReach(size_t index, double frame, double distance) const
 
 void ActiveHolds::WarnOfReach(Hold* hold) {
   if (std::exchange(hold->is_warned_of, true)) return;
-  recorder_->AddWarning(PlaceOf(hold->index),
+  recorder_->AddWarning(PlaceOfHold(hold->index),
                         "\"" + figure_.group(animation_.holds[hold->index].joint).name +
                             "\" is out of reach at times, by 0.1 mm at most: there it is held so "
                             "much beside its place; move the root nearer");

@@ -13,12 +13,12 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/timeline/frame_time.h"
 
 namespace hazumi {
 
 namespace {
 
-constexpr double kSameFrame = 1e-9;  // instants this near are one [frames]
 constexpr int kPoints = DrivenCurve::kMaxDegree + 1;
 using Points = std::array<double, kPoints>;
 

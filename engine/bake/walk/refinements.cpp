@@ -6,7 +6,6 @@
 #include "engine/bake/walk/refinements.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "engine/base/text.h"
 #include "engine/spatial/degrees.h"

@@ -12,7 +12,6 @@ namespace hazumi {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kLongestFile = 512u << 20;
 
 int HexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';

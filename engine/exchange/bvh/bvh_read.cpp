@@ -2,7 +2,6 @@
 
 #include <array>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <utility>
 

@@ -174,22 +174,17 @@ class Importer {
     return curve;
   }
 
-  // Curve of one component [m]; what its keys say goes back there.
-  ProjectCurve CurveOfPlace(std::vector<Vec3>* places, int component, double tolerance) {
+  // Curve of one component, of places [m] or angles [rad]; what its keys say goes back there.
+  ProjectCurve CurveOf(std::vector<Vec3>* vectors, int component, bool is_angle, double tolerance) {
     std::vector<double> values;
-    values.reserve(places->size());
-    for (const Vec3& place : *places) values.push_back(place[component]);
+    values.reserve(vectors->size());
+    for (const Vec3& vector : *vectors) {
+      values.push_back(is_angle ? ShortestDegrees(vector[component]) : vector[component]);
+    }
     ProjectCurve curve = CurveOf(&values, tolerance);
-    for (size_t f = 0; f < values.size(); ++f) (*places)[f][component] = values[f];
-    return curve;
-  }
-  // The same of angles [rad].
-  ProjectCurve CurveOfAngle(std::vector<Vec3>* angles, int component, double tolerance) {
-    std::vector<double> degrees;
-    degrees.reserve(angles->size());
-    for (const Vec3& angle : *angles) degrees.push_back(ShortestDegrees(angle[component]));
-    ProjectCurve curve = CurveOf(&degrees, tolerance);
-    for (size_t f = 0; f < degrees.size(); ++f) (*angles)[f][component] = degrees[f] * kDegree;
+    for (size_t f = 0; f < values.size(); ++f) {
+      (*vectors)[f][component] = is_angle ? values[f] * kDegree : values[f];
+    }
     return curve;
   }
 
@@ -197,14 +192,14 @@ class Importer {
     const double tolerance = options_.reduce_deg.value_or(0.0);
     for (int i = 0; i < 3; ++i) {
       project_.root.curves[kRootX + i] =
-          CurveOfPlace(&plan_.root_position, i, kMetresPerDegree * tolerance);
-      project_.root.curves[kRootAngleZ + i] = CurveOfAngle(&plan_.root_angles, i, tolerance);
+          CurveOf(&plan_.root_position, i, false, kMetresPerDegree * tolerance);
+      project_.root.curves[kRootAngleZ + i] = CurveOf(&plan_.root_angles, i, true, tolerance);
     }
     for (size_t k = 1; k < plan_.joints.size(); ++k) {
       PlannedJoint& joint = plan_.joints[k];
       for (int h = 0; h < joint.num_hinges; ++h) {
         if (!clip_) continue;
-        project_.joints.push_back({HingeOf(joint, h), CurveOfAngle(&joint.angles, h, tolerance)});
+        project_.joints.push_back({HingeOf(joint, h), CurveOf(&joint.angles, h, true, tolerance)});
       }
     }
     if (!clip_) return;

@@ -9,8 +9,6 @@
 namespace hazumi {
 namespace {
 
-constexpr size_t kLongestFile = 512u << 20;
-
 Result<Character> ReadAs(CharacterFormat format, std::string bytes, const std::string& path) {
   if (format == CharacterFormat::kBvh) return ReadBvh(bytes, path);
   return ReadScene(format, std::move(bytes), path);

@@ -25,7 +25,6 @@ class ExactSolver {
 
   // As ExactStep.
   void SetTolerance(double radians) { step_.SetTolerance(radians); }
-  static constexpr double kRateScale = ExactStep::kRateScale;  // [1/s]
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 
   // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a

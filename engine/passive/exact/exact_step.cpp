@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSafety = 0.9;       // of steps, so that few are rejected
-constexpr double kSameTime = 1e-13;   // [s]
 
 }  // namespace
 

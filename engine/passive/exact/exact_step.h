@@ -12,6 +12,8 @@
 
 namespace hazumi {
 
+inline constexpr double kSameTime = 1e-13;  // instants this near are one [s]
+
 // Steps of order 8 through the motion of a group whose size follows the error, and the inside of
 // the latest one. Knows nothing of events: whoever finds one ends the step there.
 //

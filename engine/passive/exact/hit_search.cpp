@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kThrough = 1e-8;     // so near a pole goes through it [rad]
 constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain [rad]
-constexpr double kSameTime = 1e-13;   // [s]
 
 }  // namespace
 

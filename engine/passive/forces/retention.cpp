@@ -7,7 +7,6 @@
 #include "engine/passive/forces/retention.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "engine/spatial/degrees.h"
 

@@ -10,11 +10,12 @@
 namespace hazumi::ui {
 namespace {
 
-constexpr Rect kRect = {0.0f, 0.0f, 640.0f, 480.0f};
+constexpr Rect kHitRect = {0.0f, 0.0f, 640.0f, 480.0f};
 
 class ViewportHitTest : public testing::Test {
  protected:
-  ViewportHitTest() : figure_(PoseNow(&session_).value()), view_(CameraOf(OrbitCamera()), kRect) {}
+  ViewportHitTest()
+      : figure_(PoseNow(&session_).value()), view_(CameraOf(OrbitCamera()), kHitRect) {}
 
   GroupIndex Joint(const char* name) { return session_.figure().FindGroup(name).value(); }
   ViewportHit At(const Vec3& p) { return HitTest(view_, *view_.ToWindow(p), figure_, scene_, 1.0); }

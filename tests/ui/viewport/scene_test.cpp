@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/spatial/degrees.h"
 #include "tests/ui/viewport/fixture.h"
 
 namespace hazumi::test {
@@ -9,8 +10,6 @@ namespace {
 
 using ui::Refined;
 using ui::RefinedMotion;
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 class RefinedThrow : public testing::Test {
  protected:

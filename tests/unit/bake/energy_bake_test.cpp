@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
@@ -12,9 +12,6 @@
 
 namespace hazumi::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kG = 9.81;
 
 // Human37 with limbs that move by keys over one second.
 Animation Moving(std::initializer_list<const char*> keyed) {

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_reader.h"
+#include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/momentum.h"
@@ -13,8 +12,6 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kG = 9.81;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kLast = 60;  // 2 s
 
 // The human that is shipped, without stops.

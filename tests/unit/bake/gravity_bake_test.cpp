@@ -14,9 +14,6 @@ namespace {
 
 using namespace test;  // NOLINT: short names for the builders
 
-constexpr Interpolation kCubic = Interpolation::kCubic;
-constexpr double kG = 9.81;
-
 // A stiff figure thrown from `height` with velocity (vx, vz) at frame 0.
 Animation Thrown(double height, double vx, double vz) {
   Animation animation = Still(Pogo());

@@ -11,8 +11,6 @@
 namespace hazumi::test {
 namespace {
 
-constexpr Interpolation kCubic = Interpolation::kCubic;
-constexpr double kG = 9.81;
 constexpr double kTime = 1e-9;  // [s]
 
 Animation Exact(Figure figure) {

@@ -13,8 +13,6 @@ namespace {
 
 using namespace test;  // NOLINT: short names for the builders
 
-constexpr Interpolation kCubic = Interpolation::kCubic;
-
 // The human sinks and sways over both feet until frame 5, then over the left one.
 Animation Sway(bool orientation) {
   Animation animation = Still(Human());

@@ -11,9 +11,6 @@ namespace {
 
 using namespace test;  // NOLINT: short names for the builders
 
-constexpr Interpolation kCubic = Interpolation::kCubic;
-constexpr double kG = 9.81;
-
 HeldObject Ball(const Animation& animation, const char* holder, std::optional<int> release) {
   HeldObject ball;
   ball.name = "ball";

@@ -12,8 +12,6 @@ namespace {
 
 using namespace test;  // NOLINT: short names for the builders
 
-constexpr Interpolation kCubic = Interpolation::kCubic;
-
 // Something of everything: holds, a pin, a region, then a jump.
 Animation Everything(double step) {
   Animation animation = Still(Human());

@@ -18,7 +18,6 @@ using namespace test;  // NOLINT: short names for the builders
 
 constexpr Interpolation kHold = Interpolation::kHold;
 constexpr Interpolation kLinear = Interpolation::kLinear;
-constexpr Interpolation kCubic = Interpolation::kCubic;
 
 // The human with both arms raised and a region of the right one.
 Animation RightArmSwings(int first, int last) {

@@ -23,14 +23,14 @@ constexpr int kScenes = 10000;
 #else
 constexpr int kScenes = 200;  // without optimisation the searches take a hundred times as long
 #endif
-constexpr double kTolerance = 1e-9;
+constexpr double kBruteTolerance = 1e-9;
 
 // The largest of the errors it was shown, and how many.
 class Worst {
  public:
   explicit Worst(const char* name) : name_(name) {}
   void Add(double error) {
-    EXPECT_LE(error, kTolerance) << name_;
+    EXPECT_LE(error, kBruteTolerance) << name_;
     ++count_;
     if (!(error <= worst_)) worst_ = error;
   }
@@ -175,7 +175,7 @@ TEST(FirstTouch, FindsATouchAtTheVeryEndOfThePath) {
       if (d.value < 1e-6) continue;
       const auto s = FirstTouch(scene.capsule, -d.value * d.normal, scene.obstacle);
       ASSERT_TRUE(s.has_value());
-      EXPECT_NEAR((*s - 1.0) * d.value, 0.0, kTolerance);
+      EXPECT_NEAR((*s - 1.0) * d.value, 0.0, kBruteTolerance);
     }
 }
 

@@ -9,7 +9,7 @@
 namespace hazumi {
 namespace {
 
-Capsule Sphere(const Vec3& centre, double radius) { return {centre, centre, radius}; }
+Capsule SweptSphere(const Vec3& centre, double radius) { return {centre, centre, radius}; }
 
 void ExpectTouch(const std::optional<double>& s, double expected, double tolerance = 1e-10) {
   ASSERT_TRUE(s.has_value());
@@ -17,18 +17,18 @@ void ExpectTouch(const std::optional<double>& s, double expected, double toleran
 }
 
 TEST(FirstTouch, OfASphereFallingOnAFloorIsWhenItsBottomIsThere) {
-  ExpectTouch(FirstTouch(Sphere({0, 0, 2}, 0.5), {1, 0, -3}, Plane{}), 0.5);
+  ExpectTouch(FirstTouch(SweptSphere({0, 0, 2}, 0.5), {1, 0, -3}, Plane{}), 0.5);
 }
 
 TEST(FirstTouch, OfASphereFlyingAtASphereSolvesTheQuadratic) {
   // Centres 3 apart sideways, 5 radii in all: 4 before abreast.
-  ExpectTouch(FirstTouch(Sphere({-10, 3, 0}, 2), {20, 0, 0}, Sphere({0, 0, 0}, 3)), 0.3);
+  ExpectTouch(FirstTouch(SweptSphere({-10, 3, 0}, 2), {20, 0, 0}, SweptSphere({0, 0, 0}, 3)), 0.3);
 }
 
 TEST(FirstTouch, OfASphereFlyingAtABoxCornerSolvesTheQuadratic) {
   const Box box{{}, Vec3(1, 1, 1)};
   const double x = 1.0 + std::sqrt(1.0 - 0.36 - 0.25);
-  ExpectTouch(FirstTouch(Sphere({5, 1.6, 1.5}, 1), {-10, 0, 0}, box), (5.0 - x) / 10.0);
+  ExpectTouch(FirstTouch(SweptSphere({5, 1.6, 1.5}, 1), {-10, 0, 0}, box), (5.0 - x) / 10.0);
 }
 
 TEST(FirstTouch, OfCrossedCapsulesIsWhenTheirSidesMeet) {
@@ -49,12 +49,12 @@ TEST(FirstTouch, IsZeroWhenTouchingOrOverlappingAtTheStart) {
   const Box box{{}, Vec3(1, 1, 1)};
   for (const double z : {1.5, 1.25, 0.0})
     for (const Vec3& path : {Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 0, 0)})
-      EXPECT_EQ(FirstTouch(Sphere({0, 0, z}, 0.5), path, box), 0.0);
+      EXPECT_EQ(FirstTouch(SweptSphere({0, 0, z}, 0.5), path, box), 0.0);
 }
 
 TEST(FirstTouch, IsNoneWithoutAPathOrOnTheWayOutOrShort) {
   const Box box{{}, Vec3(1, 1, 1)};
-  const Capsule c = Sphere({0, 0, 2}, 0.5);
+  const Capsule c = SweptSphere({0, 0, 2}, 0.5);
   EXPECT_FALSE(FirstTouch(c, {0, 0, 0}, box));
   EXPECT_FALSE(FirstTouch(c, {0, 0, 100}, box));
   EXPECT_FALSE(FirstTouch(c, {0, 0, -0.499}, box));
@@ -65,18 +65,18 @@ TEST(FirstTouch, IsNoneWithoutAPathOrOnTheWayOutOrShort) {
 TEST(FirstTouch, AlongAFaceIsTheEdgeItRunsInto) {
   const Box box{{}, Vec3(1, 1, 1)};
   const double gap = 1e-9;
-  EXPECT_FALSE(FirstTouch(Sphere({-5, 0, 1.5 + gap}, 0.5), {10, 0, 0}, box));
-  ExpectTouch(FirstTouch(Sphere({-5, 0, 1.5 - gap}, 0.5), {10, 0, 0}, box),
+  EXPECT_FALSE(FirstTouch(SweptSphere({-5, 0, 1.5 + gap}, 0.5), {10, 0, 0}, box));
+  ExpectTouch(FirstTouch(SweptSphere({-5, 0, 1.5 - gap}, 0.5), {10, 0, 0}, box),
               (4.0 - std::sqrt(gap)) / 10.0, 1e-8);
 }
 
 // Tangential: the gap falls to +-1e-9 m as the square of the way, from either side of touching.
 TEST(FirstTouch, DecidesAGrazingPathToANanometre) {
-  const Capsule obstacle = Sphere({0, 0, 0}, 1.0);
+  const Capsule obstacle = SweptSphere({0, 0, 0}, 1.0);
   for (const double speed : {1.0, 10.0, 1e4}) {
     const Vec3 path(2.0 * speed, 0, 0);
     const auto fly = [&](double height) {
-      return FirstTouch(Sphere({-speed, 0, height}, 0.5), path, obstacle);
+      return FirstTouch(SweptSphere({-speed, 0, height}, 0.5), path, obstacle);
     };
     EXPECT_FALSE(fly(1.5 + 1e-9)) << speed;
     EXPECT_TRUE(fly(1.5 - 1e-9)) << speed;

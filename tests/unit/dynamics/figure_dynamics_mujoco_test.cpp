@@ -17,7 +17,7 @@ VecX Torques(const Sample& s, const VecX& qdd) {
   return tau;
 }
 
-VecX Accelerations(const Sample& s) {
+VecX AccelerationsOfLanes(const Sample& s) {
   const FigureDynamics dynamics(s.figure);
   FigureScratch scratch = dynamics.MakeScratch();
   VecX qdd(s.figure.num_joints());
@@ -60,14 +60,14 @@ TEST(FigureDynamics, InverseAgreesWithTheRecursionInWorldAxes) {
 
 TEST(FigureDynamics, ForwardAgreesWithMujoco) {
   ForAllSamples("figure forward", Root::kStill, 1e-10, [](Sample& s) {
-    return RelativeDifference(Accelerations(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
+    return RelativeDifference(AccelerationsOfLanes(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
   });
 }
 
 // MuJoCo has no forward dynamics on a root that is led: its inverse dynamics must give the torques.
 TEST(FigureDynamics, ForwardOnATurningAndAcceleratingRootIsUndoneByMujocosInverse) {
   ForAllSamples("figure forward, moving root", Root::kMoving, 1e-10, [](Sample& s) {
-    const VecX all = s.mujoco.InverseDynamics(s.Join(Accelerations(s)), &s.ends);
+    const VecX all = s.mujoco.InverseDynamics(s.Join(AccelerationsOfLanes(s)), &s.ends);
     return RelativeDifference(s.JointRows(all), s.tau);
   });
 }
@@ -78,7 +78,7 @@ TEST(FigureDynamics, ForwardAgreesWithTheDenseRoute) {
     VecX qdd(s.figure.num_joints());
     EXPECT_FALSE(
         ForwardDynamicsDense(s.figure, s.RootLessGravity(), s.qd, s.tau, &s.ends, &ws, &qdd));
-    return RelativeDifference(Accelerations(s), qdd);
+    return RelativeDifference(AccelerationsOfLanes(s), qdd);
   });
 }
 

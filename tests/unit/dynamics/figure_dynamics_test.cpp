@@ -8,7 +8,7 @@
 namespace hazumi::test {
 namespace {
 
-void ExpectAgreement(const Case& c, const std::string& what) {
+void ExpectLanesAgree(const Case& c, const std::string& what) {
   const FigureDynamics dynamics(c.figure);
   FigureScratch scratch = dynamics.MakeScratch();
   EXPECT_LE(RelativeDifference(c.Torques(dynamics, &scratch), c.TorquesInWorldAxes(c.qdd)), 1e-12)
@@ -27,7 +27,7 @@ TEST(FigureDynamics, TakesHingesAtAnyAngleToEachOther) {
                    Joint("two", "euler", {random.Vector3(1.0), random.Vector3(1.0)}, &random),
                    Joint("left_handed", "euler", {y, x, z}, &random),
                    Joint("backwards", "left_handed", {-z, -x}, &random)};
-    ExpectAgreement(Case(Build(spec), seed), "seed " + std::to_string(seed));
+    ExpectLanesAgree(Case(Build(spec), seed), "seed " + std::to_string(seed));
   }
 }
 
@@ -48,8 +48,8 @@ TEST(FigureDynamics, TakesFiguresOfEveryShape) {
           parent = a % 2 == 1 && j == 0 ? std::to_string(a - 1) + "-0" : name;
         }
       }
-      ExpectAgreement(Case(Build(spec), arms),
-                      std::to_string(arms) + " x " + std::to_string(joints));
+      ExpectLanesAgree(Case(Build(spec), arms),
+                       std::to_string(arms) + " x " + std::to_string(joints));
     }
   }
 }
@@ -57,7 +57,7 @@ TEST(FigureDynamics, TakesFiguresOfEveryShape) {
 TEST(FigureDynamics, TakesALoadBetweenTheHingesOfAJoint) {
   const RigidInertia load{2.0, Vec3(0.1, 0.2, 0.3), 0.1 * Mat3::Identity()};
   for (const int joint : {0, 1, 2, 9, 10, 30, 36}) {
-    ExpectAgreement(Case(Human37().WithLoad(JointIndex(joint), load), 5), std::to_string(joint));
+    ExpectLanesAgree(Case(Human37().WithLoad(JointIndex(joint), load), 5), std::to_string(joint));
   }
 }
 
@@ -66,13 +66,13 @@ TEST(FigureDynamics, TakesLargeAngles) {
   c.q[3] += 2e5;
   c.q[20] -= 1e9;
   c.q[36] += 1e4;
-  ExpectAgreement(c, "large angles");
+  ExpectLanesAgree(c, "large angles");
 }
 
 TEST(FigureDynamics, TakesAFigureWithoutJoints) {
   FigureSpec spec = EmptySpec();
   spec.root_links = Joint("", "", {}, std::make_unique<Random>(1).get()).links;
-  ExpectAgreement(Case(Build(spec), 1), "no joints");
+  ExpectLanesAgree(Case(Build(spec), 1), "no joints");
 }
 
 TEST(FigureDynamics, GivesTheSameBitsWithEveryInstructionSet) {

@@ -66,7 +66,7 @@ TEST(OriginJacobian, IsTheDerivativeOfTheOriginByEachAngle) {
 }
 
 // Hinges about z, 1 mm apart.
-FigureSpec Chain(int joints) {
+FigureSpec LongChain(int joints) {
   FigureSpec spec;
   spec.root_name = "root";
   for (int i = 0; i < joints; ++i) {
@@ -83,7 +83,7 @@ FigureSpec Chain(int joints) {
 
 // 2,000 equal turns make a full circle: half way round the chain is one diameter away.
 TEST(Kinematics, OfADeepChainFollowsTheCurveOfItsLinks) {
-  const Figure chain = Build(Chain(2000));
+  const Figure chain = Build(LongChain(2000));
   DynamicsWorkspace ws(chain);
   const double angle = 2.0 * std::numbers::pi / 2000.0;
   ComputePositions(chain, Pose(), VecX::Constant(2000, angle), &ws);

@@ -16,7 +16,7 @@ std::optional<SingularInertia> Solve(const Figure& figure, const VecX& q,
 }
 
 // A random tree with one more hinge, which carries nothing.
-Figure WithEmptyHinge(uint64_t seed) {
+Figure WithEmptyLeaf(uint64_t seed) {
   Random random(seed);
   FigureSpec spec = RandomTreeSpec(&random);
   const int parent = random.Integer(0, static_cast<int>(spec.joints.size()) - 1);
@@ -31,7 +31,7 @@ Figure WithEmptyHinge(uint64_t seed) {
 
 TEST(ForwardDynamics, ReportsAMasslessLeafByItsJoint) {
   for (uint64_t seed = 1; seed <= 20; ++seed) {
-    const Figure figure = WithEmptyHinge(seed);
+    const Figure figure = WithEmptyLeaf(seed);
     Random random(~seed);
     const VecX q = RandomAngles(figure, &random);
     const auto singular = Solve(figure, q);

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/spatial/degrees.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -8,8 +9,6 @@ namespace {
 
 using edit::Json;
 using edit::Session;
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 Pose RootOf(Session* session) { return session->FrameNow().value()->X_WR; }
 

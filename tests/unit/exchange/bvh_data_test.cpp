@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <numbers>
 
 #include "engine/exchange/bvh/bvh_write.h"
+#include "engine/spatial/degrees.h"
 #include "tests/support/data_folder.h"
 #include "tests/unit/exchange/bvh_sample.h"
 
@@ -15,8 +15,6 @@ namespace hazumi::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string FileText(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "engine/base/text.h"
 #include "engine/exchange/bvh/frame_time.h"
+#include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/bvh_sample.h"
 
 namespace hazumi::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 TEST(BvhDialect, SmallFileIsReadAsWritten) {
   const Character read = ReadWell(SmallBvh());

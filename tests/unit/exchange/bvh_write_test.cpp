@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/bvh_sample.h"
 
 namespace hazumi::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kRounding = 0.5001e-6;  // of the sixth decimal; angles are rounded in degrees
 
 std::string Written(const Character& character) { return BvhText(character, character.clips[0]); }

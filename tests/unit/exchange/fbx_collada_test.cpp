@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/small_files.h"
 
 namespace hazumi {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Mat3 About(const Vec3& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * kDegree, axis).toRotationMatrix();

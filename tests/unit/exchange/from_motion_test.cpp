@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/bvh/bvh_write.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numbers>
 
 #include "engine/exchange/character/from_motion.h"
 #include "tests/support/figures.h"

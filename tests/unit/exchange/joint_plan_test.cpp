@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "engine/exchange/import/import_skin.h"
 #include "engine/figure/skin_check.h"
+#include "engine/spatial/degrees.h"
 #include "tests/unit/exchange/made_characters.h"
 
 namespace hazumi::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Mat3 About(double angle_deg, const Vec3& axis) {
   return Eigen::AngleAxisd(angle_deg * kDegree, axis).toRotationMatrix();

@@ -16,7 +16,7 @@ namespace {
 
 using small::V3;
 
-constexpr double kTolerance = 1e-9;
+constexpr double kTreeTolerance = 1e-9;
 constexpr uint64_t kSeeds = 100;
 constexpr RootCoupling kCouplings[] = {RootCoupling::kPrescribed, RootCoupling::kFlight};
 
@@ -58,7 +58,7 @@ TEST(ArticulatedBodies, AccelerateChainsOfHingesAsTheDenseEquations) {
     const RegionDynamics dense = Assembled(*group);
     const VecX expected = dense.M().llt().solve(-dense.b());
     const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
-    EXPECT_LE(worst(RelativeDifference(x, expected)), kTolerance);
+    EXPECT_LE(worst(RelativeDifference(x, expected)), kTreeTolerance);
   });
 }
 
@@ -71,7 +71,7 @@ TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
     balls += layout.num_positions() - layout.num_dofs();
     const VecX expected = BodiesAccelerated(*group, hinges, dense.M().llt().solve(-dense.b()));
     const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
-    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTolerance);
+    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTreeTolerance);
   });
   EXPECT_GT(balls, 50);
 }
@@ -107,7 +107,7 @@ TEST(ArticulatedBodies, LeaveLockedHingesWhereTheyAre) {
     const VecX expected =
         BodiesAccelerated(*group, hinges, SolveUnlocked(Assembled(*group), locked));
     const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
-    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTolerance);
+    EXPECT_LE(worst(RelativeDifference(actual, expected)), kTreeTolerance);
   });
   EXPECT_GT(locked_balls, 20);
 }
@@ -129,7 +129,7 @@ TEST(ArticulatedBodies, GiveNothingToADirectionThatMovesNoMass) {
     SolveSemidefinite(L, expected);
     const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
     EXPECT_TRUE(x.tail(last.num_hinges).isZero(0.0));
-    EXPECT_LE(worst((x - expected).norm() / (1.0 + expected.norm())), kTolerance);
+    EXPECT_LE(worst((x - expected).norm() / (1.0 + expected.norm())), kTreeTolerance);
   });
   EXPECT_GT(massless, 50);
 }
@@ -187,9 +187,9 @@ TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
       articulated.Push(layout, kinematics.motion(), node, r, V3(force), pushed.data());
       const double size = expected.norm() + x.norm();
       const Vec3 actual = articulated.AccelerationAt(other, at).eigen();
-      EXPECT_LE(worst((actual - expected).norm() / size), kTolerance) << "balls " << balls;
+      EXPECT_LE(worst((actual - expected).norm() / size), kTreeTolerance) << "balls " << balls;
       if (balls) continue;
-      EXPECT_LE(worst((pushed - x).norm() / size), kTolerance);
+      EXPECT_LE(worst((pushed - x).norm() / size), kTreeTolerance);
     }
   });
 }
@@ -207,7 +207,7 @@ TEST(ArticulatedBodies, AnswerATorqueAboutAHingeWithAColumnOfTheInverse) {
     for (int i = 0; i < layout.num_dofs(); ++i) {
       const FreeHinge& hinge = layout.hinges()[i];
       articulated.Twist(layout, kinematics.motion(), hinge.node, hinge.slot, x.data());
-      EXPECT_LE(worst(RelativeDifference(x, inverse.col(i))), kTolerance) << "hinge " << i;
+      EXPECT_LE(worst(RelativeDifference(x, inverse.col(i))), kTreeTolerance) << "hinge " << i;
     }
   });
 }

@@ -113,7 +113,7 @@ VecX VirtualPower(const RandomGroup& group, const Push& push) {
 }
 
 template <typename Action>
-void ForEachGroup(Action&& action) {
+void ForEachLawsGroup(Action&& action) {
   int groups = 0;
   for (const RootCoupling coupling :
        {RootCoupling::kPrescribed, RootCoupling::kPinned, RootCoupling::kFlight}) {
@@ -165,7 +165,7 @@ struct Solved {
 };
 
 TEST(ForceLaw, ActsByVirtualPower) {
-  ForEachGroup([](const RandomGroup& group, const std::string& what) {
+  ForEachLawsGroup([](const RandomGroup& group, const std::string& what) {
     Random random(3);
     const Push push = AnyPush(group, &random);
     RegionDynamics plain(group.model, {}, RandomGroup::kGravity);
@@ -182,7 +182,7 @@ TEST(ForceLaw, ActsByVirtualPower) {
 
 // Both ways of solving.
 TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
-  ForEachGroup([](const RandomGroup& group, const std::string& what) {
+  ForEachLawsGroup([](const RandomGroup& group, const std::string& what) {
     Random random(4);
     RegionDynamics dynamics(group.model, With(AnyPush(group, &random)), RandomGroup::kGravity);
     dynamics.SetDriven(&group.driven, -0.01, 0.01);
@@ -222,7 +222,7 @@ void ExpectPowerIsEnergy(const RandomGroup& group, const ForceLaws& laws, const 
 }
 
 TEST(ForceLaw, ItsPowerIsTheEnergyThatComesIn) {
-  ForEachGroup([&](const RandomGroup& group, const std::string& what) {
+  ForEachLawsGroup([&](const RandomGroup& group, const std::string& what) {
     Random random(5);
     for (const ForceLaws& laws : EachLaw(group, &random)) ExpectPowerIsEnergy(group, laws, what);
   });
@@ -254,7 +254,7 @@ class Witness : public ForceLaw {
 
 // Their velocities are how their places change, on moving bases, pins and in flight.
 TEST(ForceLaw, IsToldWherePointsAreAndHowTheyMove) {
-  ForEachGroup([&](const RandomGroup& group, const std::string& what) {
+  ForEachLawsGroup([&](const RandomGroup& group, const std::string& what) {
     Witness::Seen seen;
     Solved solved(group, {std::make_shared<Witness>(&seen)});
     if (!solved.is_solved) return;

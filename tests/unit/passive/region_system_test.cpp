@@ -16,7 +16,7 @@ namespace hazumi::test {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr double kTolerance = 1e-9;
+constexpr double kSystemTolerance = 1e-9;
 constexpr double kNotRead = std::numeric_limits<double>::quiet_NaN();
 
 // A sample of which some joints are free.
@@ -79,27 +79,27 @@ VecX ActualAccelerations(const Region& region, RootCoupling coupling) {
   return system.M().llt().solve(-system.b());
 }
 
-void ExpectAgreement(const char* claim, RootCoupling coupling) {
+void ExpectSameSystem(const char* claim, RootCoupling coupling) {
   Worst worst(claim);
   for (uint64_t seed = 0; seed < kSamples; ++seed) {
     Region region(seed);
     const VecX expected = ExpectedAccelerations(region, coupling);
     EXPECT_LE(worst(RelativeDifference(ActualAccelerations(region, coupling), expected)),
-              kTolerance)
+              kSystemTolerance)
         << "seed " << seed;
   }
 }
 
 TEST(RegionSystem, OnAPrescribedRootAgreesWithMultipliers) {
-  ExpectAgreement("prescribed", RootCoupling::kPrescribed);
+  ExpectSameSystem("prescribed", RootCoupling::kPrescribed);
 }
 
 TEST(RegionSystem, PinnedAgreesWithMultipliers) {
-  ExpectAgreement("pinned", RootCoupling::kPinned);
+  ExpectSameSystem("pinned", RootCoupling::kPinned);
 }
 
 TEST(RegionSystem, InFlightAgreesWithMultipliers) {
-  ExpectAgreement("flight", RootCoupling::kFlight);
+  ExpectSameSystem("flight", RootCoupling::kFlight);
 }
 
 TEST(RegionSystem, RatesAfterPinningAgreeWithTheImpulseOfMultipliers) {
@@ -119,7 +119,7 @@ TEST(RegionSystem, RatesAfterPinningAgreeWithTheImpulseOfMultipliers) {
     VecX rates;
     ASSERT_TRUE(
         system.RatesAfterPinning(region.State(RootCoupling::kPinned), region.pin, &ws, &rates));
-    EXPECT_LE(worst(RelativeDifference(rates, region.FreeRows(impulse.Solve()))), kTolerance)
+    EXPECT_LE(worst(RelativeDifference(rates, region.FreeRows(impulse.Solve()))), kSystemTolerance)
         << "seed " << seed;
   }
 }

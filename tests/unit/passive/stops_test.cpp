@@ -13,7 +13,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kTolerance = 1e-9;
+constexpr double kStopTolerance = 1e-9;
 
 // M x = T - b of some hinges, some of them at stops, and rates v.
 struct Problem {
@@ -55,7 +55,8 @@ Problem AnyProblem(int seed) {
 
 // At no stop p = 0; at one side p <= 0, side y <= 0, p y = 0.
 void ExpectComplementary(const std::vector<int>& side, const VecX& y, const VecX& p) {
-  const double small_y = kTolerance * (1.0 + y.norm()), small_p = kTolerance * (1.0 + p.norm());
+  const double small_y = kStopTolerance * (1.0 + y.norm()),
+               small_p = kStopTolerance * (1.0 + p.norm());
   for (int i = 0; i < y.size(); ++i) {
     if (side[i] == 0) {
       EXPECT_NEAR(p[i], 0.0, small_p) << i;
@@ -83,8 +84,8 @@ TEST(StopSolver, NeverAddsEnergyWithoutABlow) {
     Problem problem = AnyProblem(seed);
     const VecX after = problem.AfterImpact(VecX::Zero(problem.size()), problem.None());
     const double before_J = problem.Energy(problem.v), after_J = problem.Energy(after);
-    EXPECT_LE(after_J, before_J * (1.0 + kTolerance)) << "seed " << seed;
-    EXPECT_NEAR(before_J - after_J, problem.Energy(after - problem.v), kTolerance * before_J)
+    EXPECT_LE(after_J, before_J * (1.0 + kStopTolerance)) << "seed " << seed;
+    EXPECT_NEAR(before_J - after_J, problem.Energy(after - problem.v), kStopTolerance * before_J)
         << "seed " << seed;
     lost += after_J < 0.99 * before_J;
   }
@@ -98,7 +99,7 @@ TEST(StopSolver, LeavesWhatMovesInwardsAlone) {
       if (problem.side[i] * problem.v[i] > 0.0) problem.v[i] *= -1.0;
     }
     const VecX after = problem.AfterImpact(VecX::Zero(problem.size()), problem.None());
-    EXPECT_LE((after - problem.v).norm(), kTolerance * problem.v.norm()) << "seed " << seed;
+    EXPECT_LE((after - problem.v).norm(), kStopTolerance * problem.v.norm()) << "seed " << seed;
   }
 }
 
@@ -118,7 +119,7 @@ TEST(StopSolver, StopsWhatSticksEvenByAPull) {
       pulled += problem.side[i] * impulses[i] > 0.0;
     }
     EXPECT_LE(problem.Energy(problem.AfterImpact(VecX::Zero(problem.size()), sticks)),
-              problem.Energy(problem.v) * (1.0 + kTolerance));
+              problem.Energy(problem.v) * (1.0 + kStopTolerance));
   }
   EXPECT_GT(pulled, kProblems / 4);
 }
@@ -148,7 +149,7 @@ TEST(StopSolver, KeepsAtRestWhatItsStopHasToPush) {
     std::vector<char> held = problem.None();
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
     const VecX x = problem.solver.x(), T = problem.solver.T();
-    EXPECT_LE((problem.M * x + problem.b - T).norm(), kTolerance * (1.0 + problem.b.norm()));
+    EXPECT_LE((problem.M * x + problem.b - T).norm(), kStopTolerance * (1.0 + problem.b.norm()));
     ExpectComplementary(problem.side, x, T);
     problem.solver.Solve(problem.M, problem.b, held);
     EXPECT_EQ(problem.solver.x(), x);
@@ -190,8 +191,8 @@ TEST(StopSolver, FindsTheOneSetOfStopsThatATrialOfAllSetsFinds) {
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
     EXPECT_EQ(held, *expected) << "seed " << seed;
     const Mixed mixed = WithHeld(problem, held);
-    EXPECT_LE((problem.solver.x() - mixed.x).norm(), kTolerance * (1.0 + mixed.x.norm()));
-    EXPECT_LE((problem.solver.T() - mixed.T).norm(), kTolerance * (1.0 + mixed.T.norm()));
+    EXPECT_LE((problem.solver.x() - mixed.x).norm(), kStopTolerance * (1.0 + mixed.x.norm()));
+    EXPECT_LE((problem.solver.T() - mixed.T).norm(), kStopTolerance * (1.0 + mixed.T.norm()));
   }
 }
 

@@ -12,8 +12,6 @@
 namespace hazumi {
 namespace {
 
-using test::Random;
-
 Vec3 OriginOf(const Figure& figure, const Pose& X_WR, const VecX& q, JointIndex j) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, X_WR, q, &ws);
@@ -30,7 +28,7 @@ JointIndex FirstHinge(const Figure& figure, const char* joint) {
   return figure.group(*figure.FindGroup(joint)).first;
 }
 
-VecX WithinLimits(const Figure& figure, Random* random) {
+VecX WithinLimits(const Figure& figure, test::Random* random) {
   VecX q(figure.num_joints());
   for (int j = 0; j < q.size(); ++j) {
     const Joint& joint = figure.joints()[j];
@@ -49,7 +47,7 @@ double LargestExcess(const Figure& figure, const VecX& q) {
 
 TEST(Reach, KeepsAnOrientationWhereTheLimbCan) {
   const Figure figure = test::Human();
-  Random random(7);
+  test::Random random(7);
   const JointIndex toe = FirstHinge(figure, "l_toe");
   int reached = 0;
   constexpr int kCases = 100;
@@ -73,7 +71,7 @@ TEST(Reach, KeepsAnOrientationWhereTheLimbCan) {
 
 TEST(Reach, ComesToWhereOtherPosesAre) {
   const Figure figure = test::Human();
-  Random random(1);
+  test::Random random(1);
   int reached = 0;
   constexpr int kCases = 200;
   for (int i = 0; i < kCases; ++i) {
@@ -91,7 +89,7 @@ TEST(Reach, ComesToWhereOtherPosesAre) {
 
 TEST(Reach, TurnsTheNamedHingesOnly) {
   const Figure figure = test::Human();
-  Random random(2);
+  test::Random random(2);
   const JointIndex wrist = FirstHinge(figure, "l_wrist");
   const std::vector<JointIndex> hinges = {*figure.FindJoint("l_elbow_y"),
                                           FirstHinge(figure, "r_hip")};
@@ -109,7 +107,7 @@ TEST(Reach, TurnsTheNamedHingesOnly) {
 
 TEST(Reach, LeavesAPoseThatIsThereAlone) {
   const Figure figure = test::Human();
-  Random random(3);
+  test::Random random(3);
   const JointIndex toe = FirstHinge(figure, "r_toe");
   const VecX before = WithinLimits(figure, &random);
   VecX q = before;
@@ -143,7 +141,7 @@ TEST(Reach, OutOfReachStretchesTowardsTheTarget) {
 
 TEST(Reach, SmallMovesOfTheTargetGiveSmallMovesOfThePose) {
   const Figure figure = test::Human();
-  Random random(4);
+  test::Random random(4);
   const JointIndex wrist = FirstHinge(figure, "r_wrist");
   VecX q = WithinLimits(figure, &random);
   const Vec3 from = OriginOf(figure, Pose(), q, wrist);

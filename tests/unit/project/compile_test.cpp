@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <numbers>
 
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
+#include "engine/spatial/degrees.h"
 #include "tests/unit/project/sample.h"
 
 namespace hazumi::testing {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Compiled CompileGood(const Changes& changes = {}) {
   Result<Compiled> compiled = CompileAnimation(ParseGood(Changed(SampleProject(), changes)));

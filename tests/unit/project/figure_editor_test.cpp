@@ -10,7 +10,7 @@ namespace {
 
 Json TextOf(const Project& project) { return Json::parse(project.figure.embedded_json); }
 
-std::string Complaint(const Result<Done>& done) {
+std::string WhyRefused(const Result<Done>& done) {
   return done.ok() ? "no complaint" : done.error().ToString();
 }
 
@@ -62,15 +62,15 @@ TEST(FigureEditor, RefusesWhatNoFigureCanBeAndLeavesItAsItWas) {
   Project project = ParseGood(SampleProject());
   const Project before = project;
   ProjectFigure* figure = &project.figure;
-  EXPECT_EQ(Complaint(SetHingeLimits("waist", 70.0, {}, figure)),
+  EXPECT_EQ(WhyRefused(SetHingeLimits("waist", 70.0, {}, figure)),
             "lower: the lower limit 70 is above the upper one, 60");
-  EXPECT_EQ(Complaint(SetHingeLimits("nose", 70.0, {}, figure)),
+  EXPECT_EQ(WhyRefused(SetHingeLimits("nose", 70.0, {}, figure)),
             "joint: the figure has no hinge \"nose\"");
-  EXPECT_EQ(Complaint(ChangeLink("nose", {1.0, {}}, figure)),
+  EXPECT_EQ(WhyRefused(ChangeLink("nose", {1.0, {}}, figure)),
             "link: the figure has no link \"nose\"");
-  EXPECT_EQ(Complaint(ChangeLink("r_hand", {{}, 0.0}, figure)),
+  EXPECT_EQ(WhyRefused(ChangeLink("r_hand", {{}, 0.0}, figure)),
             "joints[3].links[0].radius_m: must be greater than 0, is 0");
-  EXPECT_EQ(Complaint(EmbedFigure(".", figure)), "figure: is embedded already");
+  EXPECT_EQ(WhyRefused(EmbedFigure(".", figure)), "figure: is embedded already");
   EXPECT_EQ(project, before);
 }
 
@@ -80,7 +80,7 @@ TEST(FigureEditor, AFileIsEmbeddedFirst) {
   ProjectFigure figure;
   figure.file = "doll.json";
   figure.extra = {{"x", "1"}};
-  EXPECT_EQ(Complaint(SetHingeLimits("waist", 0.0, {}, &figure)),
+  EXPECT_EQ(WhyRefused(SetHingeLimits("waist", 0.0, {}, &figure)),
             "figure: is the file \"doll.json\", which other projects may use; embed it first with "
             "\"figure.embed\"");
   ASSERT_TRUE(EmbedFigure(folder.path(), &figure).ok());

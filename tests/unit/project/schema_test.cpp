@@ -27,7 +27,7 @@ const std::string kAssets = HAZUMI_SOURCE_DIR "/assets/";
 PlainJson Load(const std::string& path) { return PlainJson::parse(ReadFile(path)); }
 
 // The first complaint about the document; empty: it is valid.
-std::string Complaint(const std::string& schema_name, const PlainJson& document) {
+std::string ComplaintOf(const std::string& schema_name, const PlainJson& document) {
   const PlainJson schema_json = Load(kAssets + "schema/" + schema_name);
   const PlainJson figure_json = Load(kAssets + "schema/figure.schema.json");
   valijson::Schema schema;
@@ -61,8 +61,8 @@ TEST(Schema, IsTheOneThatTheFieldsDescribe) {
 
 TEST(Schema, TheSampleIsValid) {
   const PlainJson sample = PlainJson::parse(SampleProject().dump());
-  EXPECT_EQ(Complaint("kfa.schema.json", sample), "");
-  EXPECT_EQ(Complaint("figure.schema.json", sample["figure"]), "");
+  EXPECT_EQ(ComplaintOf("kfa.schema.json", sample), "");
+  EXPECT_EQ(ComplaintOf("figure.schema.json", sample["figure"]), "");
 }
 
 TEST(Schema, TakesBothMethodsWithAndWithoutTheirNumbers) {
@@ -70,13 +70,13 @@ TEST(Schema, TakesBothMethodsWithAndWithoutTheirNumbers) {
        {R"({"method": "exact", "version": 1})", R"({"method": "paper", "version": 1})",
         R"({"method": "exact", "tolerance_deg": 1e-10, "version": 1})"}) {
     const std::string text = Changed(SampleProject(), {{"/solver", solver}}).dump();
-    EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(text)), "") << solver;
+    EXPECT_EQ(ComplaintOf("kfa.schema.json", PlainJson::parse(text)), "") << solver;
   }
 }
 
 TEST(Schema, KnowsSkins) {
   const auto complaint = [](const Changes& changes) {
-    return Complaint("kfa.schema.json", PlainJson::parse(WithSkin(changes).dump()));
+    return ComplaintOf("kfa.schema.json", PlainJson::parse(WithSkin(changes).dump()));
   };
   EXPECT_EQ(complaint({}), "");
   EXPECT_NE(complaint({{"/skin/bones", ""}}), "");
@@ -105,14 +105,14 @@ TEST(Schema, FindsMistakes) {
                             {"/regions/0/blend_frames", "-1"}};
   for (const auto& mistake : mistakes) {
     const std::string wrong = Changed(SampleProject(), {mistake}).dump();
-    EXPECT_NE(Complaint("kfa.schema.json", PlainJson::parse(wrong)), "") << mistake.first;
+    EXPECT_NE(ComplaintOf("kfa.schema.json", PlainJson::parse(wrong)), "") << mistake.first;
   }
 }
 
 TEST(Schema, ShippedFiguresAreValidAndLoad) {
   const std::vector<std::string> files = FilesIn("figures", ".json");
   for (const std::string& file : files) {
-    EXPECT_EQ(Complaint("figure.schema.json", Load(file)), "") << file;
+    EXPECT_EQ(ComplaintOf("figure.schema.json", Load(file)), "") << file;
     const Result<FigureSpec> figure = LoadFigure(file);
     EXPECT_TRUE(figure.ok()) << figure.error().ToString();
   }
@@ -122,13 +122,13 @@ TEST(Schema, ShippedFiguresAreValidAndLoad) {
 TEST(Schema, ShippedExamplesAreValidLoadAndCompile) {
   const std::vector<std::string> files = FilesIn("examples", ".kfa");
   for (const std::string& file : files) {
-    EXPECT_EQ(Complaint("kfa.schema.json", Load(file)), "") << file;
+    EXPECT_EQ(ComplaintOf("kfa.schema.json", Load(file)), "") << file;
     const Result<Project> project = LoadProject(file);
     ASSERT_TRUE(project.ok()) << project.error().ToString();
     EXPECT_TRUE(project.value().read.warnings.empty()) << file;
     const Result<Compiled> compiled = CompileAnimation(project.value());
     EXPECT_TRUE(compiled.ok()) << file << compiled.error().ToString();
-    EXPECT_EQ(Complaint("kfa.schema.json", PlainJson::parse(WriteProject(project.value()))), "");
+    EXPECT_EQ(ComplaintOf("kfa.schema.json", PlainJson::parse(WriteProject(project.value()))), "");
   }
   if (files.empty()) GTEST_SKIP() << "skipped: no examples";
 }

@@ -63,7 +63,7 @@ Result<GroupIndex> Holder(const Session& session, const Parameters& p) {
   return *group;
 }
 
-Result<Done> Add(Session* session, const Parameters& p, ProjectHeldObject object) {
+Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject object) {
   const Result<GroupIndex> holder = Holder(*session, p);
   if (!holder.ok()) return holder.error();
   return session->Edit("Add held object", [&](Project* project) -> Result<Done> {
@@ -80,12 +80,16 @@ Result<Done> Add(Session* session, const Parameters& p, ProjectHeldObject object
   });
 }
 
-Result<Done> AddBall(Session* session, const Parameters& p) { return Add(session, p, NewBall()); }
-Result<Done> AddBox(Session* session, const Parameters& p) { return Add(session, p, NewBox()); }
+Result<Done> AddHeldBall(Session* session, const Parameters& p) {
+  return AddHeld(session, p, NewBall());
+}
+Result<Done> AddHeldBox(Session* session, const Parameters& p) {
+  return AddHeld(session, p, NewBox());
+}
 
 // Runs on one object by its name.
 template <typename Action>
-Result<Done> Change(Session* session, const Parameters& p, const char* label, Action action) {
+Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label, Action action) {
   return session->Edit(
       label,
       [&](Project* project) -> Result<Done> {
@@ -99,42 +103,45 @@ Result<Done> Change(Session* session, const Parameters& p, const char* label, Ac
 
 using Objects = std::vector<ProjectHeldObject>;
 
-Result<Done> Set(Session* session, const Parameters& p) {
-  return Change(session, p, "Change held object", [&](Objects* objects, ProjectHeldObject* object) {
-    const bool is_ball = std::holds_alternative<ProjectSphereShape>(object->shape);
-    Result<Done> own =
-        ExpectOwn(FieldsOf(*object), FieldsOfShapes(), p,
-                  is_ball ? "a ball has none; boxes have" : "a box has none; balls have");
-    if (!own.ok()) return own;
-    Result<Done> set = SetFields(p, object);
-    if (p.yes("never")) object->release_frame.reset();
-    if (p.has("name")) object->name = FreeName(object->name, *objects, object);
-    return set;
-  });
+Result<Done> SetHeld(Session* session, const Parameters& p) {
+  return ChangeHeld(
+      session, p, "Change held object", [&](Objects* objects, ProjectHeldObject* object) {
+        const bool is_ball = std::holds_alternative<ProjectSphereShape>(object->shape);
+        Result<Done> own =
+            ExpectOwn(FieldsOf(*object), FieldsOfShapes(), p,
+                      is_ball ? "a ball has none; boxes have" : "a box has none; balls have");
+        if (!own.ok()) return own;
+        Result<Done> set = SetFields(p, object);
+        if (p.yes("never")) object->release_frame.reset();
+        if (p.has("name")) object->name = FreeName(object->name, *objects, object);
+        return set;
+      });
 }
 
-Result<Done> Remove(Session* session, const Parameters& p) {
-  return Change(session, p, "Remove held object", [&](Objects* objects, ProjectHeldObject* object) {
-    objects->erase(objects->begin() + (object - objects->data()));
-    return Result<Done>(Done());
-  });
+Result<Done> RemoveHeld(Session* session, const Parameters& p) {
+  return ChangeHeld(session, p, "Remove held object",
+                    [&](Objects* objects, ProjectHeldObject* object) {
+                      objects->erase(objects->begin() + (object - objects->data()));
+                      return Result<Done>(Done());
+                    });
 }
 
 }  // namespace
 
 std::vector<Operator> HeldObjectOperators() {
-  return {{"held.add_ball", "Add ball",
-           "Puts a ball into a hand. Not given: a baseball in the selected joint, beside its bone.",
-           FieldsOf(NewBall()), AddBall},
-          {"held.add_box", "Add held box",
-           "Puts a box into a hand. Not given: 10 cm, in the selected joint, beside its bone.",
-           FieldsOf(NewBox()), AddBox},
-          {"held.set", "Change held object", "Sets what is given of a held object.",
-           Joined({{kObject},
-                   FieldsOfShapes(),
-                   {{"never", kYesNo, false, "true: it is never let go"}, kDrag}}),
-           Set},
-          {"held.remove", "Remove held object", "Takes a held object away.", {kObject}, Remove}};
+  return {
+      {"held.add_ball", "Add ball",
+       "Puts a ball into a hand. Not given: a baseball in the selected joint, beside its bone.",
+       FieldsOf(NewBall()), AddHeldBall},
+      {"held.add_box", "Add held box",
+       "Puts a box into a hand. Not given: 10 cm, in the selected joint, beside its bone.",
+       FieldsOf(NewBox()), AddHeldBox},
+      {"held.set", "Change held object", "Sets what is given of a held object.",
+       Joined({{kObject},
+               FieldsOfShapes(),
+               {{"never", kYesNo, false, "true: it is never let go"}, kDrag}}),
+       SetHeld},
+      {"held.remove", "Remove held object", "Takes a held object away.", {kObject}, RemoveHeld}};
 }
 
 }  // namespace hazumi::edit

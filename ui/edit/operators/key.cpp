@@ -33,7 +33,7 @@ Result<Place> PlaceOf(const Parameters& p, const Figure& figure, Project* projec
 }
 
 // What is not given stays as it is at a key on the frame.
-Result<Done> Set(Session* session, const Parameters& p) {
+Result<Done> SetKey(Session* session, const Parameters& p) {
   return session->Edit(
       "Set key",
       [&](Project* project) -> Result<Done> {
@@ -56,7 +56,7 @@ Result<Done> Set(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
-Result<Done> SetRate(Session* session, const Parameters& p) {
+Result<Done> SetKeyRate(Session* session, const Parameters& p) {
   return session->Edit(
       "Set rate of key",
       [&](Project* project) -> Result<Done> {
@@ -69,7 +69,7 @@ Result<Done> SetRate(Session* session, const Parameters& p) {
 }
 
 // On the curves that are chosen and have one there.
-Result<Done> Delete(Session* session, const Parameters& p) {
+Result<Done> DeleteKey(Session* session, const Parameters& p) {
   const double frame = p.number("frame", session->frame());
   const std::vector<std::string> names =
       p.has("curve") ? std::vector{p.text("curve")} : ChosenCurves(*session, p);
@@ -92,7 +92,7 @@ Result<Done> Delete(Session* session, const Parameters& p) {
 }
 
 // Onto another key: it takes its place.
-Result<Done> Move(Session* session, const Parameters& p) {
+Result<Done> MoveKey(Session* session, const Parameters& p) {
   return session->Edit(
       "Move key",
       [&](Project* project) -> Result<Done> {
@@ -111,7 +111,7 @@ Result<Done> Move(Session* session, const Parameters& p) {
 
 // The keys from one frame to another are moved and stretched in time: first and last come to lie on
 // two other frames. Keys that lay in their way give way.
-Result<Done> Retime(Session* session, const Parameters& p) {
+Result<Done> RetimeKeys(Session* session, const Parameters& p) {
   const double first = p.number("first"), last = p.number("last");
   const double to_first = p.number("to_first"), to_last = p.number("to_last");
   if (first > last || to_first > to_last || (first == last) != (to_first == to_last)) {
@@ -150,7 +150,7 @@ std::vector<std::string> CurvesToKey(const Session& session, const Parameters& p
 }
 
 // A key that holds what is seen now, whatever moves the hinge.
-Result<Done> Insert(Session* session, const Parameters& p) {
+Result<Done> InsertKeys(Session* session, const Parameters& p) {
   std::vector<std::pair<std::string, double>> values;
   for (const std::string& name : CurvesToKey(*session, p)) {
     const Result<double> angle = session->ValueNow(name);
@@ -209,7 +209,7 @@ std::vector<Operator> KeyOperators() {
             {"auto_rate", kYesNo, false, "true: the rate follows from the neighbours again"},
             interpolation,
             kDrag},
-           Set},
+           SetKey},
           {"key.rate",
            "Set rate of key",
            "Sets how fast a curve passes a key.",
@@ -217,13 +217,13 @@ std::vector<Operator> KeyOperators() {
             kFrame,
             {"rate", kNumber, true, "degrees per second, of root positions m/s"},
             kDrag},
-           SetRate},
+           SetKeyRate},
           {"key.delete",
            "Delete key",
            "Takes the keys of the selected joints, else of all, on this frame away.",
            {{"curve", kText, false, "only of this curve", Thing::kCurve},
             {"frame", kNumber, false, "not given: the current one"}},
-           Delete},
+           DeleteKey},
           {"key.move",
            "Move key",
            "Moves a key in time, up or down.",
@@ -232,7 +232,7 @@ std::vector<Operator> KeyOperators() {
             {"to", kNumber, false, "its new frame"},
             {"by", kNumber, false, "what is added to its value"},
             kDrag},
-           Move},
+           MoveKey},
           {"key.retime",
            "Move keys in time",
            "Moves and stretches all keys of some curves from one interval to another.",
@@ -242,12 +242,12 @@ std::vector<Operator> KeyOperators() {
             {"to_first", kNumber, true, "where the first frame comes to lie"},
             {"to_last", kNumber, true, "where the last frame comes to lie"},
             kDrag},
-           Retime},
+           RetimeKeys},
           {"key.insert",
            "Insert key",
            "Keys the pose as it is at the current frame.",
            {hinges},
-           Insert}};
+           InsertKeys}};
 }
 
 }  // namespace hazumi::edit

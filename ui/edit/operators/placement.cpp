@@ -36,7 +36,7 @@ void MakeRoom(int first, int last, Spans* spans) {
   *spans = std::move(kept);
 }
 
-Result<Done> Place(Session* session, const Parameters& p) {
+Result<Done> AddPlacement(Session* session, const Parameters& p) {
   return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
     ProjectPlacement span;
     if (Result<Done> set = SetFields(p, &span); !set.ok()) return set;
@@ -46,7 +46,7 @@ Result<Done> Place(Session* session, const Parameters& p) {
 }
 
 // What is given of it. Only gravity ends in a landing.
-Result<Done> Change(const Parameters& p, ProjectPlacement* span) {
+Result<Done> ChangePlacement(const Parameters& p, ProjectPlacement* span) {
   Result<Done> set = SetFields(p, span);
   if (span->kind != PlacementKind::kGravity) span->landing_pin.clear();
   return set;
@@ -63,7 +63,7 @@ Result<Done> EditPlacement(Session* session, const Parameters& p) {
         const Result<ProjectPlacement*> entry = EntryAt(p, "placement", &spans);
         if (!entry.ok()) return entry.error();
         ProjectPlacement span = *entry.value();
-        Result<Done> changed = Change(p, &span);
+        Result<Done> changed = ChangePlacement(p, &span);
         if (!changed.ok()) return changed;
         spans.erase(spans.begin() + (entry.value() - spans.data()));
         // A span of keys that a file has stays one, unless it becomes one now.
@@ -83,7 +83,7 @@ Result<Done> RemovePlacement(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> Hold(Session* session, const Parameters& p) {
+Result<Done> AddHold(Session* session, const Parameters& p) {
   return session->Edit(
       "Hold joint",
       [&](Project* project) -> Result<Done> {
@@ -138,22 +138,23 @@ Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
 }
 
 std::vector<Operator> PlacementOperators() {
-  return {{"placement.set", "Place figure",
-           "Says what places the figure for some frames; what was said of them before gives way.",
-           Requiring({"kind", "first", "last"}, FieldsOf<ProjectPlacement>()), Place},
-          {"placement.edit", "Change placement",
-           "Changes what is given of a span of placement; what is said of its frames gives way.",
-           Joined({{kPlacement}, FieldsOf<ProjectPlacement>(), {kDrag}}), EditPlacement},
-          {"placement.remove",
-           "Remove placement",
-           "Takes a span of placement away: the root's keys place the figure there.",
-           {kPlacement},
-           RemovePlacement},
-          {"hold.add", "Hold joint", "Keeps a joint where it is by inverse kinematics.",
-           Joined({Requiring({"joint", "first", "last"}, FieldsOf<ProjectHold>()), {kDrag}}), Hold},
-          {"hold.set", "Change hold", "Changes what is given of a hold.",
-           Joined({{kHold}, FieldsOf<ProjectHold>(), {kDrag}}), SetHold},
-          {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};
+  return {
+      {"placement.set", "Place figure",
+       "Says what places the figure for some frames; what was said of them before gives way.",
+       Requiring({"kind", "first", "last"}, FieldsOf<ProjectPlacement>()), AddPlacement},
+      {"placement.edit", "Change placement",
+       "Changes what is given of a span of placement; what is said of its frames gives way.",
+       Joined({{kPlacement}, FieldsOf<ProjectPlacement>(), {kDrag}}), EditPlacement},
+      {"placement.remove",
+       "Remove placement",
+       "Takes a span of placement away: the root's keys place the figure there.",
+       {kPlacement},
+       RemovePlacement},
+      {"hold.add", "Hold joint", "Keeps a joint where it is by inverse kinematics.",
+       Joined({Requiring({"joint", "first", "last"}, FieldsOf<ProjectHold>()), {kDrag}}), AddHold},
+      {"hold.set", "Change hold", "Changes what is given of a hold.",
+       Joined({{kHold}, FieldsOf<ProjectHold>(), {kDrag}}), SetHold},
+      {"hold.remove", "Remove hold", "Takes a hold away.", {kHold}, RemoveHold}};
 }
 
 }  // namespace hazumi::edit

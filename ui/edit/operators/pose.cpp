@@ -28,7 +28,7 @@ double Limited(const std::string& hinge, double angle, const Figure& figure) {
 }
 
 // To an angle or by one; the joint's limits hold.
-Result<Done> Rotate(Session* session, const Parameters& p) {
+Result<Done> RotateJoint(Session* session, const Parameters& p) {
   const std::string hinge = p.text("joint");
   double angle = p.number("to");
   if (!p.has("to")) {
@@ -49,7 +49,7 @@ std::vector<std::string> Chosen(const Session& session) {
   return all;
 }
 
-Result<Done> Clear(Session* session, const Parameters&) {
+Result<Done> ClearPose(Session* session, const Parameters&) {
   Pose rest;
   for (const std::string& name : Chosen(*session)) {
     const std::optional<int> of_root = RootCurveNamed(name);
@@ -60,7 +60,7 @@ Result<Done> Clear(Session* session, const Parameters&) {
   return KeyPose(session, "Clear pose", rest);
 }
 
-Result<Done> Copy(Session* session, const Parameters&) {
+Result<Done> CopyPose(Session* session, const Parameters&) {
   Pose pose;
   for (const std::string& name : Chosen(*session)) {
     const Result<double> angle = session->ValueNow(name);
@@ -71,7 +71,7 @@ Result<Done> Copy(Session* session, const Parameters&) {
   return Done();
 }
 
-Result<Done> Paste(Session* session, const Parameters& p) {
+Result<Done> PastePose(Session* session, const Parameters& p) {
   if (session->clipboard().empty()) return Refusal("", "no pose has been copied");
   if (!p.yes("flipped")) return KeyPose(session, "Paste pose", session->clipboard());
   const Result<Pose> flipped = Flipped(session->clipboard(), session);
@@ -114,18 +114,22 @@ std::vector<Operator> PoseOperators() {
         {"by", kNumber, false, "what is added to the present angle"},
         {"within_limits", kYesNo, false, "false: beyond the joint's limits too", kOnUnlessGiven},
         kDrag},
-       Rotate},
+       RotateJoint},
       {"pose.clear",
        "Clear pose",
        "Keys the rest angles of the selected joints, or of all. The root is turned upright.",
        {},
-       Clear},
-      {"pose.copy", "Copy pose", "Copies the angles of the selected joints, or of all.", {}, Copy},
+       ClearPose},
+      {"pose.copy",
+       "Copy pose",
+       "Copies the angles of the selected joints, or of all.",
+       {},
+       CopyPose},
       {"pose.paste",
        "Paste pose",
        "Keys the copied angles at the current frame.",
        {{"flipped", kYesNo, false, "true: left for right"}},
-       Paste}};
+       PastePose}};
 }
 
 }  // namespace hazumi::edit

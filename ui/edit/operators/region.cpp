@@ -16,7 +16,7 @@ using enum ParameterKind;
 const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
 // In a drag the region takes the place of the one before.
-Result<Done> Add(Session* session, const Parameters& p) {
+Result<Done> AddRegion(Session* session, const Parameters& p) {
   const std::string merge = p.has("drag") ? "region.add " + p.text("drag") : "";
   return session->Edit(
       "Add dynamics region",
@@ -39,7 +39,7 @@ Result<Done> Add(Session* session, const Parameters& p) {
 
 // Runs on one region by its name.
 template <typename Action>
-Result<Done> Change(Session* session, const Parameters& p, const char* label, Action action) {
+Result<Done> ChangeRegion(Session* session, const Parameters& p, const char* label, Action action) {
   return session->Edit(
       label,
       [&](Project* project) -> Result<Done> {
@@ -52,7 +52,7 @@ Result<Done> Change(Session* session, const Parameters& p, const char* label, Ac
 }
 
 Result<Done> SetRegion(Session* session, const Parameters& p) {
-  return Change(session, p, "Change region", [&](Project* project, ProjectRegion* region) {
+  return ChangeRegion(session, p, "Change region", [&](Project* project, ProjectRegion* region) {
     if (p.yes("as_project")) {
       region->method.reset();
       region->step_s.reset();
@@ -66,7 +66,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
 
 // Of one joint, or of all that have none of their own. Without a factor a joint loses its own.
 Result<Done> SetFriction(Session* session, const Parameters& p) {
-  return Change(session, p, "Change friction", [&](Project*, ProjectRegion* region) {
+  return ChangeRegion(session, p, "Change friction", [&](Project*, ProjectRegion* region) {
     ProjectFriction& friction = region->friction;
     if (!p.has("joint")) {
       if (!p.has("factor")) return Result<Done>(Refusal("factor", "is missing"));
@@ -87,8 +87,8 @@ Result<Done> SetFriction(Session* session, const Parameters& p) {
 }
 
 // The second part takes over where the first one ends.
-Result<Done> Split(Session* session, const Parameters& p) {
-  return Change(session, p, "Split region", [&](Project* project, ProjectRegion* region) {
+Result<Done> SplitRegion(Session* session, const Parameters& p) {
+  return ChangeRegion(session, p, "Split region", [&](Project* project, ProjectRegion* region) {
     const int frame = p.integer("frame");
     if (frame <= region->first_frame || frame >= region->last_frame) {
       return Result<Done>(Refusal("frame", "must lie inside the region, between its ends"));
@@ -102,8 +102,8 @@ Result<Done> Split(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> Remove(Session* session, const Parameters& p) {
-  return Change(session, p, "Remove region", [&](Project* project, ProjectRegion* region) {
+Result<Done> RemoveRegion(Session* session, const Parameters& p) {
+  return ChangeRegion(session, p, "Remove region", [&](Project* project, ProjectRegion* region) {
     project->regions.erase(project->regions.begin() + (region - project->regions.data()));
     return Result<Done>(Done());
   });
@@ -143,28 +143,30 @@ int LastFrameOf(const DynamicsRegion& region, int last) {
 
 // The joints of an animation's region, and the root if it turns it, become keys, one a frame, up to
 // the end of the blend after it, and the region goes.
-Result<Done> BakeToKeys(Session* session, const Parameters& p) {
+Result<Done> BakeRegionToKeys(Session* session, const Parameters& p) {
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
-  return Change(session, p, "Bake region to keys", [&](Project* project, ProjectRegion* region) {
-    const size_t index = region - project->regions.data();
-    const DynamicsRegion& baked = session->animation()->regions[index];
-    const auto first = motion.value()->frames.begin() + baked.first_frame - project->frames.first;
-    const int last = LastFrameOf(baked, project->frames.last);
-    const auto end = first + (last - baked.first_frame) + 1;
-    for (const JointIndex j : baked.joints) {
-      const std::string& name = session->figure().joint(j).name;
-      ProjectCurve* curve = CurveNamed(name, session->figure(), project).value();
-      RemoveKeys(baked.first_frame, last, curve);
-      for (auto at = first; at != end; ++at) KeyHinge(j, *at, curve);
-    }
-    for (int i = kRootAngleZ; i < kNumRootCurves && baked.root; ++i) {
-      RemoveKeys(baked.first_frame, last, &project->root.curves[i]);
-    }
-    for (auto at = first; at != end && baked.root; ++at) KeyRoot(*at, &project->root);
-    project->regions.erase(project->regions.begin() + static_cast<long>(index));
-    return Result<Done>(Done());
-  });
+  return ChangeRegion(
+      session, p, "Bake region to keys", [&](Project* project, ProjectRegion* region) {
+        const size_t index = region - project->regions.data();
+        const DynamicsRegion& baked = session->animation()->regions[index];
+        const auto first =
+            motion.value()->frames.begin() + baked.first_frame - project->frames.first;
+        const int last = LastFrameOf(baked, project->frames.last);
+        const auto end = first + (last - baked.first_frame) + 1;
+        for (const JointIndex j : baked.joints) {
+          const std::string& name = session->figure().joint(j).name;
+          ProjectCurve* curve = CurveNamed(name, session->figure(), project).value();
+          RemoveKeys(baked.first_frame, last, curve);
+          for (auto at = first; at != end; ++at) KeyHinge(j, *at, curve);
+        }
+        for (int i = kRootAngleZ; i < kNumRootCurves && baked.root; ++i) {
+          RemoveKeys(baked.first_frame, last, &project->root.curves[i]);
+        }
+        for (auto at = first; at != end && baked.root; ++at) KeyRoot(*at, &project->root);
+        project->regions.erase(project->regions.begin() + static_cast<long>(index));
+        return Result<Done>(Done());
+      });
 }
 
 }  // namespace
@@ -174,7 +176,7 @@ std::vector<Operator> RegionOperators() {
       {"region.add", "Add dynamics region",
        "Lets joints swing by their own inertia for some frames. Not given: the selected joints, "
        "friction 0.8.",
-       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kDrag}}), Add},
+       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kDrag}}), AddRegion},
       {"region.set", "Change region", "Changes what is given of a region.",
        Joined({{kRegion},
                FieldsOf<ProjectRegion>(),
@@ -202,13 +204,13 @@ std::vector<Operator> RegionOperators() {
        "Split region",
        "Makes two regions of one.",
        {kRegion, {"frame", kInteger, true, "where the second one begins"}},
-       Split},
-      {"region.remove", "Remove region", "Takes a region away.", {kRegion}, Remove},
+       SplitRegion},
+      {"region.remove", "Remove region", "Takes a region away.", {kRegion}, RemoveRegion},
       {"region.to_keys",
        "Bake region to keys",
        "Makes a key of each frame of a region and takes the region away.",
        {kRegion},
-       BakeToKeys}};
+       BakeRegionToKeys}};
 }
 
 }  // namespace hazumi::edit

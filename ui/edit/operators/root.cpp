@@ -136,7 +136,7 @@ Error InFlight() {
                  "move the root on the first frame of the placement");
 }
 
-Result<Done> Move(Session* session, const Parameters& p) {
+Result<Done> MoveRoot(Session* session, const Parameters& p) {
   const Result<Now> now = NowOf(session);
   if (!now.ok()) return now.error();
   const Vec3 to(p.number("x"), p.number("y"), p.number("z"));
@@ -159,7 +159,7 @@ Result<Done> Move(Session* session, const Parameters& p) {
   return KeyPose(session, "Move root", pose, p.text("drag"));
 }
 
-Result<Done> Turn(Session* session, const Parameters& p) {
+Result<Done> TurnRoot(Session* session, const Parameters& p) {
   const Result<Now> now = NowOf(session);
   if (!now.ok()) return now.error();
   const Vec3 axis(p.number("x"), p.number("y"), p.number("z"));
@@ -197,7 +197,7 @@ double LiftOut(const Now& now) {
   return lift;
 }
 
-Result<Done> ToGround(Session* session, const Parameters&) {
+Result<Done> SetRootToGround(Session* session, const Parameters&) {
   constexpr double kFar = 1000.0;  // [m]
   const Result<Now> now = NowOf(session);
   if (!now.ok()) return now.error();
@@ -225,7 +225,7 @@ std::vector<Operator> RootOperators() {
             {"z", kNumber, true, "metres"},
             {"feet_stay", kYesNo, false, "false: the whole figure moves", kOnUnlessGiven},
             kDrag},
-           Move},
+           MoveRoot},
           {"root.turn",
            "Turn root",
            "Turns the whole figure at the current frame, or the root above feet that stay.",
@@ -235,12 +235,12 @@ std::vector<Operator> RootOperators() {
             {"by", kNumber, true, "degrees"},
             {"feet_stay", kYesNo, false, "true: legs bend so that feet stay where they stand"},
             kDrag},
-           Turn},
+           TurnRoot},
           {"root.to_ground",
            "Put on the ground",
            "Keys the root's height so that the figure just touches what is under it.",
            {},
-           ToGround}};
+           SetRootToGround}};
 }
 
 }  // namespace hazumi::edit

@@ -94,7 +94,7 @@ void Shift(const Parameters& p, ProjectKey* key) {
   key->value += p.number("value");
 }
 
-Result<Done> Move(Session* session, const Parameters& p) {
+Result<Done> MoveSelected(Session* session, const Parameters& p) {
   return EditSelected(session, "keys.move", p.text("drag"), [&](const SelectedCurve& of) {
     std::vector<ProjectKey> keys = SelectedOf(of);
     TakeSelected(of);
@@ -103,7 +103,7 @@ Result<Done> Move(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> Duplicate(Session* session, const Parameters& p) {
+Result<Done> DuplicateSelected(Session* session, const Parameters& p) {
   return EditSelected(session, "keys.duplicate", p.text("drag"), [&](const SelectedCurve& of) {
     std::vector<ProjectKey> copies = SelectedOf(of);
     for (ProjectKey& key : copies) Shift(p, &key);
@@ -118,7 +118,7 @@ double MeanValue(const std::vector<ProjectKey>& keys) {
 }
 
 // Given rates follow, so that the curve keeps its shape.
-Result<Done> Scale(Session* session, const Parameters& p) {
+Result<Done> ScaleSelected(Session* session, const Parameters& p) {
   const double about = p.number("about", session->frame()), factor = p.number("factor", 1.0);
   const double values = p.number("values", 1.0);
   if (factor <= 0.0) return Refusal("factor", "must be greater than 0");
@@ -135,7 +135,7 @@ Result<Done> Scale(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> Delete(Session* session, const Parameters&) {
+Result<Done> DeleteSelected(Session* session, const Parameters&) {
   return EditSelected(session, "keys.delete", "", [](const SelectedCurve& of) {
     TakeSelected(of);
     return Result<Done>(Done());
@@ -154,14 +154,14 @@ Result<Done> ChangeKeys(Session* session, const std::string& id, Change change) 
   });
 }
 
-Result<Done> Interpolate(Session* session, const Parameters& p) {
+Result<Done> InterpolateSelected(Session* session, const Parameters& p) {
   const Result<Interpolation> kind = InterpolationNamed(p.text("interpolation"));
   if (!kind.ok()) return kind.error();
   return ChangeKeys(session, "keys.interpolation",
                     [&](ProjectKey* key) { key->interpolation = kind.value(); });
 }
 
-Result<Done> SetHandles(Session* session, const Parameters& p) {
+Result<Done> SetSelectedHandles(Session* session, const Parameters& p) {
   const std::string kind = p.text("kind");
   if (kind != "auto" && kind != "flat") {
     return Refusal("kind", "\"" + kind + "\" is none of auto, flat");
@@ -171,7 +171,7 @@ Result<Done> SetHandles(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> Copy(Session* session, const Parameters&) {
+Result<Done> CopySelected(Session* session, const Parameters&) {
   std::vector<Named<ProjectKey>> keys;
   for (const auto& [name, frames] : session->selected_keys()) {
     const ProjectCurve* curve = FindCurve(name, session->project());
@@ -183,7 +183,7 @@ Result<Done> Copy(Session* session, const Parameters&) {
 }
 
 // The earliest lands on the current frame.
-Result<Done> Paste(Session* session, const Parameters&) {
+Result<Done> PasteSelected(Session* session, const Parameters&) {
   const std::vector<Named<ProjectKey>>& keys = session->key_clipboard();
   if (keys.empty()) return Refusal("", "no key has been copied");
   const auto earlier = [](const auto& a, const auto& b) { return a.value.frame < b.value.frame; };
@@ -212,7 +212,7 @@ std::vector<Operator> SelectedKeyOperators() {
            "Move keys",
            "Moves the selected keys; those that they land on give way.",
            {frames, value, kSubframe, kDragFromStart},
-           Move},
+           MoveSelected},
           {"keys.scale",
            "Scale keys",
            "Stretches the selected keys in time, or their values about each curve's mean.",
@@ -221,30 +221,30 @@ std::vector<Operator> SelectedKeyOperators() {
             {"values", kNumber, false, "of values; 2: twice as far from the mean"},
             kSubframe,
             kDragFromStart},
-           Scale},
+           ScaleSelected},
           {"keys.duplicate",
            "Duplicate keys",
            "Copies the selected keys to other frames and selects the copies.",
            {{"frames", kNumber, true, "how many frames later"}, value, kSubframe, kDragFromStart},
-           Duplicate},
-          {"keys.delete", "Delete keys", "Takes the selected keys away.", {}, Delete},
-          {"keys.copy", "Copy keys", "Copies the selected keys.", {}, Copy},
+           DuplicateSelected},
+          {"keys.delete", "Delete keys", "Takes the selected keys away.", {}, DeleteSelected},
+          {"keys.copy", "Copy keys", "Copies the selected keys.", {}, CopySelected},
           {"keys.paste",
            "Paste keys",
            "Puts the copied keys so that the earliest lies on the current frame, and selects them.",
            {},
-           Paste},
+           PasteSelected},
           {"keys.interpolation",
            "Interpolation of keys",
            "Sets how the curve goes on from the selected keys.",
            {{"interpolation", kText, true, "hold, linear, quadratic or cubic",
              "hold linear quadratic cubic"}},
-           Interpolate},
+           InterpolateSelected},
           {"keys.handles",
            "Handles of keys",
            "Sets the rates at the selected keys.",
            {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0", "auto flat"}},
-           SetHandles}};
+           SetSelectedHandles}};
 }
 
 }  // namespace hazumi::edit

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "engine/base/text.h"
 #include "engine/spatial/degrees.h"

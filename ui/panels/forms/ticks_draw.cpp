@@ -29,7 +29,7 @@ std::string Joined(const Names& names) {
 }
 
 // On the line if it has room there.
-bool Tick(const std::string& label, bool* is_on, float left) {
+bool DrawTick(const std::string& label, bool* is_on, float left) {
   const float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
                       ImGui::CalcTextSize(label.c_str()).x;
   ImGui::SameLine();
@@ -57,7 +57,7 @@ void DrawLimb(const std::vector<FormOption>& limb, const Editor& editor, Names* 
   ImGui::Dummy({0.0f, ImGui::GetFrameHeight()});
   for (const FormOption& option : limb) {
     bool is_on = Has(*names, option.value);
-    if (Tick(option.label, &is_on, left)) Put(option.value, is_on, names);
+    if (DrawTick(option.label, &is_on, left)) Put(option.value, is_on, names);
   }
   ImGui::PopID();
 }

@@ -25,7 +25,7 @@ bool IsSelected(const JointGroup& joint, const Figure& figure,
   return wholly ? count == joint.size : count > 0;
 }
 
-std::string Filled(const char* format, const std::vector<int>& numbers) {
+std::string WithNumbers(const char* format, const std::vector<int>& numbers) {
   std::string text;
   size_t next = 0;
   for (const char* c = format; *c != '\0'; ++c) {
@@ -91,13 +91,13 @@ std::optional<size_t> ShownRegion(const Project& project, ItemId chosen, double 
 }
 
 std::string ModelText(const RegionReport& report) {
-  std::string text = Filled(Tr("# of # joints"), {report.free_joints, report.all_joints});
+  std::string text = WithNumbers(Tr("# of # joints"), {report.free_joints, report.all_joints});
   std::map<int, int, std::greater<>> counts;  // of groups, by their size
   for (const int size : report.groups) ++counts[size];
   for (const auto& [size, count] : counts) {
-    text += ", " + Filled(Tr(count == 1 ? "# group of #" : "# groups of #"), {count, size});
+    text += ", " + WithNumbers(Tr(count == 1 ? "# group of #" : "# groups of #"), {count, size});
   }
-  if (report.bodies > 0) text += ", " + Filled(Tr("# bodies"), {report.bodies});
+  if (report.bodies > 0) text += ", " + WithNumbers(Tr("# bodies"), {report.bodies});
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/spatial/degrees.h"
 
@@ -10,7 +11,6 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kNearest = 0.2, kFarthest = 100.0;  // of the target [m]
 
 double HalfHeight(double vertical_fov_deg) { return std::tan(0.5 * vertical_fov_deg * kDegree); }
@@ -78,8 +78,9 @@ std::optional<Vec3> View::OnPlane(Point at, const Vec3& p, const Vec3& normal) c
 }
 
 void Orbit(Point by, OrbitCamera* camera) {
-  camera->azimuth = std::remainder(camera->azimuth - 0.008 * by.x, 2.0 * kPi);
-  camera->elevation = std::clamp(camera->elevation + 0.008 * by.y, -0.5 * kPi, 0.5 * kPi);
+  camera->azimuth = std::remainder(camera->azimuth - 0.008 * by.x, 2.0 * std::numbers::pi);
+  camera->elevation =
+      std::clamp(camera->elevation + 0.008 * by.y, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
 }
 
 void Pan(Point by, float height, OrbitCamera* camera) {
@@ -123,14 +124,14 @@ View ViewOf(const ViewportState& state, const Project& project, const Rect& rect
 const char* SideOf(const OrbitCamera& camera) {
   constexpr double kSame = 1e-6;
   const auto looks = [&](double azimuth) {
-    return std::abs(std::remainder(camera.azimuth - azimuth, 2.0 * kPi)) < kSame;
+    return std::abs(std::remainder(camera.azimuth - azimuth, 2.0 * std::numbers::pi)) < kSame;
   };
-  if (std::abs(camera.elevation - 0.5 * kPi) < kSame) return "Top";
+  if (std::abs(camera.elevation - 0.5 * std::numbers::pi) < kSame) return "Top";
   if (std::abs(camera.elevation) > kSame) return "";
   if (looks(0.0)) return "Front";
-  if (looks(kPi)) return "Back";
-  if (looks(0.5 * kPi)) return "Left";
-  if (looks(-0.5 * kPi)) return "Right";
+  if (looks(std::numbers::pi)) return "Back";
+  if (looks(0.5 * std::numbers::pi)) return "Left";
+  if (looks(-0.5 * std::numbers::pi)) return "Right";
   return "";
 }
 

@@ -12,14 +12,10 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr SrgbColor kDark = render::FromHex(0x16181b), kWhite = render::FromHex(0xffffff);
-
-ImDrawList* List() { return ImGui::GetWindowDrawList(); }
-
 // Readable on any picture.
 void DrawText(const ImVec2& at, const char* text) {
-  List()->AddText({at.x + 1, at.y + 1}, ToIm(kDark, 0.7f), text);
-  List()->AddText(at, ToIm(kWhite), text);
+  Canvas()->AddText({at.x + 1, at.y + 1}, ToIm(colors::kShade, 0.7f), text);
+  Canvas()->AddText(at, ToIm(colors::kWhite), text);
 }
 
 std::string ViewName(const Editor& editor) {
@@ -57,12 +53,13 @@ void DrawToggle(Editor* editor, const Toggle& toggle, const Rect& rect) {
   Tooltip(Tr(toggle.help));
   ImGui::PopID();
   const float round = 0.25f * rect.h;
-  const SrgbColor& fill = toggle.is_on ? editor->theme().accent : kDark;
+  const SrgbColor& fill = toggle.is_on ? editor->theme().accent : colors::kShade;
   const float alpha = (toggle.is_on ? 0.85f : 0.45f) + (is_hovered ? 0.15f : 0.0f);
-  List()->AddRectFilled({rect.x, rect.y}, {rect.right(), rect.bottom()}, ToIm(fill, alpha), round);
+  Canvas()->AddRectFilled({rect.x, rect.y}, {rect.right(), rect.bottom()}, ToIm(fill, alpha),
+                          round);
   const ImVec2 size = ImGui::CalcTextSize(Tr(toggle.label));
-  List()->AddText({rect.x + 0.5f * (rect.w - size.x), rect.y + 0.5f * (rect.h - size.y)},
-                  ToIm(kWhite, toggle.is_on ? 1.0f : 0.6f), Tr(toggle.label));
+  Canvas()->AddText({rect.x + 0.5f * (rect.w - size.x), rect.y + 0.5f * (rect.h - size.y)},
+                    ToIm(colors::kWhite, toggle.is_on ? 1.0f : 0.6f), Tr(toggle.label));
 }
 
 }  // namespace
@@ -104,11 +101,11 @@ void DrawAxisCross(const Editor& editor, const View& view) {
   const AxisCross cross = LayOutAxisCross(view, scale);
   for (const CrossAxis& axis : cross.axes) {
     const ImU32 color = ToIm(kColors[axis.axis]);
-    List()->AddLine(ToIm(cross.center), ToIm(axis.end), color, 2.0f * scale);
-    List()->AddCircleFilled(ToIm(axis.end), 8.0f * scale, color, 20);
+    Canvas()->AddLine(ToIm(cross.center), ToIm(axis.end), color, 2.0f * scale);
+    Canvas()->AddCircleFilled(ToIm(axis.end), 8.0f * scale, color, 20);
     const ImVec2 size = ImGui::CalcTextSize(kLetters[axis.axis]);
-    List()->AddText({axis.end.x - 0.5f * size.x, axis.end.y - 0.5f * size.y}, ToIm(kDark),
-                    kLetters[axis.axis]);
+    Canvas()->AddText({axis.end.x - 0.5f * size.x, axis.end.y - 0.5f * size.y},
+                      ToIm(colors::kShade), kLetters[axis.axis]);
   }
 }
 
@@ -117,12 +114,12 @@ void DrawCameraBorder(const Editor& editor, const Rect& rect) {
   const Project& project = editor.session().project();
   if (!editor.viewport.through_project_camera || !project.camera) return;
   const Rect b = Bordered(*project.camera, kPictureAspect, rect).border;
-  const ImU32 shade = ToIm(kDark, 0.5f);
-  List()->AddRectFilled({rect.x, rect.y}, {rect.right(), b.y}, shade);
-  List()->AddRectFilled({rect.x, b.bottom()}, {rect.right(), rect.bottom()}, shade);
-  List()->AddRectFilled({rect.x, b.y}, {b.x, b.bottom()}, shade);
-  List()->AddRectFilled({b.right(), b.y}, {rect.right(), b.bottom()}, shade);
-  List()->AddRect({b.x, b.y}, {b.right(), b.bottom()}, ToIm(kWhite, 0.8f));
+  const ImU32 shade = ToIm(colors::kShade, 0.5f);
+  Canvas()->AddRectFilled({rect.x, rect.y}, {rect.right(), b.y}, shade);
+  Canvas()->AddRectFilled({rect.x, b.bottom()}, {rect.right(), rect.bottom()}, shade);
+  Canvas()->AddRectFilled({rect.x, b.y}, {b.x, b.bottom()}, shade);
+  Canvas()->AddRectFilled({b.right(), b.y}, {rect.right(), b.bottom()}, shade);
+  Canvas()->AddRect({b.x, b.y}, {b.right(), b.bottom()}, ToIm(colors::kWhite, 0.8f));
 }
 
 }  // namespace hazumi::ui

@@ -8,8 +8,6 @@
 
 namespace hazumi::ui {
 
-namespace {}  // namespace
-
 Dial::Dial(const View& view, const Vec3& center, const Vec3& axis, const Vec3& taken_at)
     : pivot_(view.ToWindow(center).value_or(Point{})) {
   constexpr double kEdge = 0.35;
@@ -18,6 +16,11 @@ Dial::Dial(const View& view, const Vec3& center, const Vec3& axis, const Vec3& t
   const Point tangent = {static_cast<float>(along.dot(view.right())),
                          static_cast<float>(-along.dot(view.up()))};
   if (std::hypot(tangent.x, tangent.y) >= 1.0f) tangent_ = tangent;
+}
+
+double Dial::snapped_degrees() const {
+  constexpr double kStep = 5.0;
+  return kStep * std::round(degrees_ / kStep);
 }
 
 void Dial::GoOnFrom(const Dial& other) {

@@ -22,6 +22,8 @@ class Dial {
   void Move(Point by);
   // So far: counter-clockwise on the screen, or about the axis of a ring seen from its edge.
   double degrees() const { return degrees_; }
+  // To the nearest five, as with Ctrl.
+  double snapped_degrees() const;
 
  private:
   Point pivot_;

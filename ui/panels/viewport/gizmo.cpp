@@ -3,12 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hazumi::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRingPx = 62.0, kArcPx = 44.0, kReachPx = 6.0, kEndReachPx = 8.0;
 constexpr int kPoints = 72;  // of a ring
 
@@ -99,7 +99,7 @@ std::optional<GizmoHit> GizmoAt(const View& view, Point at, const Gizmo& gizmo, 
   double least = kReachPx * scale;
   for (const GizmoRing& ring : gizmo.rings) {
     for (int i = 0; i < kPoints; ++i) {
-      const Vec3 p = ring.At(2.0 * kPi * i / kPoints);
+      const Vec3 p = ring.At(2.0 * std::numbers::pi * i / kPoints);
       const bool is_far = (p - ring.center).dot(view.ToViewer(ring.center)) < -0.2 * ring.radius;
       const double distance = DistancePx(view, p, at) + (is_far ? 0.5 * kReachPx * scale : 0.0);
       if (distance >= least) continue;
@@ -116,7 +116,7 @@ std::optional<double> AngleAt(const View& view, Point at, const LimitArc& arc, d
   if (!p) return std::nullopt;
   const Vec3 r = *p - arc.center;
   const double by = std::atan2(r.dot(arc.axis.cross(arc.limb)), r.dot(arc.limb));
-  return near + std::remainder(arc.angle + by - near, 2.0 * kPi);
+  return near + std::remainder(arc.angle + by - near, 2.0 * std::numbers::pi);
 }
 
 }  // namespace hazumi::ui

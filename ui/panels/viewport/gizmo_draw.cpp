@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "engine/spatial/degrees.h"
 #include "ui/panels/text/number_text.h"
@@ -12,29 +13,27 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr SrgbColor kAxes[] = {colors::kAxisX, colors::kAxisY, colors::kAxisZ};
-constexpr SrgbColor kDark = render::FromHex(0x16181b), kWhite = render::FromHex(0xffffff);
-
-ImDrawList* List() { return ImGui::GetWindowDrawList(); }
 
 // The far half is faint.
 void DrawRing(const View& view, const GizmoRing& ring, float width, bool is_hovered) {
-  constexpr int kPoints = 72;
+  constexpr int kSegments = 72;
   const SrgbColor color = is_hovered ? colors::kSelected : kAxes[ring.color_axis];
-  for (int i = 0; i < kPoints; ++i) {
-    const Vec3 p = ring.At(2.0 * kPi * i / kPoints), q = ring.At(2.0 * kPi * (i + 1) / kPoints);
+  for (int i = 0; i < kSegments; ++i) {
+    const Vec3 p = ring.At(2.0 * std::numbers::pi * i / kSegments),
+               q = ring.At(2.0 * std::numbers::pi * (i + 1) / kSegments);
     const auto a = view.ToWindow(p), b = view.ToWindow(q);
     if (!a || !b) continue;
     const bool is_far = (p - ring.center).dot(view.ToViewer(ring.center)) < -0.02 * ring.radius;
-    List()->AddLine(ToIm(*a), ToIm(*b), ToIm(color, is_far ? 0.25f : 0.95f),
-                    is_far ? 0.7f * width : width);
+    Canvas()->AddLine(ToIm(*a), ToIm(*b), ToIm(color, is_far ? 0.25f : 0.95f),
+                      is_far ? 0.7f * width : width);
   }
 }
 
 void DrawEnd(Point at, float radius, const SrgbColor& color, bool is_hovered) {
-  List()->AddCircleFilled(ToIm(at), radius, ToIm(is_hovered ? colors::kSelected : kWhite), 16);
-  List()->AddCircle(ToIm(at), radius, ToIm(color), 16, 1.5f);
+  Canvas()->AddCircleFilled(ToIm(at), radius, ToIm(is_hovered ? colors::kSelected : colors::kWhite),
+                            16);
+  Canvas()->AddCircle(ToIm(at), radius, ToIm(color), 16, 1.5f);
 }
 
 // The sector that the limb may point to, and where it points.
@@ -44,20 +43,20 @@ void DrawArc(const View& view, const LimitArc& arc, const SrgbColor& color,
   if (!center) return;
   const int parts = std::max(2, static_cast<int>((arc.upper - arc.lower) / 0.09));
   // Smooth edges would show between the triangles.
-  const ImDrawListFlags flags = List()->Flags;
+  const ImDrawListFlags flags = Canvas()->Flags;
   std::optional<Point> before;
   for (int i = 0; i <= parts; ++i) {
     const auto at = view.ToWindow(arc.At(arc.lower + (arc.upper - arc.lower) * i / parts));
     if (before && at) {
-      List()->Flags = flags & ~ImDrawListFlags_AntiAliasedFill;
-      List()->AddTriangleFilled(ToIm(*center), ToIm(*before), ToIm(*at), ToIm(color, 0.16f));
-      List()->Flags = flags;
-      List()->AddLine(ToIm(*before), ToIm(*at), ToIm(color, 0.9f), 1.5f * scale);
+      Canvas()->Flags = flags & ~ImDrawListFlags_AntiAliasedFill;
+      Canvas()->AddTriangleFilled(ToIm(*center), ToIm(*before), ToIm(*at), ToIm(color, 0.16f));
+      Canvas()->Flags = flags;
+      Canvas()->AddLine(ToIm(*before), ToIm(*at), ToIm(color, 0.9f), 1.5f * scale);
     }
     before = at;
   }
   const auto now = view.ToWindow(arc.At(arc.angle));
-  if (now) List()->AddLine(ToIm(*center), ToIm(*now), ToIm(kWhite), 2.0f * scale);
+  if (now) Canvas()->AddLine(ToIm(*center), ToIm(*now), ToIm(colors::kWhite), 2.0f * scale);
   const auto lower = view.ToWindow(arc.At(arc.lower)), upper = view.ToWindow(arc.At(arc.upper));
   const auto is_under = [&](GizmoPart part) { return hovered && hovered->part == part; };
   if (lower) DrawEnd(*lower, 4.0f * scale, color, is_under(GizmoPart::kLower));
@@ -79,9 +78,9 @@ void DrawAngle(const Editor& editor, const View& view, const LimitArc& arc) {
   const float x = std::min(std::max(center->x - size.x / 2, rect.x + 6 * s),
                            std::max(rect.right() - size.x - 6 * s, rect.x));
   const float y = std::min(center->y + 70.0f * s, rect.bottom() - size.y - 6 * s);
-  List()->AddRectFilled({x - 5 * s, y - 2 * s}, {x + size.x + 5 * s, y + size.y + 2 * s},
-                        ToIm(kDark, 0.72f), 4 * s);
-  List()->AddText({x, y}, ToIm(kWhite), text);
+  Canvas()->AddRectFilled({x - 5 * s, y - 2 * s}, {x + size.x + 5 * s, y + size.y + 2 * s},
+                          ToIm(colors::kShade, 0.72f), 4 * s);
+  Canvas()->AddText({x, y}, ToIm(colors::kWhite), text);
 }
 
 }  // namespace

@@ -11,18 +11,14 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr SrgbColor kWhite = render::FromHex(0xffffff), kDark = render::FromHex(0x16181b);
-
-ImDrawList* List() { return ImGui::GetWindowDrawList(); }
-
 float Px(const Editor& editor, double px) { return static_cast<float>(px * editor.settings.scale); }
 
 // A diamond: pulling it moves a limb, or the root.
 void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
   const ImVec2 p[] = {
       {at.x, at.y - size}, {at.x + size, at.y}, {at.x, at.y + size}, {at.x - size, at.y}};
-  List()->AddConvexPolyFilled(p, 4, fill);
-  List()->AddPolyline(p, 4, line, ImDrawFlags_Closed, 1.0f);
+  Canvas()->AddConvexPolyFilled(p, 4, fill);
+  Canvas()->AddPolyline(p, 4, line, ImDrawFlags_Closed, 1.0f);
 }
 
 }  // namespace
@@ -32,7 +28,8 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
   if (root && !figure.is_root_hidden()) {
     const bool is_selected = editor.session().is_root_selected();
     DrawHandle(*root, Px(editor, is_selected ? 8.0 : 7.0),
-               is_selected ? ToIm(colors::kSelected) : ToIm(kWhite, 0.75f), ToIm(kDark, 0.8f));
+               is_selected ? ToIm(colors::kSelected) : ToIm(colors::kWhite, 0.75f),
+               ToIm(colors::kShade, 0.8f));
   }
   const std::vector<GroupIndex> selected = SelectedJoints(editor.session());
   const std::vector<GroupIndex> handles = HandleJoints(figure.figure());
@@ -43,15 +40,15 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
     if (!at) continue;
     const bool is_selected = std::find(selected.begin(), selected.end(), joint) != selected.end();
     const bool is_handle = std::find(handles.begin(), handles.end(), joint) != handles.end();
-    const ImU32 fill = is_selected ? ToIm(colors::kSelected) : ToIm(kWhite, 0.75f);
-    const ImU32 line = ToIm(kDark, 0.8f);
+    const ImU32 fill = is_selected ? ToIm(colors::kSelected) : ToIm(colors::kWhite, 0.75f);
+    const ImU32 line = ToIm(colors::kShade, 0.8f);
     if (is_handle) {
       DrawHandle(*at, Px(editor, is_selected ? 6.5 : 5.5), fill, line);
       continue;
     }
     const float radius = Px(editor, is_selected ? 4.0 : 2.5);
-    List()->AddCircleFilled(ToIm(*at), radius, fill, 16);
-    List()->AddCircle(ToIm(*at), radius, line, 16);
+    Canvas()->AddCircleFilled(ToIm(*at), radius, fill, 16);
+    Canvas()->AddCircle(ToIm(*at), radius, line, 16);
   }
 }
 
@@ -64,15 +61,16 @@ void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figu
   if (name.empty()) return;
   if (hit.joint) {
     const std::optional<Point> at = view.ToWindow(figure.CenterOf(*hit.joint));
-    if (at) List()->AddCircle(ToIm(*at), Px(editor, 8.0), ToIm(kWhite), 24, Px(editor, 1.5));
+    if (at)
+      Canvas()->AddCircle(ToIm(*at), Px(editor, 8.0), ToIm(colors::kWhite), 24, Px(editor, 1.5));
   }
   const ImVec2 size = ImGui::CalcTextSize(name.c_str());
   const float pad = Px(editor, 4.0);
   const float x = std::min(mouse.x + Px(editor, 14.0), view.rect().right() - size.x - 2.0f * pad);
   const float y = std::min(mouse.y + Px(editor, 16.0), view.rect().bottom() - size.y - 2.0f * pad);
-  List()->AddRectFilled({x - pad, y - pad / 2}, {x + size.x + pad, y + size.y + pad / 2},
-                        ToIm(kDark, 0.8f), pad);
-  List()->AddText({x, y}, ToIm(kWhite), name.c_str());
+  Canvas()->AddRectFilled({x - pad, y - pad / 2}, {x + size.x + pad, y + size.y + pad / 2},
+                          ToIm(colors::kShade, 0.8f), pad);
+  Canvas()->AddText({x, y}, ToIm(colors::kWhite), name.c_str());
 }
 
 void DrawSelectedObject(const Editor& editor, const View& view,
@@ -88,7 +86,7 @@ void DrawSelectedObject(const Editor& editor, const View& view,
       for (int bit = 1; bit < 8; bit *= 2) {
         const auto a = corner(i), b = corner(i | bit);
         if ((i & bit) || !a || !b) continue;
-        List()->AddLine(ToIm(*a), ToIm(*b), ToIm(colors::kSelected), Px(editor, 1.5));
+        Canvas()->AddLine(ToIm(*a), ToIm(*b), ToIm(colors::kSelected), Px(editor, 1.5));
       }
     }
   }
@@ -101,8 +99,8 @@ void DrawPathTicks(const Editor& editor, const View& view) {
     for (const Vec3& p : ticks.points) {
       const std::optional<Point> at = view.ToWindow(p);
       if (!at) continue;
-      List()->AddRectFilled({at->x - half, at->y - half}, {at->x + half, at->y + half},
-                            ToIm(ticks.color));
+      Canvas()->AddRectFilled({at->x - half, at->y - half}, {at->x + half, at->y + half},
+                              ToIm(ticks.color));
     }
   }
 }

@@ -4,7 +4,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kStep = 0.05;  // with Ctrl [m]
+constexpr double kSnapMeters = 0.05;  // with Ctrl [m]
 
 // How far along an axis through `p` the line through the mouse passes it [m].
 double AlongAxis(const View& view, Point at, const Vec3& p, const Vec3& axis) {
@@ -52,7 +52,7 @@ Vec3 PointMoveTool::OffsetOf(const View& view, bool snap) const {
     if (to && from) offset = *to - *from;
   }
   if (!snap) return offset;
-  return (offset / kStep).array().round().matrix() * kStep;
+  return (offset / kSnapMeters).array().round().matrix() * kSnapMeters;
 }
 
 bool PointMoveTool::Follow(Editor* editor, const ToolInput& input) {

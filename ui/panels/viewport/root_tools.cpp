@@ -11,8 +11,6 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kStep = 5.0;  // with Ctrl [degrees]
-
 bool IsFeetKey(const Chord& chord) { return chord.key == 'F' && !chord.ctrl && !chord.alt; }
 
 // What F does now.
@@ -110,8 +108,8 @@ bool RootTurnTool::Follow(Editor* editor, const ToolInput& input) {
   // The mouse turns what is seen, a number is about the axis.
   const Vec3 axis = Axis();
   const bool turns_away = !dial_.is_tangential() && axis.dot(to_viewer_) < 0.0;
-  double by = turns_away ? -dial_.degrees() : dial_.degrees();
-  if (input.snap) by = kStep * std::round(by / kStep);
+  const double by_mouse = input.snap ? dial_.snapped_degrees() : dial_.degrees();
+  double by = turns_away ? -by_mouse : by_mouse;
   if (!typed_.is_empty()) by = typed_.value();
   const Turned turned = {axis, by, wanted_feet_stay_};
   if (turned == applied_) return true;

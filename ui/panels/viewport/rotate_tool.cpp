@@ -13,10 +13,6 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kStep = 5.0;  // with Ctrl [degrees]
-
-double Snapped(double value, double step) { return step * std::round(value / step); }
-
 // The hinge whose axis is nearest to a direction, either way round.
 template <typename AxisOf>
 JointIndex Nearest(const std::vector<JointIndex>& hinges, const Vec3& direction, AxisOf axis_of) {
@@ -120,7 +116,7 @@ bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
   }
   if (!dial_.has_begun()) dial_.BeginAt(input.mouse);
   dial_.Move(MouseMoved(input));
-  const double by_mouse = input.snap ? Snapped(dial_.degrees(), kStep) : dial_.degrees();
+  const double by_mouse = input.snap ? dial_.snapped_degrees() : dial_.degrees();
   return Apply(editor, typed_.is_empty() ? by_mouse : typed_.value());
 }
 

@@ -8,6 +8,8 @@ using render::SrgbColor;
 
 // Colours with a meaning, the same in both themes. Never alone: a shape or a text goes with each.
 namespace colors {
+inline constexpr SrgbColor kWhite = render::FromHex(0xffffff);
+inline constexpr SrgbColor kShade = render::FromHex(0x16181b);  // behind what is white
 inline constexpr SrgbColor kKeyed = render::FromHex(0xb3ae36);
 inline constexpr SrgbColor kInterpolated = render::FromHex(0x53992e);
 inline constexpr SrgbColor kChanged = render::FromHex(0xcc7529);

@@ -9,6 +9,8 @@
 
 namespace hazumi::ui {
 
+// What the panel that is drawn just now draws on.
+inline ImDrawList* Canvas() { return ImGui::GetWindowDrawList(); }
 inline ImVec2 ToIm(Point p) { return {p.x, p.y}; }
 inline Point FromIm(const ImVec2& p) { return {p.x, p.y}; }
 inline ImVec4 ToIm4(const SrgbColor& c) { return {c.r, c.g, c.b, c.a}; }
