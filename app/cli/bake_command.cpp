@@ -37,8 +37,9 @@ int RunBake(const Options& options) {
   if (!baked.ok()) return Complain(baked.error());
   const auto& [project, animation, motion, warnings] = baked.value();
   PrintWarnings(options.files[0], warnings);
-  const std::string text = IsCsv(out) ? MotionToCsv(animation, motion)
-                                      : MotionToJson(animation, motion, {options.timings});
+  const std::string text =
+      IsCsv(out) ? MotionToCsv(animation, motion, options.torques)
+                 : MotionToJson(animation, motion, {options.timings, options.torques});
   if (Interrupted()) return Complain(InterruptedError());
   if (out != "-") {
     const Result<Done> written = WriteFileAtomically(out, text, WriteMode::kDurable);

@@ -28,6 +28,7 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.metres_per_unit = options.in_metres ? 1.0 : 0.01;
   settings.skin = baked.project.skin ? baked.project.skin.skin.get() : &capsules;
   settings.timings = options.timings;
+  settings.torques = options.torques;
   PrintWarnings(options.files[0], LeftOutOf(baked.animation, settings.format));
   const Motion motion = PartOf(baked.motion, frames.first, frames.last);
   const Result<std::string> bytes = ExportMotion(baked.animation, motion, settings);

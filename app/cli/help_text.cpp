@@ -87,6 +87,9 @@ Output
   --bvh-unit m|cm   of --export to .bvh: its unit of length    (cm)
   --timings         with --bake and --export to .json: reports carry
                     microseconds, off by default so that two are equal bytes
+  --torques         with --bake and --export to .json and .csv: also the torque
+                    that every joint needs, by inverse dynamics, and the force
+                    that nothing supplies
   --json            with --check, --info, --flight: answer in JSON
 
 Editor

@@ -36,9 +36,10 @@ enum TaskBits : unsigned {
   kBvh = 512,
   kVideo = 1024,
   kJson = 2048,
-  kPlain = 4096,  // others
-  kSchema = 8192,
-  kExport = kBvh | kVideo | kJson | kPlain,
+  kCsv = 4096,
+  kPlain = 8192,  // others
+  kSchema = 16384,
+  kExport = kBvh | kVideo | kJson | kCsv | kPlain,
   kDraw = kRender | kVideo,
   kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,
   // Those that read files of other programs.
@@ -231,6 +232,7 @@ constexpr OptionRule kRules[] = {
     {"--bvh-up", kBvh, "give y or z", ReadBvhUp},
     {"--bvh-unit", kBvh, "give m or cm", ReadBvhUnit},
     {"--timings", kBake | kJson, nullptr, Set<&Options::timings>},
+    {"--torques", kBake | kJson | kCsv, nullptr, Set<&Options::torques>},
     {"--trace", kWindow, nullptr, Set<&Options::trace>},
     {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
@@ -246,6 +248,7 @@ std::string TaskNames(unsigned tasks) {
   for (const OptionRule& task : kTasks) add(task.tasks, task.name);
   add(kBvh, "--export to .bvh");
   add(kJson, "--export to .json");
+  add(kCsv, "--export to .csv");
   add(kVideo, "--export to .mp4");
   return text;
 }
@@ -256,7 +259,8 @@ unsigned TasksOf(const OptionRule& task, const Options& options) {
   if (IsVideo(options.output)) return kVideo;
   const auto format = MotionFormatOf(options.output);
   if (format == MotionFormat::kBvh) return kBvh;
-  return format == MotionFormat::kJson ? kJson : kPlain;
+  if (format == MotionFormat::kJson) return kJson;
+  return format == MotionFormat::kCsv ? kCsv : kPlain;
 }
 
 // "--bake", "--export to x.glb".

@@ -71,6 +71,7 @@ struct Options {
   bool z_up = false;       // of BVH; else y up
   bool in_metres = false;  // of BVH; else in centimetres
   bool timings = false;
+  bool torques = false;
   bool trace = false;  // of the window
   bool json = false;
 };

@@ -43,7 +43,8 @@ std::vector<int> EndBodies(const Figure& figure, const LanePlan& plan) {
 }  // namespace
 
 FigureDynamics::FigureDynamics(const Figure& figure, Instructions instructions)
-    : plan_(figure),
+    : root_inertia_(figure.root_body()),
+      plan_(figure),
       kernels_(KernelsFor(instructions, plan_.width)),
       end_bodies_(EndBodies(figure, plan_)) {}
 
@@ -54,6 +55,28 @@ void FigureDynamics::InverseDynamics(const Pose& X_WR, const RootMotion& root, c
   kernels_.start(plan_, q.data(), qd.data(), qdd.data(), scratch->data());
   if (ends != nullptr) SubtractEndForces(X_WR, *ends, scratch);
   kernels_.torques(plan_, tau->data(), scratch->data());
+}
+
+Wrench FigureDynamics::RootWrench(const Pose& X_WR, const RootMotion& root,
+                                  const FigureScratch& scratch) const {
+  const Vec3 c = X_WR.R * root_inertia_.com;
+  const Mat3 I = X_WR.R * root_inertia_.I_com * X_WR.R.transpose();
+  Wrench wrench;
+  wrench.force =
+      root_inertia_.mass * (root.a + root.alpha.cross(c) + root.w.cross(root.w.cross(c)));
+  wrench.moment = I * root.alpha + root.w.cross(I * root.w) + c.cross(wrench.force);
+  for (const LaneBody& body : plan_.bodies) {
+    if (body.parent >= 0) continue;
+    const double* load =
+        scratch.data() + plan_.state(body.step) + LaneState::kLoad * plan_.width + body.lane;
+    const auto triple = [&](int first) {
+      return Vec3(load[first * plan_.width], load[(first + 1) * plan_.width],
+                  load[(first + 2) * plan_.width]);
+    };
+    wrench.moment += X_WR.R * triple(0);
+    wrench.force += X_WR.R * triple(3);
+  }
+  return wrench;
 }
 
 std::optional<SingularInertia> FigureDynamics::ForwardDynamics(

@@ -14,6 +14,12 @@ namespace hazumi {
 enum class Instructions { kBaseline, kAvx2 };
 Instructions BestInstructions();  // of this machine
 
+// At a point that goes without saying.
+struct Wrench {
+  Vec3 force = Vec3::Zero();   // [N]
+  Vec3 moment = Vec3::Zero();  // [N m]
+};
+
 // Scratch of FigureDynamics: one for each thread that evaluates. Debug builds fill it with NaN.
 struct FigureScratch {
   explicit FigureScratch(const LanePlan& plan);
@@ -21,6 +27,7 @@ struct FigureScratch {
   LaneArray array;         // as LanePlan lays it out
   std::vector<Mat3> R_WB;  // by body, for forces on end links
   double* data() { return array.data(); }
+  const double* data() const { return array.data(); }
 };
 
 // Inverse and forward dynamics of a whole figure, from angles to torques or accelerations, O(N).
@@ -40,6 +47,10 @@ class FigureDynamics {
                        const VecX& qdd, const EndForces* ends, FigureScratch* scratch,
                        VecX* tau) const;
 
+  // What has to push the root for that, at its origin, in world axes: nothing else holds the figure
+  // but `ends`. Of the InverseDynamics that the scratch was last used for, with the same root.
+  Wrench RootWrench(const Pose& X_WR, const RootMotion& root, const FigureScratch& scratch) const;
+
   // H qdd = tau - B [Arai (2)] solved for qdd by articulated bodies. Fails when a joint moves no
   // mass, and names it.
   std::optional<SingularInertia> ForwardDynamics(const Pose& X_WR, const RootMotion& root,
@@ -54,6 +65,7 @@ class FigureDynamics {
   bool IsSmall(JointIndex joint, const double* scratch) const;
   SingularInertia FindSingular(const double* scratch) const;
 
+  RigidInertia root_inertia_;
   LanePlan plan_;
   LaneKernels kernels_;
   std::vector<int> end_bodies_;  // in the order of EndJoints

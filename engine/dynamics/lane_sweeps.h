@@ -225,7 +225,7 @@ struct ForceAcross {
   }
 };
 
-// Inwards: what every body passes on to its parent, and torques on the way.
+// Inwards: what every body asks of its parent, or of the root, and torques on the way.
 template <int W>
 void Torques(const LanePlan& plan, double* tau, double* scratch) {
   using V = typename LanesOf<W>::Real;
@@ -239,7 +239,6 @@ void Torques(const LanePlan& plan, double* tau, double* scratch) {
     for (int r = view.step.end_row - 1; r >= view.step.first_row; --r) {
       VisitRow<W>(plan, r, rows, &across);
     }
-    if (view.step.at_root) continue;
     if (view.step.turned) {
       const Square<V> F = view.F();
       across.n = F * across.n;

@@ -73,9 +73,9 @@ Result<std::string> ExportMotion(const Animation& animation, const Motion& motio
     case MotionFormat::kGlb:
       return ExportGltf(animation, motion, options);
     case MotionFormat::kCsv:
-      return MotionToCsv(animation, motion);
+      return MotionToCsv(animation, motion, options.torques);
     case MotionFormat::kJson:
-      return MotionToJson(animation, motion, {options.timings});
+      return MotionToJson(animation, motion, {options.timings, options.torques});
   }
   return Error{ErrorCode::kFailed, "", "", "unknown format"};
 }

@@ -19,6 +19,10 @@ enum class MotionFormat { kBvh, kGltf, kGlb, kCsv, kJson };
 // By the suffix, in any case: .bvh .gltf .glb .csv .json.
 std::optional<MotionFormat> MotionFormatOf(const std::string& path);
 
+inline bool HasTorques(MotionFormat format) {
+  return format == MotionFormat::kCsv || format == MotionFormat::kJson;
+}
+
 struct MotionExportOptions {
   MotionFormat format = MotionFormat::kGlb;
   std::string name = "motion";
@@ -30,6 +34,7 @@ struct MotionExportOptions {
   double metres_per_unit = 0.01;
   const Skin* skin = nullptr;  // of glTF; none: the skeleton alone
   bool timings = false;        // of JSON
+  bool torques = false;        // of JSON and CSV
 };
 
 // What a file of this format cannot hold of a motion, each by name.

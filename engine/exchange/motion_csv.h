@@ -8,7 +8,9 @@
 namespace hazumi {
 
 // A motion as a table, one row a frame: frame, time [s], root position [m] and quaternion (w x y
-// z), CoM [m], pinned joint (or nothing), then angle [degrees] and rate [degrees/s] of every joint.
-std::string MotionToCsv(const Animation& animation, const Motion& motion);
+// z), CoM [m], pinned joint (or nothing), then angle [degrees] and rate [degrees/s] of every joint;
+// with `torques` the torque of every joint [N m], and force [N] and moment [N m] that nothing
+// supplies: analysis/joint_torques.h.
+std::string MotionToCsv(const Animation& animation, const Motion& motion, bool torques = false);
 
 }  // namespace hazumi

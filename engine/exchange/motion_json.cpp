@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "engine/analysis/joint_torques.h"
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/units.h"
@@ -57,13 +58,21 @@ std::string QuaternionText(const Eigen::Quaterniond& q) {
   return Numbers(std::array{q.w(), q.x(), q.y(), q.z()});
 }
 
+std::string TorqueText(const JointTorques& torques) {
+  const Wrench& root = torques.unsupported;
+  return ", \"torques_n_m\": " + Numbers(torques.tau) +
+         ", \"unsupported\": {\"force_n\": " + Numbers(root.force) +
+         ", \"moment_n_m\": " + Numbers(root.moment) + "}";
+}
+
 // Writes the frames of one motion in order.
 class FrameWriter {
  public:
   explicit FrameWriter(const Animation& animation)
       : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
 
-  std::string Write(const MotionFrame& frame) {
+  // `torques` may be null.
+  std::string Write(const MotionFrame& frame, const JointTorques* torques) {
     ComputePositions(figure_, frame.X_WR, frame.q, &ws_);
     turn_ = NearQuaternion(frame.X_WR.R, turn_);
     std::string text = "{\"frame\": " + std::to_string(frame.frame);
@@ -76,6 +85,7 @@ class FrameWriter {
     text += ", \"joint_positions_m\": " + JointPositions();
     text += ", \"clearance_m\": " + Clearance();
     text += ", \"free\": " + FreeJoints(frame);
+    if (torques) text += TorqueText(*torques);
     return text + ", \"objects\": " + Objects(frame) + "}";
   }
 
@@ -218,8 +228,12 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
             return Quote(animation.figure->group(joint.group).name);
           });
   FrameWriter writer(animation);
-  text += ",\n  \"frames\": " +
-          Lines(motion.frames, [&](const MotionFrame& frame) { return writer.Write(frame); });
+  std::vector<JointTorques> torques;
+  if (options.torques) torques = TorquesOf(animation, motion);
+  size_t written = 0;
+  text += ",\n  \"frames\": " + Lines(motion.frames, [&](const MotionFrame& frame) {
+            return writer.Write(frame, torques.empty() ? nullptr : &torques[written++]);
+          });
   text += ",\n  \"events\": " + Lines(motion.events, EventText);
   text += ",\n  \"regions\": " + Lines(motion.regions, [&](const RegionReport& region) {
             return RegionText(region, options.timings);

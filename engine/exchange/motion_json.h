@@ -13,6 +13,7 @@ struct MotionJsonOptions {
   // Also write how long each region took. Off by default: it differs from run to run, and two bakes
   // of one file should be equal bytes.
   bool timings = false;
+  bool torques = false;  // also write what each frame's motion needs: analysis/joint_torques.h
 };
 
 // A motion as JSON, one line a frame: metres, degrees, seconds, world axes (z up), quaternions

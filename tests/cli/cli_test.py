@@ -1,6 +1,7 @@
 #!/usr/bin/env -S /usr/bin/python3
 """What the command line promises: exit codes, streams, whole files. usage: cli_test.py HAZUMI"""
 
+import csv
 import json
 import os
 import stat
@@ -70,6 +71,7 @@ class CommandLine(InFolder):
                 (["--bake", "-", "--ghosts", "3", THROW], "--ghosts belongs to --render"),
                 (["--bake", "-", "--json", THROW], "--json belongs to --check, --info and --flight"),
                 (["--render", "o", "--timings", THROW], "--timings belongs to --bake"),
+                (["--export", "o.bvh", "--torques", THROW], "--torques belongs to --bake"),
                 (["--check", "--method", "magic", THROW],
                  "--method magic: the methods are: exact, paper"),
                 (["--check", "--tolerance", "9", THROW],
@@ -95,7 +97,7 @@ class CommandLine(InFolder):
         for option in ("render", "bake", "export", "bvh-up", "bvh-unit",
                        "check", "info", "flight", "run", "operators", "frames", "size", "samples",
                        "camera", "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
-                       "method", "tolerance", "step", "fps", "timings", "json", "trace"):
+                       "method", "tolerance", "step", "fps", "timings", "torques", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
 
     def test_method_and_step_go_before_what_the_file_says(self):
@@ -225,6 +227,19 @@ class CommandLine(InFolder):
         self.assertEqual(len(rows[0].split(",")), len(rows[1].split(",")))
         self.assertEqual(run("--bake", "-", THROW).stdout, (self.folder / "m.json").read_text())
         self.assertTrue(stat.S_IMODE((self.folder / "m.json").stat().st_mode) & 0o400)
+
+    def test_torques_are_the_same_in_json_and_csv(self):
+        for name in ("m.json", "m.csv"):
+            done = run("--bake", self.folder / name, "--torques", THROW)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        motion = json.loads((self.folder / "m.json").read_text())
+        rows = list(csv.DictReader((self.folder / "m.csv").read_text().splitlines()))
+        self.assertEqual(len(rows), len(motion["frames"]))
+        for row, frame in zip(rows, motion["frames"]):
+            torques = [float(row[f"{joint}_n_m"]) for joint in motion["joints"]]
+            self.assertEqual(torques, frame["torques_n_m"])
+            self.assertEqual(float(row["unsupported_z_n"]), frame["unsupported"]["force_n"][2])
+        self.assertNotIn("torques_n_m", run("--bake", "-", THROW).stdout)
 
     def test_a_script_edits_a_project(self):
         script = self.folder / "script.json"

@@ -17,6 +17,22 @@ void ExpectLanesAgree(const Case& c, const std::string& what) {
       << what;
 }
 
+TEST(FigureDynamics, AsksOfTheRootWhatTheRecursionInWorldAxesDoes) {
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    Random random(seed);
+    const Case c(seed == 1 ? Human37() : Build(RandomTreeSpec(&random)), seed);
+    const FigureDynamics dynamics(c.figure);
+    FigureScratch scratch = dynamics.MakeScratch();
+    c.Torques(dynamics, &scratch);
+    const Pose X_WR = c.moving_root.X_WR();
+    const Wrench wrench = dynamics.RootWrench(X_WR, c.moving_root.Motion(), scratch);
+    DynamicsWorkspace ws = c.Placed();
+    InverseDynamics(c.figure, c.moving_root.Motion(), c.qd, c.qdd, &c.ends, &ws);
+    EXPECT_LE(RelativeDifference(wrench.force, ws.bodies[0].f), 1e-12) << seed;
+    EXPECT_LE(RelativeDifference(wrench.moment, ws.bodies[0].n), 1e-12) << seed;
+  }
+}
+
 TEST(FigureDynamics, TakesHingesAtAnyAngleToEachOther) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   for (uint64_t seed = 1; seed <= 20; ++seed) {

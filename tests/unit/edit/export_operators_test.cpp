@@ -76,6 +76,13 @@ TEST_F(FileExport, WritesEachFormatAndChangesNothing) {
   EXPECT_EQ(folder_.num_entries(), 5u);  // nothing beside them
 }
 
+TEST_F(FileExport, TablesHaveTheTorquesThatAreAskedFor) {
+  EXPECT_EQ(Written("a.csv").find("r_knee_n_m"), std::string::npos);
+  EXPECT_NE(Written("a.csv", {{"torques", true}}).find("r_knee_n_m"), std::string::npos);
+  EXPECT_TRUE(
+      Json::parse(Written("a.json", {{"torques", true}})).at("frames")[0].contains("torques_n_m"));
+}
+
 TEST_F(FileExport, BvhHasTheChosenFramesUnitAndAxes) {
   const auto read = [&](const Json& parameters) {
     Result<Character> character = ReadBvh(Written("a.bvh", parameters), "a.bvh");
@@ -134,6 +141,7 @@ TEST_F(FileExport, SaysWhatCannotBeWrittenAndLeavesNothing) {
   says(RefusedFor("a.bvh", {{"up", "x"}}), "none of y, z");
   says(RefusedFor("a.glb", {{"up", "z"}}), "only .bvh");
   says(RefusedFor("a.csv", {{"skin", "none"}}), "only .gltf and .glb");
+  says(RefusedFor("a.bvh", {{"torques", true}}), "only .json and .csv");
   EXPECT_EQ(folder_.num_entries(), 1u);  // the folder made here
 }
 

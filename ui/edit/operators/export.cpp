@@ -60,12 +60,19 @@ Result<Done> TakeSkin(const Parameters& p, ExportSettings* settings) {
   return Done();
 }
 
+Result<Done> TakeTorques(const Parameters& p, ExportSettings* settings) {
+  settings->torques = p.yes("torques");
+  if (!settings->torques || HasTorques(settings->format)) return Done();
+  return Refusal("torques", "only .json and .csv have a place for them; leave it out");
+}
+
 Result<ExportSettings> SettingsFrom(const Session& session, const Parameters& p) {
   const Result<MotionFormat> format = FormatOf(p.text("path"));
   if (!format.ok()) return format.error();
   ExportSettings settings = UsualSettings(session, format.value());
-  for (const Result<Done>& taken : {TakeFrames(p, session.project().frames, &settings),
-                                    TakeAxes(p, &settings), TakeSkin(p, &settings)}) {
+  for (const Result<Done>& taken :
+       {TakeFrames(p, session.project().frames, &settings), TakeAxes(p, &settings),
+        TakeSkin(p, &settings), TakeTorques(p, &settings)}) {
     if (!taken.ok()) return taken.error();
   }
   return settings;
@@ -86,18 +93,22 @@ Result<Done> Export(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> ExportOperators() {
-  return {{"file.export",
-           "Export motion",
-           "Writes the motion for other programs: BVH, glTF, GLB, CSV or JSON.",
-           {{"path", kText, true, "a .bvh, .gltf, .glb, .csv or .json file"},
-            {"first", kInteger, false, "first frame; not given: that of the animation"},
-            {"last", kInteger, false, "last frame, which is written too"},
-            {"up", kText, false, "of .bvh: the axis that is up; not given: y", "y z"},
-            {"unit", kNumber, false, "of .bvh: metres of its unit of length; not given: 0.01"},
-            {"skin", kText, false,
-             "of .gltf and .glb: the character's meshes, or else capsules, or none",
-             "character capsules none"}},
-           Export}};
+  return {
+      {"file.export",
+       "Export motion",
+       "Writes the motion for other programs: BVH, glTF, GLB, CSV or JSON.",
+       {{"path", kText, true, "a .bvh, .gltf, .glb, .csv or .json file"},
+        {"first", kInteger, false, "first frame; not given: that of the animation"},
+        {"last", kInteger, false, "last frame, which is written too"},
+        {"up", kText, false, "of .bvh: the axis that is up; not given: y", "y z"},
+        {"unit", kNumber, false, "of .bvh: metres of its unit of length; not given: 0.01"},
+        {"skin", kText, false,
+         "of .gltf and .glb: the character's meshes, or else capsules, or none",
+         "character capsules none"},
+        {"torques", kYesNo, false,
+         "of .json and .csv: also the torque that every joint needs, and the force that nothing "
+         "supplies"}},
+       Export}};
 }
 
 }  // namespace hazumi::edit

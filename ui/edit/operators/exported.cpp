@@ -64,6 +64,7 @@ Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& se
   options.generator = std::string("Hazumi ") + HAZUMI_VERSION;
   options.up = settings.up;
   options.metres_per_unit = settings.metres_per_unit;
+  options.torques = settings.torques;
   Skin made;
   const bool has_skin =
       settings.format == MotionFormat::kGltf || settings.format == MotionFormat::kGlb;

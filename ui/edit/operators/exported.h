@@ -22,6 +22,7 @@ struct ExportSettings {
   UpAxis up = UpAxis::kY;   // of BVH, as is the next
   double metres_per_unit = 0.01;
   ExportSkin skin = ExportSkin::kNone;  // of glTF
+  bool torques = false;                 // of JSON and CSV
   bool operator==(const ExportSettings&) const = default;
 };
 

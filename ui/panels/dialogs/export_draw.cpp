@@ -154,6 +154,9 @@ void DrawOptions(Editor* editor) {
     DrawBvh(editor);
   } else if (HasMeshes(state)) {
     DrawSkin(editor);
+  } else if (HasTorques(state.settings.format)) {
+    ImGui::Checkbox(Tr("Torques"), &state.settings.torques);
+    Tooltip(Tr("Also the torque that every joint needs, and the force that nothing supplies"));
   }
 }
 
