@@ -17,15 +17,15 @@ COMPILER = sys.argv.pop(1) if len(sys.argv) > 1 else "c++"
 EIGEN = "/usr/include/eigen3"
 # By source file that is compiled: headers and their structs.
 STRUCTS = {
-    "engine/bake/group_solution.cpp": {
+    "engine/bake/island_solution.cpp": {
         "engine/spatial/rigid_inertia.h": ["RigidInertia"],
         "engine/passive/driven_curve.h": ["DrivenCurve"],
         "engine/passive/node_motion.h": ["DrivenMotion"],
         "engine/passive/region_model.h": ["NodeHinge", "ModelNode", "NodeJoint", "RegionModel"],
         "engine/spatial/point_motion.h": ["PointMotion"],
-        "engine/bake/group_request.h": ["GroupTask", "BeginGroup", "DriveGroup", "StopPin",
-                                        "AdvanceGroup", "SolveGroup", "SampleGroup",
-                                        "MeasureGroup"],
+        "engine/bake/island_request.h": ["IslandTask", "BeginIsland", "DriveIsland", "StopPin",
+                                        "AdvanceIsland", "SolveIsland", "SampleIsland",
+                                        "MeasureIsland"],
         "engine/bake/moving_base_cache.h": ["Carrier"],
     },
     "engine/bake/baker.cpp": {
@@ -42,7 +42,7 @@ STRUCTS = {
 for law in sorted((ROOT / "engine/passive/forces").glob("*.h")):
     specs = re.findall(r"^struct (\w+Spec) \{", law.read_text(), re.M)
     if specs:
-        STRUCTS["engine/bake/group_solution.cpp"][str(law.relative_to(ROOT))] = specs
+        STRUCTS["engine/bake/island_solution.cpp"][str(law.relative_to(ROOT))] = specs
 
 
 def with_members(header, structs):

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // By the names that --bake uses.
 void AddExact(const RegionReport& report, Json* region) {
   (*region)["tolerance_deg"] = StatedDegrees(report.tolerance);
-  (*region)["groups"] = report.groups;
+  (*region)["groups"] = report.islands;
   (*region)["bodies"] = report.bodies;
   (*region)["error_estimate_deg"] = Degrees(report.error_estimate);
 }

@@ -58,7 +58,7 @@ std::string ModelText(const RegionReport& report, bool with_root) {
   std::string text =
       std::to_string(report.free_joints) + " of " + Count(report.all_joints, "joint", "joints");
   if (with_root) text += " and the root";
-  if (!report.groups.empty()) text += ", " + GroupsText(report.groups);
+  if (!report.islands.empty()) text += ", " + GroupsText(report.islands);
   if (report.bodies > 0) text += ", " + Count(report.bodies, "body", "bodies");
   return text;
 }

@@ -17,7 +17,7 @@ struct BakeOptions {
   const std::atomic<bool>* cancel = nullptr;
   // Account for the energy of exact regions in their reports; takes about as long again.
   bool energy = false;
-  // So many threads at most solve groups of joints that do not feel each other; 0: as many as the
+  // So many threads at most solve islands of joints that do not feel each other; 0: as many as the
   // machine has. The motion is the same.
   int threads = 0;
   // False: the motion has no frames, only events, reports and warnings. It takes no memory then

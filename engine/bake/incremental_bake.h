@@ -9,7 +9,7 @@ namespace hazumi {
 
 // The motion of an animation that is being edited. What an edit cannot have changed is kept: the
 // bake goes on from the last checkpoint before the first frame that the edit can reach, joins what
-// was there as soon as nothing differs any more, and solves again only those groups of a region
+// was there as soon as nothing differs any more, and solves again only those islands of a region
 // that feel a difference. Frames are baked when they are asked for. The result is bit-equal to that
 // of Bake.
 class IncrementalBake {

@@ -97,8 +97,8 @@ struct RegionReport {
   double microseconds = 0.0;  // differs from run to run; no part of the motion
   int free_joints = 0;
   int all_joints = 0;
-  // kExact. What was modelled: free hinges of each group solved by itself, and bodies in all.
-  std::vector<int> groups;
+  // kExact. What was modelled: free hinges of each island solved by itself, and bodies in all.
+  std::vector<int> islands;
   int bodies = 0;
   double error_estimate = 0.0;  // of the angles, the largest at any frame [rad]
   std::optional<EnergyBalance> energy;

@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-// Everything that the motion of the node which carries a group depends on, from t to `end` [s].
+// Everything that the motion of the node which carries an island depends on, from t to `end` [s].
 struct Carrier {
   double t = 0.0, end = 0.0;
   double gravity = 0.0;          // along -z [m/s^2]
@@ -32,8 +32,8 @@ inline auto MembersOf(const Carrier& carrier) {
 Carrier CarrierOf(const RegionModel& model, int first_moved, double gravity,
                   const DrivenMotion& curves, double t, double end);
 
-// The latest fits of moving bases: groups that hang on one node, and solutions of one group, share
-// them. Any thread may ask.
+// The latest fits of moving bases: islands that hang on one node, and solutions of one island,
+// share them. Any thread may ask.
 class MovingBaseCache {
  public:
   // `fit`: makes it if it is not there.

@@ -40,7 +40,7 @@ class Recorder {
   void AddStop(JointIndex j, double time, double last_time, long count);
   void AddWarning(const std::string& place, const std::string& message);
   void AddJump(PlacementJump jump, const std::string& message);
-  GroupLogs& logs() { return stretch_->logs; }
+  IslandLogs& logs() { return stretch_->logs; }
 
   RegionReport& report(int region) { return motion_->regions[region]; }
   // As of a region that did nothing yet.

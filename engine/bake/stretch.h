@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/bake/group_solution.h"
+#include "engine/bake/island_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/pose/active_holds.h"
 #include "engine/bake/pose/object_flight.h"
@@ -33,7 +33,7 @@ struct Stretch {
   std::vector<MotionEvent> events;
   std::vector<Warning> warnings;
   std::vector<PlacementJump> placement_jumps;
-  GroupLogs logs;  // of the exact regions in it
+  IslandLogs logs;  // of the exact regions in it
 
   void AppendTo(Motion* motion) const {
     motion->events.insert(motion->events.end(), events.begin(), events.end());

@@ -9,7 +9,7 @@ namespace hazumi {
 
 namespace {
 
-// More do not find enough groups to solve.
+// More do not find enough islands to solve.
 constexpr int kMostThreads = 8;
 
 using Clock = std::chrono::steady_clock;

@@ -149,7 +149,7 @@ std::string FinenessText(Method method, double step, double tolerance) {
 }
 
 std::string ModelText(const RegionReport& region) {
-  return ", \"groups\": " + List(region.groups, [](int size) { return std::to_string(size); }) +
+  return ", \"groups\": " + List(region.islands, [](int size) { return std::to_string(size); }) +
          ", \"bodies\": " + std::to_string(region.bodies) +
          ", \"error_estimate_deg\": " + NumberOrNull(Degrees(region.error_estimate));
 }

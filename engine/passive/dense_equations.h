@@ -5,8 +5,8 @@
 
 namespace hazumi {
 
-// M x = T - b for free directions or hinges of a group.
-struct GroupEquations {
+// M x = T - b for free directions or hinges of an island.
+struct IslandEquations {
   MatX M;
   VecX b;
 };
@@ -21,7 +21,7 @@ class DenseEquations {
   // M (k x k) and b (k) of the layout's dofs, the first k of what is kept, for nodes that move and
   // ask for forces as in `motion`, which is summed up towards the root on the way.
   void Assemble(const RegionLayout& layout, std::vector<NodeMotion>* motion);
-  const GroupEquations& equations() const { return equations_; }
+  const IslandEquations& equations() const { return equations_; }
   // After it: x = -M^-1 b. A direction that moves no mass gets 0.
   void Solve(const RegionLayout& layout, double* x);
 
@@ -47,7 +47,7 @@ class DenseEquations {
   bool root_answers_, is_pinned_;
   double mass_;
   int num_free_;
-  GroupEquations equations_;
+  IslandEquations equations_;
   MatX L_;
   Eigen::Matrix3Xd F_, J_;  // force on the root and motion of the pin for unit accelerations
 };

@@ -11,10 +11,10 @@
 
 namespace hazumi {
 
-// How the node that carries a group of free joints moves: all that the group feels of the rest of
-// the figure [METHOD 6.3]. The chain that moves it is evaluated at a few Chebyshev points of a
+// How the node that carries an island of free joints moves: all that the island feels of the rest
+// of the figure [METHOD 6.3]. The chain that moves it is evaluated at a few Chebyshev points of a
 // stretch of time and fitted, as long as what is left out is rounding; after that it costs a
-// polynomial. Never changes once made: groups that hang on one node share it, in any thread.
+// polynomial. Never changes once made: islands that hang on one node share it, in any thread.
 class MovingBase {
  public:
   // The carrier's motion at a time, computed by its chain.

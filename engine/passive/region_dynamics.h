@@ -43,7 +43,7 @@ class RegionDynamics {
   const RegionLayout& layout() const { return layout_; }
   const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
   int num_hinges() const { return layout_.num_hinges(); }
-  // Where a pinned root answers, groups of up to so many free hinges are solved the dense way,
+  // Where a pinned root answers, islands of up to so many free hinges are solved the dense way,
   // which takes n^3, larger ones by articulated bodies, in O(n).
   void SetMostDense(int hinges) { most_dense_ = hinges; }
 
@@ -87,8 +87,8 @@ class RegionDynamics {
   // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what stops
   // press and what impacts do. Counts as one evaluation.
   void AssembleHinges(double t, const VecX& q, const VecX& qd);
-  // The same of a group that is large, and not solved the dense way: of some hinges alone, with the
-  // others following freely. Counts as one evaluation.
+  // The same of an island that is large, and not solved the dense way: of some hinges alone, with
+  // the others following freely. Counts as one evaluation.
   bool is_large() const { return model_.num_free > most_dense_ && UsesArticulatedBodies(); }
   void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
   // Assembled last.
@@ -117,7 +117,7 @@ class RegionDynamics {
   }
 
  private:
-  const GroupEquations& assembled() const {
+  const IslandEquations& assembled() const {
     return assembled_some_ ? tree_.some() : dense_.equations();
   }
   bool UsesArticulatedBodies() const;

@@ -158,8 +158,8 @@ class Extraction {
     const std::vector<int> carriers = Carriers(top);
     part_ = header_;
     part_.nodes.reserve(carriers.size() + static_cast<size_t>(EndOf(top) - top));
-    for (const int i : carriers) Add(i, /*of_group=*/false);
-    for (int i = top; i < EndOf(top); ++i) Add(i, /*of_group=*/true);
+    for (const int i : carriers) Add(i, /*of_island=*/false);
+    for (int i = top; i < EndOf(top); ++i) Add(i, /*of_island=*/true);
     if (whole_.pin_node >= 0) part_.pin_node = renamed_[whole_.pin_node];
     AddJoints(top);
     return std::move(part_);
@@ -180,18 +180,18 @@ class Extraction {
     for (int i = whole_.pin_node; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
     std::sort(carriers.begin(), carriers.end());
     carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
-    const auto is_of_group = [&](int i) { return top <= i && i < EndOf(top); };
-    std::erase_if(carriers, is_of_group);
+    const auto is_of_island = [&](int i) { return top <= i && i < EndOf(top); };
+    std::erase_if(carriers, is_of_island);
     return carriers;
   }
 
-  void Add(int i, bool of_group) {
+  void Add(int i, bool of_island) {
     renamed_[i] = static_cast<int>(part_.nodes.size());
     part_.nodes.push_back(whole_.nodes[i]);
     ModelNode& node = part_.nodes.back();
     node.parent = node.parent < 0 ? -1 : renamed_[node.parent];
-    node.is_dynamic = of_group;
-    if (!of_group) node.body = RigidInertia();
+    node.is_dynamic = of_island;
+    if (!of_island) node.body = RigidInertia();
   }
 
   void AddJoints(int top) {

@@ -70,7 +70,7 @@ inline auto MembersOf(const NodeJoint& seat) {
   return std::tie(joint, node, p_N, R_NJ);
 }
 
-// The least model of one group of free joints that feel each other [METHOD 6]: links that move
+// The least model of one island of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the moving base.
 struct RegionModel {
@@ -94,8 +94,8 @@ inline auto MembersOf(const RegionModel& model) {
                   num_bodies, joints);
 }
 
-// One model for each group, in order of their first joint. The root is prescribed where no free
-// joint lies between it and the pin; else, and in flight, all free joints are one group.
+// One model for each island, in order of their first joint. The root is prescribed where no free
+// joint lies between it and the pin; else, and in flight, all free joints are one island.
 std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRequest& request);
 
 }  // namespace hazumi

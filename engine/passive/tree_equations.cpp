@@ -66,7 +66,7 @@ void TreeEquations::AssembleSome(const RegionLayout& layout, const std::vector<N
 }
 
 // By an impulse on the pin that takes its velocity away; where no free joint lies between root and
-// pin all that carries the group is stopped with it.
+// pin all that carries the island is stopped with it.
 VecX TreeEquations::JumpOfPin(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                               const Vec3& v_pin) {
   VecX jump = VecX::Zero(num_free_);

@@ -20,7 +20,7 @@ class TreeEquations {
   // `layout` has no balls.
   void AssembleSome(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                     const std::vector<int>& hinges);
-  const GroupEquations& some() const { return some_; }
+  const IslandEquations& some() const { return some_; }
   // After it: how the rates of all free hinges jump where those hinges get impulses [N m s], and
   // where a pin that moved with v_pin [m/s] is stopped.
   VecX JumpOf(const VecX& impulses) const { return responses_ * impulses; }
@@ -43,7 +43,7 @@ class TreeEquations {
   Eigen::MatrixX3d pushed_;
   Mat3 pin_pushed_;
   MatX responses_;  // of the free hinges to unit torques
-  GroupEquations some_;
+  IslandEquations some_;
 };
 
 }  // namespace hazumi

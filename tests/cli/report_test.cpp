@@ -25,7 +25,7 @@ RegionReport ExactReport() {
   report.microseconds = 1234.5;
   report.free_joints = 14;
   report.all_joints = 37;
-  report.groups = {7, 7};
+  report.islands = {7, 7};
   report.bodies = 6;
   report.error_estimate = 0.004 * kDegree;
   return report;
@@ -76,7 +76,7 @@ TEST(ReportText, SaysWhatWasModelled) {
   RegionReport report = ExactReport();
   EXPECT_EQ(ModelText(report, false), "14 of 37 joints, 2 groups of 7, 6 bodies");
   EXPECT_EQ(ModelText(report, true), "14 of 37 joints and the root, 2 groups of 7, 6 bodies");
-  report.groups = {1, 7, 3, 3};
+  report.islands = {1, 7, 3, 3};
   report.bodies = 1;
   EXPECT_EQ(ModelText(report, false),
             "14 of 37 joints, 1 group of 7 and 2 of 3 and 1 of 1, 1 body");

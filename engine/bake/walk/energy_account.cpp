@@ -1,4 +1,4 @@
-// The account of a group [METHOD 8.5]: over each of its steps the powers P of laws and of keyed
+// The account of an island [METHOD 8.5]: over each of its steps the powers P of laws and of keyed
 // joints are integrated by Gauss's formula of order 8,
 //   W = h sum_i w_i P(m + h x_i),   h half of the step, m its middle, x_i and w_i below.
 // What its energy jumped by since the step before went into stops.
@@ -9,9 +9,9 @@
 
 namespace hazumi {
 
-void EnergyAccount::Restart(size_t num_groups) {
-  if (groups_.size() != num_groups) groups_.assign(num_groups, Group());
-  for (Group& group : groups_) group.until = 0.0;
+void EnergyAccount::Restart(size_t num_islands) {
+  if (islands_.size() != num_islands) islands_.assign(num_islands, Island());
+  for (Island& island : islands_) island.until = 0.0;
 }
 
 void EnergyAccount::SetCoupling(RootCoupling coupling) {
@@ -19,29 +19,29 @@ void EnergyAccount::SetCoupling(RootCoupling coupling) {
   coupling_ = coupling;
 }
 
-void EnergyAccount::AddStep(size_t index, double t, GroupSolution* solution) {
-  Group& group = groups_[index];
-  const double start = std::max(group.until, solution->step_start());
+void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
+  Island& island = islands_[index];
+  const double start = std::max(island.until, solution->step_start());
   if (0.5 * (t - start) <= 0.0) return;
   const EnergyFlow first = solution->Energy(start), last = solution->Energy(t);
-  AddStart(first, group);
+  AddStart(first, island);
   AddWork(start, t, solution);
-  balance_.kinetic_end += last.kinetic - (group.is_accounted ? group.kinetic : 0.0);
+  balance_.kinetic_end += last.kinetic - (island.is_accounted ? island.kinetic : 0.0);
   balance_.potential_end +=
-      last.potential - (group.is_accounted ? group.stored - group.kinetic : 0.0);
-  group = {t, last.kinetic + last.potential, last.kinetic, true};
+      last.potential - (island.is_accounted ? island.stored - island.kinetic : 0.0);
+  island = {t, last.kinetic + last.potential, last.kinetic, true};
 }
 
-void EnergyAccount::AddStart(const EnergyFlow& first, const Group& group) {
-  if (group.is_accounted) {
-    balance_.stops += first.kinetic + first.potential - group.stored;
+void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island) {
+  if (island.is_accounted) {
+    balance_.stops += first.kinetic + first.potential - island.stored;
   } else {
     balance_.kinetic_start += first.kinetic;
     balance_.potential_start += first.potential;
   }
 }
 
-void EnergyAccount::AddWork(double start, double end, GroupSolution* solution) {
+void EnergyAccount::AddWork(double start, double end, IslandSolution* solution) {
   constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
   constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
   const double middle = 0.5 * (start + end), half = 0.5 * (end - start);

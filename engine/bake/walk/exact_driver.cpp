@@ -1,4 +1,4 @@
-// Each group takes steps with an error of tolerance / 20, divided by the sharpness; its control
+// Each island takes steps with an error of tolerance / 20, divided by the sharpness; its control
 // solution with one forty times as large. A fifth of their distance is the estimate of the error
 // [METHOD 8.2]. Friction f per 1/30 s is the rate c = -30 ln f [METHOD 2.3].
 
@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/bake/group_curves.h"
+#include "engine/bake/island_curves.h"
 
 namespace hazumi {
 
@@ -95,10 +95,10 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-GroupTask ExactDriver::TaskFor(RegionModel model) const {
+IslandTask ExactDriver::TaskFor(RegionModel model) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
-  GroupTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
+  IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
   VecX rates(k);
   int i = 0;
   ForEachFreeHinge(task.model, [&](Coordinate c) {
@@ -121,7 +121,7 @@ double ExactDriver::StepToleranceFor(const RegionModel& model) const {
   return std::max(kFinestStep, tolerance * kStepShare / sharpness_);
 }
 
-void ExactDriver::FinishGroups() {
+void ExactDriver::FinishIslands() {
   finished_.evaluations = evaluations();
   finished_.steps = steps();
   finished_.microseconds = microseconds();
@@ -131,22 +131,22 @@ void ExactDriver::FinishGroups() {
 void ExactDriver::Begin(double t, double end, const RotationState& state,
                         const RotationState& control, const RootHold& hold,
                         const DrivenMotion& driven) {
-  FinishGroups();
+  FinishIslands();
   request_ = RequestFor(state, hold, driven);
-  groups_.clear();
+  islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
-  groups_.reserve(models.size());
+  islands_.reserve(models.size());
   for (RegionModel& model : models) {
     const double tolerance = StepToleranceFor(model);
-    const auto shared = std::make_shared<const SharedGroup>(TaskFor(std::move(model)));
+    const auto shared = std::make_shared<const SharedIsland>(TaskFor(std::move(model)));
     const auto curves = CurvesOf(shared->task.model, driven);
-    Group& group =
-        groups_.emplace_back(Group{{shared, tolerance, &moving_bases_},
-                                   {shared, tolerance * kControlCoarseness, &moving_bases_}});
-    group.solution.Begin(t, end, state, curves, known_);
-    group.control.Begin(t, end, control, curves, known_);
+    Island& island =
+        islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
+                                     {shared, tolerance * kControlCoarseness, &moving_bases_}});
+    island.solution.Begin(t, end, state, curves, known_);
+    island.control.Begin(t, end, control, curves, known_);
   }
-  energy_.Restart(groups_.size());
+  energy_.Restart(islands_.size());
 }
 
 void ExactDriver::Drive(double end, const RotationState& state, const DrivenMotion& driven) {
@@ -163,36 +163,36 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
     SampleControl(t, &control);
     return Begin(t, end, main, control, hold, driven);
   }
-  for (Group& group : groups_) {
-    const auto curves = CurvesOf(group.solution.model(), driven);
-    group.solution.Drive(t, end, curves);
-    group.control.Drive(t, end, curves);
+  for (Island& island : islands_) {
+    const auto curves = CurvesOf(island.solution.model(), driven);
+    island.solution.Drive(t, end, curves);
+    island.control.Drive(t, end, curves);
   }
 }
 
 template <typename Action>
 void ExactDriver::ForEachSolution(Action&& action) {
-  for (Group& group : groups_) {
-    action(group.solution);
-    action(group.control);
+  for (Island& island : islands_) {
+    action(island.solution);
+    action(island.control);
   }
 }
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {
-  ForEachSolution([&](GroupSolution& solution) { solution.FeelPin(v_pin); });
+  ForEachSolution([&](IslandSolution& solution) { solution.FeelPin(v_pin); });
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
-  ForEachSolution([&](GroupSolution& solution) { solution.Advance(t, end); });
+  ForEachSolution([&](IslandSolution& solution) { solution.Advance(t, end); });
   return FirstFailure();
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<double>& times,
                                                               double end,
                                                               const std::atomic<bool>* cancel) {
-  std::vector<GroupSolution*> unknown;
+  std::vector<IslandSolution*> unknown;
   const auto shared_times = std::make_shared<const std::vector<double>>(times);
-  ForEachSolution([&](GroupSolution& solution) {
+  ForEachSolution([&](IslandSolution& solution) {
     if (!solution.LookAhead(shared_times, end)) unknown.push_back(&solution);
   });
   pool_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
@@ -200,9 +200,9 @@ std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
-  const GroupSolution* first = nullptr;
-  for (const Group& group : groups_) {
-    for (const GroupSolution* solution : {&group.solution, &group.control}) {
+  const IslandSolution* first = nullptr;
+  for (const Island& island : islands_) {
+    for (const IslandSolution* solution : {&island.solution, &island.control}) {
       if (!solution->failure() || (first && first->time() <= solution->time())) continue;
       first = solution;
     }
@@ -216,39 +216,39 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
 
 double ExactDriver::time() const {
   double time = std::numeric_limits<double>::infinity();
-  for (const Group& group : groups_) {
-    time = std::min({time, group.solution.time(), group.control.time()});
+  for (const Island& island : islands_) {
+    time = std::min({time, island.solution.time(), island.control.time()});
   }
   return time;
 }
 
 bool ExactDriver::solves_fall() const {
-  return std::any_of(groups_.begin(), groups_.end(),
-                     [](const Group& group) { return group.solution.solves_fall(); });
+  return std::any_of(islands_.begin(), islands_.end(),
+                     [](const Island& island) { return island.solution.solves_fall(); });
 }
 
 void ExactDriver::Sample(double t, RotationState* state) {
-  for (Group& group : groups_) group.solution.Sample(t, state);
+  for (Island& island : islands_) island.solution.Sample(t, state);
 }
 
 void ExactDriver::SampleControl(double t, RotationState* state) {
-  for (Group& group : groups_) group.control.Sample(t, state);
+  for (Island& island : islands_) island.control.Sample(t, state);
 }
 
 void ExactDriver::Account(double t, bool is_cut) {
   energy_.SetCoupling(request_.coupling);
-  for (size_t g = 0; g < groups_.size(); ++g) {
-    // A group takes its next step only once all have reached the end of the present one.
-    GroupSolution& solution = groups_[g].solution;
+  for (size_t g = 0; g < islands_.size(); ++g) {
+    // An island takes its next step only once all have reached the end of the present one.
+    IslandSolution& solution = islands_[g].solution;
     if (is_cut || solution.time() <= t) energy_.AddStep(g, t, &solution);
   }
 }
 
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
   std::vector<Hit> hits;
-  for (Group& group : groups_) {
-    for (const StopHit& hit : group.solution.TakeHits()) {
-      const Coordinate c = group.solution.hinges()[hit.hinge];
+  for (Island& island : islands_) {
+    for (const StopHit& hit : island.solution.TakeHits()) {
+      const Coordinate c = island.solution.hinges()[hit.hinge];
       hits.push_back({hit.time, hit.last_time, hit.count, c});
     }
   }
@@ -260,62 +260,62 @@ void ExactDriver::Estimate(double t) {
   RotationState state{VecX(n), VecX(n), {}}, control = state;
   Sample(t, &state);
   SampleControl(t, &control);
-  for (const Group& group : groups_) {
-    const VecX distances = group.solution.Distances(state, control);
-    const auto& hinges = group.solution.hinges();
+  for (const Island& island : islands_) {
+    const VecX distances = island.solution.Distances(state, control);
+    const auto& hinges = island.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
       double& estimate = estimates_[region_of_[hinges[i]]];
       estimate =
-          std::max({estimate, group.solution.step_tolerance(), kEstimateShare * distances[i]});
+          std::max({estimate, island.solution.step_tolerance(), kEstimateShare * distances[i]});
     }
   }
 }
 
 long ExactDriver::evaluations() const {
   long sum = finished_.evaluations;
-  for (const Group& group : groups_)
-    sum += group.solution.evaluations() + group.control.evaluations();
+  for (const Island& island : islands_)
+    sum += island.solution.evaluations() + island.control.evaluations();
   return sum;
 }
 
 long ExactDriver::steps() const {
   long sum = finished_.steps;
-  for (const Group& group : groups_) sum += group.solution.steps();
+  for (const Island& island : islands_) sum += island.solution.steps();
   return sum;
 }
 
 double ExactDriver::microseconds() const {
   double sum = finished_.microseconds;
-  for (const Group& group : groups_) {
-    sum += group.solution.microseconds() + group.control.microseconds();
+  for (const Island& island : islands_) {
+    sum += island.solution.microseconds() + island.control.microseconds();
   }
   return sum;
 }
 
-void ExactDriver::MoveLogsTo(GroupLogs* logs) {
+void ExactDriver::MoveLogsTo(IslandLogs* logs) {
   std::move(finished_.logs.begin(), finished_.logs.end(), std::back_inserter(*logs));
   finished_.logs.clear();
   AppendLogs(logs);
 }
 
-// Of the groups as they are now, if they keep any.
-void ExactDriver::AppendLogs(GroupLogs* logs) const {
+// Of the islands as they are now, if they keep any.
+void ExactDriver::AppendLogs(IslandLogs* logs) const {
   if (!known_) return;
-  for (const Group& group : groups_) {
-    logs->push_back(group.solution.log());
-    logs->push_back(group.control.log());
+  for (const Island& island : islands_) {
+    logs->push_back(island.solution.log());
+    logs->push_back(island.control.log());
   }
 }
 
-std::vector<int> ExactDriver::group_sizes() const {
+std::vector<int> ExactDriver::island_sizes() const {
   std::vector<int> sizes;
-  for (const Group& group : groups_) sizes.push_back(group.solution.model().num_free);
+  for (const Island& island : islands_) sizes.push_back(island.solution.model().num_free);
   return sizes;
 }
 
 int ExactDriver::num_bodies() const {
   int sum = 0;
-  for (const Group& group : groups_) sum += group.solution.model().num_bodies;
+  for (const Island& island : islands_) sum += island.solution.model().num_bodies;
   return sum;
 }
 

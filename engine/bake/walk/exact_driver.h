@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/bake/group_solution.h"
+#include "engine/bake/island_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/moving_base_cache.h"
 #include "engine/bake/pose/root_placement.h"
@@ -16,9 +16,9 @@
 
 namespace hazumi {
 
-// Moves the joints of all exact regions that are active at one time, in continuous time. Each group
-// of joints that feel each other takes its own steps, and beside it a control solution with a
-// coarser tolerance: how far the two get apart tells how far the solution may be off.
+// Moves the joints of all exact regions that are active at one time, in continuous time. Each
+// island of joints that feel each other takes its own steps, and beside it a control solution with
+// a coarser tolerance: how far the two get apart tells how far the solution may be off.
 class ExactDriver {
  public:
   // `active`: indices of Animation::regions. `figure`, `pool` and `known`, the logs of earlier
@@ -46,23 +46,23 @@ class ExactDriver {
     std::string cause;
     double time;  // up to which it went well [s]
   };
-  // Steps every group that has not got beyond t, at most to `end`.
+  // Steps every island that has not got beyond t, at most to `end`.
   std::optional<Failure> Advance(double t, double end);
-  // Solves all groups up to `end` at once, on as many threads as there are; afterwards they can be
+  // Solves all islands up to `end` at once, on as many threads as there are; afterwards they can be
   // sampled at `times`, which rise and include `end`, up to a failure. Gives up where `cancel` is
   // set.
   std::optional<Failure> AdvanceAhead(const std::vector<double>& times, double end,
                                       const std::atomic<bool>* cancel);
   // Whether samples tell where a figure in flight is: forces from outside push it off its parabola.
   bool solves_fall() const;
-  // How far all groups have got [s].
+  // How far all islands have got [s].
   double time() const;
   // The free coordinates at a time between the last two values of time().
   void Sample(double t, RotationState* state);
   // The control solutions' at time().
   void SampleControl(double t, RotationState* state);
 
-  // Adds up energies and work to t, which all groups have reached; an account is kept from the
+  // Adds up energies and work to t, which all islands have reached; an account is kept from the
   // first call on. `is_cut`: the driver begins anew at t.
   void Account(double t, bool is_cut);
   // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
@@ -82,30 +82,30 @@ class ExactDriver {
   const std::vector<double>& estimates() const { return estimates_; }
   long evaluations() const;
   long steps() const;
-  std::vector<int> group_sizes() const;
+  std::vector<int> island_sizes() const;
   int num_bodies() const;
-  // It took to solve all groups [us], whenever that was.
+  // It took to solve all islands [us], whenever that was.
   double microseconds() const;
-  // Those of all groups since the first Begin; of ended ones once only.
-  void MoveLogsTo(GroupLogs* logs);
+  // Those of all islands since the first Begin; of ended ones once only.
+  void MoveLogsTo(IslandLogs* logs);
 
  private:
-  struct Group {
-    GroupSolution solution, control;
+  struct Island {
+    IslandSolution solution, control;
   };
-  // Of groups that are no more.
+  // Of islands that are no more.
   struct Finished {
     long evaluations = 0, steps = 0;
     double microseconds = 0.0;
-    GroupLogs logs;
+    IslandLogs logs;
   };
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
-  GroupTask TaskFor(RegionModel model) const;
+  IslandTask TaskFor(RegionModel model) const;
   double StepToleranceFor(const RegionModel& model) const;
-  void FinishGroups();
-  void AppendLogs(GroupLogs* logs) const;
+  void FinishIslands();
+  void AppendLogs(IslandLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
   // Of solutions and control solutions.
   template <typename Action>
@@ -120,8 +120,8 @@ class ExactDriver {
   MovingBaseCache moving_bases_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
-  ModelRequest request_;          // of the groups as they are
-  std::vector<Group> groups_;
+  ModelRequest request_;          // of the islands as they are
+  std::vector<Island> islands_;
   std::vector<double> estimates_;
   EnergyAccount energy_;
   Finished finished_;

@@ -244,7 +244,7 @@ void ExactWalk::WriteReports() {
     report.steps += static_cast<int>(driver_->steps());
     report.evaluations += static_cast<int>(driver_->evaluations());
     report.microseconds += driver_->microseconds() / regions;
-    report.groups = driver_->group_sizes();
+    report.islands = driver_->island_sizes();
     report.bodies = driver_->num_bodies();
     report.energy = driver_->energy();
     report.error_estimate = std::max(report.error_estimate, driver_->estimates()[a]);

@@ -10,7 +10,7 @@
 
 namespace hazumi {
 
-// The passive motion of one group of free joints in continuous time [METHOD 2.1], with its error
+// The passive motion of one island of free joints in continuous time [METHOD 2.1], with its error
 // under control: steps of order 8 whose size follows the error (ExactStep), ball joints as
 // quaternions, stops found inside the steps (HitSearch), hit inelastically (HeldStops) and let go
 // when they would have to pull (ReleaseSearch).

@@ -14,10 +14,10 @@ namespace hazumi {
 
 inline constexpr double kSameTime = 1e-13;  // instants this near are one [s]
 
-// Steps of order 8 through the motion of a group whose size follows the error, and the inside of
+// Steps of order 8 through the motion of an island whose size follows the error, and the inside of
 // the latest one. Knows nothing of events: whoever finds one ends the step there.
 //
-// The step goes from start_time() to time(), where the group is at now().
+// The step goes from start_time() to time(), where the island is at now().
 class ExactStep {
  public:
   // Both must outlive it. The stops tell the sides of ball joints.

@@ -9,7 +9,7 @@
 
 namespace hazumi {
 
-// Where a group is at a time [s].
+// Where an island is at a time [s].
 struct HingeMoment {
   explicit HingeMoment(int num_hinges) : state(num_hinges) {}
 

@@ -1,5 +1,5 @@
 // Hinges that are at no stop follow freely, T = 0: without them the equations M x + b = T of a
-// large group are those of the hinges at stops, with M and b as RegionDynamics::AssembleSome gives
+// large island are those of the hinges at stops, with M and b as RegionDynamics::AssembleSome gives
 // them.
 
 #include "engine/passive/exact/stop_forces.h"

@@ -7,8 +7,8 @@
 
 namespace hazumi {
 
-// What stops do to the free hinges of a group: all of it as one problem, or, of a large group, of
-// those that are at a stop alone. By free hinge; `side` as StopSolver has it.
+// What stops do to the free hinges of an island: all of it as one problem, or, of a large island,
+// of those that are at a stop alone. By free hinge; `side` as StopSolver has it.
 class StopForces {
  public:
   // `dynamics` must outlive it.
@@ -33,7 +33,7 @@ class StopForces {
   RegionDynamics* dynamics_;
   StopSolver solver_;
   VecX impulse_;
-  // Of a large group: the hinges that are looked at, and what is known of them.
+  // Of a large island: the hinges that are looked at, and what is known of them.
   std::vector<int> some_, side_;
   std::vector<char> flags_, held_;
   VecX T_;

@@ -9,7 +9,7 @@
 
 namespace hazumi {
 
-// What acts on a group of joints, as plain values that can be compared: one struct for each law.
+// What acts on an island of joints, as plain values that can be compared: one struct for each law.
 using ForceSpec = std::variant<RetentionSpec>;
 
 // Whether any of them does (ForceLaw::is_outer).

@@ -89,11 +89,11 @@ TEST(ModelText, SaysWhatWasSolved) {
   RegionReport report;
   report.free_joints = 14;
   report.all_joints = 37;
-  report.groups = {7, 7};
+  report.islands = {7, 7};
   report.bodies = 6;
   SetLanguage(Language::kEnglish);
   EXPECT_EQ(ModelText(report), "14 of 37 joints, 2 groups of 7, 6 bodies");
-  report.groups = {7, 2};
+  report.islands = {7, 2};
   EXPECT_EQ(ModelText(report), "14 of 37 joints, 1 group of 7, 1 group of 2, 6 bodies");
 }
 

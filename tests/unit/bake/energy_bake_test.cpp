@@ -64,7 +64,7 @@ TEST(Energy, OfArmsOnAMovingTrunkIsAccountedFor) {
   ExpectBalanced(energy);
   EXPECT_LT(energy.WorkOf("friction"), -0.1);
   EXPECT_GT(std::abs(energy.keyed), 0.1);
-  EXPECT_EQ(motion.regions[0].groups, (std::vector<int>{7, 7}));
+  EXPECT_EQ(motion.regions[0].islands, (std::vector<int>{7, 7}));
 }
 
 // The leg between root and pin swings, so that the whole figure moves: energy is the whole

@@ -23,7 +23,7 @@ void ExpectSameReport(const RegionReport& a, const RegionReport& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.evaluations, b.evaluations);
-  EXPECT_EQ(a.groups, b.groups);
+  EXPECT_EQ(a.islands, b.islands);
   EXPECT_EQ(a.bodies, b.bodies);
   EXPECT_EQ(a.error_estimate, b.error_estimate);
 }

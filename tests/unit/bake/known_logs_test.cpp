@@ -11,27 +11,27 @@
 namespace hazumi {
 namespace {
 
-BeginGroup RequestAt(double t) {
-  BeginGroup request;
+BeginIsland RequestAt(double t) {
+  BeginIsland request;
   request.t = t;
   return request;
 }
 
-std::shared_ptr<const GroupLog> LogOf(const BeginGroup& request, double time = 0.0) {
-  GroupLog log(1);
+std::shared_ptr<const IslandLog> LogOf(const BeginIsland& request, double time = 0.0) {
+  IslandLog log(1);
   log[0].request = request;
   log[0].result.progress.time = time;
-  return std::make_shared<const GroupLog>(std::move(log));
+  return std::make_shared<const IslandLog>(std::move(log));
 }
 
 TEST(KnownLogs, FindTheLogThatBeginsWithARequest) {
-  BeginGroup with_angle = RequestAt(1.0), with_another = RequestAt(1.0);
+  BeginIsland with_angle = RequestAt(1.0), with_another = RequestAt(1.0);
   with_angle.q = VecX::Constant(1, 2.0);
   with_another.q = VecX::Constant(1, 3.0);
   const auto one = LogOf(RequestAt(1.0)), two = LogOf(with_angle), three = LogOf(RequestAt(2.0));
   KnownLogs known;
-  known.Add(GroupLogs{one, two});
-  known.Add(GroupLogs{three});
+  known.Add(IslandLogs{one, two});
+  known.Add(IslandLogs{three});
   EXPECT_EQ(known.Find(RequestAt(1.0)), one);
   EXPECT_EQ(known.Find(with_angle), two);
   EXPECT_EQ(known.Find(RequestAt(2.0)), three);
@@ -44,7 +44,7 @@ TEST(KnownLogs, TellNumbersApartByTheirBits) {
   const auto zero = LogOf(RequestAt(0.0)), minus_zero = LogOf(RequestAt(-0.0)),
              no_number = LogOf(RequestAt(nan));
   KnownLogs known;
-  known.Add(GroupLogs{zero, minus_zero, no_number});
+  known.Add(IslandLogs{zero, minus_zero, no_number});
   EXPECT_EQ(known.Find(RequestAt(0.0)), zero);
   EXPECT_EQ(known.Find(RequestAt(-0.0)), minus_zero);
   EXPECT_EQ(known.Find(RequestAt(nan)), no_number);
@@ -54,15 +54,15 @@ TEST(KnownLogs, TellNumbersApartByTheirBits) {
 TEST(KnownLogs, GiveTheLatestOfLogsThatBeginAlike) {
   const auto early = LogOf(RequestAt(7.0), 1.0), late = LogOf(RequestAt(7.0), 2.0);
   KnownLogs known;
-  known.Add(GroupLogs{early, LogOf(RequestAt(8.0))});
-  known.Add(GroupLogs{late});
+  known.Add(IslandLogs{early, LogOf(RequestAt(8.0))});
+  known.Add(IslandLogs{late});
   EXPECT_EQ(known.Find(RequestAt(7.0)), late);
   EXPECT_NE(known.Find(RequestAt(8.0)), nullptr);
 }
 
 TEST(KnownLogs, ForgetAll) {
   KnownLogs known;
-  known.Add(GroupLogs{LogOf(RequestAt(1.0))});
+  known.Add(IslandLogs{LogOf(RequestAt(1.0))});
   known.clear();
   EXPECT_EQ(known.Find(RequestAt(1.0)), nullptr);
 }

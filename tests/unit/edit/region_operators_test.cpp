@@ -27,7 +27,7 @@ TEST(RegionOperators, AddLetsTheJointsSwing) {
   AddArms(&session);
   const Result<const Motion*> motion = session.WholeMotion();
   ASSERT_TRUE(motion.ok());
-  EXPECT_EQ(motion.value()->regions[0].groups, (std::vector<int>{7, 7}));
+  EXPECT_EQ(motion.value()->regions[0].islands, (std::vector<int>{7, 7}));
   EXPECT_TRUE(
       motion.value()->frames[10].in_region[session.figure().FindJoint("r_elbow_flexion")->value()]);
 }

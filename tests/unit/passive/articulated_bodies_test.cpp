@@ -1,4 +1,4 @@
-// Articulated bodies against the dense equations M x = -b of the same group: what they make the
+// Articulated bodies against the dense equations M x = -b of the same island: what they make the
 // bodies do, whatever the layout of the joints is.
 
 #include "engine/passive/articulated_bodies.h"
@@ -9,7 +9,7 @@
 
 #include "engine/passive/semidefinite.h"
 #include "tests/support/compare.h"
-#include "tests/unit/passive/random_group.h"
+#include "tests/unit/passive/random_island.h"
 
 namespace hazumi::test {
 namespace {
@@ -21,21 +21,21 @@ constexpr uint64_t kSeeds = 100;
 constexpr RootCoupling kCouplings[] = {RootCoupling::kPrescribed, RootCoupling::kFlight};
 
 template <typename Check>
-void ForEachGroup(Check&& check) {
+void ForEachIsland(Check&& check) {
   for (const RootCoupling coupling : kCouplings) {
     for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      const auto group = RandomGroup::Of(seed, coupling);
+      const auto island = RandomIsland::Of(seed, coupling);
       SCOPED_TRACE("seed " + std::to_string(seed) + (coupling == kCouplings[0] ? "" : ", flying"));
-      if (group) check(group.get());
+      if (island) check(island.get());
     }
   }
 }
 
 // Angular accelerations of all dynamic nodes and accelerations of their origins, from the root's.
-VecX BodiesAccelerated(const RandomGroup& group, const RegionLayout& layout, const VecX& x) {
-  NodeKinematics kinematics = MovedBy(group, layout);
+VecX BodiesAccelerated(const RandomIsland& island, const RegionLayout& layout, const VecX& x) {
+  NodeKinematics kinematics = MovedBy(island, layout);
   int first = 0;
-  while (!group.model.nodes[first].is_dynamic) ++first;
+  while (!island.model.nodes[first].is_dynamic) ++first;
   kinematics.Accelerate(layout, x.data(), first);
   VecX all(6 * (kinematics.size() - first));
   for (int i = first; i < kinematics.size(); ++i) {
@@ -45,19 +45,19 @@ VecX BodiesAccelerated(const RandomGroup& group, const RegionLayout& layout, con
   return all;
 }
 
-VecX SolvedBy(const RandomGroup& group, const RegionLayout& layout) {
-  ArticulatedBodies articulated(group.model);
+VecX SolvedBy(const RandomIsland& island, const RegionLayout& layout) {
+  ArticulatedBodies articulated(island.model);
   VecX x(layout.num_dofs());
-  articulated.Solve(layout, MovedBy(group, layout).motion(), x.data());
+  articulated.Solve(layout, MovedBy(island, layout).motion(), x.data());
   return x;
 }
 
 TEST(ArticulatedBodies, AccelerateChainsOfHingesAsTheDenseEquations) {
   Worst worst("hinges");
-  ForEachGroup([&](RandomGroup* group) {
-    const RegionDynamics dense = Assembled(*group);
+  ForEachIsland([&](RandomIsland* island) {
+    const RegionDynamics dense = Assembled(*island);
     const VecX expected = dense.M().llt().solve(-dense.b());
-    const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
+    const VecX x = SolvedBy(*island, RegionLayout(island->model, /*balls=*/false));
     EXPECT_LE(worst(RelativeDifference(x, expected)), kTreeTolerance);
   });
 }
@@ -65,12 +65,13 @@ TEST(ArticulatedBodies, AccelerateChainsOfHingesAsTheDenseEquations) {
 TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
   Worst worst("balls");
   int balls = 0;
-  ForEachGroup([&](RandomGroup* group) {
-    const RegionDynamics dense = Assembled(*group);
-    const RegionLayout hinges(group->model, /*balls=*/false), layout(group->model, /*balls=*/true);
+  ForEachIsland([&](RandomIsland* island) {
+    const RegionDynamics dense = Assembled(*island);
+    const RegionLayout hinges(island->model, /*balls=*/false),
+        layout(island->model, /*balls=*/true);
     balls += layout.num_positions() - layout.num_dofs();
-    const VecX expected = BodiesAccelerated(*group, hinges, dense.M().llt().solve(-dense.b()));
-    const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
+    const VecX expected = BodiesAccelerated(*island, hinges, dense.M().llt().solve(-dense.b()));
+    const VecX actual = BodiesAccelerated(*island, layout, SolvedBy(*island, layout));
     EXPECT_LE(worst(RelativeDifference(actual, expected)), kTreeTolerance);
   });
   EXPECT_GT(balls, 50);
@@ -93,20 +94,20 @@ VecX SolveUnlocked(const RegionDynamics& dense, const std::vector<char>& locked)
 TEST(ArticulatedBodies, LeaveLockedHingesWhereTheyAre) {
   Worst worst("locked");
   int locked_balls = 0;
-  ForEachGroup([&](RandomGroup* group) {
+  ForEachIsland([&](RandomIsland* island) {
     std::vector<char> locked;
-    for (double& rate : group->qd) {
-      locked.push_back(group->random.Chance(0.3));
+    for (double& rate : island->qd) {
+      locked.push_back(island->random.Chance(0.3));
       if (locked.back()) rate = 0.0;
     }
-    const RegionLayout hinges(group->model, /*balls=*/false);
-    RegionLayout layout(group->model, /*balls=*/true);
+    const RegionLayout hinges(island->model, /*balls=*/false);
+    RegionLayout layout(island->model, /*balls=*/true);
     const int balls = layout.num_positions() - layout.num_dofs();
-    layout.SetLocked(locked, group->q);
+    layout.SetLocked(locked, island->q);
     locked_balls += balls - (layout.num_positions() - layout.num_dofs());
     const VecX expected =
-        BodiesAccelerated(*group, hinges, SolveUnlocked(Assembled(*group), locked));
-    const VecX actual = BodiesAccelerated(*group, layout, SolvedBy(*group, layout));
+        BodiesAccelerated(*island, hinges, SolveUnlocked(Assembled(*island), locked));
+    const VecX actual = BodiesAccelerated(*island, layout, SolvedBy(*island, layout));
     EXPECT_LE(worst(RelativeDifference(actual, expected)), kTreeTolerance);
   });
   EXPECT_GT(locked_balls, 20);
@@ -116,18 +117,18 @@ TEST(ArticulatedBodies, LeaveLockedHingesWhereTheyAre) {
 TEST(ArticulatedBodies, GiveNothingToADirectionThatMovesNoMass) {
   Worst worst("massless");
   int massless = 0;
-  ForEachGroup([&](RandomGroup* group) {
-    ModelNode& last = group->model.nodes.back();
-    if (last.role != Role::kFree || group->model.num_bodies < 2) return;
+  ForEachIsland([&](RandomIsland* island) {
+    ModelNode& last = island->model.nodes.back();
+    if (last.role != Role::kFree || island->model.num_bodies < 2) return;
     ++massless;
-    group->model.mass -= last.body.mass;
+    island->model.mass -= last.body.mass;
     last.body = RigidInertia();
-    const RegionDynamics dense = Assembled(*group);
+    const RegionDynamics dense = Assembled(*island);
     MatX L = dense.M();
     VecX expected = -dense.b();
     FactorSemidefinite(L);
     SolveSemidefinite(L, expected);
-    const VecX x = SolvedBy(*group, RegionLayout(group->model, /*balls=*/false));
+    const VecX x = SolvedBy(*island, RegionLayout(island->model, /*balls=*/false));
     EXPECT_TRUE(x.tail(last.num_hinges).isZero(0.0));
     EXPECT_LE(worst((x - expected).norm() / (1.0 + expected.norm())), kTreeTolerance);
   });
@@ -136,13 +137,13 @@ TEST(ArticulatedBodies, GiveNothingToADirectionThatMovesNoMass) {
 
 // How the velocity of a point of a node, r from its origin, follows from the hinges' rates, and in
 // flight from the root's that answers them.
-Eigen::Matrix3Xd PointJacobian(const RandomGroup& group, int node, const V3& r) {
-  const RegionLayout layout(group.model, /*balls=*/false);
-  const NodeKinematics kinematics = MovedBy(group, layout);
+Eigen::Matrix3Xd PointJacobian(const RandomIsland& island, int node, const V3& r) {
+  const RegionLayout layout(island.model, /*balls=*/false);
+  const NodeKinematics kinematics = MovedBy(island, layout);
   const auto& motion = kinematics.motion();
   Eigen::Matrix3Xd J = Eigen::Matrix3Xd::Zero(3, layout.num_dofs());
   const auto add = [&](int of, const V3& point, double weight) {
-    for (int i = of; i >= 0; i = group.model.nodes[i].parent) {
+    for (int i = of; i >= 0; i = island.model.nodes[i].parent) {
       const RegionLayout::Node& where = layout.node(i);
       for (int k = 0; k < where.num_dofs; ++k) {
         J.col(where.dof + k) += weight * Cross(motion[i].axis[k], point - motion[i].p).eigen();
@@ -150,38 +151,38 @@ Eigen::Matrix3Xd PointJacobian(const RandomGroup& group, int node, const V3& r) 
     }
   };
   add(node, motion[node].p + r, 1.0);
-  if (group.model.coupling != RootCoupling::kFlight) return J;
+  if (island.model.coupling != RootCoupling::kFlight) return J;
   for (int i = 0; i < kinematics.size(); ++i) {
     if (motion[i].m == 0.0) continue;
     const V3 com = motion[i].p + (1.0 / motion[i].m) * motion[i].h;
-    add(i, com, -motion[i].m / group.model.mass);
+    add(i, com, -motion[i].m / island.model.mass);
   }
   return J;
 }
 
-int AnyDynamicNode(RandomGroup* group) {
-  const int count = static_cast<int>(group->model.nodes.size());
-  int node = group->random.Integer(0, count - 1);
-  while (!group->model.nodes[node].is_dynamic) node = group->random.Integer(0, count - 1);
+int AnyDynamicNode(RandomIsland* island) {
+  const int count = static_cast<int>(island->model.nodes.size());
+  int node = island->random.Integer(0, count - 1);
+  while (!island->model.nodes[node].is_dynamic) node = island->random.Integer(0, count - 1);
   return node;
 }
 
 // x = M^-1 J^T f, and J x + f / m of a flying figure, where the force moves the root too.
 TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
   Worst worst("push");
-  ForEachGroup([&](RandomGroup* group) {
-    const int node = AnyDynamicNode(group), other = AnyDynamicNode(group);
-    const V3 r(group->random.Vector3(0.3)), at(group->random.Vector3(0.3));
-    const Vec3 force = group->random.Vector3(50.0);
-    const bool flies = group->model.root_answers;
+  ForEachIsland([&](RandomIsland* island) {
+    const int node = AnyDynamicNode(island), other = AnyDynamicNode(island);
+    const V3 r(island->random.Vector3(0.3)), at(island->random.Vector3(0.3));
+    const Vec3 force = island->random.Vector3(50.0);
+    const bool flies = island->model.root_answers;
     const VecX x =
-        Assembled(*group).M().llt().solve(PointJacobian(*group, node, r).transpose() * force);
-    Vec3 expected = PointJacobian(*group, other, at) * x;
-    if (flies) expected += force / group->model.mass;
+        Assembled(*island).M().llt().solve(PointJacobian(*island, node, r).transpose() * force);
+    Vec3 expected = PointJacobian(*island, other, at) * x;
+    if (flies) expected += force / island->model.mass;
     for (const bool balls : {false, true}) {
-      const RegionLayout layout(group->model, balls);
-      const NodeKinematics kinematics = MovedBy(*group, layout);
-      ArticulatedBodies articulated(group->model);
+      const RegionLayout layout(island->model, balls);
+      const NodeKinematics kinematics = MovedBy(*island, layout);
+      ArticulatedBodies articulated(island->model);
       VecX pushed(layout.num_dofs());
       articulated.Solve(layout, kinematics.motion(), pushed.data());
       articulated.Push(layout, kinematics.motion(), node, r, V3(force), pushed.data());
@@ -196,12 +197,12 @@ TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
 
 TEST(ArticulatedBodies, AnswerATorqueAboutAHingeWithAColumnOfTheInverse) {
   Worst worst("twist");
-  ForEachGroup([&](RandomGroup* group) {
-    const RegionLayout layout(group->model, /*balls=*/false);
-    const NodeKinematics kinematics = MovedBy(*group, layout);
+  ForEachIsland([&](RandomIsland* island) {
+    const RegionLayout layout(island->model, /*balls=*/false);
+    const NodeKinematics kinematics = MovedBy(*island, layout);
     const MatX inverse =
-        Assembled(*group).M().llt().solve(MatX::Identity(layout.num_dofs(), layout.num_dofs()));
-    ArticulatedBodies articulated(group->model);
+        Assembled(*island).M().llt().solve(MatX::Identity(layout.num_dofs(), layout.num_dofs()));
+    ArticulatedBodies articulated(island->model);
     VecX x(layout.num_dofs());
     articulated.Solve(layout, kinematics.motion(), x.data());
     for (int i = 0; i < layout.num_dofs(); ++i) {
@@ -214,13 +215,13 @@ TEST(ArticulatedBodies, AnswerATorqueAboutAHingeWithAColumnOfTheInverse) {
 
 // What was pushed or twisted leaves nothing behind.
 TEST(ArticulatedBodies, SolveTheSameBitsAfterAPush) {
-  ForEachGroup([&](RandomGroup* group) {
-    const RegionLayout layout(group->model, /*balls=*/true);
-    const NodeKinematics kinematics = MovedBy(*group, layout);
-    ArticulatedBodies articulated(group->model);
+  ForEachIsland([&](RandomIsland* island) {
+    const RegionLayout layout(island->model, /*balls=*/true);
+    const NodeKinematics kinematics = MovedBy(*island, layout);
+    ArticulatedBodies articulated(island->model);
     VecX first(layout.num_dofs()), x(layout.num_dofs());
     articulated.Solve(layout, kinematics.motion(), first.data());
-    articulated.Push(layout, kinematics.motion(), AnyDynamicNode(group), V3(), V3(1.0, 2.0, 3.0),
+    articulated.Push(layout, kinematics.motion(), AnyDynamicNode(island), V3(), V3(1.0, 2.0, 3.0),
                      x.data());
     articulated.Solve(layout, kinematics.motion(), x.data());
     EXPECT_EQ(x, first);

@@ -10,7 +10,7 @@
 #include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/forces/hinge_moment.h"
-#include "tests/unit/passive/random_group.h"
+#include "tests/unit/passive/random_island.h"
 
 namespace hazumi::test {
 namespace {
@@ -63,9 +63,9 @@ class DragLaw : public ForceLaw {
   }
 };
 
-Push AnyPush(const RandomGroup& group, Random* random) {
+Push AnyPush(const RandomIsland& island, Random* random) {
   const auto any = [random] { return V3(Vec3(random->Vector(3, 20.0))); };
-  const auto& nodes = group.model.nodes;
+  const auto& nodes = island.model.nodes;
   int node = static_cast<int>(nodes.size()) - 1;
   const auto goes_on = [&] { return nodes[node].body.is_massless() || random->Chance(0.5); };
   while (node > 0 && nodes[node - 1].is_dynamic && goes_on()) --node;
@@ -78,11 +78,11 @@ bool IsAtOrBeyond(const RegionModel& model, int node, int inner) {
 }
 
 // By hinge: the power of the push for a unit rate of it, what the root answers included.
-VecX VirtualPower(const RandomGroup& group, const Push& push) {
-  const RegionLayout layout(group.model, /*balls=*/false);
-  const NodeKinematics kinematics = MovedBy(group, layout);
+VecX VirtualPower(const RandomIsland& island, const Push& push) {
+  const RegionLayout layout(island.model, /*balls=*/false);
+  const NodeKinematics kinematics = MovedBy(island, layout);
   const auto& motion = kinematics.motion();
-  const RegionModel& model = group.model;
+  const RegionModel& model = island.model;
   const Vec3 F = push.force.eigen(), M = push.torque.eigen();
   const Vec3 P = (motion[push.node].p + push.r).eigen();
   VecX power = VecX::Zero(layout.num_hinges());
@@ -113,18 +113,19 @@ VecX VirtualPower(const RandomGroup& group, const Push& push) {
 }
 
 template <typename Action>
-void ForEachLawsGroup(Action&& action) {
-  int groups = 0;
+void ForEachLawsIsland(Action&& action) {
+  int islands = 0;
   for (const RootCoupling coupling :
        {RootCoupling::kPrescribed, RootCoupling::kPinned, RootCoupling::kFlight}) {
     for (uint64_t seed = 1; seed <= 40; ++seed) {
-      const auto group = RandomGroup::Of(seed, coupling);
-      if (!group || group->model.pin_node >= static_cast<int>(group->model.nodes.size())) continue;
-      ++groups;
-      action(*group, "seed " + std::to_string(seed));
+      const auto island = RandomIsland::Of(seed, coupling);
+      if (!island || island->model.pin_node >= static_cast<int>(island->model.nodes.size()))
+        continue;
+      ++islands;
+      action(*island, "seed " + std::to_string(seed));
     }
   }
-  EXPECT_GE(groups, 60);
+  EXPECT_GE(islands, 60);
 }
 
 ForceLaws With(const Push& push, bool is_outer = false) {
@@ -132,30 +133,31 @@ ForceLaws With(const Push& push, bool is_outer = false) {
 }
 
 // Each law by itself. A new one is to be added here.
-std::vector<ForceLaws> EachLaw(const RandomGroup& group, Random* random) {
-  return {With(AnyPush(group, random)),
-          With(AnyPush(group, random), /*is_outer=*/true),
+std::vector<ForceLaws> EachLaw(const RandomIsland& island, Random* random) {
+  return {With(AnyPush(island, random)),
+          With(AnyPush(island, random), /*is_outer=*/true),
           {std::make_shared<DragLaw>()},
-          FrictionAlone(VecX::Constant(group.q.size(), 2.0))};
+          FrictionAlone(VecX::Constant(island.q.size(), 2.0))};
 }
 
 // Where the pin or the CoM is, and how fast it moves.
 const PointMotion kAnchor = {Vec3(0.3, -0.2, 1.1), Vec3(-1.0, 2.0, 3.0)};
-PointMotion AnchorOf(const RandomGroup& group) {
-  if (group.model.coupling == RootCoupling::kFlight) return kAnchor;
+PointMotion AnchorOf(const RandomIsland& island) {
+  if (island.model.coupling == RootCoupling::kFlight) return kAnchor;
   return {kAnchor.p, Vec3::Zero()};
 }
 
-// A law on its way: a solver of a group, one step on. Empty where a direction moves no mass.
+// A law on its way: a solver of an island, one step on. Empty where a direction moves no mass.
 struct Solved {
-  Solved(const RandomGroup& group, ForceLaws laws)
-      : dynamics(group.model, std::move(laws), RandomGroup::kGravity), solver([&] {
-          dynamics.SetDriven(&group.driven, 0.0, 0.01);
-          const VecX none = VecX::Constant(group.q.size(), std::numeric_limits<double>::infinity());
+  Solved(const RandomIsland& island, ForceLaws laws)
+      : dynamics(island.model, std::move(laws), RandomIsland::kGravity), solver([&] {
+          dynamics.SetDriven(&island.driven, 0.0, 0.01);
+          const VecX none =
+              VecX::Constant(island.q.size(), std::numeric_limits<double>::infinity());
           return ExactSolver(&dynamics, -none, none);
         }()) {
     solver.SetTolerance(1e-10);
-    solver.Start(0.0, group.q, group.qd, AnchorOf(group));
+    solver.Start(0.0, island.q, island.qd, AnchorOf(island));
     is_solved = !solver.Advance(0.002);
   }
 
@@ -165,16 +167,16 @@ struct Solved {
 };
 
 TEST(ForceLaw, ActsByVirtualPower) {
-  ForEachLawsGroup([](const RandomGroup& group, const std::string& what) {
+  ForEachLawsIsland([](const RandomIsland& island, const std::string& what) {
     Random random(3);
-    const Push push = AnyPush(group, &random);
-    RegionDynamics plain(group.model, {}, RandomGroup::kGravity);
-    RegionDynamics pushed(group.model, With(push), RandomGroup::kGravity);
+    const Push push = AnyPush(island, &random);
+    RegionDynamics plain(island.model, {}, RandomIsland::kGravity);
+    RegionDynamics pushed(island.model, With(push), RandomIsland::kGravity);
     for (RegionDynamics* dynamics : {&plain, &pushed}) {
-      dynamics->SetDriven(&group.driven, -0.01, 0.01);
-      dynamics->AssembleHinges(0.0, group.q, group.qd);
+      dynamics->SetDriven(&island.driven, -0.01, 0.01);
+      dynamics->AssembleHinges(0.0, island.q, island.qd);
     }
-    const VecX forces = plain.b() - pushed.b(), expected = VirtualPower(group, push);
+    const VecX forces = plain.b() - pushed.b(), expected = VirtualPower(island, push);
     EXPECT_LE((forces - expected).norm(), 1e-10 * (1.0 + plain.b().norm() + expected.norm()))
         << what;
   });
@@ -182,16 +184,16 @@ TEST(ForceLaw, ActsByVirtualPower) {
 
 // Both ways of solving.
 TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
-  ForEachLawsGroup([](const RandomGroup& group, const std::string& what) {
+  ForEachLawsIsland([](const RandomIsland& island, const std::string& what) {
     Random random(4);
-    RegionDynamics dynamics(group.model, With(AnyPush(group, &random)), RandomGroup::kGravity);
-    dynamics.SetDriven(&group.driven, -0.01, 0.01);
+    RegionDynamics dynamics(island.model, With(AnyPush(island, &random)), RandomIsland::kGravity);
+    dynamics.SetDriven(&island.driven, -0.01, 0.01);
     const RegionLayout& layout = dynamics.layout();
     if (layout.num_positions() != layout.num_dofs()) return;  // balls have no angles to compare
     VecX y(layout.state_size()), dy(y.size());
-    layout.Pack(group.q, group.qd, y.data());
+    layout.Pack(island.q, island.qd, y.data());
     dynamics.Derivative(0.0, y.data(), dy.data());
-    dynamics.AssembleHinges(0.0, group.q, group.qd);
+    dynamics.AssembleHinges(0.0, island.q, island.qd);
     const VecX expected = dynamics.M().llt().solve(-dynamics.b());
     EXPECT_LE((dy.tail(layout.num_dofs()) - expected).norm(), 1e-8 * (1.0 + expected.norm()))
         << what;
@@ -199,10 +201,11 @@ TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
 }
 
 // By Gauss's formula over one step of the solver.
-void ExpectPowerIsEnergy(const RandomGroup& group, const ForceLaws& laws, const std::string& what) {
+void ExpectPowerIsEnergy(const RandomIsland& island, const ForceLaws& laws,
+                         const std::string& what) {
   constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
   constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
-  Solved solved(group, laws);
+  Solved solved(island, laws);
   if (!solved.is_solved) return;
   ExactSolver& solver = solved.solver;
   const double end = solver.time(), half = 0.5 * end;
@@ -222,9 +225,9 @@ void ExpectPowerIsEnergy(const RandomGroup& group, const ForceLaws& laws, const 
 }
 
 TEST(ForceLaw, ItsPowerIsTheEnergyThatComesIn) {
-  ForEachLawsGroup([&](const RandomGroup& group, const std::string& what) {
+  ForEachLawsIsland([&](const RandomIsland& island, const std::string& what) {
     Random random(5);
-    for (const ForceLaws& laws : EachLaw(group, &random)) ExpectPowerIsEnergy(group, laws, what);
+    for (const ForceLaws& laws : EachLaw(island, &random)) ExpectPowerIsEnergy(island, laws, what);
   });
 }
 
@@ -254,9 +257,9 @@ class Witness : public ForceLaw {
 
 // Their velocities are how their places change, on moving bases, pins and in flight.
 TEST(ForceLaw, IsToldWherePointsAreAndHowTheyMove) {
-  ForEachLawsGroup([&](const RandomGroup& group, const std::string& what) {
+  ForEachLawsIsland([&](const RandomIsland& island, const std::string& what) {
     Witness::Seen seen;
-    Solved solved(group, {std::make_shared<Witness>(&seen)});
+    Solved solved(island, {std::make_shared<Witness>(&seen)});
     if (!solved.is_solved) return;
     const double middle = 0.5 * solved.solver.time(), h = 1e-3 * middle;
     const auto at = [&](double t) {
@@ -276,15 +279,15 @@ TEST(ForceLaw, IsToldWherePointsAreAndHowTheyMove) {
 TEST(ForceLaw, FromOutsidePushesAFigureOffItsParabola) {
   int figures = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
-    const auto group = RandomGroup::Of(seed, RootCoupling::kFlight);
-    if (!group) continue;
-    Solved solved(*group, {std::make_shared<DragLaw>()});
+    const auto island = RandomIsland::Of(seed, RootCoupling::kFlight);
+    if (!island) continue;
+    Solved solved(*island, {std::make_shared<DragLaw>()});
     ExactSolver& solver = solved.solver;
     while (solved.is_solved && solver.time() < 0.2) solved.is_solved = !solver.Advance(0.2);
     if (!solved.is_solved) continue;
     ++figures;
     const double c = DragLaw::kRate, left = std::exp(-c * 0.2);
-    const Vec3 u = DragLaw::kWind - RandomGroup::kGravity / c * Vec3::UnitZ();
+    const Vec3 u = DragLaw::kWind - RandomIsland::kGravity / c * Vec3::UnitZ();
     VecX q, qd;
     solver.Sample(0.2, &q, &qd);
     const PointMotion fall = solver.SampledAnchor();

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/passive/random_group.h"
+#include "tests/unit/passive/random_island.h"
 
 namespace hazumi::test {
 namespace {
@@ -66,21 +66,21 @@ TEST(MovingBase, IsTheChainToRoundingHoweverFastItMoves) {
 TEST(MovingBase, IsTheChainOfARandomTree) {
   int moved = 0;
   for (uint64_t seed = 1; seed <= 60; ++seed) {
-    const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
-    if (!group) continue;
-    RegionDynamics dynamics(group->model, ForceLaws(), RandomGroup::kGravity);
-    dynamics.SetCurves(&group->driven, -0.05);
+    const auto island = RandomIsland::Of(seed, RootCoupling::kPrescribed);
+    if (!island) continue;
+    RegionDynamics dynamics(island->model, ForceLaws(), RandomIsland::kGravity);
+    dynamics.SetCurves(&island->driven, -0.05);
     if (!dynamics.needs_moving_base()) continue;
     ++moved;
     const auto moving_base = dynamics.FitMovingBase(-0.05, 0.25);
-    const RegionLayout layout(group->model, /*balls=*/true);
-    NodeKinematics chain(group->model);
-    const int first = dynamics.first_moved(), carrier = group->model.nodes[first].parent;
+    const RegionLayout layout(island->model, /*balls=*/true);
+    NodeKinematics chain(island->model);
+    const int first = dynamics.first_moved(), carrier = island->model.nodes[first].parent;
     for (double t = -0.05; t <= 0.25; t += 0.01) {
-      chain.Move(layout, group->driven, t, nullptr, nullptr, 0, first);
+      chain.Move(layout, island->driven, t, nullptr, nullptr, 0, first);
       const NodeMotion& own = chain.motion()[carrier];
-      const auto& root = group->driven.root_position;
-      const V3 base(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd + RandomGroup::kGravity);
+      const auto& root = island->driven.root_position;
+      const V3 base(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd + RandomIsland::kGravity);
       const Frame expected = {own.R, own.w, own.alpha, own.a + base};
       const double size = Size(own.w) + Size(own.alpha) + Size(own.a);
       EXPECT_LE(Difference(moving_base->At(t), expected, size), 1e-8) << "seed " << seed;
@@ -155,19 +155,19 @@ TEST(MovingBase, EndsWhereTheChainGivesNoNumbers) {
 TEST(MovingBase, IsTheSameSharedAsMadeTwice) {
   int shared = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
-    const auto group = RandomGroup::Of(seed, RootCoupling::kPrescribed);
-    if (!group) continue;
-    RegionDynamics own(group->model, ForceLaws(), RandomGroup::kGravity);
-    RegionDynamics other(group->model, ForceLaws(), RandomGroup::kGravity);
-    own.SetDriven(&group->driven, -0.05, 0.05);
-    other.SetCurves(&group->driven, -0.05);
+    const auto island = RandomIsland::Of(seed, RootCoupling::kPrescribed);
+    if (!island) continue;
+    RegionDynamics own(island->model, ForceLaws(), RandomIsland::kGravity);
+    RegionDynamics other(island->model, ForceLaws(), RandomIsland::kGravity);
+    own.SetDriven(&island->driven, -0.05, 0.05);
+    other.SetCurves(&island->driven, -0.05);
     if (!other.needs_moving_base()) continue;
     ++shared;
-    RegionDynamics third(group->model, ForceLaws(), RandomGroup::kGravity);
-    third.SetCurves(&group->driven, -0.05);
+    RegionDynamics third(island->model, ForceLaws(), RandomIsland::kGravity);
+    third.SetCurves(&island->driven, -0.05);
     other.UseMovingBase(third.FitMovingBase(-0.05, 0.05));
     VecX y(own.layout().state_size()), dy(y.size()), other_dy(y.size());
-    own.layout().Pack(group->q, group->qd, y.data());
+    own.layout().Pack(island->q, island->qd, y.data());
     own.Derivative(0.0123, y.data(), dy.data());
     other.Derivative(0.0123, y.data(), other_dy.data());
     EXPECT_EQ(dy, other_dy) << "seed " << seed;

@@ -26,7 +26,7 @@ VecX WholeFigureAccelerations(const ModelCase& c) {
   return all;
 }
 
-// Of all models together, so that "relative" means the same for a small group and a large one.
+// Of all models together, so that "relative" means the same for a small island and a large one.
 struct Joined {
   explicit Joined(const ModelCase& c) {
     for (RegionDynamics& dynamics : c.Models()) {
@@ -158,7 +158,7 @@ TEST(RegionDynamics, FrictionSlowsHingesAndTheFreeRootAnswers) {
   }
 }
 
-// The figure flies, pushed on its pin: what large groups are solved by.
+// The figure flies, pushed on its pin: what large islands are solved by.
 TEST(RegionDynamics, SolvesAGroupOnAPinByArticulatedBodiesAsTheDenseWay) {
   Worst worst("on a pin, by articulated bodies");
   int answering = 0;

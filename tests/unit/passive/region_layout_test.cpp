@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/unit/passive/random_group.h"
+#include "tests/unit/passive/random_island.h"
 
 namespace hazumi::test {
 namespace {
@@ -86,20 +86,20 @@ TEST(RegionLayout, WithoutBallsAStateIsTheAnglesAndRates) {
 TEST(RegionLayout, GivesBackTheAnglesAndRatesThatItTook) {
   int balls = 0;
   for (uint64_t seed = 1; seed <= 200; ++seed) {
-    const auto group = RandomGroup::Of(seed, RootCoupling::kFlight);
-    if (!group) continue;
-    RegionLayout layout(group->model, /*balls=*/true);
+    const auto island = RandomIsland::Of(seed, RootCoupling::kFlight);
+    if (!island) continue;
+    RegionLayout layout(island->model, /*balls=*/true);
     balls += layout.num_positions() - layout.num_dofs();
     std::vector<char> locked;
-    for (double& rate : group->qd) {
-      locked.push_back(seed % 2 == 1 && group->random.Chance(0.2));
+    for (double& rate : island->qd) {
+      locked.push_back(seed % 2 == 1 && island->random.Chance(0.2));
       if (locked.back()) rate = 0.0;
     }
-    layout.SetLocked(locked, group->q);
-    const VecX near = group->q + group->random.Vector(layout.num_hinges(), 0.1);
-    const State back = Unpacked(layout, Packed(layout, {group->q, group->qd}), near);
-    EXPECT_LE((back.q - group->q).lpNorm<Eigen::Infinity>(), 1e-13) << "seed " << seed;
-    EXPECT_LE((back.qd - group->qd).lpNorm<Eigen::Infinity>(), 1e-12) << "seed " << seed;
+    layout.SetLocked(locked, island->q);
+    const VecX near = island->q + island->random.Vector(layout.num_hinges(), 0.1);
+    const State back = Unpacked(layout, Packed(layout, {island->q, island->qd}), near);
+    EXPECT_LE((back.q - island->q).lpNorm<Eigen::Infinity>(), 1e-13) << "seed " << seed;
+    EXPECT_LE((back.qd - island->qd).lpNorm<Eigen::Infinity>(), 1e-12) << "seed " << seed;
   }
   EXPECT_GT(balls, 50);
 }

@@ -1,4 +1,4 @@
-// What a region model consists of: groups, bodies, balls, locks, impacts.
+// What a region model consists of: islands, bodies, balls, locks, impacts.
 
 #include "engine/passive/region_model.h"
 
@@ -21,7 +21,7 @@ ModelRequest AllConstant(const Figure& figure, RootCoupling coupling) {
   return request;
 }
 
-// All hinges of the groups whose name begins so.
+// All hinges of the islands whose name begins so.
 void Assign(const Figure& figure, const std::vector<const char*>& prefixes, Role role,
             ModelRequest* request) {
   for (int j = 0; j < figure.num_joints(); ++j) {

@@ -1,4 +1,4 @@
-// What stops do to a large group, found from those at a stop alone, against the dense way.
+// What stops do to a large island, found from those at a stop alone, against the dense way.
 
 #include "engine/passive/exact/stop_forces.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kForceTolerance = 1e-8;
 
-// One group of a random model, some of whose hinges are at stops.
+// One island of a random model, some of whose hinges are at stops.
 struct Stopped {
   Stopped(const ModelCase& c, const RegionDynamics& dynamics, uint64_t seed)
       : t(c.t), q(Gather(dynamics, c.q)), qd(Gather(dynamics, c.qd)) {

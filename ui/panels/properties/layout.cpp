@@ -93,7 +93,7 @@ std::optional<size_t> ShownRegion(const Project& project, ItemId chosen, double 
 std::string ModelText(const RegionReport& report) {
   std::string text = WithNumbers(Tr("# of # joints"), {report.free_joints, report.all_joints});
   std::map<int, int, std::greater<>> counts;  // of groups, by their size
-  for (const int size : report.groups) ++counts[size];
+  for (const int size : report.islands) ++counts[size];
   for (const auto& [size, count] : counts) {
     text += ", " + WithNumbers(Tr(count == 1 ? "# group of #" : "# groups of #"), {count, size});
   }

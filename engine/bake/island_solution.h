@@ -6,33 +6,33 @@
 #include <utility>
 #include <vector>
 
-#include "engine/bake/group_answers.h"
+#include "engine/bake/island_answers.h"
 #include "engine/bake/rotation_state.h"
 
 namespace hazumi {
 
-// What all solutions of a group share.
-struct SharedGroup {
-  explicit SharedGroup(GroupTask group_task);
+// What all solutions of an island share.
+struct SharedIsland {
+  explicit SharedIsland(IslandTask island_task);
 
-  GroupTask task;
+  IslandTask task;
   std::vector<Coordinate> hinges;          // free ones
   std::optional<RegionLayout> with_balls;  // where there are any; nothing locked
 };
 
-// The motion of one group, as it answers for it (GroupAnswers).
-class GroupSolution {
+// The motion of one island, as it answers for it (IslandAnswers).
+class IslandSolution {
  public:
   // `moving_bases` must outlive it. `step_tolerance`: error of one step [rad].
-  GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
-                MovingBaseCache* moving_bases);
+  IslandSolution(std::shared_ptr<const SharedIsland> island, double step_tolerance,
+                 MovingBaseCache* moving_bases);
 
   // Whether the fall of the centre of mass is solved along, and sampled as the state's anchor.
   bool solves_fall() const {
-    return model().coupling == RootCoupling::kFlight && ActsFromOutside(group_->task.forces);
+    return model().coupling == RootCoupling::kFlight && ActsFromOutside(island_->task.forces);
   }
-  const RegionModel& model() const { return group_->task.model; }
-  const std::vector<Coordinate>& hinges() const { return group_->hinges; }
+  const RegionModel& model() const { return island_->task.model; }
+  const std::vector<Coordinate>& hinges() const { return island_->hinges; }
   double step_tolerance() const { return step_tolerance_; }
 
   // Begins at t, with curves (CurvesOf) that are smooth up to `end`. `known`: logs of earlier
@@ -71,24 +71,24 @@ class GroupSolution {
   long steps() const { return answers_.steps(); }
   // It took to solve [us], whenever that was.
   double microseconds() const { return microseconds_; }
-  std::shared_ptr<const GroupLog> log() const { return answers_.log(); }
+  std::shared_ptr<const IslandLog> log() const { return answers_.log(); }
 
  private:
-  void TakeProgress(const GroupProgress& progress);
-  void TakeAhead(const GroupResult& result);
+  void TakeProgress(const IslandProgress& progress);
+  void TakeAhead(const IslandResult& result);
   std::optional<size_t> AheadAt(double t) const;
-  void Scatter(const GroupSamples& samples, size_t index, RotationState* state) const;
+  void Scatter(const IslandSamples& samples, size_t index, RotationState* state) const;
 
-  std::shared_ptr<const SharedGroup> group_;
+  std::shared_ptr<const SharedIsland> island_;
   double step_tolerance_;
-  GroupAnswers answers_;
+  IslandAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<StopHit> hits_;
   // What was looked ahead to, null if nothing was, and the samples there.
   double ahead_end_ = 0.0;
   std::shared_ptr<const std::vector<double>> times_;
-  GroupSamples samples_;
+  IslandSamples samples_;
   double microseconds_ = 0.0;
 };
 

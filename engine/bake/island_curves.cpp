@@ -1,4 +1,4 @@
-#include "engine/bake/group_curves.h"
+#include "engine/bake/island_curves.h"
 
 #include <utility>
 

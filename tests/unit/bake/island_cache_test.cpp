@@ -1,4 +1,4 @@
-// What a group was asked and answered once is not solved again, unless anything has changed.
+// What an island was asked and answered once is not solved again, unless anything has changed.
 
 #include <gtest/gtest.h>
 
@@ -7,16 +7,16 @@
 #include <limits>
 #include <utility>
 
-#include "engine/bake/group_curves.h"
-#include "engine/bake/group_solution.h"
-#include "tests/unit/passive/random_group.h"
+#include "engine/bake/island_curves.h"
+#include "engine/bake/island_solution.h"
+#include "tests/unit/passive/random_island.h"
 
 namespace hazumi::test {
 namespace {
 
-// A group and what it is asked first.
+// an island and what it is asked first.
 struct Case {
-  GroupTask task;
+  IslandTask task;
   double step_tolerance = 1e-8;
   RotationState state;
   DrivenMotion driven;
@@ -24,21 +24,21 @@ struct Case {
 };
 
 Case AnyCase(uint64_t seed, RootCoupling coupling) {
-  auto group = RandomGroup::Of(seed, coupling);
-  while (!group) group = RandomGroup::Of(seed += 1000, coupling);  // nothing was free
-  const RegionLayout layout(group->model, /*balls=*/true);
-  const int k = layout.num_hinges(), n = static_cast<int>(group->driven.angles.size());
-  Case c{{group->model,
-          group->q.array() - 0.2,
-          group->q.array() + 0.2,
+  auto island = RandomIsland::Of(seed, coupling);
+  while (!island) island = RandomIsland::Of(seed += 1000, coupling);  // nothing was free
+  const RegionLayout layout(island->model, /*balls=*/true);
+  const int k = layout.num_hinges(), n = static_cast<int>(island->driven.angles.size());
+  Case c{{island->model,
+          island->q.array() - 0.2,
+          island->q.array() + 0.2,
           {RetentionSpec{VecX::Constant(k, 0.5)}},
-          RandomGroup::kGravity},
+          RandomIsland::kGravity},
          1e-8,
          {VecX::Zero(n), VecX::Zero(n), {}},
-         group->driven};
+         island->driven};
   for (int i = 0; i < k; ++i) {
-    c.state.q[layout.hinges()[i].coordinate] = group->q[i];
-    c.state.qd[layout.hinges()[i].coordinate] = group->qd[i];
+    c.state.q[layout.hinges()[i].coordinate] = island->q[i];
+    c.state.qd[layout.hinges()[i].coordinate] = island->qd[i];
   }
   return c;
 }
@@ -57,15 +57,15 @@ Case CarriedCase() {
   }
 }
 
-GroupSolution SolutionOf(const Case& c, MovingBaseCache* moving_bases) {
-  return {std::make_shared<const SharedGroup>(c.task), c.step_tolerance, moving_bases};
+IslandSolution SolutionOf(const Case& c, MovingBaseCache* moving_bases) {
+  return {std::make_shared<const SharedIsland>(c.task), c.step_tolerance, moving_bases};
 }
 
-void Begin(const Case& c, const KnownLogs* known, GroupSolution* solution) {
+void Begin(const Case& c, const KnownLogs* known, IslandSolution* solution) {
   solution->Begin(c.t, c.end, c.state, CurvesOf(c.task.model, c.driven), known);
 }
 
-using Log = std::shared_ptr<const GroupLog>;
+using Log = std::shared_ptr<const IslandLog>;
 
 struct Answers {
   std::vector<VecX> samples;  // angles, then rates
@@ -73,7 +73,7 @@ struct Answers {
   Log log;
 };
 
-VecX SampleAt(double t, const Case& c, GroupSolution* solution) {
+VecX SampleAt(double t, const Case& c, IslandSolution* solution) {
   RotationState state = c.state;
   solution->Sample(t, &state);
   VecX sample(2 * state.q.size());
@@ -84,7 +84,7 @@ VecX SampleAt(double t, const Case& c, GroupSolution* solution) {
 // Step by step: two samples inside each of so many steps, then one on other curves.
 Answers Walk(const Case& c, const KnownLogs* known, int steps = 4) {
   MovingBaseCache moving_bases;
-  GroupSolution solution = SolutionOf(c, &moving_bases);
+  IslandSolution solution = SolutionOf(c, &moving_bases);
   Answers answers;
   const auto sample = [&](double t) { answers.samples.push_back(SampleAt(t, c, &solution)); };
   Begin(c, known, &solution);
@@ -105,11 +105,11 @@ Answers Walk(const Case& c, const KnownLogs* known, int steps = 4) {
 
 KnownLogs Knowing(const Log& log) {
   KnownLogs known;
-  known.Add(GroupLogs{log});
+  known.Add(IslandLogs{log});
   return known;
 }
 
-TEST(GroupSolution, AskedTheSameAgainAnswersTheSameBitsWithoutSolving) {
+TEST(IslandSolution, AskedTheSameAgainAnswersTheSameBitsWithoutSolving) {
   for (const RootCoupling coupling : {RootCoupling::kPrescribed, RootCoupling::kFlight}) {
     for (const uint64_t seed : {1, 2, 3, 4}) {
       const Case c = AnyCase(seed, coupling);
@@ -126,18 +126,18 @@ TEST(GroupSolution, AskedTheSameAgainAnswersTheSameBitsWithoutSolving) {
 }
 
 // The log is believed: an answer that was tampered with comes back.
-TEST(GroupSolution, TakesItsAnswersFromTheLog) {
+TEST(IslandSolution, TakesItsAnswersFromTheLog) {
   const Case c = CarriedCase();
   const KnownLogs nothing;
-  auto log = std::make_shared<GroupLog>(*Walk(c, &nothing).log);
-  GroupCall& sample = (*log)[2];
-  ASSERT_TRUE(std::holds_alternative<SampleGroup>(sample.request));
+  auto log = std::make_shared<IslandLog>(*Walk(c, &nothing).log);
+  IslandCall& sample = (*log)[2];
+  ASSERT_TRUE(std::holds_alternative<SampleIsland>(sample.request));
   sample.result.samples.hinges[0] = 12345.0;
   const KnownLogs known = Knowing(log);
   EXPECT_EQ(Walk(c, &known).samples[0].maxCoeff(), 12345.0);
 }
 
-TEST(GroupSolution, SolvesWhatWasAskedOnceItIsAskedSomethingElse) {
+TEST(IslandSolution, SolvesWhatWasAskedOnceItIsAskedSomethingElse) {
   const Case c = CarriedCase();
   const KnownLogs nothing;
   const Answers longer = Walk(c, &nothing, 4), shorter = Walk(c, &nothing, 2);
@@ -152,7 +152,7 @@ TEST(GroupSolution, SolvesWhatWasAskedOnceItIsAskedSomethingElse) {
   }
 }
 
-TEST(GroupSolution, KeepsNoLogUnlessThereAreKnownOnes) {
+TEST(IslandSolution, KeepsNoLogUnlessThereAreKnownOnes) {
   const Case c = CarriedCase();
   const KnownLogs nothing;
   EXPECT_GT(Walk(c, &nothing).log->size(), 10u);
@@ -160,12 +160,12 @@ TEST(GroupSolution, KeepsNoLogUnlessThereAreKnownOnes) {
   EXPECT_EQ(Walk(c, nullptr).samples, Walk(c, &nothing).samples);
 }
 
-TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
+TEST(IslandSolution, LooksAheadWithoutSolvingWhereALogKnows) {
   const Case c = CarriedCase();
   const std::vector<double> times = {0.02, 0.05, c.end};
   MovingBaseCache moving_bases;
   const auto look = [&](const KnownLogs& known, bool is_known, double until) {
-    GroupSolution solution = SolutionOf(c, &moving_bases);
+    IslandSolution solution = SolutionOf(c, &moving_bases);
     Begin(c, &known, &solution);
     const std::vector<double> ahead = {0.02, until, c.end};
     EXPECT_EQ(solution.LookAhead(std::make_shared<const std::vector<double>>(ahead), c.end),
@@ -185,7 +185,7 @@ TEST(GroupSolution, LooksAheadWithoutSolvingWhereALogKnows) {
 // Whether a case is begun with the question of another one.
 bool IsKnown(const Case& c, const KnownLogs& known, const Log& log) {
   MovingBaseCache moving_bases;
-  GroupSolution solution = SolutionOf(c, &moving_bases);
+  IslandSolution solution = SolutionOf(c, &moving_bases);
   Begin(c, &known, &solution);
   return solution.log() == log;
 }
@@ -274,13 +274,13 @@ void ExpectUnknown(const std::vector<Change>& changes) {
   }
 }
 
-TEST(GroupSolution, SolvesAnewWhenAnyMemberOfItsTaskOrModelChanges) {
+TEST(IslandSolution, SolvesAnewWhenAnyMemberOfItsTaskOrModelChanges) {
   ExpectUnknown(TaskChanges());
 }
 
-TEST(GroupSolution, SolvesAnewWhenItsStateTimesOrCurvesChange) { ExpectUnknown(MotionChanges()); }
+TEST(IslandSolution, SolvesAnewWhenItsStateTimesOrCurvesChange) { ExpectUnknown(MotionChanges()); }
 
-TEST(GroupSolution, IsNotSolvedAnewForWhatItDoesNotRead) {
+TEST(IslandSolution, IsNotSolvedAnewForWhatItDoesNotRead) {
   Case c = CarriedCase();
   const KnownLogs nothing;
   const Log log = Walk(c, &nothing).log;

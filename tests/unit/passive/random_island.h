@@ -8,11 +8,11 @@
 
 namespace hazumi::test {
 
-// One group of free joints of a random tree at t = 0, some of whose other joints are driven. Pinned
-// by any joint. In flight its root turns freely, is driven or constant.
-struct RandomGroup {
+// One island of free joints of a random tree at t = 0, some of whose other joints are driven.
+// Pinned by any joint. In flight its root turns freely, is driven or constant.
+struct RandomIsland {
   // Null where nothing is free.
-  static std::unique_ptr<RandomGroup> Of(uint64_t seed, RootCoupling coupling);
+  static std::unique_ptr<RandomIsland> Of(uint64_t seed, RootCoupling coupling);
 
   static constexpr double kGravity = 9.81;
 
@@ -23,9 +23,9 @@ struct RandomGroup {
 };
 
 // Its nodes, moved as a layout says, with their forces and inertias.
-NodeKinematics MovedBy(const RandomGroup& group, const RegionLayout& layout);
+NodeKinematics MovedBy(const RandomIsland& island, const RegionLayout& layout);
 
 // M and b in the coordinates of all free hinges, by the dense equations.
-RegionDynamics Assembled(const RandomGroup& group);
+RegionDynamics Assembled(const RandomIsland& island);
 
 }  // namespace hazumi::test

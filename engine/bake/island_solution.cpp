@@ -1,13 +1,13 @@
-#include "engine/bake/group_solution.h"
+#include "engine/bake/island_solution.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "engine/bake/group_curves.h"
+#include "engine/bake/island_curves.h"
 
 namespace hazumi {
 
-SharedGroup::SharedGroup(GroupTask group_task) : task(std::move(group_task)) {
+SharedIsland::SharedIsland(IslandTask island_task) : task(std::move(island_task)) {
   hinges.reserve(static_cast<size_t>(task.model.num_free));
   bool any_ball = false;
   for (const ModelNode& node : task.model.nodes) {
@@ -18,17 +18,17 @@ SharedGroup::SharedGroup(GroupTask group_task) : task(std::move(group_task)) {
   if (any_ball) with_balls.emplace(task.model, /*balls=*/true);
 }
 
-GroupSolution::GroupSolution(std::shared_ptr<const SharedGroup> group, double step_tolerance,
-                             MovingBaseCache* moving_bases)
-    : group_(std::move(group)),
+IslandSolution::IslandSolution(std::shared_ptr<const SharedIsland> island, double step_tolerance,
+                               MovingBaseCache* moving_bases)
+    : island_(std::move(island)),
       step_tolerance_(step_tolerance),
-      answers_({group_, &group_->task}, moving_bases) {}
+      answers_({island_, &island_->task}, moving_bases) {}
 
-void GroupSolution::Begin(double t, double end, const RotationState& state,
-                          std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known) {
+void IslandSolution::Begin(double t, double end, const RotationState& state,
+                           std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known) {
   const auto k = static_cast<Eigen::Index>(hinges().size());
-  const GroupTask& task = group_->task;
-  BeginGroup request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {group_, &task}};
+  const IslandTask& task = island_->task;
+  BeginIsland request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {island_, &task}};
   if (ActsFromOutside(task.forces)) request.anchor = state.anchor;
   for (Eigen::Index i = 0; i < k; ++i) {
     request.q[i] = state.q[hinges()[i]];
@@ -38,34 +38,34 @@ void GroupSolution::Begin(double t, double end, const RotationState& state,
   time_ = step_start_ = t;
 }
 
-void GroupSolution::Drive(double t, double end, std::shared_ptr<const DrivenMotion> curves) {
+void IslandSolution::Drive(double t, double end, std::shared_ptr<const DrivenMotion> curves) {
   times_.reset();
-  answers_.Tell(DriveGroup{t, end, std::move(curves)});
+  answers_.Tell(DriveIsland{t, end, std::move(curves)});
 }
 
-void GroupSolution::FeelPin(const Vec3& v_pin) { answers_.Tell(StopPin{v_pin}); }
+void IslandSolution::FeelPin(const Vec3& v_pin) { answers_.Tell(StopPin{v_pin}); }
 
-void GroupSolution::Advance(double t, double end) {
+void IslandSolution::Advance(double t, double end) {
   if (time_ > t || time_ >= end) return;
   times_.reset();
-  TakeProgress(answers_.Ask(AdvanceGroup{t, end}).progress);
+  TakeProgress(answers_.Ask(AdvanceIsland{t, end}).progress);
 }
 
-bool GroupSolution::LookAhead(std::shared_ptr<const std::vector<double>> times, double end) {
+bool IslandSolution::LookAhead(std::shared_ptr<const std::vector<double>> times, double end) {
   times_ = std::move(times);
   ahead_end_ = end;
-  SolveGroup request = {end, times_};
+  SolveIsland request = {end, times_};
   if (!answers_.IsKnown(request)) return false;
   TakeAhead(answers_.Ask(std::move(request)));
   return true;
 }
 
-void GroupSolution::SolveAhead(const std::atomic<bool>* cancel) {
+void IslandSolution::SolveAhead(const std::atomic<bool>* cancel) {
   answers_.SetCancel(cancel);
-  TakeAhead(answers_.Ask(SolveGroup{ahead_end_, times_}));
+  TakeAhead(answers_.Ask(SolveIsland{ahead_end_, times_}));
 }
 
-void GroupSolution::TakeProgress(const GroupProgress& progress) {
+void IslandSolution::TakeProgress(const IslandProgress& progress) {
   time_ = progress.time;
   step_start_ = progress.step_start;
   microseconds_ += progress.microseconds;
@@ -73,18 +73,18 @@ void GroupSolution::TakeProgress(const GroupProgress& progress) {
   if (progress.failure) failure_ = progress.failure;
 }
 
-void GroupSolution::TakeAhead(const GroupResult& result) {
+void IslandSolution::TakeAhead(const IslandResult& result) {
   TakeProgress(result.progress);
   samples_ = result.samples;
 }
 
-void GroupSolution::Sample(double t, RotationState* state) {
+void IslandSolution::Sample(double t, RotationState* state) {
   if (const auto ahead = AheadAt(t)) return Scatter(samples_, *ahead, state);
-  Scatter(answers_.Ask(SampleGroup{t}).samples, 0, state);
+  Scatter(answers_.Ask(SampleIsland{t}).samples, 0, state);
 }
 
 // Which of the samples is of this time, if it was looked ahead to.
-std::optional<size_t> GroupSolution::AheadAt(double t) const {
+std::optional<size_t> IslandSolution::AheadAt(double t) const {
   if (!times_) return std::nullopt;
   const auto ahead = std::lower_bound(times_->begin(), times_->end(), t);
   const auto index = static_cast<size_t>(ahead - times_->begin());
@@ -93,7 +93,8 @@ std::optional<size_t> GroupSolution::AheadAt(double t) const {
   return is_there ? std::optional(index) : std::nullopt;
 }
 
-void GroupSolution::Scatter(const GroupSamples& samples, size_t index, RotationState* state) const {
+void IslandSolution::Scatter(const IslandSamples& samples, size_t index,
+                             RotationState* state) const {
   const int k = static_cast<int>(hinges().size());
   const double* sample = samples.hinges.data() + 2 * hinges().size() * index;
   for (int i = 0; i < k; ++i) {
@@ -103,18 +104,18 @@ void GroupSolution::Scatter(const GroupSamples& samples, size_t index, RotationS
   if (!samples.falls.empty()) state->anchor = samples.falls[index];
 }
 
-VecX GroupSolution::Distances(const RotationState& a, const RotationState& b) const {
+VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) const {
   const int k = static_cast<int>(hinges().size());
   VecX q(k), other(k), distances(k);
   for (int i = 0; i < k; ++i) {
     q[i] = a.q[hinges()[i]];
     other[i] = b.q[hinges()[i]];
   }
-  if (!group_->with_balls) return (q - other).cwiseAbs();
-  group_->with_balls->Distances(q, other, &distances);
+  if (!island_->with_balls) return (q - other).cwiseAbs();
+  island_->with_balls->Distances(q, other, &distances);
   return distances;
 }
 
-EnergyFlow GroupSolution::Energy(double t) { return answers_.Ask(MeasureGroup{t}).energy; }
+EnergyFlow IslandSolution::Energy(double t) { return answers_.Ask(MeasureIsland{t}).energy; }
 
 }  // namespace hazumi

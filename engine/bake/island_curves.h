@@ -7,7 +7,7 @@
 namespace hazumi {
 
 // A model whose driven hinges have as coordinates numbers from 0 on, in order of its nodes: there
-// may be as many groups as joints, and each reads few curves.
+// may be as many islands as joints, and each reads few curves.
 RegionModel WithOwnCurves(RegionModel model);
 
 // The curves that a model reads, by those numbers; `driven` by the Coordinates of the figure. Where

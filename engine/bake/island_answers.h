@@ -3,55 +3,55 @@
 #include <atomic>
 #include <memory>
 
-#include "engine/bake/group_request.h"
+#include "engine/bake/island_request.h"
 #include "engine/bake/known_logs.h"
 #include "engine/bake/moving_base_cache.h"
 
 namespace hazumi {
 
-class GroupRun;
+class IslandRun;
 
-// What a group answers to its requests.
+// What an island answers to its requests.
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
 // nothing; at the first other request it does all that was asked up to then. A request that gives
 // no result (Begin, Drive, StopPin) waits until one comes that does.
-class GroupAnswers {
+class IslandAnswers {
  public:
   // `moving_bases` must outlive it.
-  GroupAnswers(std::shared_ptr<const GroupTask> task, MovingBaseCache* moving_bases);
-  GroupAnswers(GroupAnswers&&) noexcept;
-  GroupAnswers& operator=(GroupAnswers&&) noexcept;
-  ~GroupAnswers();
+  IslandAnswers(std::shared_ptr<const IslandTask> task, MovingBaseCache* moving_bases);
+  IslandAnswers(IslandAnswers&&) noexcept;
+  IslandAnswers& operator=(IslandAnswers&&) noexcept;
+  ~IslandAnswers();
 
   // The first request. `known`: logs of earlier bakes; null: it keeps none itself.
-  void Begin(BeginGroup request, const KnownLogs* known);
+  void Begin(BeginIsland request, const KnownLogs* known);
   // One that gives no result.
-  void Tell(GroupRequest request);
+  void Tell(IslandRequest request);
   // The result stays until the next request.
-  const GroupResult& Ask(GroupRequest request);
+  const IslandResult& Ask(IslandRequest request);
   // Whether a known log tells the answer.
-  bool IsKnown(const GroupRequest& request) const;
+  bool IsKnown(const IslandRequest& request) const;
   // It gives up where this is set, from now on.
   void SetCancel(const std::atomic<bool>* cancel) { cancel_ = cancel; }
 
   // That the results so far took.
   long evaluations() const { return evaluations_; }
   long steps() const { return steps_; }
-  std::shared_ptr<const GroupLog> log() const { return own_ ? own_ : known_; }
+  std::shared_ptr<const IslandLog> log() const { return own_ ? own_ : known_; }
 
  private:
   void DoWhatWasAsked();
 
-  std::shared_ptr<const GroupTask> task_;
+  std::shared_ptr<const IslandTask> task_;
   MovingBaseCache* moving_bases_;
   const std::atomic<bool>* cancel_ = nullptr;
-  std::shared_ptr<const GroupLog> known_;  // answers as long as own_ is null
-  std::shared_ptr<GroupLog> own_;
+  std::shared_ptr<const IslandLog> known_;  // answers as long as own_ is null
+  std::shared_ptr<IslandLog> own_;
   bool keeps_log_ = true;
   size_t num_calls_ = 0;
-  std::unique_ptr<GroupRun> run_;  // null as long as nothing is solved
-  size_t num_done_ = 0;            // of own_
+  std::unique_ptr<IslandRun> run_;  // null as long as nothing is solved
+  size_t num_done_ = 0;             // of own_
   long evaluations_ = 0, steps_ = 0;
 };
 

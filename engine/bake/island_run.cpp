@@ -1,10 +1,10 @@
-#include "engine/bake/group_run.h"
+#include "engine/bake/island_run.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "engine/bake/group_curves.h"
+#include "engine/bake/island_curves.h"
 
 namespace hazumi {
 
@@ -22,7 +22,7 @@ double MicrosecondsSince(Clock::time_point start) {
 
 }  // namespace
 
-GroupRun::GroupRun(const GroupTask& task, MovingBaseCache* moving_bases)
+IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
     : gravity_(task.gravity),
       moving_bases_(moving_bases),
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity),
@@ -32,30 +32,30 @@ GroupRun::GroupRun(const GroupTask& task, MovingBaseCache* moving_bases)
   }
 }
 
-GroupResult GroupRun::Do(const GroupRequest& request, const std::atomic<bool>* cancel) {
+IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>* cancel) {
   cancel_ = cancel;
   return std::visit([this](const auto& of_a_kind) { return Do(of_a_kind); }, request);
 }
 
-GroupResult GroupRun::Do(const BeginGroup& request) {
+IslandResult IslandRun::Do(const BeginIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
   solver_.Start(request.t, request.q, request.qd, request.anchor);
   return {};
 }
 
-GroupResult GroupRun::Do(const DriveGroup& request) {
+IslandResult IslandRun::Do(const DriveIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.Restart();
   return {};
 }
 
-GroupResult GroupRun::Do(const StopPin& request) {
+IslandResult IslandRun::Do(const StopPin& request) {
   solver_.FeelPin(request.v_pin);
   return {};
 }
 
-void GroupRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
+void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
   curves_ = curves;
   dynamics_.SetCurves(curves_.get(), t);
   if (!dynamics_.needs_moving_base()) return;
@@ -65,23 +65,23 @@ void GroupRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double 
       moving_bases_->Get(std::move(carrier), [&] { return dynamics_.FitMovingBase(t, end); }));
 }
 
-GroupResult GroupRun::Do(const AdvanceGroup& request) {
+IslandResult IslandRun::Do(const AdvanceIsland& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
   while (!failure && solver_.time() <= request.t && solver_.time() < request.end) {
     failure = solver_.Advance(request.end);
   }
-  GroupResult result;
+  IslandResult result;
   result.progress = Progress(failure);
   result.progress.microseconds = MicrosecondsSince(start);
   return result;
 }
 
 // What is at a time is that of the step which ends there, if one does.
-GroupResult GroupRun::Do(const SolveGroup& request) {
+IslandResult IslandRun::Do(const SolveIsland& request) {
   const Clock::time_point start = Clock::now();
   std::optional<ExactFailure> failure;
-  GroupResult result;
+  IslandResult result;
   result.samples.hinges.reserve(request.times->size() * 2 *
                                 static_cast<size_t>(dynamics_.num_hinges()));
   for (const double t : *request.times) {
@@ -96,23 +96,23 @@ GroupResult GroupRun::Do(const SolveGroup& request) {
   return result;
 }
 
-GroupResult GroupRun::Do(const SampleGroup& request) {
-  GroupResult result;
+IslandResult IslandRun::Do(const SampleIsland& request) {
+  IslandResult result;
   Sample(request.t, &result.samples);
   return result;
 }
 
-GroupResult GroupRun::Do(const MeasureGroup& request) {
-  GroupResult result;
+IslandResult IslandRun::Do(const MeasureIsland& request) {
+  IslandResult result;
   result.energy = solver_.Energy(request.t);
   return result;
 }
 
-GroupProgress GroupRun::Progress(const std::optional<ExactFailure>& failure) {
+IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
   return {solver_.time(), solver_.step_start(), failure, 0.0, solver_.TakeHits()};
 }
 
-void GroupRun::Sample(double t, GroupSamples* samples) {
+void IslandRun::Sample(double t, IslandSamples* samples) {
   solver_.Sample(t, &q_, &qd_);
   samples->hinges.insert(samples->hinges.end(), q_.begin(), q_.end());
   samples->hinges.insert(samples->hinges.end(), qd_.begin(), qd_.end());

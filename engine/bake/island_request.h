@@ -14,41 +14,42 @@
 
 namespace hazumi {
 
-// A group of joints that feel each other, and what acts on them.
-struct GroupTask {
+// An island of joints that feel each other, and what acts on them.
+struct IslandTask {
   RegionModel model;
   VecX lower, upper;  // stops, by free hinge [rad]
   std::vector<ForceSpec> forces;
   double gravity = 0.0;  // along -z [m/s^2]
 };
-inline auto MembersOf(const GroupTask& task) {
+inline auto MembersOf(const IslandTask& task) {
   const auto& [model, lower, upper, forces, gravity] = task;
   return std::tie(model, lower, upper, forces, gravity);
 }
 
-// What a group is asked to do, one after the other; its answers depend on nothing else. Times [s].
+// What an island is asked to do, one after the other; its answers depend on nothing else. Times
+// [s].
 //
 // Begins at t with angles q [rad] and rates qd [rad/s] by free hinge, moved by curves that are
 // smooth up to `end` and numbered as CurvesOf does it.
-struct BeginGroup {
+struct BeginIsland {
   double t = 0.0, end = 0.0;
   double step_tolerance = 0.0;  // error of one step [rad]
   VecX q, qd;
   PointMotion anchor;  // as RegionDynamics has it; zero unless laws act from outside
   std::shared_ptr<const DrivenMotion> curves;
-  std::shared_ptr<const GroupTask> task;
+  std::shared_ptr<const IslandTask> task;
 };
-inline auto MembersOf(const BeginGroup& request) {
+inline auto MembersOf(const BeginIsland& request) {
   const auto& [t, end, step_tolerance, q, qd, anchor, curves, task] = request;
   return std::tie(t, end, step_tolerance, q, qd, anchor, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.
-struct DriveGroup {
+struct DriveIsland {
   double t = 0.0, end = 0.0;
   std::shared_ptr<const DrivenMotion> curves;
 };
-inline auto MembersOf(const DriveGroup& request) {
+inline auto MembersOf(const DriveIsland& request) {
   const auto& [t, end, curves] = request;
   return std::tie(t, end, curves);
 }
@@ -63,47 +64,47 @@ inline auto MembersOf(const StopPin& request) {
 }
 
 // Takes steps until it is beyond t, at most to `end`.
-struct AdvanceGroup {
+struct AdvanceIsland {
   double t = 0.0, end = 0.0;
 };
-inline auto MembersOf(const AdvanceGroup& request) {
+inline auto MembersOf(const AdvanceIsland& request) {
   const auto& [t, end] = request;
   return std::tie(t, end);
 }
 
 // Takes all steps to `end`, and samples the motion at `times`, which rise.
-struct SolveGroup {
+struct SolveIsland {
   double end = 0.0;
   std::shared_ptr<const std::vector<double>> times;
 };
-inline auto MembersOf(const SolveGroup& request) {
+inline auto MembersOf(const SolveIsland& request) {
   const auto& [end, times] = request;
   return std::tie(end, times);
 }
 
 // Angles and rates at t, which lies in the step that it is in.
-struct SampleGroup {
+struct SampleIsland {
   double t = 0.0;
 };
-inline auto MembersOf(const SampleGroup& request) {
+inline auto MembersOf(const SampleIsland& request) {
   const auto& [t] = request;
   return std::tie(t);
 }
 
 // Energy and powers there.
-struct MeasureGroup {
+struct MeasureIsland {
   double t = 0.0;
 };
-inline auto MembersOf(const MeasureGroup& request) {
+inline auto MembersOf(const MeasureIsland& request) {
   const auto& [t] = request;
   return std::tie(t);
 }
 
-using GroupRequest = std::variant<BeginGroup, DriveGroup, StopPin, AdvanceGroup, SolveGroup,
-                                  SampleGroup, MeasureGroup>;
+using IslandRequest = std::variant<BeginIsland, DriveIsland, StopPin, AdvanceIsland, SolveIsland,
+                                   SampleIsland, MeasureIsland>;
 
 // How far it got, what it hit on the way, and why it cannot go on, if so.
-struct GroupProgress {
+struct IslandProgress {
   double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
   std::optional<ExactFailure> failure;
   double microseconds = 0.0;  // that it took
@@ -111,28 +112,28 @@ struct GroupProgress {
 };
 
 // Fewer times than asked for where it could not go on.
-struct GroupSamples {
+struct IslandSamples {
   // Angles, then rates, by free hinge; of several times one after the other.
   std::vector<double> hinges;
   // Of the centre of mass, by time, where the fall is solved along.
   std::vector<PointMotion> falls;
 };
 
-// To AdvanceGroup the progress, to SolveGroup both, to SampleGroup samples of one time, to
-// MeasureGroup the energy.
-struct GroupResult {
-  GroupProgress progress;
-  GroupSamples samples;
+// To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
+// MeasureIsland the energy.
+struct IslandResult {
+  IslandProgress progress;
+  IslandSamples samples;
   EnergyFlow energy;
 };
 
-struct GroupCall {
-  GroupRequest request;
-  GroupResult result;
+struct IslandCall {
+  IslandRequest request;
+  IslandResult result;
   long evaluations = 0, steps = 0;  // up to here, from the beginning on
 };
-// All that a group was asked, from the beginning on.
-using GroupLog = std::vector<GroupCall>;
-using GroupLogs = std::vector<std::shared_ptr<const GroupLog>>;
+// All that an island was asked, from the beginning on.
+using IslandLog = std::vector<IslandCall>;
+using IslandLogs = std::vector<std::shared_ptr<const IslandLog>>;
 
 }  // namespace hazumi

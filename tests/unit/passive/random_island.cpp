@@ -1,4 +1,4 @@
-#include "tests/unit/passive/random_group.h"
+#include "tests/unit/passive/random_island.h"
 
 #include <utility>
 
@@ -35,9 +35,9 @@ DrivenCurve CurveFrom(double value, double rate, Random* random) {
 
 }  // namespace
 
-std::unique_ptr<RandomGroup> RandomGroup::Of(uint64_t seed, RootCoupling coupling) {
-  auto group = std::make_unique<RandomGroup>(RandomGroup{Random(seed), {}, {}, {}, {}});
-  Random& random = group->random;
+std::unique_ptr<RandomIsland> RandomIsland::Of(uint64_t seed, RootCoupling coupling) {
+  auto island = std::make_unique<RandomIsland>(RandomIsland{Random(seed), {}, {}, {}, {}});
+  Random& random = island->random;
   const Figure figure = Build(RandomTreeSpec(&random));
   const int n = figure.num_joints();
   ModelRequest request;
@@ -48,42 +48,42 @@ std::unique_ptr<RandomGroup> RandomGroup::Of(uint64_t seed, RootCoupling couplin
   const VecX rates = random.Vector(n + kRootAngles, 3.0);
   if (coupling == RootCoupling::kPinned) request.pin = JointIndex(random.Integer(0, n - 1));
   for (int c = 0; c < n + kRootAngles; ++c) {
-    group->driven.angles.push_back(CurveFrom(request.angles[c], rates[c], &random));
+    island->driven.angles.push_back(CurveFrom(request.angles[c], rates[c], &random));
   }
-  for (DrivenCurve& curve : group->driven.root_position) curve = CurveFrom(0.5, 1.0, &random);
+  for (DrivenCurve& curve : island->driven.root_position) curve = CurveFrom(0.5, 1.0, &random);
   std::vector<RegionModel> models = CompileRegionModels(figure, request);
   if (models.empty()) return nullptr;
-  group->model = std::move(
+  island->model = std::move(
       models[static_cast<size_t>(random.Integer(0, static_cast<int>(models.size()) - 1))]);
-  const RegionLayout layout(group->model, /*balls=*/false);
-  group->q.resize(layout.num_hinges());
-  group->qd.resize(layout.num_hinges());
+  const RegionLayout layout(island->model, /*balls=*/false);
+  island->q.resize(layout.num_hinges());
+  island->qd.resize(layout.num_hinges());
   for (int i = 0; i < layout.num_hinges(); ++i) {
-    group->q[i] = request.angles[layout.hinges()[i].coordinate];
-    group->qd[i] = rates[layout.hinges()[i].coordinate];
+    island->q[i] = request.angles[layout.hinges()[i].coordinate];
+    island->qd[i] = rates[layout.hinges()[i].coordinate];
   }
-  return group;
+  return island;
 }
 
-NodeKinematics MovedBy(const RandomGroup& group, const RegionLayout& layout) {
-  NodeKinematics kinematics(group.model);
+NodeKinematics MovedBy(const RandomIsland& island, const RegionLayout& layout) {
+  NodeKinematics kinematics(island.model);
   VecX y(layout.state_size());
-  layout.Pack(group.q, group.qd, y.data());
-  kinematics.Move(layout, group.driven, 0.0, y.data(), y.data() + layout.num_positions(), 0,
+  layout.Pack(island.q, island.qd, y.data());
+  kinematics.Move(layout, island.driven, 0.0, y.data(), y.data() + layout.num_positions(), 0,
                   kinematics.size());
   small::V3 base;
-  if (group.model.coupling == RootCoupling::kPrescribed) {
-    const auto& root = group.driven.root_position;
-    base = {root[0].At(0.0).dd, root[1].At(0.0).dd, root[2].At(0.0).dd + RandomGroup::kGravity};
+  if (island.model.coupling == RootCoupling::kPrescribed) {
+    const auto& root = island.driven.root_position;
+    base = {root[0].At(0.0).dd, root[1].At(0.0).dd, root[2].At(0.0).dd + RandomIsland::kGravity};
   }
   kinematics.SetOwnForces(base);
   return kinematics;
 }
 
-RegionDynamics Assembled(const RandomGroup& group) {
-  RegionDynamics dynamics(group.model, ForceLaws(), RandomGroup::kGravity);
-  dynamics.SetDriven(&group.driven, -0.01, 0.01);
-  dynamics.AssembleHinges(0.0, group.q, group.qd);
+RegionDynamics Assembled(const RandomIsland& island) {
+  RegionDynamics dynamics(island.model, ForceLaws(), RandomIsland::kGravity);
+  dynamics.SetDriven(&island.driven, -0.01, 0.01);
+  dynamics.AssembleHinges(0.0, island.q, island.qd);
   return dynamics;
 }
 
