@@ -141,7 +141,8 @@ Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
   const std::pair<const char*, Section> all[] = {{"pose", Section::kPose},
                                                  {"region", Section::kRegion},
                                                  {"scene", Section::kScene},
-                                                 {"project", Section::kProject}};
+                                                 {"project", Section::kProject},
+                                                 {"problems", Section::kProblems}};
   const std::string name = p.text("section");
   for (const auto& [known, section] : all) {
     if (name != known) continue;
@@ -149,7 +150,7 @@ Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
     return Done();
   }
   return Error{ErrorCode::kSchema, "", "section",
-               "\"" + name + "\" is none of pose, region, scene, project"};
+               "\"" + name + "\" is none of pose, region, scene, project, problems"};
 }
 
 // Without anything to stop it is no mistake: the key for it is pressed for many reasons.
@@ -265,7 +266,8 @@ const std::vector<Action>& AllActions() {
       {"view.properties",
        "Properties",
        "Which properties are shown.",
-       {{"section", kText, true, "pose, region, scene, project", "pose region scene project"}},
+       {{"section", kText, true, "pose, region, scene, project, problems",
+         "pose region scene project problems"}},
        ChooseSection},
       {"view.sheet",
        "Dope sheet or graph editor",

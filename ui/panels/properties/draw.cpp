@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/panels/problems/problems.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/window/panels.h"
@@ -21,11 +22,13 @@ const char* NameOf(Section section) {
       return "Scene";
     case Section::kProject:
       return "Project";
+    case Section::kProblems:
+      return "Problems";
   }
   return "";
 }
 
-// A bent limb, a hatched bar, a box, a sheet of paper.
+// A bent limb, a hatched bar, a box, a sheet of paper, a warning sign.
 void DrawIcon(Section section, Point c, float r, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = std::max(1.0f, 0.2f * r);
@@ -49,6 +52,11 @@ void DrawIcon(Section section, Point c, float r, ImU32 color) {
     list->AddLine({c.x, c.y}, {c.x, high.y}, color, line);
     list->AddLine({low.x, c.y + 0.5f * r}, {c.x, high.y}, color, line);
     list->AddLine({high.x, c.y + 0.5f * r}, {c.x, high.y}, color, line);
+  } else if (section == Section::kProblems) {
+    list->AddTriangle({c.x, low.y}, {high.x, high.y - 0.1f * r}, {low.x, high.y - 0.1f * r}, color,
+                      line);
+    list->AddLine({c.x, c.y - 0.35f * r}, {c.x, c.y + 0.3f * r}, color, line);
+    DrawDot(list, {c.x, c.y + 0.62f * r}, 0.14f * r, color);
   } else {
     list->AddRect({c.x - 0.75f * r, low.y}, {c.x + 0.75f * r, high.y}, color, 1.0f, 0, line);
     for (const float y : {-0.4f, 0.05f, 0.5f}) {
@@ -72,8 +80,10 @@ void DrawTabs(Editor* editor, const PropertiesLayout& layout) {
     list->AddRectFilled({tab.x + 2.0f, tab.y}, {tab.right(), tab.bottom()}, ToIm(back), 4.0f,
                         ImDrawFlags_RoundCornersLeft);
     const bool is_bright = is_on || (hovered && *hovered == section);
+    const bool warns = section == Section::kProblems && !ProblemsOf(editor).empty();
+    const SrgbColor& sign = warns ? colors::kChanged : is_bright ? theme.text : theme.faint_text;
     DrawIcon(section, {tab.x + 0.5f * tab.w + 1.0f, tab.y + 0.5f * tab.h}, 0.26f * tab.h,
-             ToIm(is_bright ? theme.text : theme.faint_text));
+             ToIm(sign));
   }
   if (hovered) ImGui::SetTooltip("%s", Tr(NameOf(*hovered)));
 }
@@ -88,6 +98,8 @@ void DrawSection(Editor* editor) {
       return DrawSceneSection(editor);
     case Section::kProject:
       return DrawProjectSection(editor);
+    case Section::kProblems:
+      return DrawProblemsSection(editor);
   }
 }
 

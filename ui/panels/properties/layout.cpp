@@ -12,7 +12,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr int kSections = 4;
+constexpr int kSections = 5;
 
 float Whole(double x) { return static_cast<float>(std::round(x)); }
 

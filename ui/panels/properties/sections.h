@@ -9,6 +9,7 @@ void DrawPoseSection(Editor* editor);
 void DrawRegionSection(Editor* editor);
 void DrawSceneSection(Editor* editor);
 void DrawProjectSection(Editor* editor);
+void DrawProblemsSection(Editor* editor);
 void DrawFlights(Editor* editor);  // of the project
 
 }  // namespace hazumi::ui

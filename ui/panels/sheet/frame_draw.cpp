@@ -110,7 +110,7 @@ std::string TextOf(const Flight& flight, const TimeScale& time) {
                 Tr("apex"), flight.apex);
   return std::string(Tr("Flight")) + "  " + FlightText(flight, time.frame_time) + "\n" +
          Tr("frames") + " " + frames + "\n" + (alarm.empty() ? "" : alarm + "\n") +
-         Tr("Repairs are among the properties of the project.");
+         Tr("What can be done is in the list of problems.");
 }
 
 // Frames in the ground, flights, then what happens, and what is under the mouse of it.

@@ -1,0 +1,103 @@
+// The list of problems: each is found, led to, and put right by its button.
+
+#include "ui/panels/problems/problems.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ui/shell/offscreen_shell.h"
+
+namespace hazumi::ui {
+namespace {
+
+class Problems : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto shell = OffscreenShell::Create(&editor_, {640, 480});
+    ASSERT_TRUE(shell.ok());
+    shell_ = std::move(shell).value();
+  }
+  void Do(const std::string& id, const Json& parameters) {
+    ASSERT_TRUE(editor_.Do(id, parameters)) << editor_.message.text;
+  }
+  void Pin(const char* joint, int first, int last) {
+    Do("placement.set", {{"kind", "pinned"}, {"pin", joint}, {"first", first}, {"last", last}});
+  }
+  // After the watchers have had their looks.
+  std::vector<Problem> Found() {
+    for (int i = 0; i < 30; ++i) shell_->Frame();
+    return ProblemsOf(&editor_);
+  }
+  std::vector<Problem> FoundWith(const std::string& text) {
+    std::vector<Problem> found = Found();
+    std::erase_if(found, [&](const Problem& p) { return p.text.find(text) == p.text.npos; });
+    return found;
+  }
+
+  Editor editor_;
+  std::unique_ptr<OffscreenShell> shell_;
+};
+
+TEST_F(Problems, AreNoneInANewProject) { EXPECT_TRUE(Found().empty()); }
+
+TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
+  Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.8}});
+  const std::vector<Problem> sunk = FoundWith("in the ground");
+  ASSERT_EQ(sunk.size(), 1u);
+  EXPECT_EQ(sunk[0].text.rfind("Frames 0 to 30: ", 0), 0u) << sunk[0].text;
+  ASSERT_EQ(sunk[0].cures.size(), 1u);
+  EXPECT_TRUE(Apply(sunk[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(FoundWith("in the ground").empty());
+}
+
+TEST_F(Problems, AJumpOfTheSpeedIsLedTo) {
+  Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0.0}});
+  Do("key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 3.0}});
+  Pin("r_ankle", 0, 12);
+  const std::vector<Problem> jumps = FoundWith("At frame 12 ");
+  ASSERT_EQ(jumps.size(), 1u);
+  GoTo(jumps[0], &editor_);
+  EXPECT_EQ(editor_.session().frame(), 12.0);
+}
+
+TEST_F(Problems, AHoldOutOfReachIsReachedWithTheBody) {
+  Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0.0}});
+  Do("key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 0.35}});
+  Do("hold.add", {{"joint", "r_wrist"}, {"first", 0}, {"last", 30}});
+  Do("key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 0.9}});
+  const std::vector<Problem> errors = FoundWith("out of reach");
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_TRUE(errors[0].is_error);
+  GoTo(errors[0], &editor_);
+  EXPECT_TRUE(editor_.session().selected_joints().contains("r_wrist_flexion"));
+  ASSERT_EQ(errors[0].cures.size(), 1u);
+  EXPECT_EQ(errors[0].cures[0].operator_id, "hold.set");
+  EXPECT_TRUE(Apply(errors[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_EQ(editor_.session().project().holds[0].reach, HoldReach::kBody);
+}
+
+TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
+  Do("key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", 90}});
+  Do("region.add", {{"name", "arm"}, {"joints", {"r_shoulder+"}}, {"first", 0}, {"last", 10}});
+  const std::vector<Problem> dead = FoundWith("stops dead");
+  ASSERT_FALSE(dead.empty());
+  EXPECT_EQ(dead[0].text.rfind("arm: ", 0), 0u) << dead[0].text;
+  GoTo(dead[0], &editor_);
+  EXPECT_EQ(editor_.side.region, editor_.session().project().regions[0].identity.id);
+  Do("region.set", {{"region", "arm"}, {"blend", 5}});
+  EXPECT_TRUE(FoundWith("stops dead").empty());
+}
+
+TEST_F(Problems, TheirTabShowsThemInBothLanguages) {
+  Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.8}});
+  Do("view.properties", {{"section", "problems"}});
+  for (const char* language : {"en", "ja"}) {
+    Do("view.language", {{"language", language}});
+    ASSERT_EQ(Found().size(), 1u);
+    EXPECT_EQ(Found()[0].text.find("in the ground") != std::string::npos, language[0] == 'e');
+  }
+}
+
+}  // namespace
+}  // namespace hazumi::ui

@@ -1,0 +1,134 @@
+#include "ui/panels/problems/problems.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "engine/base/text.h"
+#include "ui/panels/text/filled.h"
+#include "ui/panels/timeline/flight_text.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+// The number in a place such as "regions[1].joints[0]", if the place is of this list.
+std::optional<size_t> IndexIn(const std::string& list, const std::string& place) {
+  if (!place.starts_with(list + "[")) return std::nullopt;
+  size_t index = 0;
+  const char* first = place.data() + list.size() + 1;
+  const auto read = std::from_chars(first, place.data() + place.size(), index);
+  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
+}
+
+class ProblemList {
+ public:
+  explicit ProblemList(Editor* editor) : editor_(*editor), project_(editor->session().project()) {}
+
+  std::vector<Problem> Find() {
+    edit::Session& session = editor_.session();
+    if (const std::optional<Error> error = session.KnownError()) {
+      AddPlaced(error->place, error->message, /*is_error=*/true);
+      return std::move(problems_);
+    }
+    const Result<const Motion*> motion = session.ShownMotionTo(editor_.last_frame());
+    if (!motion.ok()) return {};
+    for (const PlacementJump& jump : motion.value()->placement_jumps) AddJump(jump);
+    for (const Warning& warning : motion.value()->warnings) {
+      // Those of placements are the jumps.
+      if (!IndexIn("placements", warning.place)) AddPlaced(warning.place, warning.message, false);
+    }
+    for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
+    AddTime(editor_.flights.analysis().time);
+    return std::move(problems_);
+  }
+
+ private:
+  // With the name of the region or the joint of the hold that it is about.
+  void AddPlaced(const std::string& place, const std::string& message, bool is_error) {
+    Problem problem{message, editor_.session().frame(), "", {}, is_error, {}};
+    const auto region = IndexIn("regions", place), hold = IndexIn("holds", place);
+    if (region && *region < project_.regions.size()) {
+      const ProjectRegion& of = project_.regions[*region];
+      problem.text = of.name + ": " + message;
+      problem.region = of.identity.id;
+      problem.frame = of.first_frame;
+    } else if (hold && *hold < project_.holds.size()) {
+      const ProjectHold& of = project_.holds[*hold];
+      problem.joint = of.joint;
+      problem.frame = of.first_frame;
+      if (is_error && of.reach == HoldReach::kLimb) {
+        problem.cures.push_back({"hold.set",
+                                 {{"index", *hold}, {"reach", "body"}},
+                                 problem.frame,
+                                 Tr("Let the body reach too")});
+      }
+    }
+    problems_.push_back(std::move(problem));
+  }
+
+  void AddJump(const PlacementJump& jump) {
+    std::string text;
+    if (jump.speed > 0.0) {
+      text =
+          Filled(Tr("At frame %d the figure's speed jumps by %.2f m/s."), jump.frame, jump.speed);
+    } else {
+      text =
+          Filled(Tr("At frame %d the figure is %.2f m from its keys, and has %.2f s to get there."),
+                 jump.frame, jump.distance, jump.seconds);
+    }
+    problems_.push_back({text, static_cast<double>(jump.frame), "", {}, false, {}});
+  }
+
+  void AddSinking(const Sinking& sinking) {
+    const Figure& figure = editor_.session().figure();
+    const std::string& joint = figure.group(sinking.joint).name;
+    Problem problem;
+    problem.text = Filled(Tr("Frames %d to %d: %s is up to %.1f cm in the ground."), sinking.first,
+                          sinking.last, joint.c_str(), 100.0 * sinking.depth);
+    problem.frame = sinking.deepest;
+    problem.joint = joint;
+    const auto places = [&](const ProjectPlacement& span) {
+      return span.first_frame <= sinking.deepest && sinking.deepest <= span.last_frame;
+    };
+    const auto& spans = project_.placements;
+    if (std::none_of(spans.begin(), spans.end(), places)) {
+      problem.cures.push_back({"root.to_ground", Json::object(), problem.frame, ""});
+    }
+    problems_.push_back(std::move(problem));
+  }
+
+  void AddTime(const TimeScale& time) {
+    const std::string alarm = AlarmText(time), repair = RepairText(time);
+    if (alarm.empty()) return;
+    Problem problem{alarm, editor_.session().frame(), "", {}, false, {}};
+    if (!repair.empty()) {
+      problem.cures.push_back({"time.rate",
+                               {{"num", *time.frame_rate}, {"den", 1}, {"keep_shape", true}},
+                               problem.frame,
+                               repair});
+    }
+    problems_.push_back(std::move(problem));
+  }
+
+  Editor& editor_;
+  const Project& project_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+std::vector<Problem> ProblemsOf(Editor* editor) { return ProblemList(editor).Find(); }
+
+void GoTo(const Problem& problem, Editor* editor) {
+  editor->Do("time.frame", {{"frame", problem.frame}});
+  if (!problem.joint.empty())
+    editor->Do("select.joints", {{"joints", Json::array({problem.joint})}});
+  if (problem.region.is_valid()) editor->side.region = problem.region;
+}
+
+bool Apply(const Cure& cure, Editor* editor) {
+  return editor->Do("time.frame", {{"frame", cure.frame}}) &&
+         editor->Do(cure.operator_id, cure.parameters);
+}
+
+}  // namespace hazumi::ui
