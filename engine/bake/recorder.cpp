@@ -146,9 +146,7 @@ void Recorder::AddStop(JointIndex j, double time, double last_time, long count) 
   stretch_->events.back().last_time = last_time;
 }
 
-void Recorder::AddWarning(const std::string& place, const std::string& message) {
-  stretch_->warnings.push_back({place, message});
-}
+void Recorder::AddWarning(Warning warning) { stretch_->warnings.push_back(std::move(warning)); }
 
 void Recorder::AddJump(PlacementJump jump, const std::string& message) {
   AddWarning("placements[" + std::to_string(jump.placement) + "]", message);

@@ -38,7 +38,10 @@ class Recorder {
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);
   void AddStop(JointIndex j, double time, double last_time, long count);
-  void AddWarning(const std::string& place, const std::string& message);
+  void AddWarning(const std::string& place, const std::string& message) {
+    AddWarning({place, message});
+  }
+  void AddWarning(Warning warning);
   void AddJump(PlacementJump jump, const std::string& message);
   IslandLogs& logs() { return stretch_->logs; }
 

@@ -22,9 +22,11 @@ void WarnIfItStopsDead(int frame, JointIndex j, const std::string& place, BakeCo
   constexpr double kMoving = 1e-6;  // [rad/s]
   const bool is_moving = std::abs(context->now.qd[j.value()]) >= kMoving;
   if (!is_moving || context->poses.curves().joint(j).HasKeyAfter(frame)) return;
-  context->recorder.AddWarning(place, "joint \"" + context->poses.figure().joint(j).name +
-                                          "\" has no key after frame " + std::to_string(frame) +
-                                          ": it stops dead there");
+  context->recorder.AddWarning({place,
+                                "joint \"" + context->poses.figure().joint(j).name +
+                                    "\" has no key after frame " + std::to_string(frame) +
+                                    ": it stops dead there",
+                                frame, Warning::Remedy::kBlend});
 }
 
 void RegionHandover::Reset() {
@@ -131,12 +133,13 @@ void RegionHandover::ResumeJoint(int frame, size_t region, JointIndex j) {
 
 void RegionHandover::WarnOfOvershoot(int frame, size_t region, JointIndex j, double overshoot) {
   context_.recorder.AddWarning(
-      PlaceOfRegion(region),
-      "joint \"" + context_.poses.figure().joint(j).name + "\" goes " +
-          FormatShort(overshoot / kDegree) + " degrees beyond its limit after frame " +
-          std::to_string(frame) +
-          ", before it turns back; set \"limit_tangents\": true on the region, or give it a "
-          "key there");
+      {PlaceOfRegion(region),
+       "joint \"" + context_.poses.figure().joint(j).name + "\" goes " +
+           FormatShort(overshoot / kDegree) + " degrees beyond its limit after frame " +
+           std::to_string(frame) +
+           ", before it turns back; set \"limit_tangents\": true on the region, or give it a "
+           "key there",
+       frame, Warning::Remedy::kLimitTangents});
 }
 
 }  // namespace hazumi

@@ -85,7 +85,9 @@ TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
   EXPECT_EQ(dead[0].text.rfind("arm: ", 0), 0u) << dead[0].text;
   GoTo(dead[0], &editor_);
   EXPECT_EQ(editor_.side.region, editor_.session().project().regions[0].identity.id);
-  Do("region.set", {{"region", "arm"}, {"blend", 5}});
+  EXPECT_EQ(editor_.session().frame(), 10.0);
+  ASSERT_EQ(dead[0].cures.size(), 1u);
+  EXPECT_TRUE(Apply(dead[0].cures[0], &editor_)) << editor_.message.text;
   EXPECT_TRUE(FoundWith("stops dead").empty());
 }
 

@@ -27,7 +27,7 @@ class ProblemList {
   std::vector<Problem> Find() {
     edit::Session& session = editor_.session();
     if (const std::optional<Error> error = session.KnownError()) {
-      AddPlaced(error->place, error->message, /*is_error=*/true);
+      AddPlaced({error->place, error->message}, /*is_error=*/true);
       return std::move(problems_);
     }
     const Result<const Motion*> motion = session.ShownMotionTo(editor_.last_frame());
@@ -35,7 +35,7 @@ class ProblemList {
     for (const PlacementJump& jump : motion.value()->placement_jumps) AddJump(jump);
     for (const Warning& warning : motion.value()->warnings) {
       // Those of placements are the jumps.
-      if (!IndexIn("placements", warning.place)) AddPlaced(warning.place, warning.message, false);
+      if (!IndexIn("placements", warning.place)) AddPlaced(warning, false);
     }
     for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
     AddTime(editor_.flights.analysis().time);
@@ -44,14 +44,15 @@ class ProblemList {
 
  private:
   // With the name of the region or the joint of the hold that it is about.
-  void AddPlaced(const std::string& place, const std::string& message, bool is_error) {
-    Problem problem{message, editor_.session().frame(), "", {}, is_error, {}};
-    const auto region = IndexIn("regions", place), hold = IndexIn("holds", place);
+  void AddPlaced(const Warning& warning, bool is_error) {
+    Problem problem{warning.message, editor_.session().frame(), "", {}, is_error, {}};
+    const auto region = IndexIn("regions", warning.place), hold = IndexIn("holds", warning.place);
     if (region && *region < project_.regions.size()) {
       const ProjectRegion& of = project_.regions[*region];
-      problem.text = of.name + ": " + message;
+      problem.text = of.name + ": " + warning.message;
       problem.region = of.identity.id;
-      problem.frame = of.first_frame;
+      problem.frame = warning.frame.value_or(of.first_frame);
+      AddRemedy(warning.remedy, of, &problem);
     } else if (hold && *hold < project_.holds.size()) {
       const ProjectHold& of = project_.holds[*hold];
       problem.joint = of.joint;
@@ -64,6 +65,21 @@ class ProblemList {
       }
     }
     problems_.push_back(std::move(problem));
+  }
+
+  void AddRemedy(Warning::Remedy remedy, const ProjectRegion& region, Problem* problem) {
+    constexpr int kBlendFrames = 5;
+    if (remedy == Warning::Remedy::kBlend) {
+      problem->cures.push_back({"region.set",
+                                {{"region", region.name}, {"blend", kBlendFrames}},
+                                problem->frame,
+                                Filled(Tr("Blend back over %d frames"), kBlendFrames)});
+    } else if (remedy == Warning::Remedy::kLimitTangents) {
+      problem->cures.push_back({"region.set",
+                                {{"region", region.name}, {"limit_tangents", true}},
+                                problem->frame,
+                                Tr("Limit tangents")});
+    }
   }
 
   void AddJump(const PlacementJump& jump) {
