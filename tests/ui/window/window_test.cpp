@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/timeline/layout.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/status_line.h"
 #include "ui/shell/offscreen_shell.h"
@@ -98,6 +99,29 @@ TEST(EditorWindowSizes, NoneIsTooSmall) {
       }
     }
   }
+}
+
+TEST_F(EditorWindow, ATypedFrameOutsideOfTheAnimationIsSaid) {
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  const auto panels = LayOutWindow({0.0f, 0.0f, 640.0f, 400.0f}, editor_.settings.shares, 1.0);
+  const Rect field = LayOutTimeline(panels.timeline, 1.0).frame;
+  const auto type = [&](const char* number) {
+    shell_->MoveMouse(field.x + 0.5f * field.w, field.y + 0.5f * field.h);
+    for (const bool is_down : {true, false, true, false}) {
+      shell_->PressButton(0, is_down);
+      shell_->Frame();
+    }
+    shell_->Type(number);
+    shell_->Frame();
+    Press(kEnter);
+    for (int i = 0; i < 40; ++i) shell_->Frame();  // no double click with what comes next
+  };
+  type("77");
+  EXPECT_EQ(editor_.session().frame(), 30.0);
+  EXPECT_EQ(editor_.message.text, "Frame 77 is outside of the animation, 0 to 30.");
+  type("12");
+  EXPECT_EQ(editor_.session().frame(), 12.0);
+  EXPECT_EQ(editor_.message.text, "");
 }
 
 TEST_F(EditorWindow, UndoIsAKeyAway) {

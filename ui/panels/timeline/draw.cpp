@@ -1,10 +1,12 @@
 // The row of buttons and fields between the viewport and the sheets.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/layout.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/widgets.h"
@@ -92,7 +94,14 @@ void FrameField(Editor* editor, const Rect& rect) {
   if (Number("##frame", rect, "%d", &frame, false)) {
     editor->playback.Stop();
     const ProjectFrames& all = editor->session().project().frames;
-    editor->Do("time.frame", {{"frame", std::clamp(frame, all.first, all.last)}});
+    const int shown = std::clamp(frame, all.first, all.last);
+    editor->Do("time.frame", {{"frame", shown}});
+    const bool is_typed = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (is_typed) {
+      editor->Say(shown == frame ? ""
+                                 : Filled(Tr("Frame %d is outside of the animation, %d to %d."),
+                                          frame, all.first, all.last));
+    }
   }
   if (rect.w > 0.0f) Tooltip(Tr("Current frame: drag, or double click and type"));
 }
