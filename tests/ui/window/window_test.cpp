@@ -124,6 +124,29 @@ TEST_F(EditorWindow, ATypedFrameOutsideOfTheAnimationIsSaid) {
   EXPECT_EQ(editor_.message.text, "");
 }
 
+TEST_F(EditorWindow, AKeyThatARegionKeepsFromActingIsSaid) {
+  const auto pose = [&](const char* joint, int frame) {
+    ASSERT_TRUE(editor_.Do("time.frame", {{"frame", frame}}));
+    editor_.Say("");
+    ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", joint}, {"by", 5}})) << editor_.message.text;
+  };
+  ASSERT_TRUE(editor_.Do("region.add",
+                         {{"name", "arm"}, {"joints", {"r_elbow+"}}, {"first", 5}, {"last", 15}}));
+  for (const int frame : {5, 16}) {
+    pose("r_elbow_flexion", frame);
+    EXPECT_EQ(editor_.message.text, "") << frame;
+  }
+  pose("l_elbow_flexion", 10);
+  EXPECT_EQ(editor_.message.text, "");
+  for (const int frame : {6, 15}) {
+    pose("r_elbow_flexion", frame);
+    EXPECT_NE(editor_.message.text.find("region \"arm\" moves r_elbow_flexion"), std::string::npos)
+        << frame << editor_.message.text;
+    EXPECT_FALSE(editor_.message.is_error);
+  }
+  ASSERT_TRUE(editor_.Do("region.split", {{"region", "arm"}, {"frame", 10}}));
+}
+
 TEST_F(EditorWindow, UndoIsAKeyAway) {
   ASSERT_TRUE(editor_.Do("project.rename", {{"name", "Changed"}}));
   Press('Z', true);

@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "render/motion/links_skin.h"
+#include "ui/edit/operators/at_frame.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/actions.h"
 
 namespace hazumi::ui {
@@ -56,11 +58,36 @@ void Editor::DropObject(const std::string& id) {
   if (!is_there || is_other || selects_joints) selected.clear();
 }
 
+// A key that was made while a region moves its joint is not seen there: who wonders why is told.
+void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
+  constexpr const char* kPosing[] = {"key.insert", "key.set",    "pose.clear",
+                                     "pose.paste", "pose.reach", "pose.rotate"};
+  if (std::find(std::begin(kPosing), std::end(kPosing), id) == std::end(kPosing)) return;
+  const Animation* animation = session_.animation();
+  if (!animation) return;
+  const double frame = parameters.value("frame", session_.frame());
+  std::set<std::string> hinges = session_.selected_joints();
+  for (const char* one : {"joint", "curve"}) {
+    if (parameters.contains(one)) hinges = {parameters[one].get<std::string>()};
+  }
+  for (const std::string& name : hinges) {
+    const auto hinge = session_.figure().FindJoint(name);
+    if (!hinge) continue;
+    const std::optional<size_t> region = edit::RegionMoving(*animation, *hinge, frame);
+    if (!region) continue;
+    const ProjectRegion& by = session_.project().regions[*region];
+    return Say(Filled(Tr("In this frame the region \"%s\" moves %s, not its key. Split"
+                         " the region here (menu Region), or pose it after frame %d."),
+                      by.name.c_str(), name.c_str(), by.last_frame));
+  }
+}
+
 // What follows from something that was done.
 void Editor::Note(const std::string& id, const Json& parameters) {
   const ExecutedCommand deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
   DropObject(id);
+  SayIfSwung(id, parameters);
   FrameNewDocument(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);

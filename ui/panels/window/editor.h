@@ -109,6 +109,7 @@ class Editor {
 
  private:
   void Note(const std::string& id, const Json& parameters);
+  void SayIfSwung(const std::string& id, const Json& parameters);
   void DropObject(const std::string& id);
   double UntilNextFrame() const;  // of playback [s]
 
