@@ -120,6 +120,25 @@ TEST(ParameterForm, ShowsWhatARegionHasWhereNothingIsTyped) {
   EXPECT_EQ(PresentValue(limits, "upper", session), "130");
 }
 
+TEST(ParameterForm, SuggestsAHingeOfTheRegionToBeStarted) {
+  edit::Session session;
+  ASSERT_TRUE(
+      session.Run("region.add", {{"first", 5}, {"last", 15}, {"joints", {"r_elbow+"}}}).ok());
+  const auto suggested = [&] {
+    FormState form = MakeForm("region.start_rate", Json::object(), &session);
+    return Find("joint", &form)->text;
+  };
+  for (const char* selected : {"", "l_knee"}) {
+    ASSERT_TRUE(
+        session
+            .Run("select.joints", {{"joints", *selected ? Json::array({selected}) : Json::array()}})
+            .ok());
+    EXPECT_EQ(suggested(), "r_elbow_flexion") << selected;
+  }
+  ASSERT_TRUE(session.Run("select.joints", {{"joints", {"l_knee", "r_wrist"}}}).ok());
+  EXPECT_EQ(suggested(), "r_wrist_flexion");
+}
+
 TEST(ParameterForm, SuggestsTheProjectsNumbersUnrounded) {
   edit::Session session;
   ASSERT_TRUE(session.Run("scene.gravity", {{"gravity", 9.80665}}).ok());

@@ -43,12 +43,12 @@ bool DrawUp(const Editor& editor, ImportOptions* options) {
   return options->up != before;
 }
 
-// A positive number, or 0: not given. True once it was typed.
+// A positive number, or 0, which reads "automatic": not given. True once it was typed.
 bool DrawMaybe(const Editor& editor, const char* id, const char* label, const char* format,
                const char* help, double* value) {
   DrawFieldLabel(label, editor);
   ImGui::SetNextItemWidth(Px(editor, 90));
-  ImGui::InputDouble(id, value, 0.0, 0.0, format);
+  ImGui::InputDouble(id, value, 0.0, 0.0, *value > 0.0 ? format : Tr("automatic"));
   const bool is_changed = ImGui::IsItemDeactivatedAfterEdit();
   Tooltip(help);
   *value = std::max(*value, 0.0);

@@ -68,6 +68,19 @@ Json SelectedHinge(const edit::Session& session) {
   return Json();
 }
 
+// A hinge of the region that the form suggests: a selected one, else its first.
+Json StartingHinge(edit::Session* session) {
+  const auto shown = ShownRegion(session->project(), ItemId(), session->frame());
+  const Animation* animation = session->animation();
+  if (!shown || !animation) return Json();
+  const std::vector<JointIndex>& hinges = animation->regions[*shown].joints;
+  const auto name_of = [&](JointIndex j) { return session->figure().joint(j).name; };
+  for (const JointIndex j : hinges) {
+    if (session->selected_joints().contains(name_of(j))) return name_of(j);
+  }
+  return hinges.empty() ? Json() : Json(name_of(hinges.front()));
+}
+
 Json SelectedLink(const edit::Session& session) {
   const std::vector<GroupIndex> joints = SelectedJoints(session);
   for (const Link& link : session.figure().links()) {
@@ -165,6 +178,7 @@ std::string PresentValue(const FormState& form, const std::string& name,
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
   Json present = Present(id, info.name, session->project());
   if (!present.is_null()) return present;
+  if (id == "region.start_rate" && info.offer.thing == Thing::kHinge) return StartingHinge(session);
   const Json frame = Frame(info.name, *session);
   // A pin after a landing is left to gravity unless it is chosen.
   if (std::string(info.name) == "landing_pin") return Json();
