@@ -32,8 +32,7 @@ enum TaskBits : unsigned {
   kRun = 64,
   kOperators = 128,
   kWindow = 256,  // no task named
-  // --export, by the format
-  kBvh = 512,
+  kBvh = 512,     // --export, by the format
   kVideo = 1024,
   kJson = 2048,
   kCsv = 4096,
@@ -237,6 +236,9 @@ constexpr OptionRule kRules[] = {
     {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
 
+constexpr std::pair<unsigned, const char*> kExports[] = {
+    {kBvh, ".bvh"}, {kJson, ".json"}, {kCsv, ".csv"}, {kVideo, ".mp4"}};
+
 // "--check and --info", "--export to .bvh"
 std::string TaskNames(unsigned tasks) {
   std::string text;
@@ -246,21 +248,17 @@ std::string TaskNames(unsigned tasks) {
     text += (text.empty() ? "" : tasks ? ", " : " and ") + name;
   };
   for (const OptionRule& task : kTasks) add(task.tasks, task.name);
-  add(kBvh, "--export to .bvh");
-  add(kJson, "--export to .json");
-  add(kCsv, "--export to .csv");
-  add(kVideo, "--export to .mp4");
+  for (const auto& [task, suffix] : kExports) add(task, std::string("--export to ") + suffix);
   return text;
 }
 
 // Of --export, those of the format that is asked for.
 unsigned TasksOf(const OptionRule& task, const Options& options) {
   if (task.tasks != kExport) return task.tasks;
-  if (IsVideo(options.output)) return kVideo;
-  const auto format = MotionFormatOf(options.output);
-  if (format == MotionFormat::kBvh) return kBvh;
-  if (format == MotionFormat::kJson) return kJson;
-  return format == MotionFormat::kCsv ? kCsv : kPlain;
+  for (const auto& [of_format, suffix] : kExports) {
+    if (LowerCase(options.output).ends_with(suffix)) return of_format;
+  }
+  return kPlain;
 }
 
 // "--bake", "--export to x.glb".

@@ -11,6 +11,9 @@ class ChangedElsewhere : public Dialogs {
   void SetUp() override {
     Dialogs::SetUp();
     Save();
+    ChangeBoth();
+  }
+  void ChangeBoth() {
     Change();
     std::ofstream(path(), std::ios::app) << "\n";
   }
@@ -33,22 +36,16 @@ TEST_F(ChangedElsewhere, SavingAsksAndCanBeCancelled) {
   EXPECT_TRUE(ends_with_line());
 }
 
-TEST_F(ChangedElsewhere, KKeepsMine) {
-  Press({'S', true});
-  Press({'K'});
-  EXPECT_EQ(modal(), Modal::kNone);
-  EXPECT_TRUE(is_saved());
-  EXPECT_EQ(num_steps(), 1u);
-  EXPECT_FALSE(ends_with_line());
-}
-
-TEST_F(ChangedElsewhere, TTakesTheirs) {
-  Press({'S', true});
-  Press({'T'});
-  EXPECT_EQ(modal(), Modal::kNone);
-  EXPECT_TRUE(is_saved());
-  EXPECT_EQ(num_steps(), 0u);
-  EXPECT_TRUE(ends_with_line());
+TEST_F(ChangedElsewhere, KKeepsMineAndTTakesTheirs) {
+  for (const char key : {'K', 'T'}) {
+    if (key == 'T') ChangeBoth();
+    Press({'S', true});
+    Press({key});
+    EXPECT_EQ(modal(), Modal::kNone) << key;
+    EXPECT_TRUE(is_saved()) << key;
+    EXPECT_EQ(num_steps(), key == 'K' ? 1u : 0u);
+    EXPECT_EQ(ends_with_line(), key == 'T');
+  }
 }
 
 TEST_F(ChangedElsewhere, EnterSavesAsAndBothAreKept) {

@@ -49,7 +49,7 @@ class Dialogs : public testing::Test {
     shell_->Type(text);
     Frames();
   }
-  void Change() { ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "neck_flexion"}, {"to", 9}})); }
+  void Change() { ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "neck_flexion"}, {"by", 9}})); }
   std::string File(const std::string& name) const { return (folder_ / name).string(); }
   Modal modal() const { return editor_.dialogs.modal; }
   bool is_saved() const { return editor_.session().document().is_saved(); }

@@ -13,6 +13,8 @@ namespace hazumi::ui {
 
 namespace {
 
+using edit::Json;
+
 // A line as it is shown: without tabs and carriage returns, and no longer than a screen.
 std::string Shown(const std::string& line) {
   constexpr size_t kLongest = 160;
@@ -77,22 +79,22 @@ void ReadCsv(const std::string& bytes, ExportSummary* summary) {
 
 // The JSON of a glTF file; of a binary one it is the first chunk, behind a head of 12 bytes and
 // its own length and type.
-edit::Json GltfJson(const std::string& bytes) {
+Json GltfJson(const std::string& bytes) {
   constexpr size_t kLengthAt = 12, kTextAt = 20;
   std::uint32_t length = 0;
-  if (!bytes.starts_with("glTF")) return edit::Json::parse(bytes, nullptr, false);
-  if (bytes.size() < kTextAt) return edit::Json();
+  if (!bytes.starts_with("glTF")) return Json::parse(bytes, nullptr, false);
+  if (bytes.size() < kTextAt) return Json();
   std::memcpy(&length, bytes.data() + kLengthAt, sizeof length);
-  return edit::Json::parse(bytes.substr(kTextAt, length), nullptr, false);
+  return Json::parse(bytes.substr(kTextAt, length), nullptr, false);
 }
 
-int CountOf(const edit::Json& json, const char* list) {
+int CountOf(const Json& json, const char* list) {
   return json.contains(list) ? static_cast<int>(json.at(list).size()) : 0;
 }
 
-void CountTriangles(const edit::Json& gltf, ExportSummary* summary) {
-  for (const edit::Json& mesh : gltf.value("meshes", edit::Json::array())) {
-    for (const edit::Json& primitive : mesh.value("primitives", edit::Json::array())) {
+void CountTriangles(const Json& gltf, ExportSummary* summary) {
+  for (const Json& mesh : gltf.value("meshes", Json::array())) {
+    for (const Json& primitive : mesh.value("primitives", Json::array())) {
       const size_t indices = primitive.value("indices", size_t{0});
       summary->triangles += gltf.at("accessors").at(indices).value("count", 0) / 3;
     }
@@ -100,8 +102,8 @@ void CountTriangles(const edit::Json& gltf, ExportSummary* summary) {
 }
 
 // A node and those below it, each two columns further in.
-void AddTree(const edit::Json& nodes, size_t number, int depth, ExportSummary* summary) {
-  const edit::Json& node = nodes.at(number);
+void AddTree(const Json& nodes, size_t number, int depth, ExportSummary* summary) {
+  const Json& node = nodes.at(number);
   const std::string name = node.value("name", "");
   summary->names.insert(name);
   const char* mesh = node.contains("mesh") ? "  [mesh]" : "";
@@ -140,7 +142,7 @@ void ReadJson(const std::string& bytes, ExportSummary* summary) {
   const size_t from = list == std::string::npos ? list : bytes.find('[', list);
   const size_t to = from == std::string::npos ? from : bytes.find(']', from);
   if (to == std::string::npos) return;
-  const edit::Json joints = edit::Json::parse(bytes.substr(from, to - from + 1), nullptr, false);
+  const Json joints = Json::parse(bytes.substr(from, to - from + 1), nullptr, false);
   if (joints.is_array()) summary->joints = static_cast<int>(joints.size());
 }
 

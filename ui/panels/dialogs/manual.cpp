@@ -29,7 +29,9 @@ const std::vector<ManualPart>& ManualParts() {
         "feet "
         "stay. Hands and feet can be pulled by their diamonds.",
         "What a region computed is hatched and blue. The motion follows each of your edits at "
-        "once; nothing has to be baked first."}},
+        "once; nothing has to be baked first.",
+        "Where something is wrong with the motion the warning sign beside the properties turns "
+        "orange. Its list leads there, and most of it is put right by a button."}},
       {"To other programs",
        {"File > Export writes the motion as BVH, glTF, a table, JSON or a video, and shows before "
         "it does what will be in the file and what will not. For Blender, Unreal and Unity glTF "
