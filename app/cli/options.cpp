@@ -236,9 +236,6 @@ constexpr OptionRule kRules[] = {
     {"--json", kCheck | kInfo | kFlight, nullptr, Set<&Options::json>},
 };
 
-constexpr std::pair<unsigned, const char*> kExports[] = {
-    {kBvh, ".bvh"}, {kJson, ".json"}, {kCsv, ".csv"}, {kVideo, ".mp4"}};
-
 // "--check and --info", "--export to .bvh"
 std::string TaskNames(unsigned tasks) {
   std::string text;
@@ -248,17 +245,20 @@ std::string TaskNames(unsigned tasks) {
     text += (text.empty() ? "" : tasks ? ", " : " and ") + name;
   };
   for (const OptionRule& task : kTasks) add(task.tasks, task.name);
-  for (const auto& [task, suffix] : kExports) add(task, std::string("--export to ") + suffix);
+  for (const auto& [format, suffix] : {std::pair(kBvh, ".bvh"), std::pair(kJson, ".json"),
+                                       std::pair(kCsv, ".csv"), std::pair(kVideo, ".mp4")})
+    add(format, std::string("--export to ") + suffix);
   return text;
 }
 
 // Of --export, those of the format that is asked for.
 unsigned TasksOf(const OptionRule& task, const Options& options) {
   if (task.tasks != kExport) return task.tasks;
-  for (const auto& [of_format, suffix] : kExports) {
-    if (LowerCase(options.output).ends_with(suffix)) return of_format;
-  }
-  return kPlain;
+  if (IsVideo(options.output)) return kVideo;
+  const auto format = MotionFormatOf(options.output);
+  if (format == MotionFormat::kBvh) return kBvh;
+  if (format == MotionFormat::kJson) return kJson;
+  return format == MotionFormat::kCsv ? kCsv : kPlain;
 }
 
 // "--bake", "--export to x.glb".

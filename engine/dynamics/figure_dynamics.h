@@ -14,7 +14,7 @@ namespace hazumi {
 enum class Instructions { kBaseline, kAvx2 };
 Instructions BestInstructions();  // of this machine
 
-// At a point that goes without saying.
+// A force and its moment about a point, which whoever has it names.
 struct Wrench {
   Vec3 force = Vec3::Zero();   // [N]
   Vec3 moment = Vec3::Zero();  // [N m]

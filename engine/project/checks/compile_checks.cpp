@@ -11,8 +11,6 @@ namespace hazumi {
 
 namespace {
 
-std::string Text(int number) { return std::to_string(number); }
-
 class AnimationChecker {
  public:
   AnimationChecker(const Animation& animation, const std::atomic<bool>* cancel, FirstError* errors)

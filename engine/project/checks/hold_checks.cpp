@@ -14,8 +14,6 @@ namespace {
 
 using Joints = std::vector<JointIndex>;
 
-std::string FrameText(int number) { return std::to_string(number); }
-
 bool Contains(const Joints& joints, JointIndex j) {
   return std::find(joints.begin(), joints.end(), j) != joints.end();
 }
@@ -144,13 +142,13 @@ class HoldChecker {
     const std::string other = Quoted(NameOf(animation_.holds[k].joint));
     if (const auto driver = driven_.FindDriver(Common(Needed(i), Needed(k)), both)) {
       return errors_->Report(Check::kLoopOfHolds, At("holds", i),
-                             {driver->region, driver->joint, one, other,
-                              FrameText(driver->span.first), FrameText(driver->span.last)});
+                             {driver->region, driver->joint, one, other, Text(driver->span.first),
+                              Text(driver->span.last)});
     }
     const auto joint = FirstContested(i, k);
     if (!joint) return;
     errors_->Report(Check::kHoldsConflict, At("holds", i),
-                    {one, other, At("holds", k), FrameText(both.first), FrameText(both.last),
+                    {one, other, At("holds", k), Text(both.first), Text(both.last),
                      Quoted(GroupNameOf(*joint)), OrByTheLimb(i, k)});
   }
 
@@ -199,19 +197,19 @@ class HoldChecker {
     const std::string held = Quoted(NameOf(hold.joint)), pinned = Quoted(NameOf(pin.joint));
     if (hold.joint == pin.joint) {
       return errors_->Report(Check::kHoldOnPin, At("holds", i),
-                             {held, pin.place, FrameText(both.first), FrameText(both.last)});
+                             {held, pin.place, Text(both.first), Text(both.last)});
     }
     const JointSet carries = SetOf(ChainTo(pin.joint));
     if (const auto driver = driven_.FindDriver(Common(Needed(i), carries), both)) {
       return errors_->Report(Check::kLoopWithPin, At("holds", i),
-                             {driver->region, driver->joint, held, pinned,
-                              FrameText(driver->span.first), FrameText(driver->span.last)});
+                             {driver->region, driver->joint, held, pinned, Text(driver->span.first),
+                              Text(driver->span.last)});
     }
     const auto joint = FirstOf(Common(Solved(i), carries));
     if (!joint) return;
     errors_->Report(Check::kHoldConflictsPin, At("holds", i),
-                    {held, Quoted(GroupNameOf(*joint)), pinned, pin.place, FrameText(both.first),
-                     FrameText(both.last), OrByTheLimb(i, i)});
+                    {held, Quoted(GroupNameOf(*joint)), pinned, pin.place, Text(both.first),
+                     Text(both.last), OrByTheLimb(i, i)});
   }
 
   void CheckAgainstGravity(size_t i, size_t k) {
@@ -220,7 +218,7 @@ class HoldChecker {
     if (placement.kind != PlacementKind::kGravity || both.is_empty()) return;
     errors_->Report(Check::kHoldInGravity, At("holds", i),
                     {Quoted(NameOf(animation_.holds[i].joint)), At("placements", k),
-                     FrameText(both.first), FrameText(both.last)});
+                     Text(both.first), Text(both.last)});
   }
 
   // No region drives what the hold needs. Comes after the closed loops, whose message says more.
@@ -236,7 +234,7 @@ class HoldChecker {
     const auto driver = driven_.FindDriver(Needed(i), span);
     errors_->Report(Check::kRegionInHold, At("holds", i),
                     {driver->region, driver->joint, Quoted(NameOf(hold.joint)), At("holds", i),
-                     FrameText(driver->span.first), FrameText(driver->span.last)});
+                     Text(driver->span.first), Text(driver->span.last)});
   }
 
   // A hold is solved from where the root is.
@@ -246,7 +244,7 @@ class HoldChecker {
     if (!region.root || both.is_empty()) return;
     errors_->Report(Check::kRootInHold, At("holds", i),
                     {Quoted(region.name), Quoted(NameOf(animation_.holds[i].joint)), At("holds", i),
-                     FrameText(both.first), FrameText(both.last)});
+                     Text(both.first), Text(both.last)});
   }
 
   // A remedy, where one of two holds reaches with the body.

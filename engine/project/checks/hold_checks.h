@@ -3,6 +3,7 @@
 // Internal. What must hold of holds: against each other, placements and regions.
 
 #include <atomic>
+#include <string>
 
 #include "engine/project/checks/checks.h"
 #include "engine/project/checks/driven_frames.h"
@@ -15,5 +16,7 @@ void CheckHolds(const Animation& animation, const DrivenFrames& driven, const Sp
 
 // "list[3]"
 std::string At(const char* list, size_t index);
+// Of a frame.
+inline std::string Text(int number) { return std::to_string(number); }
 
 }  // namespace hazumi

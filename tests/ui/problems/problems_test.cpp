@@ -31,6 +31,7 @@ class Problems : public testing::Test {
   }
   std::vector<Problem> FoundWith(const std::string& text) {
     std::vector<Problem> found = Found();
+    EXPECT_EQ(HasProblems(&editor_), !found.empty());
     std::erase_if(found, [&](const Problem& p) { return p.text.find(text) == p.text.npos; });
     return found;
   }
@@ -39,7 +40,10 @@ class Problems : public testing::Test {
   std::unique_ptr<OffscreenShell> shell_;
 };
 
-TEST_F(Problems, AreNoneInANewProject) { EXPECT_TRUE(Found().empty()); }
+TEST_F(Problems, AreNoneInANewProject) {
+  EXPECT_TRUE(Found().empty());
+  EXPECT_FALSE(HasProblems(&editor_));
+}
 
 TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
   Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.8}});
@@ -91,7 +95,7 @@ TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
   EXPECT_TRUE(FoundWith("stops dead").empty());
 }
 
-TEST_F(Problems, TheirTabShowsThemInBothLanguages) {
+TEST_F(Problems, AreSaidInTheLanguageOfTheInterface) {
   Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.8}});
   Do("view.properties", {{"section", "problems"}});
   for (const char* language : {"en", "ja"}) {

@@ -4,19 +4,12 @@
 
 namespace hazumi::edit {
 
-std::optional<size_t> RegionMoving(const Animation& animation, JointIndex hinge, double frame) {
-  const auto& regions = animation.regions;
-  const auto found =
-      std::find_if(regions.begin(), regions.end(), [&](const DynamicsRegion& region) {
-        return HasTakenOver(region, frame) &&
-               std::binary_search(region.joints.begin(), region.joints.end(), hinge);
-      });
-  if (found == regions.end()) return std::nullopt;
-  return found - regions.begin();
-}
-
 bool IsSwung(const Animation& animation, JointIndex hinge, double frame) {
-  return RegionMoving(animation, hinge, frame).has_value();
+  const auto& regions = animation.regions;
+  return std::any_of(regions.begin(), regions.end(), [&](const DynamicsRegion& region) {
+    return HasTakenOver(region, frame) &&
+           std::binary_search(region.joints.begin(), region.joints.end(), hinge);
+  });
 }
 
 bool IsPlaced(const Animation& animation, double frame) {

@@ -2,8 +2,6 @@
 
 // Internal: what moves the figure at a frame, its keys apart.
 
-#include <optional>
-
 #include "engine/timeline/animation.h"
 
 namespace hazumi::edit {
@@ -15,8 +13,6 @@ bool HasTakenOver(const Span& span, double frame) {
   return frame > span.first_frame && frame <= span.last_frame;
 }
 
-// The region that moves the hinge, by its index; none if its keys do.
-std::optional<size_t> RegionMoving(const Animation& animation, JointIndex hinge, double frame);
 // Whether a region moves the hinge.
 bool IsSwung(const Animation& animation, JointIndex hinge, double frame);
 // Whether a pin, or gravity and contact, say where the root is.

@@ -133,6 +133,16 @@ class ProblemList {
 
 }  // namespace
 
+bool HasProblems(Editor* editor) {
+  edit::Session& session = editor->session();
+  if (session.KnownError()) return true;
+  const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
+  if (!motion.ok()) return false;
+  // Jumps are among the warnings.
+  return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
+         !AlarmText(editor->flights.analysis().time).empty();
+}
+
 std::vector<Problem> ProblemsOf(Editor* editor) { return ProblemList(editor).Find(); }
 
 void GoTo(const Problem& problem, Editor* editor) {

@@ -28,6 +28,8 @@ struct Problem {
 // Why there is no motion, else what the bake warned of, velocity jumps, frames in the ground, and
 // what flights say of time. What takes long to find comes when it is found.
 std::vector<Problem> ProblemsOf(Editor* editor);
+// Whether there are any; costs a redraw next to nothing.
+bool HasProblems(Editor* editor);
 
 // Shows the frame, and selects what it is about.
 void GoTo(const Problem& problem, Editor* editor);

@@ -80,7 +80,7 @@ void DrawTabs(Editor* editor, const PropertiesLayout& layout) {
     list->AddRectFilled({tab.x + 2.0f, tab.y}, {tab.right(), tab.bottom()}, ToIm(back), 4.0f,
                         ImDrawFlags_RoundCornersLeft);
     const bool is_bright = is_on || (hovered && *hovered == section);
-    const bool warns = section == Section::kProblems && !ProblemsOf(editor).empty();
+    const bool warns = section == Section::kProblems && HasProblems(editor);
     const SrgbColor& sign = warns ? colors::kChanged : is_bright ? theme.text : theme.faint_text;
     DrawIcon(section, {tab.x + 0.5f * tab.w + 1.0f, tab.y + 0.5f * tab.h}, 0.26f * tab.h,
              ToIm(sign));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/project/checks/joint_names.h"
 #include "render/motion/links_skin.h"
 #include "ui/edit/operators/at_frame.h"
 #include "ui/panels/commands/actions.h"
@@ -63,22 +64,22 @@ void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
   constexpr const char* kPosing[] = {"key.insert", "key.set",    "pose.clear",
                                      "pose.paste", "pose.reach", "pose.rotate"};
   if (std::find(std::begin(kPosing), std::end(kPosing), id) == std::end(kPosing)) return;
-  const Animation* animation = session_.animation();
-  if (!animation) return;
   const double frame = parameters.value("frame", session_.frame());
   std::set<std::string> hinges = session_.selected_joints();
   for (const char* one : {"joint", "curve"}) {
     if (parameters.contains(one)) hinges = {parameters[one].get<std::string>()};
   }
-  for (const std::string& name : hinges) {
-    const auto hinge = session_.figure().FindJoint(name);
-    if (!hinge) continue;
-    const std::optional<size_t> region = edit::RegionMoving(*animation, *hinge, frame);
-    if (!region) continue;
-    const ProjectRegion& by = session_.project().regions[*region];
+  for (const ProjectRegion& by : session_.project().regions) {
+    if (!edit::HasTakenOver(by, frame)) continue;
+    const std::vector<bool> moved = JointsOf(by, session_.figure());
+    const auto first = std::find_if(hinges.begin(), hinges.end(), [&](const std::string& name) {
+      const auto hinge = session_.figure().FindJoint(name);
+      return hinge && moved[hinge->value()];
+    });
+    if (first == hinges.end()) continue;
     return Say(Filled(Tr("In this frame the region \"%s\" moves %s, not its key. Split"
                          " the region here (menu Region), or pose it after frame %d."),
-                      by.name.c_str(), name.c_str(), by.last_frame));
+                      by.name.c_str(), first->c_str(), by.last_frame));
   }
 }
 
