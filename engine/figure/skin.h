@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hazumi {
@@ -43,9 +44,22 @@ struct SkinMesh {
   bool operator==(const SkinMesh&) const = default;
 };
 
-// The skin of a figure, in metres; binds are to its bodies.
+// What moves a part of a skin: the body beyond a joint, or the root, by name. With a share less
+// than 1 it turns only so far, each hinge's angle times the share, about the joint's place: between
+// the bodies before and beyond a joint, so that skin bent far does not fold through the joint.
+struct SkinBone {
+  std::string joint;  // the root, a joint (all its hinges), or a hinge with those before it in full
+  double share = 1.0;
+
+  SkinBone() = default;
+  SkinBone(std::string name, double part = 1.0) : joint(std::move(name)), share(part) {}
+  SkinBone(const char* name, double part = 1.0) : joint(name), share(part) {}
+  bool operator==(const SkinBone&) const = default;
+};
+
+// The skin of a figure, in metres; binds are to its bones.
 struct Skin {
-  std::vector<std::string> bones;  // joints, or the root, by name; counted by SkinMesh::Bind::bone
+  std::vector<SkinBone> bones;  // counted by SkinMesh::Bind::bone
   std::vector<SkinMesh> meshes;
   std::vector<Material> materials;
   std::vector<Texture> textures;

@@ -91,6 +91,12 @@ Result<Done> CheckMesh(const Skin& skin, const SkinMesh& mesh, const std::string
 }  // namespace
 
 Result<Done> CheckSkin(const Skin& skin) {
+  for (size_t i = 0; i < skin.bones.size(); ++i) {
+    const double share = skin.bones[i].share;
+    if (!(share >= 0.0 && share <= 1.0)) {
+      return WrongSkin(Item("bones", i) + ".share", "must be a number from 0 to 1");
+    }
+  }
   for (size_t i = 0; i < skin.materials.size(); ++i) {
     if (!IsIndexOrNone(skin.materials[i].texture, skin.textures.size())) {
       return WrongSkin(Item("materials", i) + ".texture", "there is no such texture");

@@ -5,34 +5,38 @@
 namespace hazumi::render {
 namespace {
 
-std::optional<JointIndex> FindBody(const Figure& figure, const std::string& name) {
-  if (name == figure.root_name()) return JointIndex();
-  if (const auto joint = figure.FindJoint(name)) return joint;
-  const auto group = figure.FindGroup(name);
-  return group ? std::optional(figure.group(*group).last()) : std::nullopt;
+const BodyScratch& BodyIn(const DynamicsWorkspace& ws, JointIndex j) {
+  return j.is_valid() ? ws.body(j) : ws.bodies[0];
+}
+
+Pose PoseOf(const Figure& figure, const FigureBone& bone, const VecX& q,
+            const DynamicsWorkspace& ws) {
+  const BodyScratch& body = BodyIn(ws, bone.body);
+  if (bone.is_body) return {body.R, body.p};
+  const JointGroup& group = figure.group(figure.joint(bone.body).group);
+  const BodyScratch& before = BodyIn(ws, figure.joint(group.first).parent);
+  return {before.R * TurnOf(figure, bone, q), body.p};
 }
 
 }  // namespace
 
-std::vector<Pose> FigureSkin::PosesIn(const DynamicsWorkspace& ws) const {
+std::vector<Pose> FigureSkin::PosesIn(const Figure& figure, const VecX& q,
+                                      const DynamicsWorkspace& ws) const {
   std::vector<Pose> poses;
-  for (const JointIndex j : bodies) {
-    const BodyScratch& body = j.is_valid() ? ws.body(j) : ws.bodies[0];
-    poses.push_back({body.R, body.p});
-  }
+  for (const FigureBone& bone : bones) poses.push_back(PoseOf(figure, bone, q, ws));
   return poses;
 }
 
 Result<FigureSkin> PutOn(const Figure& figure, std::shared_ptr<const SkinModel> model) {
   FigureSkin skin;
-  for (const std::string& bone : model->skin->bones) {
-    const std::optional<JointIndex> body = FindBody(figure, bone);
-    if (!body) {
+  for (const SkinBone& bone : model->skin->bones) {
+    const std::optional<FigureBone> found = FindBone(figure, bone);
+    if (!found) {
       return Error{ErrorCode::kSemantics, "", "skin.bones",
-                   "the figure \"" + figure.name() + "\" has no joint \"" + bone +
+                   "the figure \"" + figure.name() + "\" has no joint \"" + bone.joint +
                        "\"; rename the joint back, or import the character anew"};
     }
-    skin.bodies.push_back(*body);
+    skin.bones.push_back(*found);
   }
   skin.model = std::move(model);
   return skin;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/workspace.h"
-#include "engine/figure/figure.h"
+#include "engine/figure/figure_bone.h"
 #include "render/scene/skinned.h"
 
 namespace hazumi::render {
@@ -13,11 +13,11 @@ namespace hazumi::render {
 // A skin on a figure. Without a model there is none.
 struct FigureSkin {
   std::shared_ptr<const SkinModel> model;
-  std::vector<JointIndex> bodies;  // by Skin::bones; invalid: the root body
+  std::vector<FigureBone> bones;  // by Skin::bones
 
   explicit operator bool() const { return model != nullptr; }
-  // Where the bones are; needs ComputePositions.
-  std::vector<Pose> PosesIn(const DynamicsWorkspace& ws) const;
+  // Where the bones are at the angles `q`; needs ComputePositions.
+  std::vector<Pose> PosesIn(const Figure& figure, const VecX& q, const DynamicsWorkspace& ws) const;
 };
 
 // Finds the bones among the figure's joints: by the name of the root, a hinge, or a group of

@@ -114,9 +114,9 @@ void MotionScene::AddLinks(const MotionFrame& frame, float alpha, bool tint, Sce
 
 // Where bodies of different tints meet, the skin takes of each what its weights say.
 void MotionScene::AddSkin(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const {
-  SkinnedFigure skin{skin_.model, skin_.PosesIn(ws_), {}, alpha};
-  for (const JointIndex body : skin_.bodies) {
-    skin.tints.push_back(TintOf(body, frame, alpha, tint));
+  SkinnedFigure skin{skin_.model, skin_.PosesIn(*animation_.figure, frame.q, ws_), {}, alpha};
+  for (const FigureBone& bone : skin_.bones) {
+    skin.tints.push_back(TintOf(bone.body, frame, alpha, tint));
   }
   scene->skins.push_back(std::move(skin));
 }
