@@ -120,7 +120,7 @@ class FrameWriter {
           (i ? ", {" : "{") + std::string("\"name\": ") + Quote(animation_.held_objects[i].name);
       text += ", \"position\": " + Numbers(object.X_WO.p);
       text += ", \"quaternion_wxyz\": " + QuaternionText(Eigen::Quaterniond(object.X_WO.R));
-      text += std::string(", \"held\": ") + (object.held ? "true" : "false") + "}";
+      text += std::string(", \"held\": ") + (object.is_held() ? "true" : "false") + "}";
     }
     return text + "]";
   }
@@ -207,7 +207,7 @@ std::vector<std::pair<std::string, double>> TermsOf(const EnergyBalance& energy)
                                                        {"potential_start", energy.potential_start},
                                                        {"potential_end", energy.potential_end}};
   for (const EnergyBalance::Work& work : energy.laws) terms.emplace_back(work.law, work.joules);
-  terms.emplace_back("stops", energy.stops);
+  terms.emplace_back("stops", energy.limits);
   terms.emplace_back("keyed", energy.keyed);
   terms.emplace_back("residual", energy.residual());
   return terms;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "engine/exchange/gltf/gltf_bodies.h"
+
 namespace hazumi {
 namespace {
 
@@ -104,8 +106,28 @@ std::string GltfBytes(const GltfDocument& document) {
   return bytes + chunks;
 }
 
+namespace {
+
+// Who wrote a file last says so; other programs may keep extras of what they have changed.
+void NoteBodies(const Json& json, GltfNotes* notes) {
+  if (!Text(Member(Member(json, "asset"), "generator")).starts_with("Hazumi")) return;
+  for (const Json& node : Member(json, "nodes")) {
+    const Json& written = Member(Member(node, "extras"), "hazumi");
+    if (written.is_null()) continue;
+    const std::string name = Text(Member(node, "name"));
+    if (const auto body = BodyFromGltf(written)) {
+      notes->bodies[name] = *body;
+    } else {
+      notes->damaged.push_back(name);
+    }
+  }
+}
+
+}  // namespace
+
 GltfNotes NotesOf(const GltfDocument& document) {
   GltfNotes notes;
+  NoteBodies(document.json, &notes);
   const Json& nodes = Member(document.json, "nodes");
   const Json& animations = Member(document.json, "animations");
   for (size_t a = 0; animations.is_array() && a < animations.size(); ++a) {

@@ -2,9 +2,11 @@
 
 // The JSON of a glTF or GLB file, for what assimp 5.2.5 does not pass on or gets wrong.
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/exchange/assimp/scene_clips.h"
@@ -31,6 +33,9 @@ size_t Count(const nlohmann::json& value, const std::string& key, size_t missing
 struct GltfNotes {
   SteppedChannels stepped;  // STEP
   int num_splines = 0;      // CUBICSPLINE
+  // What Hazumi wrote of them into a file that no other program has written since, by node.
+  std::map<std::string, BoneBody> bodies;
+  std::vector<std::string> damaged;  // nodes of which that cannot be read
 };
 GltfNotes NotesOf(const GltfDocument& document);
 

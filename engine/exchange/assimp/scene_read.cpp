@@ -97,6 +97,18 @@ void DropUnused(Character* character) {
   character->materials = std::move(materials);
 }
 
+void TakeBodies(const GltfNotes& notes, Character* character) {
+  for (Bone& bone : character->bones) {
+    const auto body = notes.bodies.find(bone.name);
+    if (body != notes.bodies.end()) bone.body = body->second;
+  }
+  for (const std::string& name : notes.damaged) {
+    character->warnings.push_back({"node " + name,
+                                   "its shape and mass cannot be read from its"
+                                   " extras; they are guessed"});
+  }
+}
+
 Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNotes& notes,
                           SceneFiles* files, const std::string& path, Character character) {
   character.name = ValidUtf8(std::filesystem::path(path).stem().string());
@@ -121,6 +133,7 @@ Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNote
   ReadMaterials(*scene, files, &character);
   DropUnused(&character);
   character.bones = std::move(skeleton.value().bones);
+  TakeBodies(notes, &character);
   return character;
 }
 

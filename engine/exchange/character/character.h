@@ -16,6 +16,20 @@
 
 namespace hazumi {
 
+// What hangs on a bone, as Hazumi itself has written it: in the bone's frame, with the axes that
+// Hazumi gives it [m, kg], so that the figure is known again that a file was made of.
+struct BoneBody {
+  struct Capsule {
+    std::string name;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+    double radius = 0.0;
+  };
+  double mass = 0.0;
+  Vec3 com = Vec3::Zero();
+  Mat3 inertia = Mat3::Zero();  // about the centre of mass [kg m^2]
+  std::vector<Capsule> capsules;
+};
+
 // A node of the skeleton. Parents come before their children.
 struct Bone {
   std::string name;  // unique, not empty
@@ -25,6 +39,7 @@ struct Bone {
   std::string rotation_order;    // channels as written, such as "ZYX" for Rz Ry Rx; empty: unknown
   std::optional<Vec3> end_site;  // where the bone ends if no child says so, own frame
   bool is_joint = true;          // moved or weighted; false: only in between
+  std::optional<BoneBody> body;  // not given: nobody knows
 };
 
 // How one bone moves, in its parent's frame. Each list has one entry a frame, or none: as at rest.

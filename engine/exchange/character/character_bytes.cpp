@@ -7,7 +7,7 @@ namespace hazumi {
 namespace {
 
 constexpr uint32_t kMagic = 0x43'4d'5a'48;  // "HZMC"
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 enum : uint8_t { kIsError = 0, kIsCharacter = 1 };
 
 class CharacterWriter : public ByteWriter {
@@ -40,6 +40,26 @@ void Maybe(Archive& a, std::optional<T>& value) {
 }
 
 template <typename Archive>
+void Visit(Archive& a, BoneBody::Capsule& capsule) {
+  a.Text(capsule.name);
+  a.Value(capsule.from);
+  a.Value(capsule.to);
+  a.Value(capsule.radius);
+}
+
+template <typename Archive>
+void Visit(Archive& a, std::optional<BoneBody>& body) {
+  bool is_there = body.has_value();
+  a.Flag(is_there);
+  if (!is_there) return;
+  if (!body) body.emplace();
+  a.Value(body->mass);
+  a.Value(body->com);
+  a.Value(body->inertia);
+  a.List(body->capsules);
+}
+
+template <typename Archive>
 void Visit(Archive& a, Bone& bone) {
   a.Text(bone.name);
   a.Value(bone.parent);
@@ -49,6 +69,7 @@ void Visit(Archive& a, Bone& bone) {
   a.Text(bone.rotation_order);
   Maybe(a, bone.end_site);
   a.Flag(bone.is_joint);
+  Visit(a, bone.body);
 }
 
 template <typename Archive>

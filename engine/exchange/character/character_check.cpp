@@ -79,6 +79,16 @@ class Checker {
     if (!IsLength(bone.rest_scale)) Say(place, "its scale is not a number of sensible size");
     if (bone.end_site && !IsLength(*bone.end_site))
       Say(place, "its end is not a number of sensible size");
+    if (bone.body) CheckBody(*bone.body, place);
+  }
+
+  void CheckBody(const BoneBody& body, const std::string& place) {
+    bool is_sound = body.mass > 0.0 && IsLength(body.com) && body.inertia.allFinite();
+    for (const BoneBody::Capsule& capsule : body.capsules) {
+      is_sound = is_sound && IsLength(capsule.from) && IsLength(capsule.to) &&
+                 capsule.radius > 0.0 && capsule.radius <= limits_.longest;
+    }
+    if (!is_sound) Say(place, "its body is not of sensible size and mass");
   }
 
   void CheckClip(const Clip& clip, size_t index) {

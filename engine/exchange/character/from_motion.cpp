@@ -6,6 +6,7 @@
 
 #include "engine/exchange/character/axes.h"
 #include "engine/exchange/character/skin_axes.h"
+#include "engine/figure/figure_bone.h"
 
 namespace hazumi {
 
@@ -61,6 +62,16 @@ std::optional<Vec3> EndOf(const Figure& figure, JointIndex body) {
   return end;
 }
 
+BoneBody BodyOf(const Figure& figure, JointIndex joint) {
+  const RigidInertia& moved = joint.is_valid() ? figure.body(joint) : figure.root_body();
+  BoneBody body = {moved.mass, moved.com, moved.I_com, {}};
+  for (const Link& link : figure.links()) {
+    if (link.joint != joint) continue;
+    body.capsules.push_back({link.name, link.capsule.a, link.capsule.b, link.capsule.radius});
+  }
+  return body;
+}
+
 class MotionCharacter {
  public:
   MotionCharacter(const Figure& figure, const Motion& motion, const FromMotionOptions& options)
@@ -92,6 +103,14 @@ class MotionCharacter {
     character_.bones.push_back(std::move(root));
     for (const JointGroup& group : figure_.groups()) AddBone(group);
     AddEndSites();
+    AddBodies();
+  }
+
+  void AddBodies() {
+    for (size_t i = 0; i < character_.bones.size(); ++i) {
+      const JointIndex body = i == 0 ? JointIndex() : figure_.groups()[i - 1].last();
+      character_.bones[i].body = BodyOf(figure_, body);
+    }
   }
 
   void AddBone(const JointGroup& group) {
@@ -161,13 +180,29 @@ class MotionCharacter {
   Character character_;
 };
 
-// The bone that a skin's bone is; none: no body of the figure has the name.
-std::optional<int> BoneNamed(const Figure& figure, const std::string& name) {
-  if (name == figure.root_name()) return 0;
-  if (const auto group = figure.FindGroup(name)) return 1 + group->value();
-  const auto hinge = figure.FindJoint(name);
-  if (!hinge || figure.joint(*hinge).massless) return std::nullopt;
-  return BoneOf(figure, *hinge);
+// Gives the character a bone that no joint is, beside that of its joint: "r_knee_50" takes half of
+// the knee's angles.
+int AddSkinBone(const Figure& figure, const Motion& motion, const SkinBone& named,
+                const FigureBone& found, const FileAxes& axes, Character* character) {
+  const Joint& first = figure.joint(figure.group(figure.joint(found.body).group).first);
+  Bone bone;
+  bone.name = named.joint;
+  if (!found.is_body) bone.name += "_" + std::to_string(std::lround(100.0 * named.share));
+  bone.parent = BoneOf(figure, first.parent);
+  bone.rest = axes.Turned(first.X_PJ);
+  BoneTrack track;
+  for (const MotionFrame& frame : motion.frames) {
+    track.rotations.emplace_back(axes.Turned(TurnOf(figure, found, frame.q)));
+  }
+  character->bones.push_back(std::move(bone));
+  character->clips[0].tracks.push_back(std::move(track));
+  return static_cast<int>(character->bones.size()) - 1;
+}
+
+// Whether the body beyond the joint is a bone: it is the last one of its hinges.
+bool IsOwnBone(const Figure& figure, const FigureBone& bone) {
+  if (!bone.body.is_valid()) return true;
+  return bone.is_body && figure.group(figure.joint(bone.body).group).last() == bone.body;
 }
 
 }  // namespace
@@ -177,15 +212,18 @@ Result<Character> CharacterFromMotion(const Figure& figure, const Motion& motion
   Character character = MotionCharacter(figure, motion, options).Make();
   if (!options.skin) return character;
   std::vector<int> bones;
-  for (const std::string& name : options.skin->bones) {
-    const auto bone = BoneNamed(figure, name);
-    if (!bone) {
+  const FileAxes axes(options.up, options.metres_per_unit);
+  for (const SkinBone& bone : options.skin->bones) {
+    const auto found = FindBone(figure, bone);
+    if (!found) {
       return Error{ErrorCode::kSemantics, "", "skin.bones[" + std::to_string(bones.size()) + "]",
-                   "the figure has no joint \"" + name + "\""};
+                   "the figure has no joint \"" + bone.joint + "\""};
     }
-    bones.push_back(*bone);
+    bones.push_back(IsOwnBone(figure, *found)
+                        ? BoneOf(figure, found->body)
+                        : AddSkinBone(figure, motion, bone, *found, axes, &character));
   }
-  PutSkinOn(*options.skin, bones, FileAxes(options.up, options.metres_per_unit), &character);
+  PutSkinOn(*options.skin, bones, axes, &character);
   return character;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/base/assert.h"
 #include "engine/base/base64.h"
+#include "engine/exchange/gltf/gltf_bodies.h"
 #include "engine/exchange/gltf/gltf_clips.h"
 #include "engine/exchange/gltf/gltf_materials.h"
 #include "engine/exchange/gltf/gltf_mesh.h"
@@ -51,6 +52,7 @@ class GltfWriter {
     for (const Bone& bone : character_.bones) {
       const size_t i = nodes_.size();
       nodes_.push_back(NodeOf(bone.name, bone.rest, bone.rest_scale));
+      if (bone.body) nodes_.back()["extras"]["hazumi"] = GltfBody(*bone.body);
       if (bone.parent < 0) roots.push_back(i);
       if (bone.parent >= 0) nodes_[static_cast<size_t>(bone.parent)]["children"].push_back(i);
     }

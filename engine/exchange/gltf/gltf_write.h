@@ -26,7 +26,8 @@ struct GltfOptions {
 // and those that rest elsewhere than in `rest` a channel of two equal keys; times begin at 0. Of a
 // texture coordinate, normal or weight that glTF forbids (weights that do not sum to 1, normals of
 // no length), the weights are made to sum to 1 and the mesh's normals are left out. A mesh without
-// triangles is not written. A prop is a node with its mesh: a child of its bone's, or of the scene.
+// triangles is not written. What hangs on a bone is in the extras of its node (gltf_bodies.h). A
+// prop is a node with its mesh: a child of its bone's, or of the scene.
 //
 // Errors, kSemantics: a texture that is neither PNG nor JPEG, a mesh bound twice to one bone,
 // numbers that are not finite or not those of a float, `extras` that is no JSON object.

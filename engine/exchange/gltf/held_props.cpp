@@ -80,10 +80,10 @@ SkinMesh MeshOf(const HeldObject& object, const FileAxes& axes) {
 void Place(const HeldObject& object, size_t i, const Motion& motion, const FileAxes& axes,
            GltfProp* prop) {
   const bool is_held = std::all_of(motion.frames.begin(), motion.frames.end(),
-                                   [&](const MotionFrame& f) { return f.objects[i].held; });
+                                   [&](const MotionFrame& f) { return f.objects[i].holder == 0; });
   if (is_held) {
-    prop->bone = 1 + object.holder.value();
-    prop->rest.p = axes.Point(object.offset);
+    prop->bone = 1 + object.holders[0].joint.value();
+    prop->rest.p = axes.Point(object.holders[0].offset);
     return;
   }
   prop->rest = axes.Turned(motion.frames.front().objects[i].X_WO);

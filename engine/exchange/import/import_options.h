@@ -10,7 +10,7 @@
 
 namespace hazumi {
 
-// Where hinges stop.
+// Limits of hinges.
 enum class ImportLimits {
   kClip,  // as far as the clip goes, and somewhat beyond
   kNone,  // nowhere

@@ -13,6 +13,7 @@
 #include "engine/exchange/import/import_skin.h"
 #include "engine/exchange/import/joint_plan.h"
 #include "engine/exchange/import/key_reduction.h"
+#include "engine/exchange/import/known_bodies.h"
 #include "engine/exchange/import/mass_shares.h"
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
@@ -246,10 +247,21 @@ class Importer {
     return hinge;
   }
 
-  std::optional<Error> SetFigure() {
+  // By kept bone; `how` follows the mass.
+  std::vector<std::vector<LinkSpec>> WeighedLinks(std::string* how) const {
+    if (auto known = KnownLinks(character_, skeleton_, world_, options_.mass_kg)) {
+      *how = "shaped and weighed as Hazumi wrote it";
+      return std::move(*known);
+    }
     const double mass = options_.mass_kg.value_or(kMassOfHeight * world_.height * world_.height);
     auto links = LinksOf(character_, skeleton_, plan_, skin_, world_);
-    const std::string how = Weigh(skeleton_, plan_, skin_, mass, &links);
+    *how = Weigh(skeleton_, plan_, skin_, mass, &links);
+    return links;
+  }
+
+  std::optional<Error> SetFigure() {
+    std::string how;
+    const auto links = WeighedLinks(&how);
     FigureSpec spec;
     spec.name = character_.name;
     spec.root_name = plan_.joints[0].name;

@@ -11,7 +11,7 @@
 
 namespace hazumi::test {
 
-// `num_frames` of random poses, 30 a second: the root within metres, angles within the stops.
+// `num_frames` of random poses, 30 a second: the root within metres, angles within the limits.
 Motion RandomMotion(const Figure& figure, int num_frames, unsigned seed);
 
 // Poses of the bones in the file's world at a frame of the first clip.

@@ -5,6 +5,7 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/bvh/bvh_write.h"
+#include "engine/figure/figure_bone.h"
 #include "engine/spatial/euler_angles.h"
 #include "tests/support/figures.h"
 #include "tests/unit/exchange/export_sample.h"
@@ -157,6 +158,29 @@ TEST(CharacterFromMotion, TakesTheSkinAlong) {
   const Eigen::Vector4d in_bone =
       moved.binds[0].inverse_bind * moved.positions[0].cast<double>().homogeneous();
   EXPECT_LT((X_WB * Vec3(in_bone.head<3>()) * 0.01 - YUp(wanted)).norm(), 1e-6);
+}
+
+// A bone that takes a share of a joint's angles is a bone of the file, which moves as in pictures.
+TEST(CharacterFromMotion, HasABoneForEachShareOfAJoint) {
+  const Figure figure = Arm7();
+  const Motion motion = RandomMotion(figure, 3, 8);
+  const std::string joint = figure.groups()[1].name;
+  Skin skin;
+  skin.bones = {joint, SkinBone(joint, 0.5)};
+  const Character character = Made(figure, motion, {"m", UpAxis::kY, 1.0, &skin});
+  ASSERT_EQ(character.bones.size(), figure.groups().size() + 2);
+  EXPECT_EQ(character.bones.back().name, joint + "_50");
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, motion.frames[2].X_WR, motion.frames[2].q, &ws);
+  const JointGroup& group = figure.groups()[1];
+  const JointIndex parent = figure.joint(group.first).parent;
+  const Mat3 R =
+      ws.body(parent).R * TurnOf(figure, *FindBone(figure, skin.bones[1]), motion.frames[2].q);
+  const Pose X_WB = WorldPoses(character, 2).back();
+  EXPECT_LT((X_WB.p - YUp(ws.body(group.first).p)).norm(), 1e-9);
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+    EXPECT_LT((X_WB.R * YUp(axis) - YUp(R * axis)).norm(), 1e-9);
+  }
 }
 
 TEST(CharacterFromMotion, RefusesASkinOfAnotherFigure) {

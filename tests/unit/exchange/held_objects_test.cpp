@@ -24,15 +24,14 @@ Animation Holding() {
   HeldObject ball, club;
   ball.name = "ball";
   ball.shape = SphereShape{0.1};
-  ball.holder = *animation.figure->FindGroup("r_wrist");
-  ball.offset = Vec3(0.01, 0.02, -0.1);
-  ball.release_frame = kRelease;
+  const Vec3 offset(0.01, 0.02, -0.1);
+  ball.holders = {
+      {*animation.figure->FindGroup("r_wrist"), offset, Holder::kFromTheStart, kRelease}};
   ball.color = "#ff8000";
   club = ball;
   club.name = "club";
   club.shape = BoxShape{Vec3(0.01, 0.02, 0.3)};
-  club.holder = *animation.figure->FindGroup("l_wrist");
-  club.release_frame.reset();
+  club.holders = {{*animation.figure->FindGroup("l_wrist"), offset}};
   animation.held_objects = {ball, club};
   return animation;
 }
@@ -42,8 +41,8 @@ Motion MotionOf(const Animation& animation) {
   Motion motion = RandomMotion(*animation.figure, kFrames, 3);
   Random random(4);
   for (MotionFrame& frame : motion.frames) {
-    const bool is_held = frame.frame < motion.frames.front().frame + kRelease;
-    frame.objects = {{{random.Rotation(), random.Vector3(2.0)}, is_held}, {Pose(), true}};
+    const int holder = frame.frame < motion.frames.front().frame + kRelease ? 0 : -1;
+    frame.objects = {{{random.Rotation(), random.Vector3(2.0)}, holder}, {Pose(), 0}};
   }
   return motion;
 }
@@ -78,7 +77,7 @@ TEST(HeldObjects, WhatIsNeverLetGoIsACarriedNodeInGltf) {
   const Json& node = gltf.json["nodes"][club];
   EXPECT_TRUE(Has(gltf.json["nodes"][NodeNamed(gltf.json, "l_wrist")]["children"], club));
   EXPECT_FALSE(Has(gltf.json["scenes"][0]["nodes"], club));
-  const Vec3 offset = InFile(animation.held_objects[1].offset);
+  const Vec3 offset = InFile(animation.held_objects[1].holders[0].offset);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(node["translation"][i], offset[i]);
   EXPECT_EQ(gltf.Channel("club", "translation"), nullptr);
   EXPECT_EQ(gltf.Channel("club", "rotation"), nullptr);
