@@ -13,7 +13,7 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/bake/pose/object_flight.h"
+#include "engine/bake/pose/held_objects.h"
 #include "engine/dynamics/kinematics.h"
 
 namespace hazumi {
@@ -85,16 +85,15 @@ class LoadedFigure {
   }
 
  private:
-  static std::vector<bool> HeldAt(const MotionFrame& frame) {
-    std::vector<bool> held;
-    for (const ObjectPose& object : frame.objects) held.push_back(object.held);
+  static std::vector<int> HeldAt(const MotionFrame& frame) {
+    std::vector<int> held;
+    for (const ObjectPose& object : frame.objects) held.push_back(object.holder);
     return held;
   }
-  static Figure Loaded(const Animation& animation, const std::vector<bool>& held) {
+  static Figure Loaded(const Animation& animation, const std::vector<int>& held) {
     Figure figure = *animation.figure;
     for (size_t i = 0; i < held.size(); ++i) {
-      const HeldObject& object = animation.held_objects[i];
-      if (held[i]) figure = figure.WithLoad(figure.group(object.holder).last(), InertiaOf(object));
+      figure = WithObject(figure, animation.held_objects[i], held[i]);
     }
     return figure;
   }
@@ -113,7 +112,7 @@ class LoadedFigure {
     torques->unsupported = {};
   }
 
-  std::vector<bool> held_;
+  std::vector<int> held_;
   Figure figure_;
   FigureDynamics dynamics_;
   FigureScratch scratch_;

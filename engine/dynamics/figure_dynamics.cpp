@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "engine/base/assert.h"
@@ -20,10 +18,7 @@ FigureScratch::FigureScratch(const LanePlan& plan)
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   std::fill(data(), data() + array.size(), kNaN);
 #endif
-  // The root does not answer, and an empty load asks for nothing.
-  const int w = plan.width;
-  std::fill_n(data() + plan.root_state() + LaneState::kResponse * w, 6 * w, 0.0);
-  std::fill_n(data() + plan.empty_load(), LaneState::kLoadFields * w, 0.0);
+  std::fill_n(data() + plan.empty_load(), LaneState::kLoadFields * plan.width, 0.0);
 }
 
 namespace {
@@ -79,16 +74,6 @@ Wrench FigureDynamics::RootWrench(const Pose& X_WR, const RootMotion& root,
   return wrench;
 }
 
-std::optional<SingularInertia> FigureDynamics::ForwardDynamics(
-    const Pose& X_WR, const RootMotion& root, const VecX& q, const VecX& qd, const VecX& tau,
-    const EndForces* ends, FigureScratch* scratch, VecX* qdd) const {
-  SetRoot(X_WR, root, scratch);
-  kernels_.start(plan_, q.data(), qd.data(), nullptr, scratch->data());
-  if (ends != nullptr) SubtractEndForces(X_WR, *ends, scratch);
-  if (kernels_.accelerations(plan_, tau.data(), qdd->data(), scratch->data())) return std::nullopt;
-  return FindSingular(scratch->data());
-}
-
 void FigureDynamics::SetRoot(const Pose& X_WR, const RootMotion& root,
                              FigureScratch* scratch) const {
   double* at = scratch->data() + plan_.root_state();
@@ -128,28 +113,6 @@ void FigureDynamics::SubtractEndForces(const Pose& X_WR, const EndForces& ends,
       load[(3 + i) * plan_.width] -= f[i];
     }
   }
-}
-
-bool FigureDynamics::IsSmall(JointIndex joint, const double* scratch) const {
-  const double* row = scratch + plan_.joint_at[joint.value()];
-  int64_t bits = 0;
-  std::memcpy(&bits, row + LaneRow::kSmall * plan_.width, sizeof bits);
-  return bits != 0;
-}
-
-// The joint nearest the tips whose pivot is too small: those inwards of it may only follow.
-SingularInertia FigureDynamics::FindSingular(const double* scratch) const {
-  SingularInertia found;
-  int found_step = -1;
-  for (const LaneBody& body : plan_.bodies) {
-    for (const LaneHinge& hinge : body.hinges) {
-      if (body.step < found_step || !IsSmall(hinge.joint, scratch)) continue;
-      found = {hinge.joint};
-      found_step = body.step;
-    }
-  }
-  HAZUMI_DEMAND(found_step >= 0);
-  return found;
 }
 
 }  // namespace hazumi

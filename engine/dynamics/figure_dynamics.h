@@ -1,9 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "engine/dynamics/forward_dynamics.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/lane_kernels.h"
 #include "engine/dynamics/lane_plan.h"
@@ -30,7 +28,7 @@ struct FigureScratch {
   const double* data() const { return array.data(); }
 };
 
-// Inverse and forward dynamics of a whole figure, from angles to torques or accelerations, O(N).
+// Inverse dynamics of a whole figure, from angles to torques, O(N).
 // The figure is prepared once; an evaluation then allocates nothing.
 // For what is needed of single bodies on the way see inverse_dynamics.h.
 //
@@ -51,19 +49,10 @@ class FigureDynamics {
   // but `ends`. Of the InverseDynamics that the scratch was last used for, with the same root.
   Wrench RootWrench(const Pose& X_WR, const RootMotion& root, const FigureScratch& scratch) const;
 
-  // H qdd = tau - B [Arai (2)] solved for qdd by articulated bodies. Fails when a joint moves no
-  // mass, and names it.
-  std::optional<SingularInertia> ForwardDynamics(const Pose& X_WR, const RootMotion& root,
-                                                 const VecX& q, const VecX& qd, const VecX& tau,
-                                                 const EndForces* ends, FigureScratch* scratch,
-                                                 VecX* qdd) const;
-
  private:
   void SetRoot(const Pose& X_WR, const RootMotion& root, FigureScratch* scratch) const;
   void SubtractEndForces(const Pose& X_WR, const EndForces& ends, FigureScratch* scratch) const;
   Mat3 RotationFromParent(const LaneBody& body, const double* scratch) const;
-  bool IsSmall(JointIndex joint, const double* scratch) const;
-  SingularInertia FindSingular(const double* scratch) const;
 
   RigidInertia root_inertia_;
   LanePlan plan_;

@@ -29,8 +29,6 @@ HAZUMI_LANE_INLINE Triple<V> Cross(const Triple<V>& a, const Triple<V>& b) {
 template <typename V>
 struct Symmetric {
   V d[3], o[3];
-  HAZUMI_LANE_INLINE V& at(int i, int j) { return i == j ? d[i] : o[3 - i - j]; }
-  HAZUMI_LANE_INLINE const V& at(int i, int j) const { return i == j ? d[i] : o[3 - i - j]; }
 };
 
 template <typename V>
@@ -54,15 +52,6 @@ template <typename V>
 HAZUMI_LANE_INLINE Triple<V> TransposeTimes(const Square<V>& A, const Triple<V>& x) {
   return Scaled(x.e[0], A.row[0]) + Scaled(x.e[1], A.row[1]) + Scaled(x.e[2], A.row[2]);
 }
-template <typename V>
-HAZUMI_LANE_INLINE Square<V> Transposed(const Square<V>& A) {
-  Square<V> T;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) T.row[i].e[j] = A.row[j].e[i];
-  }
-  return T;
-}
-
 // A turn by an angle about the axis of slot K, from its cosine and sine: from the axes of the body
 // to those before the turn, and back.
 template <typename V>
@@ -83,47 +72,6 @@ HAZUMI_LANE_INLINE void Outwards(const Turn<V>& turn, Triple<V>* x) {
   x->e[I] = turn.c * a + turn.s * b;
   x->e[J] = turn.c * b - turn.s * a;
 }
-// S := R S R^T and A := R A R^T.
-template <int K, typename V>
-HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Symmetric<V>* S) {
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const V ii = turn.c * S->d[I] - turn.s * S->o[K], ij = turn.c * S->o[K] - turn.s * S->d[J];
-  const V ji = turn.s * S->d[I] + turn.c * S->o[K], jj = turn.s * S->o[K] + turn.c * S->d[J];
-  const V ki = S->o[J], kj = S->o[I];
-  S->d[I] = turn.c * ii - turn.s * ij;
-  S->o[K] = turn.s * ii + turn.c * ij;
-  S->d[J] = turn.s * ji + turn.c * jj;
-  S->o[J] = turn.c * ki - turn.s * kj;
-  S->o[I] = turn.s * ki + turn.c * kj;
-}
-template <int K, typename V>
-HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Square<V>* A) {
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const Triple<V> a = A->row[I], b = A->row[J];
-  for (int i = 0; i < 3; ++i) {
-    A->row[I].e[i] = turn.c * a.e[i] - turn.s * b.e[i];
-    A->row[J].e[i] = turn.s * a.e[i] + turn.c * b.e[i];
-  }
-  for (Triple<V>& row : A->row) Inwards<K>(turn, &row);
-}
-
-// F A F^T for any A, and for a symmetric one.
-template <typename V>
-HAZUMI_LANE_INLINE Square<V> Conjugated(const Square<V>& F, const Square<V>& A) {
-  Square<V> result;
-  for (int i = 0; i < 3; ++i) result.row[i] = F * TransposeTimes(A, F.row[i]);
-  return result;
-}
-template <typename V>
-HAZUMI_LANE_INLINE Symmetric<V> Conjugated(const Square<V>& F, const Symmetric<V>& S) {
-  Symmetric<V> result;
-  for (int i = 0; i < 3; ++i) {
-    const Triple<V> row = S * F.row[i];
-    for (int j = i; j < 3; ++j) result.at(i, j) = Dot(row, F.row[j]);
-  }
-  return result;
-}
-
 // Fields that follow each other in memory, `W` numbers each.
 template <int W, int N>
 HAZUMI_LANE_INLINE void LoadFields(const double* at, typename LanesOf<W>::Real* fields) {

@@ -17,12 +17,12 @@
 namespace hazumi {
 
 namespace {
-#include "engine/dynamics/lane_elimination.h"
+#include "engine/dynamics/lane_sweeps.h"
 }  // namespace
 
 LaneKernels Avx2Kernels(int width) {
-  if (width == 1) return {Start<1>, Torques<1>, Accelerations<1>};
-  return {Start<4>, Torques<4>, Accelerations<4>};
+  if (width == 1) return {Start<1>, Torques<1>};
+  return {Start<4>, Torques<4>};
 }
 
 }  // namespace hazumi

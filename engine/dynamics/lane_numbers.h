@@ -1,9 +1,9 @@
 // One or four numbers, one a lane, with the arithmetic of one.
 //
-// The text of lane_numbers, lane_algebra, lane_trig, lane_sweeps and lane_elimination, each with
-// those before it, is compiled once for every instruction set: a file of kernels includes the last
-// of them inside a namespace of its own. So there is no #pragma once, and nothing here includes
-// headers of the library. Without fused multiply-add, a lane gives the same bits everywhere.
+// The text of lane_numbers, lane_algebra, lane_trig and lane_sweeps, each with those before it, is
+// compiled once for every instruction set: a file of kernels includes the last of them inside a
+// namespace of its own. So there is no #pragma once, and nothing here includes headers of the
+// library. Without fused multiply-add, a lane gives the same bits everywhere.
 
 #define HAZUMI_LANE_INLINE inline __attribute__((always_inline))
 

@@ -77,13 +77,11 @@ void AddRows(const std::array<int, kMaxLanes>& lanes, LaneStep* step, LanePlan* 
 }
 
 void SetFlags(const LanePlan& plan, const std::array<int, kMaxLanes>& lanes, LaneStep* step) {
-  step->at_root = true;
   for (int l = 0; l < plan.width; ++l) {
     if (lanes[l] < 0) continue;
     const LaneBody& body = plan.bodies[lanes[l]];
     step->turned |= !body.F.isIdentity(0.0);
     step->shifted |= !body.p_PB.isZero(0.0);
-    step->at_root &= body.parent < 0;
   }
 }
 

@@ -65,20 +65,18 @@ struct LaneConstants {
   static constexpr int kFields = 22;
 };
 
-// Scratch fields of a step. `motion` is w, alpha and a of B's origin at given accelerations;
-// `response` alpha and a that torques add; `load` what the body asks of its parent: moment, force
-// and articulated inertia (J, H, M).
+// Scratch fields of a step. `motion` is w, alpha and a of B's origin; `load` the moment and the
+// force that the body asks of its parent.
 struct LaneState {
-  enum Field { kMotion = 0, kResponse = 9, kLoad = 15 };
-  static constexpr int kLoadFields = 27, kForceFields = 6;
+  enum Field { kMotion = 0, kLoad = 9 };
+  static constexpr int kLoadFields = 6;
   static constexpr int kFields = kLoad + kLoadFields;
 };
 
-// Scratch fields of a turn, called its row. `given` is qdd or tau, first in and then out; `pivot`
-// what elimination leaves behind, `small` all bits set where that failed.
+// Scratch fields of a turn, called its row. `given` is qdd, and then tau.
 struct LaneRow {
-  enum Field { kCosine = 0, kSine = 1, kRate = 2, kGiven = 3, kPivot = 4, kSmall = 10 };
-  static constexpr int kFields = 11;
+  enum Field { kCosine = 0, kSine = 1, kRate = 2, kGiven = 3 };
+  static constexpr int kFields = 4;
 };
 
 // Where each lane reads: offsets in the scratch array.
@@ -94,7 +92,6 @@ struct LaneStep {
   int first_row = 0, end_row = 0;
   bool turned = false;   // some F is not the identity
   bool shifted = false;  // some p_PB is not zero
-  bool at_root = false;  // every parent is the root
 };
 
 struct LanePlan {

@@ -132,7 +132,7 @@ struct LaneMotion {
 
 // Across a hinge: into the axes beyond it, and its own rate and acceleration on top:
 //   w += e qd,  alpha += e qdd + w x e qd.
-template <int W, bool kAccelerations>
+template <int W>
 struct MotionAcross {
   LaneMotion<typename LanesOf<W>::Real> m;
 
@@ -147,7 +147,7 @@ struct MotionAcross {
     m.alpha.e[I] += m.w.e[J] * rate;
     m.alpha.e[J] -= m.w.e[I] * rate;
     m.w.e[K] += rate;
-    if (kAccelerations) m.alpha.e[K] += Load<W>(row + LaneRow::kGiven * W);
+    m.alpha.e[K] += Load<W>(row + LaneRow::kGiven * W);
   }
 };
 
@@ -171,7 +171,7 @@ HAZUMI_LANE_INLINE void StoreOwnForce(const StepView<W>& view, const LaneMotion<
 }
 
 // Outwards: the motion of every body and its own force.
-template <int W, bool kAccelerations>
+template <int W>
 void MoveBodies(const LanePlan& plan, double* scratch) {
   using V = typename LanesOf<W>::Real;
   double* rows = scratch + plan.row(0);
@@ -180,9 +180,9 @@ void MoveBodies(const LanePlan& plan, double* scratch) {
     const StepView<W> view(plan, s, scratch);
     V parent[9];
     FetchFields<W, 9>(scratch, view.step.parent, LaneState::kMotion, parent);
-    MotionAcross<W, kAccelerations> across = {{{{parent[0], parent[1], parent[2]}},
-                                               {{parent[3], parent[4], parent[5]}},
-                                               {{parent[6], parent[7], parent[8]}}}};
+    MotionAcross<W> across = {{{{parent[0], parent[1], parent[2]}},
+                               {{parent[3], parent[4], parent[5]}},
+                               {{parent[6], parent[7], parent[8]}}}};
     LaneMotion<V>& m = across.m;
     if (view.step.shifted) m.a = AccelerationAt(m, view.origin());
     if (view.step.turned) {
@@ -202,12 +202,8 @@ template <int W>
 void Start(const LanePlan& plan, const double* q, const double* qd, const double* qdd,
            double* scratch) {
   SetTurns<W>(plan, q, qd, scratch);
-  if (qdd == nullptr) {
-    MoveBodies<W, false>(plan, scratch);
-  } else {
-    SetGiven<W>(plan, qdd, scratch);
-    MoveBodies<W, true>(plan, scratch);
-  }
+  SetGiven<W>(plan, qdd, scratch);
+  MoveBodies<W>(plan, scratch);
   LeaveLanes();
 }
 
@@ -232,9 +228,9 @@ void Torques(const LanePlan& plan, double* tau, double* scratch) {
   double* rows = scratch + plan.row(0);
   for (int s = static_cast<int>(plan.steps.size()) - 1; s >= 0; --s) {
     const StepView<W> view(plan, s, scratch);
-    V load[LaneState::kForceFields];
-    LoadFields<W, LaneState::kForceFields>(view.field(LaneState::kLoad), load);
-    AddChildren<W, LaneState::kForceFields>(plan, view.step, scratch, load);
+    V load[LaneState::kLoadFields];
+    LoadFields<W, LaneState::kLoadFields>(view.field(LaneState::kLoad), load);
+    AddChildren<W, LaneState::kLoadFields>(plan, view.step, scratch, load);
     ForceAcross<W> across = {{{load[0], load[1], load[2]}}, {{load[3], load[4], load[5]}}};
     for (int r = view.step.end_row - 1; r >= view.step.first_row; --r) {
       VisitRow<W>(plan, r, rows, &across);

@@ -5,7 +5,7 @@
 namespace hazumi {
 
 DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
-    : bodies(figure.num_joints() + 1), tau(figure.num_joints()), composites(figure.num_joints()) {
+    : bodies(figure.num_joints() + 1), tau(figure.num_joints()) {
 #ifndef NDEBUG
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (BodyScratch& body : bodies) {
@@ -16,12 +16,6 @@ DynamicsWorkspace::DynamicsWorkspace(const Figure& figure)
     }
   }
   tau.setConstant(kNaN);
-  for (Composite& body : composites) {
-    body.mass = kNaN;
-    body.h.setConstant(kNaN);
-    body.I_o.setConstant(kNaN);
-    body.v.setConstant(kNaN);
-  }
 #endif
 }
 

@@ -33,16 +33,6 @@ struct DynamicsWorkspace {
   const BodyScratch& body(JointIndex j) const { return bodies[j.value() + 1]; }
 
   VecX tau;  // joint torques of the last inverse dynamics [N m], by JointIndex
-  MatX H;    // inertia matrix of the dense forward dynamics, sized at its first use
-
-  // Composite bodies: spatial quantities about the root's origin, world axes.
-  struct Composite {
-    double mass;
-    Vec3 h;    // mass times CoM
-    Mat3 I_o;  // about the root's origin
-    Vec3 v;    // velocity of the root's origin on the body for a unit rate of its joint
-  };
-  std::vector<Composite> composites;
 };
 
 }  // namespace hazumi

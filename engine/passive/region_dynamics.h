@@ -84,8 +84,8 @@ class RegionDynamics {
   // dy/dt at time t [s]. Counts as one evaluation.
   void Derivative(double t, const double* y, double* dy);
 
-  // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what stops
-  // press and what impacts do. Counts as one evaluation.
+  // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what
+  // limits press and what impacts do. Counts as one evaluation.
   void AssembleHinges(double t, const VecX& q, const VecX& qd);
   // The same of an island that is large, and not solved the dense way: of some hinges alone, with
   // the others following freely. Counts as one evaluation.
@@ -109,7 +109,7 @@ class RegionDynamics {
   double FastestRate() const;
 
   long evaluations() const { return evaluations_; }
-  // What they took, in evaluations of accelerations: the equations of all hinges, with what stops
+  // What they took, in evaluations of accelerations: the equations of all hinges, with what limits
   // make of them, take about one more for each 250 entries of their matrix.
   double work() const {
     const double entries = static_cast<double>(num_hinges()) * num_hinges();

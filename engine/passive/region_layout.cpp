@@ -110,10 +110,10 @@ void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, cons
   const int first = own.first_hinge;
   if (const HingeTriple* ball = triple(node)) {
     const Vec3 near = q->segment<3>(first);
-    const bool has_stops = (lower.segment<3>(first).array() > -kWithoutLimit ||
-                            upper.segment<3>(first).array() < kWithoutLimit)
-                               .any();
-    const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, has_stops);
+    const bool has_limits = (lower.segment<3>(first).array() > -kWithoutLimit ||
+                             upper.segment<3>(first).array() < kWithoutLimit)
+                                .any();
+    const Vec3 angles = ball->Angles(RotationOfQuaternion(position), near, has_limits);
     q->segment<3>(first) = angles;
     qd->segment<3>(first) = ball->Rates(angles, Eigen::Map<const Vec3>(velocity));
     return;

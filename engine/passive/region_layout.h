@@ -55,7 +55,7 @@ class RegionLayout {
   // Angles and rates of the free hinges as a state.
   void Pack(const VecX& q, const VecX& qd, double* y) const;
   // And back. `q` on entry: angles nearby, which pick branch and turn of ball joints. `lower`,
-  // `upper`: stops; a ball joint that has any keeps its side, as HingeTriple::Angles.
+  // `upper`: limits; a ball joint that has any keeps its side, as HingeTriple::Angles.
   void Unpack(const double* y, const VecX& lower, const VecX& upper, VecX* q, VecX* qd) const;
 
   // The same of one node's hinges alone.

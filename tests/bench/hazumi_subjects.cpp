@@ -1,41 +1,28 @@
 #include "engine/dynamics/figure_dynamics.h"
-#include "engine/dynamics/forward_dynamics.h"
-#include "engine/dynamics/inertia_matrix.h"
 #include "engine/dynamics/inverse_dynamics.h"
-#include "engine/dynamics/mixed_dynamics.h"
+#include "engine/dynamics/kinematics.h"
 #include "tests/bench/subject.h"
+#include "tests/support/dense_dynamics.h"
+#include "tests/support/free_figure.h"
 
 namespace hazumi::bench {
 
 namespace {
 
-// What our subjects share: positions, and a root at rest in the field of gravity.
-class HazumiBase : public Subject {
+// A root at rest in the field of gravity.
+RootMotion RestingRoot() {
+  RootMotion root;
+  root.a = Vec3(0.0, 0.0, kGravity);
+  return root;
+}
+
+// Inverse dynamics of all joints at once, as torques are reported.
+class HazumiInverse : public Subject {
  public:
-  explicit HazumiBase(const Figure& figure)
-      : figure_(figure), ws_(figure), zero_(VecX::Zero(figure.num_joints())) {
-    root_.a = Vec3(0.0, 0.0, kGravity);
-  }
-
- protected:
-  void Place(const Question& at) { ComputePositions(figure_, Pose(), at.q, &ws_); }
-  MatX* Storage(MatX* H) {
-    if (H != nullptr) return H;
-    H_.resize(zero_.size(), zero_.size());
-    return &H_;
-  }
-
-  const Figure& figure_;
-  DynamicsWorkspace ws_;
-  RootMotion root_;
-  VecX zero_;
-  MatX H_;
-};
-
-class Hazumi : public HazumiBase {
- public:
-  Hazumi(const Figure& figure, Instructions instructions)
-      : HazumiBase(figure), dynamics_(figure, instructions), scratch_(dynamics_.MakeScratch()) {}
+  HazumiInverse(const Figure& figure, Instructions instructions)
+      : dynamics_(figure, instructions),
+        scratch_(dynamics_.MakeScratch()),
+        zero_(VecX::Zero(figure.num_joints())) {}
 
   bool InverseDynamics(const Question& at, VecX* tau) override {
     dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, at.qdd, nullptr, &scratch_, tau);
@@ -45,66 +32,62 @@ class Hazumi : public HazumiBase {
     dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, zero_, nullptr, &scratch_, b);
     return true;
   }
-  bool InertiaMatrix(const Question& at, MatX* H) override {
-    Place(at);
-    InertiaMatrixByCompositeBodies(figure_, &ws_, Storage(H));
-    return true;
-  }
-  bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    return !dynamics_.ForwardDynamics(Pose(), root_, at.q, at.qd, at.tau, nullptr, &scratch_, qdd);
-  }
 
  private:
   FigureDynamics dynamics_;
   FigureScratch scratch_;
+  const RootMotion root_ = RestingRoot();
+  const VecX zero_;
 };
 
-class HazumiPaperWay : public HazumiBase {
+// And forward dynamics as a region of all joints has it.
+class Hazumi : public HazumiInverse {
  public:
-  using HazumiBase::HazumiBase;
+  explicit Hazumi(const Figure& figure)
+      : HazumiInverse(figure, BestInstructions()), free_(figure, Vec3(0.0, 0.0, kGravity)) {}
+
+  bool ForwardDynamics(const Question& at, VecX* qdd) override {
+    free_.Accelerate(at.q, at.qd, at.tau, qdd);
+    return true;
+  }
+
+ private:
+  test::FreeFigure free_;
+};
+
+class HazumiPaperWay : public Subject {
+ public:
+  explicit HazumiPaperWay(const Figure& figure) : figure_(figure), ws_(figure) {}
 
   bool InertiaMatrix(const Question& at, MatX* H) override {
-    Place(at);
-    InertiaMatrixByUnitAccelerations(figure_, &ws_, Storage(H));
+    ComputePositions(figure_, Pose(), at.q, &ws_);
+    test::InertiaMatrix(figure_, &ws_, H != nullptr ? H : &H_);
     return true;
   }
   bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    Place(at);
-    return !ForwardDynamicsDense(figure_, root_, at.qd, at.tau, nullptr, &ws_, qdd);
+    ComputePositions(figure_, Pose(), at.q, &ws_);
+    return !test::ForwardDynamics(figure_, root_, at.qd, at.tau, nullptr, &ws_, qdd);
   }
-};
 
-class HazumiComposite : public HazumiBase {
- public:
-  using HazumiBase::HazumiBase;
-
-  bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    Place(at);
-    hazumi::InverseDynamics(figure_, root_, at.qd, zero_, nullptr, &ws_);
-    *qdd = at.tau - ws_.tau;
-    InertiaMatrixByCompositeBodies(figure_, &ws_, Storage(nullptr));
-    if (FactorCholesky(H_) >= 0) return false;
-    SolveCholesky(H_, *qdd);
-    return true;
-  }
+ private:
+  const Figure& figure_;
+  DynamicsWorkspace ws_;
+  const RootMotion root_ = RestingRoot();
+  MatX H_;
 };
 
 }  // namespace
 
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure) {
-  return std::make_unique<Hazumi>(figure, BestInstructions());
+  return std::make_unique<Hazumi>(figure);
 }
 
 std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure) {
-  return std::make_unique<Hazumi>(figure, Instructions::kBaseline);
+  return std::make_unique<HazumiInverse>(figure, Instructions::kBaseline);
 }
 
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure) {
   return std::make_unique<HazumiPaperWay>(figure);
-}
-
-std::unique_ptr<Subject> MakeHazumiComposite(const Figure& figure) {
-  return std::make_unique<HazumiComposite>(figure);
 }
 
 }  // namespace hazumi::bench

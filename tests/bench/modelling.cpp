@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/bake/bake.h"
-#include "engine/dynamics/figure_dynamics.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/passive/semidefinite.h"
@@ -18,6 +17,7 @@
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/tables.h"
 #include "tests/support/animations.h"
+#include "tests/support/free_figure.h"
 
 namespace hazumi::bench {
 
@@ -139,12 +139,10 @@ Groups MakeGroups(const Scene& scene, const DrivenMotion& driven, bool fits_outs
 }
 
 std::function<void()> WholeFigure(const Scene& scene) {
-  const auto dynamics = std::make_shared<FigureDynamics>(scene.figure());
-  const auto scratch = std::make_shared<FigureScratch>(dynamics->MakeScratch());
+  const auto free = std::make_shared<test::FreeFigure>(scene.figure(), Vec3::Zero());
   const auto qdd = std::make_shared<VecX>(scene.frame.q);
   return [=, &scene, tau = VecX(VecX::Zero(scene.frame.q.size()))] {
-    (void)dynamics->ForwardDynamics(scene.frame.X_WR, RootMotion(), scene.frame.q,
-                                    scene.frame.after.qd, tau, nullptr, scratch.get(), qdd.get());
+    free->Accelerate(scene.frame.q, scene.frame.after.qd, tau, qdd.get());
   };
 }
 
@@ -171,7 +169,7 @@ void PrintScene(const char* name, const Scene& scene, int rounds) {
   Groups apart = MakeGroups(scene, driven, false), fitted = MakeGroups(scene, driven, true);
   std::vector<Level> levels;
   levels.push_back({"whole figure, as the paper", WholeFigureWithPrescribedJoints(scene), {}});
-  levels.push_back({"whole figure free, in lanes", WholeFigure(scene), {}});
+  levels.push_back({"whole figure free", WholeFigure(scene), {}});
   levels.push_back({"groups apart, dense", AllOf(&apart, &Group::EvaluateDense), {}});
   levels.push_back({"groups apart, articulated", AllOf(&apart, &Group::Evaluate), {}});
   levels.push_back({"outside as a fitted motion", AllOf(&fitted, &Group::Evaluate), {}});

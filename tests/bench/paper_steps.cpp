@@ -17,7 +17,7 @@ std::vector<JointIndex> AllJoints(const Figure& figure) {
   return all;
 }
 
-// Without friction and stops.
+// Without friction and limits.
 class FreePaperSwing {
  public:
   explicit FreePaperSwing(const Figure& figure)

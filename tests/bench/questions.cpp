@@ -46,7 +46,8 @@ std::vector<Question> RandomQuestions(const Figure& figure, int count) {
 
 void DemandAgreement(const NamedMaker& maker, const Figure& figure) {
   const int n = figure.num_joints();
-  const std::unique_ptr<Subject> subject = maker.make(figure), ours = MakeHazumi(figure);
+  const std::unique_ptr<Subject> subject = maker.make(figure), ours = MakeHazumi(figure),
+                                 dense = MakeHazumiPaperWay(figure);
   VecX actual(n), expected(n);
   MatX H_actual(n, n), H_expected(n, n);
   const auto check = [&](const char* call, double difference) {
@@ -59,7 +60,7 @@ void DemandAgreement(const NamedMaker& maker, const Figure& figure) {
     if (subject->InverseDynamics(at, &actual)) {
       check("inverse dynamics", RelativeDifference(actual, expected));
     }
-    ours->InertiaMatrix(at, &H_expected);
+    dense->InertiaMatrix(at, &H_expected);
     if (subject->InertiaMatrix(at, &H_actual)) {
       check("inertia matrix", RelativeDifference(H_actual, H_expected));
     }
@@ -69,14 +70,15 @@ void DemandAgreement(const NamedMaker& maker, const Figure& figure) {
 
 void DemandForwardAgreement(const NamedMaker& maker, const Figure& figure) {
   const int n = figure.num_joints();
-  const std::unique_ptr<Subject> subject = maker.make(figure), ours = MakeHazumi(figure);
+  const std::unique_ptr<Subject> subject = maker.make(figure), ours = MakeHazumi(figure),
+                                 dense = MakeHazumiPaperWay(figure);
   VecX tau(n), bias(n);
   MatX H(n, n);
   for (Question& at : RandomQuestions(figure, kQuestionsToAgreeOn)) {
     if (!subject->ForwardDynamics(at, &at.qdd)) return;
     ours->InverseDynamics(at, &tau);
     ours->Bias(at, &bias);
-    ours->InertiaMatrix(at, &H);
+    dense->InertiaMatrix(at, &H);
     const double inertial = (H.cwiseAbs() * at.qdd.cwiseAbs()).maxCoeff();
     const double size = std::max(bias.cwiseAbs().maxCoeff(), inertial);
     const double difference = RelativeDifference(tau, at.tau, size);

@@ -22,9 +22,7 @@ struct Method {
 
 // MuJoCo's reader refuses deeper nests of bodies; DART builds its skeletons in quadratic time.
 const std::vector<Method> kMethods = {{{"hazumi_paper_way", MakeHazumiPaperWay}, 500, 500},
-                                      {{"hazumi_composite", MakeHazumiComposite}, 1000, 1000},
                                       {{"hazumi_articulated", MakeHazumi}, 10000, 10000},
-                                      {{"hazumi_sse2", MakeHazumiBaseline}, 10000, 10000},
                                       {{"mujoco", MakeMujoco}, 90, 2000},
                                       {{"simbody", MakeSimbody}, 10000, 10000},
                                       {{"bullet", MakeBullet}, 10000, 10000},

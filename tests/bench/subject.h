@@ -43,13 +43,12 @@ struct NamedMaker {
   SubjectMaker make;
 };
 
-// With the best instructions of this machine, and with those that every machine has.
+// Inverse dynamics by FigureDynamics, with the best instructions of this machine, and with those
+// that every machine has; forward dynamics, the first alone, by the equations of a region.
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure);
 std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure);
 // H by unit accelerations and a dense Cholesky factorisation, as printed: O(N^3).
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure);
-// H by composite bodies and a dense Cholesky factorisation.
-std::unique_ptr<Subject> MakeHazumiComposite(const Figure& figure);
 std::unique_ptr<Subject> MakeMujoco(const Figure& figure);
 std::unique_ptr<Subject> MakeSimbody(const Figure& figure);
 std::unique_ptr<Subject> MakeBullet(const Figure& figure);

@@ -51,8 +51,8 @@ SwingCase Arm7Smooth() {
   return c;
 }
 
-SwingCase WithStops() {
-  SwingCase c = FromArmCase(test::SwingWithStops(), "swing_with_stops");
+SwingCase WithLimits() {
+  SwingCase c = FromArmCase(test::SwingWithLimits(), "swing_with_limits");
   c.is_free = false;
   return c;
 }
@@ -79,7 +79,7 @@ SwingCase NearGimbal() {
 }  // namespace
 
 std::vector<SwingCase> SwingCases() {
-  return {Arm7Smooth(), FromArmCase(test::FreeSwing(), "free_swing"), WithStops(), NearGimbal()};
+  return {Arm7Smooth(), FromArmCase(test::FreeSwing(), "free_swing"), WithLimits(), NearGimbal()};
 }
 
 }  // namespace hazumi::bench

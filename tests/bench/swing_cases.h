@@ -4,7 +4,7 @@
 
 namespace hazumi::bench {
 
-// arm7_smooth, free_swing, swing_with_stops, near_gimbal.
+// arm7_smooth, free_swing, swing_with_limits, near_gimbal.
 std::vector<SwingCase> SwingCases();
 
 }  // namespace hazumi::bench

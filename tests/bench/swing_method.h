@@ -18,7 +18,7 @@ struct SwingCase {
   double seconds;
   VecX friction;          // factor per 1/30 s
   VecX lower, upper;      // [rad]
-  bool is_free = true;    // neither friction nor stops
+  bool is_free = true;    // neither friction nor limits
   bool singular = false;  // the shoulder's hinges nearly line up at the start
   // How wrong the end angles are [rad], and the error of the reference itself.
   std::function<double(const VecX& q_end)> error;

@@ -2,12 +2,12 @@
 //
 // In 99.9 of 100 regions the error against a tight reference is within the tolerance, and the
 // region's own estimate is at least a tenth of the error; none fails. Regions for which two tight
-// references differ are told apart by nothing but rounding (grazed stops, chaos): they are set
-// aside, two in a hundred at most. Figures whose stops are out of reach and figures with stops, the
-// shipped human's own among them, are tried by themselves, as many of either, so that neither kind
-// makes up for the other. A plain ctest tries a few; a thousand of each are tried by
-// `ctest -C Slow -L slow -R region -V`, which shows the tallies. HAZUMI_CASES says how many of
-// each, HAZUMI_FIRST_CASE from which seed on.
+// references differ are told apart by nothing but rounding (grazed limits, chaos): they are set
+// aside, two in a hundred at most. Figures whose limits are out of reach and figures with limits,
+// the shipped human's own among them, are tried by themselves, as many of either, so that neither
+// kind makes up for the other. A plain ctest tries a few; a thousand of each are tried by `ctest -C
+// Slow -L slow -R region -V`, which shows the tallies. HAZUMI_CASES says how many of each,
+// HAZUMI_FIRST_CASE from which seed on.
 
 #include <gtest/gtest.h>
 
@@ -62,8 +62,8 @@ void Judge(int seed, double error, double estimate, Tally* tally) {
   if (is_too_far || is_underestimated) PrintError(seed, error, estimate);
 }
 
-void Try(int seed, bool has_stops, Tally* tally) {
-  const Animation animation = RandomRegion(seed, has_stops);
+void Try(int seed, bool has_limits, Tally* tally) {
+  const Animation animation = RandomRegion(seed, has_limits);
   ++tally->cases;
   const Result<Motion> motion = BakeAt(animation, kTolerance);
   const Result<Motion> one = ReferenceAt(animation, 1e-4 * kTolerance);
@@ -96,21 +96,21 @@ void Expect(const Tally& tally) {
   EXPECT_LE(tally.underestimated, tally.cases / 1000);
 }
 
-void TryAll(bool has_stops) {
+void TryAll(bool has_limits) {
   Tally tally;
   const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
   const int end = first + FromEnvironment("HAZUMI_CASES", 100);
-  for (int seed = first; seed < end; ++seed) Try(seed, has_stops, &tally);
+  for (int seed = first; seed < end; ++seed) Try(seed, has_limits, &tally);
   Expect(tally);
 }
 
-TEST(ExactRegion, OfFiguresWithoutStopsKeepsItsToleranceAndKnowsItsError) { TryAll(false); }
+TEST(ExactRegion, OfFiguresWithoutLimitsKeepsItsToleranceAndKnowsItsError) { TryAll(false); }
 
-TEST(ExactRegion, OfFiguresWithStopsKeepsItsToleranceAndKnowsItsError) { TryAll(true); }
+TEST(ExactRegion, OfFiguresWithLimitsKeepsItsToleranceAndKnowsItsError) { TryAll(true); }
 
-// Found among ten thousand: outer hinges that whip round past a pole, meet their stops there or are
-// let go at it, impacts next to it, contacts and pulls too brief to be seen, friction that outruns
-// steps.
+// Found among ten thousand: outer hinges that whip round past a pole, meet their limits there or
+// are let go at it, impacts next to it, contacts and pulls too brief to be seen, friction that
+// outruns steps.
 TEST(ExactRegion, KeepsItsToleranceAtPolesInBriefContactsAndUnderFriction) {
   Tally tally;
   for (const int seed : {147, 169, 612, 985, 1071, 1170, 1250, 2296, 2414, 2721, 2843, 3111, 3659,

@@ -17,15 +17,15 @@ FigureSpec ShippedHuman() {
   return LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
 }
 
-// One figure in three is the human that is shipped, with its own stops.
-Figure RandomFigure(bool has_stops, Random* random) {
+// One figure in three is the human that is shipped, with its own limits.
+Figure RandomFigure(bool has_limits, Random* random) {
   const bool is_human = random->Chance(1.0 / 3.0);
   FigureSpec spec = is_human ? ShippedHuman() : RandomTreeSpec(random);
   for (JointSpec& joint : spec.joints) {
     for (HingeSpec& hinge : joint.hinges) {
-      if (is_human && has_stops) continue;
-      hinge.lower = has_stops ? -random->Uniform(0.3, 3.0) : -1000.0;
-      hinge.upper = has_stops ? random->Uniform(0.3, 3.0) : 1000.0;
+      if (is_human && has_limits) continue;
+      hinge.lower = has_limits ? -random->Uniform(0.3, 3.0) : -1000.0;
+      hinge.upper = has_limits ? random->Uniform(0.3, 3.0) : 1000.0;
     }
   }
   return Build(spec);
@@ -123,9 +123,9 @@ std::vector<int> FreeHinges(const Figure& figure, const DynamicsRegion& region) 
 
 }  // namespace
 
-Animation RandomRegion(uint64_t seed, bool has_stops) {
+Animation RandomRegion(uint64_t seed, bool has_limits) {
   Random random(seed);
-  Animation animation = Still(RandomFigure(has_stops, &random));
+  Animation animation = Still(RandomFigure(has_limits, &random));
   animation.solver.method = Method::kExact;
   DynamicsRegion region;
   region.name = "region";

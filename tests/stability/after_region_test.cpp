@@ -13,9 +13,9 @@
 namespace hazumi::test {
 namespace {
 
-// The bar of MirrorArms with a left arm that reaches its stop at 0.5 rad, but for 0.05, at 9 rad/s
+// The bar of MirrorArms with a left arm that reaches its limit at 0.5 rad, but for 0.05, at 9 rad/s
 // when its region ends at frame 2.
-Animation HandedOverNearItsStop(Method method) {
+Animation HandedOverNearItsLimit(Method method) {
   Animation animation = Still(MirrorArms(0.5, 0.5));
   animation.gravity = 0.0;
   const double frame = 1.0 / 30.0;
@@ -34,9 +34,9 @@ double Highest(const Animation& animation, const Motion& motion) {
   return highest;
 }
 
-TEST(BothMethods, SayThatTheCubicAfterARegionOvershootsTheStop) {
+TEST(BothMethods, SayThatTheCubicAfterARegionOvershootsTheLimit) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
-    const Animation animation = HandedOverNearItsStop(method);
+    const Animation animation = HandedOverNearItsLimit(method);
     const Motion motion = BakeFinite(animation);
     EXPECT_NEAR(motion.frames[2].q[1], 0.45, 1e-9) << NameOf(method);
     EXPECT_GT(Highest(animation, motion), 1.0) << NameOf(method);
@@ -49,7 +49,7 @@ TEST(BothMethods, SayThatTheCubicAfterARegionOvershootsTheStop) {
 
 TEST(BothMethods, StayInsideAfterARegionWithLimitedTangents) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
-    Animation animation = HandedOverNearItsStop(method);
+    Animation animation = HandedOverNearItsLimit(method);
     animation.regions[0].limit_tangents = true;
     const Motion motion = BakeFinite(animation);
     EXPECT_LE(Highest(animation, motion), 0.5 + 1e-9) << NameOf(method);

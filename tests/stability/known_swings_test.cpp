@@ -41,20 +41,20 @@ double NearGimbalErrorDeg(const Motion& motion) {
   return std::max(turn.angularDistance(end.normalized()) / kDegree, beyond.cwiseAbs().maxCoeff());
 }
 
-TEST(Exact, SwingsOntoItsStopsAsTheReference) {
-  const Motion motion = BakeCase(SwingWithStops(), Method::kExact);
-  EXPECT_LE(WorstErrorDeg(motion, SwingWithStops().converged_deg) * kDegree, 1e-6);
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_EQ(stops.size(), 2u);
-  EXPECT_EQ(stops[0].joint, "r_elbow_y");
-  EXPECT_NEAR(stops[0].time, 0.151513471, 1e-7);
-  EXPECT_EQ(stops[1].joint, "r_elbow_z");
-  EXPECT_NEAR(stops[1].time, 0.234207281, 1e-7);
+TEST(Exact, SwingsOntoItsLimitsAsTheReference) {
+  const Motion motion = BakeCase(SwingWithLimits(), Method::kExact);
+  EXPECT_LE(WorstErrorDeg(motion, SwingWithLimits().converged_deg) * kDegree, 1e-6);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_EQ(limits.size(), 2u);
+  EXPECT_EQ(limits[0].joint, "r_elbow_y");
+  EXPECT_NEAR(limits[0].time, 0.151513471, 1e-7);
+  EXPECT_EQ(limits[1].joint, "r_elbow_z");
+  EXPECT_NEAR(limits[1].time, 0.234207281, 1e-7);
 }
 
-TEST(Paper, IsTensOfDegreesOffWhereAnArmSwingsOntoItsStops) {
-  const Motion motion = BakeCase(SwingWithStops(), Method::kPaper);
-  EXPECT_NEAR(WorstErrorDeg(motion, SwingWithStops().converged_deg), 27.0, 0.1);
+TEST(Paper, IsTensOfDegreesOffWhereAnArmSwingsOntoItsLimits) {
+  const Motion motion = BakeCase(SwingWithLimits(), Method::kPaper);
+  EXPECT_NEAR(WorstErrorDeg(motion, SwingWithLimits().converged_deg), 27.0, 0.1);
 }
 
 TEST(Exact, SwingsFreelyAsTheReference) {
@@ -83,8 +83,8 @@ TEST(Exact, KeepsItsToleranceInTheKnownSwings) {
   const double tolerance = SolverSettings().tolerance;
   const Motion free = BakeCase(FreeSwing(), Method::kExact, tolerance);
   EXPECT_LE(WorstErrorDeg(free, FreeSwing().converged_deg) * kDegree, tolerance);
-  const Motion stops = BakeCase(SwingWithStops(), Method::kExact, tolerance);
-  EXPECT_LE(WorstErrorDeg(stops, SwingWithStops().converged_deg) * kDegree, tolerance);
+  const Motion limits = BakeCase(SwingWithLimits(), Method::kExact, tolerance);
+  EXPECT_LE(WorstErrorDeg(limits, SwingWithLimits().converged_deg) * kDegree, tolerance);
   const Motion near = BakeCase(NearGimbal(), Method::kExact, tolerance);
   EXPECT_LE(NearGimbalErrorDeg(near) * kDegree, tolerance);
   EXPECT_LE(near.regions[0].evaluations, 2 * free.regions[0].evaluations);

@@ -127,7 +127,7 @@ bool IsSame(const MotionLimit& a, const MotionLimit& b) {
 
 bool IsSame(const MotionFrame& a, const MotionFrame& b) {
   const auto same_object = [](const ObjectPose& x, const ObjectPose& y) {
-    return IsSame(x.X_WO, y.X_WO) && x.held == y.held;
+    return IsSame(x.X_WO, y.X_WO) && x.holder == y.holder;
   };
   return a.q == b.q && IsSame(a.X_WR, b.X_WR) && IsSame(a.before, b.before) &&
          IsSame(a.after, b.after) && a.com == b.com && a.pinned == b.pinned &&

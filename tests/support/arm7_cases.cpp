@@ -10,7 +10,7 @@ Vec7 Row(double a, double b, double c, double d, double e, double f, double g) {
   return row;
 }
 
-ArmCase WithoutStops(const char* name) {
+ArmCase WithoutLimits(const char* name) {
   ArmCase c;
   c.name = name;
   c.friction.setOnes();
@@ -21,9 +21,9 @@ ArmCase WithoutStops(const char* name) {
 
 }  // namespace
 
-ArmCase SwingWithStops() {
+ArmCase SwingWithLimits() {
   return {
-      "swing with stops",
+      "swing with limits",
       Row(0, 20, 0, -90, 0, 0, 0),
       Row(-8, 0, 0, 8, 0, 0, 0),
       Row(0.8, 0.8, 0.8, 0.8, 0.8, 0.4, 0.4),
@@ -46,7 +46,7 @@ ArmCase SwingWithStops() {
 }
 
 ArmCase FreeSwing() {
-  ArmCase c = WithoutStops("free swing");
+  ArmCase c = WithoutLimits("free swing");
   c.start_deg = Row(-108.86, -31.51, 22.92, -68.75, 17.19, 11.46, 22.92);
   c.start_rate = Row(7, 1.5, -5, 8, -5, 2, -6);
   c.bias =
@@ -72,7 +72,7 @@ ArmCase FreeSwing() {
 }
 
 ArmCase NearGimbal() {
-  ArmCase c = WithoutStops("near gimbal");
+  ArmCase c = WithoutLimits("near gimbal");
   c.start_deg = Row(0, 88, 0, -60, 0, 0, 0);
   c.start_rate = Row(3, 6, 2, 4, 0, 0, 0);
   c.bias = Row(-5.81329176, 14.3042554, 5.31695701, -7.22171487, 0.00894320299, 0.965070394,

@@ -29,8 +29,8 @@ struct ArmCase {
 constexpr int kArmCaseFrames = 10;
 constexpr double kArmCaseGravity = 9.81;
 
-ArmCase SwingWithStops();  // friction 0.8 and 0.4; elbow flexion and elbow turn reach their stops
-ArmCase FreeSwing();       // no friction, no stops
-ArmCase NearGimbal();      // FreeSwing starting 2 degrees from the shoulder's singular pose
+ArmCase SwingWithLimits();  // friction 0.8 and 0.4; elbow flexion and elbow turn reach their limits
+ArmCase FreeSwing();        // no friction, no limits
+ArmCase NearGimbal();       // FreeSwing starting 2 degrees from the shoulder's singular pose
 
 }  // namespace hazumi::test

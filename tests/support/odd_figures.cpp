@@ -8,7 +8,7 @@ namespace hazumi::test {
 
 namespace {
 
-constexpr double kFar = 1e6;  // no stop [rad]
+constexpr double kFar = 1e6;  // no limit [rad]
 
 void SetLimits(const VecX& lower, const VecX& upper, FigureSpec* spec) {
   int j = 0;
@@ -131,9 +131,9 @@ Figure ThinRod(double length) {
 }
 
 // With moments G1, G2 of gravity about the hinges and inertias M11, M12, M22, M12 > 0: stopping the
-// first changes the rate of the second by M12 / M22 times what it had, off its stop, and the other
+// first changes the rate of the second by M12 / M22 times what it had, off its limit, and the other
 // way round. Of a rate M12^2 / (M11 M22) = 0.967 is left after two such blows.
-Figure StopsThatKickEachOther() {
+Figure LimitsThatKickEachOther() {
   FigureSpec spec = OnBase("kicks");
   const double arm = 0.03, beyond = 0.02;
   spec.joints.push_back(JointOn("first", "base", Vec3::Zero(), {HingeAboutY(-1.0, 0.0)},

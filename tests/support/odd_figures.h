@@ -8,7 +8,7 @@ namespace hazumi::test {
 
 // Angles of Arm7, bent and away from every pole [rad].
 VecX BentArm();
-// Arm7 with these stops [rad] and its hand's mass and inertia scaled.
+// Arm7 with these limits [rad] and its hand's mass and inertia scaled.
 Figure Arm7Within(const VecX& lower, const VecX& upper, double hand_scale = 1.0);
 // Arm7 that turns as far as it likes.
 Figure FreeArm7(double hand_scale = 1.0);
@@ -19,11 +19,11 @@ Figure FreeArm7WithShoulderXyz();
 // `links` equal rods in a row, hinged about y, 1 m and 1 kg in all, hanging down at zero.
 Figure Chain(int links);
 
-// One such rod of 1 m with stops.
+// One such rod of 1 m with limits.
 Figure RodWithin(double lower, double upper);
 
-// Two such rods of 0.5 m each, the first with its upper stop at -pi/2, where it points to +x: there
-// its weight presses it on the stop.
+// Two such rods of 0.5 m each, the first with its upper limit at -pi/2, where it points to +x:
+// there its weight presses it on the limit.
 Figure RodsOnAStop();
 
 // A rod of `length` without thickness, 1 kg, on three hinges y x z; hanging down at zero, so that
@@ -31,12 +31,12 @@ Figure RodsOnAStop();
 Figure ThinRod(double length);
 
 // Two bodies hinged about y one after the other, balanced so that, with the first pressed on its
-// upper stop and the second on its lower one, stopping one throws the other off. Both stops at 0,
+// upper limit and the second on its lower one, stopping one throws the other off. Both limits at 0,
 // where the first body points to +x.
-Figure StopsThatKickEachOther();
+Figure LimitsThatKickEachOther();
 
 // A bar hinged about y ("bar") with arms at both ends ("left", "right"), each hinged about y and
-// hanging down at zero, mirror images of each other. Stops of the arms at +-`left`, +-`right`.
+// hanging down at zero, mirror images of each other. Limits of the arms at +-`left`, +-`right`.
 Figure MirrorArms(double left, double right);
 
 }  // namespace hazumi::test

@@ -9,7 +9,7 @@
 
 namespace hazumi::test {
 
-// What is let go. Stops are those of the figure's joints.
+// What is let go. Limits are those of the figure's joints.
 struct Release {
   const Figure& figure;
   VecX q, qd;      // at the start [rad, rad/s], by JointIndex
@@ -28,8 +28,8 @@ struct Course {
   double largest_step = 0.0;  // [s]
   // Greatest change and greatest gain at the end of any step, in units of EnergyScale.
   double energy_drift = 0.0, energy_gain = 0.0;
-  double outside = 0.0;       // greatest way beyond a stop there [rad]
-  std::vector<StopHit> hits;  // kExact only
+  double outside = 0.0;        // greatest way beyond a limit there [rad]
+  std::vector<LimitHit> hits;  // kExact only
 };
 
 // `tolerance`: error of one step [rad]. Ends unfinished after `most_steps`.

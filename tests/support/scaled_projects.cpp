@@ -10,7 +10,7 @@ namespace hazumi::test {
 
 namespace {
 
-constexpr double kHuge = 1e3;  // no stop on the way [rad]
+constexpr double kHuge = 1e3;  // no limit on the way [rad]
 
 ProjectCurve Wave(int last_frame, int spacing, double phase) {
   ProjectCurve curve;

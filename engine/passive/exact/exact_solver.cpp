@@ -33,7 +33,7 @@ void ExactSolver::Restart() { Resolve(Vec3::Zero()); }
 
 void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 
-// Which stops hold which hinges from now on, after the impact of those that go out and of a pin
+// Which limits hold which hinges from now on, after the impact of those that go out and of a pin
 // that was stopped; what they hold is no part of the state.
 void ExactSolver::Resolve(const Vec3& v_pin) {
   next_ = Next::kGoOn;
@@ -64,7 +64,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   return std::nullopt;
 }
 
-// A stop was hit or lets go.
+// A limit was hit or lets go.
 void ExactSolver::MakeEventHappen() {
   held_.CountEvent(time());
   range_.Widen(q());

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/passive/exact/active_limits.h"
 #include "engine/passive/exact/exact_step.h"
-#include "engine/passive/exact/held_stops.h"
 #include "engine/passive/exact/hit_search.h"
 #include "engine/passive/exact/release_search.h"
 
@@ -12,13 +12,13 @@ namespace hazumi {
 
 // The passive motion of one island of free joints in continuous time [METHOD 2.1], with its error
 // under control: steps of order 8 whose size follows the error (ExactStep), ball joints as
-// quaternions, stops found inside the steps (HitSearch), hit inelastically (HeldStops) and let go
-// when they would have to pull (ReleaseSearch).
+// quaternions, limits found inside the steps (HitSearch), hit inelastically (ActiveLimits) and let
+// go when they would have to pull (ReleaseSearch).
 //
 // Between Advance and the next one the solver is "in" the accepted step: Sample looks inside it.
 class ExactSolver {
  public:
-  // `dynamics` must outlive the solver. `lower`, `upper`: stops by free hinge [rad].
+  // `dynamics` must outlive the solver. `lower`, `upper`: limits by free hinge [rad].
   ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper);
   ExactSolver(const ExactSolver&) = delete;
   ExactSolver& operator=(const ExactSolver&) = delete;
@@ -27,15 +27,15 @@ class ExactSolver {
   void SetTolerance(double radians) { step_.SetTolerance(radians); }
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 
-  // Begins at these angles and rates of the free hinges. A hinge that is outside its stops has a
-  // stop where it is until it has come inside.
+  // Begins at these angles and rates of the free hinges. A hinge that is outside its limits has a
+  // limit where it is until it has come inside.
   void Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor = {});
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
   // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
   void FeelPin(const Vec3& v_pin);
 
-  // One step, at most to `end`; it ends early where a stop is hit or lets go, which happens at the
+  // One step, at most to `end`; it ends early where a limit is hit or lets go, which happens at the
   // beginning of the next step.
   std::optional<ExactFailure> Advance(double end);
 
@@ -52,7 +52,7 @@ class ExactSolver {
   EnergyFlow Energy(double t) { return step_.Energy(t); }
 
   // Hits since the last call.
-  std::vector<StopHit> TakeHits() { return hits_.Take(); }
+  std::vector<LimitHit> TakeHits() { return hits_.Take(); }
   long steps() const { return steps_; }
 
  private:
@@ -63,12 +63,12 @@ class ExactSolver {
   void Resolve(const Vec3& v_pin);
 
   RegionDynamics* dynamics_;
-  StopRange range_;
+  LimitRange range_;
   ExactStep step_;
-  HeldStops held_;
+  ActiveLimits held_;
   HitSearch hit_search_;
   ReleaseSearch release_search_;
-  StopHits hits_;
+  LimitHits hits_;
   Next next_ = Next::kGoOn;
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]

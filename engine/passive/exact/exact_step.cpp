@@ -12,9 +12,9 @@ constexpr double kSafety = 0.9;       // of steps, so that few are rejected
 
 }  // namespace
 
-ExactStep::ExactStep(RegionDynamics* dynamics, const StopRange* stops)
+ExactStep::ExactStep(RegionDynamics* dynamics, const LimitRange* limits)
     : dynamics_(dynamics),
-      stops_(stops),
+      limits_(limits),
       start_(dynamics->num_hinges()),
       now_(dynamics->num_hinges()),
       inside_(dynamics->num_hinges()) {
@@ -100,7 +100,7 @@ std::optional<ExactFailure> ExactStep::Take(double end) {
   time_ = step_.end_time();
   if (std::abs(time_ - end) < kSameTime) time_ = end;
   // The branch is that of the state before, which is near by.
-  dynamics_->layout().Unpack(step_.y(), stops_->lower(), stops_->upper(), &now_.q, &now_.qd);
+  dynamics_->layout().Unpack(step_.y(), limits_->lower(), limits_->upper(), &now_.q, &now_.qd);
   dynamics_->SetAnchorOf(step_.y());
   anchor_ = dynamics_->anchor();
   return std::nullopt;
@@ -127,14 +127,14 @@ void ExactStep::Sample(double t, VecX* q, VecX* qd) {
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
   qd->resize(q->size());
-  dynamics_->layout().Unpack(y_.data(), stops_->lower(), stops_->upper(), q, qd);
+  dynamics_->layout().Unpack(y_.data(), limits_->lower(), limits_->upper(), q, qd);
   dynamics_->SetAnchorOf(y_.data());
 }
 
 void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState* state) {
   step_.At(t, y_.data());
   for (const int node : nodes) {
-    dynamics_->layout().UnpackNode(node, y_.data(), stops_->lower(), stops_->upper(), &state->q,
+    dynamics_->layout().UnpackNode(node, y_.data(), limits_->lower(), limits_->upper(), &state->q,
                                    &state->qd);
   }
 }

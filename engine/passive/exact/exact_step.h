@@ -7,7 +7,7 @@
 #include "engine/passive/exact/dop853.h"
 #include "engine/passive/exact/exact_failure.h"
 #include "engine/passive/exact/hinge_state.h"
-#include "engine/passive/exact/stop_range.h"
+#include "engine/passive/exact/limit_range.h"
 #include "engine/passive/region_dynamics.h"
 
 namespace hazumi {
@@ -20,8 +20,8 @@ inline constexpr double kSameTime = 1e-13;  // instants this near are one [s]
 // The step goes from start_time() to time(), where the island is at now().
 class ExactStep {
  public:
-  // Both must outlive it. The stops tell the sides of ball joints.
-  ExactStep(RegionDynamics* dynamics, const StopRange* stops);
+  // Both must outlive it. The limits tell the sides of ball joints.
+  ExactStep(RegionDynamics* dynamics, const LimitRange* limits);
 
   // Error of one step: of an angle [rad]; of a rate, 1/s of it times kRateScale.
   void SetTolerance(double radians) { tolerance_ = radians; }
@@ -69,7 +69,7 @@ class ExactStep {
   double Growth(double error) const;
 
   RegionDynamics* dynamics_;
-  const StopRange* stops_;
+  const LimitRange* limits_;
   double tolerance_ = 1e-6;
   double longest_step_ = std::numeric_limits<double>::infinity();
   Dop853 step_;

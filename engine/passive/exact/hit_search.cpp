@@ -14,9 +14,9 @@ constexpr double kBeyondPole = 1e-6;  // so far from a pole its side is certain 
 
 }  // namespace
 
-HitSearch::HitSearch(const RegionDynamics* dynamics, const StopRange* stops, ExactStep* step)
+HitSearch::HitSearch(const RegionDynamics* dynamics, const LimitRange* limits, ExactStep* step)
     : dynamics_(dynamics),
-      stops_(stops),
+      limits_(limits),
       step_(step),
       look_(dynamics->num_hinges()),
       before_(dynamics->num_hinges()),
@@ -24,7 +24,7 @@ HitSearch::HitSearch(const RegionDynamics* dynamics, const StopRange* stops, Exa
   suspects_.reserve(dynamics->num_hinges());
 }
 
-// Which nodes' hinges could have been outside during the step: those that come nearer to a stop
+// Which nodes' hinges could have been outside during the step: those that come nearer to a limit
 // than twice the way that the rates at its ends account for.
 bool HitSearch::FindSuspects(const std::vector<char>& held) {
   const double h = step_->end_time() - step_->start_time();
@@ -36,7 +36,7 @@ bool HitSearch::FindSuspects(const std::vector<char>& held) {
     const double way = std::max(
         {std::abs(end.qd[i]) * h, std::abs(start.qd[i]) * h, std::abs(end.q[i] - start.q[i])});
     const double reach = 2.0 * way + kTouch;
-    if (stops_->Outside(i, end.q[i]) <= -reach && stops_->Outside(i, start.q[i]) <= -reach) {
+    if (limits_->Outside(i, end.q[i]) <= -reach && limits_->Outside(i, start.q[i]) <= -reach) {
       continue;
     }
     if (suspects_.empty() || suspects_.back() != hinges[i].node) {
@@ -146,7 +146,7 @@ std::optional<HitSearch::Pole> HitSearch::PoleAt(const Crossing& hit) const {
 }
 
 // Whether a ball joint at a pole goes straight through, or has just done so. Its outer hinges stay
-// then, and the middle one, if its stops let it, is on the other side from here on, as before_.q
+// then, and the middle one, if its limits let it, is on the other side from here on, as before_.q
 // says.
 bool HitSearch::Leaves(const Pole& pole) {
   const HingeTriple& triple = *dynamics_->layout().triple(pole.node);
@@ -158,8 +158,8 @@ bool HitSearch::Leaves(const Pole& pole) {
     return true;
   }
   const Vec3 through = triple.ThroughPole(triple.Rotation(q), before_.q.segment<3>(i));
-  if (through[1] <= stops_->stop(i + 1, -1) + kBeyondPole) return false;
-  if (through[1] >= stops_->stop(i + 1, 1) - kBeyondPole) return false;
+  if (through[1] <= limits_->limit(i + 1, -1) + kBeyondPole) return false;
+  if (through[1] >= limits_->limit(i + 1, 1) - kBeyondPole) return false;
   before_.q = look_.q;
   before_.q.segment<3>(i) = through;
   return true;
@@ -171,8 +171,8 @@ double HitSearch::PoleRate(const Pole& pole) const { return look_.qd[FirstHinge(
 // When a hinge goes out between two looks: it is outside at the second one, or was in between,
 // having turned back.
 std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before, double t) {
-  const double f0 = stops_->Beyond(hinge, side, before_.q[hinge]),
-               f1 = stops_->Beyond(hinge, side, look_.q[hinge]);
+  const double f0 = limits_->Beyond(hinge, side, before_.q[hinge]),
+               f1 = limits_->Beyond(hinge, side, look_.q[hinge]);
   if (f1 > kTouch) return CrossingTime(hinge, side, before, t);
   double g0 = side * before_.qd[hinge], g1 = side * look_.qd[hinge];
   const double h = t - before;
@@ -184,7 +184,7 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
     const double top =
         std::clamp(a + (b - a) * g0 / (g0 - g1), a + 0.05 * (b - a), b - 0.05 * (b - a));
     Look(top, &sample_);
-    if (stops_->Beyond(hinge, side, sample_.q[hinge]) > kTouch) {
+    if (limits_->Beyond(hinge, side, sample_.q[hinge]) > kTouch) {
       return CrossingTime(hinge, side, before, top);
     }
     const double g = side * sample_.qd[hinge];
@@ -195,11 +195,11 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
 }
 
 // Between a time at which the hinge is inside and one at which it is outside.
-// Half of kTouch counts as inside, so that a hinge that leaves its stop has not crossed it.
+// Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it.
 double HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
-    return stops_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
+    return limits_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
   };
   const double in = std::min(out(inside), -kTouch);
   return Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;

@@ -7,11 +7,11 @@
 
 namespace hazumi {
 
-// Where in a step a hinge reaches a stop, or a ball joint a pole. [METHOD 3.4]
+// Where in a step a hinge reaches a limit, or a ball joint a pole. [METHOD 3.4]
 class HitSearch {
  public:
   // All must outlive it.
-  HitSearch(const RegionDynamics* dynamics, const StopRange* stops, ExactStep* step);
+  HitSearch(const RegionDynamics* dynamics, const LimitRange* limits, ExactStep* step);
 
   enum class Found { kNothing, kHit, kPole };
   // The first time in the step at which a hinge goes out or a ball joint passes a pole: ends the
@@ -44,7 +44,7 @@ class HitSearch {
   double CrossingTime(int hinge, int side, double inside, double outside);
 
   const RegionDynamics* dynamics_;
-  const StopRange* stops_;
+  const LimitRange* limits_;
   ExactStep* step_;
   std::vector<int> suspects_;  // nodes
   HingeState look_, before_, sample_;

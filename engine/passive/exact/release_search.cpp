@@ -5,21 +5,21 @@
 
 namespace hazumi {
 
-ReleaseSearch::ReleaseSearch(ExactStep* step, HeldStops* stops)
+ReleaseSearch::ReleaseSearch(ExactStep* step, ActiveLimits* limits)
     : step_(step),
-      stops_(stops),
+      limits_(limits),
       sample_(static_cast<int>(step->now().q.size())),
       later_(static_cast<int>(step->now().q.size())) {}
 
 void ReleaseSearch::Begin() {
   has_later_ = false;
-  pull_before_ = stops_->StrongestPull();
+  pull_before_ = limits_->StrongestPull();
 }
 
-// The strongest pull that a stop would have to give at t [N m].
+// The strongest pull that a limit would have to give at t [N m].
 double ReleaseSearch::Pull(double t) {
   step_->Sample(t, &sample_);
-  return stops_->PullAt(t, sample_);
+  return limits_->PullAt(t, sample_);
 }
 
 bool ReleaseSearch::Find() {
@@ -33,7 +33,7 @@ bool ReleaseSearch::Find() {
   return true;
 }
 
-// The first time between a and b at which a stop would have to pull: looked for in the middle, at
+// The first time between a and b at which a limit would have to pull: looked for in the middle, at
 // the end and at the top of the parabola through what is found there and at a; then in both halves,
 // unless the parabola is good enough to tell that there is nothing.
 std::optional<double> ReleaseSearch::FindPull(double a, double fa, double b, double fb,
@@ -54,27 +54,27 @@ std::optional<double> ReleaseSearch::FindPull(double a, double fa, double b, dou
   return std::nullopt;
 }
 
-// Whether stops surely need not pull between a and b: the parabola through both ends and the middle
-// is below zero by several times what it is off by at a quarter of the way.
+// Whether limits surely need not pull between a and b: the parabola through both ends and the
+// middle is below zero by several times what it is off by at a quarter of the way.
 bool ReleaseSearch::StaysBelow(double a, double fa, double fm, double b, double fb) {
   const double quarter = 0.375 * fa + 0.75 * fm - 0.125 * fb;
   const double off = std::abs(Pull(0.75 * a + 0.25 * b) - quarter);
   return std::max({fa, fm, fb}) + 4.0 * off < 0.0;
 }
 
-// Which stop lets go at t is told from a moment later: stops of a ball joint's outer hinges let go
-// at its poles, where the hinges line up and it cannot be told.
+// Which limit lets go at t is told from a moment later: limits of a ball joint's outer hinges let
+// go at its poles, where the hinges line up and it cannot be told.
 void ReleaseSearch::LookLater(double t) {
   later_.time = t;
   for (double later = 1e-6; later_.time < step_->time(); later *= 10.0) {
     later_.time = std::min(t + later, step_->time());
     step_->Sample(later_.time, &later_.state);
-    if (!stops_->WouldHoldAll(later_)) break;
+    if (!limits_->WouldHoldAll(later_)) break;
   }
   has_later_ = later_.time > t;
 }
 
-// When a stop starts to have to pull: not at a, but at b. What is late by t leaves an error of the
+// When a limit starts to have to pull: not at a, but at b. What is late by t leaves an error of the
 // order of t^3, but of t at the pole of a ball joint.
 double ReleaseSearch::ReleaseTime(double a, double fa, double b, double fb) {
   const double early_enough = std::clamp(0.04 * step_->tolerance(), 1e-12, 1e-6);  // [s]

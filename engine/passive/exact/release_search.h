@@ -2,20 +2,20 @@
 
 #include <optional>
 
+#include "engine/passive/exact/active_limits.h"
 #include "engine/passive/exact/exact_step.h"
-#include "engine/passive/exact/held_stops.h"
 
 namespace hazumi {
 
-// Where in a step a stop would have to pull to hold its hinge: there it lets go. [METHOD 3.4]
+// Where in a step a limit would have to pull to hold its hinge: there it lets go. [METHOD 3.4]
 class ReleaseSearch {
  public:
   // Both must outlive it.
-  ReleaseSearch(ExactStep* step, HeldStops* stops);
+  ReleaseSearch(ExactStep* step, ActiveLimits* limits);
 
-  // The stops have changed where the next step starts.
+  // The limits have changed where the next step starts.
   void Begin();
-  // Ends the step at the first time at which a stop would have to pull. False if there is none.
+  // Ends the step at the first time at which a limit would have to pull. False if there is none.
   bool Find();
   // After that, until Begin: a moment later, from which it is told what is held. Else null.
   const HingeMoment* later() const { return has_later_ ? &later_ : nullptr; }
@@ -28,7 +28,7 @@ class ReleaseSearch {
   void LookLater(double t);
 
   ExactStep* step_;
-  HeldStops* stops_;
+  ActiveLimits* limits_;
   double pull_before_ = 0.0;  // strongest pull at the start of the step [N m]
   HingeState sample_;
   HingeMoment later_;

@@ -6,7 +6,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 # Okabe and Ito's palette, told apart with any colour vision; a family of methods is one colour.
-VERMILION, ORANGE, PURPLE = "#D55E00", "#E69F00", "#CC79A7"
+VERMILION, ORANGE = "#D55E00", "#E69F00"
 BLUE, GREEN, SKY, GREY = "#0072B2", "#009E73", "#56B4E9", "#666666"
 
 # name in the tables: (name in charts, colour, marker, line)
@@ -16,7 +16,6 @@ LOOKS = {
     "hazumi_exact": ("Hazumi exact", VERMILION, "o", "-"),
     "hazumi_exact_new_file": ("Exact, as a new file", VERMILION, "o", "--"),
     "hazumi_articulated": ("Hazumi articulated", VERMILION, "o", "-"),
-    "hazumi_composite": ("Hazumi composite", PURPLE, "p", "-"),
     "hazumi_paper": ("The paper's step", ORANGE, "D", "-"),
     "hazumi_paper_way": ("The paper's way", ORANGE, "D", "-"),
     "mujoco": ("MuJoCo", BLUE, "^", "-"),

@@ -10,10 +10,10 @@ from charts import style
 from charts.tables import in_order
 
 DETAILS = {
-    "arm7_smooth": "A passive arm of 7 hinges swings for 0.333 s without friction or stops",
-    "free_swing": "A passive arm of 7 hinges swings for ten frames without friction or stops",
-    "swing_with_stops": "A passive arm of 7 hinges swings for ten frames with friction; "
-                        "two joints hit their stops",
+    "arm7_smooth": "A passive arm of 7 hinges swings for 0.333 s without friction or limits",
+    "free_swing": "A passive arm of 7 hinges swings for ten frames without friction or limits",
+    "swing_with_limits": "A passive arm of 7 hinges swings for ten frames with friction; "
+                        "two joints hit their limits",
     "near_gimbal": "An arm that starts 2° from the shoulder's singular pose swings for ten frames",
 }
 WORST = 3.0  # rad; beyond, a method has failed

@@ -1,10 +1,10 @@
 // Every claim on the human and on 200 random trees, in random states, in a random field of gravity,
 // with random forces and moments on the end links.
 
-#include "engine/dynamics/forward_dynamics.h"
-#include "engine/dynamics/inertia_matrix.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "tests/support/compare.h"
+#include "tests/support/dense_dynamics.h"
+#include "tests/support/free_figure.h"
 #include "tests/support/sample.h"
 
 namespace hazumi::test {
@@ -21,8 +21,8 @@ VecX Torques(const Sample& sample, const VecX& qdd, const EndForces* ends) {
 VecX Accelerations(const Sample& sample) {
   DynamicsWorkspace ws = sample.Placed();
   VecX qdd(sample.figure.num_joints());
-  const auto singular = ForwardDynamicsDense(sample.figure, sample.RootLessGravity(), sample.qd,
-                                             sample.tau, &sample.ends, &ws, &qdd);
+  const auto singular = ForwardDynamics(sample.figure, sample.RootLessGravity(), sample.qd,
+                                        sample.tau, &sample.ends, &ws, &qdd);
   EXPECT_FALSE(singular.has_value()) << "seed " << sample.seed;
   return qdd;
 }
@@ -66,28 +66,28 @@ TEST(BiasVector, AgreesWithMujoco) {
   });
 }
 
-using InertiaRoute = decltype(&InertiaMatrixByCompositeBodies);
-
-double InertiaDifference(const Sample& s, InertiaRoute route) {
-  DynamicsWorkspace ws = s.Placed();
-  MatX H(s.figure.num_joints(), s.figure.num_joints());
-  route(s.figure, &ws, &H);
-  return RelativeDifference(H, s.mujoco.InertiaMatrix());
-}
-
-TEST(InertiaMatrix, ByUnitAccelerationsAgreesWithMujoco) {
-  ForAllSamples("H by unit accelerations", Root::kStill,
-                [](Sample& s) { return InertiaDifference(s, InertiaMatrixByUnitAccelerations); });
-}
-
-TEST(InertiaMatrix, ByCompositeBodiesAgreesWithMujoco) {
-  ForAllSamples("H by composite bodies", Root::kStill,
-                [](Sample& s) { return InertiaDifference(s, InertiaMatrixByCompositeBodies); });
+TEST(InertiaMatrix, AgreesWithMujoco) {
+  ForAllSamples("H by unit accelerations", Root::kStill, [](Sample& s) {
+    DynamicsWorkspace ws = s.Placed();
+    MatX H;
+    InertiaMatrix(s.figure, &ws, &H);
+    return RelativeDifference(H, s.mujoco.InertiaMatrix());
+  });
 }
 
 TEST(ForwardDynamics, DenseAgreesWithMujoco) {
   ForAllSamples("dense forward dynamics", Root::kStill, [](Sample& s) {
     return RelativeDifference(Accelerations(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
+  });
+}
+
+// By the equations of a region.
+TEST(TreeEquations, AccelerateAFigureAsMujocoDoes) {
+  ForAllSamples("region of all joints", Root::kStill, [](Sample& s) {
+    FreeFigure free(s.figure, s.moving_root.X_WR().R.transpose() * -s.gravity);
+    VecX qdd(s.figure.num_joints());
+    free.Accelerate(s.q, s.qd, s.tau, &qdd);
+    return RelativeDifference(qdd, s.mujoco.ForwardDynamics(s.tau, nullptr));
   });
 }
 

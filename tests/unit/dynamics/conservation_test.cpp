@@ -2,9 +2,10 @@
 
 #include <Eigen/Cholesky>
 
-#include "engine/dynamics/inertia_matrix.h"
+#include "engine/dynamics/inertia_column.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "tests/support/compare.h"
+#include "tests/support/dense_dynamics.h"
 #include "tests/support/figures.h"
 #include "tests/support/path.h"
 
@@ -84,8 +85,8 @@ TEST(InertiaMatrix, GivesTheKineticEnergyOfAFigureOnAStillRoot) {
     const Path path(seed);
     DynamicsWorkspace ws = path.At(0.0);
     ComputeVelocities(path.figure(), Vec3::Zero(), Vec3::Zero(), path.qd(), &ws);
-    MatX H(path.qd().size(), path.qd().size());
-    InertiaMatrixByCompositeBodies(path.figure(), &ws, &H);
+    MatX H;
+    InertiaMatrix(path.figure(), &ws, &H);
     const double energy = KineticEnergy(path.figure(), ws);
     EXPECT_NEAR(0.5 * path.qd().dot(H * path.qd()), energy, 1e-12 * energy) << "seed " << seed;
   }
@@ -95,8 +96,8 @@ TEST(InertiaMatrix, IsSymmetricAndPositiveDefinite) {
   for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Path path(seed);
     DynamicsWorkspace ws = path.At(0.0);
-    MatX H(path.qd().size(), path.qd().size());
-    InertiaMatrixByUnitAccelerations(path.figure(), &ws, &H);
+    MatX H;
+    InertiaMatrix(path.figure(), &ws, &H);
     EXPECT_LE(RelativeDifference(H.transpose(), H), 1e-13) << "seed " << seed;
     EXPECT_EQ(H.llt().info(), Eigen::Success) << "seed " << seed;
   }

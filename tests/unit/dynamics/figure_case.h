@@ -29,18 +29,8 @@ struct Case {
                              &result);
     return result;
   }
-  std::optional<SingularInertia> Solve(const FigureDynamics& dynamics, FigureScratch* scratch,
-                                       VecX* result) const {
-    return dynamics.ForwardDynamics(moving_root.X_WR(), moving_root.Motion(), q, qd, tau, &ends,
-                                    scratch, result);
-  }
-  VecX Accelerations(const FigureDynamics& dynamics, FigureScratch* scratch) const {
-    VecX result(n);
-    EXPECT_FALSE(Solve(dynamics, scratch, &result).has_value());
-    return result;
-  }
 
-  // The same by the recursion in world axes and by the dense route.
+  // The same by the recursion in world axes.
   DynamicsWorkspace Placed() const {
     DynamicsWorkspace ws(figure);
     ComputePositions(figure, moving_root.X_WR(), q, &ws);
@@ -50,12 +40,6 @@ struct Case {
     DynamicsWorkspace ws = Placed();
     hazumi::InverseDynamics(figure, moving_root.Motion(), qd, at_qdd, &ends, &ws);
     return ws.tau;
-  }
-  VecX DenseAccelerations() const {
-    DynamicsWorkspace ws = Placed();
-    VecX result(n);
-    EXPECT_FALSE(ForwardDynamicsDense(figure, moving_root.Motion(), qd, tau, &ends, &ws, &result));
-    return result;
   }
 
   const Figure figure;

@@ -17,16 +17,6 @@ VecX Torques(const Sample& s, const VecX& qdd) {
   return tau;
 }
 
-VecX AccelerationsOfLanes(const Sample& s) {
-  const FigureDynamics dynamics(s.figure);
-  FigureScratch scratch = dynamics.MakeScratch();
-  VecX qdd(s.figure.num_joints());
-  const auto singular = dynamics.ForwardDynamics(s.moving_root.X_WR(), s.RootLessGravity(), s.q,
-                                                 s.qd, s.tau, &s.ends, &scratch, &qdd);
-  EXPECT_FALSE(singular.has_value()) << "seed " << s.seed;
-  return qdd;
-}
-
 // Calls `check(sample)` for every sample; what it returns is a relative difference.
 template <typename Check>
 void ForAllSamples(const char* claim, Root root, double tolerance, const Check& check) {
@@ -55,30 +45,6 @@ TEST(FigureDynamics, InverseAgreesWithTheRecursionInWorldAxes) {
     DynamicsWorkspace ws = s.Placed();
     InverseDynamics(s.figure, s.RootLessGravity(), s.qd, s.qdd, &s.ends, &ws);
     return RelativeDifference(Torques(s, s.qdd), ws.tau);
-  });
-}
-
-TEST(FigureDynamics, ForwardAgreesWithMujoco) {
-  ForAllSamples("figure forward", Root::kStill, 1e-10, [](Sample& s) {
-    return RelativeDifference(AccelerationsOfLanes(s), s.mujoco.ForwardDynamics(s.tau, &s.ends));
-  });
-}
-
-// MuJoCo has no forward dynamics on a root that is led: its inverse dynamics must give the torques.
-TEST(FigureDynamics, ForwardOnATurningAndAcceleratingRootIsUndoneByMujocosInverse) {
-  ForAllSamples("figure forward, moving root", Root::kMoving, 1e-10, [](Sample& s) {
-    const VecX all = s.mujoco.InverseDynamics(s.Join(AccelerationsOfLanes(s)), &s.ends);
-    return RelativeDifference(s.JointRows(all), s.tau);
-  });
-}
-
-TEST(FigureDynamics, ForwardAgreesWithTheDenseRoute) {
-  ForAllSamples("figure forward, dense", Root::kMoving, 1e-10, [](Sample& s) {
-    DynamicsWorkspace ws = s.Placed();
-    VecX qdd(s.figure.num_joints());
-    EXPECT_FALSE(
-        ForwardDynamicsDense(s.figure, s.RootLessGravity(), s.qd, s.tau, &s.ends, &ws, &qdd));
-    return RelativeDifference(AccelerationsOfLanes(s), qdd);
   });
 }
 

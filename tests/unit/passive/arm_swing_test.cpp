@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/dynamics/forward_dynamics.h"
 #include "tests/support/compare.h"
+#include "tests/support/dense_dynamics.h"
 #include "tests/support/figures.h"
 
 namespace hazumi::test {
@@ -22,7 +22,7 @@ void ExpectResults(const ArmCase& arm_case, double tolerance_deg) {
   }
 }
 
-TEST(PaperStep, ReproducesTheKnownSwingWithStops) { ExpectResults(SwingWithStops(), 1e-5); }
+TEST(PaperStep, ReproducesTheKnownSwingWithLimits) { ExpectResults(SwingWithLimits(), 1e-5); }
 
 TEST(PaperStep, ReproducesTheKnownFreeSwing) { ExpectResults(FreeSwing(), 1e-5); }
 
@@ -30,7 +30,7 @@ TEST(PaperStep, ReproducesTheKnownFreeSwing) { ExpectResults(FreeSwing(), 1e-5);
 TEST(PaperStep, ReproducesTheKnownSwingNearGimbalLock) { ExpectResults(NearGimbal(), 1e-4); }
 
 TEST(PaperStep, ConvergesWithOrderOneToTheKnownSwings) {
-  for (const ArmCase& c : {SwingWithStops(), FreeSwing()}) {
+  for (const ArmCase& c : {SwingWithLimits(), FreeSwing()}) {
     const double coarse = WorstErrorDeg(RunArmCase(c, 100).q, c.converged_deg);
     const double fine = WorstErrorDeg(RunArmCase(c, 400).q, c.converged_deg);
     EXPECT_NEAR(coarse / fine, 4.0, 1.0) << c.name;
@@ -48,14 +48,14 @@ TEST(ForwardDynamics, StartsTheKnownSwings) {
   const Figure arm = Arm7();
   RootMotion root;
   root.a.z() = kArmCaseGravity;
-  for (const ArmCase& c : {SwingWithStops(), FreeSwing(), NearGimbal()}) {
+  for (const ArmCase& c : {SwingWithLimits(), FreeSwing(), NearGimbal()}) {
     DynamicsWorkspace ws(arm);
     const VecX q = c.start_deg / kRadian, qd = c.start_rate, zero = VecX::Zero(7);
     ComputePositions(arm, Pose(), q, &ws);
     InverseDynamics(arm, root, qd, zero, nullptr, &ws);
     EXPECT_LE(RelativeDifference(ws.tau, c.bias), 1e-8) << c.name;
     VecX qdd(7);
-    ASSERT_FALSE(ForwardDynamicsDense(arm, root, qd, zero, nullptr, &ws, &qdd)) << c.name;
+    ASSERT_FALSE(ForwardDynamics(arm, root, qd, zero, nullptr, &ws, &qdd)) << c.name;
     EXPECT_LE(RelativeDifference(qdd, c.free_acceleration), 1e-8) << c.name;
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 30.0;
 
-// A step of a made-up system with stops close by.
+// A step of a made-up system with limits close by.
 struct Step {
   explicit Step(uint64_t seed, int size = 0) : random(seed) {
     const int n = size > 0 ? size : random.Integer(1, 12);
@@ -121,7 +121,7 @@ TEST(PaperStep, SolvesAtMostOnceMoreThanItCorrects) {
 
 TEST(PaperStep, CorrectsAJointThatOnlyLeavesWhenAnotherIsCorrected) {
   Step step = Pair();
-  step.qd << 6.0, 0.5;  // alone, joint 0 would pass its stop and joint 1 stay inside
+  step.qd << 6.0, 0.5;  // alone, joint 0 would pass its limit and joint 1 stay inside
   step.upper << 0.1, 0.0333334;
   PaperStep paper(2);
   VecX q, qd;
@@ -131,8 +131,8 @@ TEST(PaperStep, CorrectsAJointThatOnlyLeavesWhenAnotherIsCorrected) {
 }
 
 // The joints are coupled so that stopping joint 1 would by itself hold joint 0 back. Joint 0 was
-// set to its limit in the same pass, and the paper's step never lets go: its stop pulls.
-TEST(PaperStep, KeepsACorrectedJointOnItsLimitThoughTheStopHasToPull) {
+// set to its limit in the same pass, and the paper's step never lets go: its limit pulls.
+TEST(PaperStep, KeepsACorrectedJointOnItsLimitThoughTheLimitHasToPull) {
   Step step = Pair();
   step.M << 1.0, -0.5, -0.5, 1.0;
   step.qd << 4.0, 20.0;
@@ -141,7 +141,7 @@ TEST(PaperStep, KeepsACorrectedJointOnItsLimitThoughTheStopHasToPull) {
   VecX q, qd;
   ASSERT_EQ(Advance(step, &paper, &q, &qd), PaperStepStatus::kOk);
   EXPECT_EQ(q, step.upper);
-  EXPECT_GT((step.M * UsedAccelerations(step, paper, q, qd))[0], 0.0) << "the stop must pull";
+  EXPECT_GT((step.M * UsedAccelerations(step, paper, q, qd))[0], 0.0) << "the limit must pull";
 }
 
 TEST(PaperStep, BringsAJointThatStartsOutsideToTheNearerLimit) {

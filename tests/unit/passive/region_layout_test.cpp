@@ -46,7 +46,7 @@ VecX Packed(const RegionLayout& layout, const State& state) {
   return y;
 }
 
-// From angles nearby; with stops or without.
+// From angles nearby; with limits or without.
 State Unpacked(const RegionLayout& layout, const VecX& y, const VecX& near, double limit = kNever) {
   const auto n = near.size();
   State state{near, VecX::Zero(n)};
@@ -139,7 +139,7 @@ TEST(RegionLayout, CountsWholeTurnsAsTheAnglesNearby) {
 }
 
 // (q1 + pi, pi - q2, q3 + pi) is the same rotation, for hinges about y, x, z.
-TEST(RegionLayout, TakesTheBranchNearbyUnlessStopsKeepABallOnItsSide) {
+TEST(RegionLayout, TakesTheBranchNearbyUnlessLimitsKeepABallOnItsSide) {
   const RegionLayout layout(BallAndTwoHinges(), /*balls=*/true);
   const State state{Five(0.3, 1.4, -0.2, 0, 0), Five(1, 2, 3, 0, 0)};
   const VecX other = Five(0.3 + kPi, kPi - 1.4, -0.2 + kPi, 0, 0);

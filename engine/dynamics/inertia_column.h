@@ -11,10 +11,4 @@ namespace hazumi {
 // ws->bodies[0].f.
 void UnitAccelerationTorques(const Figure& figure, JointIndex i, DynamicsWorkspace* ws);
 
-// The N x N inertia matrix [kg m^2] by N calls of the above. Needs ComputePositions.
-void InertiaMatrixByUnitAccelerations(const Figure& figure, DynamicsWorkspace* ws, MatX* H);
-
-// The same by composite rigid bodies [Featherstone 2008, 6.2], O(N depth).
-void InertiaMatrixByCompositeBodies(const Figure& figure, DynamicsWorkspace* ws, MatX* H);
-
 }  // namespace hazumi

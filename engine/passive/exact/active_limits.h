@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "engine/passive/exact/hinge_state.h"
-#include "engine/passive/exact/stop_forces.h"
-#include "engine/passive/exact/stop_hits.h"
-#include "engine/passive/exact/stop_range.h"
+#include "engine/passive/exact/limit_forces.h"
+#include "engine/passive/exact/limit_hits.h"
+#include "engine/passive/exact/limit_range.h"
 
 namespace hazumi {
 
@@ -17,46 +17,46 @@ struct HingeMoment {
   HingeState state;
 };
 
-// Which hinges are at a stop, and which of these it holds: found anew at each event, kept between
-// them. Impacts are inelastic [METHOD 3.2]; a stop pushes and does not pull [METHOD 3.3].
-class HeldStops {
+// Which hinges are at a limit, and which of these it holds: found anew at each event, kept between
+// them. Impacts are inelastic [METHOD 3.2]; a limit pushes and does not pull [METHOD 3.3].
+class ActiveLimits {
  public:
   // Both must outlive it.
-  HeldStops(RegionDynamics* dynamics, const StopRange* stops);
+  ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits);
 
   // Another motion: nothing is known of its events.
   void Begin();
-  // An event at t. Where they happen again and again stops become sticky, so that joints that press
-  // on their stops in turn come to rest instead of chattering. [METHOD 3.5]
+  // An event at t. Where they happen again and again limits become sticky, so that joints that
+  // press on their limits in turn come to rest instead of chattering. [METHOD 3.5]
   void CountEvent(double t);
   // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].
   // What rests is told from `later`, if there is one.
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-               StopHits* hits);
+               LimitHits* hits);
 
-  // By hinge: whether a stop holds it.
+  // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
   bool any() const { return any_; }
 
-  // The strongest pull that a stop would have to give to hold its hinge [N m]: after Resolve, and
+  // The strongest pull that a limit would have to give to hold its hinge [N m]: after Resolve, and
   // at any time.
   double StrongestPull() const;
   double PullAt(double t, const HingeState& state);
-  // Whether those that are held would all be held there. The others are at no stop any more.
+  // Whether those that are held would all be held there. The others are at no limit any more.
   bool WouldHoldAll(const HingeMoment& moment);
 
  private:
   double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
-  int FindSides(double t, bool with_impulse, const HingeState& state, StopHits* hits);
+  int FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits);
   void Collide(double t, const Vec3& v_pin, HingeState* state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
-  const StopRange* stops_;
-  StopForces forces_;
-  std::vector<int> side_;  // the stop it is at, as StopSolver
+  const LimitRange* limits_;
+  LimitForces forces_;
+  std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;
-  double touch_ = kTouch;       // how near a stop counts as at it [rad]
+  double touch_ = kTouch;       // how near a limit counts as at it [rad]
   std::vector<double> events_;  // the latest ones [s]
 };
 

@@ -4,18 +4,18 @@
 
 namespace hazumi {
 
-constexpr double kTouch = 1e-10;  // so near a stop counts as at it [rad]
+constexpr double kTouch = 1e-10;  // so near a limit counts as at it [rad]
 
-// The stops of free hinges [rad]. A hinge that is outside has a stop where it is until it has come
-// inside. [METHOD 3.6]
-class StopRange {
+// The limits of free hinges [rad]. A hinge that is outside has a limit where it is until it has
+// come inside. [METHOD 3.6]
+class LimitRange {
  public:
-  StopRange(VecX lower, VecX upper);
+  LimitRange(VecX lower, VecX upper);
 
   bool any() const { return any_; }  // finite ones
   const VecX& lower() const { return lower_now_; }
   const VecX& upper() const { return upper_now_; }
-  double stop(int hinge, int side) const {
+  double limit(int hinge, int side) const {
     return side > 0 ? upper_now_[hinge] : lower_now_[hinge];
   }
   // No room between them.
@@ -24,12 +24,12 @@ class StopRange {
   // Where a motion begins.
   void Begin(const VecX& q);
   // At an event: where a ball joint passes a pole its outer hinges' angles jump, perhaps beyond
-  // their stops.
+  // their limits.
   void Widen(const VecX& q);
   // As far as hinges have come inside.
   void Tighten(const VecX& q);
 
-  // How far a hinge at q is beyond one of its stops, or its nearest one [rad]; negative inside.
+  // How far a hinge at q is beyond one of its limits, or its nearest one [rad]; negative inside.
   double Beyond(int hinge, int side, double q) const {
     return side > 0 ? q - upper_now_[hinge] : lower_now_[hinge] - q;
   }

@@ -1,23 +1,23 @@
-#include "engine/passive/exact/stop_range.h"
+#include "engine/passive/exact/limit_range.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace hazumi {
 
-StopRange::StopRange(VecX lower, VecX upper)
+LimitRange::LimitRange(VecX lower, VecX upper)
     : lower_(std::move(lower)),
       upper_(std::move(upper)),
       lower_now_(lower_),
       upper_now_(upper_),
       any_(lower_.array().isFinite().any() || upper_.array().isFinite().any()) {}
 
-void StopRange::Begin(const VecX& q) {
+void LimitRange::Begin(const VecX& q) {
   lower_now_ = lower_.cwiseMin(q);
   upper_now_ = upper_.cwiseMax(q);
 }
 
-void StopRange::Widen(const VecX& q) {
+void LimitRange::Widen(const VecX& q) {
   constexpr double kJump = 10.0 * kTouch;
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     if (Outside(i, q[i]) <= kJump) continue;
@@ -26,12 +26,12 @@ void StopRange::Widen(const VecX& q) {
   }
 }
 
-void StopRange::Tighten(const VecX& q) {
+void LimitRange::Tighten(const VecX& q) {
   lower_now_ = lower_.cwiseMin(lower_now_.cwiseMax(q));
   upper_now_ = upper_.cwiseMax(upper_now_.cwiseMin(q));
 }
 
-double StopRange::Outside(int hinge, double q) const {
+double LimitRange::Outside(int hinge, double q) const {
   return std::max(lower_now_[hinge] - q, q - upper_now_[hinge]);
 }
 

@@ -2,27 +2,27 @@
 
 #include <vector>
 
-#include "engine/passive/exact/stops.h"
+#include "engine/passive/exact/limit_solver.h"
 #include "engine/passive/region_dynamics.h"
 
 namespace hazumi {
 
-// What stops do to the free hinges of an island: all of it as one problem, or, of a large island,
-// of those that are at a stop alone. By free hinge; `side` as StopSolver has it.
-class StopForces {
+// What limits do to the free hinges of an island: all of it as one problem, or, of a large island,
+// of those that are at a limit alone. By free hinge; `side` as LimitSolver has it.
+class LimitForces {
  public:
   // `dynamics` must outlive it.
-  explicit StopForces(RegionDynamics* dynamics);
+  explicit LimitForces(RegionDynamics* dynamics);
 
   // At t, with the angles q: an impact of what goes out, and of a pin that moved with v_pin [m/s].
   void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* qd);
-  // Which hinges at rest at a stop stay there.
+  // Which hinges at rest at a limit stay there.
   void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);
   // With the hinges `held` kept still.
   void Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held);
-  // Then, and after Rest: what the stops give [N m].
+  // Then, and after Rest: what the limits give [N m].
   const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
 
  private:
@@ -31,7 +31,7 @@ class StopForces {
   void TakeTorques();
 
   RegionDynamics* dynamics_;
-  StopSolver solver_;
+  LimitSolver solver_;
   VecX impulse_;
   // Of a large island: the hinges that are looked at, and what is known of them.
   std::vector<int> some_, side_;

@@ -1,7 +1,7 @@
-// Stops that are hit or pressed together: the conditions that define the answer, and all sets of
-// stops tried one by one.
+// Limits that are hit or pressed together: the conditions that define the answer, and all sets of
+// limits tried one by one.
 
-#include "engine/passive/exact/stops.h"
+#include "engine/passive/exact/limit_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kStopTolerance = 1e-9;
+constexpr double kLimitTolerance = 1e-9;
 
-// M x = T - b of some hinges, some of them at stops, and rates v.
+// M x = T - b of some hinges, some of them at limits, and rates v.
 struct Problem {
   // `mass`: how many directions move any; fewer than hinges make M singular.
   Problem(uint64_t seed, int hinges, int mass) : random(seed) {
@@ -42,7 +42,7 @@ struct Problem {
   MatX M;
   VecX b, impulse, v;
   std::vector<int> side;
-  StopSolver solver;
+  LimitSolver solver;
 };
 
 constexpr int kProblems = 300;
@@ -53,10 +53,10 @@ Problem AnyProblem(int seed) {
   return {static_cast<uint64_t>(seed), hinges, hinges + sizes.Integer(0, 3)};
 }
 
-// At no stop p = 0; at one side p <= 0, side y <= 0, p y = 0.
+// At no limit p = 0; at one side p <= 0, side y <= 0, p y = 0.
 void ExpectComplementary(const std::vector<int>& side, const VecX& y, const VecX& p) {
-  const double small_y = kStopTolerance * (1.0 + y.norm()),
-               small_p = kStopTolerance * (1.0 + p.norm());
+  const double small_y = kLimitTolerance * (1.0 + y.norm()),
+               small_p = kLimitTolerance * (1.0 + p.norm());
   for (int i = 0; i < y.size(); ++i) {
     if (side[i] == 0) {
       EXPECT_NEAR(p[i], 0.0, small_p) << i;
@@ -68,7 +68,7 @@ void ExpectComplementary(const std::vector<int>& side, const VecX& y, const VecX
   }
 }
 
-TEST(StopSolver, ChangesRatesByImpulsesThatPushInwardsAndOnlyOnWhatStays) {
+TEST(LimitSolver, ChangesRatesByImpulsesThatPushInwardsAndOnlyOnWhatStays) {
   for (int seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Problem problem = AnyProblem(seed);
@@ -78,32 +78,32 @@ TEST(StopSolver, ChangesRatesByImpulsesThatPushInwardsAndOnlyOnWhatStays) {
   }
 }
 
-TEST(StopSolver, NeverAddsEnergyWithoutABlow) {
+TEST(LimitSolver, NeverAddsEnergyWithoutABlow) {
   int lost = 0;
   for (int seed = 0; seed < kProblems; ++seed) {
     Problem problem = AnyProblem(seed);
     const VecX after = problem.AfterImpact(VecX::Zero(problem.size()), problem.None());
     const double before_J = problem.Energy(problem.v), after_J = problem.Energy(after);
-    EXPECT_LE(after_J, before_J * (1.0 + kStopTolerance)) << "seed " << seed;
-    EXPECT_NEAR(before_J - after_J, problem.Energy(after - problem.v), kStopTolerance * before_J)
+    EXPECT_LE(after_J, before_J * (1.0 + kLimitTolerance)) << "seed " << seed;
+    EXPECT_NEAR(before_J - after_J, problem.Energy(after - problem.v), kLimitTolerance * before_J)
         << "seed " << seed;
     lost += after_J < 0.99 * before_J;
   }
   EXPECT_GT(lost, kProblems / 2);
 }
 
-TEST(StopSolver, LeavesWhatMovesInwardsAlone) {
+TEST(LimitSolver, LeavesWhatMovesInwardsAlone) {
   for (int seed = 0; seed < kProblems; ++seed) {
     Problem problem = AnyProblem(seed);
     for (int i = 0; i < problem.size(); ++i) {
       if (problem.side[i] * problem.v[i] > 0.0) problem.v[i] *= -1.0;
     }
     const VecX after = problem.AfterImpact(VecX::Zero(problem.size()), problem.None());
-    EXPECT_LE((after - problem.v).norm(), kStopTolerance * problem.v.norm()) << "seed " << seed;
+    EXPECT_LE((after - problem.v).norm(), kLimitTolerance * problem.v.norm()) << "seed " << seed;
   }
 }
 
-TEST(StopSolver, StopsWhatSticksEvenByAPull) {
+TEST(LimitSolver, StopsWhatSticksEvenByAPull) {
   int pulled = 0;
   for (int seed = 0; seed < kProblems; ++seed) {
     Problem problem = AnyProblem(seed);
@@ -119,7 +119,7 @@ TEST(StopSolver, StopsWhatSticksEvenByAPull) {
       pulled += problem.side[i] * impulses[i] > 0.0;
     }
     EXPECT_LE(problem.Energy(problem.AfterImpact(VecX::Zero(problem.size()), sticks)),
-              problem.Energy(problem.v) * (1.0 + kStopTolerance));
+              problem.Energy(problem.v) * (1.0 + kLimitTolerance));
   }
   EXPECT_GT(pulled, kProblems / 4);
 }
@@ -142,14 +142,14 @@ Mixed WithHeld(const Problem& problem, const std::vector<char>& held) {
   return mixed;
 }
 
-TEST(StopSolver, KeepsAtRestWhatItsStopHasToPush) {
+TEST(LimitSolver, KeepsAtRestWhatItsLimitHasToPush) {
   for (int seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Problem problem = AnyProblem(seed);
     std::vector<char> held = problem.None();
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
     const VecX x = problem.solver.x(), T = problem.solver.T();
-    EXPECT_LE((problem.M * x + problem.b - T).norm(), kStopTolerance * (1.0 + problem.b.norm()));
+    EXPECT_LE((problem.M * x + problem.b - T).norm(), kLimitTolerance * (1.0 + problem.b.norm()));
     ExpectComplementary(problem.side, x, T);
     problem.solver.Solve(problem.M, problem.b, held);
     EXPECT_EQ(problem.solver.x(), x);
@@ -180,7 +180,7 @@ std::optional<std::vector<char>> OnlySet(const Problem& problem) {
   return only;
 }
 
-TEST(StopSolver, FindsTheOneSetOfStopsThatATrialOfAllSetsFinds) {
+TEST(LimitSolver, FindsTheOneSetOfLimitsThatATrialOfAllSetsFinds) {
   for (int seed = 0; seed < kProblems; ++seed) {
     const int hinges = 1 + seed % 6;
     Problem problem(static_cast<uint64_t>(seed), hinges, hinges);
@@ -191,12 +191,12 @@ TEST(StopSolver, FindsTheOneSetOfStopsThatATrialOfAllSetsFinds) {
     problem.solver.Rest(problem.M, problem.b, problem.side, problem.None(), &held);
     EXPECT_EQ(held, *expected) << "seed " << seed;
     const Mixed mixed = WithHeld(problem, held);
-    EXPECT_LE((problem.solver.x() - mixed.x).norm(), kStopTolerance * (1.0 + mixed.x.norm()));
-    EXPECT_LE((problem.solver.T() - mixed.T).norm(), kStopTolerance * (1.0 + mixed.T.norm()));
+    EXPECT_LE((problem.solver.x() - mixed.x).norm(), kLimitTolerance * (1.0 + mixed.x.norm()));
+    EXPECT_LE((problem.solver.T() - mixed.T).norm(), kLimitTolerance * (1.0 + mixed.T.norm()));
   }
 }
 
-TEST(StopSolver, HoldsWhatIsFixedWhicheverWayItPresses) {
+TEST(LimitSolver, HoldsWhatIsFixedWhicheverWayItPresses) {
   int pulled = 0;
   for (int seed = 0; seed < kProblems; ++seed) {
     Problem problem = AnyProblem(seed);
@@ -217,7 +217,7 @@ TEST(StopSolver, HoldsWhatIsFixedWhicheverWayItPresses) {
 
 // Two hinges about one axis, and more hinges than directions in which anything moves: which of them
 // takes an impulse is open, what comes of it is not.
-TEST(StopSolver, AnswersWhereHingesMoveTheSameMass) {
+TEST(LimitSolver, AnswersWhereHingesMoveTheSameMass) {
   for (int seed = 0; seed < kProblems; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random sizes(static_cast<uint64_t>(seed));
@@ -235,7 +235,7 @@ TEST(StopSolver, AnswersWhereHingesMoveTheSameMass) {
   }
 }
 
-TEST(StopSolver, GivesNothingToAHingeThatMovesNoMass) {
+TEST(LimitSolver, GivesNothingToAHingeThatMovesNoMass) {
   Problem problem(1, 3, 3);
   problem.M.row(1).setZero();
   problem.M.col(1).setZero();
@@ -246,10 +246,10 @@ TEST(StopSolver, GivesNothingToAHingeThatMovesNoMass) {
   EXPECT_LE((problem.M * problem.solver.x() + problem.b).norm(), 1e-12 * problem.b.norm());
 }
 
-TEST(StopSolver, DoesTheSameBitsAgainWhateverItWasAskedBefore) {
+TEST(LimitSolver, DoesTheSameBitsAgainWhateverItWasAskedBefore) {
   for (int seed = 0; seed < 50; ++seed) {
     Problem problem = AnyProblem(seed);
-    StopSolver fresh;
+    LimitSolver fresh;
     fresh.Resize(problem.size());
     VecX expected = problem.v;
     fresh.Impact(problem.M, problem.impulse, problem.side, problem.None(), &expected);

@@ -1,4 +1,4 @@
-#include "engine/passive/exact/stops.h"
+#include "engine/passive/exact/limit_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace hazumi {
 
-void StopSolver::Resize(int size) {
+void LimitSolver::Resize(int size) {
   A_.resize(0, 0);
   for (VecX* x : {&x_, &T_, &right_, &given_, &size_, &reached_, &against_}) x->resize(size);
   zero_ = VecX::Zero(size);
@@ -15,8 +15,8 @@ void StopSolver::Resize(int size) {
   held_.assign(size, 0);
 }
 
-void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
-                            const std::vector<char>& held) {
+void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
+                             const std::vector<char>& held) {
   const int n = static_cast<int>(b.size());
   if (A_.cols() != n) A_.resize(n, n);
   free_.clear();
@@ -43,13 +43,13 @@ void StopSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
   }
 }
 
-void StopSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held) {
+void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held) {
   SolveMixed(M, b, zero_, held);
 }
 
-// The first hinge at a stop that is held but would have to be pulled, or is not held and goes out.
-int StopSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
-                           const std::vector<char>& fixed, const std::vector<char>& held) const {
+// The first hinge at a limit that is held but would have to be pulled, or is not held and goes out.
+int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
+                            const std::vector<char>& fixed, const std::vector<char>& held) const {
   constexpr double kRounding = 1e-12;
   const double scale_T = T_.lpNorm<Eigen::Infinity>();
   const double scale_x = reached.lpNorm<Eigen::Infinity>();
@@ -63,8 +63,8 @@ int StopSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
   return -1;
 }
 
-void StopSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
-                        const std::vector<char>& sticks, VecX* v) {
+void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
+                         const std::vector<char>& sticks, VecX* v) {
   const int n = static_cast<int>(v->size());
   against_ = -impulse;
   given_ = -*v;
@@ -80,8 +80,8 @@ void StopSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<in
   for (int i = 0; i < n; ++i) (*v)[i] = held_[i] ? 0.0 : (*v)[i] + x_[i];
 }
 
-void StopSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
-                      const std::vector<char>& fixed, std::vector<char>* held) {
+void LimitSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
+                       const std::vector<char>& fixed, std::vector<char>* held) {
   const int n = static_cast<int>(b.size());
   for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {

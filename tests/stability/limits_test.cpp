@@ -1,4 +1,4 @@
-// Many joints at their stops, stops without room, stops hit together.
+// Many joints at their limits, limits without room, limits hit together.
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/dynamics/forward_dynamics.h"
 #include "tests/support/animations.h"
+#include "tests/support/dense_dynamics.h"
 #include "tests/support/odd_figures.h"
 #include "tests/support/passive_swing.h"
 #include "tests/support/random.h"
@@ -19,9 +19,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const VecX kAtRest = VecX::Zero(7);
 
-// The arm with a stop on one side of each joint where it is: above where `upper_at` is positive,
+// The arm with a limit on one side of each joint where it is: above where `upper_at` is positive,
 // below where it is negative.
-Figure ArmOnStops(const VecX& upper_at) {
+Figure ArmOnLimits(const VecX& upper_at) {
   VecX lower = VecX::Constant(7, -kInfinity), upper = -lower;
   for (int j = 0; j < 7; ++j) (upper_at[j] > 0.0 ? upper : lower)[j] = BentArm()[j];
   return Arm7Within(lower, upper);
@@ -45,13 +45,13 @@ VecX FreeAccelerations() {
   root.a.z() = kG;
   ComputePositions(arm, Pose(), BentArm(), &ws);
   VecX qdd(7);
-  EXPECT_FALSE(ForwardDynamicsDense(arm, root, kAtRest, kAtRest, nullptr, &ws, &qdd));
+  EXPECT_FALSE(ForwardDynamics(arm, root, kAtRest, kAtRest, nullptr, &ws, &qdd));
   return qdd;
 }
 
-TEST(BothMethods, HoldAnArmAllOfWhoseJointsAreOnTheirStops) {
+TEST(BothMethods, HoldAnArmAllOfWhoseJointsAreOnTheirLimits) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
-    const Animation animation = Released(ArmOnStops(Weights()), BentArm(), kAtRest, 30, method);
+    const Animation animation = Released(ArmOnLimits(Weights()), BentArm(), kAtRest, 30, method);
     const Motion motion = BakeFinite(animation);
     for (const MotionFrame& frame : motion.frames) {
       EXPECT_LE((frame.q - BentArm()).cwiseAbs().maxCoeff(), 1e-12) << NameOf(method);
@@ -60,19 +60,19 @@ TEST(BothMethods, HoldAnArmAllOfWhoseJointsAreOnTheirStops) {
   }
 }
 
-TEST(Exact, LetsGoOfAllStopsThatWouldHaveToPull) {
-  const Release held{ArmOnStops(-FreeAccelerations()), BentArm(), kAtRest, 0.05};
+TEST(Exact, LetsGoOfAllLimitsThatWouldHaveToPull) {
+  const Release held{ArmOnLimits(-FreeAccelerations()), BentArm(), kAtRest, 0.05};
   const Release free{FreeArm7(), BentArm(), kAtRest, 0.05};
   const VecX difference = SwingExactly(held, 1e-9).q - SwingExactly(free, 1e-9).q;
   EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-7);
 }
 
-// Random arms between narrow stops are hit again and again.
-Release BetweenNarrowStops(const Figure& arm, Random* random) {
+// Random arms between narrow limits are hit again and again.
+Release BetweenNarrowLimits(const Figure& arm, Random* random) {
   return {arm, BentArm(), random->Vector(7, 15.0), 1.0 / 3.0};
 }
 
-Figure ArmBetweenNarrowStops(Random* random) {
+Figure ArmBetweenNarrowLimits(Random* random) {
   VecX lower = BentArm(), upper = BentArm();
   for (int j = 0; j < 7; ++j) {
     lower[j] -= random->LogUniform(0.01, 1.0);
@@ -81,11 +81,11 @@ Figure ArmBetweenNarrowStops(Random* random) {
   return Arm7Within(lower, upper);
 }
 
-TEST(Exact, StaysBetweenNarrowStopsAndGainsNoEnergyThere) {
+TEST(Exact, StaysBetweenNarrowLimitsAndGainsNoEnergyThere) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
-    const Figure arm = ArmBetweenNarrowStops(&random);
-    const Course course = SwingExactly(BetweenNarrowStops(arm, &random), 1e-7);
+    const Figure arm = ArmBetweenNarrowLimits(&random);
+    const Course course = SwingExactly(BetweenNarrowLimits(arm, &random), 1e-7);
     EXPECT_TRUE(course.finished) << "seed " << seed;
     EXPECT_LE(course.outside, 1e-7) << "seed " << seed;
     EXPECT_LE(course.energy_gain, 1e-6) << "seed " << seed;
@@ -93,12 +93,12 @@ TEST(Exact, StaysBetweenNarrowStopsAndGainsNoEnergyThere) {
   }
 }
 
-TEST(Paper, StaysBetweenNarrowStopsButMayGainEnergyThere) {
+TEST(Paper, StaysBetweenNarrowLimitsButMayGainEnergyThere) {
   double gain = 0.0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
-    const Figure arm = ArmBetweenNarrowStops(&random);
-    const Course course = SwingByPaper(BetweenNarrowStops(arm, &random), 1.0 / 30.0);
+    const Figure arm = ArmBetweenNarrowLimits(&random);
+    const Course course = SwingByPaper(BetweenNarrowLimits(arm, &random), 1.0 / 30.0);
     EXPECT_TRUE(course.finished) << "seed " << seed;
     EXPECT_LE(course.outside, 1e-12) << "seed " << seed;
     gain = std::max(gain, course.energy_gain);
@@ -138,7 +138,7 @@ TEST(Paper, TakesAJointWithoutRoomAsAKeyedOne) {
   for (const int joint : {1, 3, 4, 6}) ExpectNoRoomIsAsIfKeyed(joint, 0.0, Method::kPaper, 1e-9);
 }
 
-// A level rod pressed on the upper of two stops that are one, and on the lower.
+// A level rod pressed on the upper of two limits that are one, and on the lower.
 TEST(Exact, HoldsARodWithoutRoomWhicheverWayItIsPressed) {
   for (const double angle : {-1.0, 1.0}) {
     const VecX q = VecX::Constant(1, angle);
@@ -149,40 +149,40 @@ TEST(Exact, HoldsARodWithoutRoomWhicheverWayItIsPressed) {
   }
 }
 
-// A rod that swings up to its stop, and hardly gets there, loses what it has left there: it falls
-// back as from rest at the stop.
-TEST(Exact, FeelsAStopThatASwingBarelyReaches) {
-  const double stop = 1.2, start = 0.2;
+// A rod that swings up to its limit, and hardly gets there, loses what it has left there: it falls
+// back as from rest at the limit.
+TEST(Exact, FeelsALimitThatASwingBarelyReaches) {
+  const double limit = 1.2, start = 0.2;
   // m g c / I of a rod of 1 m and 2 mm radius.
   const double weight = 1.5 * kG / (1.0 + 0.75 * 0.002 * 0.002);
   for (const double beyond : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
-    const Figure rod = RodWithin(-10.0, stop);
-    const double rate = std::sqrt(2.0 * weight * (std::cos(start) - std::cos(stop + beyond)));
+    const Figure rod = RodWithin(-10.0, limit);
+    const double rate = std::sqrt(2.0 * weight * (std::cos(start) - std::cos(limit + beyond)));
     const VecX q = VecX::Constant(1, start), qd = VecX::Constant(1, rate);
     const Course course = SwingExactly({rod, q, qd, 1.2}, 1e-8);
     ASSERT_TRUE(course.finished);
     EXPECT_EQ(course.hits.size(), 1u) << beyond;
     EXPECT_LE(course.outside, 1e-8) << beyond;
-    const double expected = 2.0 * weight * (std::cos(course.q[0]) - std::cos(stop));
+    const double expected = 2.0 * weight * (std::cos(course.q[0]) - std::cos(limit));
     EXPECT_NEAR(course.qd[0] * course.qd[0], expected, 1e-6) << beyond;
   }
 }
 
-// The second rod whirls and, where it goes up fastest, all but lifts the first off its stop or does
-// so for a moment.
-Animation WhirlOnAStop(double rate, double tolerance) {
+// The second rod whirls and, where it goes up fastest, all but lifts the first off its limit or
+// does so for a moment.
+Animation WhirlOnALimit(double rate, double tolerance) {
   const Eigen::Vector2d q(-0.5 * std::numbers::pi, 0.0), qd(0.0, rate);
   Animation animation = Released(RodsOnAStop(), q, qd, 18, Method::kExact);
   SetTolerance(&animation, tolerance);
   return animation;
 }
 
-TEST(Exact, KeepsItsToleranceWhereAStopLetsGoForAMoment) {
+TEST(Exact, KeepsItsToleranceWhereALimitLetsGoForAMoment) {
   const double tolerance = SolverSettings().tolerance;
   for (int i = 0; i <= 56; ++i) {
     const double rate = 10.0 + 0.05 * i;
-    const Motion motion = BakeFinite(WhirlOnAStop(rate, tolerance));
-    const Motion fine = BakeFinite(WhirlOnAStop(rate, 1e-9));
+    const Motion motion = BakeFinite(WhirlOnALimit(rate, tolerance));
+    const Motion fine = BakeFinite(WhirlOnALimit(rate, 1e-9));
     double worst = 0.0;
     for (size_t f = 0; f < fine.frames.size(); ++f) {
       const VecX difference = motion.frames[f].q - fine.frames[f].q;
@@ -203,7 +203,7 @@ TEST(BothMethods, HoldAnArmWithoutRoomAnywhere) {
   }
 }
 
-// Mirror images that swing towards their stops at 6 rad/s without gravity: the bar between them
+// Mirror images that swing towards their limits at 6 rad/s without gravity: the bar between them
 // feels nothing, and all come to rest at once.
 Animation MirrorSwing(double left, double right, Method method) {
   Animation animation =
@@ -213,36 +213,36 @@ Animation MirrorSwing(double left, double right, Method method) {
   return animation;
 }
 
-TEST(Exact, HitsTwoStopsAtOnce) {
+TEST(Exact, HitsTwoLimitsAtOnce) {
   const Motion motion = BakeFinite(MirrorSwing(0.5, 0.5, Method::kExact));
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_EQ(stops.size(), 2u);
-  for (const MotionEvent& stop : stops) EXPECT_NEAR(stop.time, 0.5 / 6.0, 1e-8);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_EQ(limits.size(), 2u);
+  for (const MotionEvent& limit : limits) EXPECT_NEAR(limit.time, 0.5 / 6.0, 1e-8);
   const MotionFrame& end = motion.frames.back();
   EXPECT_LE((end.q - Vec3(0, -0.5, 0.5)).norm(), 1e-8);
   EXPECT_LE(end.before.qd.norm(), 1e-6);
 }
 
-// One stop 1e-6 rad before the other: two hits within a step, in their order. The impulse of the
+// One limit 1e-6 rad before the other: two hits within a step, in their order. The impulse of the
 // first turns the bar, and the bar goes on.
-TEST(Exact, HitsTwoStopsWithinOneStepInTheirOrder) {
+TEST(Exact, HitsTwoLimitsWithinOneStepInTheirOrder) {
   const Animation animation = MirrorSwing(0.5, 0.5 + 1e-6, Method::kExact);
   const Motion motion = BakeFinite(animation);
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_GE(stops.size(), 2u);
-  EXPECT_EQ(stops[0].joint, "left");
-  EXPECT_NEAR(stops[0].time, 0.5 / 6.0, 1e-8);
-  EXPECT_EQ(stops[1].joint, "right");
-  EXPECT_GT(stops[1].time, stops[0].time);
-  EXPECT_LE(stops[1].time, 0.5 / 6.0 + 1e-5);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_GE(limits.size(), 2u);
+  EXPECT_EQ(limits[0].joint, "left");
+  EXPECT_NEAR(limits[0].time, 0.5 / 6.0, 1e-8);
+  EXPECT_EQ(limits[1].joint, "right");
+  EXPECT_GT(limits[1].time, limits[0].time);
+  EXPECT_LE(limits[1].time, 0.5 / 6.0 + 1e-5);
   EXPECT_LE(EnergyGain(animation, motion), 1e-9);
 }
 
-TEST(Paper, HitsTwoStopsAtOnceButAFrameLate) {
+TEST(Paper, HitsTwoLimitsAtOnceButAFrameLate) {
   const Motion motion = BakeFinite(MirrorSwing(0.5, 0.5, Method::kPaper));
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_EQ(stops.size(), 2u);
-  for (const MotionEvent& stop : stops) EXPECT_NEAR(stop.time, 0.1, 1e-12);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_EQ(limits.size(), 2u);
+  for (const MotionEvent& limit : limits) EXPECT_NEAR(limit.time, 0.1, 1e-12);
   EXPECT_LE((motion.frames.back().q - Vec3(0, -0.5, 0.5)).norm(), 1e-9);
 }
 

@@ -5,21 +5,21 @@
 
 namespace hazumi {
 
-// Hits of one stop that follow each other more closely than this are told as one [s]: two joints
-// that press on their stops in turn hit them thousands of times.
+// Hits of one limit that follow each other more closely than this are told as one [s]: two joints
+// that press on their limits in turn hit them thousands of times.
 constexpr double kChatterGap = 1.0 / 30.0;
 
-// A hinge that reached a stop, `count` times from `time` to `last_time` [s].
-struct StopHit {
+// A hinge that reached a limit, `count` times from `time` to `last_time` [s].
+struct LimitHit {
   double time, last_time;
   long count;
   int hinge;  // free hinge
 };
 
 // What was hit since it was last told.
-class StopHits {
+class LimitHits {
  public:
-  explicit StopHits(int num_hinges) : last_(num_hinges, -1) {}
+  explicit LimitHits(int num_hinges) : last_(num_hinges, -1) {}
 
   void Add(int hinge, double time) {
     int& last = last_[hinge];
@@ -32,13 +32,13 @@ class StopHits {
     hits_.push_back({time, time, 1, hinge});
   }
 
-  std::vector<StopHit> Take() {
-    for (const StopHit& hit : hits_) last_[hit.hinge] = -1;
+  std::vector<LimitHit> Take() {
+    for (const LimitHit& hit : hits_) last_[hit.hinge] = -1;
     return std::exchange(hits_, {});
   }
 
  private:
-  std::vector<StopHit> hits_;
+  std::vector<LimitHit> hits_;
   std::vector<int> last_;  // by hinge: its latest in hits_; -1: none
 };
 

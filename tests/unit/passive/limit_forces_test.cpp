@@ -1,6 +1,6 @@
-// What stops do to a large island, found from those at a stop alone, against the dense way.
+// What limits do to a large island, found from those at a limit alone, against the dense way.
 
-#include "engine/passive/exact/stop_forces.h"
+#include "engine/passive/exact/limit_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kForceTolerance = 1e-8;
 
-// One island of a random model, some of whose hinges are at stops.
+// One island of a random model, some of whose hinges are at limits.
 struct Stopped {
   Stopped(const ModelCase& c, const RegionDynamics& dynamics, uint64_t seed)
       : t(c.t), q(Gather(dynamics, c.q)), qd(Gather(dynamics, c.qd)) {
@@ -22,7 +22,7 @@ struct Stopped {
     v_pin = random.Vector3(1.0);
   }
   std::vector<char> none() const { return std::vector<char>(side.size(), 0); }
-  std::vector<char> at_stop() const {
+  std::vector<char> at_limit() const {
     std::vector<char> held;
     for (const int s : side) held.push_back(s != 0);
     return held;
@@ -40,16 +40,16 @@ struct Answers {
 };
 
 Answers Ask(const Stopped& s, bool with_pin, RegionDynamics* dynamics) {
-  StopForces stops(dynamics);
+  LimitForces limits(dynamics);
   Answers answers;
-  stops.Hold(s.t, s.q, s.qd, s.at_stop());
-  answers.held = stops.T();
+  limits.Hold(s.t, s.q, s.qd, s.at_limit());
+  answers.held = limits.T();
   answers.stays = s.none();
-  stops.Rest(s.t, s.q, s.qd, s.side, s.none(), &answers.stays);
-  answers.rested = stops.T();
+  limits.Rest(s.t, s.q, s.qd, s.side, s.none(), &answers.stays);
+  answers.rested = limits.T();
   answers.after = s.qd;
   const Vec3 v_pin = with_pin ? s.v_pin : Vec3(Vec3::Zero());
-  stops.Impact(s.t, s.q, v_pin, s.side, s.none(), &answers.after);
+  limits.Impact(s.t, s.q, v_pin, s.side, s.none(), &answers.after);
   return answers;
 }
 
@@ -78,16 +78,16 @@ void ExpectSameForces(const char* claim, RootCoupling coupling) {
   EXPECT_GT(struck, kSamples / 2);
 }
 
-TEST(StopForces, AreThoseOfTheDenseWayOnARootThatMovesAsItIsTold) {
-  ExpectSameForces("stops, prescribed", RootCoupling::kPrescribed);
+TEST(LimitForces, AreThoseOfTheDenseWayOnARootThatMovesAsItIsTold) {
+  ExpectSameForces("limits, prescribed", RootCoupling::kPrescribed);
 }
 
-TEST(StopForces, AreThoseOfTheDenseWayInFlight) {
-  ExpectSameForces("stops, flight", RootCoupling::kFlight);
+TEST(LimitForces, AreThoseOfTheDenseWayInFlight) {
+  ExpectSameForces("limits, flight", RootCoupling::kFlight);
 }
 
-TEST(StopForces, AreThoseOfTheDenseWayOnAPin) {
-  ExpectSameForces("stops, pinned", RootCoupling::kPinned);
+TEST(LimitForces, AreThoseOfTheDenseWayOnAPin) {
+  ExpectSameForces("limits, pinned", RootCoupling::kPinned);
 }
 
 }  // namespace

@@ -6,32 +6,32 @@
 
 namespace hazumi {
 
-// Joint stops that are pressed, hit or let go together. M, b: the equations of motion in the free
-// hinges' coordinates, M x = T - b. `side`, by hinge: +1 at its upper stop, -1 at its lower one, 0
-// at none. A stop pushes inwards only; what it does not hold moves inwards or stays.
+// Joint limits that are pressed, hit or let go together. M, b: the equations of motion in the free
+// hinges' coordinates, M x = T - b. `side`, by hinge: +1 at its upper limit, -1 at its lower one, 0
+// at none. A limit pushes inwards only; what it does not hold moves inwards or stays.
 // [METHOD 3.2, 3.3]
 //
 // Both problems have one solution, since M is positive definite; it is found by principal pivots on
 // the first hinge that is wrong [Murty 1974]. Calls allocate nothing once Resize was called, but
 // for the first one.
-class StopSolver {
+class LimitSolver {
  public:
   void Resize(int size);
 
-  // An inelastic impact of everything that is at a stop, with an impulse from elsewhere [N m s]:
+  // An inelastic impact of everything that is at a limit, with an impulse from elsewhere [N m s]:
   // changes the rates v [rad/s] so that
   //   M dv = impulse + p,  side p <= 0,  side v <= 0,  p v = 0.
   // Hinges with `sticks` set come to rest even if that takes a pull.
   void Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* v);
 
-  // Which hinges at rest at a stop stay there: sets `held` from
+  // Which hinges at rest at a limit stay there: sets `held` from
   //   M x + b = T,  side T <= 0,  side x <= 0,  T x = 0.
   // Hinges with `fixed` set stay, whichever way they press.
   void Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);
 
-  // With the hinges `held` kept still: x of the others, and what the stops must give [N m].
+  // With the hinges `held` kept still: x of the others, and what the limits must give [N m].
   void Solve(const MatX& M, const VecX& b, const std::vector<char>& held);
   const VecX& x() const { return x_; }
   const VecX& T() const { return T_; }

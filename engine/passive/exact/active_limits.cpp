@@ -1,4 +1,4 @@
-#include "engine/passive/exact/held_stops.h"
+#include "engine/passive/exact/active_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@ namespace hazumi {
 namespace {
 
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
-constexpr int kChatter = 24;                   // events in the window before stops become sticky
+constexpr int kChatter = 24;                   // events in the window before limits become sticky
 
 }  // namespace
 
-HeldStops::HeldStops(RegionDynamics* dynamics, const StopRange* stops)
-    : stops_(stops), forces_(dynamics) {
+ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
+    : limits_(limits), forces_(dynamics) {
   side_.assign(dynamics->num_hinges(), 0);
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
@@ -22,38 +22,38 @@ HeldStops::HeldStops(RegionDynamics* dynamics, const StopRange* stops)
   events_.reserve(256);
 }
 
-void HeldStops::Begin() {
+void ActiveLimits::Begin() {
   touch_ = kTouch;
   events_.clear();
   std::fill(held_.begin(), held_.end(), 0);
 }
 
-void HeldStops::CountEvent(double t) {
+void ActiveLimits::CountEvent(double t) {
   while (!events_.empty() && events_.front() < t - kChatterWindow) events_.erase(events_.begin());
   events_.push_back(t);
   const int excess = std::max(0, static_cast<int>(events_.size()) - kChatter);
   touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
 }
 
-void HeldStops::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-                        StopHits* hits) {
+void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
+                           LimitHits* hits) {
   const bool with_impulse = !v_pin.isZero(0.0);
-  const int moving = stops_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
+  const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
   Settle(t, later, state);
 }
 
-// The hinges at a stop; those on their way in only where an impulse or another hinge's impact may
+// The hinges at a limit; those on their way in only where an impulse or another hinge's impact may
 // send them out. Returns how many are not at rest there.
-int HeldStops::FindSides(double t, bool with_impulse, const HingeState& state, StopHits* hits) {
+int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits) {
   const VecX &q = state.q, &qd = state.qd;
   int moving = 0;
   bool is_struck = with_impulse;
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     side_[i] = 0;
-    if (q[i] >= stops_->stop(i, 1) - touch_) side_[i] = 1;
-    if (q[i] <= stops_->stop(i, -1) + touch_) side_[i] = -1;
-    fixed_[i] = stops_->is_fixed(i);
+    if (q[i] >= limits_->limit(i, 1) - touch_) side_[i] = 1;
+    if (q[i] <= limits_->limit(i, -1) + touch_) side_[i] = -1;
+    fixed_[i] = limits_->is_fixed(i);
     if (fixed_[i]) side_[i] = 1;
     is_struck |= fixed_[i] ? qd[i] != 0.0 : side_[i] * qd[i] > rest_rate();
   }
@@ -72,31 +72,31 @@ int HeldStops::FindSides(double t, bool with_impulse, const HingeState& state, S
   return moving;
 }
 
-void HeldStops::Collide(double t, const Vec3& v_pin, HingeState* state) {
+void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
   forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * state->qd[i] < -rest_rate()) side_[i] = 0;  // pushed off
   }
 }
 
-// Holds the hinges at rest that their stops go on holding.
-void HeldStops::Settle(double t, const HingeMoment* later, HingeState* state) {
+// Holds the hinges at rest that their limits go on holding.
+void ActiveLimits::Settle(double t, const HingeMoment* later, HingeState* state) {
   any_ = false;
   std::fill(held_.begin(), held_.end(), 0);
-  bool any_at_stop = false;
+  bool any_at_limit = false;
   for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
     if (side_[i] == 0) continue;
-    any_at_stop = true;
+    any_at_limit = true;
     state->qd[i] = 0.0;
-    state->q[i] = stops_->stop(i, side_[i]);
+    state->q[i] = limits_->limit(i, side_[i]);
   }
-  if (!any_at_stop) return;
+  if (!any_at_limit) return;
   const HingeState& at_rest = later ? later->state : *state;
   forces_.Rest(later ? later->time : t, at_rest.q, at_rest.qd, side_, fixed_, &held_);
   any_ = std::find(held_.begin(), held_.end(), 1) != held_.end();
 }
 
-double HeldStops::StrongestPull() const {
+double ActiveLimits::StrongestPull() const {
   double most = -std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < held_.size(); ++i) {
     if (held_[i] && !fixed_[i]) most = std::max(most, side_[i] * forces_.T()[i]);
@@ -104,12 +104,12 @@ double HeldStops::StrongestPull() const {
   return most;
 }
 
-double HeldStops::PullAt(double t, const HingeState& state) {
+double ActiveLimits::PullAt(double t, const HingeState& state) {
   forces_.Hold(t, state.q, state.qd, held_);
   return StrongestPull();
 }
 
-bool HeldStops::WouldHoldAll(const HingeMoment& moment) {
+bool ActiveLimits::WouldHoldAll(const HingeMoment& moment) {
   for (size_t i = 0; i < side_.size(); ++i) side_[i] = held_[i] ? side_[i] : 0;
   forces_.Rest(moment.time, moment.state.q, moment.state.qd, side_, fixed_, &held_later_);
   return held_later_ == held_;

@@ -1,5 +1,6 @@
-// Two joints that throw each other off their stops, at ever shorter intervals: there are infinitely
-// many impacts before they rest, more than a thousand before the last is lost to rounding.
+// Two joints that throw each other off their limits, at ever shorter intervals: there are
+// infinitely many impacts before they rest, more than a thousand before the last is lost to
+// rounding.
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,9 @@
 namespace hazumi::test {
 namespace {
 
-Animation KickingStops(double rate, int frames, Method method) {
-  Animation animation =
-      Released(StopsThatKickEachOther(), VecX::Zero(2), Eigen::Vector2d(rate, 0.0), frames, method);
+Animation KickingLimits(double rate, int frames, Method method) {
+  Animation animation = Released(LimitsThatKickEachOther(), VecX::Zero(2),
+                                 Eigen::Vector2d(rate, 0.0), frames, method);
   SetTolerance(&animation, 1e-6);
   return animation;
 }
@@ -38,12 +39,12 @@ double RestTime(double rate) {
 
 long HitsOf(const Motion& motion) {
   long hits = 0;
-  for (const MotionEvent& event : EventsOf(motion, EventKind::kStop)) hits += event.count;
+  for (const MotionEvent& event : EventsOf(motion, EventKind::kLimit)) hits += event.count;
   return hits;
 }
 
 TEST(Exact, ComesToRestAfterInfinitelyManyBlowsWithinAFewHundredEvents) {
-  const Animation animation = KickingStops(0.02, 30, Method::kExact);
+  const Animation animation = KickingLimits(0.02, 30, Method::kExact);
   const Motion motion = BakeFinite(animation);
   EXPECT_GT(HitsOf(motion), 40);
   EXPECT_LE(HitsOf(motion), 400);
@@ -58,19 +59,19 @@ TEST(Exact, ComesToRestAfterInfinitelyManyBlowsWithinAFewHundredEvents) {
 }
 
 TEST(Exact, CountsTheBlowsRightWhileTheyAreFarApart) {
-  const Animation animation = KickingStops(0.5, 30, Method::kExact);
+  const Animation animation = KickingLimits(0.5, 30, Method::kExact);
   const Motion motion = BakeFinite(animation);
   // The start is an impulse too; the second of the pair comes back after 2 v M22 / G2.
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_GE(stops.size(), 3u);
-  EXPECT_EQ(stops[0].joint, "first");
-  EXPECT_EQ(stops[0].time, 0.0);
-  EXPECT_EQ(stops[1].joint, "second");
-  EXPECT_NEAR(stops[1].time, 2.0 * 0.5 * (0.03 - 0.0002) / (9.81 * 0.02), 0.005);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_GE(limits.size(), 3u);
+  EXPECT_EQ(limits[0].joint, "first");
+  EXPECT_EQ(limits[0].time, 0.0);
+  EXPECT_EQ(limits[1].joint, "second");
+  EXPECT_NEAR(limits[1].time, 2.0 * 0.5 * (0.03 - 0.0002) / (9.81 * 0.02), 0.005);
   EXPECT_LE(EnergyGain(animation, motion), 0.0);
 }
 
-// Three rods in line, pressed on their stops by a base that turns to and fro: the first two hit
+// Three rods in line, pressed on their limits by a base that turns to and fro: the first two hit
 // them fifty thousand times within 15 ms.
 Figure PressedRods() {
   struct Rod {
@@ -116,7 +117,7 @@ Animation PressedInTurn() {
 }
 
 // With an account of energy step by step, without it all at once.
-TEST(Exact, TellsOfStopsThatArePressedInTurnByTheirNumberAndTime) {
+TEST(Exact, TellsOfLimitsThatArePressedInTurnByTheirNumberAndTime) {
   for (const bool energy : {false, true}) {
     BakeOptions options;
     options.energy = energy;
@@ -136,10 +137,10 @@ TEST(Exact, TellsOfStopsThatArePressedInTurnByTheirNumberAndTime) {
   }
 }
 
-// Whoever starts a frame beyond its stop is put back on it: the paper's step sees no impulse at
+// Whoever starts a frame beyond its limit is put back on it: the paper's step sees no impulse at
 // all.
-TEST(Paper, RestsAtOnceWhereStopsKick) {
-  const Motion motion = BakeFinite(KickingStops(0.02, 30, Method::kPaper));
+TEST(Paper, RestsAtOnceWhereLimitsKick) {
+  const Motion motion = BakeFinite(KickingLimits(0.02, 30, Method::kPaper));
   for (size_t f = 2; f < motion.frames.size(); ++f) {
     EXPECT_LE(motion.frames[f].q.cwiseAbs().maxCoeff(), 1e-12) << f;
   }

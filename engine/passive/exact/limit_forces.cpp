@@ -1,12 +1,12 @@
-// Hinges that are at no stop follow freely, T = 0: without them the equations M x + b = T of a
-// large island are those of the hinges at stops, with M and b as RegionDynamics::AssembleSome gives
-// them.
+// Hinges that are at no limit follow freely, T = 0: without them the equations M x + b = T of a
+// large island are those of the hinges at limits, with M and b as RegionDynamics::AssembleSome
+// gives them.
 
-#include "engine/passive/exact/stop_forces.h"
+#include "engine/passive/exact/limit_forces.h"
 
 namespace hazumi {
 
-StopForces::StopForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
+LimitForces::LimitForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
   const int n = dynamics->num_hinges();
   solver_.Resize(n);
   impulse_.setZero(n);
@@ -15,7 +15,7 @@ StopForces::StopForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
 }
 
 template <typename IsWanted>
-void StopForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted) {
+void LimitForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted) {
   some_.clear();
   for (int i = 0; i < dynamics_->num_hinges(); ++i) {
     if (is_wanted(i)) some_.push_back(i);
@@ -25,8 +25,8 @@ void StopForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&
   held_.assign(some_.size(), 1);
 }
 
-void StopForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
-                        const std::vector<char>& sticks, VecX* qd) {
+void LimitForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
+                         const std::vector<char>& sticks, VecX* qd) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, *qd);
     dynamics_->PinImpulse(v_pin, &impulse_);
@@ -48,8 +48,8 @@ void StopForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::v
   for (Eigen::Index c = 0; c < k; ++c) (*qd)[some_[c]] = after[c];
 }
 
-void StopForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
-                      const std::vector<char>& fixed, std::vector<char>* held) {
+void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+                       const std::vector<char>& fixed, std::vector<char>* held) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
     return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held);
@@ -67,7 +67,7 @@ void StopForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector
   TakeTorques();
 }
 
-void StopForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
+void LimitForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
     return solver_.Solve(dynamics_->M(), dynamics_->b(), held);
@@ -77,7 +77,7 @@ void StopForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector
   TakeTorques();
 }
 
-void StopForces::TakeTorques() {
+void LimitForces::TakeTorques() {
   T_.setZero();
   for (size_t c = 0; c < some_.size(); ++c) T_[some_[c]] = solver_.T()[static_cast<long>(c)];
 }
