@@ -7,6 +7,10 @@
 
 #include "engine/bake/baker.h"
 
+#include <algorithm>
+
+#include "engine/base/text.h"
+
 namespace hazumi {
 
 Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion,
@@ -37,9 +41,7 @@ Result<Checkpoint> Baker::Begin() {
   Checkpoint nothing;
   nothing.now.q = nothing.now.qd = nothing.now.qdd = VecX::Zero(poses.figure().num_joints());
   nothing.pieces = poses.curves().PiecesBefore(frame);
-  for (const HeldObject& object : animation_.held_objects) {
-    nothing.objects.emplace_back(poses.figure(), object, animation_.gravity);
-  }
+  nothing.objects = poses.objects().AtFirst();
   Restore(nothing);
   FigureMotion first = context_.now;
   if (auto error = poses.Evaluate(frame, Side::kBefore, &first)) return *error;
@@ -57,7 +59,7 @@ Checkpoint Baker::Save(int frame) {
   if (poses.span()) checkpoint.span = poses.span() - animation_.placements.data();
   checkpoint.placement = poses.placement().state();
   checkpoint.holds = poses.holds().begun();
-  checkpoint.objects = poses.objects();
+  checkpoint.objects = poses.objects().states();
   return checkpoint;
 }
 
@@ -115,7 +117,7 @@ std::optional<Error> Baker::CrossFrame(int frame) {
   const bool regions_ended = !is_last && regions_.End(frame);
   const bool holds_ended = !is_last && EndHolds(frame);
   const bool unplaced = !is_last && placement_.End(frame);
-  const bool released = ReleaseObjects(frame);
+  const bool released = HandOverObjects(frame);
   const bool regions_begun = regions_.Begin(frame, *walk_);
   const bool holds_begun = BeginHolds(frame);
   const bool placed = placement_.Begin(frame, was_keyed);
@@ -156,17 +158,41 @@ bool Baker::BeginHolds(int frame) {
   return true;
 }
 
-bool Baker::ReleaseObjects(int frame) {
-  std::vector<size_t> objects;
-  for (const auto& [release_frame, i] : context_.schedule.Releases(frame)) {
-    objects.push_back(i);
-    const std::string holder = context_.NameOf(animation_.held_objects[i].holder);
-    context_.recorder.AddEvent(EventKind::kRelease, frame, holder);
+// An object goes from hand to hand, or is let go of.
+bool Baker::HandOverObjects(int frame) {
+  std::vector<ObjectChange> changes;
+  for (const auto& [at, i] : context_.schedule.HandOvers(frame)) {
+    const std::vector<Holder>& holders = animation_.held_objects[i].holders;
+    const auto next = std::find_if(holders.begin(), holders.end(),
+                                   [&](const Holder& h) { return h.first_frame == frame; });
+    const bool is_taken = next != holders.end() && frame > animation_.first_frame;
+    changes.push_back(
+        {static_cast<size_t>(i), is_taken ? static_cast<int>(next - holders.begin()) : -1});
+    if (is_taken) continue;
+    const auto before = std::find_if(holders.begin(), holders.end(),
+                                     [&](const Holder& h) { return h.last_frame == frame; });
+    context_.recorder.AddEvent(EventKind::kRelease, frame, context_.NameOf(before->joint));
   }
-  if (objects.empty()) return false;
-  context_.poses.Release(objects, context_.Seconds(frame), context_.now, context_.before);
+  if (changes.empty()) return false;
+  const std::vector<double> jumps = context_.poses.HandOver(changes, context_.now, context_.before);
+  for (size_t i = 0; i < changes.size(); ++i) WarnOfJump(frame, changes[i], jumps[i]);
   context_.now.fall.reset();  // of what it was with them
   return true;
+}
+
+void Baker::WarnOfJump(int frame, const ObjectChange& change, double jump) {
+  constexpr double kSeen = 0.01;  // [m]
+  if (jump < kSeen) return;
+  const HeldObject& object = animation_.held_objects[change.object];
+  const std::string to =
+      change.holder < 0
+          ? "to its key"
+          : "into joint \"" + context_.NameOf(object.holders[change.holder].joint) + "\"";
+  context_.recorder.AddWarning({"held_objects[" + std::to_string(change.object) + "]",
+                                "\"" + object.name + "\" jumps by " + FormatShort(jump) + " m " +
+                                    to + " at frame " + std::to_string(frame) +
+                                    ": bring them together there",
+                                frame});
 }
 
 // That of the regions that are active from this frame on, else that of the file.

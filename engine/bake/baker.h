@@ -43,7 +43,8 @@ class Baker {
   std::optional<Error> CrossFrame(int frame);
   bool EndHolds(int frame);
   bool BeginHolds(int frame);
-  bool ReleaseObjects(int frame);
+  bool HandOverObjects(int frame);
+  void WarnOfJump(int frame, const ObjectChange& change, double jump);
   void ChooseWalk(int frame);
   RegionWalk& WalkOf(Method method);
 

@@ -29,17 +29,24 @@ void ChangeSchedule::FindEdges() {
     }
   };
   is_edge_.assign(Index(animation_.last_frame) + 1, 0);
-  const auto lists = {&regions_from_, &regions_until_, &holds_from_, &releases_};
+  const auto lists = {&regions_from_, &regions_until_, &holds_from_, &hand_overs_};
   for (ItemsByFrame* list : lists) *list = ItemsByFrame();
   mark(animation_.last_frame);
   mark_ends(animation_.regions, &regions_from_, &regions_until_);
   mark_ends(animation_.placements, nullptr, nullptr);
   mark_ends(animation_.holds, &holds_from_, nullptr);
   for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
-    const std::optional<int>& release = animation_.held_objects[i].release_frame;
-    if (!release) continue;
-    mark(*release);
-    releases_.Add(*release, i);
+    std::optional<int> last;
+    const auto add = [&](int frame) {
+      if (frame == last) return;
+      last = frame;
+      mark(frame);
+      hand_overs_.Add(frame, i);
+    };
+    for (const Holder& holder : animation_.held_objects[i].holders) {
+      if (holder.first_frame > animation_.first_frame) add(holder.first_frame);
+      if (holder.last_frame) add(*holder.last_frame);
+    }
   }
   for (ItemsByFrame* list : lists) list->Sort();
 }

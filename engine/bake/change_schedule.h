@@ -33,7 +33,8 @@ class ChangeSchedule {
     return regions_until_.At(frame);
   }
   std::span<const ItemsByFrame::Entry> HoldsFrom(int frame) const { return holds_from_.At(frame); }
-  std::span<const ItemsByFrame::Entry> Releases(int frame) const { return releases_.At(frame); }
+  // Held objects that are let go of or go over to a holder.
+  std::span<const ItemsByFrame::Entry> HandOvers(int frame) const { return hand_overs_.At(frame); }
   // Whether a region that begins at the frame moves the joint.
   bool HasRegionFrom(int frame, JointIndex j) const;
 
@@ -51,7 +52,7 @@ class ChangeSchedule {
   const Animation& animation_;
   std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
   std::vector<int> num_keys_;  // by Index(frame)
-  ItemsByFrame regions_from_, regions_until_, holds_from_, releases_;
+  ItemsByFrame regions_from_, regions_until_, holds_from_, hand_overs_;
 };
 
 }  // namespace hazumi

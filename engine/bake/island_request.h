@@ -8,7 +8,7 @@
 
 #include "engine/base/members.h"
 #include "engine/passive/exact/exact_failure.h"
-#include "engine/passive/exact/stop_hits.h"
+#include "engine/passive/exact/limit_hits.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 
@@ -17,7 +17,7 @@ namespace hazumi {
 // An island of joints that feel each other, and what acts on them.
 struct IslandTask {
   RegionModel model;
-  VecX lower, upper;  // stops, by free hinge [rad]
+  VecX lower, upper;  // limits, by free hinge [rad]
   std::vector<ForceSpec> forces;
   double gravity = 0.0;  // along -z [m/s^2]
 };
@@ -108,7 +108,7 @@ struct IslandProgress {
   double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
   std::optional<ExactFailure> failure;
   double microseconds = 0.0;  // that it took
-  std::vector<StopHit> hits;
+  std::vector<LimitHit> hits;
 };
 
 // Fewer times than asked for where it could not go on.

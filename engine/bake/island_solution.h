@@ -65,7 +65,7 @@ class IslandSolution {
   VecX Distances(const RotationState& a, const RotationState& b) const;
   EnergyFlow Energy(double t);
   // Hits since the last call.
-  std::vector<StopHit> TakeHits() { return std::exchange(hits_, {}); }
+  std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
 
   long evaluations() const { return answers_.evaluations(); }
   long steps() const { return answers_.steps(); }
@@ -84,7 +84,7 @@ class IslandSolution {
   IslandAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
-  std::vector<StopHit> hits_;
+  std::vector<LimitHit> hits_;
   // What was looked ahead to, null if nothing was, and the samples there.
   double ahead_end_ = 0.0;
   std::shared_ptr<const std::vector<double>> times_;

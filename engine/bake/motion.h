@@ -25,7 +25,8 @@ struct MotionLimit {
 // Where a held object is.
 struct ObjectPose {
   Pose X_WO;
-  bool held = true;
+  int holder = 0;  // by index of HeldObject::holders; -1: nobody
+  bool is_held() const { return holder >= 0; }
 };
 
 struct MotionFrame {
@@ -39,7 +40,7 @@ struct MotionFrame {
   std::vector<char> in_region;      // by JointIndex
 };
 
-enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kStop, kRelease };
+enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease };
 const char* NameOf(EventKind kind);
 
 struct MotionEvent {
@@ -47,7 +48,7 @@ struct MotionEvent {
   double time = 0.0;  // since frame 0 [s]
   int frame = 0;      // the nearest for an apex, else the first at or after `time`
   std::string joint;  // pinned, stopped or letting go; empty if none
-  // A stop that is hit again and again, less than kChatterGap between two hits, is one event: so
+  // A limit that is hit again and again, less than kChatterGap between two hits, is one event: so
   // many hits, the last one at last_time.
   long count = 1;
   double last_time = time;
@@ -63,13 +64,13 @@ struct EnergyBalance {
     double joules = 0.0;
   };
   std::vector<Work> laws = {{"friction", 0.0}};
-  double stops = 0.0;  // of impacts on stops and on the ground
-  double keyed = 0.0;  // of the keyed joints and the placement
+  double limits = 0.0;  // of impacts on limits and on the ground
+  double keyed = 0.0;   // of the keyed joints and the placement
   // What is left unexplained: 0 but for the error of the solution.
   double residual() const {
     double rest = kinetic_end + potential_end - kinetic_start - potential_start;
     for (const Work& work : laws) rest -= work.joules;
-    return rest - stops - keyed;
+    return rest - limits - keyed;
   }
   // 0 if no such law acts.
   double WorkOf(std::string_view law) const {
@@ -93,7 +94,7 @@ struct RegionReport {
   double tolerance = 0.0;  // kExact [rad]
   int steps = 0;
   int evaluations = 0;        // of the equations of motion
-  int solves = 0;             // of them for accelerations: more where stops were hit
+  int solves = 0;             // of them for accelerations: more where limits were hit
   double microseconds = 0.0;  // differs from run to run; no part of the motion
   int free_joints = 0;
   int all_joints = 0;

@@ -23,7 +23,7 @@ const char* NameOf(EventKind kind) {
       return "landing";
     case EventKind::kPinChange:
       return "pin_change";
-    case EventKind::kStop:
+    case EventKind::kLimit:
       return "stop";
     case EventKind::kRelease:
       return "release";
@@ -60,7 +60,7 @@ void Recorder::BeginStretch(Stretch* stretch) {
   stretch->warnings.clear();
   stretch->placement_jumps.clear();
   stretch->logs.clear();
-  last_stop_.assign(animation_.figure->num_joints(), std::nullopt);
+  last_limit_.assign(animation_.figure->num_joints(), std::nullopt);
 }
 
 void Recorder::ClearReport(int region) {
@@ -117,8 +117,8 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.com = CenterOfMass(poses->figure(), ws);
   frame.pinned = pinned;
   frame.objects.clear();
-  for (const ObjectFlight& object : poses->objects()) {
-    frame.objects.push_back(object.At(ws, animation_.rate.SecondsAt(motion.frame)));
+  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+    frame.objects.push_back(poses->objects().At(i, motion.frame, ws));
   }
   frame.in_region = poses->free();
 }
@@ -131,8 +131,8 @@ void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) 
 }
 
 // Or goes on with the event that it chatters on with.
-void Recorder::AddStop(JointIndex j, double time, double last_time, long count) {
-  auto& last = last_stop_[j.value()];
+void Recorder::AddLimit(JointIndex j, double time, double last_time, long count) {
+  auto& last = last_limit_[j.value()];
   if (last && time - stretch_->events[*last].last_time < kChatterGap) {
     MotionEvent& event = stretch_->events[*last];
     event.count += count;
@@ -140,7 +140,7 @@ void Recorder::AddStop(JointIndex j, double time, double last_time, long count) 
     return;
   }
   last = stretch_->events.size();
-  AddEvent(EventKind::kStop, animation_.rate.FrameAt(time), animation_.figure->joint(j).name);
+  AddEvent(EventKind::kLimit, animation_.rate.FrameAt(time), animation_.figure->joint(j).name);
   if (count == 1) return;
   stretch_->events.back().count = count;
   stretch_->events.back().last_time = last_time;

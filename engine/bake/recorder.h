@@ -37,7 +37,7 @@ class Recorder {
 
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);
-  void AddStop(JointIndex j, double time, double last_time, long count);
+  void AddLimit(JointIndex j, double time, double last_time, long count);
   void AddWarning(const std::string& place, const std::string& message) {
     AddWarning({place, message});
   }
@@ -55,7 +55,7 @@ class Recorder {
   Motion* motion_;
   Stretch* stretch_ = nullptr;
   int first_output_ = 0;
-  std::vector<std::optional<size_t>> last_stop_;  // by JointIndex: its latest event in the stretch
+  std::vector<std::optional<size_t>> last_limit_;  // by JointIndex: its latest event in the stretch
 };
 
 }  // namespace hazumi

@@ -6,7 +6,7 @@
 #include "engine/bake/island_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/pose/active_holds.h"
-#include "engine/bake/pose/object_flight.h"
+#include "engine/bake/pose/held_objects.h"
 #include "engine/bake/pose/root_placement.h"
 #include "engine/timeline/curve_track.h"
 
@@ -22,7 +22,7 @@ struct Checkpoint {
   std::optional<size_t> span;             // index of Animation::placements
   RootPlacementState placement;
   std::vector<ActiveHolds::Begun> holds;
-  std::vector<ObjectFlight> objects;
+  std::vector<ObjectState> objects;
   bool operator==(const Checkpoint&) const = default;
 };
 

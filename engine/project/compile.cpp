@@ -135,10 +135,28 @@ class Compiler {
       animation_.scene.push_back({object.name, shape, object.color});
     }
     for (const ProjectHeldObject& object : project_.held_objects) {
-      const auto shape = std::visit([](const auto& item) { return ToShape(item); }, object.shape);
-      animation_.held_objects.push_back({object.name, shape, object.mass_kg, *GroupOf(object.joint),
-                                         object.offset_m, object.release_frame, object.color});
+      animation_.held_objects.push_back(ToHeldObject(object));
     }
+  }
+
+  HeldObject ToHeldObject(const ProjectHeldObject& source) const {
+    HeldObject object;
+    object.name = source.name;
+    object.shape = std::visit([](const auto& item) { return ToShape(item); }, source.shape);
+    object.mass = source.mass_kg;
+    object.color = source.color;
+    if (!source.joint.empty()) {
+      object.holders.push_back(
+          {*GroupOf(source.joint), source.offset_m, Holder::kFromTheStart, source.release_frame});
+    }
+    for (const ProjectHolder& next : source.holders) {
+      object.holders.push_back(
+          {*GroupOf(next.joint), next.offset_m, next.first_frame, next.last_frame});
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      object.keys[axis] = ToKeys(source.position.curves[axis], 1.0);
+    }
+    return object;
   }
 
   void AddRegion(size_t index) {

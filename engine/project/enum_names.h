@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/figure/figure_spec.h"
+#include "engine/project/project_skin.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"
 #include "engine/timeline/placement_span.h"
@@ -54,6 +55,12 @@ struct EnumNames<HoldReach> {
   static constexpr const char* kWhat = "reach";
   static constexpr EnumName<HoldReach> kNames[] = {{HoldReach::kLimb, NameOf(HoldReach::kLimb)},
                                                    {HoldReach::kBody, NameOf(HoldReach::kBody)}};
+};
+
+template <>
+struct EnumNames<ShippedSkin> {
+  static constexpr const char* kWhat = "skin";
+  static constexpr EnumName<ShippedSkin> kNames[] = {{ShippedSkin::kHuman, "human"}};
 };
 
 template <>

@@ -180,7 +180,8 @@ static void CheckBuilds(const FigureSpec& spec, const Site& site) {
   site.errors->Report(error);
 }
 
-bool ExpectFormat(const Json& json, const char* format, Check other_format, const Site& site) {
+bool ExpectFormat(const Json& json, const char* format, int newest, Check other_format,
+                  const Site& site) {
   if (!json.is_object() || !json.contains("format") || json["format"] != format) {
     site.Report(other_format);
     return false;
@@ -188,14 +189,16 @@ bool ExpectFormat(const Json& json, const char* format, Check other_format, cons
   int version = 0;
   FieldReader(json, site).Required({"version"}, version);
   const Site place = site.Field("version");
-  if (version > 1) place.Report(Check::kNewerFormat, {std::to_string(version)});
+  if (version > newest) {
+    place.Report(Check::kNewerFormat, {std::to_string(version), std::to_string(newest)});
+  }
   if (version < 1) place.Report(Check::kUnknownFormat, {std::to_string(version)});
   return site.errors->ok();
 }
 
 FigureSpec ReadFigure(const Json& json, const Site& site) {
   FigureSpec spec;
-  if (!ExpectFormat(json, "hazumi-figure", Check::kNotAFigure, site)) return spec;
+  if (!ExpectFormat(json, "hazumi-figure", 1, Check::kNotAFigure, site)) return spec;
   ReadValue(json, site, spec);
   if (spec.joints.size() > kMostJoints) {
     site.Field("joints").Report(Check::kTooManyJoints, {std::to_string(spec.joints.size())});

@@ -7,9 +7,10 @@
 
 namespace hazumi {
 
-// True if the object says it is of this format, version 1; else reports `other_format` or what is
-// wrong with the version.
-bool ExpectFormat(const Json& json, const char* format, Check other_format, const Site& site);
+// True if the object says it is of this format, of a version up to the newest; else reports
+// `other_format` or what is wrong with the version.
+bool ExpectFormat(const Json& json, const char* format, int newest, Check other_format,
+                  const Site& site);
 
 // Reads, checks and tries to build a figure. What is returned after a report is of no use.
 FigureSpec ReadFigure(const Json& json, const Site& site);

@@ -45,22 +45,6 @@ struct ProjectSolver {
   bool operator==(const ProjectSolver&) const = default;
 };
 
-// Values are degrees for angles and metres for root positions; rates are per second.
-struct ProjectKey {
-  double frame = 0.0;
-  double value = 0.0;
-  std::optional<double> rate;
-  Interpolation interpolation = Interpolation::kCubic;
-  ExtraFields extra;
-  bool operator==(const ProjectKey&) const = default;
-};
-
-struct ProjectCurve {
-  std::vector<ProjectKey> keys;  // in order of frames, no two on one frame
-  ExtraFields extra;
-  bool operator==(const ProjectCurve&) const = default;
-};
-
 struct ProjectRoot {
   std::array<ProjectCurve, kNumRootCurves> curves;  // by RootCurve
   ExtraFields extra;
@@ -136,6 +120,14 @@ struct ProjectMarker {
   bool operator==(const ProjectMarker&) const = default;
 };
 
+// Joints that are selected together. Nothing moves by it.
+struct ProjectSelectionSet {
+  std::string name;
+  std::vector<JointRef> joints;
+  ExtraFields extra;
+  bool operator==(const ProjectSelectionSet&) const = default;
+};
+
 // What was odd about the file. No part of the document: never written, and always equal.
 struct ReadReport {
   std::vector<Warning> warnings;
@@ -160,6 +152,7 @@ struct Project {
   std::optional<ProjectCamera> camera;
   std::vector<ProjectMarker> markers;    // in any order
   std::optional<ProjectFrames> preview;  // the part that is played; not given: all
+  std::vector<ProjectSelectionSet> selection_sets;
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;

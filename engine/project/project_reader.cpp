@@ -50,7 +50,7 @@ void CheckProject(const Project& project, FirstError* errors) {
 Project ReadProject(const Json& json, const std::string& file_name, FirstError* errors) {
   Project project;
   const Site site{"", errors, &project.read.warnings};
-  if (!ExpectFormat(json, kProjectFormat, Check::kNotAProject, site)) return project;
+  if (!ExpectFormat(json, kProjectFormat, kNewestFormat, Check::kNotAProject, site)) return project;
   ReadValue(json, site, project);
   if (errors->ok() && !project.figure.file.empty()) {
     ReadFigureFile(&project.figure, file_name, site);

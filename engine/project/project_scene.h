@@ -3,6 +3,7 @@
 // What stands around the figure, what it holds and where it is seen from. Metres, kilograms and
 // degrees; colours "#rrggbb" (sRGB).
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,7 @@
 
 #include "engine/project/item_id.h"
 #include "engine/project/json/extra_fields.h"
+#include "engine/project/project_curve.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -60,18 +62,43 @@ struct ProjectBoxShape {
   bool operator==(const ProjectBoxShape&) const = default;
 };
 
+// Who takes an object over later.
+struct ProjectHolder {
+  std::string joint;
+  Vec3 offset_m = Vec3::Zero();  // of the object's centre, in the joint's frame
+  int first_frame = 0;
+  std::optional<int> last_frame;
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectHolder&) const = default;
+};
+
+// Of the centre, along the world's axes [m].
+struct ProjectPosition {
+  std::array<ProjectCurve, 3> curves;  // x, y, z
+  ExtraFields extra;
+  bool operator==(const ProjectPosition&) const = default;
+};
+
 struct ProjectHeldObject {
   std::string name;
   std::variant<ProjectSphereShape, ProjectBoxShape> shape;
   double mass_kg = 0.0;
-  std::string joint;             // the holder
+  std::string joint;             // the holder from the first frame on; empty: nobody
   Vec3 offset_m = Vec3::Zero();  // of the centre, in the holder's frame
   std::optional<int> release_frame;
+  std::vector<ProjectHolder> holders;  // that follow
+  ProjectPosition position;            // while nobody holds it
   std::string color = kDefaultObjectColor;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectHeldObject&) const = default;
 };
+
+// True if more is said of it than who has it from the first frame on, and until when.
+inline bool ChangesHands(const ProjectHeldObject& object) {
+  return object.joint.empty() || !object.holders.empty() || object.position != ProjectPosition();
+}
 
 struct ProjectCamera {
   Vec3 eye_m = Vec3(0.0, -3.0, 1.0);

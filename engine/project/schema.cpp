@@ -38,6 +38,17 @@ constexpr const char* kJointRef = R"({
   ]
 })";
 constexpr const char* kSkin = R"({
+  "oneOf": [
+    {
+      "description": "A skin that comes with Hazumi.",
+      "type": "object",
+      "required": ["shipped"],
+      "properties": {"shipped": {"enum": ["human"]}}
+    },
+    {"$ref": "#/definitions/skin"}
+  ]
+})";
+constexpr const char* kOwnSkin = R"({
   "description": "A mesh that follows the figure's bodies, drawn only. A vertex v is the sum over its four binds of weight * X_WB * inverse_bind * v. Lists of numbers are base64 of their little-endian bytes.",
   "type": "object",
   "required": ["bones", "meshes"],
@@ -45,7 +56,20 @@ constexpr const char* kSkin = R"({
     "bones": {
       "description": "Joints, or the root, by name; counted by a bind's bone.",
       "type": "array",
-      "items": {"type": "string"}
+      "items": {
+        "oneOf": [
+          {"type": "string"},
+          {
+            "description": "A joint whose angles, or a hinge whose angle, are taken times the share.",
+            "type": "object",
+            "required": ["joint", "share"],
+            "properties": {
+              "joint": {"type": "string"},
+              "share": {"type": "number", "minimum": 0, "maximum": 1}
+            }
+          }
+        ]
+      }
     },
     "meshes": {"type": "array", "items": {"$ref": "#/definitions/skin_mesh"}},
     "materials": {
@@ -116,6 +140,7 @@ class Definitions {
  public:
   Definitions() : all_(Json::object()) {
     all_["bytes"] = FromText(kBytes);
+    all_["skin"] = FromText(kOwnSkin);
     all_["skin_mesh"] = FromText(kSkinMesh);
   }
 
@@ -171,6 +196,12 @@ class SchemaWriter {
   void Literal(const char* name, const T& value) {
     required_.push_back(name);
     properties_[name] = {{"const", ToJson(value)}};
+  }
+  void Version(int) {
+    required_.push_back("version");
+    Json versions = Json::array();
+    for (int version = 1; version <= kNewestFormat; ++version) versions.push_back(version);
+    properties_["version"] = {{"enum", std::move(versions)}};
   }
   template <typename... T>
   void OneOf(const std::array<const char*, sizeof...(T)>& names, const std::variant<T...>&) {
@@ -316,7 +347,7 @@ Json Definitions::Of(const T& value) {
 std::string ProjectSchema() {
   Definitions definitions;
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", "Hazumi project (.kfa), format version 1"}};
+                 {"title", "Hazumi project (.kfa), format versions 1 and 2"}};
   schema.update(DescribedObject(Project(), &definitions));
   schema["definitions"] = definitions.TakeAll();
   return FormatJson(schema);

@@ -31,6 +31,11 @@ void ReadBytes(FieldReader& in, const char* name, std::vector<T>& values) {
   if (!bytes->empty()) std::memcpy(static_cast<void*>(values.data()), bytes->data(), bytes->size());
 }
 
+Json ToJson(const SkinBone& bone) {
+  if (bone.share == 1.0) return bone.joint;
+  return {{"joint", bone.joint}, {"share", bone.share}};
+}
+
 Json ToJson(const SkinMesh::Bind& bind) {
   Json matrix = Json::array();
   for (int row = 0; row < 3; ++row) {
@@ -73,6 +78,14 @@ Json ListToJson(const std::vector<T>& items) {
 
 }  // namespace
 
+static void ReadValue(const Json& json, const Site& site, SkinBone& bone) {
+  if (!json.is_object()) return hazumi::ReadValue(json, site, bone.joint);
+  ReadObject(json, site, bone, [](FieldReader& in, SkinBone& shared) {
+    in.Required({"joint"}, shared.joint);
+    in.Required({"share"}, shared.share);
+  });
+}
+
 static void Describe(FieldReader& in, SkinMesh::Bind& bind) {
   std::array<double, 12> matrix{};
   in.Required({"bone"}, bind.bone);
@@ -113,6 +126,11 @@ static void Describe(FieldReader& in, Skin& skin) {
 }
 
 void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {
+  if (json.is_object() && json.contains("shipped")) {
+    return ReadObject(json, site, value, [](FieldReader& in, ProjectSkin& reference) {
+      in.Required({"shipped"}, reference.shipped.emplace());
+    });
+  }
   Skin skin;
   ReadValue(json, site, skin);
   if (!site.errors->ok()) return;
@@ -124,8 +142,9 @@ void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {
 
 Json ToJson(const ProjectSkin& value) {
   if (!value) return nullptr;
+  if (value.shipped) return {{"shipped", NameOf(*value.shipped)}};
   const Skin& skin = *value.skin;
-  return {{"bones", skin.bones},
+  return {{"bones", ListToJson(skin.bones)},
           {"meshes", ListToJson(skin.meshes)},
           {"materials", ListToJson(skin.materials)},
           {"textures", ListToJson(skin.textures)}};

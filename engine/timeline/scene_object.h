@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "engine/collision/shapes.h"
 #include "engine/figure/indices.h"
+#include "engine/timeline/keyframe.h"
 
 namespace hazumi {
 
@@ -26,15 +30,26 @@ struct BoxShape {
   bool operator==(const BoxShape&) const = default;
 };
 
-// Fixed to the body of a joint until it is let go; then it flies on a parabola, turning as it did.
+// A joint to whose body an object is fixed from the first frame to the last.
+struct Holder {
+  GroupIndex joint;
+  Vec3 offset = Vec3::Zero();  // of the object's centre, in the joint's frame [m]
+  static constexpr int kFromTheStart = std::numeric_limits<int>::min();
+  int first_frame = kFromTheStart;
+  std::optional<int> last_frame = {};  // the object is let go there; none: never
+  bool operator==(const Holder&) const = default;
+};
+
+// What joints hold, one after the other. Let go, it flies on a parabola, turning as it did, until
+// the next one has it or, at the latest, to its first key from then on: there it is where its keys
+// say, along the world's axes. So it is before anyone holds it.
 struct HeldObject {
   std::string name;
   std::variant<SphereShape, BoxShape> shape;
-  double mass = 0.0;  // [kg], part of the holder's body while held
-  GroupIndex holder;
-  Vec3 offset = Vec3::Zero();        // its centre in the holder's frame [m]
-  std::optional<int> release_frame;  // none: never let go
-  std::string color;                 // "#rrggbb", sRGB
+  double mass = 0.0;            // [kg], part of the holder's body while held
+  std::vector<Holder> holders;  // ascending, disjoint
+  std::array<Keys, 3> keys;     // of its centre in the world [m]; all have keys, or none
+  std::string color;            // "#rrggbb", sRGB
   bool operator==(const HeldObject&) const = default;
 };
 

@@ -58,7 +58,7 @@ TEST(Throw, RatesAreTheDerivativesOfTheMotion) {
 TEST(Throw, TheBallFliesOnAParabolaFromTheVelocityOfTheHand) {
   const Compiled compiled = Load("throw");
   const Motion motion = Bake(compiled.animation).value();
-  const int release = *compiled.animation.held_objects[0].release_frame;
+  const int release = *compiled.animation.held_objects[0].holders[0].last_frame;
   const Vec3 p0 = motion.frames[release].objects[0].X_WO.p;
   const Vec3 p1 = motion.frames[release + 1].objects[0].X_WO.p;
   const double t = compiled.animation.rate.seconds_per_frame();

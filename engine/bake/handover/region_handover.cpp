@@ -99,7 +99,7 @@ void RegionHandover::EndRoot(int frame, const DynamicsRegion& region) {
 }
 
 // The curves go on from what the region left, which may be too fast for them to turn back before a
-// stop.
+// limit.
 void RegionHandover::EndJoints(int frame, size_t region) {
   constexpr double kNoticed = 1e-6;  // [rad]
   JointIndex worst;

@@ -16,7 +16,7 @@ namespace hazumi {
 
 namespace {
 
-// The angle without the whole turns that it is away from another one. A stop cannot be turned
+// The angle without the whole turns that it is away from another one. A limit cannot be turned
 // through, so they stay where the angle would not be inside the joint's limits without them.
 double WithoutTurns(double angle, double from, const Joint* joint) {
   const double near = NearestTurn(angle, from);

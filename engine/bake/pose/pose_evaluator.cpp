@@ -13,28 +13,24 @@ PoseEvaluator::PoseEvaluator(const Animation& animation, Recorder* recorder)
       figure_(*animation.figure),
       ws_(figure_),
       curves_(animation),
+      objects_(animation),
       free_(figure_.num_joints(), 0),
       holds_(animation, figure_, recorder) {
   StartPlacement(nullptr);
 }
 
-// The figure with what it holds.
-void PoseEvaluator::LoadFigure() {
-  figure_ = *animation_.figure;
-  for (size_t i = 0; i < objects_.size(); ++i) {
-    const HeldObject& object = animation_.held_objects[i];
-    if (!objects_[i].is_held()) continue;
-    figure_ = figure_.WithLoad(figure_.group(object.holder).last(), InertiaOf(object));
-  }
+void PoseEvaluator::ResetCurves() {
+  curves_ = CurveSet(animation_);
+  objects_.ResetCurves();
 }
 
 void PoseEvaluator::Resume(const std::vector<CurveTrack::Piece>& pieces,
-                           const std::vector<ObjectFlight>& objects) {
+                           const std::vector<ObjectState>& objects) {
   curves_.Restart(pieces);
   std::fill(free_.begin(), free_.end(), 0);
   BindRoot();
-  if (objects_ == objects) return;
-  objects_ = objects;
+  if (objects_.states() == objects) return;
+  objects_.Resume(objects);
   LoadFigure();
 }
 
@@ -58,13 +54,24 @@ RootPlacement& PoseEvaluator::StartPlacement(const PlacementSpan* span) {
   return *placement_;
 }
 
-void PoseEvaluator::Release(const std::vector<size_t>& objects, double seconds,
-                            const FigureMotion& motion, const MotionLimit& before) {
+std::vector<double> PoseEvaluator::HandOver(const std::vector<ObjectChange>& changes,
+                                            const FigureMotion& motion, const MotionLimit& before) {
+  const double seconds = animation_.rate.SecondsAt(motion.frame);
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   ComputeVelocities(figure_, before.root_w, before.root_v, before.qd, &ws_);
-  for (const size_t i : objects) objects_[i].Release(ws_, seconds);
+  std::vector<double> jumps;
+  for (const ObjectChange& change : changes) {
+    const Vec3 from = objects_.At(change.object, motion.frame, ws_).X_WO.p;
+    if (change.holder < 0) {
+      objects_.Release(change.object, seconds, ws_);
+    } else {
+      objects_.Take(change.object, change.holder);
+    }
+    jumps.push_back((objects_.At(change.object, motion.frame, ws_).X_WO.p - from).norm());
+  }
   LoadFigure();
   placement_->RenewFlight(seconds, motion);
+  return jumps;
 }
 
 std::optional<Error> PoseEvaluator::Evaluate(double frame, Side side, FigureMotion* motion) {

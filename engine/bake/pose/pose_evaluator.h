@@ -7,11 +7,17 @@
 
 #include "engine/bake/pose/active_holds.h"
 #include "engine/bake/pose/curve_set.h"
-#include "engine/bake/pose/object_flight.h"
+#include "engine/bake/pose/held_objects.h"
 #include "engine/bake/pose/root_placement.h"
 #include "engine/bake/rotation_state.h"
 
 namespace hazumi {
+
+// An object that is let go of, or goes over to a holder.
+struct ObjectChange {
+  size_t object = 0;
+  int holder = -1;  // -1: it is let go of
+};
 
 // The whole figure at an instant: joints and orientation from their curves, but for what regions
 // drive; then the root's place; then the joints that holds move. What acts at the time it is told
@@ -24,14 +30,15 @@ class PoseEvaluator {
   // Goes on with curves from these pieces, and with these objects held or let go of. No region
   // drives anything.
   void Resume(const std::vector<CurveTrack::Piece>& pieces,
-              const std::vector<ObjectFlight>& objects);
+              const std::vector<ObjectState>& objects);
   // Curves as the animation's keys and regions are now.
-  void ResetCurves() { curves_ = CurveSet(animation_); }
+  void ResetCurves();
   // From here on the placement is that of a span of the animation; null: of none.
   RootPlacement& StartPlacement(const PlacementSpan* span);
-  // Lets go of objects, by index: of a figure that is at `motion` and got there with `before`.
-  void Release(const std::vector<size_t>& objects, double seconds, const FigureMotion& motion,
-               const MotionLimit& before);
+  // Objects change hands in a figure that is at `motion` and got there with `before`. Returns how
+  // far each jumps [m].
+  std::vector<double> HandOver(const std::vector<ObjectChange>& changes, const FigureMotion& motion,
+                               const MotionLimit& before);
   // A region drives the joint from here on, or no longer.
   void SetFree(JointIndex j, bool is_free) { free_[j.value()] = is_free; }
   // A region drives the root's orientation from here on, starting there (accelerations are not
@@ -65,20 +72,20 @@ class PoseEvaluator {
   const RootPlacement& placement() const { return *placement_; }
   const PlacementSpan* span() const { return span_; }
   ActiveHolds& holds() { return holds_; }
-  const std::vector<ObjectFlight>& objects() const { return objects_; }
+  HeldObjects& objects() { return objects_; }
   const std::vector<char>& free() const { return free_; }  // by JointIndex
   // The root's angles z, y, x, if a region drives them.
   const std::optional<RotationState>& free_root() const { return free_root_; }
 
  private:
-  void LoadFigure();
+  void LoadFigure() { figure_ = objects_.LoadedFigure(); }
   PointMotion AnchorAt(const FigureMotion& motion);
 
   const Animation& animation_;
   Figure figure_;
   DynamicsWorkspace ws_;
   CurveSet curves_;
-  std::vector<ObjectFlight> objects_;
+  HeldObjects objects_;
   const PlacementSpan* span_ = nullptr;
   std::unique_ptr<RootPlacement> placement_;
   std::vector<char> free_;

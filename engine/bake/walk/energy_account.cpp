@@ -1,7 +1,7 @@
 // The account of an island [METHOD 8.5]: over each of its steps the powers P of laws and of keyed
 // joints are integrated by Gauss's formula of order 8,
 //   W = h sum_i w_i P(m + h x_i),   h half of the step, m its middle, x_i and w_i below.
-// What its energy jumped by since the step before went into stops.
+// What its energy jumped by since the step before went into limits.
 
 #include "engine/bake/walk/energy_account.h"
 
@@ -34,7 +34,7 @@ void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
 
 void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island) {
   if (island.is_accounted) {
-    balance_.stops += first.kinetic + first.potential - island.stored;
+    balance_.limits += first.kinetic + first.potential - island.stored;
   } else {
     balance_.kinetic_start += first.kinetic;
     balance_.potential_start += first.potential;

@@ -70,7 +70,7 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
   }
 }
 
-// A joint whose friction is 0 is frozen [METHOD 2.4], as is one without room between its stops.
+// A joint whose friction is 0 is frozen [METHOD 2.4], as is one without room between its limits.
 bool ExactDriver::is_frozen(Coordinate c) const {
   if (c >= figure_.num_joints()) return false;
   return friction_[c] == 0.0 || figure_.joints()[c].is_fixed();
@@ -247,7 +247,7 @@ void ExactDriver::Account(double t, bool is_cut) {
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
   std::vector<Hit> hits;
   for (Island& island : islands_) {
-    for (const StopHit& hit : island.solution.TakeHits()) {
+    for (const LimitHit& hit : island.solution.TakeHits()) {
       const Coordinate c = island.solution.hinges()[hit.hinge];
       hits.push_back({hit.time, hit.last_time, hit.count, c});
     }

@@ -68,7 +68,7 @@ class ExactDriver {
   // None if the root's coupling changed on the way: kinetic energy is not the same thing then.
   std::optional<EnergyBalance> energy() const { return energy_.balance(); }
 
-  struct Hit {  // as StopHit
+  struct Hit {  // as LimitHit
     double time, last_time;
     long count;
     Coordinate coordinate;

@@ -4,7 +4,8 @@
 //   pieces, the free joints   solve M y'' = -b to a tolerance in steps of their own (ExactDriver),
 //   the placement     may have events in each piece: the first one of a frame ends what is known,
 //   output frames     are read off the solution.
-// Where nothing but curves and stops acts on the regions a piece is solved at once, on all threads.
+// Where nothing but curves and limits acts on the regions a piece is solved at once, on all
+// threads.
 
 #include "engine/bake/walk/exact_walk.h"
 
@@ -167,7 +168,7 @@ std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
 void ExactWalk::AddHits(double until) {
   for (const ExactDriver::Hit& hit : driver_->TakeHits()) {
     if (hit.time > until) continue;
-    context_.recorder.AddStop(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
+    context_.recorder.AddLimit(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
 }
 

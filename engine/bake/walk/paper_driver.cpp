@@ -41,7 +41,7 @@ PaperDriver::PaperDriver(const Animation& animation, const Figure& figure, std::
       factors_(system_.size()),
       y_(system_.size()),
       yd_(system_.size()),
-      on_stop_(system_.size(), 0) {
+      on_limit_(system_.size(), 0) {
   input_ = {&system_.M(), &system_.b(), VecX(system_.size()), VecX(system_.size()),
             VecX(system_.size())};
   for (int i = 0; i < system_.size(); ++i) {
@@ -64,7 +64,7 @@ bool PaperDriver::is_free(JointIndex j) const {
 std::optional<PaperDriver::Failure> PaperDriver::Advance(const FigureMotion& from,
                                                          const RootHold& hold, double dt,
                                                          DynamicsWorkspace* ws, VecX* q, VecX* qd,
-                                                         std::vector<JointIndex>* stops) {
+                                                         std::vector<JointIndex>* limits) {
   system_.Evaluate({from.X_WR, from.root, from.q, from.qd, from.qdd}, hold.coupling, hold.pin,
                    animation_.gravity, ws);
   for (int i = 0; i < system_.size(); ++i) {
@@ -86,8 +86,8 @@ std::optional<PaperDriver::Failure> PaperDriver::Advance(const FigureMotion& fro
     const JointIndex j = system_.free()[i];
     (*q)[j.value()] = y_[i];
     (*qd)[j.value()] = yd_[i];
-    if (paper_.corrected()[i] && !on_stop_[i]) stops->push_back(j);
-    on_stop_[i] = paper_.corrected()[i];
+    if (paper_.corrected()[i] && !on_limit_[i]) limits->push_back(j);
+    on_limit_[i] = paper_.corrected()[i];
   }
   return std::nullopt;
 }

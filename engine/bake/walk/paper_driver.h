@@ -29,10 +29,10 @@ class PaperDriver {
     std::string cause;
   };
   // From the state `from` advances the free joints' entries of q and qd by dt seconds. A joint that
-  // reaches a stop in this step is added to `stops`.
+  // reaches a limit in this step is added to `limits`.
   std::optional<Failure> Advance(const FigureMotion& from, const RootHold& hold, double dt,
                                  DynamicsWorkspace* ws, VecX* q, VecX* qd,
-                                 std::vector<JointIndex>* stops);
+                                 std::vector<JointIndex>* limits);
 
   // The kick of a landing on the free joints' rates: `from.root.v` is the velocity just before.
   bool ApplyLanding(const FigureMotion& from, JointIndex pin, DynamicsWorkspace* ws, VecX* qd);
@@ -48,7 +48,7 @@ class PaperDriver {
   PaperStepInput input_;
   VecX factors_;  // friction per 1/30 s
   VecX y_, yd_;   // free joints' angles and rates
-  std::vector<char> on_stop_;
+  std::vector<char> on_limit_;
 };
 
 }  // namespace hazumi

@@ -1,7 +1,7 @@
 // From frame to frame by the paper's method [Arai 2.4, 3]: ceil(frame time / step) equal steps
 // in each, and in each step
 //   the free joints   y' <- f (y' + y'' dt), y <- y + y' dt, from M y'' = -b at its start, with
-//                     friction f, and stops (PaperStep),
+//                     friction f, and limits (PaperStep),
 //   the others        at its end, from their curves,
 //   the root          at its end, from its placement,
 //   holds             solved there.
@@ -67,9 +67,9 @@ std::optional<Error> PaperWalk::StepRegions(double seconds, FigureMotion* next) 
   if (!driver_) return std::nullopt;
   const FigureMotion& now = context_.now;
   const auto start = std::chrono::steady_clock::now();
-  std::vector<JointIndex> stops;
+  std::vector<JointIndex> limits;
   const auto failure = driver_->Advance(now, context_.poses.placement().hold(), seconds,
-                                        &context_.poses.workspace(), &next->q, &next->qd, &stops);
+                                        &context_.poses.workspace(), &next->q, &next->qd, &limits);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) return CannotGoOnAfter(now.frame, failure->joint, failure->cause);
   for (const int r : driver_->active()) {
@@ -80,7 +80,7 @@ std::optional<Error> PaperWalk::StepRegions(double seconds, FigureMotion* next) 
     report.microseconds += spent.count() / static_cast<double>(driver_->active().size());
   }
   const double end = context_.Seconds(next->frame);
-  for (const JointIndex j : stops) context_.recorder.AddStop(j, end, end, 1);
+  for (const JointIndex j : limits) context_.recorder.AddLimit(j, end, end, 1);
   return std::nullopt;
 }
 

@@ -27,6 +27,7 @@ enum class Check {
   // One field
   kNotAProject,
   kNotAFigure,
+  kNotPoses,
   kNewerFormat,
   kUnknownFormat,
   kMissingField,
@@ -60,8 +61,12 @@ enum class Check {
   kKeyTwice,
   kSpanEmpty,
   kRegionEmpty,
+  kSetEmpty,
   kNameTwice,
   kNoView,
+  kReleaseByNobody,
+  kHoldersOverlap,
+  kPositionIncomplete,
   // Names
   kUnknownJoint,
   kKeysOnGroup,
@@ -72,6 +77,7 @@ enum class Check {
   // What spans several parts
   kOutsideFrames,
   kReleaseOutside,
+  kPlacedByNobody,
   kRegionsOverlap,
   kMethodsDiffer,
   kMethodInGravity,

@@ -24,7 +24,7 @@ class AnimationChecker {
     CheckWithinFrames(animation_.regions, "regions");
     CheckWithinFrames(animation_.placements, "placements");
     CheckWithinFrames(animation_.holds, "holds");
-    CheckReleases();
+    CheckHeldObjects();
     for (size_t i = 0; i < animation_.placements.size() && GoesOn(); ++i) CheckPlacement(i);
     for (size_t i = 0; i < animation_.regions.size() && GoesOn(); ++i) CheckRegion(i);
     if (GoesOn()) CheckHolds(animation_, driven_, gravity_, cancel_, errors_);
@@ -46,13 +46,30 @@ class AnimationChecker {
     }
   }
 
-  void CheckReleases() {
-    for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
-      const int frame = animation_.held_objects[i].release_frame.value_or(animation_.first_frame);
-      const bool good = frame >= animation_.first_frame && frame <= animation_.last_frame;
-      errors_->Require(good, Check::kReleaseOutside, At("held_objects", i) + ".release_frame",
-                       {Text(frame), Text(animation_.first_frame), Text(animation_.last_frame)});
+  void CheckHeldObjects() {
+    for (size_t i = 0; i < animation_.held_objects.size() && GoesOn(); ++i) {
+      const HeldObject& object = animation_.held_objects[i];
+      size_t later = 0;  // holders that are in the file's list of them
+      for (const Holder& holder : object.holders) {
+        const bool is_first = holder.first_frame == Holder::kFromTheStart;
+        const std::string list = At("held_objects", i);
+        const std::string place = is_first ? list : At((list + ".holders").c_str(), later++);
+        if (!is_first) CheckWithin(holder.first_frame, place + ".first_frame");
+        if (!holder.last_frame) continue;
+        CheckWithin(*holder.last_frame, place + (is_first ? ".release_frame" : ".last_frame"));
+      }
+      const bool is_placed =
+          !object.keys[0].empty() ||
+          (!object.holders.empty() && object.holders[0].first_frame <= animation_.first_frame);
+      errors_->Require(is_placed, Check::kPlacedByNobody, At("held_objects", i),
+                       {Quoted(object.name), Text(animation_.first_frame)});
     }
+  }
+
+  void CheckWithin(int frame, const std::string& place) {
+    const bool good = frame >= animation_.first_frame && frame <= animation_.last_frame;
+    errors_->Require(good, Check::kReleaseOutside, place,
+                     {Text(frame), Text(animation_.first_frame), Text(animation_.last_frame)});
   }
 
   void CheckPlacement(size_t i) {

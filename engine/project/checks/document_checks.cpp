@@ -1,9 +1,11 @@
 #include "engine/project/checks/document_checks.h"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "engine/project/checks/field_checker.h"
+#include "engine/project/checks/unique_names.h"
 
 namespace hazumi {
 
@@ -42,20 +44,52 @@ void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& sit
   }
 }
 
-void CheckCurve(const ProjectCurve& curve, const char* list, const std::string& name,
-                const Site& site) {
+void CheckCurve(const ProjectCurve& curve, const std::string& name, const Site& site) {
   for (size_t i = 1; i < curve.keys.size() && site.errors->ok(); ++i) {
     if (curve.keys[i - 1].frame < curve.keys[i].frame) continue;
     CheckOrder(curve.keys[i - 1], curve.keys[i],
-               site.Field(list).Field(name).Field("keys").Item(i).Field("frame"));
+               site.Field(name).Field("keys").Item(i).Field("frame"));
+  }
+}
+
+// Each holder begins when the one before it has let go. The first has it from the start.
+void CheckHolders(const ProjectHeldObject& object, const Site& site) {
+  std::string before = object.joint;
+  std::optional<int> end = object.release_frame;
+  if (before.empty() && end) site.Field("release_frame").Report(Check::kReleaseByNobody);
+  for (size_t i = 0; i < object.holders.size(); ++i) {
+    const ProjectHolder& holder = object.holders[i];
+    const Site place = site.Field("holders").Item(i);
+    if (!before.empty() && holder.first_frame < end.value_or(std::numeric_limits<int>::max())) {
+      place.Report(Check::kHoldersOverlap, {std::to_string(holder.first_frame), Quoted(before)});
+    }
+    before = holder.joint;
+    end = holder.last_frame;
+    if (end && *end <= holder.first_frame) {
+      place.Report(Check::kSpanEmpty, {std::to_string(holder.first_frame), std::to_string(*end)});
+    }
+  }
+}
+
+void CheckPosition(const ProjectPosition& position, const Site& site) {
+  constexpr const char* kNames[] = {"x", "y", "z"};
+  const bool any = std::any_of(position.curves.begin(), position.curves.end(),
+                               [](const ProjectCurve& curve) { return !curve.keys.empty(); });
+  for (int i = 0; i < 3; ++i) {
+    CheckCurve(position.curves[i], kNames[i], site);
+    if (any && position.curves[i].keys.empty()) {
+      site.Field(kNames[i]).Report(Check::kPositionIncomplete);
+    }
   }
 }
 
 void CheckCurves(const Project& project, const Site& site) {
   for (int i = 0; i < kNumRootCurves; ++i) {
-    CheckCurve(project.root.curves[i], "root", kRootCurveNames[i], site);
+    CheckCurve(project.root.curves[i], kRootCurveNames[i], site.Field("root"));
   }
-  for (const auto& joint : project.joints) CheckCurve(joint.value, "joints", joint.name, site);
+  for (const auto& joint : project.joints) {
+    CheckCurve(joint.value, joint.name, site.Field("joints"));
+  }
 }
 
 template <typename Item>
@@ -70,16 +104,8 @@ void CheckRegion(const ProjectRegion& region, const Site& site) {
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
 }
 
-// Names of one list: none twice.
-template <typename Items>
-void CheckNamesUnique(const Items& items, const Site& site) {
-  std::map<std::string, size_t> places;
-  for (size_t i = 0; i < items.size(); ++i) {
-    const auto [it, fresh] = places.emplace(items[i].name, i);
-    if (fresh) continue;
-    site.Item(i).Field("name").Report(Check::kNameTwice,
-                                      {Quoted(items[i].name), site.Item(it->second).place});
-  }
+void CheckSet(const ProjectSelectionSet& set, const Site& site) {
+  if (set.joints.empty()) site.Field("joints").Report(Check::kSetEmpty);
 }
 
 void CheckCamera(const ProjectCamera& camera, const Site& site) {
@@ -99,6 +125,11 @@ void CheckScene(const Project& project, const Site& site) {
     const auto* plane = std::get_if<ProjectPlane>(&object.shape);
     if (plane) CheckUnitVector(plane->normal, place.Field("plane").Field("normal"));
   });
+  ForEach(project.held_objects, site.Field("held_objects"),
+          [](const auto& object, const Site& place) {
+            CheckHolders(object, place);
+            CheckPosition(object.position, place.Field("position"));
+          });
   if (project.camera) CheckCamera(*project.camera, site.Field("camera"));
 }
 
@@ -113,6 +144,8 @@ void CheckDocument(const Project& project, FirstError* errors) {
   Describe(fields, project);
   CheckScene(project, site);
   CheckCurves(project, site);
+  CheckNamesUnique(project.selection_sets, site.Field("selection_sets"));
+  ForEach(project.selection_sets, site.Field("selection_sets"), CheckSet);
   CheckNamesUnique(project.regions, site.Field("regions"));
   ForEach(project.regions, site.Field("regions"), CheckRegion);
   ForEach(project.placements, site.Field("placements"), check_span);

@@ -38,6 +38,7 @@ class FieldChecker {
   }
   template <typename T>
   void Literal(const char*, const T&) {}
+  void Version(int) {}
   template <typename... T>
   void OneOf(const std::array<const char*, sizeof...(T)>& names, const std::variant<T...>& value) {
     std::visit([&](const auto& item) { Required({names[value.index()]}, item); }, value);

@@ -67,6 +67,13 @@ void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& 
   }
 }
 
+void CheckSetNames(const ProjectSelectionSet& set, const Figure& figure, const Site& site) {
+  for (size_t i = 0; i < set.joints.size(); ++i) {
+    const std::string& name = set.joints[i].name;
+    if (!MeansRoot(name, figure)) ExpectJoint(name, figure, site.Field("joints").Item(i));
+  }
+}
+
 void CheckPlacementNames(const ProjectPlacement& placement, const Figure& figure,
                          const Site& site) {
   const bool is_pinned = placement.kind == PlacementKind::kPinned;
@@ -94,14 +101,22 @@ bool MeansRoot(const std::string& name, const Figure& figure) {
   return (name == "root" || name == figure.root_name()) && !FindJoints(figure, name);
 }
 
-bool DrivesRoot(const ProjectRegion& region, const Figure& figure) {
-  return std::any_of(region.joints.begin(), region.joints.end(),
+bool NameRoot(const std::vector<JointRef>& refs, const Figure& figure) {
+  return std::any_of(refs.begin(), refs.end(),
                      [&](const JointRef& ref) { return MeansRoot(ref.name, figure); });
 }
 
+bool DrivesRoot(const ProjectRegion& region, const Figure& figure) {
+  return NameRoot(region.joints, figure);
+}
+
 std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure) {
+  return JointsOf(region.joints, figure);
+}
+
+std::vector<bool> JointsOf(const std::vector<JointRef>& refs, const Figure& figure) {
   std::vector<bool> joints(figure.joints().size());
-  for (const JointRef& ref : region.joints) {
+  for (const JointRef& ref : refs) {
     // Everything lies beyond the root.
     if (ref.beyond && MeansRoot(ref.name, figure)) joints.assign(joints.size(), true);
     const auto meant = FindJoints(figure, ref.name);
@@ -129,8 +144,15 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
     ExpectJoint(project.holds[i].joint, figure, site.Field("holds").Item(i).Field("joint"));
   }
   for (size_t i = 0; i < project.held_objects.size(); ++i) {
-    ExpectJoint(project.held_objects[i].joint, figure,
-                site.Field("held_objects").Item(i).Field("joint"));
+    const ProjectHeldObject& object = project.held_objects[i];
+    const Site place = site.Field("held_objects").Item(i);
+    if (!object.joint.empty()) ExpectJoint(object.joint, figure, place.Field("joint"));
+    for (size_t k = 0; k < object.holders.size(); ++k) {
+      ExpectJoint(object.holders[k].joint, figure, place.Field("holders").Item(k).Field("joint"));
+    }
+  }
+  for (size_t i = 0; i < project.selection_sets.size(); ++i) {
+    CheckSetNames(project.selection_sets[i], figure, site.Field("selection_sets").Item(i));
   }
 }
 

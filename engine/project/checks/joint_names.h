@@ -24,10 +24,14 @@ std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& n
 // True if the name means the root: its own name, or "root", unless a joint is called so.
 bool MeansRoot(const std::string& name, const Figure& figure);
 
+// True if one of them names the root.
+bool NameRoot(const std::vector<JointRef>& refs, const Figure& figure);
 // True if the region drives the root's orientation.
 bool DrivesRoot(const ProjectRegion& region, const Figure& figure);
 
-// The joints of a region by index: true if it drives them. Unknown names are left out.
+// The hinges that are meant, by index; of a region those that it drives. Unknown names are left
+// out.
+std::vector<bool> JointsOf(const std::vector<JointRef>& refs, const Figure& figure);
 std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure);
 
 // Reports the first name in the project that the figure does not know, or that does not fit where

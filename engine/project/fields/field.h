@@ -34,6 +34,7 @@ enum class Thing {
   kMarker,     // by its number, as are the next two
   kPlacement,  // a span of it
   kHold,
+  kSelectionSet,
   kColor,  // "#rrggbb"
 };
 

@@ -11,6 +11,8 @@
 // Archives are FieldReader, FieldWriter, FieldChecker and SchemaWriter of this folder's neighbours,
 // and the editor's in ui/edit/fields.
 
+#include <algorithm>
+
 #include "engine/project/enum_names.h"
 #include "engine/project/fields/field.h"
 #include "engine/project/fields/scene_fields.h"
@@ -19,6 +21,15 @@
 namespace hazumi {
 
 inline constexpr const char* kProjectFormat = "hazumi-project";
+
+inline constexpr int kNewestFormat = 2;
+
+// The oldest that says what the project says: what reads an older one alone would make another
+// motion of it.
+inline int FormatVersionOf(const Project& project) {
+  return std::any_of(project.held_objects.begin(), project.held_objects.end(), ChangesHands) ? 2
+                                                                                             : 1;
+}
 
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectRate> rate) {
@@ -75,42 +86,12 @@ void Describe(Ar& ar, Ref<Ar, ProjectSolver> solver) {
   ar.Required({.name = "version", .help = "of the solver", .range = kPositive}, solver.version);
 }
 
-// What a key's fields are called.
-struct KeyFields {
-  Field value, rate;
-};
-inline constexpr KeyFields kAngleKey = {
-    {.name = "angle_deg", .unit = "°"},
-    {.name = "rate_deg_s", .details = "Default: an automatic tangent.", .unit = "°/s"}};
-inline constexpr KeyFields kPositionKey = {
-    {.name = "position_m", .unit = "m"},
-    {.name = "rate_m_s", .details = "Default: an automatic tangent.", .unit = "m/s"}};
-
 // By RootCurve.
 inline constexpr const char* kRootCurveNames[kNumRootCurves] = {"x",       "y",       "z",
                                                                 "angle_z", "angle_y", "angle_x"};
 
 inline const KeyFields& KeyFieldsOf(int root_curve) {
   return root_curve <= kRootZ ? kPositionKey : kAngleKey;
-}
-
-template <typename Ar>
-void DescribeCurve(Ar& ar, Ref<Ar, ProjectCurve> curve, const KeyFields& fields) {
-  static constexpr Field kKeys = {
-      .name = "keys",
-      .details =
-          "In order of frames, no two on one frame. Automatic tangents (no rate given) are flat at "
-          "extremes and at the last key. At a key on which a region or, for the root's position, a "
-          "placement begins, an automatic tangent is that of a parabola, because the keys inside "
-          "it are kept but not used; where the keys before and after it are at most a frame away, "
-          "it is the slope between those."};
-  ar.List(kKeys, curve.keys, [&](auto& item, auto& key) {
-    item.Required({.name = "frame", .details = "May lie between frames."}, key.frame);
-    item.Required(fields.value, key.value);
-    item.Optional(fields.rate, key.rate);
-    item.Optional({.name = "interpolation", .help = "from this key to the next one"},
-                  key.interpolation, Interpolation::kCubic);
-  });
 }
 
 template <>
@@ -137,15 +118,6 @@ void Describe(Ar& ar, Ref<Ar, ProjectFriction> friction) {
                .range = kShare},
               friction.joints);
 }
-
-// Frames of regions, placements and holds.
-inline constexpr Field kFirstField = {
-    .name = "first_frame", .parameter = "first", .label = "First frame", .help = "first frame"};
-inline constexpr Field kLastField = {.name = "last_frame",
-                                     .parameter = "last",
-                                     .label = "Last frame",
-                                     .help = "last frame",
-                                     .details = "It ends here: spans may touch."};
 
 template <>
 inline constexpr StructInfo kStructInfo<ProjectRegion> = {
@@ -262,6 +234,16 @@ void Describe(Ar& ar, Ref<Ar, ProjectMarker> marker) {
   ar.Required(kNameField, marker.name);
 }
 
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectSelectionSet> set) {
+  ar.Required(kNameField, set.name);
+  ar.Required({.name = "joints",
+               .details = "Hinges, joints with all their hinges, or the root.",
+               .thing = Thing::kJointOrHinge,
+               .is_filled = true},
+              set.joints);
+}
+
 template <>
 inline constexpr StructInfo kStructInfo<Project> = {
     "project",
@@ -270,7 +252,7 @@ inline constexpr StructInfo kStructInfo<Project> = {
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Literal("format", kProjectFormat);
-  ar.Literal("version", 1);
+  ar.Version(FormatVersionOf(project));
   ar.Optional({.name = "name", .label = "Name", .help = "its name"}, project.name);
   ar.Required({.name = "fps", .details = "Frames per second = num / den."}, project.fps);
   ar.Required({"frames"}, project.frames);
@@ -297,6 +279,8 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
               project.markers);
   ar.Optional({.name = "preview", .details = "The part that the editor plays; default: all."},
               project.preview);
+  ar.Optional({.name = "selection_sets", .details = "Joints that are selected together."},
+              project.selection_sets);
 }
 
 }  // namespace hazumi

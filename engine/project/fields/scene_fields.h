@@ -2,6 +2,7 @@
 
 // The fields of project_scene.h; see project_fields.h.
 
+#include "engine/project/fields/curve_fields.h"
 #include "engine/project/fields/field.h"
 #include "engine/project/project_scene.h"
 
@@ -107,9 +108,47 @@ void Describe(Ar& ar, Ref<Ar, ProjectBoxShape> box) {
               box.size_m);
 }
 
+inline constexpr Field kHolderOffsetField = {.name = "offset_m",
+                                             .parameter = "offset_?",
+                                             .label = "Offset",
+                                             .help = "of its centre, in the holder's frame",
+                                             .unit = "m",
+                                             .step = 0.005};
+
+template <>
+inline constexpr StructInfo kStructInfo<ProjectHolder> = {
+    "holder", "A joint that takes an object over, and until when it has it."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectHolder> holder) {
+  ar.Required({.name = "joint",
+               .label = "Joint",
+               .help = "the holder",
+               .thing = Thing::kJoint,
+               .is_filled = true},
+              holder.joint);
+  ar.Required(kFirstField, holder.first_frame);
+  ar.Optional({.name = "last_frame",
+               .parameter = "release",
+               .label = "Release frame",
+               .help = "let go on this frame; not given: never"},
+              holder.last_frame);
+  ar.Optional(kHolderOffsetField, holder.offset_m, Vec3(Vec3::Zero()));
+}
+
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectPosition> position) {
+  constexpr const char* kNames[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    ar.Nested({kNames[i]}, position.curves[i],
+              [](auto& item, auto& curve) { DescribeCurve(item, curve, kPositionKey); });
+  }
+}
+
 template <>
 inline constexpr StructInfo kStructInfo<ProjectHeldObject> = {
-    "held_object", "Fixed to a joint's body until it is let go."};
+    "held_object",
+    "Fixed to a joint's body until it is let go. Then it flies until the next holder has it or, "
+    "if it has keys from then on, to the first of them."};
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
   ar.Required(kNameField, object.name);
@@ -122,24 +161,28 @@ void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
                .range = kPositive,
                .step = 0.01},
               object.mass_kg);
-  ar.Required({.name = "joint",
+  ar.Optional({.name = "joint",
                .label = "Joint",
-               .help = "the holder",
-               .thing = Thing::kJoint,
-               .is_filled = true},
+               .help = "the holder from the first frame on",
+               .details = "Not given: nobody has it at first.",
+               .thing = Thing::kJoint},
               object.joint);
-  ar.Optional({.name = "offset_m",
-               .parameter = "offset_?",
-               .label = "Offset",
-               .help = "of its centre, in the holder's frame",
-               .unit = "m",
-               .step = 0.005},
-              object.offset_m, Vec3(Vec3::Zero()));
+  ar.Optional(kHolderOffsetField, object.offset_m, Vec3(Vec3::Zero()));
   ar.Optional({.name = "release_frame",
                .parameter = "release",
                .label = "Release frame",
                .help = "let go on this frame; not given: never"},
               object.release_frame);
+  ar.Optional(
+      {.name = "holders",
+       .details = "Who has it later, in order of time; each lets go before the next begins, "
+                  "or where it does."},
+      object.holders);
+  ar.Optional(
+      {.name = "position",
+       .details = "Where it is while nobody holds it: of x, y and z all have keys, or none. "
+                  "Keys while it is held or flies say nothing."},
+      object.position);
   ar.Stated(kColorField, object.color);
 }
 

@@ -55,6 +55,7 @@ class FieldReader {
   void Literal(const char* name, const T&) {
     Find(name);  // checked before
   }
+  void Version(int) { Find("version"); }
 
   // Exactly one of the names, each for one alternative.
   template <typename... T>

@@ -52,6 +52,7 @@ class FieldWriter {
   void Literal(const char* name, const T& value) {
     Put(name, ToJson(value));
   }
+  void Version(int version) { Put("version", version); }
   template <typename... T>
   void OneOf(const std::array<const char*, sizeof...(T)>& names, const std::variant<T...>& value) {
     std::visit([&](const auto& item) { Put(names[value.index()], ToJson(item)); }, value);

@@ -1,4 +1,4 @@
-// The energy account of exact regions: what the bodies have, what friction, stops and keys did.
+// The energy account of exact regions: what the bodies have, what friction, limits and keys did.
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Energy, OfAPinnedFigureIsAccountedFor) {
   ExpectBalanced(energy);
   const double change = TotalEnergy(animation, motion.frames[30].before) -
                         TotalEnergy(animation, motion.frames[0].after);
-  EXPECT_NEAR(change, energy.WorkOf("friction") + energy.stops + energy.keyed,
+  EXPECT_NEAR(change, energy.WorkOf("friction") + energy.limits + energy.keyed,
               1e-8 * std::abs(change));
 }
 
@@ -96,7 +96,7 @@ TEST(Energy, OfAFlyingFigureIsWhatItsKeysGaveIt) {
   EXPECT_NEAR(energy.WorkOf("friction"), 0.0, 1e-9);
   const double start = TotalEnergy(animation, motion.frames[0].after);
   const double change = TotalEnergy(animation, motion.frames[30].before) - start;
-  EXPECT_NEAR(change, energy.stops + energy.keyed, 1e-8 * start);
+  EXPECT_NEAR(change, energy.limits + energy.keyed, 1e-8 * start);
 }
 
 TEST(Energy, IsNotAccountedForUnlessAskedFor) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLast = 60;  // 2 s
 
-// The human that is shipped, without stops.
+// The human that is shipped, without limits.
 Figure LimberHuman() {
   FigureSpec spec = LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
   for (JointSpec& joint : spec.joints) {
@@ -91,7 +91,7 @@ TEST(FlightBake, KeepsParabolaAngularMomentumAndEnergyForTwoSeconds) {
   const Motion motion = BakeOrFail(animation);
   ASSERT_EQ(motion.frames.size(), kLast + 1u);
   EXPECT_GT(MomentumOf(*animation.figure, motion.frames[0].after).L.norm(), 10.0);
-  EXPECT_TRUE(EventsOf(motion, EventKind::kStop).empty());
+  EXPECT_TRUE(EventsOf(motion, EventKind::kLimit).empty());
   const Drift drift = DriftOf(animation, motion);
   EXPECT_GT(drift.turned, 2.0);
   Worst com("com"), L("angular momentum"), energy("energy");
@@ -101,7 +101,7 @@ TEST(FlightBake, KeepsParabolaAngularMomentumAndEnergyForTwoSeconds) {
   EXPECT_LE(motion.regions[0].error_estimate, animation.solver.tolerance);
 }
 
-// Fast arms without friction or stops: the motion forgets where it began within 2 s.
+// Fast arms without friction or limits: the motion forgets where it began within 2 s.
 TEST(FlightBake, OfAChaoticMotionKeepsThemTooAndSaysThatItsAnglesAreNotToBeTrusted) {
   const Animation animation = Thrown(1.0, 1.0);
   const Motion motion = BakeOrFail(animation);

@@ -138,6 +138,16 @@ TEST(IncrementalBake, OfTheThrowIsSameAsBakingAnew) {
 
 TEST(IncrementalBake, OfTheJumpIsSameAsBakingAnew) { ExpectEditsAreSame(Example("jump"), 200, 2); }
 
+// From the right hand by the left one into the air, while both arms swing and after.
+TEST(IncrementalBake, OfABallThatChangesHandsIsSameAsBakingAnew) {
+  Animation animation = Example("throw");
+  std::vector<Holder>& holders = animation.held_objects[0].holders;
+  holders[0].last_frame = 7;
+  holders.push_back({GroupOf(animation, "l_wrist"), Vec3(0.0, 0.05, -0.1), 7, 12});
+  holders.push_back({GroupOf(animation, "r_wrist"), Vec3(0.0, 0.05, -0.1), 18, 22});
+  ExpectEditsAreSame(animation, 100, 7);
+}
+
 TEST(IncrementalBake, OfATumbleIsSameAsBakingAnew) {
   Animation animation = Example("jump");
   AddRegion(&animation, "tumble", 8, 16, {"r_shoulder"}, 0.8).root = true;

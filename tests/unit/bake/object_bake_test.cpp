@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/bake/pose/object_flight.h"
+#include "engine/bake/pose/held_objects.h"
 #include "tests/support/animations.h"
 #include "tests/support/stick_figures.h"
 
@@ -16,9 +16,8 @@ HeldObject Ball(const Animation& animation, const char* holder, std::optional<in
   ball.name = "ball";
   ball.shape = SphereShape{0.05};
   ball.mass = 0.6;
-  ball.holder = GroupOf(animation, holder);
-  ball.offset = Vec3(0.05, 0.0, -0.12);
-  ball.release_frame = release;
+  ball.holders = {
+      {GroupOf(animation, holder), Vec3(0.05, 0.0, -0.12), Holder::kFromTheStart, release}};
   return ball;
 }
 
@@ -36,8 +35,9 @@ Vec3 OnTheHand(const Animation& animation, const MotionFrame& frame) {
   DynamicsWorkspace ws(*animation.figure);
   ComputePositions(*animation.figure, frame.X_WR, frame.q, &ws);
   const HeldObject& object = animation.held_objects[0];
-  const BodyScratch& hand = ws.body(animation.figure->group(object.holder).last());
-  return hand.p + hand.R * object.offset;
+  const Holder& holder = object.holders[0];
+  const BodyScratch& hand = ws.body(animation.figure->group(holder.joint).last());
+  return hand.p + hand.R * holder.offset;
 }
 
 TEST(HeldObject, IsWhereItsHolderIsUntilItIsLetGo) {
@@ -46,7 +46,7 @@ TEST(HeldObject, IsWhereItsHolderIsUntilItIsLetGo) {
   for (int f = 0; f <= 8; ++f) {
     EXPECT_LE((motion.frames[f].objects[0].X_WO.p - OnTheHand(animation, motion.frames[f])).norm(),
               1e-12);
-    EXPECT_EQ(motion.frames[f].objects[0].held, f < 8);
+    EXPECT_EQ(motion.frames[f].objects[0].is_held(), f < 8);
   }
 }
 
@@ -81,9 +81,7 @@ TEST(HeldObject, ReleaseIsAnEvent) {
 
 TEST(HeldObject, IsPartOfItsHoldersLinkWhileHeld) {
   const Animation animation = Throw(8);
-  const Figure loaded =
-      animation.figure->WithLoad(animation.figure->group(animation.held_objects[0].holder).last(),
-                                 InertiaOf(animation.held_objects[0]));
+  const Figure loaded = WithObject(*animation.figure, animation.held_objects[0], 0);
   const Motion motion = BakeOrFail(animation);
   for (const int f : {4, 8}) {
     const Figure& figure = f < 8 ? loaded : *animation.figure;
@@ -99,9 +97,8 @@ TEST(HeldObject, WeighsOnARegion) {
   AddRegion(&with_ball, "arm", 5, 15, {"r_shoulder"});
   Animation heavier = with_ball;
   heavier.held_objects.clear();
-  heavier.figure = std::make_shared<const Figure>(
-      with_ball.figure->WithLoad(with_ball.figure->group(with_ball.held_objects[0].holder).last(),
-                                 InertiaOf(with_ball.held_objects[0])));
+  heavier.figure =
+      std::make_shared<const Figure>(WithObject(*with_ball.figure, with_ball.held_objects[0], 0));
   const Motion one = BakeOrFail(with_ball), other = BakeOrFail(heavier);
   for (int f = 0; f <= 30; ++f) EXPECT_EQ(one.frames[f].q, other.frames[f].q) << f;
 }
@@ -117,6 +114,89 @@ TEST(HeldObject, LetGoInFlightChangesNoVelocity) {
   EXPECT_LE((frame.before.root_v - frame.after.root_v).norm(), 1e-12);
   const Vec3 second = (motion.frames[12].com - 2.0 * motion.frames[11].com + motion.frames[10].com);
   EXPECT_LE((900.0 * second - Vec3(0, 0, -kG)).norm(), 1e-9);
+}
+
+// The ball goes from the right hand to the left one on frame 8, whatever is between them.
+Animation Pass() {
+  Animation animation = Throw(8);
+  animation.held_objects[0].holders.push_back(
+      {GroupOf(animation, "l_wrist"), Vec3(0.05, 0.0, -0.12), 8, 16});
+  return animation;
+}
+
+Vec3 InHand(const Animation& animation, const MotionFrame& frame, size_t holder) {
+  Animation with = animation;
+  with.held_objects[0].holders = {animation.held_objects[0].holders[holder]};
+  return OnTheHand(with, frame);
+}
+
+TEST(HeldObject, GoesFromHandToHandAndIsLetGoByTheLast) {
+  const Animation animation = Pass();
+  const Motion motion = BakeOrFail(animation);
+  for (int f = 0; f <= 16; ++f) {
+    const int holder = f < 8 ? 0 : f < 16 ? 1 : -1;
+    EXPECT_EQ(motion.frames[f].objects[0].holder, holder) << f;
+    const Vec3 hand = InHand(animation, motion.frames[f], f < 8 ? 0 : 1);
+    EXPECT_LE((motion.frames[f].objects[0].X_WO.p - hand).norm(), 1e-12) << f;
+  }
+  const auto releases = EventsOf(motion, EventKind::kRelease);
+  ASSERT_EQ(releases.size(), 1u);
+  EXPECT_EQ(releases[0].joint, "l_wrist");
+  // The weight goes with it.
+  for (const int f : {4, 12, 20}) {
+    const Figure figure = WithObject(*animation.figure, animation.held_objects[0],
+                                     f < 8    ? 0
+                                     : f < 16 ? 1
+                                              : -1);
+    DynamicsWorkspace ws(figure);
+    ComputePositions(figure, motion.frames[f].X_WR, motion.frames[f].q, &ws);
+    EXPECT_LE((motion.frames[f].com - CenterOfMass(figure, ws)).norm(), 1e-14) << f;
+  }
+}
+
+TEST(HeldObject, ThatJumpsIntoAHandIsWarnedOf) {
+  const Animation animation = Pass();
+  const Motion motion = BakeOrFail(animation);
+  const double gap =
+      (InHand(animation, motion.frames[8], 1) - InHand(animation, motion.frames[8], 0)).norm();
+  ASSERT_GT(gap, 0.1);
+  ASSERT_EQ(motion.warnings.size(), 1u);
+  EXPECT_EQ(motion.warnings[0].frame, 8);
+  EXPECT_EQ(
+      motion.warnings[0].message,
+      "\"ball\" jumps by 1.18 m into joint \"l_wrist\" at frame 8: bring them together there");
+}
+
+TEST(HeldObject, FliesFromOneHandToTheOther) {
+  Animation animation = Pass();
+  animation.held_objects[0].holders[1].first_frame = 12;
+  const Motion motion = BakeOrFail(animation), thrown = BakeOrFail(Throw(8));
+  for (int f = 8; f < 12; ++f) {
+    EXPECT_EQ(motion.frames[f].objects[0].X_WO.p, thrown.frames[f].objects[0].X_WO.p) << f;
+  }
+  EXPECT_EQ(motion.frames[12].objects[0].holder, 1);
+}
+
+TEST(HeldObject, IsWhereItsKeysSayWhileNobodyHasIt) {
+  Animation animation = Throw(8);
+  HeldObject& ball = animation.held_objects[0];
+  ball.holders[0].first_frame = 4;
+  for (int axis = 0; axis < 3; ++axis) {
+    ball.keys[axis] = {{0, 0.1 * axis, {}, Interpolation::kLinear},
+                       {4, 0.5, {}, Interpolation::kLinear},
+                       {20, -0.3, {}, Interpolation::kLinear},
+                       {24, 0.1, {}, Interpolation::kLinear}};
+  }
+  const Motion motion = BakeOrFail(animation), thrown = BakeOrFail(Throw(8));
+  const auto p = [&](int f) { return motion.frames[f].objects[0].X_WO.p; };
+  EXPECT_LE((p(0) - Vec3(0.0, 0.1, 0.2)).norm(), 1e-15);
+  EXPECT_LE((p(2) - Vec3(0.25, 0.3, 0.35)).norm(), 1e-15);
+  EXPECT_EQ(motion.frames[4].objects[0].holder, 0);
+  // It flies to its first key after the release, and no farther.
+  for (int f = 8; f < 20; ++f) EXPECT_EQ(p(f), thrown.frames[f].objects[0].X_WO.p) << f;
+  EXPECT_LE((p(20) - Vec3::Constant(-0.3)).norm(), 1e-15);
+  EXPECT_LE((p(22) - Vec3::Constant(-0.1)).norm(), 1e-15);
+  EXPECT_LE((p(30) - Vec3::Constant(0.1)).norm(), 1e-15);
 }
 
 }  // namespace

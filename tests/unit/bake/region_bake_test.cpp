@@ -191,7 +191,7 @@ Animation PendulumTurnsRound(double rate, double lower) {
   return animation;
 }
 
-TEST(Region, ABlendLeavesWholeTurnsBehindButNotThroughAStop) {
+TEST(Region, ABlendLeavesWholeTurnsBehindButNotThroughALimit) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const Motion free = BakeOrFail(PendulumTurnsRound(26.0, -100.0));
   const double swung = free.frames[14].q[0] + free.frames[14].after.qd[0] / 30.0;
@@ -201,7 +201,7 @@ TEST(Region, ABlendLeavesWholeTurnsBehindButNotThroughAStop) {
   EXPECT_NEAR(std::remainder(swung - resumed, kTurn), 0.0, 0.1);
   EXPECT_EQ(free.frames[15].before.qd[0], free.frames[15].after.qd[0]);
   EXPECT_NEAR(free.frames[23].q[0], 0.1, 1e-12);
-  // With a stop that is in the way.
+  // With a limit that is in the way.
   ASSERT_LT(resumed, 0.0);
   const Motion stopped = BakeOrFail(PendulumTurnsRound(26.0, resumed + 0.01));
   EXPECT_NEAR(stopped.frames[15].q[0] - resumed, kTurn * std::round((swung - resumed) / kTurn),
@@ -360,16 +360,16 @@ TEST(Region, WithoutAKeyAfterItIsWarnedAbout) {
   EXPECT_EQ(count, 1);
 }
 
-TEST(Region, StopsAreEvents) {
+TEST(Region, LimitsAreEvents) {
   Animation animation = Still(TwoLinks());
   KeysOf(&animation, "knee") = {{0, 2.9, 3.0, kCubic}, {30, 0, {}, kCubic}};
   animation.gravity = 0.0;
   AddRegion(&animation, "swing", 0, 10, {"knee"});
   const Motion motion = BakeOrFail(animation);
-  const auto stops = EventsOf(motion, EventKind::kStop);
-  ASSERT_EQ(stops.size(), 1u);
-  EXPECT_EQ(stops[0].joint, "knee");
-  EXPECT_EQ(stops[0].frame, 2);
+  const auto limits = EventsOf(motion, EventKind::kLimit);
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_EQ(limits[0].joint, "knee");
+  EXPECT_EQ(limits[0].frame, 2);
 }
 
 }  // namespace

@@ -123,9 +123,9 @@ TEST(CompileAnimation, HalvesSizesAndTurnsBoxes) {
   EXPECT_TRUE((platform.X_WB.R * Vec3::UnitX()).isApprox(Vec3::UnitY()));
   const HeldObject& brick = animation.held_objects[1];
   EXPECT_EQ(std::get<BoxShape>(brick.shape).half_size, Vec3(0.1, 0.05, 0.025));
-  EXPECT_FALSE(brick.release_frame.has_value());
+  EXPECT_FALSE(brick.holders[0].last_frame.has_value());
   // A hinge's name means its group.
-  EXPECT_EQ(animation.held_objects[0].holder, animation.figure->FindGroup("r_wrist"));
+  EXPECT_EQ(animation.held_objects[0].holders[0].joint, animation.figure->FindGroup("r_wrist"));
 }
 
 TEST(CompileAnimation, SpansMayTouch) {

@@ -72,6 +72,23 @@ TEST(RoundTrip, TheSolverIsWrittenAsItWasStated) {
   }
 }
 
+// What older programs would make another motion of they are not to read.
+TEST(RoundTrip, WhatChangesHandsIsOfVersionTwo) {
+  const Json before = Changed(
+      SampleProject(),
+      {{"/held_objects/0/holders",
+        R"([{"joint": "l_wrist", "first_frame": 9, "last_frame": 12, "offset_m": [0, 0.1, 0]}])"},
+       {"/held_objects/1/position",
+        R"({"x": {"keys": [{"frame": 0, "position_m": 1}]},
+            "y": {"keys": [{"frame": 0, "position_m": 2}]},
+            "z": {"keys": [{"frame": 0, "position_m": 3, "interpolation": "hold"}]}})"}});
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["held_objects"][0]["holders"], before["held_objects"][0]["holders"]);
+  EXPECT_EQ(after["held_objects"][1]["position"], before["held_objects"][1]["position"]);
+  EXPECT_EQ(Json::parse(WriteProject(ParseGood(SampleProject())))["version"], 1);
+}
+
 TEST(RoundTrip, ANewDocumentIsExact) {
   const Json saved = Json::parse(WriteProject(Project()));
   EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":1})");

@@ -111,7 +111,9 @@ constexpr const char* kSample = R"({
   ],
   "camera": {"eye_m": [0, -3, 1], "target_m": [0, 0, 1], "vertical_fov_deg": 35},
   "markers": [{"frame": 9, "name": "throw"}, {"frame": -3, "name": "before"}],
-  "preview": {"first": 5, "last": 15}
+  "preview": {"first": 5, "last": 15},
+  "selection_sets": [{"name": "arm", "joints": ["r_elbow", {"beyond": "l_shoulder"}]},
+                     {"name": "root", "joints": ["pelvis"]}]
 })";
 
 }  // namespace

@@ -102,7 +102,8 @@ TEST(Schema, FindsMistakes) {
                             {"/placements/0/kind", "\"magic\""},
                             {"/holds/0/reach", "\"far\""},
                             {"/regions/0/joints", "[]"},
-                            {"/regions/0/blend_frames", "-1"}};
+                            {"/regions/0/blend_frames", "-1"},
+                            {"/selection_sets/0/joints", ""}};
   for (const auto& mistake : mistakes) {
     const std::string wrong = Changed(SampleProject(), {mistake}).dump();
     EXPECT_NE(ComplaintOf("kfa.schema.json", PlainJson::parse(wrong)), "") << mistake.first;
@@ -117,6 +118,17 @@ TEST(Schema, ShippedFiguresAreValidAndLoad) {
     EXPECT_TRUE(figure.ok()) << figure.error().ToString();
   }
   if (files.empty()) GTEST_SKIP() << "skipped: no figures";
+}
+
+TEST(Schema, ShippedPosesAreValidAndMistakesInThemAreFound) {
+  const PlainJson poses = Load(kAssets + "poses/human.json");
+  EXPECT_EQ(ComplaintOf("poses.schema.json", poses), "");
+  for (const char* place :
+       {"/format", "/poses/0/name", "/poses/0/joints", "/poses/1/root/height_m"}) {
+    PlainJson wrong = poses;
+    wrong[PlainJson::json_pointer(place)] = true;
+    EXPECT_NE(ComplaintOf("poses.schema.json", wrong), "") << place;
+  }
 }
 
 TEST(Schema, ShippedExamplesAreValidLoadAndCompile) {

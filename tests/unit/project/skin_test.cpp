@@ -55,6 +55,27 @@ TEST(Skin, IsTheSameAfterSavingAndReading) {
   EXPECT_TRUE(again.read.warnings.empty());
 }
 
+TEST(Skin, ABoneMayTakeAShareOfItsJoint) {
+  Skin skin = SampleSkin();
+  skin.bones[1] = SkinBone("r_ankle", 0.25);
+  Project project = ParseGood(SampleProject());
+  project.skin = {.skin = std::make_shared<const Skin>(skin)};
+  const Json written = Json::parse(WriteProject(project));
+  EXPECT_EQ(written["skin"]["bones"],
+            Json::parse(R"(["r_knee", {"joint": "r_ankle", "share": 0.25}])"));
+  EXPECT_TRUE(*ParseGood(written).skin.skin == skin);
+}
+
+TEST(Skin, ThatComesWithTheProgramIsOnlyNamed) {
+  Json json = SampleProject();
+  json["skin"] = Json::parse(R"({"shipped": "human"})");
+  const Project project = ParseGood(json);
+  ASSERT_TRUE(project.skin);
+  EXPECT_FALSE(project.skin.meshes()->meshes.empty());
+  EXPECT_EQ(Json::parse(WriteProject(project))["skin"], json["skin"]);
+  EXPECT_FALSE(project == ParseGood(SampleProject()));
+}
+
 TEST(Skin, IsLeftOutOfProjectsWithoutOne) {
   EXPECT_FALSE(Json::parse(WriteProject(ParseGood(SampleProject()))).contains("skin"));
 }

@@ -86,6 +86,8 @@ std::vector<WrongProject> WrongValues() {
        "holds[0]: first_frame 0 must be before last_frame -2"},
       {Check::kRegionEmpty, Read("/regions/0/joints", "[]"),
        "regions[0].joints: a region needs at least one joint"},
+      {Check::kSetEmpty, Read("/selection_sets/1/joints", "[]"),
+       "selection_sets[1].joints: a selection set needs at least one joint"},
       {Check::kNegative, Read("/regions/0/blend_frames", "-1"),
        "regions[0].blend_frames: must not be negative, is -1"},
       {Check::kRange, Read("/regions/0/friction/default", "1.5"),
@@ -99,8 +101,27 @@ std::vector<WrongProject> WrongValues() {
       {Check::kNameTwice, Read("/held_objects/1/name", "\"ball\""),
        "held_objects[1].name: the name \"ball\" is already used by held_objects[0]; choose "
        "another"},
+      {Check::kNameTwice, Read("/selection_sets/1/name", "\"arm\""),
+       "selection_sets[1].name: the name \"arm\" is already used by selection_sets[0]; choose "
+       "another"},
       {Check::kRange, Read("/camera/vertical_fov_deg", "180"),
        "camera.vertical_fov_deg: must lie between 1 and 179°, is 180 (vertical field of view)"},
+      {Check::kReleaseByNobody, Read("/held_objects/0/joint", ""),
+       "held_objects[0].release_frame: nobody has it at first who could let go; give it a joint or "
+       "remove this"},
+      {Check::kHoldersOverlap,
+       Read("/held_objects/1/holders", R"([{"joint": "l_wrist", "first_frame": 8}])"),
+       "held_objects[1].holders[0]: begins in frame 8, when \"l_wrist\" still has it; end that one "
+       "before or in that frame"},
+      {Check::kSpanEmpty,
+       Read({{"/held_objects/1/release_frame", "4"},
+             {"/held_objects/1/holders",
+              R"([{"joint": "l_wrist", "first_frame": 8, "last_frame": 8}])"}}),
+       "held_objects[1].holders[0]: first_frame 8 must be before last_frame 8"},
+      {Check::kPositionIncomplete,
+       Read("/held_objects/1/position", R"({"x": {"keys": [{"frame": 0, "position_m": 1}]}})"),
+       "held_objects[1].position.y: has no keys, but others of x, y and z have; give keys to all "
+       "three or to none"},
       {Check::kNoView, Read("/camera/target_m", "[0, -3, 1]"),
        "camera: eye_m and target_m are the same point; move one of them"},
   };
@@ -120,6 +141,8 @@ std::vector<WrongProject> WrongNames() {
        "joints.r_kne: no joint \"r_kne\"; did you mean \"r_knee\"?"},
       {Check::kUnknownJoint, Read("/placements/1/joint", "\"l_ankel\""),
        "placements[1].joint: no joint \"l_ankel\"; did you mean \"l_ankle\"?"},
+      {Check::kUnknownJoint, Read("/selection_sets/0/joints/0", "\"l_ankel\""),
+       "selection_sets[0].joints[0]: no joint \"l_ankel\"; did you mean \"l_ankle\"?"},
       {Check::kUnknownJoint, Read("/placements/0/pin", "\"r_ancle\""),
        "placements[0].pin: no joint \"r_ancle\"; did you mean \"r_ankle\"?"},
       {Check::kUnknownJoint, Read("/placements/0/landing_pin", "\"l_ancle\""),
@@ -172,6 +195,14 @@ std::vector<WrongProject> Contradictions() {
        "holds[0]: frames 0 to 40 are not within the project's frames 0 to 30"},
       {Check::kReleaseOutside, Compile({{"/held_objects/0/release_frame", "31"}}),
        "held_objects[0].release_frame: frame 31 is not within the project's frames 0 to 30"},
+      {Check::kReleaseOutside,
+       Compile({{"/held_objects/1/release_frame", "4"},
+                {"/held_objects/1/holders", R"([{"joint": "l_wrist", "first_frame": 31}])"}}),
+       "held_objects[1].holders[0].first_frame: frame 31 is not within the project's frames 0 to "
+       "30"},
+      {Check::kPlacedByNobody, Compile({{"/held_objects/1/joint", ""}}),
+       "held_objects[1]: nobody has \"brick\" in frame 0, and it has no position; give it a joint "
+       "or keys of its position"},
       {Check::kRegionsOverlap,
        Compile(
            {{"/regions/1/first_frame", "14"}, {"/regions/1/joints", R"(["r_knee", "l_elbow"])"}}),

@@ -1,6 +1,7 @@
 #include "tests/unit/project/wrong_projects.h"
 
 #include "engine/project/json/json.h"
+#include "engine/project/pose_file.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/wrong_makers.h"
 
@@ -106,8 +107,8 @@ std::vector<WrongProject> WrongFields() {
        "not a Hazumi project: expected an object with \"format\": \"hazumi-project\""},
       {Check::kNotAProject, Read("/format", "\"hazumi-figure\""),
        "not a Hazumi project: expected an object with \"format\": \"hazumi-project\""},
-      {Check::kNewerFormat, Read("/version", "2"),
-       "version: made by a newer Hazumi: this is format version 2, this Hazumi reads 1; please "
+      {Check::kNewerFormat, Read("/version", "3"),
+       "version: made by a newer Hazumi: this is format version 3, this Hazumi reads 2; please "
        "update it"},
       {Check::kUnknownFormat, Read("/version", "0"),
        "version: there is no format version 0; write 1"},
@@ -180,11 +181,17 @@ std::vector<WrongProject> WrongFields() {
   };
 }
 
+std::string ReadPosesOfAProject() {
+  return Complaint(ParsePoses(SampleProject().dump(), "wrong.json"));
+}
+
 std::vector<WrongProject> WrongFigures() {
   const std::string axis = "/joints/0/hinges/0/axis", link = "/joints/0/links/0";
   return {
       {Check::kNotAFigure, Read("/figure/format", "\"hazumi-project\""),
        "figure: not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
+      {Check::kNotPoses, ReadPosesOfAProject,
+       "not a file of Hazumi poses: expected an object with \"format\": \"hazumi-poses\""},
       {Check::kNewerFormat, Read("/figure/version", "7"),
        "figure.version: made by a newer Hazumi: this is format version 7, this Hazumi reads 1; "
        "please update it"},

@@ -1,0 +1,101 @@
+// Held by a joint whose body is at X_WB: X_WO = X_WB (offset). Let go at t0 with v and w it flies:
+//   p = p0 + v (t - t0) - g (t - t0)^2 / 2 z,  R = exp(w (t - t0)) R0.
+
+#include "engine/bake/pose/held_objects.h"
+
+#include <algorithm>
+
+namespace hazumi {
+
+namespace {
+
+Pose InFlight(const ObjectState::Flight& flight, double seconds, double gravity) {
+  const double t = seconds - flight.start;
+  const Vec3 p = flight.X_WO.p + flight.v * t + Vec3(0.0, 0.0, -0.5 * gravity * t * t);
+  const double turn = flight.w.norm() * t;
+  if (turn == 0.0) return {flight.X_WO.R, p};
+  return {Eigen::AngleAxisd(turn, flight.w.normalized()).toRotationMatrix() * flight.X_WO.R, p};
+}
+
+}  // namespace
+
+RigidInertia InertiaOf(const HeldObject& object, const Holder& holder) {
+  if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
+    return SolidSphere(holder.offset, sphere->radius, object.mass);
+  }
+  return SolidBox(holder.offset, std::get<BoxShape>(object.shape).half_size, object.mass);
+}
+
+Figure WithObject(const Figure& figure, const HeldObject& object, int holder) {
+  if (holder < 0) return figure;
+  const Holder& by = object.holders[holder];
+  return figure.WithLoad(figure.group(by.joint).last(), InertiaOf(object, by));
+}
+
+HeldObjects::HeldObjects(const Animation& animation)
+    : animation_(animation), states_(animation.held_objects.size()) {
+  ResetCurves();
+}
+
+void HeldObjects::ResetCurves() {
+  curves_.clear();
+  for (const HeldObject& object : animation_.held_objects) {
+    const auto track = [&](int axis) {
+      return CurveTrack(&object.keys[axis], animation_.rate, 0.0, {});
+    };
+    curves_.push_back({track(0), track(1), track(2)});
+  }
+}
+
+std::vector<ObjectState> HeldObjects::AtFirst() const {
+  std::vector<ObjectState> states;
+  for (const HeldObject& object : animation_.held_objects) {
+    const bool is_held =
+        !object.holders.empty() && object.holders[0].first_frame <= animation_.first_frame;
+    states.push_back({is_held ? 0 : -1, std::nullopt});
+  }
+  return states;
+}
+
+void HeldObjects::Release(size_t object, double seconds, const DynamicsWorkspace& ws) {
+  ObjectState& state = states_[object];
+  const Holder& holder = animation_.held_objects[object].holders[state.holder];
+  const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
+  const Vec3 arm = body.R * holder.offset;
+  state.flight =
+      ObjectState::Flight{seconds, {body.R, body.p + arm}, body.v + body.w.cross(arm), body.w};
+  state.holder = -1;
+}
+
+Figure HeldObjects::LoadedFigure() const {
+  Figure figure = *animation_.figure;
+  for (size_t i = 0; i < states_.size(); ++i) {
+    figure = WithObject(figure, animation_.held_objects[i], states_[i].holder);
+  }
+  return figure;
+}
+
+// Keys before it was let go last say nothing of what follows.
+ObjectPose HeldObjects::At(size_t object, double frame, const DynamicsWorkspace& ws) {
+  const ObjectState& state = states_[object];
+  const HeldObject& of = animation_.held_objects[object];
+  if (state.holder >= 0) {
+    const Holder& holder = of.holders[state.holder];
+    const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
+    return {{body.R, body.p + body.R * holder.offset}, state.holder};
+  }
+  const double seconds = animation_.rate.SecondsAt(frame);
+  if (state.flight) {
+    const Keys& keys = of.keys[0];
+    const auto next = std::find_if(keys.begin(), keys.end(), [&](const Key& key) {
+      return animation_.rate.SecondsAt(key.frame) >= state.flight->start;
+    });
+    const bool is_keyed = next != keys.end() && next->frame <= frame;
+    if (!is_keyed) return {InFlight(*state.flight, seconds, animation_.gravity), -1};
+  }
+  Pose X_WO;
+  for (int axis = 0; axis < 3; ++axis) X_WO.p[axis] = curves_[object][axis].At(frame).value;
+  return {X_WO, -1};
+}
+
+}  // namespace hazumi

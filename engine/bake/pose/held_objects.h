@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/bake/motion.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/timeline/animation.h"
+#include "engine/timeline/curve_track.h"
+
+namespace hazumi {
+
+// The body that an object adds to its holder, in the frame of the holder's last hinge.
+RigidInertia InertiaOf(const HeldObject& object, const Holder& holder);
+// The figure with an object that its holder of this index has; as it is if that is -1.
+Figure WithObject(const Figure& figure, const HeldObject& object, int holder);
+
+// Who has an object, and how it flew off when it was let go last.
+struct ObjectState {
+  struct Flight {
+    double start = 0.0;  // [s]
+    Pose X_WO;
+    Vec3 v = Vec3::Zero(), w = Vec3::Zero();
+    bool operator==(const Flight&) const = default;
+  };
+  int holder = -1;  // by index of HeldObject::holders; -1: nobody
+  std::optional<Flight> flight;
+  bool operator==(const ObjectState&) const = default;
+};
+
+// The objects of an animation while it is baked: held, in flight, or where their keys say.
+class HeldObjects {
+ public:
+  // The animation must outlive it. Nobody holds anything.
+  explicit HeldObjects(const Animation& animation);
+
+  // With those held that are from the first frame on.
+  std::vector<ObjectState> AtFirst() const;
+  const std::vector<ObjectState>& states() const { return states_; }
+  void Resume(const std::vector<ObjectState>& states) { states_ = states; }
+  void ResetCurves();  // as the animation's keys are now
+
+  // Lets go; the workspace holds the figure's positions and velocities.
+  void Release(size_t object, double seconds, const DynamicsWorkspace& ws);
+  void Take(size_t object, int holder) { states_[object].holder = holder; }
+
+  Figure LoadedFigure() const;  // the animation's, with what it holds
+  // The workspace holds the figure's positions at that time.
+  ObjectPose At(size_t object, double frame, const DynamicsWorkspace& ws);
+
+ private:
+  const Animation& animation_;
+  std::vector<std::array<CurveTrack, 3>> curves_;  // by object; of x, y, z
+  std::vector<ObjectState> states_;
+};
+
+}  // namespace hazumi
