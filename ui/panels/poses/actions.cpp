@@ -1,0 +1,213 @@
+#include "ui/panels/poses/actions.h"
+
+#include <algorithm>
+
+#include "ui/edit/operators/at_frame.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/flipped_pose.h"
+#include "ui/edit/operators/posed_curves.h"
+#include "ui/edit/operators/root_curves.h"
+#include "ui/panels/poses/share_tool.h"
+#include "ui/panels/text/filled.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using edit::kRootCurveNames;
+using edit::Parameters;
+
+// Without where it stands and where it looks; where a placement says how high it is, that neither.
+edit::Pose RootPart(const SavedRoot& root, edit::Session* session) {
+  edit::Pose pose = {{kRootCurveNames[kRootAngleY], root.angle_y_deg},
+                     {kRootCurveNames[kRootAngleX], root.angle_x_deg}};
+  const Animation* animation = session->animation();
+  if (animation && !edit::IsPlaced(*animation, session->frame())) {
+    pose.push_back({kRootCurveNames[kRootZ], root.height_m});
+  }
+  return pose;
+}
+
+// What the figure has of a pose; what it has not goes to `unknown`.
+edit::Pose KnownPart(const SavedPose& pose, edit::Session* session,
+                     std::vector<std::string>* unknown) {
+  edit::Pose known;
+  if (pose.root) known = RootPart(*pose.root, session);
+  for (const Named<double>& angle : pose.joints) {
+    if (session->figure().FindJoint(angle.name)) {
+      known.push_back(angle);
+    } else {
+      unknown->push_back(angle.name);
+    }
+  }
+  return known;
+}
+
+bool IsSelected(const std::string& curve, const edit::Session& session) {
+  const std::set<std::string>& selected = session.selected_joints();
+  if (selected.empty()) return true;
+  return edit::RootCurveNamed(curve) ? session.is_root_selected() : selected.contains(curve);
+}
+
+// A root that has no mirror plane along an axis is left as it is: its image would stand elsewhere.
+Result<edit::Pose> Mirrored(const edit::Pose& pose, edit::Session* session) {
+  Result<edit::Pose> flipped = edit::Flipped(pose, session);
+  if (!flipped.ok()) return flipped;
+  edit::Pose kept = std::move(flipped).value();
+  std::erase_if(kept, [&](const Named<double>& angle) {
+    const auto is_same = [&](const Named<double>& other) { return other.name == angle.name; };
+    return edit::RootCurveNamed(angle.name) && std::none_of(pose.begin(), pose.end(), is_same);
+  });
+  return kept;
+}
+
+std::string Listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+Result<SavedPose> PoseNamed(const std::string& name, PoseLibrary* library) {
+  const std::optional<Error> error = library->Refresh();
+  if (const SavedPose* pose = library->Find(name)) return *pose;
+  if (error) return *error;
+  return edit::Refusal("name", "there is no pose \"" + name + "\" in the library");
+}
+
+Result<Done> ApplyPose(Editor* editor, const Parameters& p) {
+  const Result<SavedPose> pose = PoseNamed(p.text("name"), &editor->poses.library);
+  if (!pose.ok()) return pose.error();
+  const Result<PoseOnFigure> on = OnFigure(pose.value(), p.yes("flipped"), &editor->session());
+  if (!on.ok()) return on.error();
+  Json blend = {{"curves", on.value().curves},
+                {"values", on.value().values},
+                {"share", p.number("share", 1.0)}};
+  if (p.has("drag")) blend["drag"] = p.text("drag");
+  Result<Done> done = editor->Invoke("pose.blend", blend);
+  if (done.ok() && !on.value().unknown.empty()) {
+    editor->Say(Filled(Tr("Left alone, as the figure does not have them: %s"),
+                       Listed(on.value().unknown).c_str()));
+  }
+  return done;
+}
+
+Result<Done> SavePose(Editor* editor, const Parameters& p) {
+  edit::Session& session = editor->session();
+  SavedPose pose;
+  pose.name = p.text("name");
+  for (const std::string& curve : edit::PosedCurves(session)) {
+    if (!session.figure().FindJoint(curve)) continue;
+    const Result<double> angle = session.ValueNow(curve);
+    if (!angle.ok()) return angle.error();
+    pose.joints.push_back({curve, angle.value()});
+  }
+  if (session.selected_joints().empty() || session.is_root_selected()) {
+    const Result<const MotionFrame*> now = session.FrameNow();
+    if (!now.ok()) return now.error();
+    const auto values =
+        edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
+    pose.root = SavedRoot{values[kRootZ], values[kRootAngleY], values[kRootAngleX], {}};
+  }
+  Result<Done> saved = editor->poses.library.Save(std::move(pose), p.yes("replace"));
+  if (saved.ok()) editor->Say(Filled(Tr("The pose \"%s\" is kept."), p.text("name").c_str()));
+  return saved;
+}
+
+Result<Done> RenamePose(Editor* editor, const Parameters& p) {
+  return editor->poses.library.Rename(p.text("name"), p.text("to"));
+}
+
+Result<Done> RemovePose(Editor* editor, const Parameters& p) {
+  return editor->poses.library.Remove(p.text("name"));
+}
+
+edit::ParameterInfo ShareParameter() {
+  edit::ParameterInfo share = {"share", edit::ParameterKind::kNumber, false,
+                               "how far from the present pose to it; not given: 1"};
+  share.range = kShare;
+  return share;
+}
+
+}  // namespace
+
+Result<PoseOnFigure> OnFigure(const SavedPose& pose, bool is_flipped, edit::Session* session) {
+  PoseOnFigure on;
+  edit::Pose known = KnownPart(pose, session, &on.unknown);
+  if (!pose.joints.empty() && on.unknown.size() == pose.joints.size()) {
+    return edit::Refusal("name", "the figure has none of the joints of \"" + pose.name + "\" (" +
+                                     Listed(on.unknown) + "); it was made for another figure");
+  }
+  if (is_flipped) {
+    Result<edit::Pose> mirrored = Mirrored(known, session);
+    if (!mirrored.ok()) return mirrored.error();
+    known = std::move(mirrored).value();
+  }
+  for (const Named<double>& angle : known) {
+    if (!IsSelected(angle.name, *session)) continue;
+    on.curves.push_back(angle.name);
+    on.values.push_back(angle.value);
+  }
+  if (!on.curves.empty()) return on;
+  return edit::Refusal("", "\"" + pose.name +
+                               "\" has nothing of what is selected; select other joints, "
+                               "or none for all of it");
+}
+
+std::vector<Action> PoseLibraryActions() {
+  using enum edit::ParameterKind;
+  const edit::ParameterInfo name = {"name", kText, true, "of a pose"};
+  return {
+      {"pose.save",
+       "Save pose",
+       "Keeps the angles of the selected joints, or of all with the root's height and lean, for"
+       " any project.",
+       {{"name", kText, true, "its name"},
+        {"replace", kYesNo, false, "true: a pose of this name is replaced"}},
+       SavePose},
+      {"pose.apply",
+       "Apply pose",
+       "Keys a pose of the library, of the selected joints or of all.",
+       {name, ShareParameter(), {"flipped", kYesNo, false, "true: left for right"}, edit::kDrag},
+       ApplyPose},
+      {"pose.rename",
+       "Rename pose",
+       "Gives a pose of your own another name.",
+       {name, {"to", kText, true, "its new name"}},
+       RenamePose},
+      {"pose.remove",
+       "Remove pose",
+       "Takes a pose of your own out of the library; projects stay as they are.",
+       {name},
+       RemovePose},
+      {"tool.breakdown",
+       "Breakdown",
+       "Blends between the keys before and after with the mouse, or by typed percent.",
+       {},
+       [](Editor* editor, const Parameters&) {
+         return TakeShareTool(editor, "pose.breakdown", Json::object());
+       }},
+      {"tool.relax",
+       "Relax pose",
+       "Brings the pose nearer to the line between its keys with the mouse.",
+       {},
+       [](Editor* editor, const Parameters&) {
+         return TakeShareTool(editor, "pose.relax", Json::object());
+       }},
+      {"tool.push",
+       "Push pose",
+       "Takes the pose away from the line between its keys with the mouse.",
+       {},
+       [](Editor* editor, const Parameters&) {
+         return TakeShareTool(editor, "pose.push", Json::object());
+       }},
+      {"pose.live_mirror",
+       "Live mirror",
+       "What is posed on one side is posed on the other too, as its mirror image, or not.",
+       {{"on", kYesNo, false, "not given: the other way round"}},
+       [](Editor* editor, const Parameters& p) -> Result<Done> {
+         editor->mirrors_poses = p.yes("on", !editor->mirrors_poses);
+         return Done();
+       }}};
+}
+
+}  // namespace hazumi::ui
