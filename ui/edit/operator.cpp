@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/object_curves.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
@@ -16,12 +17,14 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list :
-       {FigureOperators(), FlightOperators(), HeldObjectOperators(), JointStateOperators(),
-        KeyOperators(), KeySelectionOperators(), ObjectOperators(), PlacementOperators(),
-        PoseOperators(), ReachOperators(), RegionOperators(), RootOperators(), SceneOperators(),
-        SelectedKeyOperators(), ImportOperators(), ExportOperators(), SessionOperators(),
-        StartRateOperators(), TimeOperators()}) {
+  for (auto&& list : {FigureOperators(),    FlightOperators(),       HeldObjectOperators(),
+                      HolderOperators(),    JumpOperators(),         JointStateOperators(),
+                      KeyOperators(),       KeySelectionOperators(), ObjectOperators(),
+                      PlacementOperators(), PoseBlendOperators(),    PoseOperators(),
+                      ReachOperators(),     RegionOperators(),       RootOperators(),
+                      SceneOperators(),     SelectedKeyOperators(),  SelectionSetOperators(),
+                      ImportOperators(),    ExportOperators(),       SessionOperators(),
+                      StartRateOperators(), SwivelOperators(),       TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {
@@ -46,6 +49,9 @@ const Operator* FindOperator(const std::string& id) {
 
 Result<ProjectCurve*> CurveNamed(const std::string& name, const Figure& figure, Project* project) {
   if (const auto root = RootCurveNamed(name)) return &project->root.curves[*root];
+  if (const auto held = ObjectCurveNamed(name, *project)) {
+    return &project->held_objects[held->object].position.curves[held->axis];
+  }
   for (Named<ProjectCurve>& entry : project->joints) {
     if (entry.name == name) return &entry.value;
   }
@@ -60,6 +66,9 @@ Result<ProjectCurve*> CurveNamed(const std::string& name, const Figure& figure, 
 
 const ProjectCurve* FindCurve(const std::string& name, const Project& project) {
   if (const auto root = RootCurveNamed(name)) return &project.root.curves[*root];
+  if (const auto held = ObjectCurveNamed(name, project)) {
+    return &project.held_objects[held->object].position.curves[held->axis];
+  }
   for (const Named<ProjectCurve>& entry : project.joints) {
     if (entry.name == name) return &entry.value;
   }
@@ -69,6 +78,11 @@ const ProjectCurve* FindCurve(const std::string& name, const Project& project) {
 std::vector<std::string> CurveNames(const Project& project) {
   std::vector<std::string> names(std::begin(kRootCurveNames), std::end(kRootCurveNames));
   for (const Named<ProjectCurve>& entry : project.joints) names.push_back(entry.name);
+  for (const ProjectHeldObject& object : project.held_objects) {
+    for (int axis = 0; axis < 3 && HasKeys(object); ++axis) {
+      names.push_back(NameOfCurve(object, axis));
+    }
+  }
   return names;
 }
 

@@ -47,6 +47,7 @@ const char* Describe(Thing thing) {
                                             "number of a marker",
                                             "number of a span of placement",
                                             "number of a hold",
+                                            "names a selection set",
                                             "a colour"};
   return kThings[static_cast<int>(thing)];
 }

@@ -105,6 +105,7 @@ TEST_F(FileExport, GltfHasTheSkinThatIsAskedForAndTheRegions) {
   const auto written = [&](const Json& parameters) {
     return Json::parse(Written("a.gltf", parameters));
   };
+  Do(&session_, "figure.skin", {{"skin", "none"}});
   const size_t num_held = session_.project().held_objects.size();
   EXPECT_EQ(written({}).at("meshes").size(), 1 + num_held);
   const Json bare = written({{"skin", "none"}});

@@ -1,3 +1,4 @@
+#include "engine/project/figure_reader.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -42,6 +43,36 @@ TEST(FigureOperators, ALinkGetsHeavier) {
   const double hand = MassOf(session, "r_hand");
   Do(&session, "figure.link", {{"link", "r_hand"}, {"mass", 2}, {"radius", 0.05}});
   EXPECT_NEAR(session.figure().total_mass() - before, 2.0 * (2.0 - hand), 1e-9);
+}
+
+TEST(FigureOperators, ASkinIsTakenOffAndPutOnAndTheMotionStays) {
+  Session session;
+  ASSERT_TRUE(session.project().skin) << "a new project has one";
+  const Motion before = *session.WholeMotion().value();
+  Do(&session, "figure.skin", {{"skin", "none"}});
+  EXPECT_FALSE(session.project().skin);
+  EXPECT_EQ(session.WholeMotion().value()->frames[0].q, before.frames[0].q);
+  Do(&session, "edit.undo");
+  EXPECT_TRUE(session.project().skin);
+  Do(&session, "edit.redo");
+  Do(&session, "figure.skin", {{"skin", "human"}});
+  EXPECT_EQ(session.project().skin.meshes(), MeshesOf(ShippedSkin::kHuman));
+}
+
+TEST(FigureOperators, ASkinIsRefusedByAFigureThatLacksItsJoints) {
+  Session session;
+  Project project = session.project();
+  std::string& text = project.figure.embedded_json;
+  for (size_t at = 0; (at = text.find("pelvis", at)) != std::string::npos;) {
+    text.replace(at, 6, "middle");
+  }
+  project.skin = {};
+  project.figure.spec = ParseFigure(text, "").value();
+  session.Replace(std::move(project), "");
+  EXPECT_EQ(Refused(&session, "figure.skin", {{"skin", "human"}}).ToString(),
+            "figure.skin.skin: the figure has no joint \"pelvis\", as the skin needs");
+  EXPECT_EQ(Refused(&session, "figure.skin", {{"skin", "fur"}}).ToString(),
+            "figure.skin.skin: \"fur\" is none of human, none");
 }
 
 TEST(FigureOperators, SayWhatIsWrong) {

@@ -20,8 +20,8 @@ TEST(HeldObjectOperators, ABallIsPutIntoTheSelectedHandAndThrown) {
   Do(&session, "held.set", {{"object", "ball"}, {"release", 7}});
   const Result<const Motion*> motion = session.WholeMotion();
   ASSERT_TRUE(motion.ok()) << motion.error().ToString();
-  EXPECT_TRUE(motion.value()->frames[6].objects[0].held);
-  EXPECT_FALSE(motion.value()->frames[8].objects[0].held);
+  EXPECT_TRUE(motion.value()->frames[6].objects[0].is_held());
+  EXPECT_FALSE(motion.value()->frames[8].objects[0].is_held());
 }
 
 TEST(HeldObjectOperators, ChangeWhatIsGiven) {
@@ -48,8 +48,6 @@ TEST(HeldObjectOperators, SayWhatTheyRefuse) {
   const auto refused = [&](const char* id, const edit::Json& given) {
     return Refused(&session, id, given).ToString();
   };
-  EXPECT_EQ(refused("held.add_ball", edit::Json::object()),
-            "held.add_ball.joint: is missing, and no joint is selected");
   EXPECT_EQ(refused("held.add_ball", {{"joint", "tail"}}),
             "held.add_ball.joint: there is no joint \"tail\"");
   Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
@@ -59,6 +57,98 @@ TEST(HeldObjectOperators, SayWhatTheyRefuse) {
             "held.set.held_objects[0].mass_kg: must be greater than 0, is 0");
   EXPECT_EQ(refused("held.set", {{"object", "stone"}, {"mass", 1}}),
             "held.set.object: there is no \"stone\"; there is \"ball\"");
+}
+
+Vec3 PositionAt(Session* session, int frame, size_t object = 0) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok());
+  return motion.ok() ? motion.value()->frames[frame].objects[object].X_WO.p : Vec3::Zero();
+}
+
+TEST(HeldObjectOperators, WithoutAHandABallLiesOnTheGround) {
+  Session session;
+  Do(&session, "held.add_ball", {{"radius", 0.1}});
+  EXPECT_EQ(Last(session).joint, "");
+  EXPECT_LE((PositionAt(&session, 0) - Vec3(0.5, 0.0, 0.1)).norm(), 1e-12);
+  session.set_frame(10);
+  Do(&session, "held.pass", {{"object", "ball"}, {"joint", "l_wrist"}});
+  EXPECT_LE((PositionAt(&session, 9) - Vec3(0.5, 0.0, 0.1)).norm(), 1e-12);
+  EXPECT_EQ(session.WholeMotion().value()->frames[10].objects[0].holder, 0);
+}
+
+TEST(HeldObjectOperators, PassItFromHandToHand) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 20}});
+  Do(&session, "held.pass", {{"object", "ball"}, {"joint", "l_wrist"}, {"frame", 8}});
+  EXPECT_EQ(Last(session).release_frame, 8);
+  ASSERT_EQ(Last(session).holders.size(), 1u);
+  const ProjectHolder& next = Last(session).holders[0];
+  EXPECT_EQ(next.joint, "l_wrist");
+  EXPECT_EQ(next.first_frame, 8);
+  EXPECT_EQ(next.last_frame, 20);  // it is let go when it would have been
+  EXPECT_LE((next.offset_m - Vec3(0.0, 0.037, -0.09175)).norm(), 1e-12);
+  EXPECT_NE(Refused(&session, "held.pass", {{"object", "ball"}, {"joint", "r_wrist"}, {"frame", 8}})
+                .message.find("\"l_wrist\" has it from frame 8 on"),
+            std::string::npos);
+  Do(&session, "held.remove_holder", {{"object", "ball"}, {"number", 0}});
+  EXPECT_TRUE(Last(session).holders.empty());
+}
+
+TEST(HeldObjectOperators, LetItGoInTheCurrentFrame) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
+  session.set_frame(12);
+  Do(&session, "held.let_go", {{"object", "ball"}});
+  EXPECT_EQ(Last(session).release_frame, 12);
+  EXPECT_EQ(Refused(&session, "held.let_go", {{"object", "ball"}, {"frame", 15}}).message,
+            "nobody has \"ball\" in frame 15");
+}
+
+TEST(HeldObjectOperators, MoveTheFramesOfAHolderAndItsNeighboursGiveWay) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 20}});
+  Do(&session, "held.pass", {{"object", "ball"}, {"joint", "l_wrist"}, {"frame", 8}});
+  // They touch: the border is one.
+  Do(&session, "held.set_frames", {{"object", "ball"}, {"number", -1}, {"release", 11}});
+  EXPECT_EQ(Last(session).release_frame, 11);
+  EXPECT_EQ(Last(session).holders[0].first_frame, 11);
+  Do(&session, "held.set_frames",
+     {{"object", "ball"}, {"number", 0}, {"first", 6}, {"release", 18}});
+  EXPECT_EQ(Last(session).release_frame, 6);
+  EXPECT_EQ(Last(session).holders[0].first_frame, 6);
+  EXPECT_EQ(Last(session).holders[0].last_frame, 18);
+}
+
+TEST(HeldObjectOperators, MoveItInTheHandAndOnTheGround) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 10}});
+  Do(&session, "held.add_box");
+  const Vec3 in_hand = PositionAt(&session, 0), on_ground = PositionAt(&session, 0, 1);
+  Do(&session, "held.move", {{"object", "ball"}, {"x", 0.05}, {"z", 0.02}});
+  EXPECT_LE((PositionAt(&session, 0) - in_hand - Vec3(0.05, 0.0, 0.02)).norm(), 1e-9);
+  session.set_frame(15);
+  Do(&session, "held.move", {{"object", "box"}, {"y", 1}});
+  EXPECT_LE((PositionAt(&session, 0, 1) - on_ground).norm(), 1e-12);
+  EXPECT_LE((PositionAt(&session, 15, 1) - on_ground - Vec3(0.0, 1.0, 0.0)).norm(), 1e-9);
+  const std::string in_the_air =
+      Refused(&session, "held.move", {{"object", "ball"}, {"x", 1}}).message;
+  EXPECT_EQ(in_the_air.find("\"ball\" flies in frame 15"), 0u);
+}
+
+// It flies to the key, which says where it lies from then on.
+TEST(HeldObjectOperators, KeyWhereItHasComeDown) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 10}});
+  session.set_frame(20);
+  Do(&session, "held.key", {{"object", "ball"}, {"z", 0.037}});
+  EXPECT_EQ(PositionAt(&session, 20).z(), 0.037);
+  EXPECT_EQ(PositionAt(&session, 25), PositionAt(&session, 20));
+  EXPECT_NE(PositionAt(&session, 19).z(), 0.037);
+  // Its keys are keys like others.
+  Do(&session, "key.move", {{"curve", "held.ball.z"}, {"frame", 20}, {"to", 20}, {"by", 0.5}});
+  EXPECT_EQ(PositionAt(&session, 25).z(), 0.537);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(PositionAt(&session, 25).z(), 0.037);
 }
 
 }  // namespace

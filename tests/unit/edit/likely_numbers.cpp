@@ -35,6 +35,7 @@ const LikelyNumber kLikelyNumbers[] = {{"keys.scale", "factor", {0.4, 2.5}},
                                        {"file.import", "mass", {30.0, 100.0}},
                                        {"file.import", "fps", {20.0, 60.0}},
                                        {"", "upper", {40.0, 140.0}},
+                                       {"jump.add", "", {0.2, 0.9}},
                                        {"", "height", {0.5, 2.5}},
                                        {"", "reduce", {0.1, 5.0}},
                                        {"", "gravity", {0.0, 20.0}},
@@ -54,8 +55,8 @@ const LikelyNumber kLikelyNumbers[] = {{"keys.scale", "factor", {0.4, 2.5}},
 }  // namespace
 
 bool IsFrame(const std::string& name) {
-  static const char* const kNames[] = {"frame",    "first",   "last", "to",
-                                       "to_first", "to_last", "about"};
+  static const char* const kNames[] = {"frame",    "first",   "last",  "to",
+                                       "to_first", "to_last", "about", "release"};
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 

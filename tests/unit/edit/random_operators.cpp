@@ -7,6 +7,7 @@
 #include "tests/unit/edit/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/posed_curves.h"
 
 namespace hazumi::test {
 
@@ -79,6 +80,8 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       return NamesOf(project.held_objects);
     case Thing::kLink:
       return NamesOf(figure.links());
+    case Thing::kSelectionSet:
+      return NamesOf(project.selection_sets);
     default:
       return {};
   }
@@ -92,7 +95,9 @@ std::optional<size_t> CountOf(Thing thing, const Project& project) {
   return std::nullopt;
 }
 
-bool IsNamed(Thing thing) { return thing >= Thing::kJoint && thing <= Thing::kLink; }
+bool IsNamed(Thing thing) {
+  return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet;
+}
 
 bool HasAny(Thing thing, const Session& session) {
   if (const auto count = CountOf(thing, session.project())) return *count > 0;
@@ -257,6 +262,36 @@ void KeepToItem(const std::vector<T>& list, const std::vector<ParameterInfo>& in
   }
 }
 
+std::vector<ProjectHeldObject> PassedOn(const Session& session) {
+  std::vector<ProjectHeldObject> passed;
+  for (const ProjectHeldObject& object : session.project().held_objects) {
+    if (!object.holders.empty()) passed.push_back(object);
+  }
+  return passed;
+}
+
+// A later holder that there is, and frames near those it has.
+void KeepToHolder(const Session& session, Random* random, Json* parameters) {
+  const std::vector<ProjectHeldObject> passed = PassedOn(session);
+  if (passed.empty()) return;
+  const ProjectHeldObject& object = OneOf(passed, random);
+  const int number = random->Integer(0, static_cast<int>(object.holders.size()) - 1);
+  (*parameters)["object"] = object.name;
+  (*parameters)["number"] = number;
+  const int first = object.holders[number].first_frame;
+  if (parameters->contains("first")) (*parameters)["first"] = first + random->Integer(0, 1);
+  if (parameters->contains("release")) (*parameters)["release"] = first + random->Integer(2, 4);
+}
+
+// As many as there are curves.
+void KeepToCurves(Random* random, Json* parameters) {
+  Json values = Json::array();
+  for (size_t i = 0; i < parameters->value("curves", Json::array()).size(); ++i) {
+    values.push_back(random->Uniform(-20.0, 60.0));
+  }
+  (*parameters)["values"] = values;
+}
+
 // Only what a format has.
 void KeepToFormat(Json* parameters) {
   const std::string path = parameters->value("path", "");
@@ -280,10 +315,24 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id.starts_with("region.")) KeepInRegion(session, random, &parameters);
   if (id == "file.export") KeepToFormat(&parameters);
   if (id == "object.set") KeepToItem(session.project().scene.objects, infos, &parameters);
+  if (parameters.contains("number")) KeepToHolder(session, random, &parameters);
+  if (id == "pose.blend") KeepToCurves(random, &parameters);
   if (id == "held.set") KeepToItem(session.project().held_objects, infos, &parameters);
   Order("first", "last", session.project().frames, &parameters);
   Order("to_first", "to_last", session.project().frames, &parameters);
   return parameters;
+}
+
+// Whether a posed curve has a key before the current frame and another after it.
+static bool IsBetweenKeys(const Session& session) {
+  for (const std::string& name : edit::PosedCurves(session)) {
+    const ProjectCurve* curve = edit::FindCurve(name, session.project());
+    if (!curve || curve->keys.empty()) continue;
+    if (curve->keys.front().frame < session.frame() && curve->keys.back().frame > session.frame()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& infos,
@@ -292,7 +341,16 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();
+  if (id == "select.save_set") return !session.selected_joints().empty();
+  if (id == "pose.breakdown" || id == "pose.relax" || id == "pose.push") {
+    return IsBetweenKeys(session);
+  }
   if (is_of_selected && session.selected_keys().empty()) return false;
+  const bool is_of_holder = id.starts_with("held.") &&
+                            std::any_of(infos.begin(), infos.end(), [](const ParameterInfo& info) {
+                              return std::string(info.name) == "number";
+                            });
+  if (is_of_holder && PassedOn(session).empty()) return false;
   return std::all_of(infos.begin(), infos.end(), [&](const ParameterInfo& info) {
     return !info.is_required || HasAny(info.offer.thing, session);
   });

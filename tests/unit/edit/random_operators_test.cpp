@@ -19,7 +19,7 @@ namespace {
 using edit::Operator;
 using edit::Session;
 
-constexpr int kOperatorsARun = 50, kRunsABlock = 40;
+constexpr int kOperatorsARun = 60, kRunsABlock = 40;
 
 // How often operators were tried, and were done.
 struct Count {
@@ -136,9 +136,9 @@ class RandomRuns {
   RandomFiles files_;
 };
 
-// HAZUMI_CASES runs, else forty.
+// HAZUMI_CASES runs, else sixty.
 TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
-  const int num_runs = FromEnvironment("HAZUMI_CASES", 40);
+  const int num_runs = FromEnvironment("HAZUMI_CASES", 60);
   const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
   std::map<std::string, Count> counts;
   std::optional<RandomRuns> runs;
@@ -158,7 +158,7 @@ TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
   }
   std::printf("%d of %d operators were done\n", all.done, all.tried);
   EXPECT_GE(2 * all.done, all.tried) << "at least half are to be done";
-  if (num_runs < 40) return;
+  if (num_runs < 60) return;
   EXPECT_EQ(counts.size(), edit::AllOperators().size()) << "each is tried";
   EXPECT_EQ(never, "") << "each is done once at least";
 }

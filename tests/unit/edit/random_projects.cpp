@@ -114,14 +114,21 @@ void Save(edit::Session* session, const std::string& path, RandomFiles* files) {
 void AddExample(const std::string& name, RandomFiles* files) {
   edit::Session session;
   Do(&session, "file.open", {{"path", HAZUMI_SOURCE_DIR "/assets/examples/" + name + ".kfa"}});
-  if (name == "throw") Do(&session, "figure.embed");
+  if (name == "throw") {
+    Do(&session, "figure.embed");
+    const std::string& ball = session.project().held_objects[0].name;
+    for (const int frame : {4, 20}) {
+      const char* joint = frame == 4 ? "l_wrist" : "r_wrist";
+      Do(&session, "held.pass", {{"object", ball}, {"joint", joint}, {"frame", frame}});
+    }
+  }
   Save(&session, files->folder + "/" + name + ".kfa", files);
 }
 
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
   Project project = session.project();
-  project.skin.skin = std::make_shared<const Skin>(testing::SampleSkin());
+  project.skin = {.skin = std::make_shared<const Skin>(testing::SampleSkin())};
   session.Replace(project, "");
   Save(&session, files->folder + "/skinned.kfa", files);
 }
@@ -133,11 +140,12 @@ void AddImported(const std::string& character, RandomFiles* files) {
   Save(&session, character + ".kfa", files);
 }
 
-// Regions, placements, holds and markers at random; what is refused stays away.
+// Regions, placements, holds, markers and selection sets at random; what is refused stays away.
 void Furnish(edit::Session* session, const RandomFiles& files, Random* random) {
-  static const char* const kIds[] = {"region.add",     "region.set",    "region.friction",
-                                     "hold.add",       "placement.set", "marker.add",
-                                     "object.add_box", "key.set",       "region.split"};
+  static const char* const kIds[] = {"region.add",     "region.set",     "region.friction",
+                                     "hold.add",       "placement.set",  "marker.add",
+                                     "object.add_box", "key.set",        "region.split",
+                                     "select.joints",  "select.save_set"};
   for (int i = 0; i < 25; ++i) {
     const edit::Operator& op = *edit::FindOperator(kIds[random->Integer(0, std::size(kIds) - 1)]);
     (void)session->Run(op.id, RandomParameters(op.id, op.parameters, *session, files, random));

@@ -172,5 +172,72 @@ TEST(SelectedKeys, SayWhatIsWrong) {
   }
 }
 
+// Keys of two joints on 0, 10 and 20; a region of one of them and all else that has frames between.
+Session Timed() {
+  Session session;
+  for (const char* joint : {"r_elbow_flexion", "l_knee"}) {
+    SetKeys(&session, joint, {{0, 0}, {10, 40}, {20, 0}});
+  }
+  Do(&session, "key.delete", {{"curve", "root.z"}, {"frame", 0}});
+  Do(&session, "region.add",
+     {{"name", "swing"}, {"first", 10}, {"last", 15}, {"joints", {"r_elbow"}}});
+  Do(&session, "placement.set", {{"kind", "pinned"}, {"pin", "l_toe"}, {"first", 5}, {"last", 12}});
+  Do(&session, "hold.add", {{"joint", "l_wrist"}, {"first", 2}, {"last", 8}});
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 14}});
+  Do(&session, "marker.add", {{"frame", 14}, {"name", "let go"}});
+  Do(&session, "marker.add", {{"frame", 25}, {"name", "after"}});
+  return session;
+}
+
+// First and last frame of a bar.
+template <typename Bar>
+std::pair<int, int> EndsOf(const Bar& bar) {
+  return {bar.first_frame, bar.last_frame};
+}
+using Ends = std::pair<int, int>;
+
+TEST(SelectedKeys, StretchedAllTogetherTakeBarsMarkersAndReleasesAlong) {
+  Session session = Timed();
+  const std::string before = WriteProject(session.project());
+  Do(&session, "keys.select_all");
+  for (const double factor : {0.5, 1.5, 1.2}) {
+    Do(&session, "keys.scale", {{"factor", factor}, {"about", 0}, {"drag", "1"}});
+  }
+  const Project& project = session.project();
+  EXPECT_EQ(EndsOf(project.regions[0]), Ends(12, 18));
+  EXPECT_EQ(EndsOf(project.placements[0]), Ends(6, 14));
+  EXPECT_EQ(EndsOf(project.holds[0]), Ends(2, 10));
+  EXPECT_EQ(project.held_objects[0].release_frame, 17);
+  EXPECT_EQ(project.markers[0].frame, 17);
+  EXPECT_EQ(project.markers[1].frame, 25);  // no key is beyond it
+  Do(&session, "edit.undo");
+  EXPECT_EQ(WriteProject(session.project()), before);
+}
+
+TEST(SelectedKeys, OfTheJointsOfARegionTakeThatRegionAlong) {
+  Session session = Timed();
+  SelectKeys(&session, "r_elbow_flexion", {0, 10, 20});
+  Do(&session, "keys.move", {{"frames", 2}});
+  EXPECT_EQ(EndsOf(session.project().regions[0]), Ends(12, 17));
+  EXPECT_EQ(EndsOf(session.project().placements[0]), Ends(5, 12));
+  EXPECT_EQ(session.project().markers[0].frame, 14);
+}
+
+TEST(SelectedKeys, OfOneFrameOrOfSomeOfTheKeysBetweenTakeNothingAlong) {
+  for (const std::vector<double>& frames : {std::vector<double>{10}, std::vector<double>{0, 20}}) {
+    Session session = Timed();
+    SelectKeys(&session, "r_elbow_flexion", frames);
+    Do(&session, "keys.move", {{"frames", 2}});
+    EXPECT_EQ(EndsOf(session.project().regions[0]), Ends(10, 15));
+  }
+}
+
+TEST(SelectedKeys, ScaledInValueLeaveTheBarsWhereTheyAre) {
+  Session session = Timed();
+  Do(&session, "keys.select_all");
+  Do(&session, "keys.scale", {{"values", 0.5}});
+  EXPECT_EQ(EndsOf(session.project().regions[0]), Ends(10, 15));
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -38,6 +38,9 @@ size_t BytesOf(const ProjectRegion& region) {
 // Shared with the project.
 size_t BytesOf(const ProjectSkin& skin) { return sizeof skin; }
 size_t BytesOf(const ProjectMarker& marker) { return sizeof marker + marker.name.capacity(); }
+size_t BytesOf(const ProjectSelectionSet& set) {
+  return sizeof set + set.joints.capacity() * sizeof(JointRef);
+}
 size_t BytesOf(const Named<ProjectCurve>& entry) {
   return BytesOf(entry.name) + BytesOf(entry.value);
 }

@@ -15,6 +15,7 @@ void ForEachIdentity(Project* project, Action&& action) {
   all(&project->placements);
   all(&project->holds);
   all(&project->held_objects);
+  for (ProjectHeldObject& object : project->held_objects) all(&object.holders);
   all(&project->scene.objects);
   all(&project->markers);
 }

@@ -86,6 +86,7 @@ class ItemFields {
   }
   template <typename T>
   void Literal(const char*, const T&) {}
+  void Version(int) {}
   template <typename... T>
   void OneOf(const std::array<const char*, sizeof...(T)>&, const std::variant<T...>& value) {
     std::visit([&](const auto& item) { Describe(*this, item); }, value);

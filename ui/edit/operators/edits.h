@@ -20,20 +20,25 @@ std::vector<Operator> ExportOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
 std::vector<Operator> HeldObjectOperators();
+std::vector<Operator> HolderOperators();
+std::vector<Operator> JumpOperators();
 std::vector<Operator> JointStateOperators();
 std::vector<Operator> KeyOperators();
 std::vector<Operator> KeySelectionOperators();
 std::vector<Operator> ObjectOperators();
 std::vector<Operator> PlacementOperators();
+std::vector<Operator> PoseBlendOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
 std::vector<Operator> RegionOperators();
 std::vector<Operator> RootOperators();
 std::vector<Operator> SceneOperators();
 std::vector<Operator> SelectedKeyOperators();
+std::vector<Operator> SelectionSetOperators();
 std::vector<Operator> ImportOperators();
 std::vector<Operator> SessionOperators();
 std::vector<Operator> StartRateOperators();
+std::vector<Operator> SwivelOperators();
 std::vector<Operator> TimeOperators();
 
 // 60 degrees come back from radians as 60, not as 59.99999999999999.
@@ -60,6 +65,9 @@ std::vector<std::string> CurvesOf(const std::set<std::string>& joints, const Fig
 // A hinge by its name, or all of a joint; the root is its own. Errors: kSchema if there is none of
 // this name.
 Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure);
+
+// Joints and hinges that name these hinges: a joint of which all are meant by its own name.
+std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure);
 
 // By the parameter "curves"; not given: those of the selected joints, else all.
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);

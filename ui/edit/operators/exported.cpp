@@ -12,7 +12,7 @@ namespace {
 Result<const Skin*> SkinFor(const ExportSource& source, ExportSkin skin, Skin* made) {
   if (skin == ExportSkin::kNone) return nullptr;
   if (skin == ExportSkin::kCharacter) {
-    if (source.character) return source.character.skin.get();
+    if (source.character) return source.character.meshes().get();
     return Refusal("skin", "the figure has no meshes of its own; choose capsules or none");
   }
   if (!source.capsules) {

@@ -1,5 +1,7 @@
 // The figure. What is mirrored is edited on both sides.
 
+#include "engine/figure/figure_bone.h"
+#include "engine/project/enum_names.h"
 #include "engine/project/figure_editor.h"
 #include "ui/edit/operators/edits.h"
 
@@ -43,6 +45,23 @@ Result<Done> Embed(Session* session, const Parameters&) {
   });
 }
 
+Result<Done> SetSkin(Session* session, const Parameters& p) {
+  const std::string name = p.text("skin");
+  ProjectSkin skin;
+  for (const auto& shipped : EnumNames<ShippedSkin>::kNames) {
+    if (name == shipped.name) skin.shipped = shipped.value;
+  }
+  if (!skin && name != "none") return Refusal("skin", "\"" + name + "\" is none of human, none");
+  for (const SkinBone& bone : skin ? skin.meshes()->bones : std::vector<SkinBone>()) {
+    if (FindBone(session->figure(), bone)) continue;
+    return Refusal("skin", "the figure has no joint \"" + bone.joint + "\", as the skin needs");
+  }
+  return session->Edit("Change skin", [&](Project* project) -> Result<Done> {
+    project->skin = std::move(skin);
+    return Done();
+  });
+}
+
 }  // namespace
 
 std::vector<Operator> FigureOperators() {
@@ -67,7 +86,13 @@ std::vector<Operator> FigureOperators() {
            "Embed figure",
            "Takes the figure's file into the project, where it can be changed.",
            {},
-           Embed}};
+           Embed},
+          {"figure.skin",
+           "Change skin",
+           "Puts a skin on the figure, or takes it off. Drawing only: the motion stays.",
+           {{"skin", kText, true, "human, for figures with the shipped human's joints; or none",
+             "human none"}},
+           SetSkin}};
 }
 
 }  // namespace hazumi::edit

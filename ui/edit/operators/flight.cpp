@@ -37,13 +37,6 @@ std::string Inside(const FlightArc::Nearness& nearness, int frame) {
          Quoted(nearness.object) + " at " + Frame(frame);
 }
 
-std::optional<Error> CheckSpan(const FlightSpan& span, const Session& session) {
-  const ProjectFrames& all = session.project().frames;
-  if (span.first >= all.first && span.last <= all.last && span.first <= span.last - 2) return {};
-  return Refusal("last", "a flight has three frames at least, from " + std::to_string(all.first) +
-                             " to " + std::to_string(all.last));
-}
-
 std::optional<Error> CheckFree(const FlightSpan& span, const Animation& animation) {
   for (const PlacementSpan& other : animation.placements) {
     if (other.kind == PlacementKind::kKeyed) continue;
@@ -215,12 +208,12 @@ std::optional<Error> CheckFlown(const FlightArc& arc, const FlightKeys& keys,
 
 // Sets the rate with which gravity takes over so that the CoM is at the arc's end on the last
 // frame. What a coarse step adds is seen in the tries; a flight that lands early is left as it is.
-Result<Done> Aim(const FlightArc& arc, const Session& session, double step, FlightKeys* keys) {
+Result<Done> Aim(const FlightArc& arc, const Project& project, double step, FlightKeys* keys) {
   constexpr double kThere = 1e-7;  // [m]
   constexpr int kTries = 4;
   const Vec3 goal = arc.ComAt(keys->span.last);
   const double duration = step * (keys->span.last - keys->by_gravity);
-  Tries tries(session.project());
+  Tries tries(project);
   for (int i = 0; i < kTries; ++i) {
     const Result<const Motion*> flown = tries.Fly(*keys);
     if (!flown.ok()) return flown.error();
@@ -235,24 +228,52 @@ Result<Done> Aim(const FlightArc& arc, const Session& session, double step, Flig
   return Done();
 }
 
+std::optional<Error> CheckSpan(const FlightSpan& span, const Animation& animation) {
+  const bool is_within = span.first >= animation.first_frame && span.last <= animation.last_frame;
+  if (is_within && span.first <= span.last - 2) return {};
+  return Refusal("last", "a flight has three frames at least, from " +
+                             std::to_string(animation.first_frame) + " to " +
+                             std::to_string(animation.last_frame));
+}
+
+// Of a project, its animation and that one's motion.
+Result<FlightKeys> PlannedFlight(const FlightSpan& span, const Project& project,
+                                 const Animation& animation, const Motion& motion) {
+  if (const auto error = CheckFree(span, animation)) return *error;
+  FlightArc arc(animation, motion, span);
+  Result<FlightKeys> keys = KeysOf(span, motion, &arc);
+  if (!keys.ok()) return keys;
+  const Result<Done> aimed = Aim(arc, project, animation.rate.SecondsAt(1.0), &keys.value());
+  if (!aimed.ok()) return aimed.error();
+  return keys;
+}
+
 Result<Done> Fly(Session* session, const Parameters& p) {
   const FlightSpan span = {p.integer("first"), p.integer("last")};
-  if (const auto error = CheckSpan(span, *session)) return *error;
+  const Animation* animation = session->animation();
+  if (animation) {
+    if (const auto error = CheckSpan(span, *animation)) return *error;
+  }
   const Result<const Motion*> motion = session->WholeMotion();
   if (!motion.ok()) return motion.error();
-  const Animation& animation = *session->animation();
-  if (const auto error = CheckFree(span, animation)) return *error;
-  FlightArc arc(animation, *motion.value(), span);
-  Result<FlightKeys> keys = KeysOf(span, *motion.value(), &arc);
+  const Result<FlightKeys> keys =
+      PlannedFlight(span, session->project(), *session->animation(), *motion.value());
   if (!keys.ok()) return keys.error();
-  const double step = animation.rate.SecondsAt(1.0);
-  const Result<Done> aimed = Aim(arc, *session, step, &keys.value());
-  if (!aimed.ok()) return aimed.error();
   return session->Edit("Place flight by gravity",
                        [&](Project* project) { return GiveToGravity(keys.value(), project); });
 }
 
 }  // namespace
+
+Result<Done> FlyByGravity(const FlightSpan& span, Project* project) {
+  const Result<Compiled> compiled = CompileAnimation(*project);
+  if (!compiled.ok()) return compiled.error();
+  const Animation& animation = compiled.value().animation;
+  IncrementalBake bake(animation);
+  if (const auto error = bake.BakeTo(std::min(span.last + 1, animation.last_frame))) return *error;
+  const Result<FlightKeys> keys = PlannedFlight(span, *project, animation, bake.motion());
+  return keys.ok() ? GiveToGravity(keys.value(), project) : keys.error();
+}
 
 std::vector<Operator> FlightOperators() {
   return {{"placement.flight",

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "engine/bake/motion.h"
+#include "engine/project/project.h"
 #include "engine/timeline/animation.h"
+#include "ui/edit/operator.h"
 
 namespace hazumi::edit {
 
@@ -16,6 +18,10 @@ namespace hazumi::edit {
 struct FlightSpan {
   int first = 0, last = 0;
 };
+
+// Gives the flight to gravity: it takes off so fast that it lands where the keys have it. Errors
+// say what is in the way.
+Result<Done> FlyByGravity(const FlightSpan& span, Project* project);
 
 // The CoM's parabola from where the keys have it on the first frame to where they have it on the
 // last one.

@@ -126,4 +126,16 @@ class Flipping {
 
 Result<Pose> Flipped(const Pose& pose, Session* session) { return Flipping(pose, session).Flip(); }
 
+Result<Pose> PoseOfSides(Pose pose, const Parameters& p, Session* session) {
+  if (!p.yes("mirror")) return pose;
+  const Result<Pose> flipped = Flipped(pose, session);
+  if (!flipped.ok()) return flipped.error();
+  std::set<std::string> posed;
+  for (const Named<double>& angle : pose) posed.insert(angle.name);
+  for (const Named<double>& angle : flipped.value()) {
+    if (posed.insert(angle.name).second) pose.push_back(angle);
+  }
+  return pose;
+}
+
 }  // namespace hazumi::edit

@@ -11,4 +11,10 @@ namespace hazumi::edit {
 // Errors: of Session::ValueNow.
 Result<Pose> Flipped(const Pose& pose, Session* session);
 
+// Of operators that pose one side.
+inline constexpr ParameterInfo kMirror = {"mirror", ParameterKind::kYesNo, false,
+                                          "true: the other side too, as the mirror image"};
+// The pose, and if `mirror` is asked for the mirror image of what it leaves out of the other side.
+Result<Pose> PoseOfSides(Pose pose, const Parameters& p, Session* session);
+
 }  // namespace hazumi::edit

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/held_objects.h"
 
 namespace hazumi::edit {
 
@@ -34,46 +34,46 @@ ParameterInfos FieldsOfShapes() {
 double RadiusOf(const ProjectSphereShape& sphere) { return sphere.radius_m; }
 double RadiusOf(const ProjectBoxShape& box) { return 0.5 * box.size_m.y(); }
 
-// Half way along the holder's first link, on the side of its y axis: in the palm of the shipped
-// human's hands.
-Vec3 PlaceIn(const Figure& figure, GroupIndex holder, double radius) {
-  const JointIndex body = figure.group(holder).last();
-  for (const Link& link : figure.links()) {
-    if (link.joint != body) continue;
-    return 0.5 * (link.capsule.a + link.capsule.b) + Vec3(0.0, radius, 0.0);
+// The joint of the first selected hinge; empty: none is.
+std::string SelectedHolder(const Session& session) {
+  const Figure& figure = session.figure();
+  for (const Joint& hinge : figure.joints()) {
+    if (session.selected_joints().contains(hinge.name)) return figure.group(hinge.group).name;
   }
-  return Vec3::Zero();
+  return "";
 }
 
 bool IsOffsetGiven(const Parameters& p) {
   return p.has("offset_x") || p.has("offset_y") || p.has("offset_z");
 }
 
-// By the parameter "joint"; not given: the first selected joint.
-Result<GroupIndex> Holder(const Session& session, const Parameters& p) {
-  const Figure& figure = session.figure();
-  std::string name = p.text("joint");
-  for (const Joint& hinge : figure.joints()) {
-    if (p.has("joint") || !name.empty()) break;
-    if (session.selected_joints().contains(hinge.name)) name = figure.group(hinge.group).name;
+// Half a metre before the root, on the ground.
+Vec3 BeforeTheFigure(const ProjectHeldObject& object) {
+  constexpr double kBefore = 0.5;  // [m]
+  if (const auto* sphere = std::get_if<ProjectSphereShape>(&object.shape)) {
+    return {kBefore, 0.0, sphere->radius_m};
   }
-  if (name.empty()) return Refusal("joint", "is missing, and no joint is selected");
-  const auto group = figure.FindGroup(name);
-  if (!group) return Refusal("joint", "there is no joint \"" + name + "\"");
-  return *group;
+  return {kBefore, 0.0, 0.5 * std::get<ProjectBoxShape>(object.shape).size_m.z()};
 }
 
+// In a hand, or, if none is named or selected, on the ground.
 Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject object) {
-  const Result<GroupIndex> holder = Holder(*session, p);
+  const bool is_held = p.has("joint") || !SelectedHolder(*session).empty();
+  const Result<GroupIndex> holder = is_held ? HolderGiven(*session, p) : GroupIndex();
   if (!holder.ok()) return holder.error();
   return session->Edit("Add held object", [&](Project* project) -> Result<Done> {
     if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
     object.name = FreeName(object.name, project->held_objects);
-    object.joint = session->figure().group(holder.value()).name;
-    if (!IsOffsetGiven(p)) {
-      const double radius =
-          std::visit([](const auto& shape) { return RadiusOf(shape); }, object.shape);
-      object.offset_m = PlaceIn(session->figure(), holder.value(), radius);
+    if (!is_held) {
+      const Vec3 at = BeforeTheFigure(object);
+      for (int axis = 0; axis < 3; ++axis) {
+        object.position.curves[axis].keys = {{double(project->frames.first), at[axis], {}, {}, {}}};
+      }
+    } else {
+      object.joint = session->figure().group(holder.value()).name;
+      if (!IsOffsetGiven(p)) {
+        object.offset_m = InThePalm(session->figure(), holder.value(), object);
+      }
     }
     project->held_objects.push_back(std::move(object));
     return Done();
@@ -87,25 +87,9 @@ Result<Done> AddHeldBox(Session* session, const Parameters& p) {
   return AddHeld(session, p, NewBox());
 }
 
-// Runs on one object by its name.
-template <typename Action>
-Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label, Action action) {
-  return session->Edit(
-      label,
-      [&](Project* project) -> Result<Done> {
-        auto& objects = project->held_objects;
-        const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
-        if (!object.ok()) return object.error();
-        return action(&objects, object.value());
-      },
-      p.text("drag"));
-}
-
-using Objects = std::vector<ProjectHeldObject>;
-
 Result<Done> SetHeld(Session* session, const Parameters& p) {
   return ChangeHeld(
-      session, p, "Change held object", [&](Objects* objects, ProjectHeldObject* object) {
+      session, p, "Change held object", [&](ProjectHeldObject* object) -> Result<Done> {
         const bool is_ball = std::holds_alternative<ProjectSphereShape>(object->shape);
         Result<Done> own =
             ExpectOwn(FieldsOf(*object), FieldsOfShapes(), p,
@@ -113,28 +97,66 @@ Result<Done> SetHeld(Session* session, const Parameters& p) {
         if (!own.ok()) return own;
         Result<Done> set = SetFields(p, object);
         if (p.yes("never")) object->release_frame.reset();
-        if (p.has("name")) object->name = FreeName(object->name, *objects, object);
         return set;
       });
 }
 
 Result<Done> RemoveHeld(Session* session, const Parameters& p) {
-  return ChangeHeld(session, p, "Remove held object",
-                    [&](Objects* objects, ProjectHeldObject* object) {
-                      objects->erase(objects->begin() + (object - objects->data()));
-                      return Result<Done>(Done());
-                    });
+  return session->Edit("Remove held object", [&](Project* project) -> Result<Done> {
+    auto& objects = project->held_objects;
+    const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
+    if (!object.ok()) return object.error();
+    objects.erase(objects.begin() + (object.value() - objects.data()));
+    return Done();
+  });
 }
 
 }  // namespace
 
+Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object) {
+  const double radius = std::visit([](const auto& shape) { return RadiusOf(shape); }, object.shape);
+  const JointIndex body = figure.group(holder).last();
+  for (const Link& link : figure.links()) {
+    if (link.joint != body) continue;
+    return 0.5 * (link.capsule.a + link.capsule.b) + Vec3(0.0, radius, 0.0);
+  }
+  return Vec3::Zero();
+}
+
+Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p) {
+  const std::string name = p.has("joint") ? p.text("joint") : SelectedHolder(session);
+  if (name.empty()) return Refusal("joint", "is missing, and no joint is selected");
+  const auto group = session.figure().FindGroup(name);
+  if (!group) return Refusal("joint", "there is no joint \"" + name + "\"");
+  return *group;
+}
+
+Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,
+                        const std::function<Result<Done>(ProjectHeldObject*)>& change) {
+  return session->Edit(
+      label,
+      [&](Project* project) -> Result<Done> {
+        auto& objects = project->held_objects;
+        const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
+        if (!object.ok()) return object.error();
+        Result<Done> done = change(object.value());
+        object.value()->name = FreeName(object.value()->name, objects, object.value());
+        return done;
+      },
+      p.text("drag"));
+}
+
 std::vector<Operator> HeldObjectOperators() {
   return {
       {"held.add_ball", "Add ball",
-       "Puts a ball into a hand. Not given: a baseball in the selected joint, beside its bone.",
+       "Puts a ball into a hand. Not given: a baseball in the selected joint, beside its bone; if "
+       "none "
+       "is selected, on the ground.",
        FieldsOf(NewBall()), AddHeldBall},
       {"held.add_box", "Add held box",
-       "Puts a box into a hand. Not given: 10 cm, in the selected joint, beside its bone.",
+       "Puts a box into a hand. Not given: 10 cm, in the selected joint, beside its bone; if none "
+       "is "
+       "selected, on the ground.",
        FieldsOf(NewBox()), AddHeldBox},
       {"held.set", "Change held object", "Sets what is given of a held object.",
        Joined({{kObject},

@@ -2,6 +2,8 @@
 
 // Internal: the joints that carry another one, for inverse kinematics.
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "engine/figure/limb.h"
@@ -15,5 +17,17 @@ inline constexpr int kFullyMovable = 6;
 // Of joints, the hinges that a key moves at a frame: no region does, and they can turn.
 std::vector<JointIndex> KeyedHinges(const std::vector<GroupIndex>& joints, double frame,
                                     const Animation& animation);
+
+// Of these, the hinges that are not locked: those that posing may turn.
+std::vector<JointIndex> PosedHinges(const std::vector<GroupIndex>& joints, double frame,
+                                    const Animation& animation,
+                                    const std::set<std::string>& locked);
+
+// A hand, a foot or what is beyond: two joints or more of a limb carry it and nothing else.
+bool EndsLimb(GroupIndex joint, const Figure& figure);
+
+// Feet stay turned as they are while they are moved unless that is asked otherwise; hands turn. A
+// foot's limb hangs on the root.
+bool IsFoot(GroupIndex joint, const Figure& figure);
 
 }  // namespace hazumi::edit

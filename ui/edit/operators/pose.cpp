@@ -4,6 +4,7 @@
 
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/flipped_pose.h"
+#include "ui/edit/operators/posed_curves.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
@@ -20,13 +21,6 @@ void KeyAngle(double frame, double angle, ProjectCurve* curve) {
   PutKey(key, curve);
 }
 
-double Limited(const std::string& hinge, double angle, const Figure& figure) {
-  const std::optional<JointIndex> j = figure.FindJoint(hinge);
-  if (!j) return angle;
-  const Joint& joint = figure.joint(*j);
-  return std::clamp(angle, ShortestDegrees(joint.lower), ShortestDegrees(joint.upper));
-}
-
 // To an angle or by one; the joint's limits hold.
 Result<Done> RotateJoint(Session* session, const Parameters& p) {
   const std::string hinge = p.text("joint");
@@ -36,22 +30,15 @@ Result<Done> RotateJoint(Session* session, const Parameters& p) {
     if (!now.ok()) return now.error();
     angle = now.value() + p.number("by");
   }
-  if (p.yes("within_limits", true)) angle = Limited(hinge, angle, session->figure());
-  return KeyPose(session, "Rotate joint", {{hinge, angle}}, p.text("drag"));
-}
-
-std::vector<std::string> Chosen(const Session& session) {
-  if (!session.selected_joints().empty()) {
-    return CurvesOf(session.selected_joints(), session.figure());
-  }
-  std::vector<std::string> all;
-  for (const Joint& joint : session.figure().joints()) all.push_back(joint.name);
-  return all;
+  if (p.yes("within_limits", true)) angle = WithinLimits(hinge, angle, session->figure());
+  const Result<Pose> pose = PoseOfSides({{hinge, angle}}, p, session);
+  if (!pose.ok()) return pose.error();
+  return KeyPose(session, "Rotate joint", pose.value(), p.text("drag"));
 }
 
 Result<Done> ClearPose(Session* session, const Parameters&) {
   Pose rest;
-  for (const std::string& name : Chosen(*session)) {
+  for (const std::string& name : PosedCurves(*session)) {
     const std::optional<int> of_root = RootCurveNamed(name);
     if (of_root && *of_root < kRootAngleZ) continue;  // where it is is no pose
     const auto hinge = session->figure().FindJoint(name);
@@ -62,7 +49,7 @@ Result<Done> ClearPose(Session* session, const Parameters&) {
 
 Result<Done> CopyPose(Session* session, const Parameters&) {
   Pose pose;
-  for (const std::string& name : Chosen(*session)) {
+  for (const std::string& name : PosedCurves(*session)) {
     const Result<double> angle = session->ValueNow(name);
     if (!angle.ok()) return angle.error();
     pose.push_back({name, angle.value()});
@@ -80,6 +67,22 @@ Result<Done> PastePose(Session* session, const Parameters& p) {
 }
 
 }  // namespace
+
+std::vector<std::string> PosedCurves(const Session& session) {
+  if (!session.selected_joints().empty()) {
+    return CurvesOf(session.selected_joints(), session.figure());
+  }
+  std::vector<std::string> all;
+  for (const Joint& joint : session.figure().joints()) all.push_back(joint.name);
+  return all;
+}
+
+double WithinLimits(const std::string& curve, double value, const Figure& figure) {
+  const std::optional<JointIndex> hinge = figure.FindJoint(curve);
+  if (!hinge) return value;
+  const Joint& joint = figure.joint(*hinge);
+  return std::clamp(value, ShortestDegrees(joint.lower), ShortestDegrees(joint.upper));
+}
 
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,
                      const std::string& drag) {
@@ -113,6 +116,7 @@ std::vector<Operator> PoseOperators() {
         {"to", kNumber, false, "the angle in degrees"},
         {"by", kNumber, false, "what is added to the present angle"},
         {"within_limits", kYesNo, false, "false: beyond the joint's limits too", kOnUnlessGiven},
+        kMirror,
         kDrag},
        RotateJoint},
       {"pose.clear",

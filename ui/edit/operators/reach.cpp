@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/flipped_pose.h"
 #include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/limb_swivel.h"
+#include "ui/edit/operators/turned_hinges.h"
 
 namespace hazumi::edit {
 
@@ -51,12 +55,76 @@ Result<std::vector<JointIndex>> HingesFor(GroupIndex moved, const Parameters& p,
     return Refusal("joint", "no joint lies between the root and \"" + figure.group(moved).name +
                                 "\"; move the root instead");
   }
-  std::vector<JointIndex> hinges = KeyedHinges(chain, frame, animation);
-  std::erase_if(hinges, [&](JointIndex j) { return locked.contains(figure.joint(j).name); });
+  std::vector<JointIndex> hinges = PosedHinges(chain, frame, animation, locked);
   if (!hinges.empty()) return hinges;
   return Refusal("joint", "every joint that moves \"" + figure.group(moved).name +
                               "\" is swung by a region in this frame, or locked; end the region " +
                               "before it, or unlock one");
+}
+
+// Of a joint that is moved, what shall become of it.
+struct Wanted {
+  GroupIndex moved;
+  Vec3 p;                 // [m]
+  std::optional<Mat3> R;  // of its body; not given: any
+};
+
+// By the joint that sits on the moved body alone, if there is one and enough hinges: where it shall
+// be and how its body shall be turned say all. False: it cannot be had, and `q` is as it was.
+bool ReachBeyond(const Wanted& wanted, const hazumi::Pose& X_WR,
+                 const std::vector<JointIndex>& hinges, const Figure& figure, VecX* q) {
+  constexpr double kReached = 1e-6;  // [m], and of the turn about as much
+  const auto beyond = ChildrenOf(figure.group(wanted.moved).last(), figure);
+  if (beyond.size() != 1 || static_cast<int>(hinges.size()) < kFullyMovable) return false;
+  const JointIndex next = figure.group(beyond[0]).first;
+  VecX reached = *q;
+  Reach(figure, {X_WR, next, wanted.p + *wanted.R * figure.joint(next).X_PJ.p, hinges, wanted.R},
+        &reached);
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, X_WR, reached, &ws);
+  const BodyScratch& body = ws.body(figure.group(wanted.moved).last());
+  if ((body.p - wanted.p).norm() > kReached || (body.R - *wanted.R).norm() > kReached) return false;
+  *q = reached;
+  return true;
+}
+
+// Takes the elbow out of the body by the hinges of the limb's first joint.
+void KeepElbowOut(GroupIndex moved, const hazumi::Pose& X_WR, std::vector<JointIndex> hinges,
+                  const Figure& figure, VecX* q) {
+  if (!EndsLimb(moved, figure)) return;
+  const std::vector<GroupIndex> limb = ChainOf(moved, std::nullopt, figure);
+  std::erase_if(hinges, [&](JointIndex j) { return figure.joint(j).group != limb.back(); });
+  std::sort(hinges.begin(), hinges.end());
+  TurnOutOfBody({moved, limb.back()}, hinges, figure, X_WR, q);
+}
+
+// The place goes before the orientation. `own`: hinges of the moved joint that may turn. Gives the
+// hinges that did.
+std::vector<JointIndex> ReachWanted(const Wanted& wanted, const hazumi::Pose& X_WR,
+                                    const std::vector<JointIndex>& hinges,
+                                    const std::vector<JointIndex>& own, const Figure& figure,
+                                    VecX* q) {
+  std::vector<JointIndex> all = hinges;
+  if (wanted.R) all.insert(all.end(), own.begin(), own.end());
+  if (wanted.R && ReachBeyond(wanted, X_WR, all, figure, q)) return all;
+  Reach(figure, {X_WR, figure.group(wanted.moved).first, wanted.p, hinges}, q);
+  KeepElbowOut(wanted.moved, X_WR, hinges, figure, q);
+  if (!wanted.R) return hinges;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, X_WR, *q, &ws);
+  TurnHinges(figure.group(wanted.moved).last(), *wanted.R,
+             TurnInPlace(wanted.moved, all, figure, ws), figure, ws, q);
+  return all;
+}
+
+Wanted WantedOf(GroupIndex moved, const Parameters& p, const MotionFrame& now,
+                const Figure& figure) {
+  Wanted wanted = {moved, Vec3(p.number("x"), p.number("y"), p.number("z")), std::nullopt};
+  if (!p.yes("keep_turned", IsFoot(moved, figure))) return wanted;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, now.X_WR, now.q, &ws);
+  wanted.R = ws.body(figure.group(moved).last()).R;
+  return wanted;
 }
 
 Result<Done> ReachFor(Session* session, const Parameters& p) {
@@ -67,22 +135,22 @@ Result<Done> ReachFor(Session* session, const Parameters& p) {
   if (!now.ok()) return now.error();
   const Animation& animation = *session->animation();
   const double frame = session->frame();
-  const Result<std::vector<JointIndex>> hinges =
-      HingesFor(*moved, p, frame, animation, session->locked_joints());
+  const std::set<std::string>& locked = session->locked_joints();
+  const Result<std::vector<JointIndex>> hinges = HingesFor(*moved, p, frame, animation, locked);
   if (!hinges.ok()) return hinges.error();
   if (const auto why = JointInTheWay(hinges.value(), frame, *now.value(), animation)) {
     return Refusal("joint", *why);
   }
   VecX q = now.value()->q;
-  Reach(figure,
-        {now.value()->X_WR, figure.group(*moved).first,
-         Vec3(p.number("x"), p.number("y"), p.number("z")), hinges.value()},
-        &q);
   Pose pose;
-  for (const JointIndex j : hinges.value()) {
+  for (const JointIndex j :
+       ReachWanted(WantedOf(*moved, p, *now.value(), figure), now.value()->X_WR, hinges.value(),
+                   PosedHinges({*moved}, frame, animation, locked), figure, &q)) {
     pose.push_back({figure.joint(j).name, ShortestDegrees(q[j.value()])});
   }
-  return KeyPose(session, "Reach", pose, p.text("drag"));
+  const Result<Pose> both = PoseOfSides(std::move(pose), p, session);
+  if (!both.ok()) return both.error();
+  return KeyPose(session, "Reach", both.value(), p.text("drag"));
 }
 
 }  // namespace
@@ -97,6 +165,9 @@ std::vector<Operator> ReachOperators() {
             {"z", kNumber, true, "metres"},
             {"chain", kInteger, false,
              "how many joints turn; 0: all up to the root; not given: the limb"},
+            {"keep_turned", kYesNo, false,
+             "true: hand or foot stay turned as they are; not given: of feet"},
+            kMirror,
             kDrag},
            ReachFor}};
 }

@@ -12,6 +12,7 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/limb_chain.h"
 #include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/turned_hinges.h"
 
 namespace hazumi::edit {
 
@@ -83,52 +84,55 @@ std::vector<GroupIndex> StandingJoints(const Now& now) {
   return joints;
 }
 
-// Turns a joint of one hinge, such as that of the toes, so that what is beyond it stays turned as
-// it was although what carries it is not. Its hinge, if there was anything to turn.
-std::optional<JointIndex> KeepTurned(GroupIndex joint, const hazumi::Pose& X_WR, const Now& now,
-                                     VecX* q) {
+// Turns what is in its place as it was turned, although what carries it is not: the toes, or a foot
+// on which no other joint sits. The hinges, if there was anything to turn.
+std::vector<JointIndex> KeepTurned(GroupIndex joint, const hazumi::Pose& X_WR, const Now& now,
+                                   const std::vector<JointIndex>& may_turn, VecX* q) {
+  constexpr double kTurned = 1e-6;
   const Figure& figure = now.figure();
-  const JointIndex hinge = figure.group(joint).first;
-  if (KeyedHinges({joint}, now.frame, now.animation) != std::vector<JointIndex>{hinge}) return {};
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, X_WR, *q, &ws);
-  const Eigen::AngleAxisd back(Mat3(now.ws.body(hinge).R * ws.body(hinge).R.transpose()));
-  const double by = back.angle() * back.axis().dot(ws.body(hinge).axis);
-  if (std::abs(by) < 1e-6) return {};
-  const Joint& limits = figure.joint(hinge);
-  double& angle = (*q)[hinge.value()];
-  angle = std::clamp(angle + by, limits.lower, limits.upper);
-  return hinge;
+  const JointIndex last = figure.group(joint).last();
+  if ((ws.body(last).R - now.ws.body(last).R).norm() < kTurned) return {};
+  std::vector<JointIndex> hinges = TurnInPlace(joint, may_turn, figure, ws);
+  TurnHinges(last, now.ws.body(last).R, hinges, figure, ws, q);
+  return hinges;
 }
 
 // Angles with which the standing joints stay where they are while the root goes to `X_WR`.
-Result<Pose> Standing(const hazumi::Pose& X_WR, const Now& now, const Session& session) {
+// `keep_turned`: and turned as they are.
+Result<Pose> Standing(const hazumi::Pose& X_WR, const Now& now, bool keep_turned,
+                      const Session& session) {
   const Figure& figure = now.figure();
   VecX q = now.motion.q;
   Pose pose;
   for (const GroupIndex joint : StandingJoints(now)) {
-    std::vector<JointIndex> hinges =
-        KeyedHinges(ChainOf(joint, std::nullopt, figure), now.frame, now.animation);
-    std::erase_if(hinges, [&](JointIndex j) {
-      return session.locked_joints().contains(figure.joint(j).name);
-    });
+    std::vector<JointIndex> hinges = PosedHinges(ChainOf(joint, std::nullopt, figure), now.frame,
+                                                 now.animation, session.locked_joints());
     if (hinges.empty()) {
       return Refusal("", "every joint that could keep \"" + figure.group(joint).name +
                              "\" in its place is swung by a region in this frame, or locked");
     }
     const JointIndex first = figure.group(joint).first;
     ReachProblem problem = {X_WR, first, now.ws.body(first).p, hinges, std::nullopt};
-    if (static_cast<int>(hinges.size()) >= kFullyMovable) {
+    if (keep_turned && static_cast<int>(hinges.size()) >= kFullyMovable) {
       problem.orientation = now.ws.body(figure.joint(first).parent).R;
     }
     Reach(figure, problem, &q);
-    if (const auto own = KeepTurned(joint, X_WR, now, &q)) hinges.push_back(*own);
+    if (keep_turned) {
+      const auto own =
+          KeepTurned(joint, X_WR, now,
+                     PosedHinges({joint}, now.frame, now.animation, session.locked_joints()), &q);
+      hinges.insert(hinges.end(), own.begin(), own.end());
+    }
     for (const JointIndex j : hinges) {
       pose.push_back({figure.joint(j).name, WithoutRoundOff(q[j.value()] / kDegree)});
     }
   }
   return pose;
 }
+
+bool KeepsTurned(const Parameters& p) { return p.yes("keep_turned", true); }
 
 Error InFlight() {
   return Refusal("",
@@ -144,7 +148,8 @@ Result<Done> MoveRoot(Session* session, const Parameters& p) {
   const bool feet_stay = p.yes("feet_stay", true);
   Pose pose;
   if (feet_stay) {
-    Result<Pose> standing = Standing({now.value().motion.X_WR.R, to}, now.value(), *session);
+    Result<Pose> standing =
+        Standing({now.value().motion.X_WR.R, to}, now.value(), KeepsTurned(p), *session);
     if (!standing.ok()) return standing.error();
     pose = std::move(standing).value();
   }
@@ -172,7 +177,7 @@ Result<Done> TurnRoot(Session* session, const Parameters& p) {
   X_WR.R = Eigen::AngleAxisd(p.number("by") * kDegree, axis.normalized()) * X_WR.R;
   Pose pose;
   if (p.yes("feet_stay")) {
-    Result<Pose> standing = Standing(X_WR, now.value(), *session);
+    Result<Pose> standing = Standing(X_WR, now.value(), KeepsTurned(p), *session);
     if (!standing.ok()) return standing.error();
     pose = std::move(standing).value();
   }
@@ -217,6 +222,9 @@ Result<Done> SetRootToGround(Session* session, const Parameters&) {
 }  // namespace
 
 std::vector<Operator> RootOperators() {
+  const ParameterInfo keep_turned = {"keep_turned", kYesNo, false,
+                                     "false: feet that stay in their places may roll",
+                                     kOnUnlessGiven};
   return {{"root.move",
            "Move root",
            "Moves the root at the current frame; legs bend so that feet stay where they stand.",
@@ -224,6 +232,7 @@ std::vector<Operator> RootOperators() {
             {"y", kNumber, true, "metres"},
             {"z", kNumber, true, "metres"},
             {"feet_stay", kYesNo, false, "false: the whole figure moves", kOnUnlessGiven},
+            keep_turned,
             kDrag},
            MoveRoot},
           {"root.turn",
@@ -234,6 +243,7 @@ std::vector<Operator> RootOperators() {
             {"z", kNumber, true, "of the axis"},
             {"by", kNumber, true, "degrees"},
             {"feet_stay", kYesNo, false, "true: legs bend so that feet stay where they stand"},
+            keep_turned,
             kDrag},
            TurnRoot},
           {"root.to_ground",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "ui/edit/operators/carried_along.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -31,22 +32,33 @@ struct SelectedCurve {
   std::set<double>* selected_after;
 };
 
+// All that has frames, as it was when a drag began.
+void TakeFramesOf(const Project& start, Project* project) {
+  project->root.curves = start.root.curves;
+  project->joints = start.joints;
+  project->regions = start.regions;
+  project->placements = start.placements;
+  project->holds = start.holds;
+  project->held_objects = start.held_objects;
+  project->markers = start.markers;
+}
+
 // `edit(curve)` for each curve with selected keys, as they were when the drag began. `id`: the
-// operator's.
+// operator's. `to`: where frames go, if they go anywhere.
 template <typename EditCurve>
 Result<Done> EditSelected(Session* session, const std::string& id, const std::string& drag,
-                          EditCurve edit) {
+                          EditCurve edit, const FrameMap& to = nullptr) {
   const std::string merge = drag.empty() ? "" : id + " " + drag;
   return session->Edit(
       FindOperator(id)->label,
       [&](Project* project) -> Result<Done> {
         KeySelection selected = session->selected_keys(), after;
         if (const Document::State* start = session->document().drag_start(merge)) {
-          project->root.curves = start->project.root.curves;
-          project->joints = start->project.joints;
+          TakeFramesOf(start->project, project);
           selected = start->keys;
         }
         if (selected.empty()) return Refusal("", "no key is selected");
+        if (to) CarryAlong(selected, session->figure(), to, project);
         for (const auto& [name, frames] : selected) {
           const Result<ProjectCurve*> curve = CurveNamed(name, session->figure(), project);
           if (!curve.ok()) return curve.error();
@@ -95,12 +107,15 @@ void Shift(const Parameters& p, ProjectKey* key) {
 }
 
 Result<Done> MoveSelected(Session* session, const Parameters& p) {
-  return EditSelected(session, "keys.move", p.text("drag"), [&](const SelectedCurve& of) {
-    std::vector<ProjectKey> keys = SelectedOf(of);
-    TakeSelected(of);
-    for (ProjectKey& key : keys) Shift(p, &key);
-    return PutKeys(std::move(keys), of);
-  });
+  return EditSelected(
+      session, "keys.move", p.text("drag"),
+      [&](const SelectedCurve& of) {
+        std::vector<ProjectKey> keys = SelectedOf(of);
+        TakeSelected(of);
+        for (ProjectKey& key : keys) Shift(p, &key);
+        return PutKeys(std::move(keys), of);
+      },
+      [&](double frame) { return frame + p.number("frames"); });
 }
 
 Result<Done> DuplicateSelected(Session* session, const Parameters& p) {
@@ -122,17 +137,21 @@ Result<Done> ScaleSelected(Session* session, const Parameters& p) {
   const double about = p.number("about", session->frame()), factor = p.number("factor", 1.0);
   const double values = p.number("values", 1.0);
   if (factor <= 0.0) return Refusal("factor", "must be greater than 0");
-  return EditSelected(session, "keys.scale", p.text("drag"), [&](const SelectedCurve& of) {
-    std::vector<ProjectKey> keys = SelectedOf(of);
-    TakeSelected(of);
-    const double mean = MeanValue(keys);
-    for (ProjectKey& key : keys) {
-      if (factor != 1.0) key.frame = Snapped(about + factor * (key.frame - about), p);
-      if (values != 1.0) key.value = mean + values * (key.value - mean);
-      if (key.rate) *key.rate *= values / factor;
-    }
-    return PutKeys(std::move(keys), of);
-  });
+  const auto to = [&](double frame) { return about + factor * (frame - about); };
+  return EditSelected(
+      session, "keys.scale", p.text("drag"),
+      [&](const SelectedCurve& of) {
+        std::vector<ProjectKey> keys = SelectedOf(of);
+        TakeSelected(of);
+        const double mean = MeanValue(keys);
+        for (ProjectKey& key : keys) {
+          if (factor != 1.0) key.frame = Snapped(to(key.frame), p);
+          if (values != 1.0) key.value = mean + values * (key.value - mean);
+          if (key.rate) *key.rate *= values / factor;
+        }
+        return PutKeys(std::move(keys), of);
+      },
+      to);
 }
 
 Result<Done> DeleteSelected(Session* session, const Parameters&) {
@@ -208,43 +227,47 @@ Result<Done> PasteSelected(Session* session, const Parameters&) {
 std::vector<Operator> SelectedKeyOperators() {
   const ParameterInfo frames = {"frames", kNumber, false, "how many frames later"};
   const ParameterInfo value = {"value", kNumber, false, "what is added to the values"};
-  return {{"keys.move",
-           "Move keys",
-           "Moves the selected keys; those that they land on give way.",
-           {frames, value, kSubframe, kDragFromStart},
-           MoveSelected},
-          {"keys.scale",
-           "Scale keys",
-           "Stretches the selected keys in time, or their values about each curve's mean.",
-           {{"factor", kNumber, false, "of time, greater than 0; 2: twice as long"},
-            {"about", kNumber, false, "the frame that stays; not given: the current one"},
-            {"values", kNumber, false, "of values; 2: twice as far from the mean"},
-            kSubframe,
-            kDragFromStart},
-           ScaleSelected},
-          {"keys.duplicate",
-           "Duplicate keys",
-           "Copies the selected keys to other frames and selects the copies.",
-           {{"frames", kNumber, true, "how many frames later"}, value, kSubframe, kDragFromStart},
-           DuplicateSelected},
-          {"keys.delete", "Delete keys", "Takes the selected keys away.", {}, DeleteSelected},
-          {"keys.copy", "Copy keys", "Copies the selected keys.", {}, CopySelected},
-          {"keys.paste",
-           "Paste keys",
-           "Puts the copied keys so that the earliest lies on the current frame, and selects them.",
-           {},
-           PasteSelected},
-          {"keys.interpolation",
-           "Interpolation of keys",
-           "Sets how the curve goes on from the selected keys.",
-           {{"interpolation", kText, true, "hold, linear, quadratic or cubic",
-             "hold linear quadratic cubic"}},
-           InterpolateSelected},
-          {"keys.handles",
-           "Handles of keys",
-           "Sets the rates at the selected keys.",
-           {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0", "auto flat"}},
-           SetSelectedHandles}};
+  return {
+      {"keys.move",
+       "Move keys",
+       "Moves the selected keys; those that they land on give way. Bars and markers between them go"
+       " along if all keys there are selected, a region also if all of its joints' are.",
+       {frames, value, kSubframe, kDragFromStart},
+       MoveSelected},
+      {"keys.scale",
+       "Scale keys",
+       "Stretches the selected keys in time, or their values about each curve's mean. Bars and"
+       " markers between them go along if all keys there are selected, a region also if all of"
+       " its joints' are.",
+       {{"factor", kNumber, false, "of time, greater than 0; 2: twice as long"},
+        {"about", kNumber, false, "the frame that stays; not given: the current one"},
+        {"values", kNumber, false, "of values; 2: twice as far from the mean"},
+        kSubframe,
+        kDragFromStart},
+       ScaleSelected},
+      {"keys.duplicate",
+       "Duplicate keys",
+       "Copies the selected keys to other frames and selects the copies.",
+       {{"frames", kNumber, true, "how many frames later"}, value, kSubframe, kDragFromStart},
+       DuplicateSelected},
+      {"keys.delete", "Delete keys", "Takes the selected keys away.", {}, DeleteSelected},
+      {"keys.copy", "Copy keys", "Copies the selected keys.", {}, CopySelected},
+      {"keys.paste",
+       "Paste keys",
+       "Puts the copied keys so that the earliest lies on the current frame, and selects them.",
+       {},
+       PasteSelected},
+      {"keys.interpolation",
+       "Interpolation of keys",
+       "Sets how the curve goes on from the selected keys.",
+       {{"interpolation", kText, true, "hold, linear, quadratic or cubic",
+         "hold linear quadratic cubic"}},
+       InterpolateSelected},
+      {"keys.handles",
+       "Handles of keys",
+       "Sets the rates at the selected keys.",
+       {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0", "auto flat"}},
+       SetSelectedHandles}};
 }
 
 }  // namespace hazumi::edit

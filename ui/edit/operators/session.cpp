@@ -208,6 +208,19 @@ Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figu
   return hinges;
 }
 
+std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure) {
+  std::vector<std::string> names;
+  for (const JointGroup& joint : figure.groups()) {
+    std::vector<std::string> meant;
+    for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
+      if (hinges.contains(figure.joints()[j].name)) meant.push_back(figure.joints()[j].name);
+    }
+    if (static_cast<int>(meant.size()) == joint.size) meant = {joint.name};
+    names.insert(names.end(), meant.begin(), meant.end());
+  }
+  return names;
+}
+
 std::vector<Operator> SessionOperators() {
   return {
       {"file.new", "New", "A new project: the human, standing on the ground.", {}, New},

@@ -7,6 +7,7 @@
 #include "engine/project/compile.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/object_curves.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
@@ -188,6 +189,9 @@ Result<double> Session::ValueNow(const std::string& curve) {
   if (!now.ok()) return now.error();
   if (const auto of_root = RootCurveNamed(curve)) {
     return WithoutRoundOff(RootValues(now.value()->X_WR, project().root, frame_)[*of_root]);
+  }
+  if (const auto held = ObjectCurveNamed(curve, project())) {
+    return WithoutRoundOff(now.value()->objects[held->object].X_WO.p[held->axis]);
   }
   const std::optional<JointIndex> hinge = figure_->FindJoint(curve);
   if (!hinge) return Error{ErrorCode::kSchema, "", "joint", "there is no hinge \"" + curve + "\""};

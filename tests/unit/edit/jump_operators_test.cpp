@@ -1,0 +1,156 @@
+// A jump that is keyed from where the figure stands onto a spot.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/kinematics.h"
+#include "engine/placement/contact.h"
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Session;
+
+constexpr double kHigh = 0.5;  // of the box [m]
+
+void AddBox(Session* session) {
+  Do(session, "object.add_box",
+     {{"name", "box"},
+      {"x", 1.2},
+      {"z", 0.5 * kHigh},
+      {"size_x", 0.8},
+      {"size_y", 0.8},
+      {"size_z", kHigh}});
+}
+
+Motion JumpMotion(Session* session) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
+  return motion.ok() ? *motion.value() : Motion();
+}
+
+DynamicsWorkspace Placed(const MotionFrame& frame, Session* session) {
+  DynamicsWorkspace ws(session->figure());
+  ComputePositions(session->figure(), frame.X_WR, frame.q, &ws);
+  return ws;
+}
+
+Vec3 ToesIn(const MotionFrame& frame, Session* session) {
+  const Figure& figure = session->figure();
+  const DynamicsWorkspace ws = Placed(frame, session);
+  const auto toe = [&](const char* name) {
+    return ws.body(figure.group(*figure.FindGroup(name)).first).p;
+  };
+  return 0.5 * (toe("r_toe") + toe("l_toe"));
+}
+
+// By its placements: pinned, flight, pinned.
+struct Phases {
+  int take_off, landing, end;
+};
+Phases PhasesOf(const Session& session) {
+  const std::vector<ProjectPlacement>& spans = session.project().placements;
+  EXPECT_EQ(spans.size(), 3u);
+  return {spans[0].last_frame, spans[1].last_frame, spans[2].last_frame};
+}
+
+TEST(JumpOperators, AJumpLandsWithItsToesOnTheSpotOnABox) {
+  Session session;
+  AddBox(&session);
+  Do(&session, "jump.add", {{"x", 1.15}, {"y", 0.1}});
+  const Motion motion = JumpMotion(&session);
+  const Phases phases = PhasesOf(session);
+  const Vec3 toes = ToesIn(motion.frames[phases.landing], &session);
+  EXPECT_LE((toes.head<2>() - Eigen::Vector2d(1.15, 0.1)).norm(), 1e-3);
+  EXPECT_NEAR(toes.z(), kHigh, 0.05);
+  const Vec3 at_end = ToesIn(motion.frames[phases.end], &session);
+  EXPECT_LE((at_end - toes).norm(), 0.01);
+  EXPECT_TRUE(motion.warnings.empty());
+}
+
+TEST(JumpOperators, ItFliesFreelyAndTouchesNothingOnTheWay) {
+  Session session;
+  AddBox(&session);
+  Do(&session, "jump.add", {{"x", 1.15}, {"y", 0.0}});
+  const Motion motion = JumpMotion(&session);
+  const Phases phases = PhasesOf(session);
+  constexpr double kFrame = 1.0 / 30.0;
+  for (int f = phases.take_off + 4; f < phases.landing; ++f) {
+    const auto com = [&](int i) { return motion.frames[i].com; };
+    const Vec3 fall = (com(f) - 2.0 * com(f - 1) + com(f - 2)) / (kFrame * kFrame);
+    EXPECT_LE((fall - Vec3(0.0, 0.0, -9.81)).norm(), 1e-6) << f;
+    const DynamicsWorkspace ws = Placed(motion.frames[f], &session);
+    EXPECT_GT(Clearance(session.figure(), session.animation()->scene, ws), 0.0) << f;
+  }
+}
+
+TEST(JumpOperators, NothingIsDeeperInGroundOrBoxThanThreeMillimetres) {
+  Session session;
+  AddBox(&session);
+  Do(&session, "jump.add", {{"x", 1.15}, {"y", 0.0}});
+  const Motion motion = JumpMotion(&session);
+  double deepest = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    const DynamicsWorkspace ws = Placed(frame, &session);
+    deepest = std::min(deepest, Clearance(session.figure(), session.animation()->scene, ws));
+  }
+  EXPECT_GE(deepest, -0.003);
+}
+
+TEST(JumpOperators, ItRisesAsHighAsItIsTold) {
+  for (const double height : {0.2, 0.4, 0.8}) {
+    Session session;
+    Do(&session, "jump.add", {{"x", 0.5}, {"height", height}});
+    const Motion motion = JumpMotion(&session);
+    const Phases phases = PhasesOf(session);
+    double highest = 0.0;
+    for (const MotionFrame& frame : motion.frames) highest = std::max(highest, frame.com.z());
+    // The flight takes whole frames, which makes it a little higher or lower.
+    EXPECT_NEAR(highest - motion.frames[phases.take_off].com.z(), height, 0.06) << height;
+  }
+}
+
+TEST(JumpOperators, ItEndsStandingAsItBegan) {
+  Session session;
+  Do(&session, "pose.rotate", {{"joint", "neck_rotation"}, {"to", 30}});
+  Do(&session, "jump.add");
+  const Motion motion = JumpMotion(&session);
+  const Phases phases = PhasesOf(session);
+  EXPECT_LE((motion.frames[phases.end].q - motion.frames[0].q).cwiseAbs().maxCoeff(), 1e-9);
+  const Vec3 way = motion.frames[phases.end].X_WR.p - motion.frames[0].X_WR.p;
+  EXPECT_LE((way - Vec3(way.x(), 0.0, 0.0)).norm(), 0.01);
+  EXPECT_GT(way.x(), 0.5);
+}
+
+TEST(JumpOperators, TheTimelineIsMadeLongEnoughAndOneUndoTakesAllOfItBack) {
+  Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 10}});
+  const Project before = session.project();
+  Do(&session, "jump.add");
+  EXPECT_EQ(session.project().frames.last, PhasesOf(session).end);
+  Do(&session, "edit.undo");
+  EXPECT_TRUE(session.project() == before);
+}
+
+TEST(JumpOperators, SayWhatTheyRefuse) {
+  Session session;
+  AddBox(&session);
+  const auto refused = [&](const edit::Json& given) {
+    return Refused(&session, "jump.add", given).ToString();
+  };
+  EXPECT_EQ(refused({{"x", 1.15}, {"height", 0.2}}),
+            "jump.add.height: it lands 33 cm higher than it takes off: let it jump higher");
+  EXPECT_NE(refused({{"x", 1.15}, {"height", 0.36}}).find("meets \"box\""), std::string::npos);
+  ASSERT_EQ(session.project().placements.size(), 0u);
+  Do(&session, "region.add", {{"first", 2}, {"last", 8}, {"joints", {"r_shoulder+"}}});
+  EXPECT_EQ(
+      refused({{"x", 0.5}}),
+      "jump.add: the region \"region\" moves joints in frames 2 to 8; jump before or after it");
+  Do(&session, "edit.undo");
+  Do(&session, "scene.gravity", {{"gravity", 0}});
+  EXPECT_EQ(refused({{"x", 0.5}}), "jump.add.height: without gravity nothing comes down again");
+}
+
+}  // namespace
+}  // namespace hazumi::test

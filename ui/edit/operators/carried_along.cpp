@@ -1,0 +1,97 @@
+#include "ui/edit/operators/carried_along.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/project/checks/joint_names.h"
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+class Carrier {
+ public:
+  Carrier(const KeySelection& selected, const FrameMap& to, const Project& project)
+      : selected_(selected), to_(to) {
+    first_ = last_ = *selected.begin()->second.begin();
+    for (const auto& [curve, frames] : selected) {
+      first_ = std::min(first_, *frames.begin());
+      last_ = std::max(last_, *frames.rbegin());
+    }
+    for (const std::string& name : CurveNames(project)) {
+      if (IsLeftBehind(name, *FindCurve(name, project))) left_behind_.insert(name);
+    }
+  }
+
+  bool is_one_frame() const { return first_ == last_; }
+  bool has_all() const { return left_behind_.empty(); }
+  // All keys in between of these curves are selected, and there are some.
+  bool HasAllOf(const std::vector<std::string>& curves) const {
+    const auto is_in = [](const auto& names) {
+      return [&names](const std::string& name) { return names.contains(name); };
+    };
+    return std::any_of(curves.begin(), curves.end(), is_in(selected_)) &&
+           std::none_of(curves.begin(), curves.end(), is_in(left_behind_));
+  }
+
+  void Carry(int* frame) const {
+    if (*frame < first_ || *frame > last_) return;
+    *frame = static_cast<int>(std::lround(to_(*frame)));
+  }
+  // However short, it stays a bar.
+  template <typename Bar>
+  void CarryEnds(Bar* bar) const {
+    Carry(&bar->first_frame);
+    Carry(&bar->last_frame);
+    bar->last_frame = std::max(bar->last_frame, bar->first_frame + 1);
+  }
+
+ private:
+  bool IsLeftBehind(const std::string& name, const ProjectCurve& curve) const {
+    return std::any_of(curve.keys.begin(), curve.keys.end(), [&](const ProjectKey& key) {
+      return key.frame >= first_ && key.frame <= last_ && !Contains(selected_, name, key.frame);
+    });
+  }
+
+  const KeySelection& selected_;
+  const FrameMap& to_;
+  double first_, last_;                // of the selected keys
+  std::set<std::string> left_behind_;  // curves with other keys in between
+};
+
+std::vector<std::string> CurvesOf(const ProjectRegion& region, const Figure& figure) {
+  std::vector<std::string> names;
+  const std::vector<bool> moved = JointsOf(region, figure);
+  for (size_t j = 0; j < moved.size(); ++j) {
+    if (moved[j]) names.push_back(figure.joints()[j].name);
+  }
+  if (!DrivesRoot(region, figure)) return names;
+  for (const char* angle : {"root.angle_z", "root.angle_y", "root.angle_x"}) names.push_back(angle);
+  return names;
+}
+
+}  // namespace
+
+void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameMap& to,
+                Project* project) {
+  if (selected.empty()) return;
+  const Carrier carrier(selected, to, *project);
+  if (carrier.is_one_frame()) return;
+  for (ProjectRegion& region : project->regions) {
+    if (carrier.has_all() || carrier.HasAllOf(CurvesOf(region, figure))) carrier.CarryEnds(&region);
+  }
+  if (!carrier.has_all()) return;
+  for (ProjectPlacement& placement : project->placements) carrier.CarryEnds(&placement);
+  for (ProjectHold& hold : project->holds) carrier.CarryEnds(&hold);
+  for (ProjectMarker& marker : project->markers) carrier.Carry(&marker.frame);
+  for (ProjectHeldObject& object : project->held_objects) {
+    if (object.release_frame) carrier.Carry(&*object.release_frame);
+    for (ProjectHolder& holder : object.holders) {
+      carrier.Carry(&holder.first_frame);
+      if (holder.last_frame) carrier.Carry(&*holder.last_frame);
+    }
+  }
+}
+
+}  // namespace hazumi::edit

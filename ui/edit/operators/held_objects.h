@@ -1,0 +1,19 @@
+#pragma once
+
+// Internal: what the operators of held objects share.
+
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+// By the parameter "joint"; not given: the first selected joint. Errors: kSchema if there is none.
+Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p);
+// Where an object lies in the holder's frame [m]: half way along the first link, beside it, which
+// is the palm of the shipped human's hands.
+Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object);
+
+// One undo step on the object of the parameter "object".
+Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,
+                        const std::function<Result<Done>(ProjectHeldObject*)>& change);
+
+}  // namespace hazumi::edit

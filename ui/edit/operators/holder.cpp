@@ -1,0 +1,285 @@
+// Who holds an object: hands pass it on and let go; nobody's are moved by keys.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/held_objects.h"
+#include "ui/edit/operators/holders.h"
+#include "ui/edit/operators/object_curves.h"
+
+namespace hazumi::edit {
+
+std::vector<HolderSpan> HoldersOf(const ProjectHeldObject& object, const ProjectFrames& frames) {
+  std::vector<HolderSpan> spans;
+  const auto add = [&](int number, ItemId id, const std::string& joint, int first,
+                       const std::optional<int>& last) {
+    spans.push_back({number, id, joint, first, last.value_or(frames.last), last.has_value()});
+  };
+  if (!object.joint.empty()) {
+    add(-1, object.identity.id, object.joint, frames.first, object.release_frame);
+  }
+  for (size_t i = 0; i < object.holders.size(); ++i) {
+    const ProjectHolder& holder = object.holders[i];
+    add(static_cast<int>(i), holder.identity.id, holder.joint, holder.first_frame,
+        holder.last_frame);
+  }
+  return spans;
+}
+
+std::vector<std::pair<int, HolderSpan>> AllHolders(const Project& project) {
+  std::vector<std::pair<int, HolderSpan>> all;
+  for (size_t i = 0; i < project.held_objects.size(); ++i) {
+    for (HolderSpan& span : HoldersOf(project.held_objects[i], project.frames)) {
+      all.emplace_back(static_cast<int>(i), std::move(span));
+    }
+  }
+  return all;
+}
+
+const HolderSpan* HolderAt(int frame, const std::vector<HolderSpan>& holders) {
+  for (const HolderSpan& holder : holders) {
+    const bool has_it = holder.first <= frame && (frame < holder.last || !holder.is_let_go);
+    if (has_it) return &holder;
+  }
+  return nullptr;
+}
+
+namespace {
+
+using enum ParameterKind;
+
+const ParameterInfo kFrame = {"frame", kInteger, false, "not given: the current one"};
+const ParameterInfo kOfHolders = {"number", kInteger, true, "of its later holders, from 0"};
+
+int FrameOf(const Session& session, const Parameters& p) {
+  return p.integer("frame", static_cast<int>(std::lround(session.frame())));
+}
+
+// When this holder lets go of it; not given: never.
+std::optional<int>& EndOf(int number, ProjectHeldObject* object) {
+  return number < 0 ? object->release_frame : object->holders[number].last_frame;
+}
+
+// Who has it then lets go, and when it would have done so the new one does.
+Result<Done> Pass(Session* session, const Parameters& p) {
+  const Result<GroupIndex> joint = HolderGiven(*session, p);
+  if (!joint.ok()) return joint.error();
+  const int frame = FrameOf(*session, p);
+  return ChangeHeld(session, p, "Pass on", [&](ProjectHeldObject* object) -> Result<Done> {
+    ProjectHolder next;
+    next.joint = session->figure().group(joint.value()).name;
+    next.offset_m = p.has("offset_x") || p.has("offset_y") || p.has("offset_z")
+                        ? Vec3(p.number("offset_x"), p.number("offset_y"), p.number("offset_z"))
+                        : InThePalm(session->figure(), joint.value(), *object);
+    next.first_frame = frame;
+    const std::vector<HolderSpan> spans = HoldersOf(*object, session->project().frames);
+    const HolderSpan* now = HolderAt(frame, spans);
+    if (now && now->first == frame) {
+      return Refusal("frame", "\"" + now->joint + "\" has it from frame " + std::to_string(frame) +
+                                  " on; choose a later frame, or set that holder's joint");
+    }
+    if (now) {
+      next.last_frame = std::exchange(EndOf(now->number, object), frame);
+    } else {
+      const auto later = std::find_if(spans.begin(), spans.end(),
+                                      [&](const HolderSpan& span) { return span.first > frame; });
+      if (later != spans.end()) next.last_frame = later->first;
+    }
+    const auto place = std::find_if(object->holders.begin(), object->holders.end(),
+                                    [&](const ProjectHolder& h) { return h.first_frame > frame; });
+    object->holders.insert(place, std::move(next));
+    return Done();
+  });
+}
+
+Result<Done> LetGo(Session* session, const Parameters& p) {
+  const int frame = FrameOf(*session, p);
+  return ChangeHeld(session, p, "Let go", [&](ProjectHeldObject* object) -> Result<Done> {
+    const auto spans = HoldersOf(*object, session->project().frames);
+    const HolderSpan* now = HolderAt(frame, spans);
+    if (!now) {
+      return Refusal("frame",
+                     "nobody has \"" + object->name + "\" in frame " + std::to_string(frame));
+    }
+    EndOf(now->number, object) = frame;
+    return Done();
+  });
+}
+
+// Those before and after it give way where they touch it or would be in its way.
+Result<Done> SetFrames(Session* session, const Parameters& p) {
+  return ChangeHeld(session, p, "Change holder", [&](ProjectHeldObject* object) -> Result<Done> {
+    const std::vector<HolderSpan> spans = HoldersOf(*object, session->project().frames);
+    const int number = p.integer("number");
+    const auto span = std::find_if(spans.begin(), spans.end(),
+                                   [&](const HolderSpan& each) { return each.number == number; });
+    if (span == spans.end()) return Refusal("number", "there is no such holder");
+    const int first = number < 0 ? span->first : p.integer("first", span->first);
+    const int last = p.integer("release", span->last);
+    if (span != spans.begin()) {
+      const HolderSpan& before = *std::prev(span);
+      if (before.is_let_go && (before.last == span->first || before.last > first)) {
+        EndOf(before.number, object) = first;
+      }
+    }
+    if (const auto next = std::next(span); next != spans.end()) {
+      if (next->first == span->last || next->first < last) {
+        object->holders[next->number].first_frame = last;
+      }
+    }
+    if (number >= 0) object->holders[number].first_frame = first;
+    if (span->is_let_go || last != span->last) EndOf(number, object) = last;
+    return Done();
+  });
+}
+
+template <typename Action>
+Result<Done> ChangeHolder(Session* session, const Parameters& p, const char* label, Action action) {
+  return ChangeHeld(session, p, label, [&](ProjectHeldObject* object) -> Result<Done> {
+    const int number = p.integer("number"), count = static_cast<int>(object->holders.size());
+    if (number < 0 || number >= count) {
+      return Refusal("number", "\"" + object->name + "\" has " + std::to_string(count) +
+                                   " later holders, counted from 0");
+    }
+    return action(object, number);
+  });
+}
+
+Result<Done> SetHolder(Session* session, const Parameters& p) {
+  return ChangeHolder(session, p, "Change holder", [&](ProjectHeldObject* object, int number) {
+    ProjectHolder& holder = object->holders[number];
+    if (p.yes("never")) holder.last_frame.reset();
+    return SetFields(p, &holder);
+  });
+}
+
+Result<Done> RemoveHolder(Session* session, const Parameters& p) {
+  return ChangeHolder(session, p, "Remove holder", [](ProjectHeldObject* object, int number) {
+    object->holders.erase(object->holders.begin() + number);
+    return Result<Done>(Done());
+  });
+}
+
+// Where objects are in the current frame: by index of the project's.
+Result<std::vector<ObjectPose>> PosesNow(Session* session) {
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!now.ok()) return now.error();
+  return now.value()->objects;
+}
+
+void PutPosition(const Vec3& at, double frame, ProjectHeldObject* object) {
+  for (int axis = 0; axis < 3; ++axis) {
+    ProjectKey key;
+    key.frame = frame;
+    key.value = WithoutRoundOff(at[axis]);
+    PutKey(key, &object->position.curves[axis]);
+  }
+}
+
+size_t IndexOf(const ProjectHeldObject* object, const Project& project) {
+  return static_cast<size_t>(object - project.held_objects.data());
+}
+
+// What is not given is as it is there now.
+Result<Done> KeyPosition(Session* session, const Parameters& p) {
+  const auto poses = PosesNow(session);
+  const bool is_given = p.has("x") && p.has("y") && p.has("z");
+  if (!poses.ok() && !is_given) return poses.error();
+  return session->Edit(
+      "Key position",
+      [&](Project* project) -> Result<Done> {
+        const auto object = EntryNamed(p.text("object"), "object", &project->held_objects);
+        if (!object.ok()) return object.error();
+        const size_t i = IndexOf(object.value(), *project);
+        Vec3 at = poses.ok() && i < poses.value().size() ? poses.value()[i].X_WO.p : Vec3::Zero();
+        for (int axis = 0; axis < 3; ++axis) {
+          at[axis] = p.number(std::string(1, "xyz"[axis]).c_str(), at[axis]);
+        }
+        PutPosition(at, session->frame(), object.value());
+        return Done();
+      },
+      p.text("drag"));
+}
+
+// In a hand its offset; else its place is keyed.
+Result<Done> MoveHeld(Session* session, const Parameters& p) {
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!now.ok()) return now.error();
+  const Vec3 by(p.number("x"), p.number("y"), p.number("z"));
+  const int frame = static_cast<int>(std::lround(session->frame()));
+  return ChangeHeld(session, p, "Move held object", [&](ProjectHeldObject* object) -> Result<Done> {
+    const auto& all = session->project().held_objects;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const ProjectHeldObject& other) {
+      return other.name == object->name;
+    });
+    const ObjectPose& pose = now.value()->objects[static_cast<size_t>(same - all.begin())];
+    const auto spans = HoldersOf(*object, session->project().frames);
+    if (const HolderSpan* holder = HolderAt(frame, spans)) {
+      Vec3& offset =
+          holder->number < 0 ? object->offset_m : object->holders[holder->number].offset_m;
+      offset += pose.X_WO.R.transpose() * by;
+      for (int axis = 0; axis < 3; ++axis) offset[axis] = WithoutRoundOff(offset[axis]);
+      return Done();
+    }
+    const auto is_over = [&](const HolderSpan& span) { return span.last <= frame; };
+    const auto over = std::find_if(spans.rbegin(), spans.rend(), is_over);
+    const int let_go = over == spans.rend() ? session->project().frames.first : over->last;
+    const auto& keys = object->position.curves[0].keys;
+    const bool is_keyed = let_go == session->project().frames.first ||
+                          std::any_of(keys.begin(), keys.end(), [&](const ProjectKey& key) {
+                            return key.frame >= let_go && key.frame <= frame;
+                          });
+    if (!is_keyed) {
+      return Refusal("object", "\"" + object->name + "\" flies in frame " + std::to_string(frame) +
+                                   ": what lets it go moves it; or key its position where it "
+                                   "has come down");
+    }
+    PutPosition(pose.X_WO.p + by, session->frame(), object);
+    return Done();
+  });
+}
+
+}  // namespace
+
+std::vector<Operator> HolderOperators() {
+  const ParameterInfo object = {"object", kText, true, "the held object's name",
+                                Thing::kHeldObject};
+  const std::vector<ParameterInfo> position = {{"x", kNumber, false, "metres"},
+                                               {"y", kNumber, false, "metres"},
+                                               {"z", kNumber, false, "metres"}};
+  const ParameterInfos fields = FieldsOf<ProjectHolder>();
+  return {
+      {"held.pass", "Pass on",
+       "From this frame on another joint holds it: the one that is selected, if none is given.",
+       Joined({{object, kFrame}, Only({"joint", "offset_x", "offset_y", "offset_z"}, fields)}),
+       Pass},
+      {"held.let_go", "Let go", "Whoever holds it lets go.", {object, kFrame, kDrag}, LetGo},
+      {"held.set_holder", "Change holder", "Sets what is given of a later holder.",
+       Joined({{object, kOfHolders},
+               fields,
+               {{"never", kYesNo, false, "true: it is never let go"}, kDrag}}),
+       SetHolder},
+      {"held.set_frames",
+       "Change frames of holder",
+       "From when until when a holder has it; those before and after give way.",
+       {object,
+        {"number", kInteger, true, "of its later holders, from 0; -1: who has it at first"},
+        {"first", kInteger, false, "first frame"},
+        {"release", kInteger, false, "let go on this frame"},
+        kDrag},
+       SetFrames},
+      {"held.remove_holder",
+       "Remove holder",
+       "Takes a later holder away.",
+       {object, kOfHolders},
+       RemoveHolder},
+      {"held.key", "Key position", "Keys where it is while nobody holds it, in the current frame.",
+       Joined({{object}, position, {kDrag}}), KeyPosition},
+      {"held.move", "Move held object",
+       "Moves it in the hand that holds it, or keys its position, in the current frame.",
+       Joined({{object}, position, {kDrag}}), MoveHeld}};
+}
+
+}  // namespace hazumi::edit
