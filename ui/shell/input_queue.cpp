@@ -65,13 +65,25 @@ void Apply(const InputEvent& event, ImGuiIO* io) {
 
 }  // namespace
 
+// A key that gives a letter, which is told right after it.
+bool InputQueue::IsLetter() const {
+  const bool is_key = events_.front().kind == Kind::kKey && events_.front().is_down;
+  return is_key && events_.size() > 1 && events_[1].kind == Kind::kText;
+}
+
 // A drag goes to where the button was let go before it is over.
-void InputQueue::Feed(ImGuiIO* io) {
+void InputQueue::Feed(bool types, ImGuiIO* io) {
+  // A field that Tab leads to takes letters from the frame after the next on.
+  if (frames_to_wait_ > 0 && frames_to_wait_-- > 0) return;
   std::optional<InputEvent> deed;
   bool has_text = false, has_moved = false;
   std::set<int> released;  // a key that goes down again does so in another frame
   while (!events_.empty()) {
     const InputEvent event = events_.front();
+    if (types && !deed && IsLetter()) {  // the field asks for the letter, not for the key
+      events_.pop_front();
+      continue;
+    }
     const bool ends_drag = event.kind == Kind::kButton && !event.is_down && has_moved;
     const bool is_down_again =
         event.kind == Kind::kKey && event.is_down && released.contains(event.code);
@@ -80,6 +92,7 @@ void InputQueue::Feed(ImGuiIO* io) {
     Apply(event, io);
     events_.pop_front();
     if (IsDeed(event)) deed = event;
+    if (event.kind == Kind::kKey && event.is_down && event.code == kTab) frames_to_wait_ = 2;
     if (event.kind == Kind::kKey && !event.is_down) released.insert(event.code);
     has_text |= event.kind == Kind::kText;
     has_moved |= event.kind == Kind::kMove;

@@ -25,16 +25,21 @@ struct InputEvent {
 // once a frame: with what happened in a slow frame all at once, a short press would be lost, a
 // click be where the mouse went afterwards, and digits in the order of their keys. So each frame
 // gets as much as leaves the order plain: one button or key that goes down, and what led to it.
+// Letters for a field are in order anyway, so a frame takes all that there are: who types faster
+// than frames are drawn sees the text as it was typed.
 class InputQueue {
  public:
   void Push(const InputEvent& event) { events_.push_back(event); }
   // Whether another frame is needed.
   bool is_empty() const { return events_.empty(); }
-  // To be called before ImGui's NewFrame.
-  void Feed(ImGuiIO* io);
+  // To be called before ImGui's NewFrame. `types`: a field takes what is typed.
+  void Feed(bool types, ImGuiIO* io);
 
  private:
+  bool IsLetter() const;
+
   std::deque<InputEvent> events_;
+  int frames_to_wait_ = 0;
 };
 
 }  // namespace hazumi::ui

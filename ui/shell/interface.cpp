@@ -107,11 +107,19 @@ Interface::Interface(Editor* editor, render::InterfacePainter painter,
   editor_->paint_scene = [this](const render::Scene& scene, render::PictureSize size, bool shadow) {
     return (shadow ? with_shadow_ : without_shadow_).Draw(scene, size);
   };
+  editor_->pictures = {
+      DrawPictures,
+      [this](const Image& picture) {
+        return painter_->AddTexture(picture.rgba.data(), {picture.width, picture.height});
+      },
+      [this](unsigned texture) { painter_->FreeTexture(texture); }};
   editor_->write_pictures = WritePictures;
 }
 
 Interface::~Interface() {
   editor_->paint_scene = nullptr;
+  editor_->poses.thumbnails.reset();  // their textures are of this context
+  editor_->pictures = {};
   ImGui::DestroyContext(context_);
 }
 
@@ -152,7 +160,8 @@ void Interface::Frame(render::PictureSize size, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
   io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
-  input_.Feed(&io);
+  // ImGui still wants text in the frame after Enter, when nothing takes it any more.
+  input_.Feed(io.WantTextInput && ImGui::IsAnyItemActive(), &io);
   ImGui::NewFrame();
   DrawWindow(editor_, io.DisplaySize.x, io.DisplaySize.y);
   ImGui::Render();

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "render/motion/figure_skin.h"
+#include "render/pipeline/offscreen.h"
 #include "render/pipeline/sequence.h"
 #include "render/pipeline/video.h"
 
@@ -42,7 +43,7 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   const Result<Done> made = is_video ? Done() : MakeFolder(task.folder);
   if (!made.ok()) return made.error();
   render::SkinCache skins;
-  const Result<render::FigureSkin> skin = skins.On(*task.animation.figure, task.skin.skin);
+  const Result<render::FigureSkin> skin = skins.On(*task.animation.figure, task.skin.meshes());
   if (!skin.ok()) return skin.error();
   render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays,
                              skin.value());
@@ -64,6 +65,19 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   }
   NameFiles(task, &sequence);
   return render::RenderSequence(options, sequence);
+}
+
+Result<std::vector<Image>> DrawPictures(const std::vector<render::Scene>& scenes, int edge_px) {
+  constexpr render::RendererOptions kSmall = {4, false, 1};
+  Result<render::OffscreenRenderer> renderer = render::OffscreenRenderer::Create(kSmall);
+  if (!renderer.ok()) return renderer.error();
+  std::vector<Image> pictures;
+  for (const render::Scene& scene : scenes) {
+    pictures.emplace_back(edge_px, edge_px);
+    const Result<Done> drawn = renderer.value().Draw(scene, pictures.back());
+    if (!drawn.ok()) return drawn.error();
+  }
+  return pictures;
 }
 
 }  // namespace hazumi::ui

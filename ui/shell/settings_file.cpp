@@ -19,6 +19,11 @@ std::string Variable(const char* name) {
   return value ? value : "";
 }
 
+fs::path SettingsFolder() {
+  const std::string config = Variable("XDG_CONFIG_HOME");
+  return (config.empty() ? fs::path(HomeFolder()) / ".config" : fs::path(config)) / "hazumi";
+}
+
 // Of the system, by the variables that gettext reads.
 Language SystemLanguage() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
@@ -92,11 +97,8 @@ std::optional<Error> ReadAll(const Json& json, Settings* settings) {
 
 }  // namespace
 
-std::string SettingsPath() {
-  const std::string config = Variable("XDG_CONFIG_HOME");
-  const fs::path folder = config.empty() ? fs::path(HomeFolder()) / ".config" : fs::path(config);
-  return (folder / "hazumi" / "settings.json").string();
-}
+std::string SettingsPath() { return (SettingsFolder() / "settings.json").string(); }
+std::string PosesPath() { return (SettingsFolder() / "poses.json").string(); }
 
 std::string WriteSettings(const Settings& settings) {
   const Json json = {{"version", 1},

@@ -8,6 +8,8 @@ namespace hazumi::ui {
 
 // $XDG_CONFIG_HOME/hazumi/settings.json; without that variable ~/.config.
 std::string SettingsPath();
+// The user's own poses, beside the settings: poses.json.
+std::string PosesPath();
 
 // As JSON, and back. What a text does not say stays as `otherwise` has it. Error: kSyntax or
 // kSchema, the place being the field.

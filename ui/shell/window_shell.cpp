@@ -118,6 +118,7 @@ class Loop {
         options_(options) {
     constexpr double kPatience = 0.1;  // [s]
     settings_.Load(editor);
+    editor->poses.library.set_path(PosesPath());
     editor->session().set_patience(kPatience);
     editor_.dialogs.shows_first_steps = !editor_.settings.has_seen_first_steps;
   }

@@ -47,6 +47,51 @@ TEST_F(Dialogs, ArrowsAndEnterOpenFoldersAndProjects) {
   EXPECT_EQ(editor_.session().document().path(), File("takes/one.kfa"));
 }
 
+TEST_F(Dialogs, TabAndArrowsLeadToRecentFilesAndEnterOpensThem) {
+  fs::create_directories(folder_ / "takes");
+  for (const char* name : {"takes/one.kfa", "takes/two.kfa", "three.kfa"}) {
+    ASSERT_TRUE(editor_.Do("file.save", {{"path", File(name)}}));
+  }
+  Press({'O', true});
+  Press({kTab, false, true});  // back to the places, whose first one it is
+  const size_t places = Shelves(HomeFolder(), editor_.settings.recent_files).size();
+  for (size_t i = 0; i < places + 1; ++i) Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  EXPECT_EQ(editor_.session().document().path(), File("takes/two.kfa"));
+}
+
+TEST_F(Dialogs, ALongNameLeavesTheButtonsInTheDialog) {
+  std::string name;
+  while (name.size() < 240) name += "投げる";
+  std::ofstream(File(name.substr(0, 180) + ".kfa")) << "mine";
+  Press({'S', true, true});
+  Type(File(name.substr(0, 180)));
+  Press({kEnter});
+  ASSERT_TRUE(editor_.dialogs.files.asks_overwrite);
+  Click(645.0f, 433.0f);  // the last button, in the dialog's lower right corner
+  EXPECT_FALSE(editor_.dialogs.files.asks_overwrite);
+  EXPECT_EQ(modal(), Modal::kFiles);
+}
+
+TEST_F(Dialogs, AFormThatIsTallerThanTheWindowKeepsItsButtonsInIt) {
+  editor_.settings.scale = 1.5;
+  ASSERT_TRUE(RunOrAsk(&editor_, "region.add", Json::object()).ok());
+  Frames(4);
+  ASSERT_EQ(modal(), Modal::kForm);
+  Click(620.0f, 436.0f);
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+TEST_F(Dialogs, EnterPressesTheButtonThatTabHasLedTo) {
+  Change();
+  Press({'Q', true});
+  Press({kTab});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_TRUE(editor_.wants_to_quit);  // "Don't save"
+}
+
 TEST_F(Dialogs, AFileThatIsNoProjectIsSaidInTheDialog) {
   std::ofstream(File("broken.kfa")) << "{";
   Press({'O', true});

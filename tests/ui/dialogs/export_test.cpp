@@ -74,6 +74,8 @@ class Export : public testing::Test {
 };
 
 TEST_F(Export, ThePreviewFollowsTheOptions) {
+  ASSERT_TRUE(editor_.Do("figure.skin", {{"skin", "none"}}));
+  state().settings.skin = edit::ExportSkin::kCapsules;
   const Project& project = editor_.session().project();
   const ExportSummary glb = Previewed().summary;
   EXPECT_EQ(glb.animations, 1);

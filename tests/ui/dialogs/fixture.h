@@ -45,6 +45,13 @@ class Dialogs : public testing::Test {
     if (chord.alt) shell_->PressKey(kLeftAlt, false);
     Frames();
   }
+  void Click(float x, float y) {
+    shell_->MoveMouse(x, y);
+    shell_->PressButton(0, true);
+    shell_->Frame();
+    shell_->PressButton(0, false);
+    Frames();
+  }
   void Type(const std::string& text) {
     shell_->Type(text);
     Frames();

@@ -102,7 +102,7 @@ TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
   // While it is open keys are not the sheet's.
   user.Press('X');
   EXPECT_EQ(user.project().regions.size(), 1u);
-  user.Click({middle.x + 250.0f, middle.y + 60.0f});
+  user.Click({middle.x + 200.0f, middle.y + 60.0f});
   user.Press('X');
   EXPECT_EQ(user.num_steps(), 1u);
 }

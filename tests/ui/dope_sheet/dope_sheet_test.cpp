@@ -177,6 +177,38 @@ TEST_F(DopeSheet, PDragsThePreviewRangeThatIsPlayed) {
   }
 }
 
+TEST_F(DopeSheet, MarkersAreRenamedByADoubleClickOrF2AndRemovedByTheirMenu) {
+  user.session().set_frame(8.0);
+  ASSERT_TRUE(user.editor().Do("marker.add"));
+  user.Wait();
+  const ui::Rect band = Layout().frame.markers;
+  const Point sign = {X(8.0), band.y + 0.5f * band.h};
+  const auto type = [&](const char* name) {
+    user.Wait(3);
+    user.Type(name);
+    user.Press(ui::kEnter);
+    user.Wait();
+  };
+  user.Click(sign);
+  user.Click(sign);
+  type("swing");
+  EXPECT_EQ(user.project().markers[0].name, "swing");
+  user.Click({X(8.0) + 20.0f, sign.y});  // its name stands for it
+  user.Click({X(8.0) + 20.0f, sign.y});
+  type("throw");
+  EXPECT_EQ(user.project().markers[0].name, "throw");
+  user.MoveTo({X(12.0), band.bottom() + 30.0f});
+  user.Press(ui::kF2);
+  type("let go");
+  EXPECT_EQ(user.project().markers[0].name, "let go");
+  EXPECT_EQ(user.project().markers[0].frame, 8);
+  user.Click(sign, 1);
+  user.Wait(3);
+  constexpr float kLine = 18.0f;  // of its entries [px]
+  user.Click({sign.x + 30.0f, sign.y + 3.6f * kLine});
+  EXPECT_TRUE(user.project().markers.empty());
+}
+
 TEST_F(DopeSheet, MarkersCanBeDragged) {
   user.MoveTo({X(20), 400.0f});
   user.editor().Do("time.frame", {{"frame", 11}});

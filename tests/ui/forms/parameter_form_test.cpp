@@ -218,5 +218,87 @@ TEST(ParameterForm, TypesIntoALongListToFindAJoint) {
   EXPECT_EQ(user.project().holds.at(0).joint, "l_wrist");
 }
 
+// A form in a window that is large enough for all of it.
+class KeysInForms : public testing::Test {
+ protected:
+  void Open(const char* id, const Json& given = Json::object()) {
+    ASSERT_TRUE(RunOrAsk(&user_.editor(), id, given).ok());
+    user_.Wait(3);
+  }
+  void Press(int key, int modifier = kNoKey) {
+    user_.Press(key, modifier);
+    user_.Wait();
+  }
+  std::string text(const char* field) { return Find(field, &user_.editor().dialogs.form)->text; }
+  Modal modal() { return user_.editor().dialogs.modal; }
+
+  test::User user_{"", {900, 700}};
+};
+
+TEST_F(KeysInForms, TabGoesFromFieldToFieldAndShiftTabBack) {
+  Open("object.add_box");
+  user_.Type("crate");  // the first field has the keyboard
+  Press(kTab);
+  user_.Type("1");
+  Press(kTab);
+  user_.Type("2");
+  Press(kTab, kLeftShift);
+  user_.Type("3");
+  EXPECT_EQ(text("name"), "crate");
+  EXPECT_EQ(text("y"), "2");
+  EXPECT_EQ(text("x"), "3");  // what was there is taken to be typed over
+  Press(kEnter);
+  EXPECT_EQ(modal(), Modal::kNone) << user_.editor().dialogs.form.error;
+  EXPECT_EQ(user_.project().scene.objects.back().name, "crate");
+}
+
+TEST_F(KeysInForms, AListIsOpenedBySpaceLedThroughByArrowsAndChosenFromByEnter) {
+  Open("hold.add", {{"first", 0}, {"last", 9}});
+  Press(kSpace);  // the list of joints is the first field
+  ASSERT_TRUE(user_.editor().dialogs.has_list);
+  const std::vector<FormOption> joints = OptionsFor("hold.add", "joint", &user_.session());
+  for (const int key : {int{kDown}, int{kDown}, int{kUp}, int{kDown}}) Press(key);
+  Press(kEnter);
+  EXPECT_FALSE(user_.editor().dialogs.has_list);
+  EXPECT_EQ(text("joint"), joints[2].value);
+  EXPECT_EQ(modal(), Modal::kForm);
+  Press(kEnter);
+  EXPECT_EQ(modal(), Modal::kNone) << user_.editor().dialogs.form.error;
+  EXPECT_EQ(user_.project().holds.at(0).joint, joints[2].value);
+}
+
+TEST_F(KeysInForms, AShortListIsLedThroughByArrowsToo) {
+  for (const char* name : {"a", "b", "c"}) {
+    ASSERT_TRUE(user_.session()
+                    .Run("object.add_box", {{"name", name},
+                                            {"x", 0},
+                                            {"y", 0},
+                                            {"z", 1},
+                                            {"size_x", 1},
+                                            {"size_y", 1},
+                                            {"size_z", 1}})
+                    .ok());
+  }
+  Open("object.remove");
+  Press(kSpace);
+  ASSERT_TRUE(user_.editor().dialogs.has_list);
+  const std::string before = text("object");
+  Press(kDown);
+  Press(kEnter);
+  EXPECT_FALSE(user_.editor().dialogs.has_list);
+  EXPECT_EQ(modal(), Modal::kForm);
+  EXPECT_NE(text("object"), before);
+}
+
+TEST_F(KeysInForms, TicksAreSetBySpaceWhereArrowsLead) {
+  Open("region.add");
+  for (int i = 0; i < 3; ++i) Press(kTab);  // over both frames and the buttons above the ticks
+  const std::string before = text("joints");
+  Press(kDown);
+  Press(kSpace);
+  EXPECT_NE(text("joints"), before);
+  EXPECT_EQ(modal(), Modal::kForm);
+}
+
 }  // namespace
 }  // namespace hazumi::ui

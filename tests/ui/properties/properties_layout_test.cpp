@@ -48,7 +48,7 @@ TEST(FieldState, ARegionComputesAfterItsFirstFrame) {
 TEST(PropertiesLayout, TabsAreBesideTheContentAndFoundByTheMouse) {
   for (const double scale : {1.0, 1.5}) {
     const PropertiesLayout layout = LayOutProperties({100.0f, 50.0f, 300.0f, 400.0f}, scale);
-    ASSERT_EQ(layout.tabs.size(), 5u);
+    ASSERT_EQ(layout.tabs.size(), 6u);
     for (size_t i = 0; i < layout.tabs.size(); ++i) {
       const Rect& tab = layout.tabs[i];
       EXPECT_LE(tab.right(), layout.content.x);
@@ -61,11 +61,23 @@ TEST(PropertiesLayout, TabsAreBesideTheContentAndFoundByTheMouse) {
 
 TEST(PropertiesLayout, PartsOfARowDoNotOverlap) {
   for (const bool has_button : {false, true}) {
-    const RowParts parts = PartsOfRow({10.0f, 0.0f, 240.0f, 20.0f}, has_button, 1.0);
+    const RowParts parts = PartsOfRow({10.0f, 0.0f, 240.0f, 20.0f}, 40.0f, has_button, 1.0);
     EXPECT_LT(parts.label.right(), parts.field.x);
     EXPECT_LE(parts.field.right(), parts.button.x);
     EXPECT_EQ(parts.button.right(), 250.0f);
   }
+}
+
+TEST(PropertiesRow, ALongLabelIsWrittenInFull) {
+  const Rect row = {10.0f, 0.0f, 240.0f, 20.0f};
+  const RowParts longer = PartsOfRow(row, 130.0f, true, 1.0);  // than its column
+  EXPECT_GE(longer.label.w, 130.0f);
+  EXPECT_GE(longer.field.w, 60.0f);
+  EXPECT_EQ(longer.field.y, row.y);
+  const RowParts longest = PartsOfRow(row, 200.0f, true, 1.0);
+  EXPECT_GE(longest.label.w, 200.0f);
+  EXPECT_EQ(longest.field.y, row.bottom());
+  EXPECT_EQ(longest.button.right(), 250.0f);
 }
 
 TEST(ShownRegion, IsTheChosenOneElseOneAtTheFrame) {

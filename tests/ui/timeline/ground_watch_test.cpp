@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAll = 1000;
 
-void Do(edit::Session* session, const std::string& id, const edit::Json& parameters) {
+void Perform(edit::Session* session, const std::string& id, const edit::Json& parameters) {
   const Result<Done> done = session->Run(id, parameters);
   ASSERT_TRUE(done.ok()) << done.error().ToString();
 }
@@ -22,12 +22,12 @@ edit::Session Standing(const std::vector<std::pair<int, double>>& higher) {
   edit::Session session;
   const double z = session.ValueNow("root.z").value();
   for (const auto& [frame, by] : higher) {
-    Do(&session, "key.set", {{"curve", "root.z"}, {"frame", frame}, {"value", z + by}});
+    Perform(&session, "key.set", {{"curve", "root.z"}, {"frame", frame}, {"value", z + by}});
   }
   return session;
 }
 
-std::vector<Sinking> Found(edit::Session* session) {
+std::vector<Sinking> SinkingsFound(edit::Session* session) {
   GroundWatch watch;
   watch.Look(session, kAll);
   EXPECT_TRUE(watch.is_done());
@@ -36,12 +36,12 @@ std::vector<Sinking> Found(edit::Session* session) {
 
 TEST(GroundWatch, WhatStandsOnTheGroundIsNotInIt) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.005}, {20, 0.3}});
-  EXPECT_TRUE(Found(&session).empty());
+  EXPECT_TRUE(SinkingsFound(&session).empty());
 }
 
 TEST(GroundWatch, TellsFramesDepthAndWhatIsInTheGround) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.05}, {20, 0.0}});
-  const std::vector<Sinking> found = Found(&session);
+  const std::vector<Sinking> found = SinkingsFound(&session);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_GT(found[0].first, 0);
   EXPECT_LT(found[0].last, 20);
@@ -53,13 +53,13 @@ TEST(GroundWatch, TellsFramesDepthAndWhatIsInTheGround) {
 
 TEST(GroundWatch, GravityIsNotLookedAt) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.05}, {20, -0.05}, {25, 0.0}});
-  Do(&session, "placement.set", {{"kind", "gravity"}, {"first", 0}, {"last", 30}});
-  EXPECT_TRUE(Found(&session).empty());
+  Perform(&session, "placement.set", {{"kind", "gravity"}, {"first", 0}, {"last", 30}});
+  EXPECT_TRUE(SinkingsFound(&session).empty());
 }
 
 TEST(GroundWatch, AFewAtATimeItFindsTheSame) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.05}, {20, 0.0}, {30, -0.05}});
-  const std::vector<Sinking> all = Found(&session);
+  const std::vector<Sinking> all = SinkingsFound(&session);
   EXPECT_EQ(all.size(), 2u);
   GroundWatch watch;
   int num_looks = 0;
@@ -77,19 +77,19 @@ TEST(GroundWatch, AfterAnEditOnlyWhatItMovedIsLookedAtAgain) {
   GroundWatch watch;
   watch.Look(&session, kAll);
   const double z = session.ValueNow("root.z").value();
-  Do(&session, "key.set", {{"curve", "root.z"}, {"frame", 30}, {"value", z - 0.1}});
+  Perform(&session, "key.set", {{"curve", "root.z"}, {"frame", 30}, {"value", z - 0.1}});
   watch.Look(&session, 12);  // frames from 20 on: the key changes the tangent at 28
   EXPECT_TRUE(watch.is_done());
   ASSERT_EQ(watch.sinkings().size(), 1u);
   EXPECT_EQ(watch.sinkings()[0].last, 30);
-  Do(&session, "edit.undo", edit::Json::object());
+  Perform(&session, "edit.undo", edit::Json::object());
   watch.Look(&session, 12);
   EXPECT_TRUE(watch.sinkings().empty());
 }
 
 TEST(GroundWatch, AMarkLiesOverItsFramesOnTheRuler) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.05}, {20, 0.0}});
-  const std::vector<Sinking> found = Found(&session);
+  const std::vector<Sinking> found = SinkingsFound(&session);
   SheetState state;
   const SheetFrame frame = LayOutSheetFrame(session, state, {0, 0, 700, 300}, 1.0);
   const std::vector<SinkingMark> marks = SinkingMarks(found, frame);

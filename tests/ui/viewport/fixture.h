@@ -14,8 +14,10 @@ namespace hazumi::ui {
 // A small editor without a display, and where its joints are seen.
 class ViewportFixture : public testing::Test {
  protected:
+  explicit ViewportFixture(render::PictureSize size = {520, 380}) : size_(size) {}
+
   void SetUp() override {
-    auto made = OffscreenShell::Create(&editor_, {520, 380});
+    auto made = OffscreenShell::Create(&editor_, size_);
     ASSERT_TRUE(made.ok()) << made.error().ToString();
     shell_ = std::move(made).value();
     editor_.viewport.overlays.shadow = false;
@@ -30,6 +32,7 @@ class ViewportFixture : public testing::Test {
     return *view().ToWindow(figure.CenterOf(*figure.figure().FindGroup(joint)));
   }
 
+  const render::PictureSize size_;
   Editor editor_;
   std::unique_ptr<OffscreenShell> shell_;
 };

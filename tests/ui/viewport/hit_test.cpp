@@ -18,12 +18,14 @@ class ViewportHitTest : public testing::Test {
       : figure_(PoseNow(&session_).value()), view_(CameraOf(OrbitCamera()), kHitRect) {}
 
   GroupIndex Joint(const char* name) { return session_.figure().FindGroup(name).value(); }
-  ViewportHit At(const Vec3& p) { return HitTest(view_, *view_.ToWindow(p), figure_, scene_, 1.0); }
+  ViewportHit At(const Vec3& p) {
+    return HitTest(view_, *view_.ToWindow(p), figure_, solids_, 1.0);
+  }
 
   edit::Session session_;
   PosedFigure figure_;
   View view_;
-  std::vector<SceneObject> scene_;
+  std::vector<Solid> solids_;
 };
 
 TEST_F(ViewportHitTest, EveryMarkIsItsJoint) {
@@ -44,14 +46,14 @@ TEST_F(ViewportHitTest, ABodyIsOfTheJointThatMovesIt) {
 TEST_F(ViewportHitTest, WhatIsNearerCovers) {
   const Vec3 thigh = 0.5 * (figure_.CenterOf(Joint("r_hip")) + figure_.CenterOf(Joint("r_knee")));
   const Vec3 before = thigh + 0.5 * view_.ToViewer(thigh);
-  scene_ = {{"box", Box{{Mat3::Identity(), before}, Vec3::Constant(0.1)}, "#808080"}};
-  EXPECT_EQ(At(thigh).object, "box");
-  std::get<Box>(scene_[0].shape).X_WB.p = thigh - 0.5 * view_.ToViewer(thigh);
+  solids_ = {{ItemId(7), "box", Box{{Mat3::Identity(), before}, Vec3::Constant(0.1)}}};
+  EXPECT_EQ(At(thigh).object, ItemId(7));
+  std::get<Box>(solids_[0].shape).X_WB.p = thigh - 0.5 * view_.ToViewer(thigh);
   EXPECT_EQ(At(thigh).joint, Joint("r_hip"));
 }
 
 TEST_F(ViewportHitTest, BesideTheFigureThereIsNothing) {
-  EXPECT_FALSE(HitTest(view_, {5.0f, 5.0f}, figure_, scene_, 1.0).is_anything());
+  EXPECT_FALSE(HitTest(view_, {5.0f, 5.0f}, figure_, solids_, 1.0).is_anything());
 }
 
 TEST(ViewportRay, EntersWhereTheSurfaceIs) {

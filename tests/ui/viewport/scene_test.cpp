@@ -60,7 +60,7 @@ TEST_F(ViewportOfASkin, NamesATextureThatCannotBeReadOnce) {
   Project project = editor_.session().project();
   Skin skin;
   skin.textures = {{"face.png", {1, 2, 3}}, {"hand.png", {4}}};
-  project.skin.skin = std::make_shared<const Skin>(std::move(skin));
+  project.skin = {.skin = std::make_shared<const Skin>(std::move(skin))};
   editor_.session().Replace(std::move(project), "");
   editor_.Say("");
   shell_->Frame();
@@ -72,6 +72,17 @@ TEST_F(ViewportOfASkin, NamesATextureThatCannotBeReadOnce) {
   editor_.session().set_frame(editor_.session().frame() + 1.0);
   shell_->Frame();
   EXPECT_EQ(editor_.message.text, "");
+}
+
+TEST_F(ViewportOfASkin, ShowsTheSkinOrTheCapsules) {
+  const auto scene = [&] { return SceneNow(&editor_, editor_.viewport.rect).value().scene; };
+  EXPECT_EQ(scene().skins.size(), 1u);
+  EXPECT_TRUE(scene().capsules.empty());
+  editor_.Do("view.overlay", {{"name", "skin"}});
+  EXPECT_TRUE(scene().skins.empty());
+  EXPECT_FALSE(scene().capsules.empty());
+  editor_.Do("view.overlay", {{"name", "skin"}, {"on", true}});
+  EXPECT_EQ(scene().skins.size(), 1u);
 }
 
 }  // namespace

@@ -7,12 +7,16 @@
 #include "tests/ui/viewport/fixture.h"
 #include "ui/panels/commands/keys.h"
 #include "ui/panels/viewport/gizmo.h"
+#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::ui {
 namespace {
 
+// Large enough for nothing to cover rings and menus.
 class ViewportTools : public ViewportFixture {
  protected:
+  ViewportTools() : ViewportFixture({720, 560}) {}
+
   void MoveTo(Point p) {
     shell_->MoveMouse(p.x, p.y);
     shell_->Frame();
@@ -144,6 +148,80 @@ TEST_F(ViewportTools, ARingTurnsItsHinge) {
   EXPECT_NEAR(Angle("r_elbow_flexion") - before, 0.5 * 180.0 / 3.14159265358979, 3.0);
 }
 
+TEST_F(ViewportTools, ARingTurnsAllSelectedJointsAboutTheHingesNearestToItInOneStep) {
+  editor_.Do("select.joints", {{"joints", {"r_elbow", "l_elbow", "r_knee"}}});
+  editor_.Do("view.side", {{"side", "right"}});
+  editor_.viewport.overlays.limits = false;
+  shell_->Frame();
+  const PosedFigure figure = PoseNow(&editor_.session()).value();
+  const Gizmo gizmo = GizmoOf(view(), editor_.session(), figure, "", false, 1.0).value();
+  ASSERT_EQ(gizmo.rings.size(), 3u);
+  const GizmoRing& ring = gizmo.rings[1];  // about y, from right to left
+  const auto along = [&](const char* hinge) {
+    return figure.AxisOf(*figure.figure().FindJoint(hinge)).y() < 0.0 ? -1.0 : 1.0;
+  };
+  const size_t steps = Steps();
+  MoveTo(*view().ToWindow(ring.At(0.5)));
+  Button(true);
+  for (int i = 1; i <= 10; ++i) MoveTo(*view().ToWindow(ring.At(0.5 - 0.05 * i)));
+  Button(false);
+  const double turned = -0.5 * 180.0 / 3.14159265358979;
+  for (const char* hinge : {"r_elbow_flexion", "l_elbow_flexion"}) {
+    EXPECT_NEAR(Angle(hinge), along(hinge) * turned, 3.0) << hinge;
+  }
+  EXPECT_EQ(Steps(), steps + 1);
+  EXPECT_EQ(NameOfSelectedObject(editor_), "");
+}
+
+TEST_F(ViewportTools, BThenADragSelectsTheJointsInTheBoxShiftAddsCtrlTakesAway) {
+  editor_.Do("view.side", {{"side", "front"}});
+  shell_->Frame();
+  const auto drag = [&](Point a, Point b, int modifier) {
+    MoveTo({a.x - 9.0f, a.y - 9.0f});
+    Press('B');
+    EXPECT_TRUE(editor_.has_tool());
+    if (modifier != kNoKey) shell_->PressKey(modifier, true);
+    Button(true);
+    MoveTo({b.x + 9.0f, b.y + 9.0f});
+    EXPECT_TRUE(editor_.viewport.box.has_value());
+    Button(false);
+    if (modifier != kNoKey) shell_->PressKey(modifier, false);
+    shell_->Frame();
+    EXPECT_FALSE(editor_.has_tool());
+    EXPECT_FALSE(editor_.viewport.box.has_value());
+  };
+  const auto has = [&](const char* hinge) {
+    return editor_.session().selected_joints().contains(hinge);
+  };
+  drag(MarkOf("r_knee"), MarkOf("r_ankle"), kNoKey);
+  EXPECT_TRUE(has("r_knee"));
+  EXPECT_FALSE(has("l_knee"));
+  EXPECT_FALSE(has("r_elbow_flexion"));
+  drag(MarkOf("l_knee"), MarkOf("l_knee"), kLeftShift);
+  EXPECT_TRUE(has("r_knee"));
+  EXPECT_TRUE(has("l_knee"));
+  drag(MarkOf("r_knee"), MarkOf("r_knee"), kLeftControl);
+  EXPECT_FALSE(has("r_knee"));
+  EXPECT_TRUE(has("l_knee"));
+}
+
+TEST_F(ViewportTools, TheRightButtonOffersWhatCanBeDoneWithTheJointUnderIt) {
+  const auto open = [&](Point at) {
+    MoveTo(at);
+    shell_->PressButton(1, true);
+    shell_->Frame();
+    shell_->PressButton(1, false);
+    for (int i = 0; i < 3; ++i) shell_->Frame();
+  };
+  const Point elbow = MarkOf("r_elbow");
+  open(elbow);
+  EXPECT_TRUE(editor_.session().selected_joints().contains("r_elbow_flexion"));
+  constexpr float kLine = 18.0f;                     // of its entries [px]
+  Click({elbow.x + 40.0f, elbow.y + 1.7f * kLine});  // below the title: insert key
+  shell_->Frame();
+  EXPECT_EQ(editor_.session().document().undo_label(), "Insert key");
+}
+
 TEST_F(ViewportTools, CtrlTurnsInStepsOfFiveDegreesAndAClickConfirms) {
   editor_.Do("select.joints", {{"joints", {"r_elbow_flexion"}}});
   editor_.Do("view.side", {{"side", "right"}});
@@ -180,7 +258,7 @@ TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
                                 {"size_y", 0.4},
                                 {"size_z", 0.4}});
   Click(*view().ToWindow(Vec3(0.0, -1.0, 1.0)));
-  EXPECT_EQ(editor_.viewport.selected_object, "crate");
+  EXPECT_EQ(NameOfSelectedObject(editor_), "crate");
   for (const int key : {int{'G'}, int{'Z'}, int{'2'}, int{kEnter}}) Press(key);
   const ProjectScene& scene = editor_.session().project().scene;
   EXPECT_EQ(std::get<ProjectBox>(scene.objects.back().shape).center_m, Vec3(0.0, -1.0, 3.0));
@@ -189,21 +267,21 @@ TEST_F(ViewportTools, ABoxIsMovedByTypedMetres) {
 TEST_F(ViewportTools, ABoxIsSelectedUntilJointsAreOrItIsGone) {
   const auto add = [&] {
     ASSERT_TRUE(editor_.Do("object.add_box", {{"name", "crate"}}));
-    editor_.viewport.selected_object = "crate";
+    ASSERT_TRUE(editor_.Do("select.object", {{"object", "crate"}}));
   };
   add();
   ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 9}}));
-  EXPECT_EQ(editor_.viewport.selected_object, "crate");
+  EXPECT_EQ(NameOfSelectedObject(editor_), "crate");
   ASSERT_TRUE(editor_.Do("select.joints", {{"joints", {"r_knee"}}}));
-  EXPECT_EQ(editor_.viewport.selected_object, "");
-  editor_.viewport.selected_object = "crate";
+  EXPECT_EQ(NameOfSelectedObject(editor_), "");
+  ASSERT_TRUE(editor_.Do("select.object", {{"object", "crate"}}));
   ASSERT_TRUE(editor_.Do("object.remove", {{"object", "crate"}}));
-  EXPECT_EQ(editor_.viewport.selected_object, "");
+  EXPECT_EQ(NameOfSelectedObject(editor_), "");
   add();
   const test::TemporaryFolder folder;
   ASSERT_TRUE(editor_.Do("file.save", {{"path", folder / "crate.kfa"}}));
   ASSERT_TRUE(editor_.Do("file.open", {{"path", folder / "crate.kfa"}}));
-  EXPECT_EQ(editor_.viewport.selected_object, "");
+  EXPECT_EQ(NameOfSelectedObject(editor_), "");
 }
 
 TEST_F(ViewportTools, TheRootIsPulledByItsMarkAndTheFeetStay) {

@@ -45,6 +45,14 @@ TEST(WindowLayout, ASplitterFollowsTheMouse) {
   EXPECT_NEAR(LayOutWindow(window, lower, 1.0).timeline.y, 604.0f, 2.0f);
 }
 
+TEST(WindowLayout, TheSideHasRoomForItsLabelsAtAnyScale) {
+  for (const double scale : {1.0, 1.5}) {
+    for (const Rect& window : {Rect{0, 0, 1280, 800}, Rect{0, 0, 1024, 640}}) {
+      EXPECT_GE(LayOutWindow(window, {}, scale).properties.w, 220.0 * scale);
+    }
+  }
+}
+
 TEST(WindowLayout, NoSplitterMakesAPanelVanish) {
   const Rect window = {0, 0, 1280, 800};
   for (const Splitter splitter : {Splitter::kSide, Splitter::kBottom, Splitter::kOutliner}) {

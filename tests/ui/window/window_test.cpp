@@ -153,6 +153,35 @@ TEST_F(EditorWindow, UndoIsAKeyAway) {
   EXPECT_NE(editor_.session().project().name, "Changed");
 }
 
+TEST_F(EditorWindow, UndoAndRedoGoToTheFrameThatTheyChange) {
+  edit::Session& session = editor_.session();
+  session.set_frame(12.0);
+  ASSERT_TRUE(editor_.Do("pose.rotate", {{"joint", "r_knee"}, {"to", 40}}));
+  session.set_frame(3.0);
+  Press('Z', true);
+  EXPECT_EQ(session.frame(), 12.0);
+  EXPECT_EQ(editor_.message.text, "Undo: Rotate joint (F12)");
+  session.set_frame(3.0);
+  editor_.sheet.first = 20.0;
+  editor_.sheet.last = 26.0;
+  ASSERT_TRUE(editor_.Do("edit.redo"));
+  EXPECT_EQ(session.frame(), 12.0);
+  EXPECT_EQ(editor_.sheet.first, 9.0);  // the sheet shows it, too
+  EXPECT_EQ(editor_.sheet.last, 15.0);
+  EXPECT_EQ(editor_.message.text, "Redo: Rotate joint (F12)");
+}
+
+TEST_F(EditorWindow, UndoStaysWhereTheChangeIsSeenAndWhereItHasNoFrame) {
+  edit::Session& session = editor_.session();
+  ASSERT_TRUE(editor_.Do("region.add", {{"first", 5}, {"last", 15}, {"joints", {"r_elbow"}}}));
+  session.set_frame(10.0);
+  Press('Z', true);
+  EXPECT_EQ(session.frame(), 10.0);
+  ASSERT_TRUE(editor_.Do("project.rename", {{"name", "Changed"}}));
+  Press('Z', true);
+  EXPECT_EQ(session.frame(), 10.0);
+}
+
 TEST_F(EditorWindow, PlaysInRealTime) {
   Press(kSpace);
   ASSERT_TRUE(editor_.playback.is_on());
@@ -173,7 +202,7 @@ TEST_F(EditorWindow, EscapeEndsPlaybackWhereItBegan) {
 }
 
 // A motion that takes far longer than a picture may take: a swing of six seconds, nearly without
-// friction, from stop to stop, as accurate as can be.
+// friction, from limit to limit, as accurate as can be.
 class LongMotion : public EditorWindow {
  protected:
   void SetUp() override {

@@ -6,8 +6,10 @@
 #include "ui/edit/operator.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/dope_sheet/span_actions.h"
+#include "ui/panels/poses/actions.h"
 #include "ui/panels/sheet/actions.h"
 #include "ui/panels/viewport/actions.h"
+#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/tools.h"
 
 namespace hazumi::ui {
@@ -99,8 +101,9 @@ Result<Done> Orthographic(Editor* editor, const Parameters&) {
 Result<Done> Overlay(Editor* editor, const Parameters& p) {
   ViewportOverlays& overlays = editor->viewport.overlays;
   const std::pair<const char*, bool*> all[] = {
-      {"paths", &overlays.paths}, {"ghosts", &overlays.ghosts}, {"marks", &overlays.marks},
-      {"tint", &overlays.tint},   {"limits", &overlays.limits}, {"shadow", &overlays.shadow}};
+      {"skin", &overlays.skin},    {"paths", &overlays.paths}, {"ghosts", &overlays.ghosts},
+      {"marks", &overlays.marks},  {"tint", &overlays.tint},   {"limits", &overlays.limits},
+      {"shadow", &overlays.shadow}};
   const std::string name = p.text("name");
   for (const auto& [known, value] : all) {
     if (name != known) continue;
@@ -108,7 +111,7 @@ Result<Done> Overlay(Editor* editor, const Parameters& p) {
     return Done();
   }
   return Error{ErrorCode::kSchema, "", "name",
-               "\"" + name + "\" is none of paths, ghosts, marks, tint, limits, shadow"};
+               "\"" + name + "\" is none of skin, paths, ghosts, marks, tint, limits, shadow"};
 }
 
 Result<Done> ChooseTheme(Editor* editor, const Parameters& p) {
@@ -138,11 +141,9 @@ Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
 }
 
 Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
-  const std::pair<const char*, Section> all[] = {{"pose", Section::kPose},
-                                                 {"region", Section::kRegion},
-                                                 {"scene", Section::kScene},
-                                                 {"project", Section::kProject},
-                                                 {"problems", Section::kProblems}};
+  const std::pair<const char*, Section> all[] = {
+      {"pose", Section::kPose},   {"poses", Section::kPoses},     {"region", Section::kRegion},
+      {"scene", Section::kScene}, {"project", Section::kProject}, {"problems", Section::kProblems}};
   const std::string name = p.text("section");
   for (const auto& [known, section] : all) {
     if (name != known) continue;
@@ -150,7 +151,7 @@ Result<Done> ChooseSection(Editor* editor, const Parameters& p) {
     return Done();
   }
   return Error{ErrorCode::kSchema, "", "section",
-               "\"" + name + "\" is none of pose, region, scene, project, problems"};
+               "\"" + name + "\" is none of pose, poses, region, scene, project, problems"};
 }
 
 // Without anything to stop it is no mistake: the key for it is pressed for many reasons.
@@ -238,14 +239,19 @@ const std::vector<Action>& AllActions() {
        [](Editor* editor, const Parameters&) { return TakeRotateTool(editor); }},
       {"tool.move",
        "Move",
-       "Drags the selected joint, its limb following, or the selected box.",
+       "Drags the selected joint, its limb following, or the selected object.",
        {},
        [](Editor* editor, const Parameters&) { return TakeMoveTool(editor); }},
+      {"tool.box",
+       "Box select joints",
+       "Selects the joints in a rectangle; with Shift these too, with Ctrl without these.",
+       {},
+       [](Editor* editor, const Parameters&) { return TakeBoxTool(editor); }},
       {"view.overlay",
        "Overlay",
-       "Shows or hides something beside the figure.",
-       {{"name", kText, true, "paths, ghosts, marks, tint, limits, shadow",
-         "paths ghosts marks tint limits shadow"},
+       "Shows or hides something beside the figure, or its skin.",
+       {{"name", kText, true, "skin, paths, ghosts, marks, tint, limits, shadow",
+         "skin paths ghosts marks tint limits shadow"},
         {"on", kYesNo, false, "not given: the other way round"}},
        Overlay},
       {"view.theme",
@@ -266,8 +272,8 @@ const std::vector<Action>& AllActions() {
       {"view.properties",
        "Properties",
        "Which properties are shown.",
-       {{"section", kText, true, "pose, region, scene, project, problems",
-         "pose region scene project problems"}},
+       {{"section", kText, true, "pose, poses, region, scene, project, problems",
+         "pose poses region scene project problems"}},
        ChooseSection},
       {"view.sheet",
        "Dope sheet or graph editor",
@@ -301,6 +307,12 @@ const std::vector<Action>& AllActions() {
        "Paints a region over rows and frames, or marks the selected joints.",
        {},
        sheet::MarkRegion},
+      {"sheet.rename",
+       "Rename marker or region",
+       "Opens the name of the marker on the current frame, or else of the region whose bar was"
+       " clicked.",
+       {},
+       sheet::Rename},
       {"sheet.preview",
        "Preview range",
        "Sets the frames that are played with the mouse.",
@@ -345,7 +357,9 @@ const std::vector<Action>& AllActions() {
   };
   static const std::vector<Action> all = [] {
     std::vector<Action> together = actions;
-    for (Action& action : DialogActions()) together.push_back(std::move(action));
+    for (auto&& list : {DialogActions(), ObjectActions(), PoseLibraryActions()}) {
+      together.insert(together.end(), list.begin(), list.end());
+    }
     return together;
   }();
   return all;

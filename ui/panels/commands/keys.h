@@ -26,6 +26,7 @@ enum Key : int {
   kHome = 268,
   kEnd = 269,
   kF1 = 290,
+  kF2 = 291,
   kF3 = 292,
   kF12 = 301,
   kPad0 = 320,

@@ -22,6 +22,19 @@ void DrawRecentFiles(Editor* editor) {
   ImGui::EndMenu();
 }
 
+void DrawSelectionSets(Editor* editor) {
+  const std::vector<ProjectSelectionSet> sets = editor->session().project().selection_sets;
+  const bool is_open = ImGui::BeginMenu(Tr("Selection sets"), !sets.empty());
+  if (!is_open) return Tooltip(HelpOf("select.set"));
+  for (const ProjectSelectionSet& set : sets) {
+    editor->NeedGlyphs(set.name);
+    if (ImGui::MenuItem((set.name + "##set").c_str())) {
+      editor->Do("select.set", {{"name", set.name}});
+    }
+  }
+  ImGui::EndMenu();
+}
+
 void DrawAction(Editor* editor, const MenuEntry& entry) {
   const std::string label = LabelOf(entry, *editor);
   const std::string key = KeyOf(entry.id, entry.parameters);
@@ -40,6 +53,7 @@ void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries);
 void DrawEntry(Editor* editor, const MenuEntry& entry) {
   if (!entry.id && !entry.label) return ImGui::Separator();
   if (entry.id && std::string(entry.id) == "app.open") return DrawRecentFiles(editor);
+  if (entry.id && std::string(entry.id) == "select.set") return DrawSelectionSets(editor);
   if (entry.id) return DrawAction(editor, entry);
   if (!ImGui::BeginMenu(Tr(entry.label))) return;
   DrawEntries(editor, entry.entries);

@@ -62,7 +62,8 @@ MenuEntry ViewMenu() {
                           {"view.frame_selected"},
                           {"view.frame_all"},
                           Submenu("Overlays",
-                                  {overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
+                                  {overlay("skin", "Skin instead of capsules"),
+                                   overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
                                    overlay("marks", "Pins and centre of mass"),
                                    overlay("tint", "Joints in regions"),
                                    overlay("limits", "Joint limits"), overlay("shadow", "Shadow")}),
@@ -83,13 +84,18 @@ MenuEntry ViewMenu() {
                           {"time.rate"},
                           {"sheet.preview"},
                           {"time.preview", {{"off", true}}, "No preview range"},
-                          {"marker.add", Json::object(), "Add marker"}});
+                          {"marker.add", Json::object(), "Add marker"},
+                          {"sheet.rename"}});
 }
 
 MenuEntry SelectMenu() {
   return Submenu("Select", {{"select.all"},
                             {"select.none"},
                             {"select.mirror"},
+                            {"tool.box"},
+                            {"select.set"},  // drawn as the list of sets
+                            {"select.save_set"},
+                            {"select.remove_set"},
                             Line(),
                             {"joint.hide"},
                             {"joint.show_all"},
@@ -104,21 +110,33 @@ MenuEntry SelectMenu() {
 }
 
 MenuEntry PoseMenu() {
-  return Submenu("Pose",
-                 {{"pose.copy"},
-                  {"pose.paste"},
-                  {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
-                  Line(),
-                  {"tool.rotate"},
-                  {"tool.move"},
-                  {"pose.clear"},
-                  {"root.to_ground"},
-                  Line(),
-                  {"pose.rotate"},
-                  {"pose.reach"},
-                  {"hold.add"},
-                  Line(),
-                  Submenu("Figure", {{"figure.joint_limits"}, {"figure.link"}, {"figure.embed"}})});
+  return Submenu("Pose", {{"pose.copy"},
+                          {"pose.paste"},
+                          {"pose.paste", {{"flipped", true}}, "Paste pose flipped"},
+                          Line(),
+                          {"view.properties", {{"section", "poses"}}, "Pose library"},
+                          {"pose.save"},
+                          Line(),
+                          {"tool.breakdown"},
+                          {"tool.relax"},
+                          {"tool.push"},
+                          {"pose.live_mirror"},
+                          Line(),
+                          {"tool.rotate"},
+                          {"tool.move"},
+                          {"pose.clear"},
+                          {"root.to_ground"},
+                          Line(),
+                          {"pose.rotate"},
+                          {"pose.reach"},
+                          {"pose.swivel"},
+                          {"hold.add"},
+                          Line(),
+                          Submenu("Figure", {{"figure.joint_limits"},
+                                             {"figure.link"},
+                                             {"figure.embed"},
+                                             {"figure.skin", {{"skin", "human"}}, "Human skin"},
+                                             {"figure.skin", {{"skin", "none"}}, "No skin"}})});
 }
 
 MenuEntry KeyMenu() {
@@ -166,6 +184,9 @@ MenuEntry SceneMenu() {
                            {"object.add_plane"},
                            {"held.add_ball"},
                            {"held.add_box"},
+                           {"held.let_go"},
+                           {"held.pass"},
+                           {"held.key"},
                            {"object.remove"},
                            Line(),
                            {"span.pin"},
@@ -173,6 +194,8 @@ MenuEntry SceneMenu() {
                            {"span.hold"},
                            {"placement.set"},
                            {"placement.flight"},
+                           {"tool.jump"},
+                           {"jump.add"},
                            Line(),
                            {"view.set_camera"}});
 }
@@ -235,6 +258,9 @@ bool CanDo(const Editor& editor, const std::string& id) {
   if (id == "edit.undo") return session.document().undo_label().has_value();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "app.save") return !session.document().is_saved() || session.document().path().empty();
+  if (id == "select.set" || id == "select.remove_set") {
+    return !session.project().selection_sets.empty();
+  }
   if (id == "pose.paste") return !session.clipboard().empty();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "view.camera") return session.project().camera.has_value();
@@ -255,13 +281,14 @@ std::optional<bool> IsOn(const Editor& editor, const MenuEntry& entry) {
   if (id == "view.scale") return std::abs(settings.scale - p["scale"].get<double>()) < 1e-6;
   if (id == "view.orthographic") return editor.viewport.camera.is_orthographic;
   if (id == "view.camera") return editor.viewport.through_project_camera;
+  if (id == "pose.live_mirror") return editor.mirrors_poses;
   if (id == "help.first_steps") return editor.dialogs.shows_first_steps;
   if (id == "time.play") return editor.playback.is_on();
   if (id != "view.overlay") return std::nullopt;
   const ViewportOverlays& o = editor.viewport.overlays;
-  const std::pair<const char*, bool> all[] = {{"paths", o.paths},   {"ghosts", o.ghosts},
-                                              {"marks", o.marks},   {"tint", o.tint},
-                                              {"limits", o.limits}, {"shadow", o.shadow}};
+  const std::pair<const char*, bool> all[] = {
+      {"skin", o.skin}, {"paths", o.paths},   {"ghosts", o.ghosts}, {"marks", o.marks},
+      {"tint", o.tint}, {"limits", o.limits}, {"shadow", o.shadow}};
   for (const auto& [name, is_on] : all) {
     if (p["name"] == name) return is_on;
   }

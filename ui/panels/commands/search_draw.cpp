@@ -43,6 +43,7 @@ std::optional<Command> DrawFound(const std::vector<Command>& found, const Editor
 
 void DrawSearch(Editor* editor) {
   SearchState& search = editor->dialogs.search;
+  editor->dialogs.takes_arrows = true;
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::SetKeyboardFocusHere();
   const std::string before = search.query;

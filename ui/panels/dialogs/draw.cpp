@@ -1,3 +1,5 @@
+#include <imgui_internal.h>
+
 #include "ui/panels/dialogs/parts.h"
 #include "ui/panels/window/panels.h"
 
@@ -117,19 +119,87 @@ void DrawFieldLabel(const char* text, const Editor& editor) {
   ImGui::SameLine(Px(editor, 130));
 }
 
+namespace {
+
+bool IsEnterDown() {
+  return ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false);
+}
+
+// Tab shows where the keyboard is, and leads on.
+void FollowTab(bool just_opened) {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool tabs = ImGui::IsKeyPressed(kTab);
+  if (just_opened || tabs) context.NavDisableHighlight = false;
+  // From what takes no text ImGui would begin at the first field again.
+  if (tabs && context.NavTabbingDir == 0 && context.NavId != 0) context.NavTabbingDir = 1;
+}
+
+// Panels have keys of their own.
+void LetArrowsLead(bool lead) {
+  ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+  flags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (lead) flags |= ImGuiConfigFlags_NavEnableKeyboard;
+}
+
+}  // namespace
+
+TabStops::TabStops(bool are_stops) {
+  // To ImGui these are fields to type into; buttons and ticks take no text and are left as they
+  // are.
+  ImGui::PushItemFlag(ImGuiItemFlags_Inputable, are_stops);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoTabStop, !are_stops);
+}
+TabStops::~TabStops() {
+  ImGui::PopItemFlag();
+  ImGui::PopItemFlag();
+}
+
+bool HasKeyboard() {
+  return ImGui::IsItemFocused() && !ImGui::GetCurrentContext()->NavDisableHighlight;
+}
+
+bool ListLine(const std::string& label, bool is_selected) {
+  const bool is_clicked = ImGui::Selectable(label.c_str(), is_selected);
+  if (!HasKeyboard() || !IsEnterDown()) return is_clicked;
+  const bool is_popup = (ImGui::GetCurrentWindow()->Flags & ImGuiWindowFlags_Popup) != 0;
+  if (is_popup) ImGui::CloseCurrentPopup();
+  return true;
+}
+
 bool IsEnterPressed(const Editor& editor) {
-  return !editor.dialogs.has_list &&
-         (ImGui::IsKeyPressed(kEnter, false) || ImGui::IsKeyPressed(kPadEnter, false));
+  return !editor.dialogs.has_list && !editor.dialogs.takes_enter && IsEnterDown();
 }
 bool IsEscapePressed(const Editor& editor) {
   return !editor.dialogs.has_list && ImGui::IsKeyPressed(kEscape, false);
 }
 
+namespace {
+
+constexpr float kErrorLines = 4.0f;  // seen at once
+
+float HeightOfText(const std::string& error) {
+  return ImGui::CalcTextSize(("! " + error).c_str(), nullptr, false,
+                             ImGui::GetContentRegionAvail().x)
+      .y;
+}
+
+}  // namespace
+
+float HeightOfError(const std::string& error) {
+  if (error.empty()) return 0.0f;
+  const float most = kErrorLines * ImGui::GetTextLineHeight();
+  return std::min(HeightOfText(error), most) + ImGui::GetStyle().ItemSpacing.y;
+}
+
 void DrawError(const std::string& error, const Theme& theme) {
   if (error.empty()) return;
+  const float high = HeightOfError(error) - ImGui::GetStyle().ItemSpacing.y;
+  const bool scrolls = HeightOfText(error) > high;
+  if (scrolls) ImGui::BeginChild(ImGui::GetID(error.c_str()), {0.0f, high});
   ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(theme.warning));
   ImGui::TextWrapped("! %s", error.c_str());
   ImGui::PopStyleColor();
+  if (scrolls) ImGui::EndChild();
 }
 
 int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons) {
@@ -147,6 +217,7 @@ int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons)
     if (is_first) ImGui::PushStyleColor(ImGuiCol_Button, ToIm4(editor.theme().accent));
     if (ImGui::Button(button.label, {width(button), 0.0f})) clicked = i;
     if (is_first) ImGui::PopStyleColor();
+    if (HasKeyboard() && IsEnterPressed(editor)) clicked = i;
     Tooltip(button.help);
     ++i;
   }
@@ -159,7 +230,7 @@ void DrawDialogs(Editor* editor, const Rect& window) {
   DialogsState& dialogs = editor->dialogs;
   if (dialogs.shows_first_steps) DrawFirstSteps(editor, window);
   if (dialogs.modal != Modal::kNone && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
-  if (!ImGui::IsPopupOpen(kId)) return;
+  if (!ImGui::IsPopupOpen(kId)) return LetArrowsLead(false);
   const Frame frame = FrameOf(dialogs);
   const float width = std::min(Px(*editor, frame.width), 0.96f * window.w);
   const float height = std::min(Px(*editor, frame.height), 0.92f * window.h);
@@ -179,9 +250,15 @@ void DrawDialogs(Editor* editor, const Rect& window) {
   if (!is_drawn) return;
   const Modal drawn = dialogs.modal;
   const bool was_just_opened = dialogs.just_opened;
-  DrawContent(editor);
+  FollowTab(was_just_opened);
+  dialogs.takes_enter = dialogs.takes_arrows = false;
+  {
+    const TabStops stops(true);
+    DrawContent(editor);
+  }
   // Unless what was drawn has opened another.
   if (was_just_opened && dialogs.modal == drawn) dialogs.just_opened = false;
+  LetArrowsLead(!dialogs.takes_arrows || ImGui::IsKeyPressed(kTab));
   dialogs.has_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
   if (dialogs.modal == Modal::kNone) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

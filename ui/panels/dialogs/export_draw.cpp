@@ -42,7 +42,7 @@ void DrawFormat(Editor* editor) {
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##format", Tr(shown->label))) return Tooltip(Tr(shown->help));
   for (const FormatChoice& choice : Formats()) {
-    const bool is_clicked = ImGui::Selectable(Tr(choice.label), IsChosen(choice, state));
+    const bool is_clicked = ListLine(Tr(choice.label), IsChosen(choice, state));
     Tooltip(Tr(choice.help));
     if (is_clicked) ChooseFormat(choice.format, &state);
   }

@@ -1,4 +1,4 @@
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -20,15 +20,26 @@ std::string DateText(std::int64_t seconds) {
   return text;
 }
 
+// Tab leads to the first of them, arrows to the others.
+bool DrawShelf(int number, const std::string& label, bool is_here, const std::string& path,
+               Editor* editor) {
+  const TabStops stops(number == 0);
+  ImGui::PushID(number);
+  const bool is_chosen = ListLine(label, is_here);
+  editor->dialogs.takes_enter |= HasKeyboard();
+  ImGui::PopID();
+  Tooltip(path);
+  return is_chosen;
+}
+
 void DrawShelves(Editor* editor) {
   ImGui::TextDisabled("%s", Tr("Places"));
   int i = 0;
   for (const Shelf& shelf : Shelves(HomeFolder(), editor->settings.recent_files)) {
-    ImGui::PushID(i++);
     const bool is_here = shelf.path == editor->dialogs.files.folder;
-    if (ImGui::Selectable(Tr(shelf.label.c_str()), is_here)) GoToFolder(shelf.path, editor);
-    ImGui::PopID();
-    Tooltip(shelf.path);
+    if (DrawShelf(i++, Tr(shelf.label.c_str()), is_here, shelf.path, editor)) {
+      GoToFolder(shelf.path, editor);
+    }
   }
   const FileDialogState& files = editor->dialogs.files;
   if (files.is_save || files.picks_folder || editor->settings.recent_files.empty()) return;
@@ -36,14 +47,10 @@ void DrawShelves(Editor* editor) {
   ImGui::TextDisabled("%s", Tr("Recent files"));
   const std::vector<std::string> recent = editor->settings.recent_files;
   for (const std::string& file : recent) {
-    ImGui::PushID(i++);
-    if (ImGui::Selectable(NameIn(file).c_str())) {
-      GoToFolder(ParentOf(file), editor);
-      editor->dialogs.files.name = file;
-      ChooseFile(editor);
-    }
-    ImGui::PopID();
-    Tooltip(file);
+    if (!DrawShelf(i++, NameIn(file), false, file, editor)) continue;
+    GoToFolder(ParentOf(file), editor);
+    editor->dialogs.files.name = file;
+    ChooseFile(editor);
   }
 }
 
@@ -113,8 +120,17 @@ void DrawList(Editor* editor) {
   if (chosen) ChooseFile(editor);
 }
 
+// Tab has led to one of the places or to what is above: both were drawn before.
+bool HasLeftName() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.NavIdIsAlive && !context.NavDisableHighlight && context.ActiveId == 0;
+}
+
+// Up and Down, as long as the keyboard is at the name.
 void MoveSelection(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
+  editor->dialogs.takes_arrows = !HasLeftName();
+  if (!editor->dialogs.takes_arrows) return;
   const int count = static_cast<int>(files.entries.size());
   const int by = (ImGui::IsKeyPressed(kDown) ? 1 : 0) - (ImGui::IsKeyPressed(kUp) ? 1 : 0);
   if (by == 0 || count == 0) return;
@@ -151,7 +167,8 @@ void DrawName(Editor* editor) {
   ImGui::TextUnformatted(Tr("Name"));
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1.0f);
-  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+  if (editor->dialogs.takes_arrows && !ImGui::IsAnyItemActive() &&
+      !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     ImGui::SetKeyboardFocusHere();
   }
   const std::string before = files.name;
@@ -167,10 +184,14 @@ void DrawName(Editor* editor) {
   if (was_empty && ImGui::IsKeyPressed(kBackspace)) GoToFolder(ParentOf(files.folder), editor);
 }
 
+// What is said above the buttons.
+std::string Trouble(const FileDialogState& files) {
+  if (!files.asks_overwrite) return files.error;
+  return NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already.");
+}
+
 void DrawOverwrite(Editor* editor) {
-  const FileDialogState& files = editor->dialogs.files;
-  DrawError(NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already."),
-            editor->theme());
+  DrawError(Trouble(editor->dialogs.files), editor->theme());
   const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) ConfirmOverwrite(editor);
@@ -180,7 +201,7 @@ void DrawOverwrite(Editor* editor) {
 void DrawBottom(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   if (files.asks_overwrite) return DrawOverwrite(editor);
-  DrawError(files.error, editor->theme());
+  DrawError(Trouble(files), editor->theme());
   const ButtonText choose =
       files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
       : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
@@ -196,21 +217,24 @@ void DrawBottom(Editor* editor) {
 
 void DrawFileDialog(Editor* editor) {
   const FileDialogState& files = editor->dialogs.files;
-  MoveSelection(editor);
   DrawTop(editor);
-  const bool has_text = files.asks_overwrite || !files.error.empty();
-  const float bottom = ImGui::GetFrameHeightWithSpacing() * (has_text ? 4.0f : 2.0f) +
+  const float bottom = ImGui::GetFrameHeightWithSpacing() * 2.0f + HeightOfError(Trouble(files)) +
                        ImGui::GetStyle().ItemSpacing.y;
-  ImGui::BeginChild("##places", {Px(*editor, 150), -bottom});
+  ImGui::BeginChild("##places", {Px(*editor, 150), -bottom}, false, ImGuiWindowFlags_NavFlattened);
   DrawShelves(editor);
   ImGui::EndChild();
+  MoveSelection(editor);
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
-  ImGui::BeginChild("##entries", {0.0f, -bottom}, true);
-  DrawList(editor);
-  ImGui::EndChild();
+  {
+    const TabStops stops(false);  // arrows of the name lead through it
+    ImGui::BeginChild("##entries", {0.0f, -bottom}, true);
+    DrawList(editor);
+    ImGui::EndChild();
+  }
   ImGui::PopStyleColor();
   DrawName(editor);
+  const TabStops stops(false);  // Enter and Esc are enough
   DrawBottom(editor);
 }
 

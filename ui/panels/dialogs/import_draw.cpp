@@ -21,7 +21,7 @@ bool DrawClips(const Editor& editor, const Character& character, ImportOptions* 
     ImGui::PushID(static_cast<int>(i));
     const Clip& clip = character.clips[i];
     const std::string length = "   " + std::to_string(clip.num_frames) + " " + Tr("frames");
-    if (ImGui::Selectable((clip.name + length).c_str(), clip.name == now)) {
+    if (ListLine(clip.name + length, clip.name == now)) {
       options->clip = clip.name;
       is_changed = true;
     }

@@ -21,6 +21,14 @@ const std::vector<ManualPart>& ManualParts() {
         "begins each of these on the current frame. In the dope sheet they are bars like regions: "
         "drag them or their ends, double click to change them, X deletes the one that was "
         "clicked."}},
+      {"Balls, boxes and jumps",
+       {"Scene > Add ball puts a ball into the selected hand, or on the ground. Click it to select "
+        "it; pulled in a hand it changes its place there, on the ground its place is keyed. Its "
+        "row in the dope sheet shows who has it: the end of a bar is where it is let go, Pass on "
+        "gives it to the selected joint.",
+        "J begins a jump: point at where it is to land and click. Crouch, take-off, apex and "
+        "landing become keys like any others; between take-off and landing gravity has the "
+        "figure."}},
       {"Working",
        {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
         "undone. F3 finds whatever Hazumi can do by its name.",
@@ -28,8 +36,19 @@ const std::vector<ManualPart>& ManualParts() {
         "they stand; with F the whole figure comes along. R turns the whole figure; with F the "
         "feet "
         "stay. Hands and feet can be pulled by their diamonds.",
+        "The poses among the properties are there in every project: click one, or pull it to the "
+        "right for a part of the way. Shift+E blends between the keys before and after. With "
+        "Mirror "
+        "on, above the figure, both sides are posed at once. With a hand or a foot selected its "
+        "elbow or knee can be pulled round.",
+        "The right button opens what can be done with a joint, an object, a bar, a key or a "
+        "marker. In "
+        "dialogs Tab leads on, arrows and Space choose, Enter does it.",
         "What a region computed is hatched and blue. The motion follows each of your edits at "
         "once; nothing has to be baked first.",
+        "Skin, at the top of the viewport, shows the figure in its skin or as the capsules that "
+        "the "
+        "motion is computed with and that touch things. It is drawing only.",
         "Where something is wrong with the motion the warning sign beside the properties turns "
         "orange. Its list leads there, and most of it is put right by a button."}},
       {"To other programs",

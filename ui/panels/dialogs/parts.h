@@ -30,11 +30,27 @@ inline float Px(const Editor& editor, double at_scale_1) {
 }
 // What stands before the fields of a row; these begin below each other.
 void DrawFieldLabel(const char* text, const Editor& editor);
-// Neither counts while a list of the dialog is open.
+// Tab goes to what is drawn while this lives, or passes over it: arrows lead there, and the mouse.
+class TabStops {
+ public:
+  explicit TabStops(bool are_stops);
+  ~TabStops();
+  TabStops(const TabStops&) = delete;
+  TabStops& operator=(const TabStops&) = delete;
+};
+// What was drawn last has the keyboard, and that is seen.
+bool HasKeyboard();
+// A line of a list that is chosen by a click, and by Enter or Space where arrows have led to it.
+bool ListLine(const std::string& label, bool is_selected);
+
+// Neither counts while a list of the dialog is open, nor Enter where it does something else.
 bool IsEnterPressed(const Editor& editor);
 bool IsEscapePressed(const Editor& editor);
-// An error, with a sign, on as many lines as it needs; nothing if it is empty.
+// An error, with a sign, on as many lines as it needs, of which a few are seen and the rest is
+// scrolled to; nothing if it is empty.
 void DrawError(const std::string& error, const Theme& theme);
+// How high that is, with the gap below it [px].
+float HeightOfError(const std::string& error);
 
 struct ButtonText {
   const char* label;  // in the interface's language

@@ -24,7 +24,7 @@ void DrawPresets(int* width, int* height) {
   for (const Preset& preset : kPresets) {
     const std::string size = std::to_string(preset.width) + " x " + std::to_string(preset.height);
     const bool is_now = preset.width == *width && preset.height == *height;
-    if (!ImGui::Selectable((size + "  " + preset.name).c_str(), is_now)) continue;
+    if (!ListLine(size + "  " + preset.name, is_now)) continue;
     *width = preset.width;
     *height = preset.height;
   }

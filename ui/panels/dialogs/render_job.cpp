@@ -9,6 +9,7 @@
 #include "ui/edit/new_project.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/text/filled.h"
+#include "ui/panels/viewport/scene.h"
 
 namespace hazumi::ui {
 
@@ -27,6 +28,7 @@ render::Camera CameraFor(const Editor& editor, bool through_project_camera) {
 render::Overlays OverlaysFor(const Editor& editor) {
   render::Overlays overlays;
   const ViewportOverlays& seen = editor.viewport.overlays;
+  overlays.look = LookOf(seen);
   overlays.ghost_every = seen.ghosts ? seen.ghost_every : 0;
   overlays.paths = seen.paths;
   overlays.contact_marks = seen.marks;
@@ -160,6 +162,7 @@ Result<RenderTask> FilledTask(Editor* editor, RenderTask task, bool through_proj
   task.animation = *session.animation();
   task.motion = *motion.value();
   task.skin = session.project().skin;
+  task.overlays.look = LookOf(editor->viewport.overlays);
   task.camera = CameraFor(*editor, through_project_camera);
   if (overlays) task.overlays = OverlaysFor(*editor);
   return task;

@@ -57,7 +57,9 @@ struct DialogsState {
   Modal modal = Modal::kNone;
   bool just_opened = false;  // nothing of it was drawn yet
   bool has_list = false;     // one of its lists is open, which has the keys
-  Then then;                 // after a question about what is not saved
+  // What has the keyboard does something by these itself.
+  bool takes_enter = false, takes_arrows = false;
+  Then then;  // after a question about what is not saved
   FileDialogState files;
   SearchState search;
   FormState form;

@@ -30,6 +30,8 @@ const char* HintOf(BarKind kind, bool moves) {
       return moves ? "Move region" : "Stretch region";
     case BarKind::kPlacement:
       return moves ? "Move placement" : "Stretch placement";
+    case BarKind::kHolder:
+      return "Change frames of holder";
     case BarKind::kHold:
       break;
   }

@@ -1,10 +1,22 @@
 #include "ui/panels/dope_sheet/bars.h"
 
+#include <algorithm>
+
+#include "ui/edit/operators/holders.h"
+
 namespace hazumi::ui {
 
 namespace {
 
 Error NothingChosen() { return {ErrorCode::kSchema, "", "", "no bar is chosen; click one"}; }
+
+int IndexOfHolder(const Project& project, ItemId id) {
+  const auto all = edit::AllHolders(project);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& holder) {
+    return id.is_valid() && holder.second.id == id;
+  });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
 
 // In the project's list of its kind; -1 if it is not there.
 int IndexOf(const Project& project, const BarId& bar) {
@@ -13,6 +25,8 @@ int IndexOf(const Project& project, const BarId& bar) {
       return hazumi::IndexOf(bar.id, project.regions);
     case BarKind::kPlacement:
       return hazumi::IndexOf(bar.id, project.placements);
+    case BarKind::kHolder:
+      return IndexOfHolder(project, bar.id);
     case BarKind::kHold:
       break;
   }
@@ -26,6 +40,22 @@ Result<Done> EditPlacement(Editor* editor, const BarId& bar, Json change) {
   const auto* start = document.drag_start(change.value("drag", ""));
   change["index"] = IndexOf(start ? start->project : document.project(), bar);
   return editor->Invoke("placement.edit", change);
+}
+
+// Its frames; or else its fields, which for the first holder are the object's own.
+Result<Done> EditHolder(Editor* editor, int index, Json change) {
+  const Project& project = editor->session().project();
+  const auto [object, span] = edit::AllHolders(project)[index];
+  change["object"] = project.held_objects[object].name;
+  if (change.contains("first")) {
+    change["release"] = change["last"];
+    change.erase("last");
+    change["number"] = span.number;
+    return editor->Invoke("held.set_frames", change);
+  }
+  if (span.number < 0) return editor->Invoke("held.set", change);
+  change["number"] = span.number;
+  return editor->Invoke("held.set_holder", change);
 }
 
 std::string TitleOf(const ProjectPlacement& span) {
@@ -44,6 +74,10 @@ ProjectFrames FramesOf(const Project& project, const BarRef& bar) {
       return frames(project.regions[bar.index]);
     case BarKind::kPlacement:
       return frames(project.placements[bar.index]);
+    case BarKind::kHolder: {
+      const edit::HolderSpan span = edit::AllHolders(project)[bar.index].second;
+      return {span.first, span.last, {}};
+    }
     case BarKind::kHold:
       break;
   }
@@ -56,6 +90,8 @@ std::string TitleOf(const Project& project, const BarRef& bar) {
       return project.regions[bar.index].name;
     case BarKind::kPlacement:
       return TitleOf(project.placements[bar.index]);
+    case BarKind::kHolder:
+      return edit::AllHolders(project)[bar.index].second.joint;
     case BarKind::kHold:
       break;
   }
@@ -68,6 +104,7 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
                   ? "Inverse kinematics keeps it in its place and turned as it is."
                   : "Inverse kinematics keeps it in its place.");
   }
+  if (bar.kind == BarKind::kHolder) return Tr("This joint holds it; then it flies.");
   if (bar.kind == BarKind::kRegion) return "";
   const ProjectPlacement& span = project.placements[bar.index];
   if (span.kind == PlacementKind::kKeyed) return Tr("The root's keys place the figure.");
@@ -89,6 +126,8 @@ BarId IdOf(const Project& project, const BarRef& bar) {
       return {bar.kind, project.regions[bar.index].identity.id};
     case BarKind::kPlacement:
       return {bar.kind, project.placements[bar.index].identity.id};
+    case BarKind::kHolder:
+      return {bar.kind, edit::AllHolders(project)[bar.index].second.id};
     case BarKind::kHold:
       break;
   }
@@ -112,6 +151,8 @@ Result<Done> EditChosenBar(Editor* editor, Json change) {
       return editor->Invoke("region.set", change);
     case BarKind::kPlacement:
       return EditPlacement(editor, *editor->sheet.bar, std::move(change));
+    case BarKind::kHolder:
+      return EditHolder(editor, bar->index, std::move(change));
     case BarKind::kHold:
       break;
   }
@@ -129,6 +170,12 @@ Result<Done> RemoveChosenBar(Editor* editor) {
       return editor->Invoke("region.remove", {{"region", project.regions[bar->index].name}});
     case BarKind::kPlacement:
       return editor->Invoke("placement.remove", {{"index", bar->index}});
+    case BarKind::kHolder: {
+      const auto& [object, span] = edit::AllHolders(project)[bar->index];
+      const std::string& name = project.held_objects[object].name;
+      if (span.number < 0) return editor->Invoke("held.set", {{"object", name}, {"joint", ""}});
+      return editor->Invoke("held.remove_holder", {{"object", name}, {"number", span.number}});
+    }
     case BarKind::kHold:
       break;
   }

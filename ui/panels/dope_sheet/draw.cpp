@@ -47,6 +47,7 @@ class DopeSheetPainter {
     for (const JointIndex j : row.hinges) {
       num += chosen.contains(editor_->session().figure().joint(j).name) ? 1 : 0;
     }
+    if (row.object.is_valid()) return row.object == editor_->viewport.selected_object ? 1.0f : 0.0f;
     if (IsOfRoot(row)) return editor_->session().is_root_selected() ? 1.0f : 0.0f;
     if (num == 0) return 0.0f;
     return num == static_cast<int>(row.hinges.size()) ? 1.0f : 0.4f;
@@ -105,6 +106,7 @@ class DopeSheetPainter {
         return colors::kDynamics;
       case BarKind::kPlacement:
         return theme_.faint_text;
+      case BarKind::kHolder:
       case BarKind::kHold:
         break;
     }

@@ -9,13 +9,18 @@
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/key_tools.h"
+#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-// A row's name was clicked: its joints are selected.
+// A row's name was clicked: its joints are selected, or its object.
 void ClickName(Editor* editor, const SheetRow& row) {
+  if (row.object.is_valid()) {
+    editor->Do("select.joints", {{"joints", Json::array()}});
+    return SelectObject(editor, row.object);
+  }
   std::vector<std::string> names;
   for (const JointIndex j : row.hinges) names.push_back(editor->session().figure().joint(j).name);
   if (row.kind == RowKind::kSummary) return;
@@ -60,6 +65,8 @@ SheetPopup PopupOf(BarKind kind) {
       return SheetPopup::kRegion;
     case BarKind::kPlacement:
       return SheetPopup::kPlacement;
+    case BarKind::kHolder:
+      return SheetPopup::kHolder;
     case BarKind::kHold:
       break;
   }
@@ -113,14 +120,13 @@ void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& h
   if (hit.part == SheetPart::kBar || IsEnd(hit.part)) {
     ChooseBar(editor, layout.bars[hit.index].ref);
     editor->sheet.popup = PopupOf(layout.bars[hit.index].ref.kind);
-  } else if (hit.part == SheetPart::kKey ||
-             layout.frame.tracks.Contains(FromIm(ImGui::GetIO().MousePos))) {
-    if (hit.part == SheetPart::kKey && !layout.keys[hit.index].is_selected) {
-      SelectKeys(editor, KeysOf(layout, layout.keys[hit.index], editor->session().project()),
-                 "replace");
-    }
-    editor->sheet.popup = SheetPopup::kKeys;
+    return;
   }
+  if (hit.part == SheetPart::kKey && !layout.keys[hit.index].is_selected) {
+    SelectKeys(editor, KeysOf(layout, layout.keys[hit.index], editor->session().project()),
+               "replace");
+  }
+  RightClickSheet(editor, layout.frame, FromIm(ImGui::GetIO().MousePos));
 }
 
 void ExplainBar(const Project& project, const BarRef& bar) {

@@ -6,6 +6,7 @@
 
 #include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 
 namespace hazumi::ui {
@@ -18,7 +19,8 @@ constexpr double kLane = 9.0, kTallLane = 16.0;  // of several bars, one below t
 constexpr double kHold = 6.0, kTallHold = 15.0;  // bars of holds, at most
 
 bool IsTall(const SheetRow& row) {
-  return row.kind == RowKind::kLimb || row.kind == RowKind::kPlacement;
+  return row.kind == RowKind::kLimb || row.kind == RowKind::kPlacement ||
+         row.kind == RowKind::kObject;
 }
 
 float Px(const DopeSheetLayout& layout, double at_scale_1) {
@@ -31,6 +33,7 @@ class BarList {
   explicit BarList(const edit::Session& session)
       : figure_(session.figure()), project_(session.project()) {
     for (const ProjectRegion& region : project_.regions) held_.push_back(JointsOf(region, figure_));
+    holders_ = edit::AllHolders(project_);
   }
 
   std::vector<RowBar> On(const SheetRow& row) const {
@@ -38,6 +41,12 @@ class BarList {
     if (row.kind == RowKind::kSummary) return bars;
     for (int i = 0; i < NumOf(project_.placements); ++i) {
       if (row.kind == RowKind::kPlacement) bars.push_back({0, {BarKind::kPlacement, i}});
+    }
+    for (int i = 0; i < NumOf(holders_); ++i) {
+      const ProjectHeldObject& object = project_.held_objects[holders_[i].first];
+      if (row.object.is_valid() && row.object == object.identity.id) {
+        bars.push_back({0, {BarKind::kHolder, i}});
+      }
     }
     for (int i = 0; i < NumOf(project_.regions); ++i) AddRegion(row, i, &bars);
     for (int i = 0; i < NumOf(project_.holds); ++i) {
@@ -72,6 +81,7 @@ class BarList {
   const Figure& figure_;
   const Project& project_;
   std::vector<std::vector<bool>> held_;  // by region and joint
+  std::vector<std::pair<int, edit::HolderSpan>> holders_;
 };
 
 // Puts bars that overlap in time into lanes of their own. Returns how many lanes there are.
@@ -239,6 +249,7 @@ SheetHit HitDopeSheet(const DopeSheetLayout& layout, const edit::Session& sessio
   if (frame.ruler.Contains(p)) return {SheetPart::kRuler};
   const int marker = MarkerAt(session, frame, p);
   if (marker >= 0) return {SheetPart::kMarker, marker};
+  if (frame.markers.Contains(p)) return {SheetPart::kRuler};
   if (!frame.names.Contains(p) && !frame.tracks.Contains(p)) return {};
   for (int row = 0; row < static_cast<int>(layout.rows.size()); ++row) {
     const Rect& rect = layout.row_rects[row];

@@ -8,7 +8,7 @@
 
 namespace hazumi::ui {
 
-enum class RowKind { kSummary, kPlacement, kLimb, kJoint, kCurve };
+enum class RowKind { kSummary, kPlacement, kLimb, kJoint, kCurve, kObject };
 
 // A row of the dope sheet: the curves whose keys it shows.
 struct SheetRow {
@@ -21,6 +21,7 @@ struct SheetRow {
   std::vector<JointIndex> hinges = {};
   // What a region of this row names: "r_shoulder+"; empty for rows that hold no joints.
   std::vector<std::string> refs = {};
+  ItemId object = {};  // whose row it is
 };
 // Of placement, or a curve of the root.
 bool IsOfRoot(const SheetRow& row);

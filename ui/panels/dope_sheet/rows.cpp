@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/object_curves.h"
 #include "ui/edit/operators/root_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/outliner/limbs.h"
@@ -22,6 +23,7 @@ class RowList {
     AddSummary();
     AddPlacement();
     for (const Limb& limb : LimbsOf(figure_)) AddLimb(limb);
+    for (const ProjectHeldObject& object : session_.project().held_objects) AddObject(object);
     return std::move(rows_);
   }
 
@@ -47,6 +49,14 @@ class RowList {
       if (is_open)
         rows_.push_back({RowKind::kCurve, name, name.substr(5), 1, false, false, {name}});
     }
+  }
+
+  void AddObject(const ProjectHeldObject& object) {
+    if (state_.only_selected) return;
+    SheetRow row{RowKind::kObject, "held " + object.name, object.name};
+    row.object = object.identity.id;
+    for (int axis = 0; axis < 3; ++axis) row.curves.push_back(edit::NameOfCurve(object, axis));
+    rows_.push_back(std::move(row));
   }
 
   bool IsShown(const std::string& curve) const {
@@ -129,7 +139,10 @@ std::string NameOfRegion(const std::vector<const SheetRow*>& rows) {
 
 }  // namespace
 
-bool IsOfRoot(const SheetRow& row) { return row.kind != RowKind::kSummary && row.hinges.empty(); }
+bool IsOfRoot(const SheetRow& row) {
+  const bool is_other = row.kind == RowKind::kSummary || row.kind == RowKind::kObject;
+  return !is_other && row.hinges.empty();
+}
 
 std::vector<SheetRow> SheetRows(const edit::Session& session, const SheetState& state) {
   return RowList(session, state).Collect();

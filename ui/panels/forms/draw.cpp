@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "engine/base/text.h"
 #include "ui/panels/forms/parts.h"
@@ -20,8 +21,9 @@ namespace {
 using edit::ParameterKind;
 
 constexpr double kLabelWidth = 120.0;
-constexpr size_t kManyOptions = 12;  // from here on a list has a field to filter it
-constexpr size_t kFewWords = 4;      // up to here all are shown at once
+constexpr float kMostHeight = 0.92f;  // of the window
+constexpr size_t kManyOptions = 12;   // from here on a list has a field to filter it
+constexpr size_t kFewWords = 4;       // up to here all are shown at once
 
 void FaintText(const Editor& editor, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(editor.theme().faint_text));
@@ -35,6 +37,7 @@ void DrawWords(const FormState& form, const std::vector<FormOption>& options, Fo
   ImGui::BeginGroup();
   for (size_t i = 0; i < options.size(); ++i) {
     if (i > 0) ImGui::SameLine();
+    const TabStops stops(i == 0);
     if (ImGui::RadioButton(Tr(options[i].label.c_str()), field->text == options[i].value)) {
       const bool takes_back = !field->info.is_required && field->text == options[i].value;
       field->text = takes_back ? "" : options[i].value;
@@ -47,50 +50,77 @@ void DrawWords(const FormState& form, const std::vector<FormOption>& options, Fo
   ImGui::EndGroup();
 }
 
-// The options that are left, below the headings of their limbs; the first one is what Enter takes.
-void DrawOptions(const std::vector<FormOption>& options, bool takes_first, FormField* field) {
+// What a list leaves to choose: a field that need not be given may be emptied again.
+std::vector<FormOption> LeftOf(const std::vector<FormOption>& options, const FormState& form,
+                               const FormField& field) {
+  std::vector<FormOption> left = Filtered(options, form.filter);
+  if (!field.info.is_required && form.filter.empty())
+    left.insert(left.begin(), {"", "(not given)", ""});
+  return left;
+}
+
+int PlaceOf(const std::string& value, const std::vector<FormOption>& options) {
+  const auto found = std::find_if(options.begin(), options.end(),
+                                  [&](const FormOption& o) { return o.value == value; });
+  return found == options.end() ? 0 : static_cast<int>(found - options.begin());
+}
+
+// What is typed leaves fewer options, and Up and Down lead to the one that Enter takes: true.
+bool DrawFilter(const std::vector<FormOption>& options, const FormField& field, Editor* editor) {
+  FormState* form = &editor->dialogs.form;
+  editor->dialogs.takes_arrows = true;
+  const bool is_new = ImGui::IsWindowAppearing();
+  if (is_new) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  const std::string before = form->filter;
+  const bool is_entered = ImGui::InputTextWithHint("##filter", Tr("type to filter"), &form->filter,
+                                                   ImGuiInputTextFlags_EnterReturnsTrue);
+  const std::vector<FormOption> left = LeftOf(options, *form, field);
+  if (is_new) form->at_option = PlaceOf(field.text, left);
+  if (form->filter != before) form->at_option = 0;
+  const int by = (ImGui::IsKeyPressed(kDown) ? 1 : 0) - (ImGui::IsKeyPressed(kUp) ? 1 : 0);
+  const int last = std::max(0, static_cast<int>(left.size()) - 1);
+  form->at_option = std::clamp(form->at_option + by, 0, last);
+  return is_entered;
+}
+
+// The options that are left, below the headings of their limbs. Without a filter arrows lead
+// through them.
+void DrawOptions(const std::vector<FormOption>& left, std::optional<int> at, bool is_entered,
+                 FormField* field) {
   std::string group;
-  for (const FormOption& option : options) {
-    if (option.group != group) ImGui::TextDisabled("%s", Tr(option.group.c_str()));
-    group = option.group;
-    const bool is_chosen = ImGui::Selectable(Tr(option.label.c_str()), option.value == field->text);
-    if (!is_chosen && !takes_first) continue;
-    field->text = option.value;
+  for (int i = 0; i < static_cast<int>(left.size()); ++i) {
+    if (left[i].group != group) ImGui::TextDisabled("%s", Tr(left[i].group.c_str()));
+    group = left[i].group;
+    const bool is_now = left[i].value == field->text, is_at = i == at;
+    const bool is_chosen = ListLine(Tr(left[i].label.c_str()), at ? is_at : is_now);
+    if (is_now && !at) ImGui::SetItemDefaultFocus();
+    if (is_at && (ImGui::IsWindowAppearing() || !ImGui::IsItemVisible())) ImGui::SetScrollHereY();
+    if (!is_chosen && !(is_at && is_entered)) continue;
+    field->text = left[i].value;
     ImGui::CloseCurrentPopup();
     return;
   }
 }
 
-void DrawOpenList(const std::vector<FormOption>& options, FormState* form, FormField* field) {
+void DrawOpenList(const std::vector<FormOption>& options, FormField* field, Editor* editor) {
+  FormState* form = &editor->dialogs.form;
   if (ImGui::IsKeyPressed(kEscape, false)) ImGui::CloseCurrentPopup();
-  bool takes_first = false;
-  if (options.size() > kManyOptions) {
-    if (ImGui::IsWindowAppearing()) {
-      form->filter.clear();
-      ImGui::SetKeyboardFocusHere();
-    }
-    ImGui::SetNextItemWidth(-1.0f);
-    takes_first = ImGui::InputTextWithHint("##filter", Tr("type to filter"), &form->filter,
-                                           ImGuiInputTextFlags_EnterReturnsTrue);
-  } else {
-    form->filter.clear();
-  }
-  if (!field->info.is_required && form->filter.empty() &&
-      ImGui::Selectable(Tr("(not given)"), field->text.empty())) {
-    field->text.clear();
-  }
-  const std::vector<FormOption> left = Filtered(options, form->filter);
+  if (ImGui::IsWindowAppearing()) form->filter.clear();
+  const bool has_filter = options.size() > kManyOptions;
+  const bool is_entered = has_filter && DrawFilter(options, *field, editor);
+  const std::vector<FormOption> left = LeftOf(options, *form, *field);
   if (left.empty()) ImGui::TextDisabled("%s", Tr("Nothing is called so."));
-  DrawOptions(left, takes_first, field);
+  DrawOptions(left, has_filter ? std::optional(form->at_option) : std::nullopt, is_entered, field);
 }
 
-void DrawList(const std::vector<FormOption>& options, FormState* form, FormField* field) {
+void DrawList(const std::vector<FormOption>& options, FormField* field, Editor* editor) {
   const auto now = std::find_if(options.begin(), options.end(),
                                 [&](const FormOption& o) { return o.value == field->text; });
   std::string shown = now == options.end() ? field->text : Tr(now->label.c_str());
   if (shown.empty()) shown = field->info.is_required ? Tr("choose") : Tr("(not given)");
   if (!ImGui::BeginCombo("##list", shown.c_str(), ImGuiComboFlags_HeightLarge)) return;
-  DrawOpenList(options, form, field);
+  DrawOpenList(options, field, editor);
   ImGui::EndCombo();
 }
 
@@ -180,7 +210,7 @@ void DrawField(FormState* form, FormField* field, bool is_alone, Editor* editor)
   } else if (are_words && options.size() <= kFewWords) {
     DrawWords(*form, options, field, *editor);
   } else if (!options.empty()) {
-    DrawList(options, form, field);
+    DrawList(options, field, editor);
   } else if (!IsTyped(field->info)) {
     ImGui::TextDisabled("%s", Tr("There is none in the project."));
   } else {
@@ -224,6 +254,7 @@ void DrawRow(const FormRow& row, FormState* form, bool has_focus, Editor* editor
   }
 }
 
+// The keyboard begins at the first field.
 void DrawRows(FormState* form, Editor* editor) {
   bool has_focus = editor->dialogs.just_opened, was_main = true;
   for (const FormRow& row : RowsOf(form)) {
@@ -233,10 +264,22 @@ void DrawRows(FormState* form, Editor* editor) {
       ImGui::TextDisabled("%s", Tr("Optional"));
     }
     was_main = is_main;
-    const bool is_typed = IsTyped(row.fields.front()->info);
-    DrawRow(row, form, has_focus && is_typed, editor);
-    has_focus &= !is_typed;
+    DrawRow(row, form, has_focus, editor);
+    has_focus = false;
   }
+}
+
+// What the window has no room for is scrolled to: the buttons below stay in it.
+void DrawScrolledRows(FormState* form, Editor* editor) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float below = HeightOfError(form->error) + ImGui::GetFrameHeight() +
+                      3.0f * style.ItemSpacing.y + style.WindowPadding.y;
+  const float most = kMostHeight * ImGui::GetIO().DisplaySize.y - ImGui::GetCursorPosY() - below;
+  ImGui::BeginChild("##rows", {0.0f, std::clamp(form->height, 1.0f, std::max(1.0f, most))}, false,
+                    ImGuiWindowFlags_NavFlattened);
+  DrawRows(form, editor);
+  form->height = ImGui::GetCursorPosY();
+  ImGui::EndChild();
 }
 
 }  // namespace
@@ -245,7 +288,7 @@ void DrawForm(Editor* editor) {
   FormState& form = editor->dialogs.form;
   FaintText(*editor, HelpOf(form.id));
   ImGui::Spacing();
-  DrawRows(&form, editor);
+  DrawScrolledRows(&form, editor);
   DrawError(form.error, editor->theme());
   ImGui::Spacing();
   const int clicked = DrawButtons(*editor, {{LabelOf(form.id), HelpOf(form.id)},

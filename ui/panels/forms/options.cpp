@@ -105,6 +105,8 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return Spans(project, BarKind::kPlacement, project.placements.size());
     case Thing::kHold:
       return Spans(project, BarKind::kHold, project.holds.size());
+    case Thing::kSelectionSet:
+      return NamesIn(project.selection_sets);
     case Thing::kColor:
     case Thing::kAny:
       break;

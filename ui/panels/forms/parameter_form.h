@@ -25,7 +25,9 @@ struct FormState {
   std::string id;
   std::vector<FormField> fields;  // those that are required go first, then the other main ones
   std::string filter;             // typed into the list that is open
+  int at_option = 0;              // of what the filter leaves: what Enter takes
   std::string error;
+  float height = 0.0f;  // of its rows, when they were drawn last [px]
 };
 
 // Fields that share a line, such as the first and the last frame.

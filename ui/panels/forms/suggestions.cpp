@@ -116,6 +116,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       return project.scene.objects.empty() ? Json() : Json(project.scene.objects.back().name);
     case Thing::kHeldObject:
       return project.held_objects.empty() ? Json() : Json(project.held_objects.back().name);
+    case Thing::kSelectionSet:
+      return project.selection_sets.empty() ? Json() : Json(project.selection_sets.back().name);
     case Thing::kLink:
       return SelectedLink(*session);
     case Thing::kMarker:

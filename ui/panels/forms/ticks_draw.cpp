@@ -46,6 +46,7 @@ void DrawLimb(const std::vector<FormOption>& limb, const Editor& editor, Names* 
     return Has(*names, option.value);
   });
   bool is_all = num_on == static_cast<long>(limb.size());
+  const TabStops stops(false);
   ImGui::PushID(limb.front().group.c_str());
   ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, num_on > 0 && !is_all);
   if (ImGui::Checkbox(Tr(limb.front().group.c_str()), &is_all)) {
@@ -127,7 +128,7 @@ void DrawTicks(const std::vector<FormOption>& options, FormField* field, Editor*
   DrawSummary(*editor, *field, options, &names);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ToIm4(editor->theme().row_odd));
   ImGui::BeginChild("##ticks", {0.0f, lines * line + ImGui::GetStyle().WindowPadding.y * 2.0f},
-                    true);
+                    true, ImGuiWindowFlags_NavFlattened);
   for (const std::vector<FormOption>& group : groups) DrawLimb(group, *editor, &names);
   if (!others.empty()) DrawLimb(others, *editor, &names);
   ImGui::EndChild();

@@ -41,8 +41,28 @@ Limit LimitOf(const MotionLimit& at, const GraphCurve& curve) {
   return {at.q[j] / kDegree, at.qd[j] / kDegree};
 }
 
+// Of an object, from frame i to the next: straight.
+Limit ObjectLimit(const Motion& motion, size_t i, bool is_before, const edit::ObjectCurve& curve) {
+  const auto at = [&](size_t frame) {
+    const std::vector<ObjectPose>& objects = motion.frames[frame].objects;
+    return curve.object < objects.size() ? objects[curve.object].X_WO.p[curve.axis] : 0.0;
+  };
+  const size_t from = is_before && i > 0 ? i - 1 : i;
+  const size_t to = std::min(from + 1, motion.frames.size() - 1);
+  return {at(i), (at(to) - at(from)) * motion.rate.FrameAt(1.0)};
+}
+
+// On the left or right side of frame i of the motion.
+Limit LimitAt(const Motion& motion, size_t i, bool is_before, const GraphCurve& curve) {
+  if (curve.object) return ObjectLimit(motion, i, is_before, *curve.object);
+  const MotionFrame& frame = motion.frames[i];
+  return LimitOf(is_before ? frame.before : frame.after, curve);
+}
+
 // The root's angles have no rates here: straight lines join them.
-bool IsStraight(const GraphCurve& curve) { return !curve.hinge && curve.root_curve >= kRootAngleZ; }
+bool IsStraight(const GraphCurve& curve) {
+  return !curve.hinge && !curve.object && curve.root_curve >= kRootAngleZ;
+}
 
 // Between two frames: the cubic with the values and rates at both.
 double Between(const Limit& a, const Limit& b, double seconds, double s) {
@@ -95,7 +115,8 @@ std::vector<std::string> ShownCurves(const edit::Session& session, const SheetSt
   if (!are_shown) return names;
   names = state.curves;
   std::erase_if(names, [&](const std::string& name) {
-    return !edit::RootCurveNamed(name) && !session.figure().FindJoint(name);
+    return !edit::RootCurveNamed(name) && !session.figure().FindJoint(name) &&
+           !edit::ObjectCurveNamed(name, session.project());
   });
   return names;
 }
@@ -106,7 +127,8 @@ GraphCurve CurveFor(const edit::Session& session, const std::string& name) {
   curve.hinge = session.figure().FindJoint(name);
   const std::vector<std::string> all = edit::CurveNames(session.project());
   const auto found = std::find(all.begin(), all.end(), name);
-  if (!curve.hinge) curve.root_curve = static_cast<int>(found - all.begin());
+  curve.object = edit::ObjectCurveNamed(name, session.project());
+  if (!curve.hinge && !curve.object) curve.root_curve = static_cast<int>(found - all.begin());
   return curve;
 }
 
@@ -119,8 +141,8 @@ void SampleCurve(const edit::Session& session, const Motion& motion, const TimeA
   double last = FirstKey(session, *curve);
   for (size_t i = 0; i + 1 < motion.frames.size(); ++i) {
     const MotionFrame& frame = motion.frames[i];
-    Limit a = LimitOf(frame.after, *curve);
-    Limit b = LimitOf(motion.frames[i + 1].before, *curve);
+    Limit a = LimitAt(motion, i, false, *curve);
+    Limit b = LimitAt(motion, i + 1, true, *curve);
     if (IsStraight(*curve)) {
       a.value = last = NearTo(last, a.value);
       b.value = last = NearTo(last, b.value);
@@ -144,8 +166,8 @@ void RatesAt(const Motion& motion, const GraphCurve& curve, GraphKey* key) {
   if (motion.frames.empty()) return;
   const int i = static_cast<int>(std::lround(key->frame)) - motion.frames.front().frame;
   if (i < 0 || i >= static_cast<int>(motion.frames.size())) return;
-  key->rate_before = LimitOf(motion.frames[i].before, curve).rate;
-  key->rate = LimitOf(motion.frames[i].after, curve).rate;
+  key->rate_before = LimitAt(motion, i, true, curve).rate;
+  key->rate = LimitAt(motion, i, false, curve).rate;
 }
 
 }  // namespace hazumi::ui

@@ -67,12 +67,12 @@ class GraphPainter {
     }
   }
 
-  // Degrees, metres where all are positions of the root, none where they are normalized.
+  // Degrees, metres where all are positions, none where they are normalized.
   const char* Unit() const {
     if (editor_->sheet.normalize) return "";
     bool has_angles = layout_.curves.empty(), has_metres = false;
     for (const GraphCurve& curve : layout_.curves) {
-      const bool is_angle = curve.hinge || curve.root_curve >= kRootAngleZ;
+      const bool is_angle = curve.hinge || (!curve.object && curve.root_curve >= kRootAngleZ);
       (is_angle ? has_angles : has_metres) = true;
     }
     return has_angles && has_metres ? "" : has_angles ? "°" : " m";

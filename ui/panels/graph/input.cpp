@@ -107,7 +107,7 @@ void TakeGraphInput(Editor* editor, const GraphLayout& layout) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     Click(editor, layout, hit, mouse);
   } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    editor->sheet.popup = SheetPopup::kKeys;
+    RightClickSheet(editor, layout.frame, mouse);
   } else {
     Explain(layout, hit);
   }

@@ -5,17 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "ui/edit/operators/object_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
 
-// A curve of the graph. Values are degrees, of root positions metres.
+// A curve of the graph. Values are degrees, of positions metres.
 struct GraphCurve {
   std::string name;
   int color = 0;  // index of CurveColor
   bool is_hidden = false;
-  std::optional<JointIndex> hinge;  // none: of the root
+  std::optional<JointIndex> hinge;
+  std::optional<edit::ObjectCurve> object;  // neither: of the root
   int root_curve = 0;
   // Shown at (value - middle) * stretch: as it is, or normalized to [-1, 1].
   double middle = 0.0, stretch = 1.0;

@@ -1,5 +1,7 @@
 #include "ui/panels/outliner/input.h"
 
+#include "ui/panels/viewport/object_actions.h"
+
 namespace hazumi::ui {
 
 namespace {
@@ -36,6 +38,16 @@ void Switch(Editor* editor, const char* id, const OutlinerRow& row,
   editor->Do(id, {{"joints", {row.name}}, {"on", !is_on}});
 }
 
+ItemId IdOf(const OutlinerRow& row, const Project& project) {
+  const auto find = [&](const auto& items) {
+    const auto item = std::find_if(items.begin(), items.end(),
+                                   [&](const auto& each) { return each.name == row.name; });
+    return item == items.end() ? ItemId() : item->identity.id;
+  };
+  return row.kind == OutlinerRowKind::kHeldObject ? find(project.held_objects)
+                                                  : find(project.scene.objects);
+}
+
 }  // namespace
 
 void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const OutlinerHit& hit,
@@ -57,7 +69,10 @@ void ClickOutliner(Editor* editor, const std::vector<OutlinerRow>& rows, const O
   } else {
     side.active = row.name;
     side.section = Section::kScene;
-    if (row.kind == OutlinerRowKind::kObject) editor->viewport.selected_object = row.name;
+    if (row.kind != OutlinerRowKind::kCamera) {
+      editor->Do("select.joints", {{"joints", Json::array()}});
+      SelectObject(editor, IdOf(row, session.project()));
+    }
   }
   if (click != ClickMode::kExtend) side.anchor = row.name;
 }

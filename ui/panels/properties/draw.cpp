@@ -16,6 +16,8 @@ const char* NameOf(Section section) {
   switch (section) {
     case Section::kPose:
       return "Pose";
+    case Section::kPoses:
+      return "Poses";
     case Section::kRegion:
       return "Region";
     case Section::kScene:
@@ -28,7 +30,7 @@ const char* NameOf(Section section) {
   return "";
 }
 
-// A bent limb, a hatched bar, a box, a sheet of paper, a warning sign.
+// A bent limb, four pictures, a hatched bar, a box, a sheet of paper, a warning sign.
 void DrawIcon(Section section, Point c, float r, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = std::max(1.0f, 0.2f * r);
@@ -40,6 +42,13 @@ void DrawIcon(Section section, Point c, float r, ImU32 color) {
     DrawDot(list, {c.x - 0.5f * r, c.y - r}, 0.3f * r, color);
     DrawDot(list, FromIm(knee), 0.3f * r, color);
     DrawDot(list, {c.x - 0.5f * r, c.y + r}, 0.3f * r, color);
+  } else if (section == Section::kPoses) {
+    for (const float x : {-1.0f, 0.15f}) {
+      for (const float y : {-1.0f, 0.15f}) {
+        list->AddRect({c.x + x * r, c.y + y * r}, {c.x + (x + 0.85f) * r, c.y + (y + 0.85f) * r},
+                      color, 1.0f, 0, line);
+      }
+    }
   } else if (section == Section::kRegion) {
     const Rect bar = {c.x - r, c.y - 0.6f * r, 2.0f * r, 1.2f * r};
     DrawHatch(list, bar, color);
@@ -92,6 +101,8 @@ void DrawSection(Editor* editor) {
   switch (editor->side.section) {
     case Section::kPose:
       return DrawPoseSection(editor);
+    case Section::kPoses:
+      return DrawPosesSection(editor);
     case Section::kRegion:
       return DrawRegionSection(editor);
     case Section::kScene:

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/text/number_text.h"
@@ -21,10 +22,11 @@ namespace {
 RowParts BeginRow(Editor* editor, const std::string& label, bool has_button) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect row = {at.x, at.y, ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
-  const RowParts parts = PartsOfRow(row, has_button, editor->settings.scale);
-  const Rect& place = parts.label;
   const ImVec2 size = ImGui::CalcTextSize(label.c_str());
-  const float x = std::max(place.x, place.right() - size.x);
+  const RowParts parts = PartsOfRow(row, size.x, has_button, editor->settings.scale);
+  const Rect& place = parts.label;
+  const bool is_above = place.y < parts.field.y;
+  const float x = is_above ? place.x : std::max(place.x, place.right() - size.x);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({place.x, place.y}, {place.right(), place.bottom()}, true);
   list->AddText({x, place.y + 0.5f * (place.h - size.y)}, ToIm(editor->theme().text, 0.85f),
@@ -259,11 +261,34 @@ void DrawFact(Editor* editor, const std::string& label, const std::string& text)
   ImGui::PopTextWrapPos();
 }
 
+namespace {
+
+// On as many lines as it needs.
+std::string Wrapped(const char* text, float width) {
+  std::string lines;
+  const char* end = text + std::strlen(text);
+  while (text < end) {
+    const char* rest = ImGui::GetFont()->CalcWordWrapPositionA(1.0f, text, end, width);
+    lines.append(text, std::max(rest, text + 1));
+    text = std::max(rest, text + 1);
+    while (*text == ' ') ++text;
+    if (text < end) lines += '\n';
+  }
+  return lines;
+}
+
+}  // namespace
+
 bool DrawButton(const char* label, const char* help, int share) {
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float gap = style.ItemSpacing.x;
   const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
   const auto count = static_cast<float>(share);
-  const bool is_clicked = ImGui::Button(label, {(room - gap * (count - 1.0f)) / count, 0.0f});
+  const float text = 1.0f + ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
+  const float width = std::max((room - gap * (count - 1.0f)) / count, std::min(text, room));
+  if (std::floor(width) > std::ceil(ImGui::GetContentRegionAvail().x)) ImGui::NewLine();
+  const bool is_clicked =
+      ImGui::Button(Wrapped(label, width - 2.0f * style.FramePadding.x).c_str(), {width, 0.0f});
   Tooltip(help);
   return is_clicked;
 }

@@ -54,7 +54,8 @@ void DrawColor(
     const std::function<void(const std::string& value, const std::string& drag)>& submit);
 // A text that cannot be changed.
 void DrawFact(Editor* editor, const std::string& label, const std::string& text);
-// True if a button the width of the panel, or of its share, was clicked.
+// True if a button the width of the panel, or of its share, was clicked. One whose label needs more
+// takes it; what then has no room beside it is a line below.
 bool DrawButton(const char* label, const char* help, int share = 1);
 
 }  // namespace hazumi::ui

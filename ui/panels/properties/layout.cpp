@@ -6,23 +6,23 @@
 #include <map>
 
 #include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/edits.h"
 #include "ui/panels/text/catalogue.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-constexpr int kSections = 5;
+constexpr int kSections = 6;
 
 float Whole(double x) { return static_cast<float>(std::round(x)); }
 
 bool IsSelected(const JointGroup& joint, const Figure& figure,
-                const std::set<std::string>& selected, bool wholly) {
-  int count = 0;
+                const std::set<std::string>& selected) {
   for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
-    count += selected.contains(figure.joints()[j].name) ? 1 : 0;
+    if (selected.contains(figure.joints()[j].name)) return true;
   }
-  return wholly ? count == joint.size : count > 0;
+  return false;
 }
 
 std::string WithNumbers(const char* format, const std::vector<int>& numbers) {
@@ -54,22 +54,25 @@ std::optional<Section> TabAt(const PropertiesLayout& layout, Point p) {
   return std::nullopt;
 }
 
-RowParts PartsOfRow(const Rect& row, bool has_button, double scale) {
+RowParts PartsOfRow(const Rect& row, float text, bool has_button, double scale) {
   const float gap = Whole(6.0 * scale), button = has_button ? row.h : 0.0f;
-  const float label = Whole(0.4 * row.w);
+  const float least = Whole(60.0 * scale), column = Whole(0.4 * row.w);
+  const bool is_below = text > std::max(column, row.w - gap - least - button);
+  const float label = is_below ? column : std::max(column, std::ceil(text));
+  const float y = is_below ? row.bottom() : row.y;
   RowParts parts;
-  parts.label = {row.x, row.y, label, row.h};
-  parts.field = {row.x + label + gap, row.y, std::max(1.0f, row.w - label - gap - button), row.h};
-  parts.button = {parts.field.right(), row.y, button, row.h};
+  parts.label = {row.x, row.y, is_below ? row.w : label, row.h};
+  parts.field = {row.x + label + gap, y, std::max(1.0f, row.w - label - gap - button), row.h};
+  parts.button = {parts.field.right(), y, button, row.h};
   return parts;
 }
 
 std::optional<GroupIndex> ActiveJoint(const Figure& figure, const std::set<std::string>& selected,
                                       const std::string& active) {
   const std::optional<GroupIndex> wanted = figure.FindGroup(active);
-  if (wanted && IsSelected(figure.group(*wanted), figure, selected, false)) return wanted;
+  if (wanted && IsSelected(figure.group(*wanted), figure, selected)) return wanted;
   for (size_t i = 0; i < figure.groups().size(); ++i) {
-    if (IsSelected(figure.groups()[i], figure, selected, false)) {
+    if (IsSelected(figure.groups()[i], figure, selected)) {
       return GroupIndex(static_cast<int>(i));
     }
   }
@@ -111,17 +114,8 @@ std::vector<std::string> NamesOf(const std::vector<JointRef>& joints) {
 std::vector<std::string> WithSelected(const std::vector<std::string>& joints, const Figure& figure,
                                       const std::set<std::string>& selected) {
   std::vector<std::string> all = joints;
-  const auto add = [&](const std::string& name) {
+  for (const std::string& name : edit::JointNames(selected, figure)) {
     if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
-  };
-  for (const JointGroup& joint : figure.groups()) {
-    if (IsSelected(joint, figure, selected, true)) {
-      add(joint.name);
-      continue;
-    }
-    for (int j = joint.first.value(); j <= joint.last().value(); ++j) {
-      if (selected.contains(figure.joints()[j].name)) add(figure.joints()[j].name);
-    }
   }
   return all;
 }

@@ -24,7 +24,9 @@ std::optional<Section> TabAt(const PropertiesLayout& layout, Point p);
 struct RowParts {
   Rect label, field, button;
 };
-RowParts PartsOfRow(const Rect& row, bool has_button, double scale);
+// `text`: the label's width. One that is wider than its column takes room from the field, and where
+// that would leave too little of it the field is a line below.
+RowParts PartsOfRow(const Rect& row, float text, bool has_button, double scale);
 
 // The joint that is shown: the one that was clicked last if any of it is selected, else the first
 // selected one; none if nothing is.

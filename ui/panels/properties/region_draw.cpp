@@ -157,7 +157,7 @@ void DrawEnergy(Editor* editor, const EnergyBalance& energy) {
   row("Kinetic energy", energy.kinetic_end - energy.kinetic_start);
   row("Potential energy", energy.potential_end - energy.potential_start);
   for (const EnergyBalance::Work& work : energy.laws) row("By " + work.law, work.joules);
-  row("By stops", energy.stops);
+  row("By limits", energy.limits);
   row("By keyed joints", energy.keyed);
   row("Unexplained", energy.residual());
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/holders.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
@@ -113,17 +114,39 @@ void DrawRelease(Editor* editor, const ProjectHeldObject& object, const SetItem&
               });
 }
 
+// Who has it later, and what can be done in the current frame.
+void DrawHolders(Editor* editor, const ProjectHeldObject& object) {
+  const long revision = editor->session().document().revision();
+  const auto all = edit::AllHolders(editor->session().project());
+  for (size_t i = 0; i < all.size(); ++i) {
+    const auto& [of, span] = all[i];
+    if (span.number < 0 || editor->session().project().held_objects[of].name != object.name)
+      continue;
+    if (!DrawSpan(editor, {BarKind::kHolder, static_cast<int>(i)})) return;
+    if (editor->session().document().revision() != revision) return;
+  }
+  const Json of = {{"object", object.name}};
+  if (DrawButton(LabelOf("held.let_go"), HelpOf("held.let_go"), 2)) editor->Do("held.let_go", of);
+  ImGui::SameLine();
+  if (DrawButton(LabelOf("held.pass"), HelpOf("held.pass"), 2)) editor->Do("held.pass", of);
+  if (DrawButton(LabelOf("held.key"), HelpOf("held.key"), 2)) editor->Do("held.key", of);
+  ImGui::SameLine();
+  if (DrawButton(Tr("Remove"), HelpOf("held.remove"), 2)) editor->Do("held.remove", of);
+}
+
 void DrawHeldObject(Editor* editor, const ProjectHeldObject& object) {
   ImGui::PushID(object.name.c_str());
+  const bool is_selected = editor->viewport.selected_object == object.identity.id;
+  if (is_selected && editor->side.shown_object != object.identity.id) ImGui::SetNextItemOpen(true);
+  if (is_selected) editor->side.shown_object = object.identity.id;
   const bool is_open = ImGui::TreeNodeEx(
-      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                               (is_selected ? ImGuiTreeNodeFlags_Selected : 0));
   if (is_open) {
     const SetItem set = SetBy(editor, "held.set", {{"object", object.name}});
-    DrawFieldRows(editor, object, {}, set);
-    DrawRelease(editor, object, set);
-    if (DrawButton(Tr("Remove"), HelpOf("held.remove"))) {
-      editor->Do("held.remove", {{"object", object.name}});
-    }
+    DrawFieldRows(editor, object, {"release"}, set);
+    if (!object.joint.empty()) DrawRelease(editor, object, set);
+    DrawHolders(editor, object);
   }
   ImGui::PopID();
 }

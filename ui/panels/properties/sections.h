@@ -6,6 +6,7 @@ namespace hazumi::ui {
 
 // Each fills the panel of properties with a section. To be called inside its window.
 void DrawPoseSection(Editor* editor);
+void DrawPosesSection(Editor* editor);
 void DrawRegionSection(Editor* editor);
 void DrawSceneSection(Editor* editor);
 void DrawProjectSection(Editor* editor);

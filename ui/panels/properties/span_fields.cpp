@@ -1,5 +1,6 @@
 #include "ui/panels/properties/span_fields.h"
 
+#include "ui/edit/operators/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
 
@@ -61,6 +62,14 @@ void DrawSpanFields(Editor* editor) {
     if (!drag.empty()) change["drag"] = drag;
     Set(editor, change);
   };
+  if (bar->kind == BarKind::kHolder) {
+    const auto [index, span] = edit::AllHolders(project)[bar->index];
+    const ProjectHeldObject object = project.held_objects[index];
+    if (span.number >= 0) {
+      return DrawFieldRows(editor, ProjectHolder(object.holders[span.number]), {}, set);
+    }
+    return DrawRowsOf({"joint", "offset_?", "release"}, editor, object, set);
+  }
   if (bar->kind == BarKind::kPlacement) {
     const ProjectPlacement span = project.placements[bar->index];
     DrawPlacement(editor, span);

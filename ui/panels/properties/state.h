@@ -9,7 +9,7 @@
 namespace hazumi::ui {
 
 // What the properties show.
-enum class Section { kPose, kRegion, kScene, kProject, kProblems };
+enum class Section { kPose, kPoses, kRegion, kScene, kProject, kProblems };
 
 // A number that is being typed into a field: it counts when it is confirmed.
 struct TypedField {
@@ -25,8 +25,9 @@ struct SideState {
   std::string anchor;            // the row that was clicked last; Shift+click selects from there
   std::string active;            // joint, root, object or camera that the properties show
   Section section = Section::kPose;
-  ItemId region;  // that the properties show; if there is none, one at the frame
-  int drags = 0;  // so far, so that each has a name of its own
+  ItemId region;        // that the properties show; if there is none, one at the frame
+  ItemId shown_object;  // whose fields were opened last because it was selected
+  int drags = 0;        // so far, so that each has a name of its own
   std::optional<TypedField> typed;
 };
 

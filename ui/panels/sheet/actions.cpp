@@ -9,6 +9,7 @@
 #include "ui/panels/graph/layout.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/key_tools.h"
+#include "ui/panels/sheet/marker.h"
 
 namespace hazumi::ui::sheet {
 
@@ -72,6 +73,24 @@ Result<Done> Delete(Editor* editor, const Parameters&) {
 Result<Done> MarkRegion(Editor* editor, const Parameters&) {
   editor->sheet.kind = SheetKind::kDopeSheet;
   editor->Take(MakePaintRegion(editor, editor->mouse));
+  return Done();
+}
+
+Result<Done> Rename(Editor* editor, const Parameters&) {
+  const Project& project = editor->session().project();
+  const auto marker =
+      std::find_if(project.markers.begin(), project.markers.end(),
+                   [&](const ProjectMarker& m) { return m.frame == editor->session().frame(); });
+  if (marker != project.markers.end()) {
+    OpenMarker(editor, static_cast<int>(marker - project.markers.begin()));
+    return Done();
+  }
+  const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
+  if (!bar || bar->kind != BarKind::kRegion) {
+    return Error{ErrorCode::kSchema, "", "",
+                 Tr("There is no marker on this frame; go to one, or click the bar of a region.")};
+  }
+  editor->sheet.popup = SheetPopup::kRegion;
   return Done();
 }
 

@@ -39,5 +39,7 @@ void DrawCornerToggle(ImDrawList* list, const Editor& editor, const Rect& corner
 void NavigateTime(Editor* editor, const SheetFrame& frame);
 // Clicks on the ruler and the markers; true if there was one.
 bool ClickRuler(Editor* editor, const SheetFrame& frame, Point mouse);
+// The right button opens what can be done with a marker, or else with keys.
+void RightClickSheet(Editor* editor, const SheetFrame& frame, Point mouse);
 
 }  // namespace hazumi::ui

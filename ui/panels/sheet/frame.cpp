@@ -96,6 +96,11 @@ const FlightMark* FlightMarkAt(const std::vector<FlightMark>& marks, Point p, do
   return nullptr;
 }
 
+Rect MarkerName(const ProjectMarker& marker, const SheetFrame& frame) {
+  const float left = frame.axis.XOf(marker.frame) + static_cast<float>(7.0 * frame.scale);
+  return {left, frame.markers.y, static_cast<float>(160.0 * frame.scale), frame.markers.h};
+}
+
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p) {
   if (!frame.markers.Contains(p)) return -1;
   const std::vector<ProjectMarker>& markers = session.project().markers;

@@ -54,7 +54,9 @@ struct FlightMark {
 std::vector<FlightMark> FlightMarks(const std::vector<Flight>& flights, const SheetFrame& frame);
 const FlightMark* FlightMarkAt(const std::vector<FlightMark>& marks, Point p, double scale);
 
-// The marker under a point, or -1.
+// Where the name of a marker is written.
+Rect MarkerName(const ProjectMarker& marker, const SheetFrame& frame);
+// The marker whose sign is under a point, or -1.
 int MarkerAt(const edit::Session& session, const SheetFrame& frame, Point p);
 
 }  // namespace hazumi::ui

@@ -8,6 +8,7 @@
 #include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
+#include "ui/panels/sheet/marker.h"
 #include "ui/panels/timeline/flight_text.h"
 
 namespace hazumi::ui {
@@ -33,7 +34,7 @@ void DrawEvent(ImDrawList* list, const EventMark& mark, float r, ImU32 color) {
       return list->AddTriangleFilled({c.x, c.y + r}, {c.x - r, c.y - r}, {c.x + r, c.y - r}, color);
     case EventKind::kApex:
       return list->AddCircle(c, r, color, 12, 1.5f);
-    case EventKind::kStop:
+    case EventKind::kLimit:
       return list->AddRectFilled({c.x - 1.0f, c.y - r}, {c.x + 1.0f, c.y + r}, color);
     case EventKind::kPinChange:
     case EventKind::kRelease:
@@ -62,8 +63,8 @@ const char* Describe(EventKind kind) {
       return "Landing";
     case EventKind::kPinChange:
       return "Pin changes";
-    case EventKind::kStop:
-      return "Joint hits its stop";
+    case EventKind::kLimit:
+      return "Joint hits its limit";
     case EventKind::kRelease:
       return "Object is let go";
   }
@@ -157,8 +158,7 @@ void DrawMarkers(ImDrawList* list, const Editor& editor, const SheetFrame& frame
     const ImVec2 c = {frame.axis.XOf(marker.frame), frame.markers.y + 0.5f * frame.markers.h};
     list->AddTriangleFilled({c.x, c.y - 4.5f * s}, {c.x + 4.5f * s, c.y + 4.0f * s},
                             {c.x - 4.5f * s, c.y + 4.0f * s}, color);
-    const Rect text = {c.x + 7.0f * s, frame.markers.y, 160.0f * s, frame.markers.h};
-    DrawLabel(list, text, marker.name, color);
+    DrawLabel(list, MarkerName(marker, frame), marker.name, color);
   }
 }
 
@@ -258,8 +258,10 @@ void NavigateTime(Editor* editor, const SheetFrame& frame) {
 
 bool ClickRuler(Editor* editor, const SheetFrame& frame, Point mouse) {
   if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return false;
-  const int marker = MarkerAt(editor->session(), frame, mouse);
-  if (marker >= 0) {
+  const int marker = MarkerUnder(*editor, frame, mouse);
+  if (marker >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    OpenMarker(editor, marker);
+  } else if (marker >= 0) {
     editor->Take(MakeMoveMarker(editor, mouse, marker));
   } else if (frame.ruler.Contains(mouse) || frame.markers.Contains(mouse)) {
     editor->Take(MakeScrub(editor, mouse));
@@ -267,6 +269,12 @@ bool ClickRuler(Editor* editor, const SheetFrame& frame, Point mouse) {
     return false;
   }
   return true;
+}
+
+void RightClickSheet(Editor* editor, const SheetFrame& frame, Point mouse) {
+  const int marker = MarkerUnder(*editor, frame, mouse);
+  if (marker >= 0) return OpenMarker(editor, marker);
+  if (frame.tracks.Contains(mouse)) editor->sheet.popup = SheetPopup::kKeys;
 }
 
 }  // namespace hazumi::ui

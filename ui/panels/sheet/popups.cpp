@@ -1,14 +1,14 @@
 // Small windows over the sheets: interpolation, handles, keys, and what bars stand for.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/properties/span_fields.h"
+#include "ui/panels/sheet/marker.h"
+#include "ui/panels/sheet/name_field.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
@@ -27,8 +27,12 @@ const char* IdOf(SheetPopup popup) {
       return "##placement";
     case SheetPopup::kHold:
       return "##hold";
+    case SheetPopup::kHolder:
+      return "##holder";
     case SheetPopup::kKeys:
       return "##keys";
+    case SheetPopup::kMarker:
+      return "##marker";
     case SheetPopup::kNone:
       break;
   }
@@ -94,14 +98,6 @@ const ProjectRegion* ChosenRegion(const Editor& editor) {
   return bar && bar->kind == BarKind::kRegion ? &project.regions[bar->index] : nullptr;
 }
 
-void NameField(Editor* editor, const ProjectRegion& region) {
-  std::array<char, 128> text{};
-  std::strncpy(text.data(), region.name.c_str(), text.size() - 1);
-  ImGui::InputText("##name", text.data(), text.size());
-  if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == '\0' || region.name == text.data()) return;
-  editor->Do("region.set", {{"region", region.name}, {"name", text.data()}});
-}
-
 void FrictionSlider(Editor* editor, const ProjectRegion& region) {
   auto factor = static_cast<float>(region.friction.default_factor);
   const std::string name = region.name;
@@ -120,7 +116,9 @@ void RegionItems(Editor* editor) {
   Title(Tr("Dynamics region"));
   ImGui::PushItemWidth(12.0f * ImGui::GetFontSize());
   ImGui::TextUnformatted(Tr("Name"));
-  NameField(editor, *region);
+  if (const auto name = NameField(editor, region->name)) {
+    editor->Do("region.set", {{"region", region->name}, {"name", *name}});
+  }
   region = ChosenRegion(*editor);
   if (region) {
     ImGui::TextUnformatted(Tr("Friction: speed left"));
@@ -141,19 +139,23 @@ void RegionItems(Editor* editor) {
 
 void SpanItems(Editor* editor, SheetPopup popup) {
   const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
-  const bool is_hold = popup == SheetPopup::kHold;
-  if (!bar || bar->kind != (is_hold ? BarKind::kHold : BarKind::kPlacement)) {
-    return ImGui::CloseCurrentPopup();
-  }
-  Title(Tr(is_hold ? "Held joint" : "Placement"));
+  struct Texts {
+    BarKind kind;
+    const char *title, *remove;
+  };
+  const Texts texts =
+      popup == SheetPopup::kHold     ? Texts{BarKind::kHold, "Held joint", "hold.remove"}
+      : popup == SheetPopup::kHolder ? Texts{BarKind::kHolder, "Holder", "held.remove_holder"}
+                                     : Texts{BarKind::kPlacement, "Placement", "placement.remove"};
+  if (!bar || bar->kind != texts.kind) return ImGui::CloseCurrentPopup();
+  Title(Tr(texts.title));
   ImGui::Dummy({18.0f * ImGui::GetFontSize(), 0.0f});
   DrawSpanFields(editor);
   ImGui::Separator();
-  const char* remove = is_hold ? "hold.remove" : "placement.remove";
-  if (ImGui::MenuItem(LabelOf(remove), KeyOf("sheet.delete", Json::object()).c_str())) {
+  if (ImGui::MenuItem(LabelOf(texts.remove), KeyOf("sheet.delete", Json::object()).c_str())) {
     (void)RemoveChosenBar(editor);
   }
-  Tooltip(HelpOf(remove));
+  Tooltip(HelpOf(texts.remove));
 }
 
 void Items(Editor* editor, SheetPopup popup) {
@@ -168,9 +170,12 @@ void Items(Editor* editor, SheetPopup popup) {
       return RegionItems(editor);
     case SheetPopup::kPlacement:
     case SheetPopup::kHold:
+    case SheetPopup::kHolder:
       return SpanItems(editor, popup);
     case SheetPopup::kKeys:
       return KeyItems(editor);
+    case SheetPopup::kMarker:
+      return DrawMarkerItems(editor);
     case SheetPopup::kNone:
       break;
   }
@@ -183,7 +188,8 @@ void DrawSheetPopups(Editor* editor) {
   if (wanted != SheetPopup::kNone) ImGui::OpenPopup(IdOf(wanted));
   wanted = SheetPopup::kNone;
   using enum SheetPopup;
-  for (const SheetPopup popup : {kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys}) {
+  for (const SheetPopup popup :
+       {kInterpolation, kHandles, kRegion, kPlacement, kHold, kHolder, kKeys, kMarker}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
     Items(editor, popup);
     ImGui::EndPopup();

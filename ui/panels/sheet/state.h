@@ -14,11 +14,23 @@ namespace hazumi::ui {
 enum class SheetKind { kDopeSheet, kGraph };
 
 // Small windows that a key opens at the mouse.
-enum class SheetPopup { kNone, kInterpolation, kHandles, kRegion, kPlacement, kHold, kKeys };
+enum class SheetPopup {
+  kNone,
+  kInterpolation,
+  kHandles,
+  kRegion,
+  kPlacement,
+  kHold,
+  kHolder,
+  kKeys,
+  kMarker
+};
 
-// What a bar of the dope sheet stands for: a region, what places the figure, a held joint.
-enum class BarKind { kRegion, kPlacement, kHold };
-// One of them, by its index in the project's list of them: until something is edited.
+// What a bar of the dope sheet stands for: a region, what places the figure, a held joint, who
+// holds an object.
+enum class BarKind { kRegion, kPlacement, kHold, kHolder };
+// One of them, by its index in the project's list of them (of holders, in that of all objects'):
+// until something is edited.
 struct BarRef {
   BarKind kind = BarKind::kRegion;
   int index = 0;
@@ -45,6 +57,7 @@ struct SheetState {
   std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
   bool only_selected = false;        // rows of the selected joints alone
   std::optional<BarId> bar;          // that was clicked last
+  ItemId marker;                     // that its small window is about
   Rect rect;                         // where it was drawn last [px]
 
   // The graph.

@@ -5,6 +5,7 @@
 
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/figure.h"
+#include "ui/panels/viewport/solids.h"
 
 namespace hazumi::ui {
 
@@ -25,6 +26,11 @@ void Extend(const Box& box, Eigen::AlignedBox3d* bounds) {
   const Vec3 reach = Vec3::Constant(box.half_size.norm());
   bounds->extend(box.X_WB.p - reach);
   bounds->extend(box.X_WB.p + reach);
+}
+
+void Extend(const Ball& ball, Eigen::AlignedBox3d* bounds) {
+  bounds->extend(ball.center - Vec3::Constant(ball.radius));
+  bounds->extend(ball.center + Vec3::Constant(ball.radius));
 }
 
 Result<Done> Look(Editor* editor, const Eigen::AlignedBox3d& bounds, double least_radius) {
@@ -49,9 +55,9 @@ Result<Done> FrameSelected(Editor* editor) {
   Eigen::AlignedBox3d bounds;
   for (const GroupIndex joint : SelectedJoints(session)) bounds.extend(figure->CenterOf(joint));
   if (session.is_root_selected()) bounds.extend(figure->frame().X_WR.p);
-  for (const SceneObject& object : session.animation()->scene) {
-    const Box* box = std::get_if<Box>(&object.shape);
-    if (box && object.name == editor->viewport.selected_object) Extend(*box, &bounds);
+  const std::vector<Solid> solids = SolidsOf(&session, *figure);
+  if (const Solid* solid = FindSolid(editor->viewport.selected_object, solids)) {
+    std::visit([&](const auto& shape) { Extend(shape, &bounds); }, solid->shape);
   }
   if (bounds.isEmpty()) Extend(*figure, &bounds);
   constexpr double kLeast = 0.3;  // [m]: a joint with what is around it

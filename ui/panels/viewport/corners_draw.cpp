@@ -2,9 +2,12 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/viewport/layout.h"
 #include "ui/panels/viewport/marks.h"
+#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/scene.h"
 #include "ui/panels/window/widgets.h"
 
@@ -27,14 +30,17 @@ std::string ViewName(const Editor& editor) {
 }
 
 struct Toggle {
-  const char* name;  // of view.overlay
+  const char* name;  // of view.overlay; empty: it is the live mirror
   const char* label;
   const char* help;
   bool is_on;
 };
 
-std::vector<Toggle> TogglesOf(const ViewportOverlays& o) {
+std::vector<Toggle> TogglesOf(const Editor& editor) {
+  const ViewportOverlays& o = editor.viewport.overlays;
   return {
+      {"", "Mirror", "Poses both sides at once", editor.mirrors_poses},
+      {"skin", "Skin", "The figure's skin, or the capsules that it is computed with", o.skin},
       {"paths", "Paths", "Paths of hands, feet and the centre of mass, a dot each frame", o.paths},
       {"ghosts", "Ghosts", "The figure some frames before and after", o.ghosts},
       {"marks", "Marks", "Where the figure is pinned", o.marks},
@@ -45,9 +51,11 @@ std::vector<Toggle> TogglesOf(const ViewportOverlays& o) {
 
 void DrawToggle(Editor* editor, const Toggle& toggle, const Rect& rect) {
   ImGui::SetCursorScreenPos({rect.x, rect.y});
-  ImGui::PushID(toggle.name);
+  ImGui::PushID(toggle.label);
   if (ImGui::InvisibleButton("##toggle", {rect.w, rect.h})) {
-    editor->Do("view.overlay", {{"name", toggle.name}});
+    const bool is_overlay = toggle.name[0] != '\0';
+    is_overlay ? editor->Do("view.overlay", {{"name", toggle.name}})
+               : editor->Do("pose.live_mirror");
   }
   const bool is_hovered = ImGui::IsItemHovered();
   Tooltip(Tr(toggle.help));
@@ -62,25 +70,41 @@ void DrawToggle(Editor* editor, const Toggle& toggle, const Rect& rect) {
                     ToIm(colors::kWhite, toggle.is_on ? 1.0f : 0.6f), Tr(toggle.label));
 }
 
-}  // namespace
-
-void DrawToggles(Editor* editor, const Rect& rect) {
-  const double scale = editor->settings.scale;
-  const std::vector<Toggle> toggles = TogglesOf(editor->viewport.overlays);
+std::vector<Rect> RectsOf(const std::vector<Toggle>& toggles, const Rect& viewport, double scale) {
   std::vector<float> widths;
   widths.reserve(toggles.size());
   for (const Toggle& toggle : toggles) {
     widths.push_back(ImGui::CalcTextSize(Tr(toggle.label)).x + static_cast<float>(14.0 * scale));
   }
   const float height = ImGui::GetTextLineHeight() + static_cast<float>(6.0 * scale);
-  const std::vector<Rect> rects = LayOutToggles(rect, widths, height, scale);
+  return LayOutToggles(viewport, widths, height, scale);
+}
+
+// The upper edge of a text so wide in the upper left corner: below the buttons that are in its way.
+float TopOfCaption(const Editor& editor, const Rect& viewport, float edge, float width) {
+  float top = viewport.y + edge;
+  const std::vector<Toggle> toggles = TogglesOf(editor);
+  for (const Rect& toggle : RectsOf(toggles, viewport, editor.settings.scale)) {
+    const bool is_in_way = toggle.x < viewport.x + 2.0f * edge + width;
+    if (is_in_way) top = std::max(top, toggle.bottom() + 0.5f * edge);
+  }
+  return top;
+}
+
+}  // namespace
+
+void DrawToggles(Editor* editor, const Rect& rect) {
+  const std::vector<Toggle> toggles = TogglesOf(*editor);
+  const std::vector<Rect> rects = RectsOf(toggles, rect, editor->settings.scale);
   for (size_t i = 0; i < toggles.size(); ++i) DrawToggle(editor, toggles[i], rects[i]);
 }
 
 void DrawCaption(const Editor& editor, const Rect& rect) {
   const float edge = static_cast<float>(10.0 * editor.settings.scale);
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  DrawText({rect.x + edge, rect.y + edge}, ViewName(editor).c_str());
+  const std::string first = ViewName(editor);
+  const float top = TopOfCaption(editor, rect, edge, ImGui::CalcTextSize(first.c_str()).x);
+  DrawText({rect.x + edge, top}, first.c_str());
   std::string second = std::string(Tr("Frame")) + " " + std::to_string(FrameShown(editor));
   const std::vector<GroupIndex> joints = SelectedJoints(editor.session());
   if (editor.session().is_root_selected()) {
@@ -88,10 +112,8 @@ void DrawCaption(const Editor& editor, const Rect& rect) {
   } else if (joints.size() == 1) {
     second += "   " + editor.session().figure().group(joints[0]).name;
   }
-  if (joints.empty() && !editor.viewport.selected_object.empty()) {
-    second += "   " + editor.viewport.selected_object;
-  }
-  DrawText({rect.x + edge, rect.y + edge + line}, second.c_str());
+  if (joints.empty()) second += "   " + NameOfSelectedObject(editor);
+  DrawText({rect.x + edge, top + line}, second.c_str());
 }
 
 void DrawAxisCross(const Editor& editor, const View& view) {

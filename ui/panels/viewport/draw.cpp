@@ -2,7 +2,9 @@
 
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/marks.h"
+#include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/scene.h"
+#include "ui/panels/viewport/swivel_handle.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/widgets.h"
 
@@ -62,14 +64,24 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
   const ViewportState& state = editor->viewport;
   const double scale = editor->settings.scale;
   DrawPathTicks(*editor, view);
-  const std::vector<SceneObject>& scene = editor->session().animation()->scene;
-  DrawSelectedObject(*editor, view, scene);
+  const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
+  DrawSelectedObject(*editor, view, solids);
   DrawJointMarks(*editor, view, *figure);
   const auto gizmo =
       GizmoOf(view, editor->session(), *figure, state.active_hinge, state.overlays.limits, scale);
   const auto hovered = gizmo && has_mouse ? GizmoAt(view, mouse, *gizmo, scale) : std::nullopt;
   if (gizmo) DrawGizmo(*editor, view, *gizmo, hovered);
-  if (has_mouse && !hovered) DrawHovered(*editor, view, *figure, scene, mouse);
+  if (const auto handle = SwivelHandleOf(editor->session(), *figure)) {
+    DrawSwivelHandle(*editor, view, *handle);
+  }
+  if (has_mouse && !hovered) DrawHovered(*editor, view, *figure, solids, mouse);
+}
+
+void DrawBox(const std::optional<Rect>& box) {
+  if (!box) return;
+  const ImVec2 from = {box->x, box->y}, to = {box->right(), box->bottom()};
+  Canvas()->AddRectFilled(from, to, ToIm(colors::kWhite, 0.1f));
+  Canvas()->AddRect(from, to, ToIm(colors::kWhite, 0.6f));
 }
 
 }  // namespace
@@ -93,8 +105,10 @@ void DrawViewport(Editor* editor, const Rect& rect) {
   ImGui::InvisibleButton("##scene", {rect.w, rect.h},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   ActOnViewport(editor, rect);
-  EndPanel();
+  DrawBox(editor->viewport.box);
   ImGui::PopStyleVar();
+  DrawViewportPopups(editor);
+  EndPanel();
 }
 
 }  // namespace hazumi::ui

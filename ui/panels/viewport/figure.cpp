@@ -7,16 +7,6 @@
 
 namespace hazumi::ui {
 
-namespace {
-
-std::optional<GroupIndex> ParentOf(GroupIndex joint, const Figure& figure) {
-  const JointIndex parent = figure.joint(figure.group(joint).first).parent;
-  if (!parent.is_valid()) return std::nullopt;
-  return figure.joint(parent).group;
-}
-
-}  // namespace
-
 PosedFigure::PosedFigure(const Figure& figure, const MotionFrame& frame,
                          const std::set<std::string>& hidden)
     : figure_(&figure),
@@ -33,6 +23,12 @@ PosedFigure::PosedFigure(const Figure& figure, const MotionFrame& frame,
 hazumi::Pose PosedFigure::PoseOf(JointIndex hinge) const {
   if (!hinge.is_valid()) return frame_->X_WR;
   return {ws_.body(hinge).R, ws_.body(hinge).p};
+}
+
+Vec3 PosedFigure::MiddleOf(const std::vector<GroupIndex>& joints) const {
+  Vec3 sum = Vec3::Zero();
+  for (const GroupIndex joint : joints) sum += CenterOf(joint);
+  return sum / static_cast<double>(joints.size());
 }
 
 Vec3 PosedFigure::LimbOf(GroupIndex joint) const {
@@ -78,14 +74,16 @@ std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex 
   return chosen.empty() ? all : chosen;
 }
 
+std::vector<GroupIndex> TurnableJoints(const edit::Session& session) {
+  std::vector<GroupIndex> joints = SelectedJoints(session);
+  std::erase_if(joints, [&](GroupIndex joint) { return TurnableHinges(session, joint).empty(); });
+  return joints;
+}
+
 std::vector<GroupIndex> HandleJoints(const Figure& figure) {
   std::vector<GroupIndex> handles;
   for (int g = 0; g < static_cast<int>(figure.groups().size()); ++g) {
-    const auto parent = ParentOf(GroupIndex(g), figure);
-    const auto next = parent ? ParentOf(*parent, figure) : std::nullopt;
-    if (!next || ChildrenOf(figure.group(*parent).last(), figure).size() > 1) continue;
-    if (ChildrenOf(figure.group(*next).last(), figure).size() == 1)
-      handles.push_back(GroupIndex(g));
+    if (edit::EndsLimb(GroupIndex(g), figure)) handles.push_back(GroupIndex(g));
   }
   return handles;
 }

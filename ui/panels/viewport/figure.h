@@ -23,6 +23,7 @@ class PosedFigure {
   // Of the body moved by a hinge; an invalid one: of the root's.
   hazumi::Pose PoseOf(JointIndex hinge) const;
   Vec3 CenterOf(GroupIndex joint) const { return ws_.body(figure_->group(joint).first).p; }
+  Vec3 MiddleOf(const std::vector<GroupIndex>& joints) const;
   // Of a hinge, unit.
   Vec3 AxisOf(JointIndex hinge) const { return ws_.body(hinge).axis; }
   double angle(JointIndex hinge) const { return frame_->q[hinge.value()]; }  // [rad]
@@ -47,6 +48,9 @@ std::optional<PosedFigure> PoseNow(edit::Session* session);
 std::vector<GroupIndex> SelectedJoints(const edit::Session& session);
 // Of a joint, those that can turn and, if some of its hinges are selected, are.
 std::vector<JointIndex> TurnableHinges(const edit::Session& session, GroupIndex joint);
+
+// Selected joints of which at least one hinge can turn.
+std::vector<GroupIndex> TurnableJoints(const edit::Session& session);
 
 // Joints that inverse kinematics can drag usefully, as two joints or more of a limb carry them and
 // nothing else: hands and feet.

@@ -51,6 +51,17 @@ Gizmo GizmoOfRoot(const View& view, const PosedFigure& figure, double scale) {
   return gizmo;
 }
 
+std::optional<Gizmo> GizmoOfJoints(const View& view, const edit::Session& session,
+                                   const PosedFigure& figure, double scale) {
+  const std::vector<GroupIndex> joints = TurnableJoints(session);
+  if (joints.empty()) return std::nullopt;
+  const Vec3 middle = figure.MiddleOf(joints);
+  const double radius = kRingPx * scale * view.MetresPerPixel(middle);
+  Gizmo gizmo;
+  for (int i = 0; i < 3; ++i) gizmo.rings.push_back({{}, middle, Vec3::Unit(i), radius, i});
+  return gizmo;
+}
+
 }  // namespace
 
 Vec3 GizmoRing::At(double t) const {
@@ -68,7 +79,7 @@ std::optional<Gizmo> GizmoOf(const View& view, const edit::Session& session,
                              double scale) {
   if (session.is_root_selected()) return GizmoOfRoot(view, figure, scale);
   const std::vector<GroupIndex> joints = SelectedJoints(session);
-  if (joints.size() != 1) return std::nullopt;
+  if (joints.size() != 1) return GizmoOfJoints(view, session, figure, scale);
   const std::vector<JointIndex> hinges = TurnableHinges(session, joints[0]);
   if (hinges.empty()) return std::nullopt;
   Gizmo gizmo;

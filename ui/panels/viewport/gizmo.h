@@ -12,10 +12,11 @@ namespace hazumi::ui {
 // A circle about a hinge's axis or an axis of the root, of the same size on the screen wherever it
 // is.
 struct GizmoRing {
-  JointIndex hinge;         // invalid: of the root
-  Vec3 center, axis;        // world [m]
-  double radius;            // [m]
-  int color_axis;           // 0 x, 1 y, 2 z: of the root, or what is nearest in its parent's frame
+  JointIndex hinge;   // invalid: of the root, or of all selected joints
+  Vec3 center, axis;  // world [m]
+  double radius;      // [m]
+  int color_axis;     // 0 x, 1 y, 2 z: of the root or the world, or what is nearest in its parent's
+                      // frame
   Vec3 At(double t) const;  // t: an angle [rad] from anywhere, counter-clockwise about the axis
 };
 
@@ -28,15 +29,15 @@ struct LimitArc {
   Vec3 At(double at_angle) const;  // on the arc
 };
 
-// What turns a joint or the root by the mouse.
+// What turns joints or the root by the mouse.
 struct Gizmo {
   std::vector<GizmoRing> rings;
   std::optional<LimitArc> arc;  // of the active hinge
 };
 
-// Of the root if it is selected, or of the one selected joint; none if there are none or several,
-// or if none of its hinges turns. `active`: the hinge whose limits are shown if it belongs to the
-// joint; else the first.
+// Of the root if it is selected, or of the one selected joint, about its hinges; of several, about
+// the world's axes in their middle. None if nothing that turns is selected. `active`: the hinge
+// whose limits are shown if it belongs to the joint; else the first.
 std::optional<Gizmo> GizmoOf(const View& view, const edit::Session& session,
                              const PosedFigure& figure, const std::string& active, bool with_limits,
                              double scale);
@@ -46,7 +47,7 @@ struct GizmoHit {
   GizmoPart part;
   JointIndex hinge;
   Vec3 at;       // the point of the ring [m]
-  int axis = 0;  // of the root
+  int axis = 0;  // of the root or the world
 };
 // What is under a point: the ends of the arc go before rings, near halves before far ones.
 std::optional<GizmoHit> GizmoAt(const View& view, Point at, const Gizmo& gizmo, double scale);

@@ -95,8 +95,12 @@ std::optional<double> Enter(const Ray& ray, const Box& box) {
   return enter <= leave && enter > 0.0 ? std::optional(enter) : std::nullopt;
 }
 
+std::optional<double> Enter(const Ray& ray, const Ball& ball) {
+  return EnterCapsule(ray, ball.center, ball.center, ball.radius, ball.radius);
+}
+
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
-                    const std::vector<SceneObject>& scene, double scale) {
+                    const std::vector<Solid>& solids, double scale) {
   ViewportHit hit;
   if (const std::optional<GroupIndex> marker = MarkerAt(view, at, figure, scale)) {
     hit.is_marker = true;
@@ -118,12 +122,12 @@ ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
       if (!hit.is_root) hit.joint = joint_of(link);
     }
   }
-  for (const SceneObject& object : scene) {
-    const Box* box = std::get_if<Box>(&object.shape);
-    const std::optional<double> distance = box ? Enter(ray, *box) : std::nullopt;
+  for (const Solid& solid : solids) {
+    const std::optional<double> distance =
+        std::visit([&](const auto& shape) { return Enter(ray, shape); }, solid.shape);
     if (!distance || *distance >= least) continue;
     least = *distance;
-    hit = {{}, object.name, false, false};
+    hit = {{}, solid.id, false, false};
   }
   return hit;
 }

@@ -5,29 +5,32 @@
 
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/figure.h"
+#include "ui/panels/viewport/solids.h"
 
 namespace hazumi::ui {
 
 // Distance along a ray to where it enters a shape [m]; none if it passes by, or begins inside.
 // `X_WJ`: the frame that the look is given in.
-std::optional<double> Enter(const Ray& ray, const Look& look, const hazumi::Pose& X_WJ);
+std::optional<double> Enter(const Ray& ray, const hazumi::Look& look, const hazumi::Pose& X_WJ);
 std::optional<double> Enter(const Ray& ray, const Box& box);
+std::optional<double> Enter(const Ray& ray, const Ball& ball);
 
 // What is under a point of the window.
 struct ViewportHit {
   std::optional<GroupIndex> joint;
-  std::string object;  // of the scene, a box; empty: none
+  ItemId object;  // a box of the scene or a held object; invalid: none
   bool is_root = false;
   bool is_marker = false;  // the mark of the joint or root, not its body
 
-  bool is_anything() const { return joint || is_root || !object.empty(); }
+  bool is_anything() const { return joint || is_root || object.is_valid(); }
 };
 
 inline constexpr float kMarkerReach = 7.0f;  // of a mark, at scale 1 [px]
 
 // The mark of the root or of a joint within reach, or else the body that is nearest to the viewer,
-// or the box. A body belongs to the joint that moves it; those of hidden joints are passed through.
+// or the object. A body belongs to the joint that moves it; those of hidden joints are passed
+// through.
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
-                    const std::vector<SceneObject>& scene, double scale);
+                    const std::vector<Solid>& solids, double scale);
 
 }  // namespace hazumi::ui

@@ -5,6 +5,9 @@
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/hit_test.h"
+#include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/popups.h"
+#include "ui/panels/viewport/swivel_handle.h"
 #include "ui/panels/viewport/tools.h"
 #include "ui/panels/window/widgets.h"
 
@@ -51,8 +54,7 @@ void Click(Editor* editor, const ViewportHit& hit, bool toggles) {
       hit.is_root ? session.is_root_selected() : hit.joint && IsSelected(session, *hit.joint);
   const char* mode = !toggles ? "replace" : is_on ? "remove" : "add";
   editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
-  if (!toggles || !hit.object.empty()) editor->viewport.selected_object = hit.object;
-  if (!hit.object.empty()) editor->side.active = hit.object;
+  if (!toggles || hit.object.is_valid()) SelectObject(editor, hit.object);
   editor->Say("");
 }
 
@@ -74,16 +76,28 @@ std::optional<GizmoHit> GizmoUnder(const Editor& editor, const View& view,
   return gizmo ? GizmoAt(view, at, *gizmo, scale) : std::nullopt;
 }
 
+std::optional<SwivelHandle> SwivelHandleUnder(const Editor& editor, const View& view,
+                                              const PosedFigure& figure, Point at) {
+  const auto handle = SwivelHandleOf(editor.session(), figure);
+  const std::optional<Point> mark = handle ? view.ToWindow(handle->at) : std::nullopt;
+  const double reach = kMarkerReach * editor.settings.scale;
+  const bool is_under = mark && std::hypot(mark->x - at.x, mark->y - at.y) < reach;
+  return is_under ? handle : std::nullopt;
+}
+
 // The left button went down. What becomes of it, a click or a drag, shows later.
 void Press(Editor* editor, const View& view, const PosedFigure& figure) {
   const Point at = FromIm(ImGui::GetIO().MousePos);
   const ViewportHit hit =
-      HitTest(view, at, figure, editor->session().animation()->scene, editor->settings.scale);
-  const bool on_gizmo = GizmoUnder(*editor, view, figure, at).has_value();
-  editor->viewport.press = ViewportPress{at, HandleUnder(hit, figure.figure()), on_gizmo};
+      HitTest(view, at, figure, SolidsOf(&editor->session(), figure), editor->settings.scale);
+  const bool on_swivel = SwivelHandleUnder(*editor, view, figure, at).has_value();
+  const bool on_gizmo = !on_swivel && GizmoUnder(*editor, view, figure, at).has_value();
+  editor->viewport.press =
+      ViewportPress{at, HandleUnder(hit, figure.figure()), on_gizmo, on_swivel, hit.object};
 }
 
-// The button is down: a ring or a limit that is pulled turns its hinge, a handle drags its limb.
+// The button is down: a ring or a limit that is pulled turns its hinge, a handle drags its limb,
+// and an object that was selected before is moved.
 void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
   const ViewportPress press = *editor->viewport.press;
   const Point at = FromIm(ImGui::GetIO().MousePos);
@@ -93,8 +107,15 @@ void Pull(Editor* editor, const View& view, const PosedFigure& figure) {
     const auto part = GizmoUnder(*editor, view, figure, press.at);
     if (!part) return;
     if (part->part != GizmoPart::kRing) return TakeLimitTool(editor, *part);
-    if (!part->hinge.is_valid()) return TakeRootRingTool(editor, *part, {press.at});
+    if (editor->session().is_root_selected()) return TakeRootRingTool(editor, *part, {press.at});
     return TakeRingTool(editor, *part, {press.at});
+  }
+  if (press.object.is_valid() && press.object == editor->viewport.selected_object) {
+    (void)TakeMoveObjectTool(editor, HeldFrom{press.at});
+  }
+  if (press.on_swivel) {
+    const auto handle = SwivelHandleUnder(*editor, view, figure, press.at);
+    if (handle) return TakeSwivelTool(editor, *handle, {press.at});
   }
   if (press.handle.empty()) return;
   editor->Do("select.joints", {{"joints", Json::array({press.handle})}});
@@ -116,10 +137,15 @@ void ActOnViewport(Editor* editor, const Rect& rect) {
   if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     Press(editor, view, *figure);
   }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    OpenViewportPopup(editor,
+                      HitTest(view, FromIm(ImGui::GetIO().MousePos), *figure,
+                              SolidsOf(&editor->session(), *figure), editor->settings.scale));
+  }
   if (!state.press) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return Pull(editor, view, *figure);
   const ViewportHit hit = HitTest(view, state.press->at, *figure,
-                                  editor->session().animation()->scene, editor->settings.scale);
+                                  SolidsOf(&editor->session(), *figure), editor->settings.scale);
   state.press.reset();
   Click(editor, hit, ImGui::GetIO().KeyShift);
 }

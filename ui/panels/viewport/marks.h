@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/viewport/gizmo.h"
+#include "ui/panels/viewport/solids.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -8,9 +9,8 @@ namespace hazumi::ui {
 // Each draws something on top of the picture of the scene.
 void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& figure);
 void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figure,
-                 const std::vector<SceneObject>& scene, Point mouse);
-void DrawSelectedObject(const Editor& editor, const View& view,
-                        const std::vector<SceneObject>& scene);
+                 const std::vector<Solid>& solids, Point mouse);
+void DrawSelectedObject(const Editor& editor, const View& view, const std::vector<Solid>& solids);
 void DrawPathTicks(const Editor& editor, const View& view);
 void DrawGizmo(const Editor& editor, const View& view, const Gizmo& gizmo,
                const std::optional<GizmoHit>& hovered);

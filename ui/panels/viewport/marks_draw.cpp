@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/marks.h"
@@ -53,9 +55,10 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
 }
 
 void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figure,
-                 const std::vector<SceneObject>& scene, Point mouse) {
-  const ViewportHit hit = HitTest(view, mouse, figure, scene, editor.settings.scale);
-  std::string name = hit.object;
+                 const std::vector<Solid>& solids, Point mouse) {
+  const ViewportHit hit = HitTest(view, mouse, figure, solids, editor.settings.scale);
+  const Solid* solid = FindSolid(hit.object, solids);
+  std::string name = solid ? solid->name : "";
   if (hit.joint) name = figure.figure().group(*hit.joint).name;
   if (hit.is_root) name = figure.figure().root_name();
   if (name.empty()) return;
@@ -73,23 +76,43 @@ void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figu
   Canvas()->AddText({x, y}, ToIm(colors::kWhite), name.c_str());
 }
 
-void DrawSelectedObject(const Editor& editor, const View& view,
-                        const std::vector<SceneObject>& scene) {
-  for (const SceneObject& object : scene) {
-    const Box* box = std::get_if<Box>(&object.shape);
-    if (!box || object.name != editor.viewport.selected_object) continue;
-    const auto corner = [&](int i) {
-      const Vec3 sign(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
-      return view.ToWindow(box->X_WB * Vec3(sign.cwiseProduct(box->half_size)));
-    };
-    for (int i = 0; i < 8; ++i) {
-      for (int bit = 1; bit < 8; bit *= 2) {
-        const auto a = corner(i), b = corner(i | bit);
-        if ((i & bit) || !a || !b) continue;
-        Canvas()->AddLine(ToIm(*a), ToIm(*b), ToIm(colors::kSelected), Px(editor, 1.5));
-      }
+static void DrawOutline(const Editor& editor, const View& view, const Box& box) {
+  const auto corner = [&](int i) {
+    const Vec3 sign(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+    return view.ToWindow(box.X_WB * Vec3(sign.cwiseProduct(box.half_size)));
+  };
+  for (int i = 0; i < 8; ++i) {
+    for (int bit = 1; bit < 8; bit *= 2) {
+      const auto a = corner(i), b = corner(i | bit);
+      if ((i & bit) || !a || !b) continue;
+      Canvas()->AddLine(ToIm(*a), ToIm(*b), ToIm(colors::kSelected), Px(editor, 1.5));
     }
   }
+}
+
+// The circle across the view; a little wider than the ball, so that it is seen around a small one.
+static void DrawOutline(const Editor& editor, const View& view, const Ball& ball) {
+  const Vec3& back = view.back();
+  const Vec3 right = ball.radius * back.unitOrthogonal(), up = back.cross(right);
+  constexpr int kCorners = 48;
+  std::vector<ImVec2> circle;
+  const std::optional<Point> center = view.ToWindow(ball.center);
+  for (int i = 0; i < kCorners && center; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCorners;
+    const auto at = view.ToWindow(ball.center + std::cos(angle) * right + std::sin(angle) * up);
+    if (!at) return;
+    const float dx = at->x - center->x, dy = at->y - center->y;
+    const float wider = 1.0f + Px(editor, 2.0) / std::max(1.0f, std::hypot(dx, dy));
+    circle.push_back({center->x + wider * dx, center->y + wider * dy});
+  }
+  Canvas()->AddPolyline(circle.data(), static_cast<int>(circle.size()), ToIm(colors::kSelected),
+                        ImDrawFlags_Closed, Px(editor, 1.8));
+}
+
+void DrawSelectedObject(const Editor& editor, const View& view, const std::vector<Solid>& solids) {
+  const Solid* solid = FindSolid(editor.viewport.selected_object, solids);
+  if (!solid) return;
+  std::visit([&](const auto& shape) { DrawOutline(editor, view, shape); }, solid->shape);
 }
 
 void DrawPathTicks(const Editor& editor, const View& view) {

@@ -1,9 +1,10 @@
-// G and the handles: moves a joint by inverse kinematics, or an object. And the ends of limits.
+// G and the handles: moves a joint by inverse kinematics. And the ends of limits.
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/spatial/degrees.h"
+#include "ui/edit/operators/limb_chain.h"
 #include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/tools.h"
 
@@ -13,27 +14,30 @@ namespace {
 
 class ReachTool : public PointMoveTool {
  public:
-  using PointMoveTool::PointMoveTool;
+  ReachTool(Editor* editor, GroupIndex joint, const Vec3& from, std::optional<HeldFrom> held)
+      : PointMoveTool(editor, editor->session().figure().group(joint).name, from, held),
+        keep_turned_(edit::IsFoot(joint, editor->session().figure())) {}
 
  private:
   bool Place(Editor* editor, const Vec3& offset) override {
     const Vec3 to = from() + offset;
     return Run(editor, "pose.reach",
-               {{"joint", name()}, {"x", to.x()}, {"y", to.y()}, {"z", to.z()}});
+               {{"joint", name()},
+                {"x", to.x()},
+                {"y", to.y()},
+                {"z", to.z()},
+                {"keep_turned", keep_turned_}});
   }
-};
-
-class ObjectTool : public PointMoveTool {
- public:
-  using PointMoveTool::PointMoveTool;
-
- private:
-  // The operator adds to where the object is: each time from the beginning.
-  bool Place(Editor* editor, const Vec3& offset) override {
-    TakeBack(editor);
-    return Run(editor, "object.move",
-               {{"object", name()}, {"x", offset.x()}, {"y", offset.y()}, {"z", offset.z()}});
+  bool TakeKey(const Chord& chord) override {
+    if (chord != Chord{'F'}) return false;
+    keep_turned_ = !keep_turned_;
+    return true;
   }
+  std::string MoreHint() const override {
+    return std::string("   F: ") + Tr(keep_turned_ ? "let it turn" : "keep how it is turned");
+  }
+
+  bool keep_turned_;
 };
 
 class LimitTool : public DragTool {
@@ -87,17 +91,6 @@ bool IsOnRoot(const std::vector<GroupIndex>& joints, const edit::Session& sessio
   return joints.size() == 1 && !figure.joint(figure.group(joints[0]).first).parent.is_valid();
 }
 
-Result<Done> TakeObjectTool(Editor* editor) {
-  const std::string& name = editor->viewport.selected_object;
-  for (const ProjectSceneObject& object : editor->session().project().scene.objects) {
-    const auto* box = std::get_if<ProjectBox>(&object.shape);
-    if (object.name != name || !box) continue;
-    editor->Take(std::make_unique<ObjectTool>(editor, name, box->center_m, std::nullopt));
-    return Done();
-  }
-  return Error{ErrorCode::kSchema, "", "", "nothing is selected: click on a joint or a box"};
-}
-
 }  // namespace
 
 Result<Done> TakeMoveTool(Editor* editor) {
@@ -105,7 +98,7 @@ Result<Done> TakeMoveTool(Editor* editor) {
   const std::vector<GroupIndex> joints = SelectedJoints(editor->session());
   const bool moves_root =
       editor->session().is_root_selected() || IsOnRoot(joints, editor->session());
-  if (joints.empty() && !moves_root) return TakeObjectTool(editor);
+  if (joints.empty() && !moves_root) return TakeMoveObjectTool(editor, std::nullopt);
   if (moves_root && PoseNow(&editor->session())) {
     TakeRootMoveTool(editor, std::nullopt);
     return Done();
@@ -117,9 +110,8 @@ Result<Done> TakeMoveTool(Editor* editor) {
   if (!figure) {
     return Error{ErrorCode::kSemantics, "", "", "the project cannot be animated as it is"};
   }
-  const std::string name = figure->figure().group(joints[0]).name;
   editor->Take(
-      std::make_unique<ReachTool>(editor, name, figure->CenterOf(joints[0]), std::nullopt));
+      std::make_unique<ReachTool>(editor, joints[0], figure->CenterOf(joints[0]), std::nullopt));
   return Done();
 }
 
@@ -127,7 +119,7 @@ void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held) {
   const auto figure = PoseNow(&editor->session());
   const auto group = editor->session().figure().FindGroup(joint);
   if (!figure || !group) return;
-  editor->Take(std::make_unique<ReachTool>(editor, joint, figure->CenterOf(*group), held));
+  editor->Take(std::make_unique<ReachTool>(editor, *group, figure->CenterOf(*group), held));
 }
 
 void TakeLimitTool(Editor* editor, const GizmoHit& end) {

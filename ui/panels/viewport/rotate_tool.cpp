@@ -24,12 +24,24 @@ JointIndex Nearest(const std::vector<JointIndex>& hinges, const Vec3& direction,
 class RotateTool : public DragTool {
  public:
   RotateTool(Editor* editor, std::vector<GroupIndex> joints)
-      : DragTool(editor, "viewport.rotate ", false), joints_(std::move(joints)) {
+      : DragTool(editor, "viewport.rotate ", false),
+        joints_(std::move(joints)),
+        active_(editor->viewport.active_hinge) {
     ChooseHinges(editor);
   }
   RotateTool(Editor* editor, const GizmoHit& ring, HeldFrom held)
       : DragTool(editor, "viewport.ring ", true), only_(ring.hinge), ring_at_(ring.at) {
     joints_ = {editor->session().figure().joint(ring.hinge).group};
+    ChooseHinges(editor);
+    BeginAt(held.mouse);
+    dial_.BeginAt(held.mouse);
+  }
+  // All of them, by a ring about an axis of the world.
+  RotateTool(Editor* editor, std::vector<GroupIndex> joints, const GizmoHit& ring, HeldFrom held)
+      : DragTool(editor, "viewport.ring ", true),
+        joints_(std::move(joints)),
+        world_axis_(Vec3::Unit(ring.axis)),
+        ring_at_(ring.at) {
     ChooseHinges(editor);
     BeginAt(held.mouse);
     dial_.BeginAt(held.mouse);
@@ -42,20 +54,26 @@ class RotateTool : public DragTool {
   struct Turn {
     std::string name;
     double start_deg, now_deg, lower_deg, upper_deg;
-    double sign;     // 1: it turns counter-clockwise on the screen
+    double sign;     // 1: it turns as the dial does
     bool in_region;  // it swings in this frame: a key does not show
   };
 
   bool Follow(Editor* editor, const ToolInput& input) override;
   void ChooseHinges(Editor* editor);
-  JointIndex HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
-                     const PosedFigure& figure) const;
+  JointIndex HingeOf(const std::vector<JointIndex>& hinges, const PosedFigure& figure) const;
+  Dial DialOf(const View& view, const PosedFigure& figure) const;
+  double SignOf(JointIndex hinge, const PosedFigure& figure, const View& view) const;
+  bool TakeChoice(const Chord& chord);
   void AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure, const View& view);
   bool Apply(Editor* editor, double by_deg);
 
   std::vector<GroupIndex> joints_;
-  std::optional<JointIndex> only_;
-  Vec3 ring_at_ = Vec3::Zero();  // where the ring was taken [m]
+  std::optional<JointIndex> only_;  // whose ring was taken
+  std::optional<Vec3> world_axis_;  // whose ring was taken, of all joints
+  Vec3 ring_at_ = Vec3::Zero();     // where the ring was taken [m]
+  std::string active_;              // the hinge whose limits were shown
+  size_t num_next_ = 0;             // how often the next hinge was asked for
+  bool has_choice_ = false;         // a joint has more than one hinge
   TypedAxis axis_;
   std::vector<Turn> turns_;
   Dial dial_{Point{}};
@@ -66,29 +84,52 @@ class RotateTool : public DragTool {
 // The session stands as it was when the tool was taken.
 void RotateTool::ChooseHinges(Editor* editor) {
   turns_.clear();
+  has_choice_ = false;
   const auto figure = PoseNow(&editor->session());
   if (!figure) return;
   const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
-  Vec3 pivot = Vec3::Zero();
-  for (const GroupIndex joint : joints_) {
-    const Vec3 center = figure->CenterOf(joint);
-    pivot += center / static_cast<double>(joints_.size());
-    const std::vector<JointIndex> hinges = TurnableHinges(editor->session(), joint);
-    if (hinges.empty()) continue;
-    AddTurn(editor, HingeOf(hinges, view.ToViewer(center), *figure), *figure, view);
-  }
-  // A ring seen from its edge is pulled along, not turned around its centre.
-  Dial dial = only_ ? Dial(view, figure->PoseOf(*only_).p, figure->AxisOf(*only_), ring_at_)
-                    : Dial(view.ToWindow(pivot).value_or(Point{}));
-  if (dial.is_tangential() && !turns_.empty()) turns_[0].sign = 1.0;
+  Dial dial = DialOf(view, *figure);
   dial.GoOnFrom(dial_);
   dial_ = dial;
+  for (const GroupIndex joint : joints_) {
+    const std::vector<JointIndex> hinges = TurnableHinges(editor->session(), joint);
+    if (hinges.empty()) continue;
+    has_choice_ |= hinges.size() > 1;
+    AddTurn(editor, HingeOf(hinges, *figure), *figure, view);
+  }
 }
 
-JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges, const Vec3& to_viewer,
+// A ring seen from its edge is pulled along, not turned around its centre.
+Dial RotateTool::DialOf(const View& view, const PosedFigure& figure) const {
+  if (only_) return Dial(view, figure.PoseOf(*only_).p, figure.AxisOf(*only_), ring_at_);
+  const Vec3 middle = figure.MiddleOf(joints_);
+  if (world_axis_) return Dial(view, middle, *world_axis_, ring_at_);
+  return Dial(view.ToWindow(middle).value_or(Point{}));
+}
+
+// Pulled along, a ring turns about its axis, else counter-clockwise on the screen. By a ring of the
+// world all hinges turn the same way about its axis, wherever theirs point.
+double RotateTool::SignOf(JointIndex hinge, const PosedFigure& figure, const View& view) const {
+  const Vec3 axis = figure.AxisOf(hinge);
+  const double along = world_axis_ && axis.dot(*world_axis_) < 0.0 ? -1.0 : 1.0;
+  if (dial_.is_tangential()) return along;
+  const Vec3 center = world_axis_ ? figure.MiddleOf(joints_) : figure.PoseOf(hinge).p;
+  const double facing = world_axis_.value_or(axis).dot(view.ToViewer(center));
+  return facing < 0.0 ? -along : along;
+}
+
+// The one whose limits are shown, else the first; then the others in turn. Or by an axis.
+JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges,
                                const PosedFigure& figure) const {
   if (only_) return *only_;
-  const Vec3 direction = axis_.is_none() ? to_viewer : Vec3(Vec3::Unit(axis_.index()));
+  if (axis_.is_none() && !world_axis_) {
+    size_t first = 0;
+    for (size_t i = 0; i < hinges.size(); ++i) {
+      if (figure.figure().joint(hinges[i]).name == active_) first = i;
+    }
+    return hinges[(first + num_next_) % hinges.size()];
+  }
+  const Vec3 direction = world_axis_ ? *world_axis_ : Vec3(Vec3::Unit(axis_.index()));
   return Nearest(hinges, direction, [&](JointIndex hinge) -> Vec3 {
     const Joint& joint = figure.figure().joint(hinge);
     return axis_.is_own() ? Vec3(joint.X_PJ.R * joint.axis) : figure.AxisOf(hinge);
@@ -99,17 +140,25 @@ void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& fi
                          const View& view) {
   const Joint& joint = figure.figure().joint(hinge);
   const double now = edit::WithoutRoundOff(figure.frame().q[hinge.value()] / kDegree);
-  const double facing = figure.AxisOf(hinge).dot(view.ToViewer(figure.PoseOf(hinge).p));
   turns_.push_back({joint.name, now, now, ShortestDegrees(joint.lower),
-                    ShortestDegrees(joint.upper), facing < 0.0 ? -1.0 : 1.0,
+                    ShortestDegrees(joint.upper), SignOf(hinge, figure, view),
                     figure.frame().in_region[hinge.value()] != 0});
   if (turns_.size() == 1) editor->viewport.active_hinge = joint.name;
+}
+
+// Keys that choose another hinge.
+bool RotateTool::TakeChoice(const Chord& chord) {
+  if (only_ || world_axis_) return false;
+  if (chord != Chord{'R'}) return axis_.Take(chord);
+  if (axis_.is_none()) ++num_next_;
+  axis_ = {};
+  return true;
 }
 
 bool RotateTool::Follow(Editor* editor, const ToolInput& input) {
   if (turns_.empty()) return false;
   for (const Chord& chord : input.keys) {
-    if (typed_.Take(chord) || only_ || !axis_.Take(chord)) continue;
+    if (typed_.Take(chord) || !TakeChoice(chord)) continue;
     TakeBack(editor);
     applied_deg_ = 0.0;
     ChooseHinges(editor);
@@ -145,6 +194,7 @@ std::string RotateTool::hint() const {
     text += std::string("  ") + Tr("at the limit");
   }
   if (turn.in_region) text += std::string("  ") + Tr("a region moves it in this frame");
+  if (has_choice_ && !only_ && !world_axis_) text += std::string("   R: ") + Tr("next hinge");
   return text + KeysHint(Tr("axis, twice: its own"));
 }
 
@@ -156,10 +206,7 @@ Result<Done> TakeRotateTool(Editor* editor) {
     TakeRootTurnTool(editor);
     return Done();
   }
-  std::vector<GroupIndex> joints;
-  for (const GroupIndex joint : SelectedJoints(editor->session())) {
-    if (!TurnableHinges(editor->session(), joint).empty()) joints.push_back(joint);
-  }
+  std::vector<GroupIndex> joints = TurnableJoints(editor->session());
   if (joints.empty()) {
     return Error{ErrorCode::kSchema, "", "", "no joint that turns is selected: click on one"};
   }
@@ -172,7 +219,8 @@ Result<Done> TakeRotateTool(Editor* editor) {
 }
 
 void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held) {
-  editor->Take(std::make_unique<RotateTool>(editor, ring, held));
+  if (ring.hinge.is_valid()) return editor->Take(std::make_unique<RotateTool>(editor, ring, held));
+  editor->Take(std::make_unique<RotateTool>(editor, TurnableJoints(editor->session()), ring, held));
 }
 
 }  // namespace hazumi::ui

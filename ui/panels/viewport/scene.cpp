@@ -73,6 +73,7 @@ std::vector<char> Highlighted(const edit::Session& session) {
 render::Overlays OverlaysOf(const Editor& editor, const Window& window) {
   const ViewportOverlays& wanted = editor.viewport.overlays;
   render::Overlays overlays;
+  overlays.look = LookOf(wanted);
   overlays.ghost_every = wanted.ghosts ? wanted.ghost_every : 0;
   overlays.ghost_first = window.first;
   overlays.ghost_last = window.last;
@@ -96,6 +97,10 @@ std::vector<PathTicks> TicksOf(const render::Scene& scene, const std::vector<siz
 }
 
 }  // namespace
+
+render::FigureLook LookOf(const ViewportOverlays& overlays) {
+  return overlays.skin ? render::FigureLook::kSkin : render::FigureLook::kLinks;
+}
 
 RefinedMotion Refined(const Motion& motion, int first, int last) {
   RefinedMotion refined;
@@ -152,7 +157,7 @@ Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
     paths = Refined(*motion.value(), window.first, window.last);
   }
   const Result<render::FigureSkin> skin =
-      editor->skins.On(session.figure(), session.project().skin.skin);
+      editor->skins.On(session.figure(), session.project().skin.meshes());
   if (!skin.ok()) return skin.error();
   render::MotionScene scene(*session.animation(), *motion.value(), paths.motion,
                             CameraNow(editor->viewport, session.project(), rect),

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/bake/motion.h"
+#include "render/motion/motion_scene.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -11,6 +12,8 @@ namespace hazumi::ui {
 int FrameShown(const Editor& editor);
 // What a picture of this size would depend on now.
 PictureKey KeyNow(const Editor& editor, render::PictureSize size);
+// How the figure is drawn.
+render::FigureLook LookOf(const ViewportOverlays& overlays);
 // The scene as it is now, and where its paths are at each frame.
 struct ViewportScene {
   render::Scene scene;

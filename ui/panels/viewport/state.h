@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "engine/project/item_id.h"
 #include "render/scene/camera.h"
 #include "render/scene/color.h"
 #include "ui/panels/window/geometry.h"
 
 namespace hazumi::ui {
 
-// What the viewport shows beside the figure.
+// What the viewport shows beside the figure, and how the figure looks.
 struct ViewportOverlays {
+  bool skin = true;  // of a figure that has one; else its capsules
   bool paths = true;
   bool ghosts = false;
   int ghost_every = 5;  // frames
@@ -63,9 +65,14 @@ struct ShownPicture {
 // A mouse button that went down on the viewport and has not come up yet.
 struct ViewportPress {
   Point at;
-  std::string handle;     // the joint or root whose handle is under it; empty: none
-  bool on_gizmo = false;  // a ring or the end of a limit is
+  std::string handle;      // the joint or root whose handle is under it; empty: none
+  bool on_gizmo = false;   // a ring or the end of a limit is
+  bool on_swivel = false;  // the handle that turns a limb about its own axis is
+  ItemId object;           // under it
 };
+
+// Small windows that the right button opens: what can be done with what is under the mouse.
+enum class ViewportPopup { kNone, kJoint, kRoot, kObject, kNothing };
 
 struct ViewportState {
   OrbitCamera camera;
@@ -75,9 +82,11 @@ struct ViewportState {
   Rect rect;  // where it was drawn last [px]
   std::optional<ShownPicture> shown;
   long pictures_drawn = 0;
-  std::string selected_object;  // of the scene; empty: none
-  std::string active_hinge;     // whose limits are shown, if its joint is selected
+  ItemId selected_object;    // a box of the scene or a held object; invalid: none
+  std::string active_hinge;  // whose limits are shown, if its joint is selected
   std::optional<ViewportPress> press;
+  std::optional<Rect> box;                     // of a box selection
+  ViewportPopup popup = ViewportPopup::kNone;  // to be opened
   bool had_tool = false;  // when it was drawn last: what the mouse does then is the tool's
   long drags = 0;         // so far: each has a name of its own
 };

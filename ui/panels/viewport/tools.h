@@ -15,17 +15,24 @@ struct HeldFrom {
 
 // Each puts a tool in hand, or says why it cannot.
 
-// Turns the selected joints about the hinge nearest to the view's axis, or to the one typed.
+// Turns the selected joints about the hinge whose limits are shown, else the first one; R again
+// takes the next, a letter the one nearest to that axis.
 Result<Done> TakeRotateTool(Editor* editor);
-// Turns one hinge by its ring.
+// Turns one hinge by its ring, or all selected joints by one of theirs.
 void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
 // Drags the selected joint by inverse kinematics, or the selected object.
 Result<Done> TakeMoveTool(Editor* editor);
+// Moves the selected box, held object in its hand, or held object's keys.
+Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held);
+// A jump from the current frame on, onto the spot under the mouse.
+Result<Done> TakeJumpTool(Editor* editor);
 void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held);
 // Moves the root, with its feet or above them; turns it, or does so by one of its rings.
 void TakeRootMoveTool(Editor* editor, std::optional<HeldFrom> held);
 void TakeRootTurnTool(Editor* editor);
 void TakeRootRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
+// Selects the joints in a rectangle.
+Result<Done> TakeBoxTool(Editor* editor);
 // Drags the end of a limit.
 void TakeLimitTool(Editor* editor, const GizmoHit& end);
 

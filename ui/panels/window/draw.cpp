@@ -16,12 +16,14 @@ Place PlaceOf(const WindowLayout& layout, Point mouse) {
   return Place::kAnywhere;
 }
 
+// Letters do not repeat: they choose.
 std::vector<Chord> PressedKeys(bool with_repeats) {
   const ImGuiIO& io = ImGui::GetIO();
   std::vector<Chord> chords;
   constexpr int kFirst = 32, kEnd = 340;  // what GLFW numbers keys by, modifiers aside
   for (int key = kFirst; key < kEnd; ++key) {
-    if (ImGui::IsKeyPressed(key, with_repeats)) {
+    const bool is_letter = key >= 'A' && key <= 'Z';
+    if (ImGui::IsKeyPressed(key, with_repeats && !is_letter)) {
       chords.push_back({key, io.KeyCtrl, io.KeyShift, io.KeyAlt});
     }
   }

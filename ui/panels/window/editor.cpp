@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
 #include "render/motion/links_skin.h"
+#include "ui/edit/document/changed_frames.h"
 #include "ui/edit/operators/at_frame.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/poses/thumbnails.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/actions.h"
 
@@ -25,17 +28,61 @@ namespace {
 // does not, for a drag ends when it is refused.
 bool IsNewDeed(const std::string& id) { return id != "edit.end_drag" && id != "edit.cancel_drag"; }
 
+bool IsUndoOrRedo(const std::string& id) { return id == "edit.undo" || id == "edit.redo"; }
+
+// The sheet moves as far as it takes to have the frame in its middle, if it does not show it.
+void ShowInSheet(double frame, SheetState* sheet) {
+  if (frame >= sheet->first && frame <= sheet->last) return;
+  const double half = 0.5 * (sheet->last - sheet->first);
+  sheet->first = frame - half;
+  sheet->last = frame + half;
+}
+
+// Nobody sees what is undone or done again on other frames than the current one: there time goes
+// to the first of them, unless it is playing.
+void ShowUndone(const std::string& id, const Project& before, Editor* editor) {
+  edit::Session& session = editor->session();
+  const std::vector<edit::FrameSpan> spans = edit::ChangedFrames(before, session.project());
+  const double now = session.frame();
+  const bool is_seen = std::any_of(spans.begin(), spans.end(), [&](const edit::FrameSpan& span) {
+    return span.first <= now && now <= span.last;
+  });
+  if (spans.empty() || is_seen || editor->playback.is_on()) return;
+  const auto first = std::min_element(
+      spans.begin(), spans.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  session.set_frame(std::clamp<double>(first->first, editor->first_frame(), editor->last_frame()));
+  ShowInSheet(session.frame(), &editor->sheet);
+  const edit::Document& document = session.document();
+  const bool is_undo = id == "edit.undo";
+  const std::string step = *(is_undo ? document.redo_label() : document.undo_label());
+  editor->Say(std::string(LabelOf(id)) + ": " + Tr(step.c_str()) + " (F" +
+              FormatShort(session.frame()) + ")");
+}
+
 }  // namespace
+
+// Of operators that pose one side: the other one too, where that is wanted and nothing else said.
+Json Editor::WithMirror(const std::string& id, Json parameters) const {
+  const edit::Operator* op = mirrors_poses ? edit::FindOperator(id) : nullptr;
+  if (!op || parameters.contains("mirror")) return parameters;
+  const auto is_mirror = [](const auto& info) { return std::string("mirror") == info.name; };
+  if (std::any_of(op->parameters.begin(), op->parameters.end(), is_mirror)) {
+    parameters["mirror"] = true;
+  }
+  return parameters;
+}
 
 Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
   Result<Done> done = Done();
   const Message before = message;
   const long document = session_.document_number();
+  std::optional<Project> undone;
+  if (IsUndoOrRedo(id)) undone = session_.project();
   if (const Action* action = FindAction(id)) {
     const auto checked = edit::Parameters::Check(action->parameters, parameters);
     done = checked.ok() ? action->run(this, checked.value()) : checked.error();
   } else {
-    done = session_.Run(id, parameters);
+    done = session_.Run(id, WithMirror(id, parameters));
   }
   if (!done.ok()) Say(TextOf(done.error(), id), true);
   const bool is_as_before = message.text == before.text;
@@ -43,26 +90,28 @@ Result<Done> Editor::Invoke(const std::string& id, const Json& parameters) {
       document != session_.document_number() || (message.is_error && IsNewDeed(id));
   if (done.ok() && is_as_before && is_of_before) Say("");
   if (done.ok()) Note(id, parameters);
+  if (done.ok() && undone) ShowUndone(id, *undone, this);
   return done;
 }
 
 // A selected object that is gone is not selected, nor one of another document; joints that are
 // selected take its place.
 void Editor::DropObject(const std::string& id) {
-  std::string& selected = viewport.selected_object;
-  if (selected.empty()) return;
-  const auto& objects = session_.project().scene.objects;
-  const bool is_there = std::any_of(objects.begin(), objects.end(),
-                                    [&](const auto& object) { return object.name == selected; });
+  ItemId& selected = viewport.selected_object;
+  if (!selected.is_valid()) return;
+  const Project& project = session_.project();
+  const bool is_there = hazumi::IndexOf(selected, project.scene.objects) >= 0 ||
+                        hazumi::IndexOf(selected, project.held_objects) >= 0;
   const bool is_other = viewport.framed_document != session_.document_number();
   const bool selects_joints = id.starts_with("select.") && !session_.selected_joints().empty();
-  if (!is_there || is_other || selects_joints) selected.clear();
+  if (!is_there || is_other || selects_joints) selected = ItemId();
 }
 
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.
 void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
-  constexpr const char* kPosing[] = {"key.insert", "key.set",    "pose.clear",
-                                     "pose.paste", "pose.reach", "pose.rotate"};
+  constexpr const char* kPosing[] = {"key.insert", "key.set",     "pose.clear", "pose.paste",
+                                     "pose.reach", "pose.rotate", "pose.blend", "pose.breakdown",
+                                     "pose.relax", "pose.push",   "pose.swivel"};
   if (std::find(std::begin(kPosing), std::end(kPosing), id) == std::end(kPosing)) return;
   const double frame = parameters.value("frame", session_.frame());
   std::set<std::string> hinges = session_.selected_joints();
@@ -114,6 +163,7 @@ double Editor::NextDeadline() const {
   }
   if (!ground.is_done()) return 0.0;
   if (flights.is_busy() && !playback.is_on()) return kBakingEvery;
+  if (poses.thumbnails && poses.thumbnails->is_busy()) return kBakingEvery;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]
   if (dialogs.modal != Modal::kNone && !playback.is_on()) return kDialogEvery;
   if (!playback.is_on()) return std::numeric_limits<double>::infinity();
@@ -132,6 +182,7 @@ void Editor::Take(std::unique_ptr<Tool> next) {
 void Editor::DropTool() {
   tool_.reset();
   sheet.box.reset();
+  viewport.box.reset();
   sheet.paint.reset();
 }
 

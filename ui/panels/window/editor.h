@@ -13,6 +13,7 @@
 #include "ui/panels/commands/tool.h"
 #include "ui/panels/dialogs/recovery_state.h"
 #include "ui/panels/dialogs/state.h"
+#include "ui/panels/poses/state.h"
 #include "ui/panels/properties/state.h"
 #include "ui/panels/sheet/state.h"
 #include "ui/panels/text/catalogue.h"
@@ -97,6 +98,8 @@ class Editor {
   render::SkinCache skins;  // of the document
   SheetState sheet;
   SideState side;
+  PosesState poses;
+  bool mirrors_poses = false;  // posing one side poses the other as its mirror image
   RecoveryState recovery;
   DialogsState dialogs;
   GroundWatch ground;
@@ -105,12 +108,14 @@ class Editor {
   Point mouse;  // where a window saw it last [px]
   bool wants_to_quit = false;
   ScenePainter paint_scene;
+  PictureKeeper pictures;
   PictureWriter write_pictures;  // from any thread
 
  private:
   void Note(const std::string& id, const Json& parameters);
   void SayIfSwung(const std::string& id, const Json& parameters);
   void DropObject(const std::string& id);
+  Json WithMirror(const std::string& id, Json parameters) const;
   double UntilNextFrame() const;  // of playback [s]
 
   edit::Session session_;

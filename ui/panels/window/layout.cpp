@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kMenu = 24.0, kStatus = 24.0, kTimeline = 30.0;  // heights at scale 1 [px]
 constexpr double kGap = 4.0;                                      // between panels
+constexpr double kSide = 220.0;     // least width of the side, which its labels need
+constexpr double kMostSide = 0.33;  // of the window's width, for that
 
 float Whole(double x) { return static_cast<float>(std::round(x)); }
 
@@ -24,7 +26,9 @@ WindowLayout LayOutWindow(const Rect& size, const Shares& shares, double scale) 
   const float menu = Whole(kMenu * scale), status = Whole(kStatus * scale);
   const float timeline = Whole(kTimeline * scale), gap = Whole(kGap * scale);
   const float height = std::max(0.0f, size.h - menu - status);
-  const float side = Whole(size.w * shares.side), left = std::max(0.0f, size.w - side - gap);
+  const double least = std::min(kSide * scale, kMostSide * size.w);
+  const float side = Whole(std::max(size.w * shares.side, least));
+  const float left = std::max(0.0f, size.w - side - gap);
   const float sheet = Whole(height * shares.bottom);
   const float top = std::max(0.0f, height - sheet - timeline - gap);
   layout.menu = {0.0f, 0.0f, size.w, menu};

@@ -71,6 +71,7 @@ void ApplyTheme(const Theme& theme, double scale) {
   colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = accent;
   colors[ImGuiCol_SliderGrabActive] = accent;
   colors[ImGuiCol_PlotHistogram] = accent;
+  colors[ImGuiCol_NavHighlight] = accent;
   colors[ImGuiCol_Separator] = ToIm4(theme.line);
   colors[ImGuiCol_ScrollbarBg] = ToIm4(theme.panel);
   colors[ImGuiCol_ScrollbarGrab] = field;

@@ -1,0 +1,98 @@
+// Boxes and held objects in the viewport, and a jump onto one of them, with mouse and keys.
+
+#include "tests/ui/user.h"
+#include "ui/panels/viewport/camera.h"
+#include "ui/panels/viewport/object_actions.h"
+
+namespace hazumi::test {
+namespace {
+
+class Objects : public testing::Test {
+ protected:
+  Objects() : user("", {1280, 800}) {}
+
+  ui::Point InWindow(const Vec3& p) {
+    const ui::ViewportState& state = user.editor().viewport;
+    return ui::ViewOf(state, user.project(), state.rect).ToWindow(p).value();
+  }
+  Vec3 BallNow() { return user.session().ShownFrame().value()->objects[0].X_WO.p; }
+  void Do(const char* id, const edit::Json& parameters) {
+    ASSERT_TRUE(user.editor().Do(id, parameters)) << user.editor().message.text;
+    user.Wait(1);
+  }
+  std::string Selected() { return ui::NameOfSelectedObject(user.editor()); }
+
+  User user;
+};
+
+TEST_F(Objects, ABallOnTheGroundIsClickedAndDraggedToWhereItIsKeyed) {
+  Do("held.add_ball", {{"radius", 0.15}});
+  const Vec3 before = BallNow();
+  user.Click(InWindow(before));
+  EXPECT_EQ(Selected(), "ball");
+  EXPECT_EQ(user.editor().side.section, ui::Section::kScene);
+  const size_t steps = user.num_steps();
+  const ui::Point from = InWindow(before);
+  user.Drag(from, {from.x + 60.0f, from.y});
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  const ui::Point now = InWindow(BallNow());
+  EXPECT_NEAR(now.x, from.x + 60.0f, 2.0f);
+  EXPECT_NEAR(now.y, from.y, 2.0f);
+}
+
+TEST_F(Objects, InAHandItsOffsetIsDraggedAndTheHandStays) {
+  Do("held.add_ball", {{"radius", 0.12}, {"joint", "r_wrist"}});
+  Do("select.object", {{"object", "ball"}});
+  const Vec3 before = BallNow(), offset = user.project().held_objects[0].offset_m;
+  const size_t num_curves = user.project().joints.size();
+  user.MoveTo(InWindow(before));
+  for (const int key : {int{'G'}, int{'X'}, int{'.'}, int{'1'}, int{ui::kEnter}}) user.Press(key);
+  EXPECT_LE((BallNow() - before - Vec3(0.1, 0.0, 0.0)).norm(), 1e-6);
+  EXPECT_NEAR((user.project().held_objects[0].offset_m - offset).norm(), 0.1, 1e-6);
+  EXPECT_EQ(user.project().joints.size(), num_curves);
+}
+
+TEST_F(Objects, WhatIsNotSelectedIsNotDragged) {
+  Do("held.add_ball", {{"radius", 0.15}});
+  const Vec3 before = BallNow();
+  const ui::Point from = InWindow(before);
+  user.Drag(from, {from.x + 60.0f, from.y});
+  EXPECT_EQ(BallNow(), before);
+}
+
+TEST_F(Objects, XTakesTheSelectedOneAway) {
+  Do("held.add_ball", {{"radius", 0.15}});
+  user.Click(InWindow(BallNow()));
+  user.Press('X');
+  EXPECT_TRUE(user.project().held_objects.empty());
+  EXPECT_EQ(Selected(), "");
+}
+
+TEST_F(Objects, JPutsAJumpOntoTheBoxUnderTheMouseInOneStep) {
+  Do("object.add_box",
+     {{"name", "box"}, {"x", 1.2}, {"z", 0.2}, {"size_x", 0.8}, {"size_y", 0.8}, {"size_z", 0.4}});
+  const size_t steps = user.num_steps();
+  user.MoveTo(InWindow(Vec3(0.4, 0.0, 0.0)));
+  user.Press('J');
+  user.MoveTo(InWindow(Vec3(1.2, 0.0, 0.4)));
+  EXPECT_EQ(user.project().placements.size(), 3u) << user.editor().message.text;
+  user.Click(InWindow(Vec3(1.2, 0.0, 0.4)));
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  const Result<const Motion*> motion = user.session().WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  EXPECT_GT(motion.value()->frames.back().X_WR.p.z(), 1.2);
+  EXPECT_NEAR(motion.value()->frames.back().X_WR.p.x(), 1.2, 0.2);
+}
+
+TEST_F(Objects, EscapeTakesTheJumpBack) {
+  const std::string before = user.text();
+  user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
+  user.Press('J');
+  user.MoveTo(InWindow(Vec3(0.8, 0.0, 0.0)));
+  EXPECT_NE(user.text(), before);
+  user.Press(ui::kEscape);
+  EXPECT_EQ(user.text(), before);
+}
+
+}  // namespace
+}  // namespace hazumi::test
