@@ -1,4 +1,5 @@
-"""What the tour tells: a throw, in three poses with a dynamics region between them."""
+"""What the tour tells: a throw, in three poses with a dynamics region between them, and a jump onto
+a box."""
 
 # Angles of the wind-up, of the throw and of the end [degrees], by frame. Within a pose the joints
 # farther out come first: what they turn is not in the way of those that are turned after them.
@@ -14,4 +15,7 @@ REGION = "arms"
 FIRST, LAST = 12, 28  # frames in which the arms swing by themselves
 WRIST_FRICTION = 0.4  # of the right one
 END = 36  # the last frame
+RELEASE = 18  # the frame in which the ball leaves the hand
 NAME = "Tour"
+BOX = {"name": "box", "x": 1.2, "y": 0, "z": 0.2, "size_x": 0.8, "size_y": 0.8, "size_z": 0.4}
+SPOT = (1.21, 0.0)  # where the toes land, on the box [m]

@@ -6,14 +6,15 @@ import signal
 import sys
 import time
 
-from tour_story import END, FIRST, LAST, NAME, POSES, REGION, WRIST_FRICTION
+from tour_story import (BOX, END, FIRST, LAST, NAME, POSES, REGION, RELEASE, SPOT,
+                        WRIST_FRICTION)
 from window_user import User
 
 VIEW = (300, 250)  # somewhere in the viewport, beside the figure
 LAST_FRAME_FIELD = (825, 490)
 SEARCH_JOINTS = (1110, 41)
 FIRST_FOUND = (1100, 85)  # below the root, which is always shown
-SECTIONS = {"pose": (988, 330), "region": (988, 360), "scene": (988, 390), "project": (988, 420)}
+SECTIONS = {"pose": (988, 330), "region": (988, 390), "scene": (988, 420), "project": (988, 450)}
 # Joints of the figure that stands and is seen from the front, and rows of the list of joints.
 IN_VIEW = {"r_elbow": (450, 211), "l_elbow": (519, 211), "r_shoulder": (450, 165),
            "l_shoulder": (519, 165), "chest": (484, 190), "waist": (484, 224)}
@@ -23,6 +24,7 @@ IN_LIST = {"waist": (1040, 85), "chest": (1050, 105), "r_shoulder": (1070, 145),
 AXES = {"flexion": "y", "abduction": "x", "rotation": "z"}
 ROWS = {"right arm": 655, "left arm": 685}  # of the dope sheet
 RULER = 516
+ON_BOX = (484, 366)  # what the middle of the box is seen at, from the front
 
 
 def frame_x(frame):
@@ -122,6 +124,28 @@ class Tour:
         (region,) = self.saved()["regions"]
         assert region["friction"]["joints"] == {"r_wrist": WRIST_FRICTION}, region
 
+    def command(self, name):
+        """By the search for commands, as it is proposed."""
+        user = self.user
+        user.keys("F3")
+        user.type(name)
+        user.keys("Return")
+
+    def ball(self):
+        """Into the hand that is selected; it leaves it on another frame."""
+        user = self.user
+        self.choose("r_wrist")
+        self.command("Add ball")
+        user.looked("add-ball")
+        user.keys("Return")
+        user.did("held.add_ball")
+        user.click(frame_x(RELEASE), RULER)
+        self.command("Let go")
+        user.keys("Return")
+        user.did("held.let_go")
+        (ball,) = self.saved()["held_objects"]
+        assert (ball["joint"], ball["release_frame"]) == ("r_wrist", RELEASE), ball
+
     def toe(self):
         user = self.user
         user.click(frame_x(0), RULER)
@@ -179,6 +203,34 @@ class Tour:
         return self.user.leave()
 
 
+class JumpTour(Tour):
+    def box(self):
+        """Add box, its numbers typed."""
+        user = self.user
+        user.wait("an empty project", lambda: user.title() == "Untitled - Hazumi")
+        self.command("Add box")
+        user.looked("add-box")
+        user.keys("ctrl+a")
+        user.type("\t".join(str(BOX[name]) for name in ("name", "x", "y", "z")))
+        user.keys("Tab")
+        user.type("\t".join(str(BOX[name]) for name in ("size_x", "size_y", "size_z")))
+        user.looked("box-typed")
+        user.keys("Return")
+        user.did("object.add_box")
+
+    def jump(self):
+        """J, and the spot is pointed at."""
+        user = self.user
+        user.move(*VIEW)
+        user.keys("KP_1")
+        user.keys("j")
+        user.click(*ON_BOX)
+        user.did("jump.add")
+        step = user.deeds("jump.add")[-1]
+        assert (step["x"], step["y"]) == SPOT, step
+        self.save_as(self.project)
+
+
 def tour_by_hand(hazumi, out, told):
     """`told`: the project that the tour without a window has saved."""
     out.mkdir(parents=True, exist_ok=True)
@@ -191,8 +243,9 @@ def tour_by_hand(hazumi, out, told):
         steps = [("1-empty", tour.empty)]
         steps += [(f"{i}-pose-F{f}", lambda f=f: tour.pose(f)) for i, f in enumerate(POSES, 2)]
         steps += [("5-region", tour.region), ("6-wrist-friction", tour.wrist),
-                  ("7-pinned-toe", tour.toe), ("8-played", tour.play), ("9-named", tour.rename),
-                  ("10-opened-again", tour.reopen), ("11-rendered", tour.render)]
+                  ("7-ball", tour.ball), ("8-pinned-toe", tour.toe), ("9-played", tour.play),
+                  ("10-named", tour.rename), ("11-opened-again", tour.reopen),
+                  ("12-rendered", tour.render)]
         for name, step in steps:
             begin = time.monotonic()
             try:
@@ -205,6 +258,29 @@ def tour_by_hand(hazumi, out, told):
         said = tour.leave().strip()
     finally:
         user.close()
-    ours, theirs = (json.loads(f.read_text(encoding="utf-8")) for f in (tour.project, told))
-    assert ours == theirs, "by hand it became another project than by operators"
+    check_same(tour.project, told)
     print(f"tour: by hand the same project; {said}; pictures in {out}")
+
+
+def check_same(by_hand, told):
+    ours, theirs = (json.loads(f.read_text(encoding="utf-8")) for f in (by_hand, told))
+    assert ours == theirs, "by hand it became another project than by operators"
+
+
+def jump_by_hand(hazumi, out, told):
+    """`told`: the jump that the tour without a window has saved."""
+    user = User(hazumi, out)
+    try:
+        tour = JumpTour(user, out / "jump.kfa")
+        for name, step in [("13-box", tour.box), ("14-jump", tour.jump)]:
+            try:
+                step()
+            except AssertionError:
+                user.looked("failed")
+                raise
+            user.looked(name)
+        tour.leave()
+    finally:
+        user.close()
+    check_same(tour.project, told)
+    print("tour: by hand the same jump")

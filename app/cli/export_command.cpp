@@ -26,7 +26,7 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.generator = Generator();
   settings.up = options.z_up ? UpAxis::kZ : UpAxis::kY;
   settings.metres_per_unit = options.in_metres ? 1.0 : 0.01;
-  settings.skin = baked.project.skin ? baked.project.skin.skin.get() : &capsules;
+  settings.skin = baked.project.skin ? baked.project.skin.meshes().get() : &capsules;
   settings.timings = options.timings;
   settings.torques = options.torques;
   PrintWarnings(options.files[0], LeftOutOf(baked.animation, settings.format));

@@ -54,6 +54,8 @@ Drawing, with --render and --export to .mp4
                     in degrees                  (the file's, or three-quarter)
   --samples N       samples a pixel, 1 or 4                    (4)
   --threads N       at most 2 are used: one draws, one writes  (2)
+  --body LOOK       skin, capsules, or both: the capsules in a see-through skin;
+                    figures without a skin are capsules        (skin)
   --ghosts N        a translucent figure every N frames        (none)
   --paths           draw the paths of centre of mass, hands, feet and head
   --marks           draw a ring at the pinned joint

@@ -92,6 +92,13 @@ bool IsVideo(std::string_view path) {
   return LowerCase(std::filesystem::path(path).extension().string()) == ".mp4";
 }
 
+std::optional<render::FigureLook> ReadBody(std::string_view text) {
+  using enum render::FigureLook;
+  if (text == "skin") return kSkin;
+  if (text == "capsules") return kLinks;
+  return text == "both" ? std::optional(kLinksInSkin) : std::nullopt;
+}
+
 std::optional<CameraChoice> ReadCamera(std::string_view text) {
   for (const char* side : {"front", "back", "left", "right", "top", "three-quarter"}) {
     if (text == side) return CameraChoice{side};

@@ -19,6 +19,8 @@ std::optional<PictureSize> ReadSize(std::string_view text);
 std::optional<FrameRate> ReadRate(std::string_view text);
 // Whether a file's name is that of a video: .mp4 in any case.
 bool IsVideo(std::string_view path);
+// "skin", "capsules" or "both".
+std::optional<render::FigureLook> ReadBody(std::string_view text);
 // The name of a side, or six or seven numbers.
 std::optional<CameraChoice> ReadCamera(std::string_view text);
 

@@ -186,6 +186,8 @@ constexpr OptionRule kRules[] = {
      }},
     {"--ghosts", kDraw, "give a whole number from 1 to 1000000",
      [](const std::string& text, Options* o) { return KeepInt(text, 1, 1000000, &o->ghosts); }},
+    {"--body", kDraw, "give skin, capsules or both",
+     [](const std::string& text, Options* o) { return Keep(ReadBody(text), &o->body); }},
     {"--paths", kDraw, nullptr, Set<&Options::paths>},
     {"--marks", kDraw, nullptr, Set<&Options::marks>},
     {"--tint", kDraw, nullptr, Set<&Options::tint>},
@@ -320,10 +322,7 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
   }
   static constexpr OptionRule kEditInWindow = {"the editor", kWindow, nullptr,
                                                Choose<Task::kWindow>};
-  if (!chosen) {
-    options->task = Task::kWindow;
-    return kEditInWindow;
-  }
+  if (!chosen) return options->task = Task::kWindow, kEditInWindow;
   Read(app, *chosen, options);
   return *chosen;
 }

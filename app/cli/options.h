@@ -8,6 +8,7 @@
 #include "engine/exchange/import/import_options.h"
 #include "engine/spatial/types.h"
 #include "engine/timeline/animation.h"
+#include "render/motion/motion_scene.h"
 
 namespace hazumi {
 
@@ -58,6 +59,7 @@ struct Options {
   bool paths = false;
   bool marks = false;
   bool tint = false;
+  render::FigureLook body = render::FigureLook::kSkin;
   bool shadow = true;
   bool frame_number = false;
 

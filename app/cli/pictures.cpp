@@ -38,6 +38,7 @@ render::Camera CameraFor(const BakedProject& baked, PictureSize size, const Opti
 
 render::Overlays OverlaysOf(const Options& options) {
   render::Overlays overlays;
+  overlays.look = options.body;
   overlays.ghost_every = options.ghosts;
   overlays.paths = options.paths;
   overlays.contact_marks = options.marks;
@@ -117,7 +118,7 @@ Result<Motion> PathMotion(const BakedProject& baked, const Options& options) {
 
 Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& file) {
   Result<render::FigureSkin> skin =
-      render::SkinCache().On(*baked.animation.figure, baked.project.skin.skin);
+      render::SkinCache().On(*baked.animation.figure, baked.project.skin.meshes());
   if (skin.ok() && skin.value()) PrintWarnings(file, skin.value().model->warnings);
   return skin;
 }

@@ -67,7 +67,7 @@ std::string EnergyText(const EnergyBalance& energy) {
   std::string text = FromTo("kinetic", energy.kinetic_start, energy.kinetic_end) + ", " +
                      FromTo("potential", energy.potential_start, energy.potential_end);
   for (const EnergyBalance::Work& work : energy.laws) text += Work(work.law.c_str(), work.joules);
-  return text + Work("stops", energy.stops) + Work("keys and placement", energy.keyed) +
+  return text + Work("limits", energy.limits) + Work("keys and placement", energy.keyed) +
          Work("unexplained", energy.residual());
 }
 

@@ -11,6 +11,7 @@
 #include "ui/edit/script.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/shell/scripted_editor.h"
+#include "ui/shell/settings_file.h"
 #include "ui/shell/window_shell.h"
 
 namespace hazumi {
@@ -61,6 +62,7 @@ int RunEdits(const Options& options) {
   const PictureSize size = options.size.value_or(PictureSize{1280, 800});
   ui::ScriptedEditor scripted({size.width, size.height});
   scripted.editor().session().set_saves_checked(true);
+  scripted.editor().poses.library.set_path(ui::PosesPath());
   const Result<Done> opened = Open(options, &scripted.editor());
   if (!opened.ok()) return Complain(opened.error());
   const Result<Done> done =

@@ -53,6 +53,7 @@ class CommandLine(InFolder):
                       ["--export", "x.bvh", "--bvh-up", "x", THROW],
                       ["--export", "x.bvh", "--size", "64x48", THROW],
                       ["--export", "x.mp4", "--frames", "40..50", THROW],
+                      ["--render", "o", "--body", "fur", THROW],
                       ["--render", "o", "--camera", "sideways", THROW]):
             done = run(*wrong, cwd=self.folder)
             self.assertEqual((done.returncode, done.stdout), (2, ""), wrong)
@@ -96,8 +97,8 @@ class CommandLine(InFolder):
         self.assertLessEqual(max(map(len, lines)), 80)
         for option in ("render", "bake", "export", "bvh-up", "bvh-unit",
                        "check", "info", "flight", "run", "operators", "frames", "size", "samples",
-                       "camera", "threads", "ghosts", "paths", "marks", "tint", "frame-number", "no-shadow",
-                       "method", "tolerance", "step", "fps", "timings", "torques", "json", "trace"):
+                       "camera", "threads", "body", "ghosts", "paths", "marks", "tint", "frame-number",
+                       "no-shadow", "method", "tolerance", "step", "fps", "timings", "torques", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
 
     def test_method_and_step_go_before_what_the_file_says(self):
@@ -332,6 +333,15 @@ class CommandLine(InFolder):
         for name in (f"frame_{i:04}.png" for i in range(4, 9)):
             self.assertEqual((self.folder / "1" / name).read_bytes(),
                              (self.folder / "16" / name).read_bytes())
+
+    def test_the_body_is_its_skin_unless_the_capsules_are_asked_for(self):
+        pictures = {}
+        for body in ((), ("--body", "skin"), ("--body", "capsules"), ("--body", "both")):
+            folder = self.folder / "-".join(("body", *body))
+            run("--render", folder, "--size", "160x90", "--frames", "4", *body, THROW)
+            pictures[body[-1:]] = (folder / "frame_0004.png").read_bytes()
+        self.assertEqual(pictures[()], pictures[("skin",)])
+        self.assertEqual(len(set(pictures.values())), 3)
 
     def test_flight_finds_the_jump_at_the_frames_that_its_bake_states(self):
         done = run("--flight", "--json", "--fps", "120", JUMP)

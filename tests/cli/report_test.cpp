@@ -43,7 +43,7 @@ RegionReport PaperReport() {
   return report;
 }
 
-// Starts with 3 J, loses 0.5 J to friction and 0.25 J to stops; 0.5 J cannot be explained.
+// Starts with 3 J, loses 0.5 J to friction and 0.25 J to limits; 0.5 J cannot be explained.
 EnergyBalance SomeEnergy() {
   EnergyBalance energy;
   energy.kinetic_start = 1.0;
@@ -51,7 +51,7 @@ EnergyBalance SomeEnergy() {
   energy.potential_start = 2.0;
   energy.potential_end = 1.0;
   energy.laws = {{"friction", -0.5}};
-  energy.stops = -0.25;
+  energy.limits = -0.25;
   energy.keyed = 0.25;
   return energy;
 }
@@ -101,7 +101,7 @@ TEST(ReportText, AccountsForTheEnergy) {
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(
       lines[2],
-      "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, stops -0.25 J, keys and "
+      "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, limits -0.25 J, keys and "
       "placement 0.25 J, unexplained 0.5 J");
 }
 

@@ -56,7 +56,7 @@ double LargestOfASwing(int frames_per_second) {
   BakeOptions options;
   options.output_rate = FrameRate{frames_per_second, 1};
   const Motion motion = BakeOrFail(animation, options);
-  EXPECT_TRUE(EventsOf(motion, EventKind::kStop).empty());
+  EXPECT_TRUE(EventsOf(motion, EventKind::kLimit).empty());
   const std::vector<JointTorques> torques = TorquesOf(animation, motion);
   double largest = 0.0;
   for (size_t i = 0; i + 1 < motion.frames.size(); ++i) {
@@ -131,8 +131,7 @@ TEST(JointTorques, CarryABallUntilItIsLetGo) {
   ball.name = "ball";
   ball.shape = SphereShape{0.05};
   ball.mass = 0.5;
-  ball.holder = GroupOf(animation, "r_wrist");
-  ball.release_frame = 15;
+  ball.holders = {{GroupOf(animation, "r_wrist"), Vec3::Zero(), Holder::kFromTheStart, 15}};
   animation.held_objects.push_back(ball);
   const Motion motion = BakeOrFail(animation);
   const std::vector<JointTorques> with = TorquesOf(animation, motion);

@@ -17,7 +17,7 @@ TEST(LinksSkin, FollowsTheBodies) {
   const Skin skin = SkinOfLinks(figure, 12);
   ASSERT_EQ(skin.meshes.size(), 1u);  // of one colour
   const SkinMesh& mesh = skin.meshes[0];
-  EXPECT_EQ(skin.bones, (std::vector<std::string>{figure.root_name(), "knee", "foot"}));
+  EXPECT_EQ(skin.bones, (std::vector<SkinBone>{figure.root_name(), "knee", "foot"}));
   DynamicsWorkspace ws(figure);
   VecX q(2);
   q << 0.7, -0.4;
@@ -25,7 +25,7 @@ TEST(LinksSkin, FollowsTheBodies) {
   int num_on_foot = 0;
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][0]];
-    if (skin.bones[static_cast<size_t>(bind.bone)] != "foot") continue;
+    if (skin.bones[static_cast<size_t>(bind.bone)].joint != "foot") continue;
     const auto& foot = ws.body(JointIndex(1));
     const Eigen::Vector4d p = bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous();
     const Vec3 p_W = foot.p + foot.R * Vec3(p.head<3>());
