@@ -19,22 +19,27 @@ class FrameDrawer {
 
   // Makes the buffers for pictures of this size; false if the driver cannot.
   bool Resize(PictureSize size);
+  // `framebuffer` has colour and depth.
   void Draw(const Scene& scene, GLuint framebuffer);
 
  private:
   FrameView LookAt(const Scene& scene, const std::vector<BoundingSphere>& casters) const;
-  void UploadSolids(const Scene& scene, SolidKind kind);
+  std::vector<PictureArea> Upload(const Scene& scene, const std::vector<BoundingSphere>& casters);
+  void UploadSolids(const Scene& scene, SolidKind kind, VertexStream& stream);
+  std::vector<PictureArea> CrispAreas(std::vector<PictureArea> edges) const;
   void DrawShadowMap(const ShadowView& shadow);
-  void DrawSolids(const Scene& scene, const FrameView& view, bool as_ghosts);
-  void DrawSurroundings(const Scene& scene, const FrameView& view,
-                        const std::vector<BoundingSphere>& casters);
+  void DrawAround(const std::vector<PictureArea>& crisp, const Scene& scene, const FrameView& view,
+                  GLuint framebuffer);
+  void DrawWithin(const std::vector<PictureArea>& crisp, const Scene& scene, const FrameView& view);
+  void DrawSolids(const Scene& scene, const FrameView& view, SolidKind kind);
+  void DrawSurroundings(const Scene& scene, const FrameView& view);
   void DrawGhosts(const Scene& scene, const FrameView& view);
-  void DrawFlat(const FlatMesh& mesh, bool hidden_by_solids);
+  void DrawFlat(const VertexStream& stream, bool hidden_by_solids);
 
   const GlFunctions& gl_;
   RendererOptions options_;
   ShaderProgram solid_, depth_, sky_, flat_;
-  VertexStream solid_stream_, sky_stream_, flat_stream_;
+  VertexStream solids_, ghosts_, sky_stream_, hidden_marks_, top_marks_, captions_;
   SolidMesh solid_mesh_;
   SkinPass skins_;
   GroundPass ground_;

@@ -52,7 +52,8 @@ GroundRect Clamped(const GroundRect& rect, const GroundRect& whole) {
 
 }  // namespace
 
-GroundPass::GroundPass(const GlFunctions& gl) : gl_(&gl), stream_(gl, {2}), openness_(gl) {
+GroundPass::GroundPass(const GlFunctions& gl)
+    : gl_(&gl), plain_(gl, {2}), inside_(gl, {2}), openness_(gl) {
   gl.BindTexture(GL_TEXTURE_2D, openness_.id());
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
     gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
@@ -83,33 +84,34 @@ void GroundPass::UploadOcclusion(const GroundOcclusion& occlusion) {
   gl_->ActiveTexture(GL_TEXTURE0);
 }
 
-void GroundPass::Draw(const Scene& scene, const FrameView& view, const GroundRect& shaded) {
+void GroundPass::Upload(const Scene& scene, const GroundRect& shaded) {
   const double radius = FadeRadius(scene.camera);
   GroundRect whole;
   whole.Include(scene.camera.target.head<2>(), radius);
-  const GroundRect hole = shaded.is_empty() ? GroundRect{whole.min, whole.min} : shaded;
-  const GroundRect inner = Clamped(hole, whole);
-  stream_.Upload(Around(whole, inner));
-  DrawPart(false, scene, view, inner);
+  shaded_ = Clamped(shaded.is_empty() ? GroundRect{whole.min, whole.min} : shaded, whole);
+  plain_.Upload(Around(whole, shaded_));
   std::vector<PlaneVertex> inside;
-  AppendRect(inner, inside);
-  if (inside.empty()) return;
-  UploadOcclusion(OccludeGround(scene, inner));
-  stream_.Upload(inside);
-  DrawPart(true, scene, view, inner);
+  AppendRect(shaded_, inside);
+  inside_.Upload(inside);
+  if (!inside.empty()) UploadOcclusion(OccludeGround(scene, shaded_));
 }
 
-void GroundPass::DrawPart(bool is_shaded, const Scene& scene, const FrameView& view,
-                          const GroundRect& rect) {
+void GroundPass::Draw(const Scene& scene, const FrameView& view) {
+  DrawPart(false, scene, view);
+  if (inside_.has_vertices()) DrawPart(true, scene, view);
+}
+
+void GroundPass::DrawPart(bool is_shaded, const Scene& scene, const FrameView& view) {
   const Vec3& target = scene.camera.target;
-  const Eigen::Vector2d size = rect.max - rect.min;
+  const Eigen::Vector2d size = shaded_.max - shaded_.min;
   ShaderProgram& program = Program(scene.ground.look, is_shaded);
   program.Use();
   program.Set("clip_from_world", view.clip_from_world);
   program.Set("shadow_from_world", view.shadow.map_from_world);
   program.Set("center",
               Vec4(target.x(), target.y(), scene.ground.height, 1.0 / FadeRadius(scene.camera)));
-  program.Set("shaded_rect", Vec4(rect.min.x(), rect.min.y(), 1.0 / size.x(), 1.0 / size.y()));
+  program.Set("shaded_rect",
+              Vec4(shaded_.min.x(), shaded_.min.y(), 1.0 / size.x(), 1.0 / size.y()));
   program.Set("shadow_step", Vec4(view.shadow_texel_uv, view.shadow_texel_uv, 0.0, 0.0));
   program.Set("floor_srgb", scene.ground.floor);
   program.Set("pattern_srgb", scene.ground.pattern);
@@ -118,7 +120,7 @@ void GroundPass::DrawPart(bool is_shaded, const Scene& scene, const FrameView& v
   program.Set("occlusion_tint", kOcclusionTint);
   program.Set("shadow_map", 0);
   program.Set("openness", 1);
-  stream_.DrawTriangles();
+  (is_shaded ? inside_ : plain_).DrawTriangles();
 }
 
 }  // namespace hazumi::render

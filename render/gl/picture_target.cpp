@@ -12,6 +12,14 @@ void Attach(const GlFunctions& gl, GLuint buffer, GLenum place, GLenum format, P
 
 }  // namespace
 
+void BeginPicture(const GlFunctions& gl, GLuint framebuffer, PictureSize size,
+                  const SrgbColor& clear) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Viewport(0, 0, size.width, size.height);
+  gl.ClearColor(clear.r, clear.g, clear.b, 1.0f);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 PictureTarget::PictureTarget(const GlFunctions& gl, PictureSize size, int samples)
     : gl_(&gl), size_(size), framebuffer_(gl), color_(gl), depth_(gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
@@ -25,19 +33,11 @@ bool PictureTarget::is_complete() const {
   return gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-void PictureTarget::Begin(const SrgbColor& clear) const {
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl_->Viewport(0, 0, size_.width, size_.height);
-  gl_->ClearColor(clear.r, clear.g, clear.b, 1.0f);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-void PictureTarget::ResolveTo(GLuint framebuffer) const {
+void PictureTarget::ResolveTo(GLuint framebuffer, const PictureArea& area) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  gl_->BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
-                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_->BlitFramebuffer(area.left, area.bottom, area.right, area.top, area.left, area.bottom,
+                       area.right, area.top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace hazumi::render

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "render/gl/gl_name.h"
-#include "render/mesh/flat_mesh.h"
+#include "render/mesh/picture_area.h"
 
 namespace hazumi::render {
+
+// Binds a framebuffer for drawing and clears it to `clear`, as far as the scissors reach.
+void BeginPicture(const GlFunctions& gl, GLuint framebuffer, PictureSize size,
+                  const SrgbColor& clear);
 
 // The multisampled colour and depth buffers a frame is drawn into.
 class PictureTarget {
@@ -13,10 +17,10 @@ class PictureTarget {
 
   PictureSize size() const { return size_; }
   bool is_complete() const;
-  // Binds it for drawing and clears it to `clear`.
-  void Begin(const SrgbColor& clear) const;
-  // Averages the samples into a framebuffer of the same size and binds that for drawing.
-  void ResolveTo(GLuint framebuffer) const;
+  void Begin(const SrgbColor& clear) const { BeginPicture(*gl_, framebuffer_.id(), size_, clear); }
+  // Averages the samples of an area into a framebuffer of the same size. Leaves both bound, to read
+  // and to draw.
+  void ResolveTo(GLuint framebuffer, const PictureArea& area) const;
 
  private:
   const GlFunctions* gl_ = nullptr;

@@ -8,7 +8,7 @@ namespace hazumi::render {
 
 struct SceneTexture::State {
   State(const GlFunctions& functions, Renderer drawer)
-      : gl(functions), renderer(std::move(drawer)), texture(gl), framebuffer(gl) {}
+      : gl(functions), renderer(std::move(drawer)), texture(gl), depth(gl), framebuffer(gl) {}
 
   void Resize(PictureSize wanted) {
     if (size.width == wanted.width && size.height == wanted.height) return;
@@ -21,11 +21,16 @@ struct SceneTexture::State {
     }
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, depth.id());
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.width,
+                                      size.height);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
   }
 
   GlFunctions gl;
   Renderer renderer;
   GlTexture texture;
+  GlRenderbuffer depth;
   GlFramebuffer framebuffer;
   PictureSize size;
 };

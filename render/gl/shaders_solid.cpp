@@ -18,9 +18,11 @@ in vec4 a_2;
 out vec3 normal;
 out vec3 world;
 #ifdef SKIN
-in vec2 a_3;
 out vec4 tint;
+#ifdef TEXTURED
+in vec2 a_3;
 out vec2 texture_at;
+#endif
 #else
 flat out vec4 color;
 #endif
@@ -34,7 +36,9 @@ void main() {
   world = a_0;
 #ifdef SKIN
   tint = a_2;
+#ifdef TEXTURED
   texture_at = a_3;
+#endif
 #else
   color = a_2;
 #endif
@@ -59,11 +63,13 @@ uniform float ghost;        // 1: see-through in the middle, denser at the rim
 in vec3 normal;
 in vec3 world;
 #ifdef SKIN
-uniform sampler2D base_texture;
 uniform vec4 base_linear;   // factor on the texture
 uniform float alpha;
 in vec4 tint;
+#ifdef TEXTURED
+uniform sampler2D base_texture;
 in vec2 texture_at;
+#endif
 #else
 flat in vec4 color;
 #endif
@@ -95,7 +101,11 @@ vec3 Encode(vec3 c) {
 void main() {
   vec3 v = normalize(eye.xyz - world);
 #ifdef SKIN
+#ifdef TEXTURED
   vec4 texel = texture(base_texture, texture_at);
+#else
+  vec4 texel = vec4(1.0);
+#endif
 #ifdef CUTOUT
   if (texel.a < 0.5) discard;
 #endif

@@ -105,9 +105,9 @@ void SkinBuffers::BindTexture(const SkinModel::Part& part) const {
   gl_->BindTexture(GL_TEXTURE_2D, texture.id());
 }
 
-void SkinBuffers::DrawPart(const SkinModel::Part& part) const {
-  const std::uintptr_t offset = part.first_index * sizeof(std::uint32_t);
-  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.num_indices), GL_UNSIGNED_INT,
+void SkinBuffers::DrawLevel(const SkinModel::Level& level) const {
+  const std::uintptr_t offset = level.first_index * sizeof(std::uint32_t);
+  gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(level.num_indices), GL_UNSIGNED_INT,
                     reinterpret_cast<const void*>(offset));
 }
 

@@ -28,7 +28,7 @@ class SkinBuffers {
   // Of a part, or white, to the active texture unit.
   void BindTexture(const SkinModel::Part& part) const;
   // Of the pose that is bound.
-  void DrawPart(const SkinModel::Part& part) const;
+  void DrawLevel(const SkinModel::Level& level) const;
 
  private:
   struct PosedBuffers {

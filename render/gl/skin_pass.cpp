@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 #include "render/gl/shaders.h"
+#include "render/scene/skin_levels.h"
 
 namespace hazumi::render {
 namespace {
@@ -19,6 +21,16 @@ constexpr SkinModel::Surface kSurfaces[] = {SkinModel::Surface::kClosed, SkinMod
                                             SkinModel::Surface::kCutout};
 constexpr const char* kDefines[] = {"#define SKIN\n", "#define SKIN\n#define TWO_SIDED\n",
                                     "#define SKIN\n#define TWO_SIDED\n#define CUTOUT\n"};
+constexpr const char* kTextured = "#define TEXTURED\n";
+
+PictureBounds BoundsOf(const SkinModel& model, const std::vector<SkinnedVertex>& vertices,
+                       const Projector& projector) {
+  PictureBounds bounds(projector);
+  for (const std::uint32_t i : model.seen_vertices) {
+    bounds.Include(Eigen::Map<const Eigen::Vector3f>(vertices[i].position));
+  }
+  return bounds;
+}
 
 }  // namespace
 
@@ -30,30 +42,42 @@ SkinBuffers& SkinPass::BuffersOf(const std::shared_ptr<const SkinModel>& model) 
   return *buffers_.back();
 }
 
-void SkinPass::Compile() {
-  if (is_compiled_) return;
-  is_compiled_ = true;
-  for (size_t i = 0; i < std::size(kDefines); ++i) {
-    lit_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kSolidVertex, shaders::kSolidFragment);
-    depth_[i] = ShaderProgram(*gl_, kDefines[i], shaders::kDepthVertex, shaders::kDepthFragment);
+ShaderProgram& SkinPass::Lit(Surface surface, bool is_textured) {
+  const auto i = static_cast<size_t>(surface);
+  std::optional<ShaderProgram>& program = lit_[i + (is_textured ? std::size(kDefines) : 0)];
+  if (!program) {
+    const std::string defines = kDefines[i] + std::string(is_textured ? kTextured : "");
+    program.emplace(*gl_, defines, shaders::kSolidVertex, shaders::kSolidFragment);
   }
+  return *program;
 }
 
-void SkinPass::Upload(const Scene& scene) {
+ShaderProgram& SkinPass::Depth(Surface surface) {
+  const auto i = static_cast<size_t>(surface);
+  if (!depth_[i]) {
+    depth_[i].emplace(*gl_, kDefines[i], shaders::kDepthVertex, shaders::kDepthFragment);
+  }
+  return *depth_[i];
+}
+
+std::vector<PictureArea> SkinPass::Upload(const Scene& scene, const Projector& projector) {
+  std::vector<PictureArea> areas;
   posed_.clear();
   has_ghosts_ = false;
   gl_->ActiveTexture(kTextureUnit);
   std::erase_if(buffers_, [](const auto& b) { return b->IsGone(); });
   for (const auto& buffers : buffers_) buffers->BeginFrame();
-  if (!scene.skins.empty()) Compile();
   for (const SkinnedFigure& figure : scene.skins) {
     SkinBuffers& buffers = BuffersOf(figure.model);
     PoseSkin(figure, &vertices_);
-    posed_.push_back({&figure, &buffers, buffers.AddPose(vertices_)});
+    const PictureBounds bounds = BoundsOf(*figure.model, vertices_, projector);
+    areas.push_back(bounds.area());
+    posed_.push_back({&figure, &buffers, buffers.AddPose(vertices_), bounds.pixels_per_m()});
     for (const SkinModel::Part& part : figure.model->parts) has_ghosts_ |= IsGhost(figure, part);
   }
   for (const auto& buffers : buffers_) buffers->EndFrame();
   gl_->ActiveTexture(GL_TEXTURE0);
+  return areas;
 }
 
 void SkinPass::Cull(const SkinModel::Part& part, Side side) const {
@@ -71,8 +95,8 @@ void SkinPass::ForEachPart(SolidKind kind, Surface surface, Side side, const Vis
       const bool is_wanted = IsGhost(*posed.figure, part) == (kind == SolidKind::kGhost);
       if (!is_wanted || part.surface != surface) continue;
       Cull(part, side);
-      visit(posed, part);
-      posed.buffers->DrawPart(part);
+      if (!visit(posed, part)) continue;
+      posed.buffers->DrawLevel(LevelFor(part, posed.pixels_per_m, kOutlineErrorPx));
     }
   }
   gl_->ActiveTexture(GL_TEXTURE0);
@@ -96,12 +120,13 @@ void SkinPass::DrawDepth(SolidKind kind, const Mat4& clip_from_world) {
 void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world) {
   if (posed_.empty()) return;
   for (const Surface surface : kSurfaces) {
-    const ShaderProgram& program = depth_[static_cast<size_t>(surface)];
+    const ShaderProgram& program = Depth(surface);
     program.Use();
     program.Set("clip_from_world", clip_from_world);
     if (surface == Surface::kCutout) program.Set("base_texture", kTextureSampler);
     ForEachPart(kind, surface, side, [&](const Posed& posed, const SkinModel::Part& part) {
       if (surface == Surface::kCutout) posed.buffers->BindTexture(part);
+      return true;
     });
   }
 }
@@ -109,19 +134,29 @@ void SkinPass::DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world)
 void SkinPass::DrawLit(SolidKind kind, const Scene& scene, const FrameView& view) {
   if (posed_.empty()) return;
   for (const Surface surface : kSurfaces) {
-    const ShaderProgram& program = lit_[static_cast<size_t>(surface)];
-    program.Use();
-    SetSolidLight(program, scene, view);
-    program.Set("ghost", kind == SolidKind::kGhost ? 1.0f : 0.0f);
-    program.Set("shadow_map", 0);
-    program.Set("base_texture", kTextureSampler);
-    ForEachPart(kind, surface, Side::kSeen, [&](const Posed& posed, const SkinModel::Part& part) {
-      const std::array<float, 4>& c = part.base_color;
-      program.Set("base_linear", LinearColor{c[0], c[1], c[2], c[3]});
-      program.Set("alpha", posed.figure->AlphaOf(part));
-      posed.buffers->BindTexture(part);
-    });
+    for (const bool is_textured : {false, true}) DrawLit(kind, surface, is_textured, scene, view);
   }
+}
+
+void SkinPass::DrawLit(SolidKind kind, Surface surface, bool is_textured, const Scene& scene,
+                       const FrameView& view) {
+  const ShaderProgram* program = nullptr;  // until a part needs it
+  ForEachPart(kind, surface, Side::kSeen, [&](const Posed& posed, const SkinModel::Part& part) {
+    if ((part.texture >= 0) != is_textured) return false;
+    if (program == nullptr) {
+      program = &Lit(surface, is_textured);
+      program->Use();
+      SetSolidLight(*program, scene, view);
+      program->Set("ghost", kind == SolidKind::kGhost ? 1.0f : 0.0f);
+      program->Set("shadow_map", 0);
+      if (is_textured) program->Set("base_texture", kTextureSampler);
+    }
+    const std::array<float, 4>& c = part.base_color;
+    program->Set("base_linear", LinearColor{c[0], c[1], c[2], c[3]});
+    program->Set("alpha", posed.figure->AlphaOf(part));
+    if (is_textured) posed.buffers->BindTexture(part);
+    return true;
+  });
 }
 
 }  // namespace hazumi::render

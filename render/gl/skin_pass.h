@@ -2,10 +2,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/gl/lighting.h"
 #include "render/gl/skin_buffers.h"
+#include "render/mesh/picture_area.h"
 #include "render/mesh/solid_mesh.h"
 
 namespace hazumi::render {
@@ -17,7 +19,8 @@ class SkinPass {
   explicit SkinPass(const GlFunctions& gl) : gl_(&gl) {}
 
   // Poses the scene's skins, and frees what belonged to skins that nobody has any more.
-  void Upload(const Scene& scene);
+  // Returns where they are in the picture.
+  std::vector<PictureArea> Upload(const Scene& scene, const Projector& projector);
   bool has_ghosts() const { return has_ghosts_; }
 
   // Opaque skins as the light sees them.
@@ -31,21 +34,27 @@ class SkinPass {
     const SkinnedFigure* figure;  // of the scene, for the time of its drawing
     SkinBuffers* buffers;
     size_t pose;
+    double pixels_per_m;  // where it is nearest
   };
   using Surface = SkinModel::Surface;
   enum class Side { kSeen, kAway };  // of closed surfaces
 
   SkinBuffers& BuffersOf(const std::shared_ptr<const SkinModel>& model);
-  void Compile();
+  ShaderProgram& Lit(Surface surface, bool is_textured);
+  ShaderProgram& Depth(Surface surface);
   void DrawDepth(SolidKind kind, Side side, const Mat4& clip_from_world);
+  void DrawLit(SolidKind kind, Surface surface, bool is_textured, const Scene& scene,
+               const FrameView& view);
+  // Draws the parts of which `visit` says so.
   template <typename Visit>
   void ForEachPart(SolidKind kind, Surface surface, Side side, const Visit& visit);
   // Leaves out the sides that are not to be seen.
   void Cull(const SkinModel::Part& part, Side side) const;
 
   const GlFunctions* gl_ = nullptr;
-  std::array<ShaderProgram, 3> lit_, depth_;  // by Surface; compiled for the first skin
-  bool is_compiled_ = false;
+  // By Surface, those for textures after the others; compiled when first needed.
+  std::array<std::optional<ShaderProgram>, 6> lit_;
+  std::array<std::optional<ShaderProgram>, 3> depth_;
   std::vector<std::unique_ptr<SkinBuffers>> buffers_;
   std::vector<Posed> posed_;
   std::vector<SkinnedVertex> vertices_;

@@ -22,6 +22,8 @@ class VertexStream {
   }
   void UploadIndices(const std::vector<std::uint32_t>& indices);
 
+  bool has_vertices() const { return vertex_count_ > 0; }
+  bool has_indices() const { return index_count_ > 0; }
   void DrawTriangles() const;         // vertices in threes
   void DrawIndexedTriangles() const;  // indices in threes
 

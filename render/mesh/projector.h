@@ -14,6 +14,7 @@ class Projector {
 
   const Mat4& clip_from_world() const { return clip_from_world_; }
   PictureSize size() const { return size_; }
+  double near_m() const { return near_m_; }
 
   // The visible pieces of a line through `points` [m, world]: it is cut where it goes behind the
   // viewer.

@@ -7,7 +7,6 @@
 namespace hazumi::render {
 namespace {
 
-constexpr double kOutlineErrorPx = 0.3;
 constexpr double kNearest = 0.05;  // [m]
 
 bool IsOfKind(const SrgbColor& color, SolidKind kind) {

@@ -28,7 +28,11 @@ struct MeshDetail {
   double px_per_radian = 1200.0;  // size in the picture of a small angle at its middle
 };
 
-// The columns a round solid needs for its outline to be true to 0.3 px: a multiple of 4 in [8, 48].
+// How far outlines may lie from where they are [px].
+constexpr double kOutlineErrorPx = 0.3;
+
+// The columns a round solid needs for its outline to be as true as that: a multiple of 4 in [8,
+// 48].
 int ColumnsFor(const Vec3& center, double radius_m, const MeshDetail& detail);
 
 // Each appends one closed solid. Normals are those of the exact surface, hence smooth. `columns`, a

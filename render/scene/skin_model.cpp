@@ -7,6 +7,7 @@
 
 #include "engine/figure/skin_check.h"
 #include "engine/picture/decode_pictures.h"
+#include "render/scene/skin_levels.h"
 #include "render/scene/skin_surface.h"
 
 namespace hazumi::render {
@@ -59,16 +60,12 @@ SkinModel::Part PartOf(const SkinModel& model, const SkinMesh& mesh) {
   return part;
 }
 
-void AddPart(const std::vector<std::uint32_t>& indices, SkinModel::Surface surface,
-             SkinModel::Part part, SkinModel* model) {
+void AddPart(const SkinMesh& mesh, const std::vector<std::uint32_t>& indices,
+             SkinModel::Surface surface, SkinModel::Part part, SkinModel* model) {
   if (indices.empty()) return;
   part.surface = surface;
-  part.first_index = model->indices.size();
-  part.num_indices = indices.size();
-  for (const std::uint32_t i : indices) {
-    model->indices.push_back(static_cast<std::uint32_t>(model->num_vertices) + i);
-  }
-  model->parts.push_back(part);
+  AddLevels(mesh, indices, &part, model);
+  model->parts.push_back(std::move(part));
 }
 
 void AddParts(const SkinMesh& mesh, SkinModel* model) {
@@ -77,8 +74,8 @@ void AddParts(const SkinMesh& mesh, SkinModel* model) {
   const SkinSurface surface = SplitSurface(mesh);
   const bool has_holes =
       part.texture >= 0 && CutsHoles(model->textures[static_cast<size_t>(part.texture)]);
-  AddPart(surface.closed, has_holes ? Surface::kCutout : Surface::kClosed, part, model);
-  AddPart(surface.open, has_holes ? Surface::kCutout : Surface::kOpen, part, model);
+  AddPart(mesh, surface.closed, has_holes ? Surface::kCutout : Surface::kClosed, part, model);
+  AddPart(mesh, surface.open, has_holes ? Surface::kCutout : Surface::kOpen, part, model);
   model->num_vertices += mesh.positions.size();
 }
 
@@ -104,14 +101,18 @@ void IncludeVertex(const SkinMesh& mesh, size_t i, SkinModel* model) {
   }
 }
 
-void FindBoxes(SkinModel* model) {
+void FindSeenVertices(SkinModel* model) {
   model->reach.resize(model->skin->bones.size());
   model->bulk.resize(model->skin->bones.size());
+  std::uint32_t first = 0;
   for (const SkinMesh& mesh : model->skin->meshes) {
     const std::vector<char> used = UsedVertices(mesh);
     for (size_t i = 0; i < used.size(); ++i) {
-      if (used[i] != 0) IncludeVertex(mesh, i, model);
+      if (used[i] == 0) continue;
+      model->seen_vertices.push_back(first + static_cast<std::uint32_t>(i));
+      IncludeVertex(mesh, i, model);
     }
+    first += static_cast<std::uint32_t>(used.size());
   }
 }
 
@@ -124,7 +125,7 @@ Result<std::shared_ptr<const SkinModel>> MakeSkinModel(std::shared_ptr<const Ski
   model->skin = std::move(skin);
   DecodeTextures(model.get());
   for (const SkinMesh& mesh : model->skin->meshes) AddParts(mesh, model.get());
-  FindBoxes(model.get());
+  FindSeenVertices(model.get());
   return std::shared_ptr<const SkinModel>(std::move(model));
 }
 

@@ -31,9 +31,14 @@ struct SkinModel {
     kOpen,    // both sides are (skin_surface.h)
     kCutout,  // so, with holes where the texture is clear
   };
+  // Triangles that stand for a part, and how far from it about they may lie.
+  struct Level {
+    size_t first_index = 0, num_indices = 0;
+    double error_m = 0.0;
+  };
   // Triangles of a mesh that are drawn alike.
   struct Part {
-    size_t first_index = 0, num_indices = 0;
+    std::vector<Level> levels;  // all triangles first, then fewer and fewer (skin_levels.h)
     Surface surface = Surface::kOpen;
     bool is_mirrored = false;         // the binds turn the winding around
     std::array<float, 4> base_color;  // linear RGB, alpha
@@ -42,9 +47,10 @@ struct SkinModel {
 
   std::shared_ptr<const Skin> skin;
   std::vector<Part> parts;
-  std::vector<std::uint32_t> indices;  // in threes; vertices counted over all meshes
+  std::vector<std::uint32_t> indices;  // in threes, by level; vertices counted over all meshes
   std::vector<Image> textures;         // by Skin::textures; without pixels: could not be read
   size_t num_vertices = 0;
+  std::vector<std::uint32_t> seen_vertices;  // those of triangles, each once
   // By bone, in its frame: what it moves at all, and what it moves more than other bones do.
   std::vector<Extent> reach, bulk;
   std::vector<Warning> warnings;  // textures that could not be read: their colour is used alone
