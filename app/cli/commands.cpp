@@ -50,7 +50,9 @@ void ApplySolverOptions(const Options& options, Project* project) {
 bool Uses(const Animation& animation, Method method) {
   return animation.solver.method == method ||
          std::any_of(animation.regions.begin(), animation.regions.end(),
-                     [&](const DynamicsRegion& region) { return region.method == method; });
+                     [&](const DynamicsRegion& region) {
+                       return !region.is_muted && region.method == method;
+                     });
 }
 
 // Of options that only the method not used would heed.

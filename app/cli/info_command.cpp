@@ -30,6 +30,12 @@ Json EnergyAsJson(const EnergyBalance& energy) {
 }
 
 Json RegionAsJson(const DynamicsRegion& region, const RegionReport& report) {
+  if (region.is_muted) {
+    return {{"name", region.name},
+            {"first_frame", region.first_frame},
+            {"last_frame", region.last_frame},
+            {"mute", true}};
+  }
   Json json = {{"name", region.name},
                {"first_frame", region.first_frame},
                {"last_frame", region.last_frame},
@@ -95,6 +101,11 @@ void PrintRegions(const BakedProject& baked) {
   for (size_t i = 0; i < baked.animation.regions.size(); ++i) {
     const DynamicsRegion& region = baked.animation.regions[i];
     const RegionReport& report = baked.motion.regions[i];
+    if (region.is_muted) {
+      PrintLine(stdout, "region     %s: F%d-F%d, muted", region.name.c_str(), region.first_frame,
+                region.last_frame);
+      continue;
+    }
     PrintLine(stdout, "region     %s: F%d-F%d, %s", region.name.c_str(), region.first_frame,
               region.last_frame,
               FinenessText(report.method, report.step, report.tolerance).c_str());

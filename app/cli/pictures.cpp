@@ -36,10 +36,10 @@ render::Camera CameraFor(const BakedProject& baked, PictureSize size, const Opti
   return camera;
 }
 
-render::Overlays OverlaysOf(const Options& options) {
+render::Overlays OverlaysOf(const Options& options, size_t num_frames) {
   render::Overlays overlays;
   overlays.look = options.body;
-  overlays.ghost_every = options.ghosts;
+  overlays.ghosts = render::EveryNth(options.ghosts, num_frames);
   overlays.paths = options.paths;
   overlays.contact_marks = options.marks;
   overlays.region_tint = options.tint;
@@ -128,7 +128,7 @@ Pictures::Pictures(const BakedProject& baked, const FrameRange& frames, const Mo
     : baked_(baked),
       frames_(frames),
       scenes_(baked.animation, baked.motion, path_motion, CameraFor(baked, size, options),
-              OverlaysOf(options), std::move(skin)) {}
+              OverlaysOf(options, baked.motion.frames.size()), std::move(skin)) {}
 
 render::Sequence Pictures::Sequence() {
   render::Sequence sequence;

@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace hazumi {
+namespace {
+
+bool IsMuted(const DynamicsRegion& region) { return region.is_muted; }
+template <typename Span>
+bool IsMuted(const Span&) {
+  return false;
+}
+
+}  // namespace
 
 ChangeSchedule::ChangeSchedule(const Animation& animation) : animation_(animation) {
   FindEdges();
@@ -22,6 +31,7 @@ void ChangeSchedule::FindEdges() {
   };
   const auto mark_ends = [&](const auto& spans, ItemsByFrame* from, ItemsByFrame* until) {
     for (size_t i = 0; i < spans.size(); ++i) {
+      if (IsMuted(spans[i])) continue;
       mark(spans[i].first_frame);
       mark(spans[i].last_frame);
       if (from) from->Add(spans[i].first_frame, i);

@@ -174,7 +174,15 @@ class Compiler {
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
     const std::vector<double> factors = FrictionFactors(source.friction);
     for (JointIndex j : region.joints) region.friction.push_back(factors[j.value()]);
+    if (source.mute) Mute(&region);
     animation_.regions.push_back(std::move(region));
+  }
+
+  static void Mute(DynamicsRegion* region) {
+    region->is_muted = true;
+    region->root = false;
+    region->joints.clear();
+    region->friction.clear();
   }
 
   std::vector<JointIndex> FreeJoints(const ProjectRegion& region, const std::string& place) {

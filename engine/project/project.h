@@ -86,6 +86,7 @@ struct ProjectRegion {
   std::optional<double> step_s, tolerance_deg;
   bool limit_tangents = false;
   int blend_frames = 0;
+  bool mute = false;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectRegion&) const = default;

@@ -40,6 +40,8 @@ struct DynamicsRegion {
   // The curves after the region run to their first key at least this far behind it and pass over
   // those between.
   int blend_frames = 0;
+  // It stays in the list, where it is counted, and moves nothing: `joints` is empty, `root` false.
+  bool is_muted = false;
   bool operator==(const DynamicsRegion&) const = default;
 };
 

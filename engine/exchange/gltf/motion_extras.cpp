@@ -22,8 +22,9 @@ class ExtrasWriter {
       json["last_frame"] = motion_.frames.back().frame;
     }
     json["regions"] = Json::array();
-    for (const DynamicsRegion& region : animation_.regions)
-      json["regions"].push_back(RegionJson(region));
+    for (const DynamicsRegion& region : animation_.regions) {
+      if (!region.is_muted) json["regions"].push_back(RegionJson(region));
+    }
     json["placements"] = Json::array();
     for (const PlacementSpan& span : animation_.placements)
       json["placements"].push_back(PlacementJson(span));

@@ -87,6 +87,7 @@ class AnimationChecker {
 
   void CheckRegion(size_t i) {
     const DynamicsRegion& region = animation_.regions[i];
+    if (region.is_muted) return;
     errors_->Require(region.root || !region.joints.empty(), Check::kRegionAllFixed,
                      At("regions", i) + ".joints", {Quoted(region.name)});
     const bool is_in_way =
@@ -108,7 +109,7 @@ class AnimationChecker {
   void CheckRegions(size_t i, size_t k) {
     const DynamicsRegion &region = animation_.regions[i], &other = animation_.regions[k];
     const Span both = Common(SpanOf(region), SpanOf(other));
-    if (both.is_empty()) return;
+    if (both.is_empty() || other.is_muted) return;
     if (const auto shared = SharedBy(region, other)) {
       errors_->Report(
           Check::kRegionsOverlap, At("regions", i),

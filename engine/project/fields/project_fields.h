@@ -27,8 +27,12 @@ inline constexpr int kNewestFormat = 2;
 // The oldest that says what the project says: what reads an older one alone would make another
 // motion of it.
 inline int FormatVersionOf(const Project& project) {
-  return std::any_of(project.held_objects.begin(), project.held_objects.end(), ChangesHands) ? 2
-                                                                                             : 1;
+  const auto& objects = project.held_objects;
+  const auto& regions = project.regions;
+  const bool is_new =
+      std::any_of(objects.begin(), objects.end(), ChangesHands) ||
+      std::any_of(regions.begin(), regions.end(), [](const auto& region) { return region.mute; });
+  return is_new ? 2 : 1;
 }
 
 template <typename Ar>
@@ -162,6 +166,11 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
            "takes the joint over on the way. 0: to the next key.",
        .range = kNotNegative},
       region.blend_frames);
+  ar.Optional({.name = "mute",
+               .label = "Mute",
+               .help = "its joints follow their keys, as if it were not there",
+               .details = "Needs version 2."},
+              region.mute);
 }
 
 // One member is the pin of both kinds that have one.
