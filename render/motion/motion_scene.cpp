@@ -6,6 +6,7 @@
 
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
+#include "engine/timeline/curve_track.h"
 #include "render/motion/object_scene.h"
 
 namespace hazumi::render {
@@ -18,7 +19,11 @@ constexpr SrgbColor kComPath = FromHex(0xffbe33);
 constexpr SrgbColor kPinMark = FromHex(0xff3352);
 constexpr SrgbColor kBoneLine = FromHex(0xf4f6f8, 0.9f);
 constexpr float kRegionShare = 0.45f, kHighlightShare = 0.5f;
-constexpr float kGhostAlpha = 0.16f;
+constexpr float kGhostAlpha = 0.16f, kToldGhostAlpha = 0.24f, kKeyedAlpha = 0.3f;
+constexpr SrgbColor kGhostBefore = FromHex(0x2f6fe0), kGhostAfter = FromHex(0xf08a24);
+constexpr SrgbColor kKeyed = FromHex(0x8e4fd0);
+constexpr float kWashShare = 0.75f;
+constexpr double kSeenTurn = 0.002;  // [rad]: 1 mm at the hand
 constexpr float kSkinOverLinksAlpha = 0.35f;
 constexpr double kShortestBone = 1e-6;  // hinges of one group are in one place [m]
 constexpr double kLift = 0.004;         // of flat marks above the ground [m]
@@ -43,7 +48,20 @@ SrgbColor EndColor(size_t i) {
   return FromHex(kColors[i % std::size(kColors)], 0.9f);
 }
 
+BoneTint Wash(SrgbColor color) {
+  color.a = kWashShare;
+  return color;
+}
+
 }  // namespace
+
+std::vector<int> EveryNth(int every, size_t num_frames) {
+  std::vector<int> frames;
+  for (size_t i = 0; every > 0 && i < num_frames; i += static_cast<size_t>(every)) {
+    frames.push_back(static_cast<int>(i));
+  }
+  return frames;
+}
 
 std::vector<Look> LooksOf(const Link& link) {
   if (!link.looks.empty()) return link.looks;
@@ -73,9 +91,10 @@ Scene MotionScene::At(int index) {
   Scene scene;
   scene.camera = camera_;
   AddWorld(&scene);
-  AddFigure(frame, 1.0f, overlays_.region_tint, &scene);
+  AddFigure(frame, {.tints_regions = overlays_.region_tint}, &scene);
   AddHeldObjects(frame, 1.0f, &scene);
-  if (overlays_.ghost_every > 0) AddGhosts(index, &scene);
+  AddGhosts(index, &scene);
+  if (overlays_.keyed_ghost) AddKeyedGhost(frame, &scene);
   if (overlays_.bones) AddBones(frame, &scene);
   if (overlays_.paths) AddPaths(frame.com, &scene);
   if (overlays_.contact_marks) AddContactMark(frame, &scene);
@@ -90,33 +109,35 @@ void MotionScene::AddWorld(Scene* scene) const {
   for (const SceneObject& object : animation_.scene) AddSceneObject(object, scene);
 }
 
-void MotionScene::AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene) {
+void MotionScene::AddFigure(const MotionFrame& frame, const Style& style, Scene* scene) {
   ComputePositions(*animation_.figure, frame.X_WR, frame.q, &ws_);
   if (skin_ && overlays_.look != FigureLook::kLinks) {
     const bool shows_links = overlays_.look == FigureLook::kLinksInSkin;
-    AddSkin(frame, shows_links ? alpha * kSkinOverLinksAlpha : alpha, tint, scene);
+    Style of_skin = style;
+    if (shows_links) of_skin.alpha *= kSkinOverLinksAlpha;
+    AddSkin(frame, of_skin, scene);
     if (!shows_links) return;
   }
-  AddLinks(frame, alpha, tint, scene);
+  AddLinks(frame, style, scene);
 }
 
-void MotionScene::AddLinks(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const {
+void MotionScene::AddLinks(const MotionFrame& frame, const Style& style, Scene* scene) const {
   for (const Link& link : animation_.figure->links()) {
     const BodyScratch& body = ws_.body(link.joint);
-    const BoneTint over = TintOf(link.joint, frame, alpha, tint);
+    const BoneTint over = TintOf(link.joint, frame, style);
     for (const Look& look : LooksOf(link)) {
       SrgbColor color = Mix(ColorFromText(look.color), over, over.a);
-      color.a = alpha;
+      color.a = style.alpha;
       AddLook(look, {body.R, body.p}, color, scene);
     }
   }
 }
 
 // Where bodies of different tints meet, the skin takes of each what its weights say.
-void MotionScene::AddSkin(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const {
-  SkinnedFigure skin{skin_.model, skin_.PosesIn(*animation_.figure, frame.q, ws_), {}, alpha};
+void MotionScene::AddSkin(const MotionFrame& frame, const Style& style, Scene* scene) const {
+  SkinnedFigure skin{skin_.model, skin_.PosesIn(*animation_.figure, frame.q, ws_), {}, style.alpha};
   for (const FigureBone& bone : skin_.bones) {
-    skin.tints.push_back(TintOf(bone.body, frame, alpha, tint));
+    skin.tints.push_back(TintOf(bone.body, frame, style));
   }
   scene->skins.push_back(std::move(skin));
 }
@@ -139,15 +160,14 @@ void MotionScene::AddBones(const MotionFrame& frame, Scene* scene) {
   }
 }
 
-// The accent of a region, and over it that of what is highlighted; ghosts have neither.
-BoneTint MotionScene::TintOf(JointIndex body, const MotionFrame& frame, float alpha,
-                             bool tint) const {
-  BoneTint over{0.0f, 0.0f, 0.0f, 0.0f};
-  if (tint && body.is_valid() && frame.in_region[body.value()]) {
+// The accent of a region, and over it that of what is highlighted; a ghost has its wash alone.
+BoneTint MotionScene::TintOf(JointIndex body, const MotionFrame& frame, const Style& style) const {
+  BoneTint over = style.wash;
+  if (style.tints_regions && body.is_valid() && frame.in_region[body.value()]) {
     over = kRegionAccent;
     over.a = kRegionShare;
   }
-  if (alpha < 1.0f || !IsHighlighted(body)) return over;
+  if (style.alpha < 1.0f || !IsHighlighted(body)) return over;
   SrgbColor highlight = kHighlight;
   highlight.a = kHighlightShare;
   return LaidOver(highlight, over);
@@ -174,11 +194,45 @@ void MotionScene::AddHeldObjects(const MotionFrame& frame, float alpha, Scene* s
 }
 
 void MotionScene::AddGhosts(int index, Scene* scene) {
-  const int last = std::min(static_cast<int>(motion_.frames.size()) - 1, overlays_.ghost_last);
-  for (int i = 0; i <= last; i += overlays_.ghost_every) {
-    if (i == index || i < overlays_.ghost_first) continue;
-    AddFigure(motion_.frames[i], kGhostAlpha, false, scene);
+  for (const int i : overlays_.ghosts) {
+    if (i == index || i < 0 || i >= static_cast<int>(motion_.frames.size())) continue;
+    Style style{.alpha = kGhostAlpha};
+    if (overlays_.tells_ghosts) {
+      style = {.alpha = kToldGhostAlpha, .wash = Wash(i < index ? kGhostBefore : kGhostAfter)};
+    }
+    AddFigure(motion_.frames[i], style, scene);
     AddHeldObjects(motion_.frames[i], kGhostAlpha, scene);
+  }
+}
+
+// It stands where the figure does, only the joints are those of the keys; of its links those are
+// drawn that are elsewhere.
+void MotionScene::AddKeyedGhost(const MotionFrame& frame, Scene* scene) {
+  MotionFrame keyed = frame;
+  const Figure& figure = *animation_.figure;
+  for (int j = 0; j < figure.num_joints(); ++j) {
+    if (!frame.in_region[static_cast<size_t>(j)]) continue;
+    CurveTrack track(&animation_.joint_keys[static_cast<size_t>(j)], animation_.rate,
+                     figure.joints()[static_cast<size_t>(j)].rest, {});
+    keyed.q[j] = track.At(frame.frame).value;
+  }
+  const auto pose_of = [&](const Link& link) {
+    const BodyScratch& body = ws_.body(link.joint);
+    return Pose{body.R, body.p};
+  };
+  std::vector<Pose> seen;
+  ComputePositions(figure, frame.X_WR, frame.q, &ws_);
+  for (const Link& link : figure.links()) seen.push_back(pose_of(link));
+  ComputePositions(figure, keyed.X_WR, keyed.q, &ws_);
+  for (size_t i = 0; i < seen.size(); ++i) {
+    const Link& link = figure.links()[i];
+    const Pose X_WJ = pose_of(link);
+    if ((X_WJ.R - seen[i].R).norm() + (X_WJ.p - seen[i].p).norm() < kSeenTurn) continue;
+    for (const Look& look : LooksOf(link)) {
+      SrgbColor color = Mix(ColorFromText(look.color), kKeyed, kWashShare);
+      color.a = kKeyedAlpha;
+      AddLook(look, X_WJ, color, scene);
+    }
   }
 }
 

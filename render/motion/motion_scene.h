@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,16 +22,19 @@ enum class FigureLook {
 // What is drawn beside the figure and its scene, and how the figure looks.
 struct Overlays {
   FigureLook look = FigureLook::kSkin;
-  bool bones = false;   // thin lines from joint to joint, seen through what is before them
-  int ghost_every = 0;  // a translucent figure every so many frames; 0: none
-  int ghost_first = 0;  // frames, counted from 0, that may have one
-  int ghost_last = std::numeric_limits<int>::max();
-  bool paths = false;          // of the CoM, its projection on the ground, and every limb's end
-  bool contact_marks = false;  // a ring at the pinned joint
-  bool region_tint = false;    // joints moved by a dynamics region
+  bool bones = false;            // thin lines from joint to joint, seen through what is before them
+  std::vector<int> ghosts = {};  // frames, counted from 0, of which a translucent figure is drawn
+  bool tells_ghosts = false;     // those before the frame are blue, those after it orange
+  bool keyed_ghost = false;      // where a region moves joints: what their keys say, violet
+  bool paths = false;            // of the CoM, its projection on the ground, and every limb's end
+  bool contact_marks = false;    // a ring at the pinned joint
+  bool region_tint = false;      // joints moved by a dynamics region
   bool frame_number = false;
   std::vector<char> highlighted = {};  // by JointIndex: bodies that stand out; empty: none
 };
+
+// Every so many frames from the first one; none if `every` is 0.
+std::vector<int> EveryNth(int every, size_t num_frames);
 
 // What a link looks like; one without looks, as its capsule.
 std::vector<Look> LooksOf(const Link& link);
@@ -50,15 +52,23 @@ class MotionScene {
 
  private:
   void AddWorld(Scene* scene) const;
-  void AddFigure(const MotionFrame& frame, float alpha, bool tint, Scene* scene);
-  void AddLinks(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const;
-  void AddSkin(const MotionFrame& frame, float alpha, bool tint, Scene* scene) const;
+  // How a figure is drawn: a ghost is see-through, and may have a wash of colour.
+  struct Style {
+    float alpha = 1.0f;
+    bool tints_regions = false;
+    BoneTint wash{0.0f, 0.0f, 0.0f, 0.0f};
+  };
+
+  void AddFigure(const MotionFrame& frame, const Style& style, Scene* scene);
+  void AddLinks(const MotionFrame& frame, const Style& style, Scene* scene) const;
+  void AddSkin(const MotionFrame& frame, const Style& style, Scene* scene) const;
   void AddBones(const MotionFrame& frame, Scene* scene);
-  BoneTint TintOf(JointIndex body, const MotionFrame& frame, float alpha, bool tint) const;
+  BoneTint TintOf(JointIndex body, const MotionFrame& frame, const Style& style) const;
   bool IsHighlighted(JointIndex body) const;
   void AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& color, Scene* scene) const;
   void AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const;
   void AddGhosts(int index, Scene* scene);
+  void AddKeyedGhost(const MotionFrame& frame, Scene* scene);
   void AddPaths(const Vec3& com, Scene* scene) const;
   void AddContactMark(const MotionFrame& frame, Scene* scene);
   void CollectPaths();

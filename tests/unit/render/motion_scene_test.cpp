@@ -39,10 +39,39 @@ TEST(MotionScene, ALevelPlaneIsTheGround) {
 TEST(MotionScene, GhostsAreTheFigureAtEveryNthOtherFrame) {
   const Animation animation = Still(test::TwoLinks());
   Overlays overlays;
-  overlays.ghost_every = 10;  // frames 0, 10, 20, 30
+  overlays.ghosts = EveryNth(10, 31);  // frames 0, 10, 20, 30
   const size_t links = animation.figure->links().size();
   EXPECT_EQ(SceneOf(animation, 10, overlays).capsules.size(), links * 4);
   EXPECT_EQ(SceneOf(animation, 11, overlays).capsules.size(), links * 5);
+}
+
+TEST(MotionScene, GhostsTellBeforeFromAfterByTheirColours) {
+  const Animation animation = Still(test::TwoLinks());
+  const size_t links = animation.figure->links().size();
+  const Scene scene = SceneOf(animation, 10, {.ghosts = {0, 20}, .tells_ghosts = true});
+  ASSERT_EQ(scene.capsules.size(), links * 3);
+  const SrgbColor before = scene.capsules[links].color, after = scene.capsules[2 * links].color;
+  EXPECT_GT(before.b, before.r + 0.1f);
+  EXPECT_GT(after.r, after.b + 0.1f);
+}
+
+TEST(MotionScene, TheKeyedGhostIsThereWhereARegionMovesAwayFromTheKeys) {
+  Animation animation = Still(test::TwoLinks());
+  test::AddRegion(&animation, "shank", 5, 15, {"knee"});
+  test::KeyTheRest(&animation);
+  const JointIndex knee = *animation.figure->FindJoint("knee");
+  animation.joint_keys[knee.value()] = {{0.0, 0.8, 0.0}, {30.0, 0.8, 0.0}};
+  const size_t links = animation.figure->links().size();
+  const Overlays overlays{.keyed_ghost = true};
+  EXPECT_EQ(SceneOf(animation, 4, overlays).capsules.size(), links);
+  const Scene scene = SceneOf(animation, 12, overlays);
+  ASSERT_GT(scene.capsules.size(), links);
+  EXPECT_LT(scene.capsules.size(), 2 * links);  // what is above the knee is where it is
+  Animation keyed = animation;
+  keyed.regions.clear();
+  const Scene expected = SceneOf(keyed, 12);
+  EXPECT_LT((scene.capsules.back().b - expected.capsules.back().b).norm(), 1e-9);
+  EXPECT_LT(scene.capsules.back().color.a, 0.5f);
 }
 
 TEST(MotionScene, TintsTheJointsOfARegionOnly) {
@@ -120,7 +149,7 @@ TEST(MotionScene, SkinsOfGhostsAreSeeThroughAndRegionsTintTheSkin) {
   Animation animation = Still(test::TwoLinks());
   test::AddRegion(&animation, "shank", 5, 15, {"knee"});
   test::KeyTheRest(&animation);
-  const Scene scene = SkinnedSceneOf(animation, 10, {.ghost_every = 20, .region_tint = true});
+  const Scene scene = SkinnedSceneOf(animation, 10, {.ghosts = {0, 20}, .region_tint = true});
   ASSERT_EQ(scene.skins.size(), 3u);  // frames 10, 0, 20
   EXPECT_LT(scene.skins[1].alpha, 0.5f);
   const JointIndex knee = *animation.figure->FindJoint("knee");
