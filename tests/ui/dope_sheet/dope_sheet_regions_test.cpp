@@ -83,6 +83,36 @@ TEST_F(DopeSheet, XRemovesTheRegionThatWasClicked) {
   EXPECT_TRUE(user.project().regions.empty());
 }
 
+TEST_F(DopeSheet, HMutesTheRegionThatWasClickedAndLetsItActAgain) {
+  const ui::Rect bar = Bar("limb r_shoulder");
+  user.Click({bar.x + 0.5f * bar.w, bar.y + 3.0f});
+  user.Press('H');
+  EXPECT_TRUE(arms().mute);
+  EXPECT_FALSE(user.session()
+                   .WholeMotion()
+                   .value()
+                   ->frames[8]
+                   .in_region[user.session().figure().FindJoint("r_elbow_flexion")->value()]);
+  Bar("limb r_shoulder");  // it is still there
+  user.Press('H');
+  EXPECT_FALSE(arms().mute);
+  EXPECT_EQ(user.num_steps(), 2u);
+}
+
+TEST_F(DopeSheet, APaintedRegionKeysItsJointsOnItsFirstFrame) {
+  user.editor().Do("region.remove", {{"region", arms().name}});
+  const Point from = {X(8), Key("limb r_shoulder", 5).y};
+  user.MoveTo(from);
+  user.Press('D');
+  user.Drag(from, {X(14), from.y});
+  ASSERT_EQ(user.project().regions.size(), 1u);
+  EXPECT_EQ(arms().first_frame, 8);
+  EXPECT_TRUE(FramesOf("r_shoulder_flexion").contains(8.0));
+  EXPECT_TRUE(FramesOf("r_elbow_flexion").contains(8.0));
+  EXPECT_FALSE(FramesOf("l_elbow_flexion").contains(8.0));
+  EXPECT_EQ(user.num_steps(), 2u);
+}
+
 TEST_F(DopeSheet, ARegionStopsWhereAnotherHasItsJoints) {
   user.editor().Do("region.add",
                    {{"name", "late"}, {"first", 18}, {"last", 25}, {"joints", {"r_shoulder+"}}});
@@ -102,9 +132,10 @@ TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
   // While it is open keys are not the sheet's.
   user.Press('X');
   EXPECT_EQ(user.project().regions.size(), 1u);
-  user.Click({middle.x + 200.0f, middle.y + 60.0f});
+  user.Press(ui::kEscape);  // leaves the name
+  user.Press(ui::kEscape);  // and the window
   user.Press('X');
-  EXPECT_EQ(user.num_steps(), 1u);
+  EXPECT_EQ(user.num_steps(), 1u) << user.editor().message.text;
 }
 
 }  // namespace

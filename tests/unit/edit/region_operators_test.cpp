@@ -1,5 +1,6 @@
 #include <set>
 
+#include "engine/project/project_writer.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -160,6 +161,56 @@ TEST(RegionOperators, ToKeysKeepsARootThatTumbles) {
   for (size_t i = 1; i < curve.keys.size(); ++i) {
     EXPECT_LE(std::abs(curve.keys[i].value - curve.keys[i - 1].value), 120.0) << i;
   }
+}
+
+TEST(RegionOperators, AMutedRegionIsAsIfItWereNotThere) {
+  Session session;
+  AddArms(&session);
+  const Motion with = *session.WholeMotion().value();
+  Do(&session, "region.set", {{"region", "arms"}, {"mute", true}});
+  EXPECT_NE(WriteProject(session.project()).find("\"version\": 2"), std::string::npos);
+  // What it drove another may drive now.
+  Do(&session, "region.add",
+     {{"name", "again"}, {"first", 10}, {"last", 20}, {"joints", {"r_elbow"}}});
+  const Motion muted = *session.WholeMotion().value();
+  EXPECT_FALSE(muted.frames[7].in_region[session.figure().FindJoint("l_elbow_flexion")->value()]);
+  Do(&session, "region.remove", {{"region", "arms"}});
+  const Motion removed = *session.WholeMotion().value();
+  ASSERT_EQ(muted.frames.size(), removed.frames.size());
+  for (size_t i = 0; i < muted.frames.size(); ++i) {
+    EXPECT_EQ(muted.frames[i].q, removed.frames[i].q) << i;
+    EXPECT_EQ(muted.frames[i].X_WR.p, removed.frames[i].X_WR.p) << i;
+  }
+  for (int i = 0; i < 3; ++i) Do(&session, "edit.undo");
+  const Motion again = *session.WholeMotion().value();
+  for (size_t i = 0; i < with.frames.size(); ++i) EXPECT_EQ(again.frames[i].q, with.frames[i].q);
+}
+
+TEST(RegionOperators, ItsJointsAreKeyedOnItsFirstFrameAndTheWayIntoItStaysWhateverIsKeyedInside) {
+  const auto add = [](Session* session, bool key_start) {
+    for (const auto& [frame, value] : {std::pair{0, 0}, {4, 60}, {12, -20}, {30, 0}}) {
+      Do(session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", frame}, {"value", value}});
+    }
+    Do(session, "region.add",
+       {{"first", 7}, {"last", 15}, {"joints", {"r_shoulder+"}}, {"key_start", key_start}});
+  };
+  Session plain, keyed;
+  add(&plain, false);
+  add(&keyed, true);
+  const size_t steps = keyed.document().num_steps();
+  EXPECT_EQ(steps, plain.document().num_steps());
+  const Motion expected = *plain.WholeMotion().value();
+  const auto expect_as_before = [&] {
+    const Motion motion = *keyed.WholeMotion().value();
+    for (size_t i = 0; i <= 15; ++i) {
+      EXPECT_LT((motion.frames[i].q - expected.frames[i].q).lpNorm<Eigen::Infinity>(), 1e-6) << i;
+    }
+  };
+  expect_as_before();
+  // Keys that are not used.
+  Do(&keyed, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 9}, {"value", 140}});
+  Do(&keyed, "key.set", {{"curve", "r_elbow_flexion"}, {"frame", 10}, {"value", 90}});
+  expect_as_before();
 }
 
 TEST(RegionOperators, ARegionTakesTheProjectsMethodAgain) {

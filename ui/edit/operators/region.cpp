@@ -6,6 +6,7 @@
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/start_keys.h"
 
 namespace hazumi::edit {
 
@@ -15,6 +16,11 @@ using enum ParameterKind;
 
 const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
+const ParameterInfo kKeyStart = {"key_start", kYesNo, false,
+                                 "true: its joints get keys on its first frame, where their curves "
+                                 "are, so that keys inside it do "
+                                 "not change the way into it"};
+
 // In a drag the region takes the place of the one before.
 Result<Done> AddRegion(Session* session, const Parameters& p) {
   const std::string merge = p.has("drag") ? "region.add " + p.text("drag") : "";
@@ -22,7 +28,11 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
       "Add dynamics region",
       [&](Project* project) -> Result<Done> {
         const Document::State* start = session->document().drag_start(merge);
-        if (start) project->regions = start->project.regions;
+        if (start) {
+          project->regions = start->project.regions;
+          project->joints = start->project.joints;
+          project->root = start->project.root;
+        }
         ProjectRegion region;
         region.name = "region";
         region.friction.default_factor = 0.8;
@@ -32,6 +42,9 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
         if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
         region.name = FreeName(region.name, project->regions);
         project->regions.push_back(std::move(region));
+        if (p.yes("key_start")) {
+          KeyRegionStart(project->regions.back(), session->figure(), project);
+        }
         return Done();
       },
       merge);
@@ -176,7 +189,8 @@ std::vector<Operator> RegionOperators() {
       {"region.add", "Add dynamics region",
        "Lets joints swing by their own inertia for some frames. Not given: the selected joints, "
        "friction 0.8.",
-       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kDrag}}), AddRegion},
+       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kKeyStart, kDrag}}),
+       AddRegion},
       {"region.set", "Change region", "Changes what is given of a region.",
        Joined({{kRegion},
                FieldsOf<ProjectRegion>(),

@@ -10,6 +10,7 @@
 #include "ui/panels/sheet/actions.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/overlays.h"
 #include "ui/panels/viewport/tools.h"
 
 namespace hazumi::ui {
@@ -96,22 +97,6 @@ Result<Done> LookThrough(Editor* editor, const Parameters&) { return LookThrough
 Result<Done> Orthographic(Editor* editor, const Parameters&) {
   editor->viewport.camera.is_orthographic = !editor->viewport.camera.is_orthographic;
   return Done();
-}
-
-Result<Done> Overlay(Editor* editor, const Parameters& p) {
-  ViewportOverlays& overlays = editor->viewport.overlays;
-  const std::pair<const char*, bool*> all[] = {
-      {"skin", &overlays.skin},    {"paths", &overlays.paths}, {"ghosts", &overlays.ghosts},
-      {"marks", &overlays.marks},  {"tint", &overlays.tint},   {"limits", &overlays.limits},
-      {"shadow", &overlays.shadow}};
-  const std::string name = p.text("name");
-  for (const auto& [known, value] : all) {
-    if (name != known) continue;
-    *value = p.yes("on", !*value);
-    return Done();
-  }
-  return Error{ErrorCode::kSchema, "", "name",
-               "\"" + name + "\" is none of skin, paths, ghosts, marks, tint, limits, shadow"};
 }
 
 Result<Done> ChooseTheme(Editor* editor, const Parameters& p) {
@@ -250,10 +235,18 @@ const std::vector<Action>& AllActions() {
       {"view.overlay",
        "Overlay",
        "Shows or hides something beside the figure, or its skin.",
-       {{"name", kText, true, "skin, paths, ghosts, marks, tint, limits, shadow",
-         "skin paths ghosts marks tint limits shadow"},
+       {{"name", kText, true, "skin, paths, ghosts, keyed, marks, tint, limits, shadow",
+         "skin paths ghosts keyed marks tint limits shadow"},
         {"on", kYesNo, false, "not given: the other way round"}},
-       Overlay},
+       SetOverlay},
+      {"view.ghosts",
+       "Ghosts of frames",
+       "Shows ghosts, and says of which frames; what is not given stays.",
+       {{"every", kInteger, false, "frames from one to the next", {}, "", "", kGhostReach},
+        {"before", kInteger, false, "frames before the current one", {}, "", "", kGhostReach},
+        {"after", kInteger, false, "frames after the current one", {}, "", "", kGhostReach},
+        {"at_keys", kYesNo, false, "true: of frames with a key alone"}},
+       SetGhosts},
       {"view.theme",
        "Theme",
        "Dark or light.",
@@ -302,6 +295,11 @@ const std::vector<Action>& AllActions() {
        "Takes the selected keys away; without any, the bar that was clicked.",
        {},
        sheet::Delete},
+      {"sheet.mute",
+       "Mute or unmute",
+       "Lets the region whose bar was clicked act no more, or act again.",
+       {},
+       sheet::Mute},
       {"sheet.mark_region",
        "Mark dynamics region",
        "Paints a region over rows and frames, or marks the selected joints.",

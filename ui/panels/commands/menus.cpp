@@ -1,9 +1,11 @@
 #include "ui/panels/commands/menus.h"
 
 #include <cmath>
+#include <utility>
 
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/viewport/overlays.h"
 
 namespace hazumi::ui {
 
@@ -47,10 +49,33 @@ MenuEntry EditMenu() {
                                                       {"view.scale", {{"scale", 2.0}}, "200 %"}})});
 }
 
-MenuEntry ViewMenu() {
-  const auto overlay = [](const char* name, const char* label) {
-    return MenuEntry{"view.overlay", {{"name", name}}, label};
+MenuEntry OverlayMenu() {
+  std::vector<MenuEntry> entries;
+  for (const OverlaySwitch& overlay : OverlaySwitches()) {
+    entries.push_back({"view.overlay", {{"name", overlay.name}}, overlay.in_menu});
+  }
+  return Submenu("Overlays", std::move(entries));
+}
+
+MenuEntry GhostMenu() {
+  const auto within = [](int frames, const char* label) {
+    return MenuEntry{"view.ghosts", {{"before", frames}, {"after", frames}}, label};
   };
+  return Submenu("Ghosts", {{"view.overlay", {{"name", "ghosts"}}, "Ghosts"},
+                            Line(),
+                            {"view.ghosts", {{"every", 1}, {"at_keys", false}}, "Every frame"},
+                            {"view.ghosts", {{"every", 2}, {"at_keys", false}}, "Every 2 frames"},
+                            {"view.ghosts", {{"every", 5}, {"at_keys", false}}, "Every 5 frames"},
+                            {"view.ghosts", {{"every", 10}, {"at_keys", false}}, "Every 10 frames"},
+                            {"view.ghosts", {{"at_keys", true}}, "At keys"},
+                            Line(),
+                            within(5, "5 frames before and after"),
+                            within(15, "15 frames before and after"),
+                            within(30, "30 frames before and after"),
+                            within(90, "90 frames before and after")});
+}
+
+MenuEntry ViewMenu() {
   return Submenu("View", {{"view.side", {{"side", "front"}}, "From the front"},
                           {"view.side", {{"side", "back"}}, "From the back"},
                           {"view.side", {{"side", "right"}}, "From the right"},
@@ -61,12 +86,8 @@ MenuEntry ViewMenu() {
                           {"view.camera"},
                           {"view.frame_selected"},
                           {"view.frame_all"},
-                          Submenu("Overlays",
-                                  {overlay("skin", "Skin instead of capsules"),
-                                   overlay("paths", "Motion paths"), overlay("ghosts", "Ghosts"),
-                                   overlay("marks", "Pins and centre of mass"),
-                                   overlay("tint", "Joints in regions"),
-                                   overlay("limits", "Joint limits"), overlay("shadow", "Shadow")}),
+                          OverlayMenu(),
+                          GhostMenu(),
                           Line(),
                           Submenu("Sheet", {{"view.sheet"},
                                             {"sheet.only_selected"},
@@ -168,6 +189,7 @@ MenuEntry RegionMenu() {
                             {"region.set"},
                             {"region.friction"},
                             {"region.start_rate"},
+                            {"sheet.mute"},
                             {"region.split"},
                             {"region.remove"},
                             {"region.to_keys"},
@@ -270,6 +292,15 @@ bool CanDo(const Editor& editor, const std::string& id) {
   return true;
 }
 
+// Whether the ghosts are those that the entry chooses.
+bool HasGhosts(const ViewportOverlays& overlays, const Json& p) {
+  const bool is_every = !p.contains("every") || p["every"] == overlays.ghost_every;
+  const bool is_kind = !p.contains("at_keys") || p["at_keys"] == overlays.ghosts_at_keys;
+  const bool is_reach = !p.contains("before") || (p["before"] == overlays.ghosts_before &&
+                                                  p["after"] == overlays.ghosts_after);
+  return overlays.ghosts && is_every && is_kind && is_reach;
+}
+
 std::optional<bool> IsOn(const Editor& editor, const MenuEntry& entry) {
   const std::string id = entry.id ? entry.id : "";
   const Json& p = entry.parameters;
@@ -284,13 +315,10 @@ std::optional<bool> IsOn(const Editor& editor, const MenuEntry& entry) {
   if (id == "pose.live_mirror") return editor.mirrors_poses;
   if (id == "help.first_steps") return editor.dialogs.shows_first_steps;
   if (id == "time.play") return editor.playback.is_on();
+  if (id == "view.ghosts") return HasGhosts(editor.viewport.overlays, p);
   if (id != "view.overlay") return std::nullopt;
-  const ViewportOverlays& o = editor.viewport.overlays;
-  const std::pair<const char*, bool> all[] = {
-      {"skin", o.skin}, {"paths", o.paths},   {"ghosts", o.ghosts}, {"marks", o.marks},
-      {"tint", o.tint}, {"limits", o.limits}, {"shadow", o.shadow}};
-  for (const auto& [name, is_on] : all) {
-    if (p["name"] == name) return is_on;
+  for (const OverlaySwitch& overlay : OverlaySwitches()) {
+    if (p["name"] == overlay.name) return editor.viewport.overlays.*overlay.is_on;
   }
   return std::nullopt;
 }

@@ -68,6 +68,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'K'}, kSheet, "keys.select_column"},
       {{kLeftBracket}, kSheet, "keys.select_side", {{"side", "before"}}},
       {{kRightBracket}, kSheet, "keys.select_side", {{"side", "after"}}},
+      {{'H'}, kSheet, "sheet.mute"},
       {{'X'}, kSheet, "sheet.delete"},
       {{kDelete}, kSheet, "sheet.delete"},
       {{'C', true}, kSheet, "keys.copy"},

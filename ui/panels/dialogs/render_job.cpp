@@ -29,7 +29,10 @@ render::Overlays OverlaysFor(const Editor& editor) {
   render::Overlays overlays;
   const ViewportOverlays& seen = editor.viewport.overlays;
   overlays.look = LookOf(seen);
-  overlays.ghost_every = seen.ghosts ? seen.ghost_every : 0;
+  const int frames = editor.last_frame() - editor.first_frame() + 1;
+  overlays.ghosts =
+      render::EveryNth(seen.ghosts ? seen.ghost_every : 0, static_cast<size_t>(frames));
+  overlays.keyed_ghost = seen.keyed;
   overlays.paths = seen.paths;
   overlays.contact_marks = seen.marks;
   overlays.region_tint = seen.tint;

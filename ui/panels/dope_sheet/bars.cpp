@@ -105,7 +105,9 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
                   : "Inverse kinematics keeps it in its place.");
   }
   if (bar.kind == BarKind::kHolder) return Tr("This joint holds it; then it flies.");
-  if (bar.kind == BarKind::kRegion) return "";
+  if (bar.kind == BarKind::kRegion) {
+    return project.regions[bar.index].mute ? Tr("Muted: its joints follow their keys.") : "";
+  }
   const ProjectPlacement& span = project.placements[bar.index];
   if (span.kind == PlacementKind::kKeyed) return Tr("The root's keys place the figure.");
   if (span.kind == PlacementKind::kPinned) return Tr("The figure turns about this joint.");

@@ -100,10 +100,14 @@ class DopeSheetPainter {
     return title + "  " + std::to_string(bar.num_held) + "/" + std::to_string(bar.num_hinges);
   }
 
+  bool IsMuted(const BarRef& bar) const {
+    return bar.kind == BarKind::kRegion && editor_->session().project().regions[bar.index].mute;
+  }
+
   SrgbColor ColorOf(const RowBar& bar) const {
     switch (bar.ref.kind) {
       case BarKind::kRegion:
-        return colors::kDynamics;
+        return IsMuted(bar.ref) ? theme_.faint_text : colors::kDynamics;
       case BarKind::kPlacement:
         return theme_.faint_text;
       case BarKind::kHolder:
@@ -120,13 +124,26 @@ class DopeSheetPainter {
     const bool is_chosen = chosen_ && *chosen_ == bar.ref;
     list_->AddRectFilled(UpperLeft(rect), LowerRight(rect), ToIm(color, is_whole ? 0.42f : 0.22f),
                          Px(3.0));
-    if (bar.ref.kind == BarKind::kRegion) {
+    if (bar.ref.kind == BarKind::kRegion && !IsMuted(bar.ref)) {
       DrawHatch(list_, rect, layout_.frame.tracks, ToIm(color, 0.55f), Px(7.0));
     }
     list_->AddRect(UpperLeft(rect), LowerRight(rect),
                    is_chosen ? ToIm(colors::kSelected) : ToIm(color, 0.95f), Px(3.0), 0,
                    is_chosen ? Px(1.6) : 1.0f);
+    DrawBlend(bar);
     if (layout_.rows[bar.row].depth == 0 && rect.h >= Px(12.0)) DrawTitle(bar);
+  }
+
+  // A tail that fades out to where the joints are back on their keys at the earliest.
+  void DrawBlend(const RowBar& bar) {
+    if (bar.ref.kind != BarKind::kRegion || IsMuted(bar.ref)) return;
+    const ProjectRegion& region = editor_->session().project().regions[bar.ref.index];
+    const float end = layout_.frame.axis.XOf(1.0 * region.last_frame + region.blend_frames);
+    const float right = std::min(end, layout_.frame.tracks.right());
+    if (right <= bar.rect.right()) return;
+    const ImU32 near = ToIm(colors::kDynamics, 0.5f), far = ToIm(colors::kDynamics, 0.05f);
+    list_->AddRectFilledMultiColor({bar.rect.right(), bar.rect.y}, {right, bar.rect.bottom()}, near,
+                                   far, far, near);
   }
 
   // Where there is no room for "held: r_toe" the joint alone.

@@ -99,12 +99,10 @@ class PaintRegionTool : public SheetDrag {
   // While it is painted the region is there already, and what it moves swings.
   void Show(Editor* editor, const SheetState::Paint& paint, const RegionOnRows& on) {
     const bool is_one = paint.first_frame < paint.last_frame && !on.joints.empty();
-    const Json region = !is_one ? Json()
-                                : Json{{"name", on.name},
-                                       {"first", paint.first_frame},
-                                       {"last", paint.last_frame},
-                                       {"joints", on.joints},
-                                       {"drag", drag()}};
+    const Json region =
+        !is_one ? Json() : Json{{"name", on.name},          {"first", paint.first_frame},
+                                {"last", paint.last_frame}, {"joints", on.joints},
+                                {"key_start", true},        {"drag", drag()}};
     if (region == shown_) return;
     shown_ = region;
     const bool was_there = is_there_;
@@ -125,7 +123,8 @@ class PaintRegionTool : public SheetDrag {
       return editor->Say(Tr("No joint is selected: select some, or drag over rows and frames"));
     }
     const ProjectFrames frames = FramesToMark(editor->session());
-    if (editor->Do("region.add", {{"first", frames.first}, {"last", frames.last}})) {
+    if (editor->Do("region.add",
+                   {{"first", frames.first}, {"last", frames.last}, {"key_start", true}})) {
       ChooseLast(editor);
     }
   }

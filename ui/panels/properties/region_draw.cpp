@@ -10,6 +10,7 @@
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
 #include "ui/panels/text/filled.h"
+#include "ui/panels/text/friction_text.h"
 
 namespace hazumi::ui {
 
@@ -33,7 +34,7 @@ void DrawAdd(Editor* editor) {
   constexpr int kFrames = 10;
   const int frame = static_cast<int>(std::lround(session.frame()));
   const int last = std::min(frame + kFrames, session.project().frames.last);
-  if (editor->Do("region.add", {{"first", frame}, {"last", last}})) {
+  if (editor->Do("region.add", {{"first", frame}, {"last", last}, {"key_start", true}})) {
     editor->side.region = session.project().regions.back().identity.id;
   }
 }
@@ -45,7 +46,7 @@ void Set(Editor* editor, const std::string& region, const Json& change) {
 // What a region says that no section below draws.
 void DrawFields(Editor* editor, const ProjectRegion& region) {
   DrawFieldRows(editor, region,
-                {"joints", "friction", "method", "step", "tolerance", "limit_tangents"},
+                {"joints", "friction", "method", "step", "tolerance", "limit_tangents", "mute"},
                 SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
@@ -89,6 +90,7 @@ void DrawFactor(Editor* editor, const ProjectRegion& region, const std::string& 
     if (!joint.empty()) change["joint"] = joint;
     editor->Do("region.friction", change);
   });
+  Tooltip(FrictionInWords(factor));
 }
 
 // All joints, those with a factor of their own, and the one that is selected.
@@ -120,7 +122,7 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
   if (!DrawHeading(Tr("Method"))) return;
   const ProjectSolver& solver = editor->session().project().solver;
   const bool is_exact = region.method.value_or(solver.method) == Method::kExact;
-  DrawRowsOf({"method", is_exact ? "tolerance" : "step", "limit_tangents"}, editor, region,
+  DrawRowsOf({"method", is_exact ? "tolerance" : "step", "limit_tangents", "mute"}, editor, region,
              SetBy(editor, "region.set", {{"region", region.name}}), InsteadBy(solver));
   if (!region.method && !region.tolerance_deg && !region.step_s) return;
   if (DrawButton(Tr("As the project"),

@@ -70,6 +70,16 @@ Result<Done> Delete(Editor* editor, const Parameters&) {
   return RemoveChosenBar(editor);
 }
 
+Result<Done> Mute(Editor* editor, const Parameters&) {
+  const Project& project = editor->session().project();
+  const std::optional<BarRef> bar = ChosenBar(project, editor->sheet);
+  if (!bar || bar->kind != BarKind::kRegion) {
+    return Error{ErrorCode::kSchema, "", "", Tr("Click the bar of a region first.")};
+  }
+  const ProjectRegion& region = project.regions[bar->index];
+  return editor->Invoke("region.set", {{"region", region.name}, {"mute", !region.mute}});
+}
+
 Result<Done> MarkRegion(Editor* editor, const Parameters&) {
   editor->sheet.kind = SheetKind::kDopeSheet;
   editor->Take(MakePaintRegion(editor, editor->mouse));

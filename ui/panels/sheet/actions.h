@@ -18,6 +18,7 @@ Result<Done> BoxSelect(Editor* editor, const Parameters&);
 Result<Done> SelectAll(Editor* editor, const Parameters&);
 // Takes the selected keys away; if there are none, what the bar stands for that was clicked last.
 Result<Done> Delete(Editor* editor, const Parameters&);
+Result<Done> Mute(Editor* editor, const Parameters&);
 Result<Done> MarkRegion(Editor* editor, const Parameters&);
 // Opens the small window with the name of a marker or a region.
 Result<Done> Rename(Editor* editor, const Parameters&);

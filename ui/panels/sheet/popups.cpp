@@ -9,6 +9,7 @@
 #include "ui/panels/properties/span_fields.h"
 #include "ui/panels/sheet/marker.h"
 #include "ui/panels/sheet/name_field.h"
+#include "ui/panels/text/friction_text.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
@@ -110,6 +111,23 @@ void FrictionSlider(Editor* editor, const ProjectRegion& region) {
   Tooltip(Tr("Speed that is left after 1/30 s: 0 frozen, 1 no friction"));
 }
 
+void BlendSlider(Editor* editor, const ProjectRegion& region) {
+  int frames = region.blend_frames;
+  const std::string name = region.name;
+  if (ImGui::SliderInt("##blend", &frames, 0, 30, Tr("%d frames"))) {
+    editor->Do("region.set", {{"region", name}, {"blend", frames}, {"drag", "sheet blend"}});
+  }
+  if (ImGui::IsItemDeactivated()) editor->Do("edit.end_drag");
+  Tooltip(Tr("frames in which joints come back to their keys after it"));
+}
+
+void MuteItem(Editor* editor, bool is_muted) {
+  if (ImGui::MenuItem(Tr("Mute"), KeyOf("sheet.mute", Json::object()).c_str(), is_muted)) {
+    editor->Do("sheet.mute");
+  }
+  Tooltip(HelpOf("sheet.mute"));
+}
+
 void RegionItems(Editor* editor) {
   const ProjectRegion* region = ChosenRegion(*editor);
   if (!region) return ImGui::CloseCurrentPopup();
@@ -123,6 +141,9 @@ void RegionItems(Editor* editor) {
   if (region) {
     ImGui::TextUnformatted(Tr("Friction: speed left"));
     FrictionSlider(editor, *region);
+    ImGui::TextDisabled("%s", FrictionInWords(region->friction.default_factor).c_str());
+    ImGui::TextUnformatted(Tr("Blend"));
+    BlendSlider(editor, *region);
   }
   ImGui::PopItemWidth();
   region = ChosenRegion(*editor);
@@ -131,6 +152,7 @@ void RegionItems(Editor* editor) {
   const std::string name = region->name;
   const int now = static_cast<int>(std::lround(editor->session().frame()));
   const bool is_inside = now > region->first_frame && now < region->last_frame;
+  MuteItem(editor, region->mute);
   Item(editor, Tr("Split at the playhead"), "region.split", {{"region", name}, {"frame", now}},
        is_inside);
   Item(editor, LabelOf("region.to_keys"), "region.to_keys", {{"region", name}});

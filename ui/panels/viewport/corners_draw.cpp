@@ -8,6 +8,7 @@
 #include "ui/panels/viewport/layout.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/object_actions.h"
+#include "ui/panels/viewport/overlays.h"
 #include "ui/panels/viewport/scene.h"
 #include "ui/panels/window/widgets.h"
 
@@ -37,16 +38,12 @@ struct Toggle {
 };
 
 std::vector<Toggle> TogglesOf(const Editor& editor) {
-  const ViewportOverlays& o = editor.viewport.overlays;
-  return {
-      {"", "Mirror", "Poses both sides at once", editor.mirrors_poses},
-      {"skin", "Skin", "The figure's skin, or the capsules that it is computed with", o.skin},
-      {"paths", "Paths", "Paths of hands, feet and the centre of mass, a dot each frame", o.paths},
-      {"ghosts", "Ghosts", "The figure some frames before and after", o.ghosts},
-      {"marks", "Marks", "Where the figure is pinned", o.marks},
-      {"tint", "Regions", "Colours what a dynamics region moves", o.tint},
-      {"limits", "Limits", "How far the active hinge turns; pull the ends to change it", o.limits},
-      {"shadow", "Shadow", "The shadow on the ground", o.shadow}};
+  std::vector<Toggle> toggles = {{"", "Mirror", "Poses both sides at once", editor.mirrors_poses}};
+  for (const OverlaySwitch& overlay : OverlaySwitches()) {
+    toggles.push_back(
+        {overlay.name, overlay.label, overlay.help, editor.viewport.overlays.*overlay.is_on});
+  }
+  return toggles;
 }
 
 void DrawToggle(Editor* editor, const Toggle& toggle, const Rect& rect) {

@@ -4,6 +4,7 @@
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/scene.h"
+#include "ui/panels/viewport/start_speed.h"
 #include "ui/panels/viewport/swivel_handle.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/widgets.h"
@@ -64,6 +65,7 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
   const ViewportState& state = editor->viewport;
   const double scale = editor->settings.scale;
   DrawPathTicks(*editor, view);
+  DrawStartSpeeds(editor, view);
   const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
   DrawSelectedObject(*editor, view, solids);
   DrawJointMarks(*editor, view, *figure);

@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/spatial/degrees.h"
 #include "render/motion/motion_scene.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/figure.h"
+#include "ui/panels/viewport/overlays.h"
 
 namespace hazumi::ui {
 
@@ -54,9 +56,11 @@ struct Window {
 Window WindowOf(const Editor& editor) {
   const int now = FrameShown(editor) - editor.first_frame();
   const ViewportOverlays& wanted = editor.viewport.overlays;
-  const int reach = wanted.paths || wanted.ghosts ? wanted.reach : 0;
-  return {std::max(now - reach, 0),
-          std::min(now + reach, editor.last_frame() - editor.first_frame())};
+  const int reach = wanted.paths ? wanted.reach : 0;
+  const int before = std::max(reach, wanted.ghosts ? wanted.ghosts_before : 0);
+  const int after = std::max(reach, wanted.ghosts ? wanted.ghosts_after : 0);
+  return {std::max(now - before, 0),
+          std::min(now + after, editor.last_frame() - editor.first_frame())};
 }
 
 // All hinges of a joint if one of them is selected: the body is beyond the last.
@@ -70,13 +74,28 @@ std::vector<char> Highlighted(const edit::Session& session) {
   return joints;
 }
 
-render::Overlays OverlaysOf(const Editor& editor, const Window& window) {
+// Frames with a key, counted from the first one, in order.
+std::vector<int> KeyFrames(const Editor& editor) {
+  std::set<int> frames;
+  const Project& project = editor.session().project();
+  const auto add = [&](const ProjectCurve& curve) {
+    for (const ProjectKey& key : curve.keys) {
+      frames.insert(static_cast<int>(std::lround(key.frame)) - editor.first_frame());
+    }
+  };
+  for (const auto& joint : project.joints) add(joint.value);
+  for (const ProjectCurve& curve : project.root.curves) add(curve);
+  return {frames.begin(), frames.end()};
+}
+
+render::Overlays OverlaysOf(const Editor& editor) {
   const ViewportOverlays& wanted = editor.viewport.overlays;
   render::Overlays overlays;
   overlays.look = LookOf(wanted);
-  overlays.ghost_every = wanted.ghosts ? wanted.ghost_every : 0;
-  overlays.ghost_first = window.first;
-  overlays.ghost_last = window.last;
+  overlays.ghosts = GhostFrames(wanted, FrameShown(editor) - editor.first_frame(),
+                                editor.last_frame() - editor.first_frame(), KeyFrames(editor));
+  overlays.tells_ghosts = true;
+  overlays.keyed_ghost = wanted.keyed;
   overlays.paths = wanted.paths;
   overlays.contact_marks = wanted.marks;
   overlays.region_tint = wanted.tint;
@@ -161,7 +180,7 @@ Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
   if (!skin.ok()) return skin.error();
   render::MotionScene scene(*session.animation(), *motion.value(), paths.motion,
                             CameraNow(editor->viewport, session.project(), rect),
-                            OverlaysOf(*editor, window), skin.value());
+                            OverlaysOf(*editor), skin.value());
   ViewportScene shown;
   shown.scene = scene.At(FrameShown(*editor) - first);
   shown.ticks = TicksOf(shown.scene, paths.at_frames);

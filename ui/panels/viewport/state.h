@@ -17,11 +17,14 @@ struct ViewportOverlays {
   bool skin = true;  // of a figure that has one; else its capsules
   bool paths = true;
   bool ghosts = false;
-  int ghost_every = 5;  // frames
-  int reach = 90;       // frames before and after the current one that paths and ghosts show
-  bool marks = true;    // pin, contact, centre of mass
-  bool tint = true;     // joints moved by a region
-  bool limits = true;   // arcs of the selected joints
+  int ghost_every = 5;                        // frames, counted from the current one
+  int ghosts_before = 15, ghosts_after = 15;  // frames
+  bool ghosts_at_keys = false;                // on frames with a key alone
+  bool keyed = false;                         // where a region moves joints, the pose of their keys
+  int reach = 90;      // frames before and after the current one that paths show
+  bool marks = true;   // pin, contact, centre of mass
+  bool tint = true;    // joints moved by a region
+  bool limits = true;  // arcs of the selected joints
   bool shadow = true;
   bool operator==(const ViewportOverlays&) const = default;
 };
