@@ -10,6 +10,7 @@
 #include "engine/exchange/export_motion.h"
 #include "render/motion/links_skin.h"
 #include "render/pipeline/video.h"
+#include "ui/edit/media_files.h"
 #include "ui/edit/operators/exported.h"
 
 namespace hazumi {
@@ -54,16 +55,21 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
   const PictureSize size = EvenSize(PictureSizeOf(options));
   const Result<render::FigureSkin> skin = SkinOn(baked, options.files[0]);
   if (!skin.ok()) return Complain(skin.error());
-  Pictures pictures(baked, frames, path_motion.value(), skin.value(), size, options);
+  const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0]);
+  if (!film.ok()) return Complain(film.error());
+  Pictures pictures(baked, frames, path_motion.value(), skin.value(), film.value(), size, options);
   Progress progress("export", pictures.count());
   render::Sequence sequence = pictures.Sequence();
   sequence.progress = [&](int done) {
     progress.Report(done, "frame " + std::to_string(pictures.FrameOf(done - 1)));
   };
   const FrameRate& rate = baked.motion.rate;
+  const auto sound =
+      edit::HeardIn(baked.project, options.files[0], rate.SecondsAt(pictures.FrameOf(0)),
+                    rate.SecondsAt(pictures.count()));
   const Result<int> drawn =
       RenderVideo(SequenceOptionsOf(options, size), sequence,
-                  {options.output, size.width, size.height, rate.num, rate.den});
+                  {options.output, size.width, size.height, rate.num, rate.den, sound});
   progress.Finish();
   return drawn.ok() ? kExitOk : Complain(drawn.error());
 }

@@ -8,6 +8,7 @@
 #include "engine/bake/bake.h"
 #include "engine/bake/bake_size.h"
 #include "render/motion/framing.h"
+#include "ui/edit/media_files.h"
 
 namespace hazumi {
 
@@ -123,19 +124,36 @@ Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& 
   return skin;
 }
 
+Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file) {
+  const Project& project = baked.project;
+  if (!edit::RenderedReference(project)) return render::ReferenceFilm();
+  return render::ReferenceFilm::Load(edit::ReferencePath(project, file), baked.motion.rate,
+                                     {project.fps.num, project.fps.den},
+                                     [] { return Interrupted().load(); });
+}
+
 Pictures::Pictures(const BakedProject& baked, const FrameRange& frames, const Motion& path_motion,
-                   render::FigureSkin skin, PictureSize size, const Options& options)
+                   render::FigureSkin skin, render::ReferenceFilm film, PictureSize size,
+                   const Options& options)
     : baked_(baked),
       frames_(frames),
       scenes_(baked.animation, baked.motion, path_motion, CameraFor(baked, size, options),
-              OverlaysOf(options, baked.motion.frames.size()), std::move(skin)) {}
+              OverlaysOf(options, baked.motion.frames.size()), std::move(skin)),
+      film_(std::move(film)) {}
 
 render::Sequence Pictures::Sequence() {
   render::Sequence sequence;
   sequence.frame_count = count();
   // A motion has all frames from its first to its last.
   const int offset = frames_.first - baked_.motion.frames.front().frame;
-  sequence.scene = [this, offset](int i) { return scenes_.At(offset + i); };
+  sequence.scene = [this, offset](int i) -> Result<render::Scene> {
+    render::Scene scene = scenes_.At(offset + i);
+    if (const auto& reference = baked_.project.reference) {
+      const Result<Done> added = film_.AddTo(*reference, FrameOf(i), &scene);
+      if (!added.ok()) return added.error();
+    }
+    return scene;
+  };
   sequence.cancel = &Interrupted();
   return sequence;
 }

@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "render/motion/motion_scene.h"
+#include "render/motion/reference_film.h"
 #include "render/pipeline/sequence.h"
 
 namespace hazumi {
@@ -29,11 +30,15 @@ Result<Motion> PathMotion(const BakedProject& baked, const Options& options);
 // seen.
 Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& file);
 
+// The project's reference, if it is seen in pictures. Errors: of ReferenceFilm::Load.
+Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file);
+
 // Draws the frames of a baked project as the options want them. What is given must outlive it.
 class Pictures {
  public:
   Pictures(const BakedProject& baked, const FrameRange& frames, const Motion& path_motion,
-           render::FigureSkin skin, PictureSize size, const Options& options);
+           render::FigureSkin skin, render::ReferenceFilm film, PictureSize size,
+           const Options& options);
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 
@@ -46,6 +51,7 @@ class Pictures {
   const BakedProject& baked_;
   FrameRange frames_;
   render::MotionScene scenes_;
+  render::ReferenceFilm film_;
 };
 
 }  // namespace hazumi

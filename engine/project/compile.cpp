@@ -15,17 +15,6 @@ namespace hazumi {
 
 namespace {
 
-// Key values times `scale` are SI.
-Keys ToKeys(const ProjectCurve& curve, double scale) {
-  Keys keys;
-  for (const ProjectKey& key : curve.keys) {
-    std::optional<double> rate;
-    if (key.rate) rate = *key.rate * scale;
-    keys.push_back({key.frame, key.value * scale, rate, key.interpolation});
-  }
-  return keys;
-}
-
 Obstacle ToObstacle(const ProjectPlane& plane) {
   return Plane{plane.normal.normalized(), plane.offset_m};
 }

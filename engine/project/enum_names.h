@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/figure/figure_spec.h"
+#include "engine/project/project_curve.h"
+#include "engine/project/project_scene.h"
 #include "engine/project/project_skin.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"
@@ -38,7 +40,37 @@ struct EnumNames<Interpolation> {
   static constexpr EnumName<Interpolation> kNames[] = {{Interpolation::kHold, "hold"},
                                                        {Interpolation::kLinear, "linear"},
                                                        {Interpolation::kQuadratic, "quadratic"},
-                                                       {Interpolation::kCubic, "cubic"}};
+                                                       {Interpolation::kCubic, "cubic"},
+                                                       {Interpolation::kSine, "sine"},
+                                                       {Interpolation::kQuintic, "quintic"},
+                                                       {Interpolation::kExponential, "exponential"},
+                                                       {Interpolation::kBack, "back"},
+                                                       {Interpolation::kBounce, "bounce"},
+                                                       {Interpolation::kElastic, "elastic"}};
+};
+
+template <>
+struct EnumNames<Easing> {
+  static constexpr const char* kWhat = "easing";
+  static constexpr EnumName<Easing> kNames[] = {
+      {Easing::kIn, "in"}, {Easing::kOut, "out"}, {Easing::kInOut, "in_out"}};
+};
+
+template <>
+struct EnumNames<KeyType> {
+  static constexpr const char* kWhat = "key type";
+  static constexpr EnumName<KeyType> kNames[] = {{KeyType::kKeyframe, "keyframe"},
+                                                 {KeyType::kBreakdown, "breakdown"},
+                                                 {KeyType::kExtreme, "extreme"},
+                                                 {KeyType::kJitter, "jitter"},
+                                                 {KeyType::kMovingHold, "moving_hold"}};
+};
+
+template <>
+struct EnumNames<ReferenceView> {
+  static constexpr const char* kWhat = "view";
+  static constexpr EnumName<ReferenceView> kNames[] = {{ReferenceView::kBackground, "background"},
+                                                       {ReferenceView::kPlane, "plane"}};
 };
 
 template <>

@@ -151,6 +151,8 @@ struct Project {
   std::vector<ProjectHold> holds;
   std::vector<ProjectHeldObject> held_objects;
   std::optional<ProjectCamera> camera;
+  std::optional<ProjectAudio> audio;
+  std::optional<ProjectReference> reference;
   std::vector<ProjectMarker> markers;    // in any order
   std::optional<ProjectFrames> preview;  // the part that is played; not given: all
   std::vector<ProjectSelectionSet> selection_sets;

@@ -8,13 +8,20 @@
 
 namespace hazumi {
 
+// What a key is to the animator; it moves nothing.
+enum class KeyType { kKeyframe, kBreakdown, kExtreme, kJitter, kMovingHold };
+
 // Values are degrees for angles and metres for root positions; rates are per second.
 struct ProjectKey {
   double frame = 0.0;
   double value = 0.0;
   std::optional<double> rate;
   Interpolation interpolation = Interpolation::kCubic;
-  ExtraFields extra;
+  Easing easing = Easing::kInOut;
+  std::optional<double> rate_in = {};                     // not given: `rate`
+  std::optional<double> length_in = {}, length_out = {};  // of its tangents; shares, see Key
+  KeyType type = KeyType::kKeyframe;
+  ExtraFields extra = {};
   bool operator==(const ProjectKey&) const = default;
 };
 
@@ -23,5 +30,8 @@ struct ProjectCurve {
   ExtraFields extra;
   bool operator==(const ProjectCurve&) const = default;
 };
+
+// As the engine takes it; values times `scale` are SI, or in any other unit.
+Keys ToKeys(const ProjectCurve& curve, double scale);
 
 }  // namespace hazumi

@@ -108,4 +108,31 @@ struct ProjectCamera {
   bool operator==(const ProjectCamera&) const = default;
 };
 
+// A sound file that is heard with the motion. Nothing moves by it.
+struct ProjectAudio {
+  std::string file;     // as written, relative to the project's folder
+  int start_frame = 0;  // on which it begins; may lie outside the project's frames
+  double gain_db = 0.0;
+  bool mute = false;
+  ExtraFields extra;
+  bool operator==(const ProjectAudio&) const = default;
+};
+
+enum class ReferenceView { kBackground, kPlane };
+
+// A picture or a video to animate by. Nothing moves by it.
+struct ProjectReference {
+  std::string file;     // as written, relative to the project's folder
+  int start_frame = 0;  // on which a video begins
+  ReferenceView view = ReferenceView::kBackground;
+  Vec3 center_m = Vec3(0.0, 0.0, 1.0);  // of a plane
+  double turn_deg = 0.0;                // of a plane, about the vertical; 0: it looks along -y
+  double height_m = 2.0;                // of a plane
+  double opacity = 0.5;
+  bool mute = false;
+  bool rendered = false;  // also in rendered pictures
+  ExtraFields extra;
+  bool operator==(const ProjectReference&) const = default;
+};
+
 }  // namespace hazumi

@@ -57,12 +57,16 @@ Result<Done> SaveProject(const Project& project, const std::string& path,
 void RebaseReferences(Project* project, const std::string& from_folder,
                       const std::string& to_folder) {
   namespace fs = std::filesystem;
-  std::string& file = project->figure.file;
-  if (file.empty() || fs::path(file).is_absolute()) return;
   std::error_code failed;
   const fs::path from = fs::absolute(from_folder, failed), to = fs::absolute(to_folder, failed);
   if (failed) return;
-  file = (from / file).lexically_normal().lexically_relative(to.lexically_normal()).string();
+  const auto rebase = [&](std::string* file) {
+    if (file->empty() || fs::path(*file).is_absolute()) return;
+    *file = (from / *file).lexically_normal().lexically_relative(to.lexically_normal()).string();
+  };
+  rebase(&project->figure.file);
+  if (project->audio) rebase(&project->audio->file);
+  if (project->reference) rebase(&project->reference->file);
 }
 
 }  // namespace hazumi

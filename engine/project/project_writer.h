@@ -23,7 +23,8 @@ Result<std::string> TextToSave(const Project& project, const std::string& path);
 Result<Done> SaveProject(const Project& project, const std::string& path,
                          const std::atomic<bool>* cancel = nullptr);
 
-// Makes a relative figure reference, good in `from_folder`, good in `to_folder`: for "save as".
+// Makes relative references, of figure, audio and reference picture, that are good in `from_folder`
+// good in `to_folder`: for "save as".
 void RebaseReferences(Project* project, const std::string& from_folder,
                       const std::string& to_folder);
 

@@ -8,6 +8,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
+constexpr double kThird = 1.0 / 3.0;
 
 size_t FirstAfter(const Keys& keys, double frame) {
   const auto later = [](double f, const Key& key) { return f < key.frame; };
@@ -72,7 +73,7 @@ void CurveTrack::PlanUpTo(double frame) {
       continue;
     }
     const double rate = key->rate.value_or(Evaluate(before, before.last_frame).rate);
-    Append(key->frame, key->value, rate, key->interpolation);
+    Append(key->frame, key->value, rate, key);
   }
 }
 
@@ -83,8 +84,7 @@ void CurveTrack::CutAt(double frame) {
 
 void CurveTrack::Resume(double frame, double value, double rate, bool as_keyed) {
   CutAt(frame);
-  const Key* key = KeyAt(frame);
-  Append(frame, value, rate, as_keyed && key ? key->interpolation : Interpolation::kCubic);
+  Append(frame, value, rate, as_keyed ? KeyAt(frame) : nullptr);
 }
 
 CurveTrack::Target CurveTrack::BlendTarget(double until) const {
@@ -101,7 +101,7 @@ void CurveTrack::Blend(double frame, double value, double rate, double until) {
   if (index < keys_->size()) {
     const Key& key = (*keys_)[index];
     arrival = ArrivalRate(key, index, frame, value, rate);
-    if (index > 0 && !key.rate && !IsTakenOver(key.frame)) {
+    if (index > 0 && !key.rate_in && !key.rate && !IsTakenOver(key.frame)) {
       arrival = AutomaticArrival(index, (&key)[-1].frame, (&key)[-1].value);
     }
   }
@@ -110,7 +110,7 @@ void CurveTrack::Blend(double frame, double value, double rate, double until) {
       {frame, target.frame, Interval::Cubic(value, rate, target.value, arrival, duration)});
 }
 
-void CurveTrack::Append(double frame, double value, double rate, Interpolation kind) {
+void CurveTrack::Append(double frame, double value, double rate, const Key* left) {
   const size_t next = FirstAfter(*keys_, frame);
   if (next == keys_->size()) {
     segments_.push_back({frame, kEver, Interval::Hold(value)});
@@ -118,6 +118,7 @@ void CurveTrack::Append(double frame, double value, double rate, Interpolation k
   }
   const Key& target = (*keys_)[next];
   const double duration = Seconds(target.frame - frame);
+  const Interpolation kind = left ? left->interpolation : Interpolation::kCubic;
   Interval interval = Interval::Hold(value);
   if (kind == Interpolation::kLinear) interval = Interval::Linear(value, target.value, duration);
   if (kind == Interpolation::kQuadratic) {
@@ -125,13 +126,21 @@ void CurveTrack::Append(double frame, double value, double rate, Interpolation k
   }
   if (kind == Interpolation::kCubic) {
     const double arrival = ArrivalRate(target, next, frame, value, rate);
-    interval = Interval::Cubic(value, rate, target.value, arrival, duration);
+    interval =
+        left && (left->length_out || target.length_in)
+            ? Interval::Weighted(value, rate, left->length_out.value_or(kThird), target.value,
+                                 arrival, target.length_in.value_or(kThird), duration)
+            : Interval::Cubic(value, rate, target.value, arrival, duration);
+  }
+  if (IsEased(kind)) {
+    interval = Interval::Eased(value, target.value, duration, kind, left->easing);
   }
   segments_.push_back({frame, target.frame, interval});
 }
 
 double CurveTrack::ArrivalRate(const Key& target, size_t index, double start_frame,
                                double start_value, double start_rate) const {
+  if (target.rate_in) return *target.rate_in;
   if (target.rate) return *target.rate;
   if (!IsTakenOver(target.frame)) return AutomaticArrival(index, start_frame, start_value);
   if (IsRecorded(index, start_frame)) {

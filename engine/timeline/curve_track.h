@@ -15,8 +15,9 @@ namespace hazumi {
 // - Before the first key and after the last one the curve is constant.
 // - An interval starts with its left key's rate if given, else with the rate at which the interval
 //   before ended; the first key starts at rate 0.
-// - A cubic arrives with the right key's rate if given, else with an automatic tangent: between two
-//   neighbours as AutomaticRate, at the last key flat.
+// - A cubic arrives with the right key's rate if given (`rate_in` before `rate`), else with an
+//   automatic tangent: between two neighbours as AutomaticRate, at the last key flat.
+// - Tangents have their lengths between two keys alone, not on the way out of a takeover.
 // - At a key on which a takeover begins the keys beyond it say nothing, so the tangent there is
 //   that of a parabola [Arai 2.5 (1)]: marking a region lets the limb go with the speed that its
 //   keys built up.
@@ -32,15 +33,15 @@ class CurveTrack {
   CurveSample At(double frame);
   // The limit from the left, if something lies there; else as At.
   CurveSample Before(double frame);
-  // The polynomial that runs through `frame`, or begins there: from first_frame (-infinity before
-  // the first key) to last_frame.
+  // What runs through `frame`, or begins there: from first_frame (-infinity before the first key)
+  // to last_frame.
   struct Piece {
     double first_frame, last_frame;
     Interval interval;
     bool operator==(const Piece&) const = default;
   };
   Piece PieceAt(double frame);
-  // The polynomial that leads to `frame`.
+  // What leads to `frame`.
   Piece PieceBefore(double frame);
   // Goes on from a piece, as if it had got there by itself.
   void Restart(const Piece& piece) { segments_ = {piece}; }
@@ -66,7 +67,8 @@ class CurveTrack {
   using Segment = Piece;
 
   void PlanUpTo(double frame);
-  void Append(double frame, double value, double rate, Interpolation kind);
+  // Up to the next key; `left`: of whose kind, null for a cubic of its own.
+  void Append(double frame, double value, double rate, const Key* left);
   double ArrivalRate(const Key& target, size_t index, double start_frame, double start_value,
                      double start_rate) const;
   double AutomaticArrival(size_t index, double left_frame, double left_value) const;

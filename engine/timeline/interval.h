@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <variant>
+
+#include "engine/timeline/keyframe.h"
 
 namespace hazumi {
 
@@ -11,7 +14,8 @@ struct CurveSample {
   double acceleration = 0.0;
 };
 
-// A polynomial of degree three at most in the seconds since its start. [Arai 2.5]
+// How a curve runs from key to key, in the seconds since its start: a polynomial of degree three at
+// most [Arai 2.5], an eased way, or a cubic whose tangents are longer or shorter than a third.
 class Interval {
  public:
   static Interval Hold(double value);
@@ -19,14 +23,40 @@ class Interval {
   // From v1 with rate r1 to v2; arrives with the rate 2 (v2 - v1) / duration - r1.
   static Interval Quadratic(double v1, double r1, double v2, double duration);
   static Interval Cubic(double v1, double r1, double v2, double r2, double duration);
+  static Interval Eased(double v1, double v2, double duration, Interpolation kind, Easing easing);
+  // Both lengths in (0, 1): shares of the duration. The value and the time are cubics of a
+  // parameter [Bezier]; with lengths of a third it is Cubic.
+  static Interval Weighted(double v1, double r1, double length1, double v2, double r2,
+                           double length2, double duration);
 
   CurveSample At(double seconds) const;
-  // c[i] goes with the power i of the seconds.
-  std::array<double, 4> coefficients() const { return {c0_, c1_, c2_, c3_}; }
+  bool is_polynomial() const { return std::holds_alternative<Polynomial>(way_); }
+  // Of a polynomial: c[i] goes with the power i of the seconds.
+  std::array<double, 4> coefficients() const { return std::get<Polynomial>(way_).c; }
+  // Up to when after `seconds` it is smooth; a polynomial is so without end.
+  double SmoothUntil(double seconds) const;
   bool operator==(const Interval&) const = default;
 
  private:
-  double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0;
+  struct Polynomial {
+    std::array<double, 4> c;
+    bool operator==(const Polynomial&) const = default;
+  };
+  struct EasedWay {
+    double v1, v2, duration;
+    Interpolation kind;
+    Easing easing;
+    CurveSample At(double seconds) const;
+    bool operator==(const EasedWay&) const = default;
+  };
+  struct WeightedWay {
+    std::array<double, 4> values;  // of the four points
+    double first, second;          // when the two in the middle are, as shares of the duration
+    double duration;
+    CurveSample At(double seconds) const;
+    bool operator==(const WeightedWay&) const = default;
+  };
+  std::variant<Polynomial, EasedWay, WeightedWay> way_;
 };
 
 // Rate of an automatic tangent at (t, v) between its neighbours: the slope of the parabola through

@@ -1,5 +1,5 @@
-// A frame, in order: shadow map; opaque solids; ground; sky where nothing is yet; marks; ghosts;
-// marks on top; text.
+// A frame, in order: shadow map; opaque solids; ground; sky where nothing is yet; pictures; marks;
+// ghosts; marks on top; text. A picture behind everything goes, with ground and sky, before solids.
 // Only solids and filled markers have edges that need several samples a pixel (ground, sky and
 // lines are smoothed by what they compute themselves). Around their areas the rest is drawn with
 // one sample; the areas themselves with several, which are then averaged into them.
@@ -44,6 +44,7 @@ FrameDrawer::FrameDrawer(const GlFunctions& gl, const RendererOptions& options)
       top_marks_(gl, {3, 2, 4}),
       captions_(gl, {3, 2, 4}),
       skins_(gl),
+      pictures_(gl),
       ground_(gl),
       shadow_map_(gl, options_.shadow_map_px) {
   gl.Enable(GL_CULL_FACE);
@@ -89,6 +90,8 @@ std::vector<PictureArea> FrameDrawer::Upload(const Scene& scene,
   top_marks_.Upload(marks.on_top);
   captions_.Upload(BuildCaptions(scene.captions, size));
   sky_stream_.Upload(BuildSky(scene, size));
+  pictures_.Upload(scene, projector.clip_from_world(),
+                   static_cast<double>(size.width) / size.height);
   ground_.Upload(scene, ShadedGround(casters, scene.to_light, scene.ground.height));
   UploadSolids(scene, SolidKind::kOpaque, solids_);
   UploadSolids(scene, SolidKind::kGhost, ghosts_);
@@ -125,6 +128,7 @@ void FrameDrawer::DrawAround(const std::vector<PictureArea>& crisp, const Scene&
   for (const PictureArea& area : areas) {
     gl_.Scissor(area.left, area.bottom, area.width(), area.height());
     DrawSurroundings(scene, view);
+    pictures_.DrawPlanes();
     DrawFlat(hidden_marks_, true);
     DrawFlat(top_marks_, false);
   }
@@ -138,8 +142,11 @@ void FrameDrawer::DrawWithin(const std::vector<PictureArea>& crisp, const Scene&
   for (const PictureArea& area : crisp) {
     gl_.Scissor(area.left, area.bottom, area.width(), area.height());
     target_.Begin(scene.sky.horizon);
+    // What solids hide need not be drawn, unless a picture lies over all of it.
+    if (pictures_.has_background()) DrawSurroundings(scene, view);
     DrawSolids(scene, view, SolidKind::kOpaque);
-    DrawSurroundings(scene, view);
+    if (!pictures_.has_background()) DrawSurroundings(scene, view);
+    pictures_.DrawPlanes();
     DrawFlat(hidden_marks_, true);
     DrawGhosts(scene, view);
     DrawFlat(top_marks_, false);
@@ -176,6 +183,7 @@ void FrameDrawer::DrawSurroundings(const Scene& scene, const FrameView& view) {
   if (scene.ground.visible) ground_.Draw(scene, view);
   sky_.Use();
   sky_stream_.DrawTriangles();
+  if (pictures_.has_background()) pictures_.DrawBackground();
 }
 
 // First only their depth, then the nearest surface: a ghost does not show its own inside.

@@ -2,6 +2,7 @@
 
 #include "render/gl/ground_pass.h"
 #include "render/gl/lighting.h"
+#include "render/gl/picture_pass.h"
 #include "render/gl/picture_target.h"
 #include "render/gl/renderer.h"
 #include "render/gl/shadow_map.h"
@@ -42,6 +43,7 @@ class FrameDrawer {
   VertexStream solids_, ghosts_, sky_stream_, hidden_marks_, top_marks_, captions_;
   SolidMesh solid_mesh_;
   SkinPass skins_;
+  PicturePass pictures_;
   GroundPass ground_;
   ShadowMap shadow_map_;
   PictureTarget target_;

@@ -42,4 +42,22 @@ void main() {
 }
 )";
 
+const char* const kPictureVertex = R"(
+in vec4 a_0;
+in vec2 a_1;
+out vec2 place;
+void main() {
+  gl_Position = a_0;
+  place = a_1;
+}
+)";
+
+const char* const kPictureFragment = R"(
+uniform sampler2D picture_map;
+uniform float opacity;
+in vec2 place;
+out vec4 picture;
+void main() { picture = vec4(texture(picture_map, place).rgb, opacity); }
+)";
+
 }  // namespace hazumi::render::shaders

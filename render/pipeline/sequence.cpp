@@ -30,7 +30,9 @@ Result<int> RenderInTurn(OffscreenRenderer& renderer, const SequenceOptions& opt
   Image image(options.width, options.height);
   int frame = 0;
   for (; frame < sequence.frame_count && !IsCancelled(sequence); ++frame) {
-    const Result<Done> drawn = renderer.Draw(sequence.scene(frame), image);
+    const Result<Scene> scene = sequence.scene(frame);
+    if (!scene.ok()) return scene.error();
+    const Result<Done> drawn = renderer.Draw(scene.value(), image);
     if (!drawn.ok()) return drawn.error();
     const Result<Done> written = WriteFrame(sequence, frame, image);
     if (!written.ok()) return written.error();
@@ -40,10 +42,11 @@ Result<int> RenderInTurn(OffscreenRenderer& renderer, const SequenceOptions& opt
 
 Result<Done> DrawAll(OffscreenRenderer& renderer, const Sequence& sequence, FrameRing& ring) {
   for (int frame = 0; frame < sequence.frame_count && !IsCancelled(sequence); ++frame) {
-    const Scene scene = sequence.scene(frame);
+    const Result<Scene> scene = sequence.scene(frame);
+    if (!scene.ok()) return scene.error();
     Image* image = ring.BeginDrawing();
     if (image == nullptr) break;
-    Result<Done> drawn = renderer.Draw(scene, *image);
+    Result<Done> drawn = renderer.Draw(scene.value(), *image);
     if (!drawn.ok()) return drawn;
     ring.EndDrawing();
   }

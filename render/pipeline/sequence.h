@@ -23,7 +23,7 @@ struct SequenceOptions {
 // What to draw and where. `frame` counts from 0.
 struct Sequence {
   int frame_count = 0;
-  std::function<Scene(int frame)> scene;                    // called on the calling thread
+  std::function<Result<Scene>(int frame)> scene;            // called on the calling thread
   std::function<std::filesystem::path(int frame)> path;     // called on either thread
   std::function<std::vector<PngText>(int frame)> metadata;  // either thread; may be empty
   // Takes each picture in place of a PNG file, in order, on the writing thread; may be empty.

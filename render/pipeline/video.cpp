@@ -16,6 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/media/decode_sound.h"
+#include "engine/media/ffmpeg.h"
+
 extern char** environ;
 
 namespace hazumi::render {
@@ -27,15 +30,44 @@ namespace {
 std::vector<std::string> Arguments(const VideoFormat& format, const std::string& output) {
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
   const std::string rate = std::to_string(format.rate_num) + "/" + std::to_string(format.rate_den);
-  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
-          // what comes: rows of red, green, blue and a byte that says nothing
-          "-f", "rawvideo", "-pixel_format", "rgb0", "-video_size", size, "-framerate", rate, "-i",
-          "pipe:0",
-          // what shall become of it: plays everywhere, begins to play before it is all there
-          "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p", "-c:v",
-          "libx264", "-preset", "medium", "-crf", "18", "-color_range", "tv", "-colorspace",
-          "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-movflags", "+faststart",
-          "-f", "mp4", "file:" + output};
+  std::vector<std::string> arguments = {
+      "ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+      // what comes: rows of red, green, blue and a byte that says nothing
+      "-f", "rawvideo", "-pixel_format", "rgb0", "-video_size", size, "-framerate", rate, "-i",
+      "pipe:0"};
+  const auto add = [&](const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+  };
+  if (format.sound) {
+    add(MediaInput(format.sound->file));
+    add({"-map", "0:v:0", "-map", "1:a:0", "-af", FilterOf(*format.sound), "-c:a", "aac", "-b:a",
+         "192k"});
+  } else {
+    add({"-an"});
+  }
+  // what shall become of it: plays everywhere, begins to play before it is all there
+  add({"-vf",
+       "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+       "-c:v",
+       "libx264",
+       "-preset",
+       "medium",
+       "-crf",
+       "18",
+       "-color_range",
+       "tv",
+       "-colorspace",
+       "bt709",
+       "-color_primaries",
+       "bt709",
+       "-color_trc",
+       "bt709",
+       "-movflags",
+       "+faststart",
+       "-f",
+       "mp4",
+       "file:" + output});
+  return arguments;
 }
 
 // The file that a link leads to, so that the video does not replace the link.
@@ -223,8 +255,20 @@ Result<Done> VideoWriter::Finish(const std::atomic<bool>* cancel) {
                std::string("cannot be written: ") + std::strerror(failed)};
 }
 
+// Reads all of it once, so that nobody waits for pictures that will have no sound.
+static Result<Done> TrySound(const fs::path& file, const std::atomic<bool>* cancel) {
+  const auto is_cancelled = [cancel] { return cancel && *cancel; };
+  const Result<Sound> sound = DecodeSound(file, {.rate = 8000, .channels = 1}, is_cancelled);
+  if (!sound.ok()) return sound.error();
+  return Done{};
+}
+
 Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,
                         const VideoFormat& format) {
+  if (format.sound) {
+    const Result<Done> readable = TrySound(format.sound->file, sequence.cancel);
+    if (!readable.ok()) return readable.error();
+  }
   Result<VideoWriter> writer = VideoWriter::Start(format);
   if (!writer.ok()) return writer.error();
   Sequence into_video = sequence;

@@ -3,8 +3,10 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "engine/base/result.h"
+#include "engine/media/sound_part.h"
 #include "engine/picture/image.h"
 #include "render/pipeline/sequence.h"
 
@@ -15,8 +17,9 @@ namespace hazumi::render {
 // no name, or where the file system has no such files a hidden one beside it.
 struct VideoFormat {
   std::filesystem::path path;
-  int width = 1280, height = 720;   // [px], even
-  int rate_num = 30, rate_den = 1;  // frames a second = num / den
+  int width = 1280, height = 720;       // [px], even
+  int rate_num = 30, rate_den = 1;      // frames a second = num / den
+  std::optional<SoundPart> sound = {};  // heard with it, as AAC
 };
 
 class VideoWriter {
@@ -39,7 +42,8 @@ class VideoWriter {
 };
 
 // Renders a sequence into a video; its `path` and `metadata` are not heeded. Stops at the first
-// error; then, and when it is cancelled, no file is left. Returns the number of frames.
+// error, and before the first picture if the sound cannot be read; then, and when it is cancelled,
+// no file is left. Returns the number of frames.
 Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,
                         const VideoFormat& format);
 

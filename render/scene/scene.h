@@ -5,6 +5,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/color.h"
 #include "render/scene/marks.h"
+#include "render/scene/picture_plane.h"
 #include "render/scene/skinned.h"
 #include "render/scene/solids.h"
 
@@ -37,6 +38,7 @@ struct Scene {
   std::vector<Ellipsoid> ellipsoids;
   std::vector<BoxShape> boxes;
   std::vector<SkinnedFigure> skins;
+  std::vector<PicturePlane> pictures;
   std::vector<Polyline> polylines;
   std::vector<Marker> markers;
   std::vector<Caption> captions;

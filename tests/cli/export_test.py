@@ -158,6 +158,107 @@ class Export(InFolder):
         self.assertLess(data.index(b"moov"), data.index(b"mdat"))  # plays before it is all there
         self.assertEqual(len(list(self.folder.iterdir())), 1)
 
+    def with_sound(self, **audio):
+        """throw.kfa at 30 fps with a sound beside it: half a second of silence, then a tone for
+        0.3 s."""
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-f", "lavfi", "-i",
+                        "sine=frequency=1000:sample_rate=48000:duration=0.3,adelay=24000S",
+                        self.folder / "tone.wav"], check=True)
+        document = json.loads(THROW.read_text())
+        document["audio"] = {"file": "tone.wav", **audio}
+        project = self.folder / "with_sound.kfa"
+        project.write_text(json.dumps(document))
+        return project
+
+    def samples_of(self, path):
+        """The sound of a video, 48000 numbers a second."""
+        done = subprocess.run(["ffmpeg", "-loglevel", "error", "-i", path, "-map", "0:a:0", "-f",
+                               "s16le", "-ac", "1", "-ar", "48000", "pipe:1"],
+                              capture_output=True, check=True)
+        return struct.unpack(f"<{len(done.stdout) // 2}h", done.stdout)
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg or ffprobe is not installed")
+    def test_a_video_has_the_sound_of_its_frames(self):
+        """Of frames 6 to 25 of 30 a second, by a sound that begins on frame 3; and the same at
+        60 frames a second."""
+        project = self.with_sound(start_frame=3, gain_db=-6)
+        loudest = []
+        for fps, frames in (("30", "6..25"), ("60", "12..51")):
+            path = self.export(f"v{fps}.mp4", "--size", "64x48", "--fps", fps, "--frames", frames,
+                               project=project)
+            probe = subprocess.run(["ffprobe", "-v", "error", "-show_entries",
+                                    "stream=codec_type,codec_name,start_time,duration", "-of",
+                                    "json", path], capture_output=True, text=True, check=True)
+            picture, sound = json.loads(probe.stdout)["streams"]
+            self.assertEqual((picture["codec_type"], sound["codec_name"]), ("video", "aac"))
+            self.assertEqual(float(sound["start_time"]), float(picture["start_time"]))
+            self.assertAlmostEqual(float(picture["duration"]), 20 / 30, delta=1e-3)
+            self.assertAlmostEqual(float(sound["duration"]), 20 / 30, delta=1024 / 48000)
+            samples = self.samples_of(path)
+            loudest.append(max(map(abs, samples)))
+            heard = [i for i, s in enumerate(samples) if abs(s) > 0.2 * loudest[-1]]
+            # From 0.5 s of the file, whose beginning is 0.1 s before the first picture, to its end.
+            self.assertAlmostEqual(heard[0] / 48000, 0.4, delta=0.005)
+            self.assertGreater(heard[-1] / 48000, 20 / 30 - 0.005)
+        path = self.export("loud.mp4", "--size", "64x48", project=self.with_sound())
+        samples = self.samples_of(path)
+        louder = max(map(abs, samples)) / loudest[0]
+        self.assertAlmostEqual(20 * math.log10(louder), 6.0, delta=0.5)
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg or ffprobe is not installed")
+    def test_a_sound_changes_no_picture_and_a_mute_one_no_video(self):
+        plain = self.export("plain.mp4", "--size", "64x48")
+        mute = self.export("mute.mp4", "--size", "64x48", project=self.with_sound(mute=True))
+        self.assertEqual(plain.read_bytes(), mute.read_bytes())
+        heard = self.export("heard.mp4", "--size", "64x48", project=self.with_sound())
+        for name, video in (("plain", plain), ("heard", heard)):
+            subprocess.run(["ffmpeg", "-loglevel", "error", "-i", video, "-map", "0:v:0", "-f",
+                            "rawvideo", self.folder / name], check=True)
+        self.assertEqual((self.folder / "plain").read_bytes(), (self.folder / "heard").read_bytes())
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg or ffprobe is not installed")
+    def test_a_sound_that_cannot_be_read_is_said_and_the_project_still_opens(self):
+        project = self.with_sound()
+        sound = self.folder / "tone.wav"
+        old = self.folder / "v.mp4"
+        old.write_text("old")
+        for spoil, said in ((lambda: sound.write_text("broken"), "ffmpeg finds no sound in it"),
+                            (sound.unlink, "cannot be read: No such file or directory")):
+            spoil()
+            done = run("--export", old, "--size", "64x48", project)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(f"{sound}: {said}", done.stderr)
+            self.assertEqual(old.read_text(), "old")
+            self.assertEqual(run("--check", project).returncode, 0)
+
+    @unittest.skipUnless(HAS_FFMPEG, "ffmpeg or ffprobe is not installed")
+    def test_a_reference_is_in_pictures_if_it_is_asked_for(self):
+        subprocess.run(["ffmpeg", "-loglevel", "error", "-f", "lavfi", "-i",
+                        "color=red:s=64x48:d=0.04", self.folder / "red.png"], check=True)
+        pictures = {}
+        for name, more in (("none", None), ("guide", {"opacity": 1}),
+                           ("seen", {"opacity": 1, "rendered": True})):
+            document = json.loads(THROW.read_text())
+            if more:
+                document["reference"] = {"file": "red.png", **more}
+            project = self.folder / f"{name}.kfa"
+            project.write_text(json.dumps(document))
+            done = run("--render", self.folder / name, "--size", "64x48", "--frames", "3..3",
+                       project)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            raw = subprocess.run(["ffmpeg", "-loglevel", "error", "-i",
+                                  self.folder / name / "frame_0003.png", "-f", "rawvideo",
+                                  "-pix_fmt", "rgb24", "pipe:1"], capture_output=True, check=True)
+            pictures[name] = raw.stdout
+        self.assertEqual(pictures["none"], pictures["guide"])
+        red, green, blue = pictures["seen"][:3]
+        self.assertGreater(red, 200)
+        self.assertLess(max(green, blue), 60)
+        (self.folder / "red.png").unlink()
+        done = run("--render", self.folder / "again", self.folder / "seen.kfa")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("red.png: cannot be read: No such file or directory", done.stderr)
+
     @unittest.skipUnless(HAS_FFMPEG, "ffmpeg is not installed")
     def test_an_interrupted_video_leaves_the_old_one(self):
         path = self.folder / "v.mp4"

@@ -1,5 +1,6 @@
 // Keyed curves are cubics between their keys, c0 + c1 t + c2 t^2 + c3 t^3 with t from the key on
-// the left. A joint that holds move has no curve: from frame to frame its angle is fitted by the
+// the left. A joint that holds move has no curve, and an eased interval or one with tangents of
+// lengths of their own is no polynomial: from frame to frame such an angle is fitted by the
 // polynomial p of degree n through n + 1 Chebyshev points s_i = h cos(pi (2 i + 1) / (2 n + 2)) of
 // the frame, h being half of it, in Newton's form with divided differences d_i,
 //   p(s) = d_0 + (s - s_0) (d_1 + (s - s_1) (d_2 + ...)),
@@ -66,6 +67,12 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   double to = end;
   const auto take = [&](CurveTrack& track, DrivenCurve* curve) {
     const CurveTrack::Piece piece = track.PieceAt(from);
+    if (!piece.interval.is_polynomial()) {
+      const double until = std::min(end * 1.0, FitUntil(piece, from));
+      *curve = Fitted(piece, from, until);
+      to = std::min(to, until);
+      return;
+    }
     *curve = ToDriven(piece, context_.animation.rate);
     if (curve->degree > 0 || piece.last_frame > from) to = std::min(to, piece.last_frame);
   };
@@ -81,6 +88,23 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   to = std::min(to, std::floor(from + kSameFrame) + 1.0);
   if (auto error = FitHolds(from, to)) return *error;
   return to;
+}
+
+double DrivenCurves::FitUntil(const CurveTrack::Piece& piece, double from) const {
+  const FrameRate rate = context_.animation.rate;
+  const double smooth =
+      piece.first_frame +
+      rate.FrameAt(piece.interval.SmoothUntil(rate.SecondsAt(from - piece.first_frame)));
+  return std::min({std::floor(from + kSameFrame) + 1.0, piece.last_frame, smooth});
+}
+
+DrivenCurve DrivenCurves::Fitted(const CurveTrack::Piece& piece, double from, double to) const {
+  const double middle = 0.5 * context_.Seconds(from + to);
+  const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
+  const double start = context_.Seconds(piece.first_frame);
+  Points d;
+  for (int i = 0; i < kPoints; ++i) d[i] = piece.interval.At(middle + s[i] - start).value;
+  return PolynomialThrough(s, d, middle);
 }
 
 std::optional<Error> DrivenCurves::FitHolds(double from, double to) {

@@ -19,6 +19,9 @@ class DrivenCurves {
   const DrivenMotion& motion() const { return motion_; }
 
  private:
+  // Of what is no polynomial: up to which frame it is fitted by one, and that one.
+  double FitUntil(const CurveTrack::Piece& piece, double from) const;
+  DrivenCurve Fitted(const CurveTrack::Piece& piece, double from, double to) const;
   std::optional<Error> FitHolds(double from, double to);
 
   BakeContext& context_;

@@ -33,6 +33,14 @@ constexpr double kPoint = 1e-8;                       // of a file's height, in 
 constexpr double kFar = 100.0;                        // from the origin [m]
 constexpr double kWorthAWord = 1e-4;                  // [m]
 
+ProjectKey KeyOf(double frame, double value, std::optional<double> rate = {}) {
+  ProjectKey key;
+  key.frame = frame;
+  key.value = value;
+  key.rate = rate;
+  return key;
+}
+
 Result<const Clip*> ClipOf(const Character& character, const std::string& name) {
   if (name.empty()) return character.clips.empty() ? nullptr : &character.clips.front();
   for (const Clip& clip : character.clips)
@@ -156,19 +164,17 @@ class Importer {
     const bool is_still = std::all_of(values->begin(), values->end(),
                                       [&](double value) { return value == values->front(); });
     if (is_still) {
-      curve.keys.push_back({0.0, values->front(), {}, Interpolation::kCubic, {}});
+      curve.keys.push_back(KeyOf(0.0, values->front()));
     } else if (options_.reduce_deg) {
       const std::vector<ReducedKey> keys = ReduceKeys(*values, tolerance);
       const double per_second = static_cast<double>(project_.fps.num) / project_.fps.den;
       for (const ReducedKey& key : keys) {
-        const double frame = key.frame;
-        curve.keys.push_back({frame, key.value, key.rate * per_second, Interpolation::kCubic, {}});
+        curve.keys.push_back(KeyOf(key.frame, key.value, key.rate * per_second));
       }
       *values = ValuesOf(keys);
     } else {
       for (int f = 0; f < num_frames_; ++f) {
-        const double frame = f;
-        curve.keys.push_back({frame, (*values)[f], {}, Interpolation::kCubic, {}});
+        curve.keys.push_back(KeyOf(f, (*values)[f]));
       }
     }
     report_.num_keys += static_cast<int>(curve.keys.size());

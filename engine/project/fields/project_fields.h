@@ -24,14 +24,32 @@ inline constexpr const char* kProjectFormat = "hazumi-project";
 
 inline constexpr int kNewestFormat = 2;
 
+// Moves otherwise than any key of version 1 can.
+inline bool IsNew(const ProjectKey& key) {
+  return IsEased(key.interpolation) || key.rate_in || key.length_in || key.length_out;
+}
+template <typename Curves>
+bool HasNewKeys(const Curves& curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const ProjectCurve& curve) {
+    return std::any_of(curve.keys.begin(), curve.keys.end(), IsNew);
+  });
+}
+
 // The oldest that says what the project says: what reads an older one alone would make another
 // motion of it.
 inline int FormatVersionOf(const Project& project) {
   const auto& objects = project.held_objects;
   const auto& regions = project.regions;
+  const auto& joints = project.joints;
   const bool is_new =
       std::any_of(objects.begin(), objects.end(), ChangesHands) ||
-      std::any_of(regions.begin(), regions.end(), [](const auto& region) { return region.mute; });
+      std::any_of(regions.begin(), regions.end(), [](const auto& region) { return region.mute; }) ||
+      HasNewKeys(project.root.curves) ||
+      std::any_of(objects.begin(), objects.end(),
+                  [](const auto& object) { return HasNewKeys(object.position.curves); }) ||
+      std::any_of(joints.begin(), joints.end(), [](const auto& joint) {
+        return std::any_of(joint.value.keys.begin(), joint.value.keys.end(), IsNew);
+      });
   return is_new ? 2 : 1;
 }
 
@@ -284,6 +302,8 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Optional({"holds"}, project.holds);
   ar.Optional({"held_objects"}, project.held_objects);
   ar.Optional({"camera"}, project.camera);
+  ar.Optional({"audio"}, project.audio);
+  ar.Optional({"reference"}, project.reference);
   ar.Optional({.name = "markers", .details = "Frames with a name, for people; in any order."},
               project.markers);
   ar.Optional({.name = "preview", .details = "The part that the editor plays; default: all."},

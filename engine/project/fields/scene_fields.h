@@ -210,4 +210,85 @@ void Describe(Ar& ar, Ref<Ar, ProjectCamera> camera) {
               camera.vertical_fov_deg);
 }
 
+template <>
+inline constexpr StructInfo kStructInfo<ProjectAudio> = {
+    "audio", "A sound that is heard with the motion and in videos of it; nothing moves by it."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectAudio> audio) {
+  ar.Required({.name = "file",
+               .label = "File",
+               .help = "a sound file, or a video's sound",
+               .details = "Relative to this file's folder. Whatever the program ffmpeg reads.",
+               .is_filled = true},
+              audio.file);
+  ar.Optional({.name = "start_frame",
+               .parameter = "start",
+               .label = "Start frame",
+               .help = "the frame on which it begins",
+               .details = "May lie outside the project's frames."},
+              audio.start_frame);
+  ar.Optional({.name = "gain_db",
+               .parameter = "gain",
+               .label = "Gain",
+               .help = "how much louder it is than its file",
+               .unit = "dB",
+               .range = {-60.0, 24.0},
+               .step = 0.1},
+              audio.gain_db);
+  ar.Optional({.name = "mute", .label = "Mute", .help = "true: it is not heard"}, audio.mute);
+}
+
+template <>
+inline constexpr StructInfo kStructInfo<ProjectReference> = {
+    "reference", "A picture or a video to animate by; nothing moves by it."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectReference> reference) {
+  ar.Required({.name = "file",
+               .label = "File",
+               .help = "a picture or a video",
+               .details = "Relative to this file's folder. Whatever the program ffmpeg reads.",
+               .is_filled = true},
+              reference.file);
+  ar.Optional({.name = "start_frame",
+               .parameter = "start",
+               .label = "Start frame",
+               .help = "the frame on which it begins",
+               .details = "Of a video; it is not seen outside of its time."},
+              reference.start_frame);
+  ar.Optional({.name = "view",
+               .label = "View",
+               .help = "background: behind everything; plane: in the scene"},
+              reference.view, ReferenceView::kBackground);
+  ar.Optional({.name = "center_m",
+               .parameter = "center_?",
+               .label = "Center",
+               .help = "of the plane, metres",
+               .unit = "m"},
+              reference.center_m, Vec3(0.0, 0.0, 1.0));
+  ar.Optional({.name = "turn_deg",
+               .parameter = "turn",
+               .label = "Turn",
+               .help = "of the plane, about the vertical",
+               .unit = "°",
+               .step = 1.0},
+              reference.turn_deg);
+  ar.Optional({.name = "height_m",
+               .parameter = "height",
+               .label = "Height",
+               .help = "of the plane",
+               .unit = "m",
+               .range = kPositive},
+              reference.height_m, 2.0);
+  ar.Optional({.name = "opacity",
+               .label = "Opacity",
+               .help = "0: not seen, 1: it hides what is behind it",
+               .range = kShare},
+              reference.opacity, 0.5);
+  ar.Optional({.name = "mute", .label = "Hidden", .help = "true: it is not seen"}, reference.mute);
+  ar.Optional({.name = "rendered",
+               .label = "In pictures",
+               .help = "true: it is in rendered pictures and videos too"},
+              reference.rendered);
+}
+
 }  // namespace hazumi

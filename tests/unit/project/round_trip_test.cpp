@@ -168,6 +168,19 @@ TEST(RoundTrip, WritesValidJsonWhateverTheDocumentHolds) {
   EXPECT_EQ(saved["x"], "not json");
 }
 
+// What an older build would move otherwise it shall refuse.
+TEST(RoundTrip, KeysThatOlderBuildsDoNotKnowMakeAFileOfVersion2) {
+  for (const char* field : {R"("rate_in_deg_s": 5)", R"("length_in": 0.5)", R"("length_out": 0.25)",
+                            R"("interpolation": "elastic", "easing": "out")"}) {
+    const std::string key = std::string(R"({"frame": 0, "angle_deg": 45, )") + field + "}";
+    const Json document =
+        Changed(SampleProject(), {{"/joints/r_shoulder_flexion/keys", "[" + key + "]"}});
+    const Json after = Json::parse(WriteProject(ParseGood(document)));
+    EXPECT_EQ(after["version"], 2) << field;
+    EXPECT_EQ(after["joints"]["r_shoulder_flexion"]["keys"][0], Json::parse(key)) << field;
+  }
+}
+
 TEST(RoundTrip, AReferenceStaysAReference) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "figures");
@@ -183,6 +196,8 @@ TEST(RoundTrip, AReferenceStaysAReference) {
   EXPECT_EQ(Json::parse(WriteProject(project.value()))["figure"], document["figure"]);
   RebaseReferences(&project.value(), folder / "projects", folder.path());
   EXPECT_EQ(project.value().figure.file, "figures/doll.json");
+  EXPECT_EQ(project.value().audio->file, "projects/voice.wav");
+  EXPECT_EQ(project.value().reference->file, "projects/take.mp4");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ constexpr const char* kSample = R"({
     "r_knee": {"keys": [
       {"frame": 0, "angle_deg": 12, "rate_deg_s": 30, "interpolation": "linear"},
       {"frame": 2.5, "angle_deg": 20.25},
-      {"frame": 30, "angle_deg": 40}]},
+      {"frame": 30, "angle_deg": 40, "type": "extreme"}]},
     "r_shoulder_flexion": {"keys": [{"frame": 0, "angle_deg": 45}]}
   },
   "size_is_guessed": true,
@@ -110,6 +110,9 @@ constexpr const char* kSample = R"({
     {"name": "brick", "box": {"size_m": [0.2, 0.1, 0.05]}, "mass_kg": 2, "joint": "l_wrist"}
   ],
   "camera": {"eye_m": [0, -3, 1], "target_m": [0, 0, 1], "vertical_fov_deg": 35},
+  "audio": {"file": "voice.wav", "start_frame": -4, "gain_db": -6.5, "mute": true},
+  "reference": {"file": "take.mp4", "start_frame": 3, "view": "plane", "center_m": [1, 2, 0.8],
+                "turn_deg": 30, "height_m": 1.5, "opacity": 0.7, "mute": true, "rendered": true},
   "markers": [{"frame": 9, "name": "throw"}, {"frame": -3, "name": "before"}],
   "preview": {"first": 5, "last": 15},
   "selection_sets": [{"name": "arm", "joints": ["r_elbow", {"beyond": "l_shoulder"}]},

@@ -106,6 +106,18 @@ std::vector<WrongProject> WrongValues() {
        "another"},
       {Check::kRange, Read("/camera/vertical_fov_deg", "180"),
        "camera.vertical_fov_deg: must lie between 1 and 179°, is 180 (vertical field of view)"},
+      {Check::kRange, Read("/audio/gain_db", "25"),
+       "audio.gain_db: must lie between -60 and 24 dB, is 25 (how much louder it is than its "
+       "file)"},
+      {Check::kEmptyName, Read("/audio/file", "\"\""), "audio.file: must not be empty"},
+      {Check::kRange, Read("/reference/opacity", "1.5"),
+       "reference.opacity: must lie between 0 and 1, is 1.5 (0: not seen, 1: it hides what is "
+       "behind it)"},
+      {Check::kRange, Read("/joints/r_knee/keys/1/length_in", "0.95"),
+       "joints.r_knee.keys[1].length_in: must lie between 0.05 and 0.9, is 0.95 (how far its "
+       "tangent reaches back, a share of the time from the key before)"},
+      {Check::kMissingField, Read("/audio/file", ""),
+       "audio: the field \"file\" is missing; add it"},
       {Check::kReleaseByNobody, Read("/held_objects/0/joint", ""),
        "held_objects[0].release_frame: nobody has it at first who could let go; give it a joint or "
        "remove this"},

@@ -1,0 +1,96 @@
+#include "engine/media/decode_sound.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "engine/media/sound_part.h"
+
+namespace hazumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool HasFfmpeg() { return std::system("ffmpeg -version >/dev/null 2>&1") == 0; }
+
+class DecodeSoundTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!HasFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Half a second of silence, then half a second of a tone.
+  fs::path Tone(const std::string& name) const {
+    const fs::path path = folder_ / name;
+    const std::string command =
+        "ffmpeg -loglevel error -y -f lavfi -i 'sine=frequency=1000:sample_rate=48000:duration=0.5,"
+        "adelay=24000S' \"" +
+        path.string() + "\"";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return path;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("hazumi_sound_" + std::to_string(getpid()));
+};
+
+TEST_F(DecodeSoundTest, HasEverySampleInItsPlace) {
+  const auto sound = DecodeSound(Tone("it's a tone.wav"), {48000, 1}, {});
+  ASSERT_TRUE(sound.ok()) << sound.error().ToString();
+  const std::vector<std::int16_t>& samples = sound.value().samples;
+  ASSERT_EQ(samples.size(), 48000u);
+  size_t first = 0;
+  while (first < samples.size() && samples[first] == 0) ++first;
+  EXPECT_NEAR(static_cast<double>(first), 24000.0, 2.0);
+}
+
+TEST_F(DecodeSoundTest, HasTheRateAndTheChannelsThatAreAskedFor) {
+  const auto sound = DecodeSound(Tone("tone.wav"), {8000, 2}, {});
+  ASSERT_TRUE(sound.ok()) << sound.error().ToString();
+  EXPECT_EQ(sound.value().samples.size(), 16000u);
+}
+
+TEST_F(DecodeSoundTest, WhatIsNoSoundIsSaid) {
+  const auto complaint = [](const fs::path& path) {
+    const auto sound = DecodeSound(path, {8000, 1}, {});
+    return sound.ok() ? "none" : sound.error().ToString();
+  };
+  const fs::path missing = folder_ / "missing.wav", broken = folder_ / "broken.wav";
+  EXPECT_EQ(complaint(missing), missing.string() +
+                                    ": cannot be read: No such file or directory; choose the "
+                                    "project's sound again");
+  std::ofstream(broken) << "no sound at all";
+  EXPECT_EQ(complaint(broken), broken.string() +
+                                   ": ffmpeg finds no sound in it, or it is damaged; choose "
+                                   "another file, or convert it to WAV");
+  EXPECT_NE(complaint(folder_).find("is a folder"), std::string::npos);
+}
+
+// A list of other files is no sound: what a stranger wrote opens nothing else.
+TEST_F(DecodeSoundTest, OpensNoOtherFile) {
+  const fs::path list = folder_ / "list.m3u8";
+  std::ofstream(list) << "#EXTM3U\n#EXTINF:1,\nhttp://localhost:9/tone.wav\n#EXT-X-ENDLIST\n";
+  EXPECT_FALSE(DecodeSound(list, {8000, 1}, {}).ok());
+}
+
+TEST_F(DecodeSoundTest, IsCancelled) {
+  const auto sound = DecodeSound(Tone("tone.wav"), {8000, 1}, [] { return true; });
+  ASSERT_FALSE(sound.ok());
+  EXPECT_EQ(sound.error().code, ErrorCode::kInterrupted);
+}
+
+TEST(SoundPart, IsCutToTheSample) {
+  EXPECT_EQ(FilterOf({"a.wav", 0.5, 2.0, 0.0}),
+            "aresample=48000,asetpts=N/SR/TB,atrim=start_sample=24000,asetpts=PTS-STARTPTS,"
+            "apad=whole_len=96000,atrim=end_sample=96000");
+  EXPECT_EQ(FilterOf({"a.wav", -0.25, 1.0, -6.5}),
+            "aresample=48000,asetpts=N/SR/TB,adelay=delays=12000S:all=1,volume=-6.5dB,"
+            "apad=whole_len=48000,atrim=end_sample=48000");
+}
+
+}  // namespace
+}  // namespace hazumi
