@@ -63,6 +63,9 @@ TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllAreSet(ProjectMarker(), "marker");
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
+  ExpectAllAreSet(ProjectAudio(), "audio");
+  ExpectAllAreSet(ProjectReference(), "reference");
+  ExpectAllAreSet(ProjectKey(), "key");
   ExpectAllAreSet(ProjectScene(), "scene");
   ExpectAllAreSet(ProjectRate(), "rate");
   ExpectAllAreSet(ProjectFrames(), "frames");
@@ -115,6 +118,9 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
   expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});
+  expect(edit::FieldsOf<ProjectAudio>(), {"audio.set"});
+  expect(edit::FieldsOf<ProjectReference>(), {"reference.set"});
+  expect(edit::FieldsOf<ProjectKey>(), {"key.set"});
   expect(edit::FieldsOf<ProjectScene>(), {"scene.gravity"});
   expect(edit::FieldsOf<ProjectRate>(), {"time.rate"});
   expect(edit::FieldsOf<ProjectFrames>(), {"time.range", "time.preview"});

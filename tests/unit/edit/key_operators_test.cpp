@@ -150,8 +150,8 @@ TEST(KeyOperators, SayWhatIsWrong) {
             "key.delete.frame: \"root.z\" has no key on frame 3");
   EXPECT_EQ(Refused(&session, "key.paint", Json::object()).ToString(),
             "key.paint: there is no such operator");
-  EXPECT_EQ(Refused(&session, "edit.undo", {{"steps", 3}}).ToString(),
-            "edit.undo.steps: there is no such parameter; the operator takes none");
+  EXPECT_EQ(Refused(&session, "edit.end_drag", {{"steps", 3}}).ToString(),
+            "edit.end_drag.steps: there is no such parameter; the operator takes none");
 }
 
 }  // namespace

@@ -335,9 +335,18 @@ static bool IsBetweenKeys(const Session& session) {
   return false;
 }
 
+bool IsSeldomPossible(const std::string& id) {
+  static const char* const kIds[] = {"audio.remove", "held.set_frames", "held.set_holder",
+                                     "keys.paste",   "pose.breakdown",  "pose.push",
+                                     "pose.relax",   "reference.remove"};
+  return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
+}
+
 bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& infos,
                     const Session& session) {
   const bool is_of_selected = id.starts_with("keys.") && !id.starts_with("keys.select");
+  if (id == "audio.remove") return session.project().audio.has_value();
+  if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();

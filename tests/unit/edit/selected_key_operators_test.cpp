@@ -159,10 +159,11 @@ TEST(SelectedKeys, InterpolationAndHandles) {
 TEST(SelectedKeys, SayWhatIsWrong) {
   Session session = Knee();
   EXPECT_EQ(Refused(&session, "keys.handles", {{"kind", "round"}}).ToString(),
-            "keys.handles.kind: \"round\" is none of auto, flat");
+            "keys.handles.kind: \"round\" is none of auto, flat, aligned, broken, free_length, "
+            "fixed_length");
   EXPECT_EQ(Refused(&session, "keys.interpolation", {{"interpolation", "cubik"}}).ToString(),
             "keys.interpolation.interpolation: \"cubik\" is none of hold, linear, quadratic, "
-            "cubic");
+            "cubic, sine, quintic, exponential, back, bounce, elastic");
   EXPECT_EQ(Refused(&session, "keys.paste", Json::object()).ToString(),
             "keys.paste: no key has been copied");
   SelectKeys(&session, "r_knee", {});

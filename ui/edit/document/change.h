@@ -16,11 +16,11 @@ namespace hazumi::edit {
 template <typename AnyProject>
 auto PartsOfProject(AnyProject& project) {
   auto& [name, fps, frames, solver, figure, skin, size_is_guessed, scene, root, joints, regions,
-         placements, holds, held_objects, camera, markers, preview, selection_sets, extra, read] =
-      project;
+         placements, holds, held_objects, camera, audio, reference, markers, preview,
+         selection_sets, extra, read] = project;
   return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, scene,
-                  root.extra, regions, placements, holds, held_objects, camera, markers, preview,
-                  selection_sets, extra);
+                  root.extra, regions, placements, holds, held_objects, camera, audio, reference,
+                  markers, preview, selection_sets, extra);
 }
 
 // What an edit did to a project: the parts that differ, before and after.

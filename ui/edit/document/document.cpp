@@ -20,6 +20,18 @@ std::optional<std::string> Document::redo_label() const {
   return steps_[position_ - forgotten_].label;
 }
 
+std::vector<std::string> Document::undo_labels() const {
+  std::vector<std::string> labels;
+  for (long i = position_ - forgotten_; i > 0; --i) labels.push_back(steps_[i - 1].label);
+  return labels;
+}
+
+std::vector<std::string> Document::redo_labels() const {
+  std::vector<std::string> labels;
+  for (size_t i = position_ - forgotten_; i < steps_.size(); ++i) labels.push_back(steps_[i].label);
+  return labels;
+}
+
 // A refusal leaves a drag under way, as every refused operator does: journals know nothing of it.
 bool Document::Undo() {
   const bool is_back = is_merging() && steps_.back().change.is_empty();

@@ -30,6 +30,9 @@ class Document {
   // What the next undo and redo would do; none if there is nothing.
   std::optional<std::string> undo_label() const;
   std::optional<std::string> redo_label() const;
+  // Of all that can be undone and redone, the next one first.
+  std::vector<std::string> undo_labels() const;
+  std::vector<std::string> redo_labels() const;
   bool Undo();
   bool Redo();
   // Steps that can be undone or redone, and the memory that they hold, about [bytes].

@@ -16,6 +16,7 @@
 namespace hazumi::edit {
 
 // Each gives the operators of one file.
+std::vector<Operator> MediaOperators();
 std::vector<Operator> ExportOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
@@ -71,8 +72,8 @@ std::vector<std::string> JointNames(const std::set<std::string>& hinges, const F
 
 // By the parameter "curves"; not given: those of the selected joints, else all.
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);
-// By the word of the format, e.g. "cubic".
-Result<Interpolation> InterpolationNamed(const std::string& name);
+// All of its tangents follow from the neighbours.
+void SetAutomatic(ProjectKey* key);
 
 // Keys angles at the current frame, but for locked hinges: one undo step, or part of a drag.
 Result<Done> KeyPose(Session* session, const std::string& label, const Pose& pose,

@@ -10,6 +10,7 @@
 #include "engine/project/checks/checks.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/flight_plan.h"
+#include "ui/edit/operators/key_rates.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
@@ -99,7 +100,9 @@ Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightAr
 
 // Where there is no key: one that leaves the curve as it is, of the kind of the one before it. A
 // quadratic one goes on as fast as the curve arrives, so that it has to say how fast that was.
-void KeepShape(double frame, double value, double rate, ProjectCurve* curve) {
+void KeepShape(double frame, double value, double rate, const ProjectRate& fps,
+               ProjectCurve* curve) {
+  ToCubicsAround(frame, fps, curve);
   if (ProjectKey* old = KeyOn(frame, curve)) {
     if (old->interpolation == Interpolation::kQuadratic && !old->rate) old->rate = rate;
     return;
@@ -137,6 +140,11 @@ void KeyWay(const FlightKeys& keys, int axis, ProjectCurve* curve) {
     if (!old || k > 0) key.value = WithoutRoundOff(keys.roots[k][axis]);
     key.rate = WithoutRoundOff(keys.rates[k][axis]);
     key.interpolation = Interpolation::kCubic;
+    key.length_out.reset();
+    if (k > 0) {
+      key.rate_in.reset();
+      key.length_in.reset();
+    }
     PutKey(key, curve);
   }
 }
@@ -147,11 +155,11 @@ Result<Done> GiveToGravity(const FlightKeys& keys, Project* project) {
   for (int i = 0; i < 3; ++i) {
     ProjectCurve& curve = project->root.curves[kRootX + i];
     if (span.first > project->frames.first) {
-      KeepShape(span.first - 1, keys.root_before[i], keys.rate_before[i], &curve);
+      KeepShape(span.first - 1, keys.root_before[i], keys.rate_before[i], project->fps, &curve);
       if (keys.stands()) ArriveAsSlow(span.first - 1, keys.rate_before[i], &curve);
     }
     if (span.last < project->frames.last)
-      KeepShape(span.last + 1, keys.root_after[i], keys.rate_after[i], &curve);
+      KeepShape(span.last + 1, keys.root_after[i], keys.rate_after[i], project->fps, &curve);
     KeyWay(keys, i, &curve);
   }
   ProjectPlacement placement;

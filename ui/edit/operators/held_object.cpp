@@ -67,7 +67,10 @@ Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject ob
     if (!is_held) {
       const Vec3 at = BeforeTheFigure(object);
       for (int axis = 0; axis < 3; ++axis) {
-        object.position.curves[axis].keys = {{double(project->frames.first), at[axis], {}, {}, {}}};
+        ProjectKey key;
+        key.frame = project->frames.first;
+        key.value = at[axis];
+        object.position.curves[axis].keys = {key};
       }
     } else {
       object.joint = session->figure().group(holder.value()).name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/text.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -42,18 +43,35 @@ Result<Done> SetKey(Session* session, const Parameters& p) {
         const ProjectKey* there = KeyOn(p.number("frame"), curve.value());
         ProjectKey key = there ? *there : ProjectKey();
         key.frame = p.number("frame");
-        key.value = p.number("value", key.value);
-        if (p.has("rate")) key.rate = p.number("rate");
-        if (p.yes("auto_rate")) key.rate.reset();
-        if (p.has("interpolation")) {
-          const Result<Interpolation> kind = InterpolationNamed(p.text("interpolation"));
-          if (!kind.ok()) return kind.error();
-          key.interpolation = kind.value();
-        }
+        if (const Result<Done> set = SetFields(p, &key); !set.ok()) return set;
+        if (p.yes("auto_rate")) SetAutomatic(&key);
         PutKey(key, curve.value());
         return Done();
       },
       p.text("drag"));
+}
+
+// Both sides of the key, unless one of them is given or it is broken already.
+Result<Done> SetTangent(const Parameters& p, ProjectKey* key) {
+  const std::string side = p.text("side");
+  if (side != "" && side != "before" && side != "after") {
+    return Refusal("side", "\"" + side + "\" is none of before, after");
+  }
+  if (side == "before" && key->rate_in) {
+    key->rate_in = p.number("rate");
+  } else {
+    key->rate = p.number("rate");
+    if (side.empty()) key->rate_in.reset();
+  }
+  if (!p.has("length")) return Done();
+  if (side.empty()) return Refusal("side", "say whose length it is: before or after");
+  const double length = p.number("length");
+  if (length < kTangentLength.lower || length > kTangentLength.upper) {
+    return Refusal("length", "must be between " + FormatShort(kTangentLength.lower) + " and " +
+                                 FormatShort(kTangentLength.upper));
+  }
+  (side == "before" ? key->length_in : key->length_out) = length;
+  return Done();
 }
 
 Result<Done> SetKeyRate(Session* session, const Parameters& p) {
@@ -62,8 +80,7 @@ Result<Done> SetKeyRate(Session* session, const Parameters& p) {
       [&](Project* project) -> Result<Done> {
         const Result<Place> place = PlaceOf(p, session->figure(), project);
         if (!place.ok()) return place.error();
-        place.value().key->rate = p.number("rate");
-        return Done();
+        return SetTangent(p, place.value().key);
       },
       p.text("drag"));
 }
@@ -173,14 +190,11 @@ Result<Done> InsertKeys(Session* session, const Parameters& p) {
 
 }  // namespace
 
-Result<Interpolation> InterpolationNamed(const std::string& name) {
-  using enum Interpolation;
-  const std::pair<const char*, Interpolation> all[] = {
-      {"hold", kHold}, {"linear", kLinear}, {"quadratic", kQuadratic}, {"cubic", kCubic}};
-  for (const auto& [text, value] : all) {
-    if (name == text) return value;
-  }
-  return Refusal("interpolation", "\"" + name + "\" is none of hold, linear, quadratic, cubic");
+void SetAutomatic(ProjectKey* key) {
+  key->rate.reset();
+  key->rate_in.reset();
+  key->length_in.reset();
+  key->length_out.reset();
 }
 
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
@@ -193,61 +207,64 @@ std::vector<Operator> KeyOperators() {
   const ParameterInfo curves = {"curves", kNames, false,
                                 "curves; not given: those of the selected joints, else all",
                                 Thing::kCurve};
-  const ParameterInfo interpolation = {"interpolation", kText, false,
-                                       "hold, linear, quadratic or cubic",
-                                       "hold linear quadratic cubic"};
   const ParameterInfo hinges = {
       "curves", kNames, false,
       "hinges; not given: those of the selected joints, else all of the figure", Thing::kCurve};
-  return {{"key.set",
-           "Set key",
-           "Sets a key of a curve, or makes one.",
-           {kCurve,
-            kFrame,
-            {"value", kNumber, false, "degrees, of root positions metres"},
-            {"rate", kNumber, false, "per second"},
-            {"auto_rate", kYesNo, false, "true: the rate follows from the neighbours again"},
-            interpolation,
-            kDrag},
-           SetKey},
-          {"key.rate",
-           "Set rate of key",
-           "Sets how fast a curve passes a key.",
-           {kCurve,
-            kFrame,
-            {"rate", kNumber, true, "degrees per second, of root positions m/s"},
-            kDrag},
-           SetKeyRate},
-          {"key.delete",
-           "Delete key",
-           "Takes the keys of the selected joints, else of all, on this frame away.",
-           {{"curve", kText, false, "only of this curve", Thing::kCurve},
-            {"frame", kNumber, false, "not given: the current one"}},
-           DeleteKey},
-          {"key.move",
-           "Move key",
-           "Moves a key in time, up or down.",
-           {kCurve,
-            kFrame,
-            {"to", kNumber, false, "its new frame"},
-            {"by", kNumber, false, "what is added to its value"},
-            kDrag},
-           MoveKey},
-          {"key.retime",
-           "Move keys in time",
-           "Moves and stretches all keys of some curves from one interval to another.",
-           {curves,
-            {"first", kNumber, true, "first frame of the keys"},
-            {"last", kNumber, true, "last frame of the keys"},
-            {"to_first", kNumber, true, "where the first frame comes to lie"},
-            {"to_last", kNumber, true, "where the last frame comes to lie"},
-            kDrag},
-           RetimeKeys},
-          {"key.insert",
-           "Insert key",
-           "Keys the pose as it is at the current frame.",
-           {hinges},
-           InsertKeys}};
+  return {
+      {"key.set", "Set key", "Sets a key of a curve, or makes one.",
+       Joined({{kCurve, kFrame},
+               FieldsOf<ProjectKey>(),
+               {{"auto_rate", kYesNo, false, "true: the rate follows from the neighbours again"},
+                kDrag}}),
+       SetKey},
+      {"key.rate",
+       "Set rate of key",
+       "Sets how fast a curve passes a key.",
+       {kCurve,
+        kFrame,
+        {"rate", kNumber, true, "degrees per second, of root positions m/s"},
+        {"side", kText, false, "before or after, of a key whose tangent is broken; else both",
+         "before after"},
+        {"length",
+         kNumber,
+         false,
+         "of the tangent on that side, a share of the time",
+         {},
+         "",
+         "",
+         kTangentLength},
+        kDrag},
+       SetKeyRate},
+      {"key.delete",
+       "Delete key",
+       "Takes the keys of the selected joints, else of all, on this frame away.",
+       {{"curve", kText, false, "only of this curve", Thing::kCurve},
+        {"frame", kNumber, false, "not given: the current one"}},
+       DeleteKey},
+      {"key.move",
+       "Move key",
+       "Moves a key in time, up or down.",
+       {kCurve,
+        kFrame,
+        {"to", kNumber, false, "its new frame"},
+        {"by", kNumber, false, "what is added to its value"},
+        kDrag},
+       MoveKey},
+      {"key.retime",
+       "Move keys in time",
+       "Moves and stretches all keys of some curves from one interval to another.",
+       {curves,
+        {"first", kNumber, true, "first frame of the keys"},
+        {"last", kNumber, true, "last frame of the keys"},
+        {"to_first", kNumber, true, "where the first frame comes to lie"},
+        {"to_last", kNumber, true, "where the last frame comes to lie"},
+        kDrag},
+       RetimeKeys},
+      {"key.insert",
+       "Insert key",
+       "Keys the pose as it is at the current frame.",
+       {hinges},
+       InsertKeys}};
 }
 
 }  // namespace hazumi::edit

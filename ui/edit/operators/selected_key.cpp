@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/carried_along.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/key_rates.h"
 
 namespace hazumi::edit {
 
@@ -148,6 +150,7 @@ Result<Done> ScaleSelected(Session* session, const Parameters& p) {
           if (factor != 1.0) key.frame = Snapped(to(key.frame), p);
           if (values != 1.0) key.value = mean + values * (key.value - mean);
           if (key.rate) *key.rate *= values / factor;
+          if (key.rate_in) *key.rate_in *= values / factor;
         }
         return PutKeys(std::move(keys), of);
       },
@@ -161,6 +164,8 @@ Result<Done> DeleteSelected(Session* session, const Parameters&) {
   });
 }
 
+constexpr const char* kHandleKinds = "auto flat aligned broken free_length fixed_length";
+
 // `change(key)` for each selected key; all stay where they are.
 template <typename Change>
 Result<Done> ChangeKeys(Session* session, const std::string& id, Change change) {
@@ -173,20 +178,58 @@ Result<Done> ChangeKeys(Session* session, const std::string& id, Change change) 
   });
 }
 
+// What is given of these fields, to each selected key.
+Result<Done> SetSelected(Session* session, const Parameters& p, const char* id) {
+  ProjectKey probe;
+  if (const Result<Done> set = SetFields(p, &probe); !set.ok()) return set;
+  return ChangeKeys(session, id, [&](ProjectKey* key) { (void)SetFields(p, key); });
+}
 Result<Done> InterpolateSelected(Session* session, const Parameters& p) {
-  const Result<Interpolation> kind = InterpolationNamed(p.text("interpolation"));
-  if (!kind.ok()) return kind.error();
-  return ChangeKeys(session, "keys.interpolation",
-                    [&](ProjectKey* key) { key->interpolation = kind.value(); });
+  return SetSelected(session, p, "keys.interpolation");
+}
+Result<Done> EaseSelected(Session* session, const Parameters& p) {
+  return SetSelected(session, p, "keys.easing");
+}
+Result<Done> SetSelectedType(Session* session, const Parameters& p) {
+  return SetSelected(session, p, "keys.type");
+}
+
+// The curve runs as before where only more is said of it.
+void SetHandles(const std::string& kind, const RatesOfKey& now, ProjectKey* key) {
+  constexpr double kThird = 1.0 / 3.0;
+  if (kind == "auto") return SetAutomatic(key);
+  if (kind == "fixed_length") {
+    key->length_in.reset();
+    key->length_out.reset();
+    return;
+  }
+  if (kind == "free_length") {
+    if (!key->length_in) key->length_in = kThird;
+    if (!key->length_out) key->length_out = kThird;
+    return;
+  }
+  if (kind == "broken" && !key->rate_in) key->rate_in = key->rate.value_or(now.before);
+  if (kind == "aligned" || kind == "flat") key->rate_in.reset();
+  if (kind == "flat") key->rate = 0.0;
+  if (!key->rate) key->rate = now.after;
 }
 
 Result<Done> SetSelectedHandles(Session* session, const Parameters& p) {
   const std::string kind = p.text("kind");
-  if (kind != "auto" && kind != "flat") {
-    return Refusal("kind", "\"" + kind + "\" is none of auto, flat");
+  const std::vector<std::string> kinds = WordsOf(Offer(kHandleKinds));
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    std::string list;
+    for (const std::string& other : kinds) list += (list.empty() ? "" : ", ") + other;
+    return Refusal("kind", "\"" + kind + "\" is none of " + list);
   }
-  return ChangeKeys(session, "keys.handles", [&](ProjectKey* key) {
-    key->rate = kind == "flat" ? std::optional(0.0) : std::nullopt;
+  return EditSelected(session, "keys.handles", "", [&](const SelectedCurve& of) {
+    const std::vector<RatesOfKey> now = RatesOf(*of.curve, session->project().fps);
+    for (size_t i = 0; i < of.curve->keys.size(); ++i) {
+      ProjectKey* key = &of.curve->keys[i];
+      if (of.frames.contains(key->frame)) SetHandles(kind, now[i], key);
+    }
+    *of.selected_after = of.frames;
+    return Result<Done>(Done());
   });
 }
 
@@ -257,16 +300,22 @@ std::vector<Operator> SelectedKeyOperators() {
        "Puts the copied keys so that the earliest lies on the current frame, and selects them.",
        {},
        PasteSelected},
-      {"keys.interpolation",
-       "Interpolation of keys",
+      {"keys.interpolation", "Interpolation of keys",
        "Sets how the curve goes on from the selected keys.",
-       {{"interpolation", kText, true, "hold, linear, quadratic or cubic",
-         "hold linear quadratic cubic"}},
+       Requiring({"interpolation"}, Only({"interpolation", "easing"}, FieldsOf<ProjectKey>())),
        InterpolateSelected},
+      {"keys.easing", "Easing of keys", "Sets on which end the curves of eased keys lie.",
+       Requiring({"easing"}, Only({"easing"}, FieldsOf<ProjectKey>())), EaseSelected},
+      {"keys.type", "Type of keys",
+       "Sets what the selected keys are to you; they are coloured by it, nothing moves.",
+       Requiring({"type"}, Only({"type"}, FieldsOf<ProjectKey>())), SetSelectedType},
       {"keys.handles",
        "Handles of keys",
-       "Sets the rates at the selected keys.",
-       {{"kind", kText, true, "auto: they follow from the neighbours; flat: 0", "auto flat"}},
+       "Sets the tangents at the selected keys.",
+       {{"kind", kText, true,
+         "auto: from the neighbours; flat: rate 0; aligned: one line; broken: each side its own; "
+         "free_length, fixed_length: whether they reach as far as you say",
+         kHandleKinds}},
        SetSelectedHandles}};
 }
 

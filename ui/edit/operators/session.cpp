@@ -80,14 +80,31 @@ Result<Done> Save(Session* session, const Parameters& p) {
   return Done();
 }
 
-Result<Done> Undo(Session* session, const Parameters&) {
-  if (session->document().Undo()) return Done();
-  return Refusal("", "there is nothing to undo");
+const ParameterInfo kSteps = {"steps", ParameterKind::kInteger, false, "how many; not given: one"};
+
+// So many steps, or none at all.
+template <typename Step>
+Result<Done> Take(const Parameters& p, size_t available, const char* what, Step step) {
+  const int steps = p.integer("steps", 1);
+  if (steps < 1) return Refusal("steps", "must be 1 or more");
+  if (available == 0) return Refusal("", std::string("there is nothing to ") + what);
+  if (static_cast<size_t>(steps) > available) {
+    return Refusal("steps", "there are " + std::to_string(available) + " to " + what);
+  }
+  for (int i = 0; i < steps; ++i) {
+    if (!step() && i == 0) return Refusal("", std::string("there is nothing to ") + what);
+  }
+  return Done();
 }
 
-Result<Done> Redo(Session* session, const Parameters&) {
-  if (session->document().Redo()) return Done();
-  return Refusal("", "there is nothing to redo");
+Result<Done> Undo(Session* session, const Parameters& p) {
+  Document& document = session->document();
+  return Take(p, document.undo_labels().size(), "undo", [&] { return document.Undo(); });
+}
+
+Result<Done> Redo(Session* session, const Parameters& p) {
+  Document& document = session->document();
+  return Take(p, document.redo_labels().size(), "redo", [&] { return document.Redo(); });
 }
 
 Result<Done> SetFrame(Session* session, const Parameters& p) {
@@ -113,6 +130,7 @@ void ScaleRates(double factor, Project* project) {
   const auto scale = [&](ProjectCurve* curve) {
     for (ProjectKey& key : curve->keys) {
       if (key.rate) *key.rate *= factor;
+      if (key.rate_in) *key.rate_in *= factor;
     }
   };
   for (ProjectCurve& curve : project->root.curves) scale(&curve);
@@ -231,8 +249,8 @@ std::vector<Operator> SessionOperators() {
        {{"path", kText, false, "where to; not given: where it came from"},
         {"overwrite", kYesNo, false, "true: also what another program has written there since"}},
        Save},
-      {"edit.undo", "Undo", "Takes the last step back.", {}, Undo},
-      {"edit.redo", "Redo", "Takes the last step that was undone again.", {}, Redo},
+      {"edit.undo", "Undo", "Takes the last steps back.", {kSteps}, Undo},
+      {"edit.redo", "Redo", "Takes the last steps that were undone again.", {kSteps}, Redo},
       {"edit.end_drag", "End drag", "The next edit is an undo step of its own.", {}, EndDrag},
       {"edit.cancel_drag",
        "Cancel drag",

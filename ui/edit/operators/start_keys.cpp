@@ -7,19 +7,11 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/timeline/curve_track.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/key_rates.h"
 #include "ui/edit/operators/root_curves.h"
 
 namespace hazumi::edit {
 namespace {
-
-// In the curve's own units.
-Keys ToKeys(const ProjectCurve& curve) {
-  Keys keys;
-  for (const ProjectKey& key : curve.keys) {
-    keys.push_back({key.frame, key.value, key.rate, key.interpolation});
-  }
-  return keys;
-}
 
 // First frames of the other regions for which `is_of` is true.
 template <typename IsOf>
@@ -33,8 +25,10 @@ std::vector<double> StartsOf(const Project& project, const ProjectRegion& own, c
 
 // Puts a key where the curve is. The automatic tangent of the key before would see the new one as
 // its neighbour, so its rate is said.
-void KeyAsItRuns(int frame, FrameRate rate, double rest, const std::vector<double>& starts,
+void KeyAsItRuns(int frame, const ProjectRate& fps, double rest, const std::vector<double>& starts,
                  ProjectCurve* curve) {
+  const FrameRate rate{fps.num, fps.den};
+  ToCubicsAround(frame, fps, curve);
   auto before = std::lower_bound(curve->keys.begin(), curve->keys.end(), frame,
                                  [](const ProjectKey& key, int f) { return key.frame < f; });
   if (before != curve->keys.end() && before->frame == frame) return;
@@ -44,10 +38,11 @@ void KeyAsItRuns(int frame, FrameRate rate, double rest, const std::vector<doubl
     return start < frame && (!has_before || start >= before->frame);
   });
   if (is_moved) return;
-  const Keys keys = ToKeys(*curve);
+  const Keys keys = ToKeys(*curve, 1.0);
   CurveTrack track(&keys, rate, rest, starts);
   const CurveSample at = track.Before(frame);
-  if (has_before && before != curve->keys.begin() && !before->rate) {
+  if (has_before && before != curve->keys.begin() && !before->rate &&
+      !IsEased(before->interpolation)) {
     before->rate = WithoutRoundOff(track.Before(before->frame).rate);
   }
   ProjectKey key;
@@ -61,7 +56,7 @@ void KeyAsItRuns(int frame, FrameRate rate, double rest, const std::vector<doubl
 }  // namespace
 
 void KeyRegionStart(const ProjectRegion& region, const Figure& figure, Project* project) {
-  const FrameRate rate{project->fps.num, project->fps.den};
+  const ProjectRate& rate = project->fps;
   const std::vector<bool> moved = JointsOf(region, figure);
   for (int j = 0; j < figure.num_joints(); ++j) {
     const Joint& joint = figure.joints()[j];

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/project/enum_names.h"
+#include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -70,33 +71,29 @@ Result<KeySelection> SelectedKeysIn(const Json& state) {
 }
 
 Json JsonOf(const Named<ProjectKey>& copied) {
-  const ProjectKey& key = copied.value;
-  Json json = {{"curve", copied.name}, {"frame", key.frame}, {"value", key.value}};
-  if (key.rate) json["rate"] = *key.rate;
-  json["interpolation"] = NameOf(key.interpolation);
+  Json json = {{"curve", copied.name}, {"frame", copied.value.frame}};
+  ForEachField(copied.value, [&](const Field& field, const auto& value) {
+    const Json said = edit::JsonOf(value);
+    if (!said.is_null()) json[ParameterOf(field)] = said;
+  });
   return json;
 }
 
 Result<std::vector<Named<ProjectKey>>> CopiedKeysIn(const Json& state) {
   const auto list = state.find("copied_keys");
   if (list == state.end() || !list->is_array()) return Wrong("copied_keys", "must be a list");
+  const ParameterInfos infos = Joined(
+      {{{"curve", ParameterKind::kText, true, ""}, {"frame", ParameterKind::kNumber, true, ""}},
+       Requiring({"value", "interpolation"}, FieldsOf<ProjectKey>())});
   std::vector<Named<ProjectKey>> keys;
   for (const Json& json : *list) {
-    const Result<Parameters> p =
-        Parameters::Check({{"curve", ParameterKind::kText, true, ""},
-                           {"frame", ParameterKind::kNumber, true, ""},
-                           {"value", ParameterKind::kNumber, true, ""},
-                           {"rate", ParameterKind::kNumber, false, ""},
-                           {"interpolation", ParameterKind::kText, true, ""}},
-                          json);
+    const Result<Parameters> p = Parameters::Check(infos, json);
     if (!p.ok()) return Wrong("copied_keys", p.error().ToString());
     ProjectKey key;
     key.frame = p.value().number("frame");
-    key.value = p.value().number("value");
-    key.rate = p.value().maybe_number("rate");
-    const Result<Interpolation> kind = InterpolationNamed(p.value().text("interpolation"));
-    if (!kind.ok()) return Wrong("copied_keys", kind.error().message);
-    key.interpolation = kind.value();
+    if (const Result<Done> set = SetFields(p.value(), &key); !set.ok()) {
+      return Wrong("copied_keys", set.error().ToString());
+    }
     keys.push_back({p.value().text("curve"), key});
   }
   return keys;
