@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "render/motion/figure_skin.h"
+#include "render/motion/reference_film.h"
 #include "render/pipeline/offscreen.h"
 #include "render/pipeline/sequence.h"
 #include "render/pipeline/video.h"
@@ -35,6 +36,12 @@ void NameFiles(const RenderTask& task, render::Sequence* sequence) {
   };
 }
 
+Result<render::ReferenceFilm> FilmOf(const RenderTask& task, const std::atomic<bool>* cancel) {
+  if (!task.reference) return render::ReferenceFilm();
+  return render::ReferenceFilm::Load(task.reference_path, task.motion.rate, task.reference_rate,
+                                     [cancel] { return cancel && *cancel; });
+}
+
 }  // namespace
 
 Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>& written,
@@ -47,6 +54,8 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   if (!skin.ok()) return skin.error();
   render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays,
                              skin.value());
+  Result<render::ReferenceFilm> film = FilmOf(task, cancel);
+  if (!film.ok()) return film.error();
   render::SequenceOptions options;
   options.width = task.width;
   options.height = task.height;
@@ -55,13 +64,20 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   render::Sequence sequence;
   sequence.frame_count = task.last - task.first + 1;
   const int skipped = task.first - task.motion.frames.front().frame;
-  sequence.scene = [&](int i) { return scenes.At(skipped + i); };
+  sequence.scene = [&](int i) -> Result<render::Scene> {
+    render::Scene scene = scenes.At(skipped + i);
+    if (task.reference) {
+      const Result<Done> added = film.value().AddTo(*task.reference, task.first + i, &scene);
+      if (!added.ok()) return added.error();
+    }
+    return scene;
+  };
   sequence.progress = written;
   sequence.cancel = cancel;
   if (is_video) {
     const FrameRate& rate = task.motion.rate;
-    return render::RenderVideo(options, sequence,
-                               {task.video, task.width, task.height, rate.num, rate.den});
+    return render::RenderVideo(
+        options, sequence, {task.video, task.width, task.height, rate.num, rate.den, task.sound});
   }
   NameFiles(task, &sequence);
   return render::RenderSequence(options, sequence);

@@ -15,6 +15,7 @@
 #include "ui/shell/crash_safety.h"
 #include "ui/shell/interface.h"
 #include "ui/shell/settings_file.h"
+#include "ui/shell/sound_player.h"
 #include "ui/shell/window_input.h"
 
 namespace hazumi::ui {
@@ -141,6 +142,7 @@ class Loop {
     const double now = glfwGetTime();
     editor_.Tick(now);
     interface_.Frame(window_.size(), now - last_frame_);
+    sound_.Follow(&editor_);
     input_.ShowCursor();
     glfwSwapBuffers(window_.get());
     if (options_.trace != nullptr) Trace();
@@ -208,6 +210,7 @@ class Loop {
   Editor& editor_;
   SettingsFile settings_;
   CrashSafety safety_;
+  SoundPlayer sound_;
   WindowInput input_;
   const WindowOptions& options_;
   double last_frame_ = 0.0, event_time_ = -1.0;

@@ -302,6 +302,36 @@ TEST_F(Dialogs, TheRangeOfARenderStaysAsLongAsItsFramesDo) {
   EXPECT_EQ(render.last, 20);
 }
 
+TEST_F(Dialogs, ASoundIsChosenFromAListAndKeptRelativeToTheProject) {
+  fs::create_directories(folder_ / "sounds");
+  std::ofstream(File("sounds/voice.wav")) << "a sound";
+  std::ofstream(File("sounds/notes.txt")) << "none";
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("shot.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.sound_dialog"));
+  Frames();
+  GoToFolder(File("sounds"), &editor_);
+  ASSERT_EQ(editor_.dialogs.files.entries.size(), 1u);
+  SelectEntry(0, &editor_);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  ASSERT_TRUE(editor_.session().project().audio);
+  EXPECT_EQ(editor_.session().project().audio->file, "sounds/voice.wav");
+}
+
+TEST_F(Dialogs, AReferenceIsChosenAmongPicturesAndVideos) {
+  for (const char* name : {"take.mp4", "pose.PNG", "notes.txt"}) std::ofstream(File(name)) << "-";
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("shot.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.reference_dialog"));
+  Frames();
+  GoToFolder(folder_.string(), &editor_);
+  ASSERT_EQ(editor_.dialogs.files.entries.size(), 2u);
+  SelectEntry(1, &editor_);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  ASSERT_TRUE(editor_.session().project().reference);
+  EXPECT_EQ(editor_.session().project().reference->file, "take.mp4");
+}
+
 TEST_F(Dialogs, TheFolderOfPicturesIsChosenFromAListThatComesBack) {
   fs::create_directories(folder_ / "shots");
   std::ofstream(File("a.kfa")) << "{}";

@@ -274,6 +274,27 @@ TEST_F(Export, AVideoHasEveryFrame) {
   EXPECT_EQ(editor_.message.text, "Exported: " + File("a.mp4"));
 }
 
+TEST_F(Export, AVideoHasTheProjectsSound) {
+  if (!Has("ffmpeg") || !Has("ffprobe")) GTEST_SKIP() << "ffmpeg or ffprobe is not installed";
+  const std::string make = "ffmpeg -loglevel error -f lavfi -i sine=duration=1 " + File("tone.wav");
+  ASSERT_EQ(std::system(make.c_str()), 0);
+  Press(kEscape);
+  ASSERT_TRUE(editor_.Do("audio.set", {{"file", File("tone.wav")}}));
+  ASSERT_TRUE(editor_.Do("file.export_dialog"));
+  ChooseSmallVideo(&state());
+  EXPECT_EQ(ExportFacts(editor_, nullptr).back(),
+            "H.264 with its sound in AAC, made by the program ffmpeg");
+  state().path = File("a.mp4");
+  StartExport(&editor_);
+  ASSERT_EQ(modal(), Modal::kProgress) << state().error;
+  const std::shared_ptr<RenderJob> job = editor_.dialogs.render.job;
+  FramesUntil([&] { return job->result().has_value(); });
+  ASSERT_TRUE(job->result()->ok()) << job->result()->error().ToString();
+  const std::string seen = "ffprobe -v error -show_entries stream=codec_name -of csv=p=0 " +
+                           File("a.mp4") + " | tr '\\n' ' ' | grep -q 'h264 aac'";
+  EXPECT_EQ(std::system(seen.c_str()), 0);
+}
+
 TEST_F(Export, AVideoThatIsCancelledLeavesNoFile) {
   if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   ChooseSmallVideo(&state());

@@ -159,6 +159,43 @@ TEST_F(Graph, PullingAHandleSetsTheRateInOneStep) {
   EXPECT_EQ(user.num_steps(), 1u);  // it can be done again
 }
 
+TEST_F(Graph, ABrokenKeysHandlesTurnByThemselves) {
+  user.Click(Key("r_knee", 15).at);
+  user.editor().Do("keys.handles", {{"kind", "broken"}});
+  const double before = *Stored("r_knee", 15)->rate_in;
+  const Point handle = (*Key("r_knee", 15).handles)[1];
+  user.Drag(handle, {std::floor(handle.x) + 10.0f, std::floor(handle.y) - 30.0f});
+  EXPECT_EQ(*Stored("r_knee", 15)->rate_in, before);
+  EXPECT_GT(*Stored("r_knee", 15)->rate, before + 1.0);
+}
+
+TEST_F(Graph, HandlesOfFreeLengthAreAsLongAsTheyReachAndArePulledLonger) {
+  user.Click(Key("r_knee", 15).at);
+  user.editor().Do("keys.handles", {{"kind", "free_length"}});
+  const ui::GraphKey key = Key("r_knee", 15);
+  const double gap = Layout().frame.axis.px_per_frame() * key.frames_beside[1];
+  const Point handle = (*key.handles)[1];
+  EXPECT_NEAR(handle.x - key.at.x, gap / 3.0, 0.5);
+  user.Drag(handle, {std::floor(key.at.x) + static_cast<float>(0.6 * gap), std::floor(handle.y)});
+  EXPECT_NEAR(*Stored("r_knee", 15)->length_out, 0.6, 1.5 / gap + 0.01);
+  EXPECT_NEAR(*Stored("r_knee", 15)->length_in, 1.0 / 3.0, 1e-12);
+}
+
+TEST_F(Graph, TheWindowOfRSetsTheTypeOfKeys) {
+  const Point at = Key("r_knee", 15).at;
+  user.Click(at);
+  // The window opens at the mouse; where its entries are is up to the font.
+  for (float dy = -160.0f; dy < 160.0f; dy += 8.0f) {
+    if (Stored("r_knee", 15)->type == KeyType::kBreakdown) break;
+    user.MoveTo(at);
+    user.Press('R');
+    user.Click({at.x + 25.0f, at.y + dy});
+    if (user.session().selected_keys().empty()) user.Click(at);
+  }
+  EXPECT_EQ(Stored("r_knee", 15)->type, KeyType::kBreakdown);
+  EXPECT_EQ(Key("r_knee", 15).type, KeyType::kBreakdown);
+}
+
 TEST_F(Graph, YAndANumberMovesValuesByExactlyThat) {
   const double before = Stored("r_knee", 15)->value;
   user.Click(Key("r_knee", 15).at);

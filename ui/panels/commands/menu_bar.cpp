@@ -22,6 +22,37 @@ void DrawRecentFiles(Editor* editor) {
   ImGui::EndMenu();
 }
 
+// What was undone is above what was done; the mark is where the document is.
+void DrawHistory(Editor* editor) {
+  constexpr size_t kMost = 24;  // of each
+  const edit::Document& document = editor->session().document();
+  std::vector<std::string> redo = document.redo_labels(), undo = document.undo_labels();
+  const bool is_open = ImGui::BeginMenu(Tr("Undo history"), !redo.empty() || !undo.empty());
+  if (!is_open) return Tooltip(Tr("Steps that were done and undone; goes back and forth to one."));
+  for (size_t i = std::min(redo.size(), kMost); i > 0; --i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(editor->theme().faint_text));
+    if (ImGui::MenuItem(Tr(redo[i - 1].c_str()))) editor->Do("edit.redo", {{"steps", i}});
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+  }
+  for (size_t i = 0; i < std::min(undo.size(), kMost); ++i) {
+    ImGui::PushID(-1 - static_cast<int>(i));
+    const bool is_now = i == 0;
+    if (ImGui::MenuItem(Tr(undo[i].c_str()), nullptr, is_now) && !is_now) {
+      editor->Do("edit.undo", {{"steps", i}});
+    }
+    ImGui::PopID();
+  }
+  if (undo.size() <= kMost) {
+    const bool is_now = undo.empty();
+    if (ImGui::MenuItem(Tr("As it was opened"), nullptr, is_now) && !is_now) {
+      editor->Do("edit.undo", {{"steps", undo.size()}});
+    }
+  }
+  ImGui::EndMenu();
+}
+
 void DrawSelectionSets(Editor* editor) {
   const std::vector<ProjectSelectionSet> sets = editor->session().project().selection_sets;
   const bool is_open = ImGui::BeginMenu(Tr("Selection sets"), !sets.empty());
@@ -53,6 +84,7 @@ void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries);
 void DrawEntry(Editor* editor, const MenuEntry& entry) {
   if (!entry.id && !entry.label) return ImGui::Separator();
   if (entry.id && std::string(entry.id) == "app.open") return DrawRecentFiles(editor);
+  if (!entry.id && entry.entries.empty()) return DrawHistory(editor);
   if (entry.id && std::string(entry.id) == "select.set") return DrawSelectionSets(editor);
   if (entry.id) return DrawAction(editor, entry);
   if (!ImGui::BeginMenu(Tr(entry.label))) return;

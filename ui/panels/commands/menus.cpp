@@ -5,6 +5,7 @@
 
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/sheet/key_kinds.h"
 #include "ui/panels/viewport/overlays.h"
 
 namespace hazumi::ui {
@@ -36,6 +37,7 @@ MenuEntry FileMenu() {
 MenuEntry EditMenu() {
   return Submenu("Edit", {{"edit.undo"},
                           {"edit.redo"},
+                          Submenu("Undo history", {}),  // drawn as the list of steps
                           Line(),
                           {"app.search"},
                           Line(),
@@ -161,26 +163,29 @@ MenuEntry PoseMenu() {
 }
 
 MenuEntry KeyMenu() {
-  const auto kind = [](const char* name, const char* label) {
-    return MenuEntry{"keys.interpolation", {{"interpolation", name}}, label};
+  const auto submenu = [](const char* label, const std::vector<KeyChoice>& choices) {
+    std::vector<MenuEntry> entries;
+    for (const KeyChoice& choice : choices) {
+      if (choice.begins_group) entries.push_back(Line());
+      entries.push_back({choice.id, choice.parameters, choice.label});
+    }
+    return Submenu(label, std::move(entries));
   };
-  return Submenu(
-      "Key", {{"key.insert"},
-              {"key.delete", Json::object(), "Delete keys of this frame"},
-              {"keys.delete"},
-              Line(),
-              {"keys.copy"},
-              {"keys.paste"},
-              {"sheet.duplicate"},
-              Line(),
-              {"sheet.move"},
-              {"sheet.scale"},
-              Line(),
-              Submenu("Interpolation", {kind("hold", "Hold"), kind("linear", "Linear"),
-                                        kind("quadratic", "Quadratic"), kind("cubic", "Cubic")}),
-              Submenu("Handles", {{"keys.handles", {{"kind", "auto"}}, "Automatic"},
-                                  {"keys.handles", {{"kind", "flat"}}, "Flat"}}),
-              {"key.rate"}});
+  return Submenu("Key", {{"key.insert"},
+                         {"key.delete", Json::object(), "Delete keys of this frame"},
+                         {"keys.delete"},
+                         Line(),
+                         {"keys.copy"},
+                         {"keys.paste"},
+                         {"sheet.duplicate"},
+                         Line(),
+                         {"sheet.move"},
+                         {"sheet.scale"},
+                         Line(),
+                         submenu("Interpolation", InterpolationChoices()),
+                         submenu("Handles", HandleChoices()),
+                         submenu("Key type", KeyTypeChoices()),
+                         {"key.rate"}});
 }
 
 MenuEntry RegionMenu() {
@@ -218,6 +223,11 @@ MenuEntry SceneMenu() {
                            {"placement.flight"},
                            {"tool.jump"},
                            {"jump.add"},
+                           Line(),
+                           {"file.sound_dialog"},
+                           {"audio.remove"},
+                           {"file.reference_dialog"},
+                           {"reference.remove"},
                            Line(),
                            {"view.set_camera"}});
 }
@@ -261,7 +271,8 @@ std::string LabelOf(const MenuEntry& entry) {
   std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
   const std::string id = entry.id ? entry.id : "";
   const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
-                    id == "file.export_dialog" || id == "file.save_as" || id == "render.dialog";
+                    id == "file.sound_dialog" || id == "file.export_dialog" ||
+                    id == "file.reference_dialog" || id == "file.save_as" || id == "render.dialog";
   if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
   return label;
 }
@@ -286,6 +297,8 @@ bool CanDo(const Editor& editor, const std::string& id) {
   if (id == "pose.paste") return !session.clipboard().empty();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "view.camera") return session.project().camera.has_value();
+  if (id == "audio.remove") return session.project().audio.has_value();
+  if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "app.open") return !editor.settings.recent_files.empty();
   if (NeedsRegion(id)) return !session.project().regions.empty();
   if (NeedsSelectedKeys(id)) return !session.selected_keys().empty();

@@ -75,6 +75,7 @@ const std::vector<Shortcut>& AllShortcuts() {
       {{'V', true}, kSheet, "keys.paste"},
       {{'T'}, kSheet, "sheet.open", {{"popup", "interpolation"}}},
       {{'V'}, kSheet, "sheet.open", {{"popup", "handles"}}},
+      {{'R'}, kSheet, "sheet.open", {{"popup", "key_type"}}},
       {{'M'}, kSheet, "marker.add"},
       {{kF2}, kSheet, "sheet.rename"},
       {{'P'}, kSheet, "sheet.preview"},

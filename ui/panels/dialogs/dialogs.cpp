@@ -90,6 +90,16 @@ Result<Done> ExportWithDialog(Editor* editor, const Parameters& p) {
   return Done();
 }
 
+Result<Done> ChooseSound(Editor* editor, const Parameters&) {
+  OpenSoundDialog(editor);
+  return Done();
+}
+
+Result<Done> ChooseReference(Editor* editor, const Parameters&) {
+  OpenReferenceDialog(editor);
+  return Done();
+}
+
 Result<Done> ShowRender(Editor* editor, const Parameters& p) {
   OpenRenderDialog(editor, p.yes("whole"));
   return Done();
@@ -114,6 +124,16 @@ std::vector<Action> DialogActions() {
            "Makes a project of a character and its clip: BVH, FBX, glTF, GLB or Collada.",
            {},
            ImportWithDialog},
+          {"file.sound_dialog",
+           "Choose sound",
+           "Chooses the sound that is heard with the motion: WAV, MP3, a video's, and others.",
+           {},
+           ChooseSound},
+          {"file.reference_dialog",
+           "Choose reference",
+           "Chooses a picture or a video to animate by; it is seen behind or in the scene.",
+           {},
+           ChooseReference},
           {"file.export_dialog",
            "Export",
            "Writes the motion for other programs: BVH, glTF, CSV, JSON, or a video.",

@@ -35,6 +35,8 @@ void AnswerSaveAs(Editor* editor);
 void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
 // Shows it to choose a character of another program; its import dialog comes after it.
 void OpenImportFileDialog(Editor* editor);
+void OpenSoundDialog(Editor* editor);
+void OpenReferenceDialog(Editor* editor);
 // Shows it to choose the render dialog's folder; that dialog comes back after either answer.
 void OpenFolderDialog(Editor* editor);
 void ChooseFolder(Editor* editor);

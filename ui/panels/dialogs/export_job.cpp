@@ -6,6 +6,7 @@
 
 #include "engine/base/atomic_file.h"
 #include "engine/base/text.h"
+#include "ui/edit/media_files.h"
 #include "ui/panels/dialogs/dialogs.h"
 
 namespace hazumi::ui {
@@ -108,6 +109,11 @@ Result<RenderTask> VideoTask(Editor* editor) {
   task.last = settings.last;
   task.video = ExportPath(state);
   task.project = ProjectNameOf(*editor);
+  const edit::Session& session = editor->session();
+  const FrameRate rate{session.project().fps.num, session.project().fps.den};
+  task.sound =
+      edit::HeardIn(session.project(), session.document().path(), rate.SecondsAt(task.first),
+                    rate.SecondsAt(task.last - task.first + 1));
   return FilledTask(editor, std::move(task), state.through_project_camera, state.overlays);
 }
 

@@ -67,6 +67,11 @@ bool HasRegions(MotionFormat format) {
          format == MotionFormat::kJson;
 }
 
+bool HasSound(const Editor& editor) {
+  const std::optional<ProjectAudio>& audio = editor.session().project().audio;
+  return audio && !audio->mute;
+}
+
 void AddHeldObjects(const Project& project, MotionFormat format, const ExportSummary& summary,
                     std::vector<std::string>* left_out) {
   if (format == MotionFormat::kJson) return;
@@ -81,7 +86,8 @@ std::vector<std::string> ExportFacts(const Editor& editor, const ExportSummary* 
   const ExportState& state = editor.dialogs.exporting;
   if (state.is_video) {
     return {LengthText(editor) + Filled(Tr(", %d x %d pixels"), state.width, state.height),
-            Tr("H.264 without sound, made by the program ffmpeg")};
+            HasSound(editor) ? Tr("H.264 with its sound in AAC, made by the program ffmpeg")
+                             : Tr("H.264 without sound, made by the program ffmpeg")};
   }
   if (!summary) return {};
   std::vector<std::string> facts = {MotionLine(editor, *summary)};

@@ -75,6 +75,19 @@ void TakeExportPath(Editor* editor) {
   Open(Modal::kExport, editor);
 }
 
+// As the project's file will find it.
+void TakeMedia(Editor* editor, const char* id) {
+  const std::string& project = editor->session().document().path();
+  std::filesystem::path path = ChosenPath(editor->dialogs.files);
+  if (!project.empty()) {
+    path = path.lexically_relative(
+        std::filesystem::absolute(project).lexically_normal().parent_path());
+  }
+  const Result<Done> set = editor->Invoke(id, {{"file", path.string()}});
+  if (set.ok()) return Close(editor);
+  editor->dialogs.files.error = TextOf(set.error(), id);
+}
+
 }  // namespace
 
 void ReadFolder(Editor* editor) {
@@ -116,6 +129,22 @@ void OpenImportFileDialog(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   files.imports = true;
   files.filter.kind = FolderFilter::Kind::kCharacters;
+  ReadFolder(editor);
+}
+
+void OpenSoundDialog(Editor* editor) {
+  OpenFileDialog(editor, false);
+  FileDialogState& files = editor->dialogs.files;
+  files.sounds = true;
+  files.filter.kind = FolderFilter::Kind::kSounds;
+  ReadFolder(editor);
+}
+
+void OpenReferenceDialog(Editor* editor) {
+  OpenFileDialog(editor, false);
+  FileDialogState& files = editor->dialogs.files;
+  files.references = true;
+  files.filter.kind = FolderFilter::Kind::kReferences;
   ReadFolder(editor);
 }
 
@@ -175,6 +204,8 @@ void ChooseFile(Editor* editor) {
     return GoToFolder(folder, editor);
   }
   if (files.exports) return TakeExportPath(editor);
+  if (files.sounds) return TakeMedia(editor, "audio.set");
+  if (files.references) return TakeMedia(editor, "reference.set");
   if (files.imports || (!files.is_save && IsOfOtherProgram(wanted))) {
     return OpenImport(ChosenPath(files), editor);
   }

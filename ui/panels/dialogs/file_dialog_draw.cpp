@@ -106,6 +106,8 @@ void DrawList(Editor* editor) {
     ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
                               : files.exports    ? Tr("There is no such file in this folder.")
                               : files.imports    ? Tr("There is no character in this folder.")
+                              : files.sounds     ? Tr("There is no sound in this folder.")
+                              : files.references ? Tr("There is no picture in this folder.")
                                                  : Tr("There is no project in this folder."));
   }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
@@ -205,6 +207,8 @@ void DrawBottom(Editor* editor) {
   const ButtonText choose =
       files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
       : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
+      : files.sounds     ? ButtonText{Tr("Choose"), Tr("This is heard with the motion.")}
+      : files.references ? ButtonText{Tr("Choose"), Tr("This is seen behind or in the scene.")}
       : files.is_save    ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
                          : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
   const int clicked =

@@ -50,10 +50,27 @@ bool IsExport(const std::string& path) {
   return EndsInOneOf({".bvh", ".gltf", ".glb", ".csv", ".json", ".mp4"}, path);
 }
 
+bool IsVideo(const std::string& path) {
+  return EndsInOneOf({".mp4", ".mov", ".mkv", ".webm", ".avi"}, path);
+}
+
+bool IsSound(const std::string& path) {
+  return IsVideo(path) || EndsInOneOf({".wav", ".mp3", ".ogg", ".opus", ".flac", ".m4a", ".aac",
+                                       ".aif", ".aiff", ".wma"},
+                                      path);
+}
+
+bool IsReference(const std::string& path) {
+  return IsVideo(path) ||
+         EndsInOneOf({".png", ".jpg", ".jpeg", ".gif", ".webp", ".bmp", ".tif", ".tiff"}, path);
+}
+
 bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (entry.name.starts_with('.')) return false;
   if (entry.is_folder || filter.all_files) return true;
   if (filter.kind == FolderFilter::Kind::kCharacters) return IsOfOtherProgram(entry.name);
+  if (filter.kind == FolderFilter::Kind::kSounds) return IsSound(entry.name);
+  if (filter.kind == FolderFilter::Kind::kReferences) return IsReference(entry.name);
   if (filter.kind == FolderFilter::Kind::kMotions) return IsExport(entry.name);
   return LowerCase(entry.name).ends_with(kSuffix);
 }

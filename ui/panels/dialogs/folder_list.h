@@ -19,7 +19,7 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  enum class Kind { kProjects, kCharacters, kMotions };
+  enum class Kind { kProjects, kCharacters, kMotions, kSounds, kReferences };
   bool all_files = false;  // else those of the kind alone; what begins with a dot is never shown
   FileOrder order = FileOrder::kName;
   Kind kind = Kind::kProjects;
@@ -29,6 +29,9 @@ struct FolderFilter {
 bool IsOfOtherProgram(const std::string& path);
 // Called as what File > Export writes.
 bool IsExport(const std::string& path);
+// Called as sounds and videos are, or as pictures and videos; there are more that ffmpeg reads.
+bool IsSound(const std::string& path);
+bool IsReference(const std::string& path);
 bool IsShown(const FileEntry& entry, const FolderFilter& filter);
 // Folders first. Names as people count: "shot 2" before "shot 10", upper case as lower.
 void SortEntries(FileOrder order, std::vector<FileEntry>* entries);

@@ -55,7 +55,13 @@ const std::vector<ManualPart>& ManualParts() {
        {"File > Export writes the motion as BVH, glTF, a table, JSON or a video, and shows before "
         "it does what will be in the file and what will not. For Blender, Unreal and Unity glTF "
         "(.glb) is best: it has skeleton, meshes and motion, and says in its extras what was "
-        "computed. Keys, masses and limits are in the project alone: keep it."}}};
+        "computed. Keys, masses and limits are in the project alone: keep it.",
+        "Scene > Choose sound puts a sound to the motion. Its wave lies under the ruler, and "
+        "videos have it; where it begins and how loud it is stand in the properties. "
+        "Playback lets it be heard, and so does going from frame to frame.",
+        "Scene > Choose reference shows a picture or a video behind everything or as a plane in "
+        "the scene; the properties say where, how strong, and whether rendered pictures have "
+        "it."}}};
   return parts;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/base/memory.h"
+#include "ui/edit/media_files.h"
 #include "ui/edit/new_project.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/text/filled.h"
@@ -165,6 +166,9 @@ Result<RenderTask> FilledTask(Editor* editor, RenderTask task, bool through_proj
   task.animation = *session.animation();
   task.motion = *motion.value();
   task.skin = session.project().skin;
+  task.reference = edit::RenderedReference(session.project());
+  task.reference_path = edit::ReferencePath(session.project(), session.document().path());
+  task.reference_rate = {session.project().fps.num, session.project().fps.den};
   task.overlays.look = LookOf(editor->viewport.overlays);
   task.camera = CameraFor(*editor, through_project_camera);
   if (overlays) task.overlays = OverlaysFor(*editor);

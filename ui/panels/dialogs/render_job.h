@@ -9,6 +9,7 @@
 
 #include "engine/bake/motion.h"
 #include "engine/base/result.h"
+#include "engine/media/sound_part.h"
 #include "engine/project/project.h"
 #include "engine/timeline/animation.h"
 #include "render/motion/motion_scene.h"
@@ -24,6 +25,9 @@ struct RenderTask {
   Animation animation;
   Motion motion;
   ProjectSkin skin;
+  std::optional<ProjectReference> reference;  // if it is seen in pictures
+  std::string reference_path;
+  FrameRate reference_rate;  // of the project
   render::Camera camera;
   render::Overlays overlays;
   bool shadow = true;
@@ -31,6 +35,7 @@ struct RenderTask {
   int first = 0, last = 0;         // frames, both drawn
   std::string folder;              // made if it is not there
   std::string video;               // a file; not empty: an MP4 instead of pictures
+  std::optional<SoundPart> sound;  // of the video
   std::string project;             // its name, for file names and the pictures' texts
 };
 

@@ -42,6 +42,8 @@ struct FileDialogState {
   bool is_save = false;
   bool picks_folder = false;  // for the pictures of the render dialog
   bool imports = false;       // a character of another program
+  bool sounds = false;        // the project's sound
+  bool references = false;    // its reference picture or video
   bool exports = false;       // a file for the export dialog, which asks before it overwrites
   std::string folder;
   FolderFilter filter;

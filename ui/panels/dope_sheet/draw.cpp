@@ -26,7 +26,7 @@ class DopeSheetPainter {
     DrawPaint();
     const auto radius = static_cast<float>(4.2 * frame.scale);
     for (const RowKey& key : layout_.keys) {
-      DrawKey(list_, key.at, radius, key.interpolation, key.is_selected);
+      DrawKey(list_, key.at, radius, {key.interpolation, key.type, key.is_selected});
     }
     list_->PopClipRect();
     for (size_t i = 0; i < layout_.rows.size(); ++i) DrawName(i);

@@ -155,6 +155,8 @@ void PlaceKeys(const edit::Session& session, int row, DopeSheetLayout* layout) {
       RowKey& mark = entry->second;
       if (is_new) mark.interpolation = key->interpolation;
       if (mark.interpolation != key->interpolation) mark.interpolation.reset();
+      if (is_new) mark.type = key->type;
+      if (mark.type != key->type) mark.type = KeyType::kKeyframe;
       mark.is_selected |= is_selected;
     }
   }
@@ -249,7 +251,7 @@ SheetHit HitDopeSheet(const DopeSheetLayout& layout, const edit::Session& sessio
   if (frame.ruler.Contains(p)) return {SheetPart::kRuler};
   const int marker = MarkerAt(session, frame, p);
   if (marker >= 0) return {SheetPart::kMarker, marker};
-  if (frame.markers.Contains(p)) return {SheetPart::kRuler};
+  if (frame.markers.Contains(p) || frame.sound.Contains(p)) return {SheetPart::kRuler};
   if (!frame.names.Contains(p) && !frame.tracks.Contains(p)) return {};
   for (int row = 0; row < static_cast<int>(layout.rows.size()); ++row) {
     const Rect& rect = layout.row_rects[row];

@@ -33,6 +33,7 @@ struct RowKey {
   double frame = 0.0;
   Point at = {};
   std::optional<Interpolation> interpolation = {};  // none: they differ
+  KeyType type = KeyType::kKeyframe;                // that too where they differ
   bool is_selected = false;                         // any of them
 };
 

@@ -16,6 +16,7 @@ namespace {
 // "keyed": "Keyed".
 std::string WithCapital(std::string word) {
   word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  std::replace(word.begin(), word.end(), '_', ' ');
   return word;
 }
 

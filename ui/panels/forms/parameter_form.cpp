@@ -17,7 +17,9 @@ using edit::ParameterInfo;
 using edit::ParameterKind;
 
 // Operators that change what they are told, and nothing that they are not.
-bool DoesNothingAlone(const std::string& id) { return id == "time.range" || id == "solver.set"; }
+bool DoesNothingAlone(const std::string& id) {
+  return id == "time.range" || id == "solver.set" || id == "audio.set" || id == "reference.set";
+}
 
 }  // namespace
 

@@ -37,7 +37,7 @@ class GraphPainter {
     for (const GraphKey& key : layout_.keys) DrawHandles(key);
     for (const GraphKey& key : layout_.keys) {
       if (layout_.curves[key.curve].is_hidden) continue;
-      DrawKey(list_, key.at, Px(3.8), key.interpolation, key.is_selected);
+      DrawKey(list_, key.at, Px(3.8), {key.interpolation, key.type, key.is_selected});
     }
     DrawValues();
     if (layout_.curves.empty()) DrawNothing();
@@ -137,8 +137,10 @@ class GraphPainter {
   void DrawHandles(const GraphKey& key) {
     if (!key.handles || layout_.curves[key.curve].is_hidden) return;
     const ImU32 color = ToIm(colors::kSelected, 0.85f);
-    list_->AddLine(ToIm((*key.handles)[0]), ToIm((*key.handles)[1]), color, 1.0f);
-    for (const Point& end : *key.handles) list_->AddCircleFilled(ToIm(end), Px(3.2), color, 12);
+    for (const Point& end : *key.handles) {
+      list_->AddLine(ToIm(key.at), ToIm(end), color, 1.0f);
+      list_->AddCircleFilled(ToIm(end), Px(3.2), color, 12);
+    }
   }
 
   void DrawNames() {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/project/fields/curve_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/graph/curves.h"
 
@@ -42,6 +43,13 @@ void AddKeys(const edit::Session& session, const Motion* motion, int index, Grap
     key.is_selected = edit::Contains(session.selected_keys(), curve.name, from.frame);
     if (motion) RatesAt(*motion, curve, &key);
     if (from.rate) key.rate_before = key.rate = *from.rate;
+    if (from.rate_in) key.rate_before = *from.rate_in;
+    key.type = from.type;
+    key.is_broken = from.rate_in.has_value();
+    key.lengths = {from.length_in, from.length_out};
+    const ProjectKey* const first = keyed->keys.data();
+    if (&from != first) key.frames_beside[0] = from.frame - (&from)[-1].frame;
+    if (&from != &keyed->keys.back()) key.frames_beside[1] = (&from)[1].frame - from.frame;
     layout->keys.push_back(key);
   }
 }
@@ -72,20 +80,27 @@ ValueRange Fitted(const GraphLayout& layout) {
   return {all.low - room, all.high + room};
 }
 
-// Handles point along the curve and are equally long on the screen.
+// Handles point along the curve. They are equally long on the screen, or as long as is said.
 void PlaceHandles(const GraphLayout& layout, GraphKey* key) {
   const bool counts = key->interpolation == Interpolation::kCubic ||
                       key->interpolation == Interpolation::kQuadratic;
   if (!key->is_selected || !counts) return;
   const GraphCurve& curve = layout.curves[key->curve];
-  const auto end = [&](double rate, double side) {
+  const auto end = [&](double rate, int side_index) {
+    const double side = side_index == 0 ? -1.0 : 1.0;
+    const double reach =
+        key->lengths[side_index].value_or(0.0) * key->frames_beside[side_index] * side;
+    if (reach != 0.0) {
+      return layout.At(curve, key->frame + reach,
+                       key->value + reach * rate / layout.frames_per_second);
+    }
     const Point next =
         layout.At(curve, key->frame + 1.0, key->value + rate / layout.frames_per_second);
     const double dx = next.x - key->at.x, dy = next.y - key->at.y;
     const double by = side * kHandlePx * layout.frame.scale / std::hypot(dx, dy);
     return Point{key->at.x + static_cast<float>(by * dx), key->at.y + static_cast<float>(by * dy)};
   };
-  key->handles = {end(key->rate_before, -1.0), end(key->rate, 1.0)};
+  key->handles = {end(key->rate_before, 0), end(key->rate, 1)};
 }
 
 bool IsNear(Point a, Point b, double reach) { return std::hypot(a.x - b.x, a.y - b.y) <= reach; }
@@ -143,7 +158,9 @@ GraphLayout CurrentGraph(Editor* editor, bool fits) {
 GraphHit HitGraph(const GraphLayout& layout, Point p) {
   const SheetFrame& frame = layout.frame;
   if (frame.corner.Contains(p)) return {GraphPart::kCorner};
-  if (frame.ruler.Contains(p) || frame.markers.Contains(p)) return {GraphPart::kRuler};
+  if (frame.ruler.Contains(p) || frame.markers.Contains(p) || frame.sound.Contains(p)) {
+    return {GraphPart::kRuler};
+  }
   for (size_t i = 0; i < layout.curves.size(); ++i) {
     const int index = static_cast<int>(i);
     if (frame.names.Contains(p) && layout.NameRect(index).Contains(p)) {
@@ -173,6 +190,13 @@ double RateTowards(const GraphLayout& layout, const GraphKey& key, int side, Poi
   const double along = std::max(1.0, sign * (p.x - key.at.x)) / layout.frame.axis.px_per_frame();
   const double value = layout.ShownAt(p.y) / curve.stretch + curve.middle;
   return sign * (value - key.value) / along * layout.frames_per_second;
+}
+
+std::optional<double> LengthTowards(const GraphLayout& layout, const GraphKey& key, int side,
+                                    Point p) {
+  if (!key.lengths[side] || key.frames_beside[side] <= 0.0) return std::nullopt;
+  const double frames = std::abs(p.x - key.at.x) / layout.frame.axis.px_per_frame();
+  return std::clamp(frames / key.frames_beside[side], kTangentLength.lower, kTangentLength.upper);
 }
 
 KeyList GraphKeysIn(const GraphLayout& layout, const Rect& box) {

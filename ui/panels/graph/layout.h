@@ -32,6 +32,11 @@ struct GraphKey {
   double frame = 0.0, value = 0.0;
   double rate_before = 0.0, rate = 0.0;  // per second
   Interpolation interpolation = Interpolation::kCubic;
+  KeyType type = KeyType::kKeyframe;
+  bool is_broken = false;  // its sides turn by themselves
+  // Of the tangents, before and after: shares of the frames to the key there, if they are said.
+  std::array<std::optional<double>, 2> lengths = {};
+  std::array<double, 2> frames_beside = {};  // to the keys before and after; 0: none
   bool is_selected = false;
   Point at = {};
   // Of selected keys whose rate counts: left and right.
@@ -70,6 +75,9 @@ GraphHit HitGraph(const GraphLayout& layout, Point p);
 
 // The rate that a handle pulled to a point gives its key [per second].
 double RateTowards(const GraphLayout& layout, const GraphKey& key, int side, Point p);
+// The length that it gives, which lies in kTangentLength; none where keys beside it say no length.
+std::optional<double> LengthTowards(const GraphLayout& layout, const GraphKey& key, int side,
+                                    Point p);
 
 KeyList GraphKeysIn(const GraphLayout& layout, const Rect& box);
 // What a pixel upwards adds to the values of the selected keys.

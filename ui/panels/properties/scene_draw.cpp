@@ -174,6 +174,31 @@ void DrawCamera(Editor* editor) {
   if (DrawButton(Tr("Set from view"), HelpOf("view.set_camera"))) editor->Do("view.set_camera");
 }
 
+// What has a file: its fields, and what chooses and removes it.
+template <typename Item>
+void DrawMedia(Editor* editor, const std::optional<Item>& item, const char* set, const char* choose,
+               const char* remove) {
+  if (item) DrawFieldRows(editor, *item, {}, SetBy(editor, set));
+  if (DrawButton(LabelOf(choose), HelpOf(choose), item ? 2 : 1)) editor->Do(choose);
+  if (!item) return;
+  ImGui::SameLine();
+  if (DrawButton(Tr("Remove"), HelpOf(remove), 2)) editor->Do(remove);
+}
+
+void DrawSound(Editor* editor) {
+  if (!DrawHeading(Tr("Sound"), false)) return;
+  const std::optional<ProjectAudio> audio = editor->session().project().audio;
+  DrawMedia(editor, audio, "audio.set", "file.sound_dialog", "audio.remove");
+}
+
+void DrawReference(Editor* editor) {
+  if (!DrawHeading(Tr("Reference"), false)) return;
+  const std::optional<ProjectReference> reference = editor->session().project().reference;
+  DrawMedia(editor, reference, "reference.set", "file.reference_dialog", "reference.remove");
+  const std::string error = editor->film.error();
+  if (!error.empty()) ImGui::TextWrapped("%s", error.c_str());
+}
+
 }  // namespace
 
 void DrawSceneSection(Editor* editor) {
@@ -182,6 +207,8 @@ void DrawSceneSection(Editor* editor) {
   DrawObjects(editor);
   DrawHeldObjects(editor);
   DrawCamera(editor);
+  DrawSound(editor);
+  DrawReference(editor);
 }
 
 }  // namespace hazumi::ui

@@ -112,12 +112,17 @@ Result<Done> PreviewRange(Editor* editor, const Parameters&) {
 Result<Done> Open(Editor* editor, const Parameters& p) {
   if (editor->session().selected_keys().empty()) return NoKeys();
   const std::string popup = p.text("popup");
-  if (popup != "interpolation" && popup != "handles") {
-    return Error{ErrorCode::kSchema, "", "popup",
-                 "\"" + popup + "\" is none of interpolation, handles"};
+  const std::pair<const char*, SheetPopup> popups[] = {
+      {"interpolation", SheetPopup::kInterpolation},
+      {"handles", SheetPopup::kHandles},
+      {"key_type", SheetPopup::kKeyType}};
+  for (const auto& [name, value] : popups) {
+    if (popup != name) continue;
+    editor->sheet.popup = value;
+    return Done();
   }
-  editor->sheet.popup = popup == "handles" ? SheetPopup::kHandles : SheetPopup::kInterpolation;
-  return Done();
+  return Error{ErrorCode::kSchema, "", "popup",
+               "\"" + popup + "\" is none of interpolation, handles, key_type"};
 }
 
 Result<Done> OnlySelected(Editor* editor, const Parameters&) {

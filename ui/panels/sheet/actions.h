@@ -24,7 +24,7 @@ Result<Done> MarkRegion(Editor* editor, const Parameters&);
 Result<Done> Rename(Editor* editor, const Parameters&);
 Result<Done> PreviewRange(Editor* editor, const Parameters&);
 
-// "popup": interpolation or handles.
+// "popup": interpolation, handles or key_type.
 Result<Done> Open(Editor* editor, const Parameters& p);
 Result<Done> OnlySelected(Editor* editor, const Parameters&);
 Result<Done> Normalize(Editor* editor, const Parameters&);

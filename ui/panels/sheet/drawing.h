@@ -15,10 +15,14 @@ namespace hazumi::ui {
 inline ImVec2 UpperLeft(const Rect& rect) { return {rect.x, rect.y}; }
 inline ImVec2 LowerRight(const Rect& rect) { return {rect.right(), rect.bottom()}; }
 
-// A key: diamond cubic, circle linear, triangle quadratic, square hold; a diamond with a hole where
-// several differ. `radius` [px].
-void DrawKey(ImDrawList* list, Point at, float radius, std::optional<Interpolation> kind,
-             bool is_selected);
+struct KeyLook {
+  std::optional<Interpolation> kind;  // none: several that differ
+  KeyType type = KeyType::kKeyframe;
+  bool is_selected = false;
+};
+// A key: diamond cubic, circle linear, triangle quadratic, square hold, hexagon eased; a diamond
+// with a hole where several differ. Coloured by its type if it is not selected. `radius` [px].
+void DrawKey(ImDrawList* list, Point at, float radius, const KeyLook& look);
 
 // Slanting lines: what is computed by a dynamics region.
 void DrawHatch(ImDrawList* list, const Rect& rect, const Rect& clip, ImU32 color, float step);
@@ -30,6 +34,9 @@ void DrawLabel(ImDrawList* list, const Rect& rect, const std::string& text, ImU3
 // panel draws, the ruler with events, markers and the playhead.
 void DrawTimeGrid(ImDrawList* list, const Editor& editor, const SheetFrame& frame);
 void DrawRuler(ImDrawList* list, Editor* editor, const SheetFrame& frame);
+
+// The row of the sound: its wave, and its file's name or what is wrong with it.
+void DrawSoundRow(ImDrawList* list, Editor* editor, const SheetFrame& frame);
 
 // The button in the corner, on or off.
 void DrawCornerToggle(ImDrawList* list, const Editor& editor, const Rect& corner,

@@ -7,7 +7,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kRuler = 24.0, kMarkers = 17.0, kNames = 150.0;  // at scale 1 [px]
+constexpr double kRuler = 24.0, kMarkers = 17.0, kSound = 30.0, kNames = 150.0;  // at scale 1 [px]
 
 float Whole(double x) { return static_cast<float>(std::round(x)); }
 
@@ -21,10 +21,12 @@ SheetFrame LayOutSheetFrame(const edit::Session& session, const SheetState& stat
   const float ruler = Whole(kRuler * scale);
   const float markers = session.project().markers.empty() ? 0.0f : Whole(kMarkers * scale);
   const float names = std::min(Whole(kNames * scale), Whole(0.4 * rect.w));
-  const float top = std::min(rect.h, ruler + markers), width = rect.w - names;
-  frame.corner = {rect.x, rect.y, names, top};
+  const float sound = session.project().audio ? Whole(kSound * scale) : 0.0f;
+  const float top = std::min(rect.h, ruler + markers + sound), width = rect.w - names;
+  frame.corner = {rect.x, rect.y, names, std::min(top, ruler + markers)};
   frame.ruler = {rect.x + names, rect.y, width, ruler};
   frame.markers = {rect.x + names, rect.y + ruler, width, markers};
+  frame.sound = {rect.x + names, rect.y + ruler + markers, width, sound};
   frame.names = {rect.x, rect.y + top, names, rect.h - top};
   frame.tracks = {rect.x + names, rect.y + top, width, rect.h - top};
   frame.axis = {state.first, state.last, frame.tracks.x, std::max(1.0f, width)};

@@ -13,13 +13,13 @@
 namespace hazumi::ui {
 
 // What the dope sheet and the graph editor have in common: names on the left, the ruler above,
-// markers below it, and time from left to right.
+// markers and the sound below it, and time from left to right.
 struct SheetFrame {
-  Rect rect, corner, ruler, markers, names, tracks;
+  Rect rect, corner, ruler, markers, sound, names, tracks;
   TimeAxis axis;
   double scale = 1.0;
 };
-// Markers have a row if there are any. `scale`: of the interface.
+// Markers have a row if there are any, and so has the sound. `scale`: of the interface.
 SheetFrame LayOutSheetFrame(const edit::Session& session, const SheetState& state, const Rect& rect,
                             double scale);
 

@@ -233,6 +233,7 @@ void DrawRuler(ImDrawList* list, Editor* editor, const SheetFrame& frame) {
   DrawEvents(list, editor, frame);
   DrawMarkers(list, *editor, frame);
   list->PopClipRect();
+  DrawSoundRow(list, editor, frame);
   DrawPlayhead(list, *editor, frame);
 }
 
@@ -263,7 +264,8 @@ bool ClickRuler(Editor* editor, const SheetFrame& frame, Point mouse) {
     OpenMarker(editor, marker);
   } else if (marker >= 0) {
     editor->Take(MakeMoveMarker(editor, mouse, marker));
-  } else if (frame.ruler.Contains(mouse) || frame.markers.Contains(mouse)) {
+  } else if (frame.ruler.Contains(mouse) || frame.markers.Contains(mouse) ||
+             frame.sound.Contains(mouse)) {
     editor->Take(MakeScrub(editor, mouse));
   } else {
     return false;

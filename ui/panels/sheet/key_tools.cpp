@@ -159,6 +159,7 @@ class DragHandleTool : public SheetDrag {
   DragHandleTool(Editor* editor, Point start, const GraphKey& key, int side, std::string curve)
       : SheetDrag(editor, start, true), key_(key), side_(side), curve_(std::move(curve)) {
     rate_ = side == 0 ? key.rate_before : key.rate;
+    length_ = key.lengths[side];
   }
 
   std::string hint() const override {
@@ -171,10 +172,15 @@ class DragHandleTool : public SheetDrag {
     if (!has_moved()) return;
     double rate = RateTowards(CurrentGraph(editor), key_, side_, input.mouse);
     rate = input.snap ? 10.0 * std::round(rate / 10.0) : std::round(10.0 * rate) / 10.0;
-    if (rate == rate_) return;
+    std::optional<double> length = LengthTowards(CurrentGraph(editor), key_, side_, input.mouse);
+    if (length) length = std::round(100.0 * *length) / 100.0;
+    if (rate == rate_ && length == length_) return;
     rate_ = rate;
-    editor->Do("key.rate",
-               {{"curve", curve_}, {"frame", key_.frame}, {"rate", rate}, {"drag", drag()}});
+    length_ = length;
+    Json to = {{"curve", curve_}, {"frame", key_.frame}, {"rate", rate}, {"drag", drag()}};
+    if (key_.is_broken || length) to["side"] = side_ == 0 ? "before" : "after";
+    if (length) to["length"] = *length;
+    editor->Do("key.rate", to);
   }
 
  private:
@@ -182,6 +188,7 @@ class DragHandleTool : public SheetDrag {
   int side_;
   std::string curve_;
   double rate_;
+  std::optional<double> length_;
 };
 
 }  // namespace

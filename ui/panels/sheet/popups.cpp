@@ -7,6 +7,7 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/properties/span_fields.h"
+#include "ui/panels/sheet/key_kinds.h"
 #include "ui/panels/sheet/marker.h"
 #include "ui/panels/sheet/name_field.h"
 #include "ui/panels/text/friction_text.h"
@@ -22,6 +23,8 @@ const char* IdOf(SheetPopup popup) {
       return "##interpolation";
     case SheetPopup::kHandles:
       return "##handles";
+    case SheetPopup::kKeyType:
+      return "##key_type";
     case SheetPopup::kRegion:
       return "##region";
     case SheetPopup::kPlacement:
@@ -54,17 +57,18 @@ void Item(Editor* editor, const char* label, const char* id, const Json& paramet
   Tooltip(HelpOf(id));
 }
 
-void InterpolationItems(Editor* editor) {
-  const std::pair<const char*, const char*> kinds[] = {
-      {"Hold", "hold"}, {"Linear", "linear"}, {"Quadratic", "quadratic"}, {"Cubic", "cubic"}};
-  for (const auto& [label, kind] : kinds) {
-    Item(editor, Tr(label), "keys.interpolation", {{"interpolation", kind}});
+void ChoiceItems(Editor* editor, const std::vector<KeyChoice>& choices) {
+  for (const KeyChoice& choice : choices) {
+    if (choice.begins_group) ImGui::Separator();
+    Item(editor, Tr(choice.label), choice.id, choice.parameters);
   }
 }
 
-void HandleItems(Editor* editor) {
-  Item(editor, Tr("Automatic"), "keys.handles", {{"kind", "auto"}});
-  Item(editor, Tr("Flat"), "keys.handles", {{"kind", "flat"}});
+void ChoiceMenu(Editor* editor, const char* label, const std::vector<KeyChoice>& choices,
+                bool is_enabled) {
+  if (!ImGui::BeginMenu(label, is_enabled)) return;
+  ChoiceItems(editor, choices);
+  ImGui::EndMenu();
 }
 
 void KeyItems(Editor* editor) {
@@ -75,14 +79,9 @@ void KeyItems(Editor* editor) {
   Item(editor, LabelOf("keys.paste"), "keys.paste", Json::object(), has_copy);
   Item(editor, LabelOf("sheet.delete"), "sheet.delete", Json::object(), has_keys || has_bar);
   ImGui::Separator();
-  if (ImGui::BeginMenu(Tr("Interpolation"), has_keys)) {
-    InterpolationItems(editor);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu(Tr("Handles"), has_keys)) {
-    HandleItems(editor);
-    ImGui::EndMenu();
-  }
+  ChoiceMenu(editor, Tr("Interpolation"), InterpolationChoices(), has_keys);
+  ChoiceMenu(editor, Tr("Handles"), HandleChoices(), has_keys);
+  ChoiceMenu(editor, Tr("Key type"), KeyTypeChoices(), has_keys);
   ImGui::Separator();
   Item(editor, LabelOf("sheet.mark_region"), "sheet.mark_region", Json::object());
   for (const char* id : {"span.hold", "span.pin", "span.gravity"}) {
@@ -184,10 +183,13 @@ void Items(Editor* editor, SheetPopup popup) {
   switch (popup) {
     case SheetPopup::kInterpolation:
       Title(Tr("Interpolation"));
-      return InterpolationItems(editor);
+      return ChoiceItems(editor, InterpolationChoices());
     case SheetPopup::kHandles:
       Title(Tr("Handles"));
-      return HandleItems(editor);
+      return ChoiceItems(editor, HandleChoices());
+    case SheetPopup::kKeyType:
+      Title(Tr("Key type"));
+      return ChoiceItems(editor, KeyTypeChoices());
     case SheetPopup::kRegion:
       return RegionItems(editor);
     case SheetPopup::kPlacement:
@@ -211,7 +213,7 @@ void DrawSheetPopups(Editor* editor) {
   wanted = SheetPopup::kNone;
   using enum SheetPopup;
   for (const SheetPopup popup :
-       {kInterpolation, kHandles, kRegion, kPlacement, kHold, kHolder, kKeys, kMarker}) {
+       {kInterpolation, kHandles, kKeyType, kRegion, kPlacement, kHold, kHolder, kKeys, kMarker}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
     Items(editor, popup);
     ImGui::EndPopup();

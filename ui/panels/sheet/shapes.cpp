@@ -26,17 +26,35 @@ void Shape(ImDrawList* list, ImVec2 c, float r, std::optional<Interpolation> kin
     case Interpolation::kQuadratic:
       return list->AddTriangleFilled({c.x, c.y - 1.1f * r}, {c.x + 1.05f * r, c.y + 0.8f * r},
                                      {c.x - 1.05f * r, c.y + 0.8f * r}, color);
+    default:
+      return list->AddNgonFilled(c, 1.1f * r, color, 6);
   }
+}
+
+SrgbColor ColorOf(KeyType type) {
+  switch (type) {
+    case KeyType::kBreakdown:
+      return colors::kBreakdown;
+    case KeyType::kExtreme:
+      return colors::kExtreme;
+    case KeyType::kJitter:
+      return colors::kJitter;
+    case KeyType::kMovingHold:
+      return colors::kMovingHold;
+    case KeyType::kKeyframe:
+      break;
+  }
+  return colors::kKey;
 }
 
 }  // namespace
 
-void DrawKey(ImDrawList* list, Point at, float radius, std::optional<Interpolation> kind,
-             bool is_selected) {
+void DrawKey(ImDrawList* list, Point at, float radius, const KeyLook& look) {
   const ImVec2 c = ToIm(at);
-  Shape(list, c, radius + 1.2f, kind, kOutline);
-  Shape(list, c, radius, kind, ToIm(is_selected ? colors::kSelected : colors::kKey));
-  if (!kind) Diamond(list, c, 0.5f * radius, kOutline);
+  Shape(list, c, radius + 1.2f, look.kind, kOutline);
+  Shape(list, c, radius, look.kind,
+        ToIm(look.is_selected ? colors::kSelected : ColorOf(look.type)));
+  if (!look.kind) Diamond(list, c, 0.5f * radius, kOutline);
 }
 
 void DrawHatch(ImDrawList* list, const Rect& rect, const Rect& clip, ImU32 color, float step) {

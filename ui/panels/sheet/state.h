@@ -18,6 +18,7 @@ enum class SheetPopup {
   kNone,
   kInterpolation,
   kHandles,
+  kKeyType,
   kRegion,
   kPlacement,
   kHold,

@@ -24,6 +24,11 @@ void Playback::Start(double now, int frame, int first, int last, double rate) {
   shown_rate_ = 0.0;
 }
 
+double Playback::FrameAt(double now) const {
+  const double length = last_ - first_ + 1;
+  return first_ + std::fmod(start_frame_ - first_ + (now - start_) * rate_, length);
+}
+
 int Playback::Advance(double now) {
   const long due = std::lround(std::floor((now - start_) * rate_ + 1e-6));
   if (due > passed_ + kMostBehind) {

@@ -13,6 +13,8 @@ class Playback {
   void Stop() { is_on_ = false; }
   int start_frame() const { return start_frame_; }
 
+  // Where playback should be, also between frames.
+  double FrameAt(double now) const;
   // Goes on to the frame to be shown now.
   int Advance(double now);
   // When the frame that is shown was due, and when the next one is [s].

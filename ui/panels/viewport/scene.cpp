@@ -161,6 +161,7 @@ PictureKey KeyNow(const Editor& editor, render::PictureSize size) {
   key.width = size.width;
   key.height = size.height;
   key.selected_joints = session.selected_joints();
+  key.has_film = editor.film.is_there();
   key.is_being_computed = session.bake() && session.bake()->is_busy();
   return key;
 }
@@ -183,6 +184,7 @@ Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
                             OverlaysOf(*editor), skin.value());
   ViewportScene shown;
   shown.scene = scene.At(FrameShown(*editor) - first);
+  editor->film.AddTo(session, FrameShown(*editor), &shown.scene);
   shown.ticks = TicksOf(shown.scene, paths.at_frames);
   return shown;
 }

@@ -48,6 +48,7 @@ struct PictureKey {
   ViewportOverlays overlays;
   int width = 0, height = 0;  // [px]
   std::set<std::string> selected_joints;
+  bool has_film = false;           // the reference has been read
   bool is_being_computed = false;  // the motion: what is seen is as it was before
   bool operator==(const PictureKey&) const = default;
 };

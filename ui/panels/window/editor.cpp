@@ -153,6 +153,8 @@ void Editor::NeedGlyphs(const std::string& text) {
 
 void Editor::Tick(double now) {
   now_ = now;
+  sound.Look(session_);
+  film.Look(session_);
   if (playback.is_on()) session_.set_frame(playback.Advance(now));
 }
 
@@ -162,6 +164,7 @@ double Editor::NextDeadline() const {
     return playback.is_on() ? std::min(kBakingEvery, UntilNextFrame()) : kBakingEvery;
   }
   if (!ground.is_done()) return 0.0;
+  if ((sound.is_busy() || film.is_busy()) && !playback.is_on()) return kBakingEvery;
   if (flights.is_busy() && !playback.is_on()) return kBakingEvery;
   if (poses.thumbnails && poses.thumbnails->is_busy()) return kBakingEvery;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]

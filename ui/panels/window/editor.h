@@ -17,9 +17,11 @@
 #include "ui/panels/properties/state.h"
 #include "ui/panels/sheet/state.h"
 #include "ui/panels/text/catalogue.h"
+#include "ui/panels/timeline/film_watch.h"
 #include "ui/panels/timeline/flight_watch.h"
 #include "ui/panels/timeline/ground_watch.h"
 #include "ui/panels/timeline/playback.h"
+#include "ui/panels/timeline/sound_watch.h"
 #include "ui/panels/viewport/state.h"
 #include "ui/panels/window/layout.h"
 #include "ui/panels/window/theme.h"
@@ -104,6 +106,8 @@ class Editor {
   DialogsState dialogs;
   GroundWatch ground;
   FlightWatch flights;
+  SoundWatch sound;
+  FilmWatch film;
   std::optional<Splitter> dragged_splitter;
   Point mouse;  // where a window saw it last [px]
   bool wants_to_quit = false;

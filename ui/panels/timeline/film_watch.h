@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "render/motion/reference_film.h"
+#include "ui/edit/session/session.h"
+#include "ui/panels/timeline/file_watch.h"
+
+namespace hazumi::ui {
+
+// The project's reference picture or video, to be seen behind or in the scene.
+class FilmWatch {
+ public:
+  void Look(const edit::Session& session);
+  bool is_busy() const { return file_.is_busy(); }
+  bool is_there() const { return file_.value() != nullptr; }
+  // Why there is none; empty: there is, or it is being read.
+  std::string error() const { return error_.empty() ? file_.error() : error_; }
+  // Adds the picture of a frame.
+  void AddTo(const edit::Session& session, int frame, render::Scene* scene);
+
+ private:
+  FileWatch<std::shared_ptr<const Film>> file_;
+  std::shared_ptr<const Film> film_;
+  render::ReferenceFilm reference_;  // of it
+  std::string error_;                // of its pictures
+};
+
+}  // namespace hazumi::ui
