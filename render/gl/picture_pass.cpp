@@ -10,6 +10,9 @@ namespace hazumi::render {
 
 namespace {
 
+// Those before it belong to the shadow map, the ground and skins.
+constexpr GLenum kPictureUnit = GL_TEXTURE3;
+
 struct Corner {
   float clip[4];
   float u, v;  // from the picture's upper left corner
@@ -42,7 +45,7 @@ std::vector<Corner> CornersOf(const PicturePlane& plane, const Mat4& clip_from_w
 
 GlTexture Uploaded(const GlFunctions& gl, const Image& image) {
   GlTexture texture(gl);
-  gl.ActiveTexture(GL_TEXTURE1);
+  gl.ActiveTexture(kPictureUnit);
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 image.rgba.data());
@@ -100,8 +103,8 @@ void PicturePass::DrawPlanes() {
 void PicturePass::Draw(const Shown& shown) {
   program_->Use();
   program_->Set("opacity", shown.opacity);
-  program_->Set("picture_map", 1);
-  gl_->ActiveTexture(GL_TEXTURE1);
+  program_->Set("picture_map", 3);
+  gl_->ActiveTexture(kPictureUnit);
   gl_->BindTexture(GL_TEXTURE_2D, shown.texture.id());
   gl_->Enable(GL_BLEND);
   gl_->Disable(GL_CULL_FACE);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "render/pipeline/offscreen.h"
@@ -89,6 +90,22 @@ TEST_F(ReferenceFilmTest, APlaneStandsInTheSceneAndIsHiddenByWhatIsBeforeIt) {
   EXPECT_TRUE(IsRed(Draw(scene), 64, 48));
   reference_.turn_deg = 90.0;  // edge on
   EXPECT_FALSE(IsRed(Draw(SceneAt(0)), 72, 48));
+}
+
+TEST_F(ReferenceFilmTest, ChangesNothingBesideIt) {
+  reference_.view = ReferenceView::kPlane;
+  reference_.center_m = {0, 40, 1};
+  reference_.height_m = 0.01;
+  Scene scene = SceneAt(0);
+  scene.capsules.push_back({{0, 0, 0.1}, {0, 0, 1.5}, 0.3, 0.3, {0.5f, 0.5f, 0.5f}});
+  const Image with = Draw(scene);
+  scene.pictures.clear();
+  const Image without = Draw(scene);
+  int num_other = 0;
+  for (size_t i = 0; i < with.rgba.size(); i += 4) {
+    num_other += !std::equal(&with.rgba[i], &with.rgba[i] + 3, &without.rgba[i]);
+  }
+  EXPECT_LE(num_other, 1);
 }
 
 }  // namespace
