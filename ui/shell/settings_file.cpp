@@ -79,6 +79,36 @@ std::optional<Error> ReadFiles(const Json& json, std::vector<std::string>* files
   return std::nullopt;
 }
 
+std::optional<Error> ReadKeymap(const Json& json, Keymap* keymap) {
+  if (!json.contains("keymap")) return std::nullopt;
+  const Error wrong =
+      Wrong("keymap", "must be a list of {\"place\", \"key\", \"to\"} with names of keys");
+  if (!json["keymap"].is_array()) return wrong;
+  keymap->clear();
+  for (const Json& entry : json["keymap"]) {
+    const auto text = [&](const char* name) {
+      const bool has = entry.is_object() && entry.contains(name) && entry[name].is_string();
+      return has ? entry[name].get<std::string>() : std::string("?");
+    };
+    const std::optional<Place> place = PlaceNamed(text("place"));
+    const std::optional<Chord> original = ChordNamed(text("key"));
+    const std::optional<Chord> chord = text("to").empty() ? Chord() : ChordNamed(text("to"));
+    if (!place || !original || !chord) return wrong;
+    keymap->push_back({*place, *original, *chord});
+  }
+  return std::nullopt;
+}
+
+Json JsonOf(const Keymap& keymap) {
+  Json list = Json::array();
+  for (const KeyChange& change : keymap) {
+    list.push_back({{"place", NameOf(change.place)},
+                    {"key", NameOf(change.original)},
+                    {"to", NameOf(change.chord)}});
+  }
+  return list;
+}
+
 std::optional<Error> ReadAll(const Json& json, Settings* settings) {
   bool is_japanese = settings->language == Language::kJapanese;
   if (auto error = ReadWord(json, "theme", "dark", "light", &settings->dark)) return error;
@@ -87,6 +117,7 @@ std::optional<Error> ReadAll(const Json& json, Settings* settings) {
   if (auto error = ReadNumber(json, "scale", 0.75, 3.0, &settings->scale)) return error;
   if (auto error = ReadShares(json, &settings->shares)) return error;
   if (auto error = ReadFiles(json, &settings->recent_files)) return error;
+  if (auto error = ReadKeymap(json, &settings->keymap)) return error;
   if (!json.contains("has_seen_first_steps")) return std::nullopt;
   if (!json["has_seen_first_steps"].is_boolean()) {
     return Wrong("has_seen_first_steps", "must be true or false");
@@ -110,7 +141,8 @@ std::string WriteSettings(const Settings& settings) {
                        {"bottom", settings.shares.bottom},
                        {"outliner", settings.shares.outliner}}},
                      {"recent_files", settings.recent_files},
-                     {"has_seen_first_steps", settings.has_seen_first_steps}};
+                     {"has_seen_first_steps", settings.has_seen_first_steps},
+                     {"keymap", JsonOf(settings.keymap)}};
   // A path that is no UTF-8 would otherwise throw.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -4,7 +4,7 @@
 // polynomial p of degree n through n + 1 Chebyshev points s_i = h cos(pi (2 i + 1) / (2 n + 2)) of
 // the frame, h being half of it, in Newton's form with divided differences d_i,
 //   p(s) = d_0 + (s - s_0) (d_1 + (s - s_1) (d_2 + ...)),
-// multiplied out about the frame's middle.
+// multiplied out about the frame's middle [METHOD 7.6].
 
 #include "engine/bake/walk/driven_curves.h"
 

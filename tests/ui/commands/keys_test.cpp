@@ -17,6 +17,15 @@ TEST(Keys, AreNamedAsMenusShowThem) {
   EXPECT_EQ(NameOf(Chord{}), "");
 }
 
+TEST(Keys, AreFoundByTheirNames) {
+  for (const Shortcut& shortcut : DefaultShortcuts()) {
+    EXPECT_EQ(ChordNamed(NameOf(shortcut.chord)), shortcut.chord) << NameOf(shortcut.chord);
+  }
+  for (const char* none : {"", "Ctrl+", "Hyper+G", "Ctrl+Nothing", "g"}) {
+    EXPECT_FALSE(ChordNamed(none)) << none;
+  }
+}
+
 TEST(Shortcuts, DoSomethingThatThereIsWithParametersThatItTakes) {
   for (const Shortcut& shortcut : AllShortcuts()) {
     const Action* action = FindAction(shortcut.id);
@@ -40,6 +49,43 @@ TEST(Shortcuts, OfAPlaceGoBeforeThoseOfAnyPlace) {
   ASSERT_TRUE(undo);
   EXPECT_STREQ(undo->id, "edit.undo");
   EXPECT_FALSE(FindShortcut({'Y', true, true, true}, Place::kSheet));
+}
+
+// The keymap of these tests' program is left as it was.
+class KeymapTest : public testing::Test {
+ protected:
+  void TearDown() override { editor_.Do("keymap.reset"); }
+  Editor editor_;
+};
+
+TEST_F(KeymapTest, AKeyDoesWhatItIsGivenAndTheOldOneNothing) {
+  ASSERT_TRUE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "R"}, {"to", "Ctrl+R"}}));
+  EXPECT_FALSE(FindShortcut({'R'}, Place::kViewport));
+  ASSERT_TRUE(FindShortcut({'R', true}, Place::kViewport));
+  EXPECT_STREQ(FindShortcut({'R', true}, Place::kViewport)->id, "tool.rotate");
+  EXPECT_EQ(KeyOf("tool.rotate"), "Ctrl+R");
+  EXPECT_STREQ(FindShortcut({'R'}, Place::kSheet)->id, "sheet.open");  // another place
+  ASSERT_TRUE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "R"}}));
+  EXPECT_EQ(KeyOf("tool.rotate"), "R");
+  EXPECT_TRUE(editor_.settings.keymap.empty());
+}
+
+TEST_F(KeymapTest, WhoHadTheKeyHasNoneAndThatIsSaid) {
+  ASSERT_TRUE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "R"}, {"to", "G"}}));
+  EXPECT_STREQ(FindShortcut({'G'}, Place::kViewport)->id, "tool.rotate");
+  EXPECT_EQ(KeyOf("tool.move"), "");
+  EXPECT_EQ(editor_.message.text, "Without a key now: Move");
+  ASSERT_TRUE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "B"}, {"to", ""}}));
+  EXPECT_FALSE(FindShortcut({'B'}, Place::kViewport));
+  ASSERT_TRUE(editor_.Do("keymap.reset"));
+  EXPECT_EQ(KeyOf("tool.move"), "G");
+}
+
+TEST_F(KeymapTest, SaysWhatIsWrong) {
+  EXPECT_FALSE(editor_.Do("keymap.set", {{"place", "menu"}, {"key", "R"}}));
+  EXPECT_FALSE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "Ctrl+Alt+R"}}));
+  EXPECT_FALSE(editor_.Do("keymap.set", {{"place", "viewport"}, {"key", "R"}, {"to", "Hyper"}}));
+  EXPECT_TRUE(editor_.settings.keymap.empty());
 }
 
 }  // namespace

@@ -332,6 +332,27 @@ TEST_F(Dialogs, AReferenceIsChosenAmongPicturesAndVideos) {
   EXPECT_EQ(editor_.session().project().reference->file, "take.mp4");
 }
 
+TEST_F(Dialogs, PreferencesGiveAShortcutTheKeyThatIsPressed) {
+  ASSERT_TRUE(editor_.Do("app.preferences"));
+  Frames();
+  const std::vector<Shortcut>& all = DefaultShortcuts();
+  const auto jump = std::find_if(all.begin(), all.end(), [](const Shortcut& shortcut) {
+    return std::string(shortcut.id) == "tool.jump";
+  });
+  editor_.dialogs.preferences.waits = static_cast<int>(jump - all.begin());
+  Press({kEscape});  // as it is
+  EXPECT_EQ(modal(), Modal::kPreferences);
+  EXPECT_EQ(KeyOf("tool.jump"), "J");
+  editor_.dialogs.preferences.waits = static_cast<int>(jump - all.begin());
+  Press({'U'});
+  EXPECT_EQ(KeyOf("tool.jump"), "U");
+  EXPECT_EQ(editor_.settings.keymap.size(), 1u);
+  EXPECT_EQ(editor_.dialogs.preferences.waits, -1);
+  ASSERT_TRUE(editor_.Do("keymap.reset"));
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
 TEST_F(Dialogs, TheFolderOfPicturesIsChosenFromAListThatComesBack) {
   fs::create_directories(folder_ / "shots");
   std::ofstream(File("a.kfa")) << "{}";

@@ -39,6 +39,8 @@ TEST_F(SettingsFileTest, WhatWasChosenIsThereTheNextTime) {
   editor.settings.shares.side = 0.3;
   editor.settings.recent_files = {"/a/投げる.kfa"};
   editor.settings.has_seen_first_steps = true;
+  editor.settings.keymap = {{Place::kSheet, {'G'}, {'G', true}},
+                            {Place::kViewport, {kDelete}, Chord()}};
   file.SaveIfChanged(&editor);
   Editor next;
   SettingsFile(path()).Load(&next);

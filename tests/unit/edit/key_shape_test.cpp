@@ -1,6 +1,7 @@
 // Tangents, easing and types of keys by operators.
 
 #include "engine/spatial/degrees.h"
+#include "engine/timeline/curve_track.h"
 #include "tests/unit/edit/keys_of.h"
 #include "ui/edit/operators/key_rates.h"
 
@@ -111,6 +112,40 @@ TEST(KeyShape, ARegionPaintedIntoAnEasedIntervalLeavesTheWayToIt) {
   const std::vector<double> after = Angles(&session, "r_shoulder_flexion");
   for (int i = 0; i <= 20; ++i) EXPECT_NEAR(after[i], before[i], 1e-4) << i;
 }
+
+// The forearm swings below an upper arm that is eased. The reference has a key of a cubic on every
+// eighth of a frame, on the same curve.
+class EasedCarrier : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(EasedCarrier, DrivesARegionAsTheSameCurveOfManyKeysDoes) {
+  const auto [kind, easing] = GetParam();
+  Session session;
+  SetKeys(&session, "r_shoulder_flexion", {{0, 0}, {30, 60}});
+  SelectKeys(&session, "r_shoulder_flexion", {0});
+  Do(&session, "keys.interpolation", {{"interpolation", kind}, {"easing", easing}});
+  const Keys keys = ToKeys(session.project().joints.front().value, 1.0);
+  SetKeys(&session, "r_elbow_flexion", {{0, 60}});
+  Do(&session, "region.add", {{"first", 0}, {"last", 30}, {"joints", {"r_elbow+"}}});
+  const std::vector<double> eased = Angles(&session, "r_elbow_flexion");
+  CurveTrack track(&keys, {30, 1}, 0.0, {});
+  for (int i = 0; i <= 240; ++i) {
+    const double frame = i / 8.0;
+    const CurveSample at = i < 240 ? track.At(frame) : track.Before(frame);
+    Do(&session, "key.set",
+       {{"curve", "r_shoulder_flexion"},
+        {"frame", frame},
+        {"value", at.value},
+        {"rate", at.rate},
+        {"interpolation", "cubic"}});
+  }
+  const std::vector<double> dense = Angles(&session, "r_elbow_flexion");
+  ASSERT_GT(std::abs(dense.back() - dense.front()), 1.0);  // it swings
+  for (size_t i = 0; i < eased.size(); ++i) EXPECT_NEAR(eased[i], dense[i], 0.05) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EasedCarrier,
+                         testing::Values(std::pair("sine", "in_out"), std::pair("quintic", "out"),
+                                         std::pair("elastic", "out"), std::pair("back", "in")));
 
 TEST(RatesOf, AreTheLimitsOnBothSides) {
   Session session = Knee();

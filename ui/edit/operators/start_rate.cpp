@@ -62,7 +62,6 @@ Result<Done> SetStartRate(Session* session, const Parameters& p) {
   if (!key.ok()) return key.error();
   ProjectKey with_rate = std::move(key).value();
   with_rate.rate = p.number("rate");
-  with_rate.rate_in.reset();
   return session->Edit(
       "Set start rate",
       [&](Project* project) -> Result<Done> {

@@ -21,9 +21,6 @@ struct Action {
 const std::vector<Action>& AllActions();
 const Action* FindAction(const std::string& id);
 
-// Where the mouse has to be for a key to count.
-enum class Place { kAnywhere, kViewport, kSheet };
-
 // What a key does: an action or an operator with these parameters.
 struct Shortcut {
   Chord chord;
@@ -31,6 +28,8 @@ struct Shortcut {
   const char* id;
   Json parameters = Json::object();
 };
+// As they are without a keymap, and with it; in the same order. One without a key has chord none.
+const std::vector<Shortcut>& DefaultShortcuts();
 const std::vector<Shortcut>& AllShortcuts();
 const Shortcut* FindShortcut(const Chord& chord, Place place);
 // The key of an action or operator as menus and tooltips show it; empty if it has none.

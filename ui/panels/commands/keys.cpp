@@ -1,5 +1,8 @@
 #include "ui/panels/commands/keys.h"
 
+#include <cstring>
+#include <utility>
+
 namespace hazumi::ui {
 
 namespace {
@@ -47,7 +50,8 @@ std::string NameOfKey(int key) {
   }
   if (key >= kF1 && key <= kF12) return "F" + std::to_string(key - kF1 + 1);
   if (key >= kPad0 && key < kPad0 + 10) return "Pad " + std::to_string(key - kPad0);
-  return std::string(1, static_cast<char>(key));
+  const bool is_printed = key > kSpace && key < 97;
+  return is_printed ? std::string(1, static_cast<char>(key)) : "";
 }
 
 }  // namespace
@@ -59,6 +63,44 @@ std::string NameOf(const Chord& chord) {
   if (chord.alt) name += "Alt+";
   if (chord.shift) name += "Shift+";
   return name + NameOfKey(chord.key);
+}
+
+std::optional<Chord> ChordNamed(const std::string& name) {
+  Chord chord;
+  std::string rest = name;
+  const auto take = [&rest](const char* prefix) {
+    const bool has = rest.starts_with(prefix);
+    if (has) rest.erase(0, std::strlen(prefix));
+    return has;
+  };
+  chord.ctrl = take("Ctrl+");
+  chord.alt = take("Alt+");
+  chord.shift = take("Shift+");
+  for (chord.key = kSpace; chord.key < kLeftShift; ++chord.key) {
+    if (NameOfKey(chord.key) == rest && !rest.empty()) return chord;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+constexpr std::pair<Place, const char*> kPlaces[] = {
+    {Place::kAnywhere, "anywhere"}, {Place::kViewport, "viewport"}, {Place::kSheet, "sheet"}};
+
+}  // namespace
+
+const char* NameOf(Place place) {
+  for (const auto& [known, name] : kPlaces) {
+    if (known == place) return name;
+  }
+  return "";
+}
+
+std::optional<Place> PlaceNamed(const std::string& name) {
+  for (const auto& [place, known] : kPlaces) {
+    if (name == known) return place;
+  }
+  return std::nullopt;
 }
 
 }  // namespace hazumi::ui

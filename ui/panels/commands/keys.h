@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace hazumi::ui {
@@ -54,5 +55,13 @@ struct Chord {
 
 // "Ctrl+Shift+Z"; empty if there is no key.
 std::string NameOf(const Chord& chord);
+// And back; none if no key is called so.
+std::optional<Chord> ChordNamed(const std::string& name);
+
+// Where the mouse has to be for a key to count.
+enum class Place { kAnywhere, kViewport, kSheet };
+// "sheet"
+const char* NameOf(Place place);
+std::optional<Place> PlaceNamed(const std::string& name);
 
 }  // namespace hazumi::ui

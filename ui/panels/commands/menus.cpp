@@ -40,6 +40,7 @@ MenuEntry EditMenu() {
                           Submenu("Undo history", {}),  // drawn as the list of steps
                           Line(),
                           {"app.search"},
+                          {"app.preferences"},
                           Line(),
                           Submenu("Theme", {{"view.theme", {{"dark", true}}, "Dark"},
                                             {"view.theme", {{"dark", false}}, "Light"}}),

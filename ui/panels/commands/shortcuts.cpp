@@ -1,15 +1,17 @@
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/commands/keymap.h"
 
 namespace hazumi::ui {
 
 // As in Blender. What has a place goes before what counts anywhere.
-const std::vector<Shortcut>& AllShortcuts() {
+const std::vector<Shortcut>& DefaultShortcuts() {
   using enum Place;
   static const std::vector<Shortcut> shortcuts = {
       {{'N', true}, kAnywhere, "app.new"},
       {{'O', true}, kAnywhere, "file.open_dialog"},
       {{'S', true}, kAnywhere, "app.save"},
       {{'S', true, true}, kAnywhere, "file.save_as"},
+      {{kComma, true}, kAnywhere, "app.preferences"},
       {{kF1}, kAnywhere, "help.manual"},
       {{kF3}, kAnywhere, "app.search"},
       {{kEscape}, kAnywhere, "motion.stop"},
@@ -87,6 +89,61 @@ const std::vector<Shortcut>& AllShortcuts() {
   return shortcuts;
 }
 
+namespace {
+
+struct Current {
+  Keymap keymap;
+  std::vector<Shortcut> shortcuts = DefaultShortcuts();
+};
+Current& Now() {
+  static Current current;
+  return current;
+}
+
+const KeyChange* ChangeOf(const Shortcut& by_default, const Keymap& keymap) {
+  for (const KeyChange& change : keymap) {
+    if (change.place == by_default.place && change.original == by_default.chord) return &change;
+  }
+  return nullptr;
+}
+
+Chord ChordOf(const Shortcut& by_default, const Keymap& keymap) {
+  const KeyChange* change = ChangeOf(by_default, keymap);
+  return change ? change->chord : by_default.chord;
+}
+
+void Put(const KeyChange& change, Keymap* keymap) {
+  std::erase_if(*keymap, [&](const KeyChange& old) {
+    return old.place == change.place && old.original == change.original;
+  });
+  if (change.chord != change.original) keymap->push_back(change);
+}
+
+}  // namespace
+
+void SetKeymap(const Keymap& keymap) {
+  Current& now = Now();
+  if (now.keymap == keymap) return;
+  now.keymap = keymap;
+  const std::vector<Shortcut>& all = DefaultShortcuts();
+  for (size_t i = 0; i < all.size(); ++i) now.shortcuts[i].chord = ChordOf(all[i], keymap);
+}
+
+Chord ChangeKey(const KeyChange& change, Keymap* keymap) {
+  Chord loser;
+  for (const Shortcut& other : DefaultShortcuts()) {
+    const bool is_it = other.place == change.place && other.chord == change.original;
+    if (is_it || other.place != change.place || change.chord.key == kNoKey) continue;
+    if (ChordOf(other, *keymap) != change.chord) continue;
+    loser = other.chord;
+    Put({other.place, other.chord, Chord()}, keymap);
+  }
+  Put(change, keymap);
+  return loser;
+}
+
+const std::vector<Shortcut>& AllShortcuts() { return Now().shortcuts; }
+
 const Shortcut* FindShortcut(const Chord& chord, Place place) {
   const Shortcut* anywhere = nullptr;
   for (const Shortcut& shortcut : AllShortcuts()) {
@@ -99,6 +156,7 @@ const Shortcut* FindShortcut(const Chord& chord, Place place) {
 
 std::string KeyOf(const std::string& id, const Json& parameters) {
   for (const Shortcut& shortcut : AllShortcuts()) {
+    if (shortcut.chord.key == kNoKey) continue;
     if (id == shortcut.id && parameters == shortcut.parameters) return NameOf(shortcut.chord);
   }
   return "";

@@ -43,6 +43,8 @@ Frame FrameOf(const DialogsState& dialogs) {
       return {"Manual", 720, 560};
     case Modal::kAbout:
       return {"About Hazumi", 430, 0};
+    case Modal::kPreferences:
+      return {"Preferences", 600, 520};
     case Modal::kNone:
       break;
   }
@@ -102,6 +104,8 @@ void DrawContent(Editor* editor) {
       return DrawManual(editor);
     case Modal::kAbout:
       return DrawAbout(editor);
+    case Modal::kPreferences:
+      return DrawPreferences(editor);
     case Modal::kNone:
       break;
   }

@@ -18,24 +18,15 @@ void DrawHeading(const char* text, const Theme& theme) {
   ImGui::PopStyleColor();
 }
 
-// As the menus call it.
-std::string LabelOfKey(const Shortcut& shortcut) {
-  for (const MenuEntry& entry : FlatMenus()) {
-    if (std::string(shortcut.id) == entry.id && shortcut.parameters == entry.parameters) {
-      return LabelOf(entry);
-    }
-  }
-  return LabelOf(std::string(shortcut.id));
-}
-
 void DrawKeys(const Theme& theme) {
   DrawHeading(Tr("Keys"), theme);
   if (!ImGui::BeginTable("##keys", 4, ImGuiTableFlags_SizingStretchProp)) return;
   for (const Shortcut& shortcut : AllShortcuts()) {
+    if (shortcut.chord.key == kNoKey) continue;
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", NameOf(shortcut.chord).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(LabelOfKey(shortcut).c_str());
+    ImGui::TextUnformatted(LabelOf(shortcut).c_str());
   }
   ImGui::EndTable();
 }
@@ -96,7 +87,7 @@ void DrawAbout(Editor* editor) {
                               "moves them by their own inertia."));
   ImGui::Spacing();
   ImGui::TextDisabled("%s", Tr("Licence: see the file LICENSE."));
-  ImGui::TextDisabled("Dear ImGui %s, GLFW, Mesa, Eigen, nlohmann/json, libpng", IMGUI_VERSION);
+  ImGui::TextDisabled("Dear ImGui %s, GLFW, OpenAL Soft, Mesa, Eigen, nlohmann/json, libpng", IMGUI_VERSION);
   ImGui::Spacing();
   if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
 }

@@ -21,6 +21,9 @@ void DrawSizeFields(const Editor& editor, int* width, int* height);
 void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* overlays);
 void DrawManual(Editor* editor);
 void DrawAbout(Editor* editor);
+void DrawPreferences(Editor* editor);
+// What a shortcut does, as the menus call it.
+std::string LabelOf(const Shortcut& shortcut);
 // A window of its own, beside the panels.
 void DrawFirstSteps(Editor* editor, const Rect& window);
 

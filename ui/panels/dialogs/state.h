@@ -31,7 +31,8 @@ enum class Modal {
   kRender,
   kProgress,
   kManual,
-  kAbout
+  kAbout,
+  kPreferences
 };
 
 // What goes on once a question is answered. An error is shown where it was asked.
@@ -55,6 +56,11 @@ struct FileDialogState {
   Then then;  // after it was saved
 };
 
+struct PreferencesState {
+  std::string filter;  // of the keys
+  int waits = -1;      // which of the shortcuts is given the next key that is pressed
+};
+
 struct DialogsState {
   Modal modal = Modal::kNone;
   bool just_opened = false;  // nothing of it was drawn yet
@@ -68,6 +74,7 @@ struct DialogsState {
   ImportState import;
   ExportState exporting;
   RenderState render;
+  PreferencesState preferences;
   bool shows_first_steps = false;
   FirstSteps first_steps;
   Rect first_steps_card;  // where it is, as long as it is shown

@@ -16,20 +16,6 @@ Place PlaceOf(const WindowLayout& layout, Point mouse) {
   return Place::kAnywhere;
 }
 
-// Letters do not repeat: they choose.
-std::vector<Chord> PressedKeys(bool with_repeats) {
-  const ImGuiIO& io = ImGui::GetIO();
-  std::vector<Chord> chords;
-  constexpr int kFirst = 32, kEnd = 340;  // what GLFW numbers keys by, modifiers aside
-  for (int key = kFirst; key < kEnd; ++key) {
-    const bool is_letter = key >= 'A' && key <= 'Z';
-    if (ImGui::IsKeyPressed(key, with_repeats && !is_letter)) {
-      chords.push_back({key, io.KeyCtrl, io.KeyShift, io.KeyAlt});
-    }
-  }
-  return chords;
-}
-
 void FeedTool(Editor* editor) {
   const ImGuiIO& io = ImGui::GetIO();
   ToolInput input;
@@ -101,6 +87,7 @@ void DragSplitters(Editor* editor, const Rect& window, const WindowLayout& layou
 void DrawWindow(Editor* editor, float width, float height) {
   const Rect window = LeastWindow({0.0f, 0.0f, width, height}, editor->settings.scale);
   SetLanguage(editor->settings.language);
+  SetKeymap(editor->settings.keymap);
   const WindowLayout layout = LayOutWindow(window, editor->settings.shares, editor->settings.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   if (ImGui::IsMousePosValid()) editor->mouse = mouse;

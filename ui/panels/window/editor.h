@@ -10,6 +10,7 @@
 #include "render/motion/figure_skin.h"
 #include "render/scene/scene.h"
 #include "ui/edit/session/session.h"
+#include "ui/panels/commands/keymap.h"
 #include "ui/panels/commands/tool.h"
 #include "ui/panels/dialogs/recovery_state.h"
 #include "ui/panels/dialogs/state.h"
@@ -38,6 +39,7 @@ struct Settings {
   Shares shares;
   std::vector<std::string> recent_files;  // the latest first
   bool has_seen_first_steps = false;
+  Keymap keymap;  // keys that are not as they come
   bool operator==(const Settings&) const = default;
 };
 

@@ -40,6 +40,18 @@ void Tooltip(const std::string& text, const std::string& key) {
   ImGui::EndTooltip();
 }
 
+std::vector<Chord> PressedKeys(bool with_repeats) {
+  const ImGuiIO& io = ImGui::GetIO();
+  std::vector<Chord> chords;
+  for (int key = kSpace; key < kLeftShift; ++key) {  // what GLFW numbers keys by, modifiers aside
+    const bool is_letter = key >= 'A' && key <= 'Z';
+    if (ImGui::IsKeyPressed(key, with_repeats && !is_letter)) {
+      chords.push_back({key, io.KeyCtrl, io.KeyShift, io.KeyAlt});
+    }
+  }
+  return chords;
+}
+
 void ApplyTheme(const Theme& theme, double scale) {
   ImGuiStyle style;
   style.WindowRounding = 0.0f;

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
+#include "ui/panels/commands/keys.h"
 #include "ui/panels/window/geometry.h"
 #include "ui/panels/window/theme.h"
 
@@ -24,6 +26,10 @@ void EndPanel();
 
 // Shows what the last item does, with its key, when the mouse rests on it.
 void Tooltip(const std::string& text, const std::string& key = "");
+
+// Keys that were pressed since the last frame, with the modifiers that are held. Letters do not
+// repeat: they choose.
+std::vector<Chord> PressedKeys(bool with_repeats);
 
 // The colours and measures of ImGui's own widgets.
 void ApplyTheme(const Theme& theme, double scale);
