@@ -23,8 +23,17 @@ std::vector<std::vector<double>> HeightsOf(const FootTrack& foot) {
   return heights;
 }
 
-FootSkate SkateOf(const FootTrack& foot, double frame_time, double threshold) {
+// From frame to frame + 1 it slides so far.
+void AddSlide(int frame, double step, std::vector<FootSlide>* slides) {
+  constexpr int kPause = 2;  // [frames]
+  if (slides->empty() || frame - slides->back().last > kPause) slides->push_back({frame, 0, 0.0});
+  slides->back().last = frame + 1;
+  slides->back().distance += step;
+}
+
+FootSkate SkateOf(const FootTrack& foot, double frame_time, double threshold, int first_frame) {
   constexpr double kSliding = 0.1;  // [m/s]
+  constexpr double kFirm = 0.6;     // weight from which on it is not a foot that swings low
   const auto heights = HeightsOf(foot);
   FootSkate skate{foot.name};
   for (size_t i = 1; i < foot.points[0].size(); ++i) {
@@ -38,7 +47,10 @@ FootSkate SkateOf(const FootTrack& foot, double frame_time, double threshold) {
     const double step = weight * (foot.points[low][i] - foot.points[low][i - 1]).head<2>().norm();
     skate.time_low += frame_time;
     skate.distance += step;
-    skate.frames += step > kSliding * frame_time;
+    if (step <= kSliding * frame_time) continue;
+    ++skate.frames;
+    if (weight < kFirm) continue;
+    AddSlide(first_frame + static_cast<int>(i) - 1, step, &skate.slides);
   }
   return skate;
 }
@@ -60,7 +72,7 @@ std::vector<FootSkate> FootSkates(const MotionSeries& series) {
   const double threshold = 0.025 / 1.7 * series.stature;
   std::vector<FootSkate> skates;
   for (const FootTrack& foot : series.feet) {
-    skates.push_back(SkateOf(foot, series.frame_time, threshold));
+    skates.push_back(SkateOf(foot, series.frame_time, threshold, series.first_frame));
   }
   return skates;
 }

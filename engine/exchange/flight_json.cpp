@@ -77,10 +77,16 @@ Json AsJson(const TimeScale& time) {
 }
 
 Json AsJson(const FootSkate& skate) {
+  Json slides = Json::array();
+  for (const FootSlide& slide : skate.slides) {
+    slides.push_back(
+        {{"first", slide.first}, {"last", slide.last}, {"distance_m", slide.distance}});
+  }
   return {{"foot", skate.foot},
           {"distance_m", skate.distance},
           {"time_low_s", skate.time_low},
-          {"frames", skate.frames}};
+          {"frames", skate.frames},
+          {"slides", slides}};
 }
 
 }  // namespace

@@ -95,6 +95,22 @@ TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
   EXPECT_TRUE(FoundWith("stops dead").empty());
 }
 
+TEST_F(Problems, AFootThatSlidesIsHeldWhereItStands) {
+  Do("key.set", {{"curve", "root.x"}, {"frame", 5}, {"value", 0.0}});
+  Do("key.set", {{"curve", "root.x"}, {"frame", 15}, {"value", 0.1}});
+  std::vector<Problem> slides = FoundWith("on the ground");
+  ASSERT_EQ(slides.size(), 2u);  // both feet
+  GoTo(slides[0], &editor_);
+  EXPECT_GE(editor_.session().frame(), 5.0);
+  EXPECT_LT(editor_.session().frame(), 8.0);
+  EXPECT_FALSE(editor_.session().selected_joints().empty());
+  for (const Problem& slide : slides) {
+    ASSERT_EQ(slide.cures.size(), 1u);
+    EXPECT_TRUE(Apply(slide.cures[0], &editor_)) << editor_.message.text;
+  }
+  EXPECT_TRUE(FoundWith("on the ground").empty());
+}
+
 TEST_F(Problems, AreSaidInTheLanguageOfTheInterface) {
   Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.8}});
   Do("view.properties", {{"section", "problems"}});

@@ -27,6 +27,20 @@ TEST(FootSkate, IsTheWayThatAFootOnTheGroundSlides) {
   EXPECT_NEAR(skate.time_low, 2.0, 1e-9);
 }
 
+TEST(FootSkate, SaysInWhichFramesOneSlideIs) {
+  MotionSeries series = Slide(0.3, 0.0);
+  series.first_frame = 7;
+  std::vector<Vec3>& points = series.feet[0].points[0];
+  for (size_t i = 150; i < points.size(); ++i) points[i].x() -= i > 160 ? 0.03 : 0.003 * (i - 150);
+  const FootSkate skate = FootSkates(series).at(0);  // from 150 to 160 it stands
+  ASSERT_EQ(skate.slides.size(), 2u);
+  EXPECT_EQ(skate.slides[0].first, 107);
+  EXPECT_EQ(skate.slides[0].last, 157);
+  EXPECT_NEAR(skate.slides[0].distance, 0.15, 1e-9);
+  EXPECT_EQ(skate.slides[1].first, 167);
+  EXPECT_EQ(skate.slides[1].last, 207);
+}
+
 TEST(FootSkate, CountsLessTheHigherTheFootAndNothingAboveTheThreshold) {
   // 2 - 2^(h/H) at half of H; the one frame that rises is lower.
   const double weight = 2.0 - std::sqrt(2.0);

@@ -20,6 +20,15 @@ std::optional<size_t> IndexIn(const std::string& list, const std::string& place)
   return read.ec == std::errc() ? std::optional(index) : std::nullopt;
 }
 
+constexpr double kFarSlide = 0.05;  // of a foot; captures have shorter ones in every step [m]
+
+bool SlidesFar(const FlightAnalysis& analysis) {
+  return std::any_of(analysis.skates.begin(), analysis.skates.end(), [](const FootSkate& skate) {
+    return std::any_of(skate.slides.begin(), skate.slides.end(),
+                       [](const FootSlide& slide) { return slide.distance > kFarSlide; });
+  });
+}
+
 class ProblemList {
  public:
   explicit ProblemList(Editor* editor) : editor_(*editor), project_(editor->session().project()) {}
@@ -38,6 +47,11 @@ class ProblemList {
       if (!IndexIn("placements", warning.place)) AddPlaced(warning, false);
     }
     for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
+    for (const FootSkate& skate : editor_.flights.analysis().skates) {
+      for (const FootSlide& slide : skate.slides) {
+        if (slide.distance > kFarSlide) AddSlide(skate.foot, slide);
+      }
+    }
     AddTime(editor_.flights.analysis().time);
     return std::move(problems_);
   }
@@ -113,6 +127,21 @@ class ProblemList {
     problems_.push_back(std::move(problem));
   }
 
+  void AddSlide(const std::string& foot, const FootSlide& slide) {
+    Problem problem;
+    problem.text = Filled(Tr("Frames %d to %d: %s slides %.0f cm on the ground."), slide.first,
+                          slide.last, foot.c_str(), 100.0 * slide.distance);
+    problem.frame = slide.first;
+    problem.joint = foot;
+    if (editor_.session().figure().FindGroup(foot)) {
+      problem.cures.push_back({"hold.add",
+                               {{"joint", foot}, {"first", slide.first}, {"last", slide.last}},
+                               problem.frame,
+                               Tr("Hold it there")});
+    }
+    problems_.push_back(std::move(problem));
+  }
+
   void AddTime(const TimeScale& time) {
     const std::string alarm = AlarmText(time), repair = RepairText(time);
     if (alarm.empty()) return;
@@ -140,6 +169,7 @@ bool HasProblems(Editor* editor) {
   if (!motion.ok()) return false;
   // Jumps are among the warnings.
   return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
+         SlidesFar(editor->flights.analysis()) ||
          !AlarmText(editor->flights.analysis().time).empty();
 }
 
