@@ -1,10 +1,10 @@
 #include "ui/shell/sound_player.h"
 
-#include <AL/al.h>
-#include <AL/alc.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ui/shell/openal.h"
 
 namespace hazumi::ui {
 
@@ -29,23 +29,24 @@ class SoundPlayer::Device {
  public:
   // Null if there is none.
   static std::unique_ptr<Device> Open() {
-    ALCdevice* device = alcOpenDevice(nullptr);
+    const OpenAl* al = LoadOpenAl();
+    ALCdevice* device = al ? al->alcOpenDevice(nullptr) : nullptr;
     if (device == nullptr) return nullptr;
-    ALCcontext* context = alcCreateContext(device, nullptr);
-    if (context == nullptr || alcMakeContextCurrent(context) == ALC_FALSE) {
-      if (context != nullptr) alcDestroyContext(context);
-      alcCloseDevice(device);
+    ALCcontext* context = al->alcCreateContext(device, nullptr);
+    if (context == nullptr || al->alcMakeContextCurrent(context) == ALC_FALSE) {
+      if (context != nullptr) al->alcDestroyContext(context);
+      al->alcCloseDevice(device);
       return nullptr;
     }
-    return std::unique_ptr<Device>(new Device(device, context));
+    return std::unique_ptr<Device>(new Device(*al, device, context));
   }
 
   ~Device() {
-    alDeleteSources(1, &source_);
-    alDeleteBuffers(2, buffers_);
-    alcMakeContextCurrent(nullptr);
-    alcDestroyContext(context_);
-    alcCloseDevice(device_);
+    al_.alDeleteSources(1, &source_);
+    al_.alDeleteBuffers(2, buffers_);
+    al_.alcMakeContextCurrent(nullptr);
+    al_.alcDestroyContext(context_);
+    al_.alcCloseDevice(device_);
   }
 
   void Take(const Sound& sound) {
@@ -55,9 +56,9 @@ class SoundPlayer::Device {
 
   void Play(double at) {
     Stop();
-    alSourcei(source_, AL_BUFFER, static_cast<ALint>(buffers_[kAll]));
-    alSourcef(source_, AL_SEC_OFFSET, static_cast<float>(at));
-    alSourcePlay(source_);
+    al_.alSourcei(source_, AL_BUFFER, static_cast<ALint>(buffers_[kAll]));
+    al_.alSourcef(source_, AL_SEC_OFFSET, static_cast<float>(at));
+    al_.alSourcePlay(source_);
     is_playing_ = true;
   }
 
@@ -70,47 +71,49 @@ class SoundPlayer::Device {
     };
     if (place(to) <= place(from)) return;
     Fill(kMoment, sound, place(from), place(to));
-    alSourcei(source_, AL_BUFFER, static_cast<ALint>(buffers_[kMoment]));
-    alSourcePlay(source_);
+    al_.alSourcei(source_, AL_BUFFER, static_cast<ALint>(buffers_[kMoment]));
+    al_.alSourcePlay(source_);
   }
 
   void Stop() {
-    alSourceStop(source_);
-    alSourcei(source_, AL_BUFFER, 0);
+    al_.alSourceStop(source_);
+    al_.alSourcei(source_, AL_BUFFER, 0);
     is_playing_ = false;
   }
 
-  void SetGain(double gain) { alSourcef(source_, AL_GAIN, static_cast<float>(gain)); }
+  void SetGain(double gain) { al_.alSourcef(source_, AL_GAIN, static_cast<float>(gain)); }
   // All of it, not a moment.
   bool is_playing() const { return is_playing_ && is_heard(); }
   bool is_heard() const {
     ALint state = AL_STOPPED;
-    alGetSourcei(source_, AL_SOURCE_STATE, &state);
+    al_.alGetSourcei(source_, AL_SOURCE_STATE, &state);
     return state == AL_PLAYING;
   }
   double position() const {
     ALfloat seconds = 0.0f;
-    alGetSourcef(source_, AL_SEC_OFFSET, &seconds);
+    al_.alGetSourcef(source_, AL_SEC_OFFSET, &seconds);
     return seconds;
   }
 
  private:
   enum { kAll, kMoment };
 
-  Device(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {
-    alGenSources(1, &source_);
-    alGenBuffers(2, buffers_);
-    if (alIsExtensionPresent("AL_SOFT_gain_clamp_ex") == AL_TRUE) {
-      alSourcef(source_, AL_MAX_GAIN, kLoudest);
+  Device(const OpenAl& al, ALCdevice* device, ALCcontext* context)
+      : al_(al), device_(device), context_(context) {
+    al_.alGenSources(1, &source_);
+    al_.alGenBuffers(2, buffers_);
+    if (al_.alIsExtensionPresent("AL_SOFT_gain_clamp_ex") == AL_TRUE) {
+      al_.alSourcef(source_, AL_MAX_GAIN, kLoudest);
     }
   }
 
   void Fill(int buffer, const Sound& sound, size_t from, size_t to) {
     const auto bytes = static_cast<ALsizei>((to - from) * sizeof(sound.samples[0]));
-    alBufferData(buffers_[buffer], FormatOf(sound.format), sound.samples.data() + from, bytes,
-                 sound.format.rate);
+    al_.alBufferData(buffers_[buffer], FormatOf(sound.format), sound.samples.data() + from, bytes,
+                     sound.format.rate);
   }
 
+  const OpenAl& al_;
   ALCdevice* device_;
   ALCcontext* context_;
   ALuint source_ = 0;
