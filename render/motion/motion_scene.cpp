@@ -96,7 +96,10 @@ Scene MotionScene::At(int index) {
   AddGhosts(index, &scene);
   if (overlays_.keyed_ghost) AddKeyedGhost(frame, &scene);
   if (overlays_.bones) AddBones(frame, &scene);
-  if (overlays_.paths) AddPaths(frame.com, &scene);
+  if (overlays_.paths) {
+    AddPaths(frame.com, &scene);
+    for (size_t i = 0; i < animation_.held_objects.size(); ++i) AddFlights(i, &scene);
+  }
   if (overlays_.contact_marks) AddContactMark(frame, &scene);
   if (overlays_.frame_number) {
     scene.captions.push_back({"F" + std::to_string(frame.frame), Corner::kTopLeft, 20.0});
@@ -263,6 +266,45 @@ void MotionScene::AddPaths(const Vec3& com, Scene* scene) const {
   for (size_t i = 0; i < end_paths_.size(); ++i) {
     scene->polylines.push_back({end_paths_[i], 1.5, EndColor(i), 0.0, false});
   }
+}
+
+// From where it is let go to the next holder, to where it lies, or to the floor, which is marked.
+void MotionScene::AddFlights(size_t object, Scene* scene) const {
+  const HeldObject& thrown = animation_.held_objects[object];
+  const SrgbColor color = ColorFromText(thrown.color);
+  const auto* sphere = std::get_if<SphereShape>(&thrown.shape);
+  const double radius = sphere ? sphere->radius : 0.0;
+  constexpr double kStill = 1e-6, kDash = 0.03;  // [m]
+  std::vector<Vec3> path;
+  const auto end = [&] {
+    if (path.size() > 1) scene->polylines.push_back({path, 2.0, color, kDash, true});
+    path.clear();
+  };
+  bool has_landed = false;
+  for (const MotionFrame& frame : motion_.frames) {
+    if (object >= frame.objects.size()) break;  // not computed yet
+    const ObjectPose& pose = frame.objects[object];
+    const Vec3 p = pose.X_WO.p;
+    if (pose.is_held()) {
+      end();
+      path = {p};
+      has_landed = false;
+      continue;
+    }
+    if (path.empty() || has_landed || (p - path.back()).norm() < kStill) continue;
+    const double floor = GroundHeight(path.back()) + radius, before = path.back().z();
+    if (before >= floor && p.z() < floor) {
+      const double share = (before - floor) / (before - p.z());
+      const Vec3 touch = path.back() + share * (p - path.back());
+      path.push_back(touch);
+      const Vec3 mark(touch.x(), touch.y(), floor - radius + kLift);
+      scene->markers.push_back({MarkerShape::kCross, mark, 0.06, color, 2.0, true});
+      has_landed = true;
+    } else {
+      path.push_back(p);
+    }
+  }
+  end();
 }
 
 void MotionScene::AddContactMark(const MotionFrame& frame, Scene* scene) {

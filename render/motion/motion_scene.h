@@ -26,9 +26,10 @@ struct Overlays {
   std::vector<int> ghosts = {};  // frames, counted from 0, of which a translucent figure is drawn
   bool tells_ghosts = false;     // those before the frame are blue, those after it orange
   bool keyed_ghost = false;      // where a region moves joints: what their keys say, violet
-  bool paths = false;            // of the CoM, its projection on the ground, and every limb's end
-  bool contact_marks = false;    // a ring at the pinned joint
-  bool region_tint = false;      // joints moved by a dynamics region
+  // Of the CoM, its projection on the ground, every limb's end, and what is thrown.
+  bool paths = false;
+  bool contact_marks = false;  // a ring at the pinned joint
+  bool region_tint = false;    // joints moved by a dynamics region
   bool frame_number = false;
   std::vector<char> highlighted = {};  // by JointIndex: bodies that stand out; empty: none
 };
@@ -70,6 +71,7 @@ class MotionScene {
   void AddGhosts(int index, Scene* scene);
   void AddKeyedGhost(const MotionFrame& frame, Scene* scene);
   void AddPaths(const Vec3& com, Scene* scene) const;
+  void AddFlights(size_t object, Scene* scene) const;
   void AddContactMark(const MotionFrame& frame, Scene* scene);
   void CollectPaths();
   double GroundHeight(const Vec3& below) const;

@@ -95,6 +95,29 @@ TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
   EXPECT_TRUE(FoundWith("stops dead").empty());
 }
 
+TEST_F(Problems, ABallThatFallsThroughTheGroundIsLaidOnIt) {
+  Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 3}});
+  std::vector<Problem> falls = FoundWith("goes into");
+  ASSERT_EQ(falls.size(), 1u);
+  ASSERT_EQ(falls[0].cures.size(), 1u);
+  EXPECT_TRUE(Apply(falls[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(FoundWith("goes into").empty());
+  const ProjectHeldObject& ball = editor_.session().project().held_objects[0];
+  const ProjectSphereShape& shape = std::get<ProjectSphereShape>(ball.shape);
+  EXPECT_NEAR(ball.position.curves[2].keys.back().value, shape.radius_m, 1e-6);
+}
+
+// One hinge of an arm after the other is warned of in the engine.
+TEST_F(Problems, OfOneKindInOneRegionAreOne) {
+  for (const char* hinge : {"r_shoulder_flexion", "r_elbow_flexion", "r_wrist_flexion"}) {
+    Do("key.set", {{"curve", hinge}, {"frame", 0}, {"value", 40}, {"rate", 90}});
+  }
+  Do("region.add", {{"name", "arm"}, {"joints", {"r_shoulder+"}}, {"first", 0}, {"last", 10}});
+  const std::vector<Problem> dead = FoundWith("stops dead");
+  ASSERT_EQ(dead.size(), 1u);
+  EXPECT_NE(dead[0].text.find(" more)"), std::string::npos) << dead[0].text;
+}
+
 TEST_F(Problems, AFootThatSlidesIsHeldWhereItStands) {
   Do("key.set", {{"curve", "root.x"}, {"frame", 5}, {"value", 0.0}});
   Do("key.set", {{"curve", "root.x"}, {"frame", 15}, {"value", 0.1}});

@@ -30,7 +30,8 @@ const std::vector<ManualPart>& ManualParts() {
         "landing become keys like any others; between take-off and landing gravity has the "
         "figure."}},
       {"Working",
-       {"Click a joint to select it, R turns it, I keys the pose as it is seen. All you do can be "
+       {"Click a joint to select it, R turns it, I keys the pose as it is seen: of the selected "
+        "joints, or all of it if none is. All you do can be "
         "undone. F3 finds whatever Hazumi can do by its name.",
         "The large diamond is the root. G moves it, and the legs bend so that the feet stay where "
         "they stand; with F the whole figure comes along. R turns the whole figure; with F the "

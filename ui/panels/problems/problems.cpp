@@ -4,6 +4,8 @@
 #include <charconv>
 
 #include "engine/base/text.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/panels/problems/falls_through.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/flight_text.h"
 
@@ -52,8 +54,11 @@ class ProblemList {
         if (slide.distance > kFarSlide) AddSlide(skate.foot, slide);
       }
     }
+    for (const FallThrough& fall : FallsThrough(*session.animation(), *motion.value())) {
+      AddFall(fall);
+    }
     AddTime(editor_.flights.analysis().time);
-    return std::move(problems_);
+    return Grouped();
   }
 
  private:
@@ -127,6 +132,48 @@ class ProblemList {
     problems_.push_back(std::move(problem));
   }
 
+  // A region's warnings of one kind and frame are one: each of its hinges has one.
+  std::vector<Problem> Grouped() {
+    std::vector<Problem> grouped;
+    std::vector<int> more;
+    for (Problem& problem : problems_) {
+      const auto same = std::find_if(grouped.begin(), grouped.end(), [&](const Problem& other) {
+        return problem.region.is_valid() && other.region == problem.region &&
+               other.frame == problem.frame && !problem.cures.empty() && !other.cures.empty() &&
+               other.cures[0].parameters == problem.cures[0].parameters;
+      });
+      if (same != grouped.end()) {
+        ++more[same - grouped.begin()];
+        continue;
+      }
+      grouped.push_back(std::move(problem));
+      more.push_back(0);
+    }
+    for (size_t i = 0; i < grouped.size(); ++i) {
+      if (more[i] > 0) grouped[i].text += " (" + Filled(Tr("and %d more"), more[i]) + ")";
+    }
+    return grouped;
+  }
+
+  void AddFall(const FallThrough& fall) {
+    constexpr double kFlat = 0.7;  // least slope on which something rests, z of the normal
+    const std::string& name = project_.held_objects[fall.object].name;
+    Problem problem;
+    problem.text =
+        Filled(Tr("Frame %d: %s goes into %s."), fall.frame, name.c_str(), fall.obstacle.c_str());
+    problem.frame = fall.frame;
+    if (fall.normal.z() >= kFlat) {
+      problem.cures.push_back({"held.key",
+                               {{"object", name},
+                                {"x", edit::WithoutRoundOff(fall.outside.x())},
+                                {"y", edit::WithoutRoundOff(fall.outside.y())},
+                                {"z", edit::WithoutRoundOff(fall.outside.z())}},
+                               problem.frame,
+                               Tr("Let it rest there")});
+    }
+    problems_.push_back(std::move(problem));
+  }
+
   void AddSlide(const std::string& foot, const FootSlide& slide) {
     Problem problem;
     problem.text = Filled(Tr("Frames %d to %d: %s slides %.0f cm on the ground."), slide.first,
@@ -170,6 +217,7 @@ bool HasProblems(Editor* editor) {
   // Jumps are among the warnings.
   return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
          SlidesFar(editor->flights.analysis()) ||
+         !FallsThrough(*session.animation(), *motion.value()).empty() ||
          !AlarmText(editor->flights.analysis().time).empty();
 }
 

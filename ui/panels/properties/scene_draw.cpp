@@ -74,11 +74,19 @@ void DrawHolds(Editor* editor) {
   if (DrawButton(Tr("Hold from here"), HelpOf("span.hold"))) editor->Do("span.hold");
 }
 
+// What was selected in the viewport opens once.
+bool ObjectNode(Editor* editor, const std::string& name, ItemId id) {
+  const bool is_selected = editor->viewport.selected_object == id;
+  if (is_selected && editor->side.shown_object != id) ImGui::SetNextItemOpen(true);
+  if (is_selected) editor->side.shown_object = id;
+  return ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth |
+                                             ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                             (is_selected ? ImGuiTreeNodeFlags_Selected : 0));
+}
+
 void DrawObject(Editor* editor, const ProjectSceneObject& object) {
   ImGui::PushID(object.name.c_str());
-  const bool is_open = ImGui::TreeNodeEx(
-      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
-  if (is_open) {
+  if (ObjectNode(editor, object.name, object.identity.id)) {
     DrawFieldRows(editor, object, {}, SetBy(editor, "object.set", {{"object", object.name}}));
     if (DrawButton(Tr("Remove"), HelpOf("object.remove"))) {
       editor->Do("object.remove", {{"object", object.name}});
@@ -136,13 +144,7 @@ void DrawHolders(Editor* editor, const ProjectHeldObject& object) {
 
 void DrawHeldObject(Editor* editor, const ProjectHeldObject& object) {
   ImGui::PushID(object.name.c_str());
-  const bool is_selected = editor->viewport.selected_object == object.identity.id;
-  if (is_selected && editor->side.shown_object != object.identity.id) ImGui::SetNextItemOpen(true);
-  if (is_selected) editor->side.shown_object = object.identity.id;
-  const bool is_open = ImGui::TreeNodeEx(
-      object.name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                               (is_selected ? ImGuiTreeNodeFlags_Selected : 0));
-  if (is_open) {
+  if (ObjectNode(editor, object.name, object.identity.id)) {
     const SetItem set = SetBy(editor, "held.set", {{"object", object.name}});
     DrawFieldRows(editor, object, {"release"}, set);
     if (!object.joint.empty()) DrawRelease(editor, object, set);

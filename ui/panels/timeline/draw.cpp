@@ -79,7 +79,7 @@ void SheetChoice(Editor* editor, const Rect& rect) {
   Tooltip(HelpOf("view.sheet"), KeyOf("view.sheet"));
 }
 
-// A whole number that is dragged, or typed after a double click. True when it was changed, at the
+// A whole number that is dragged, or typed after a click. True when it was changed, at the
 // end of a drag if `at_end`.
 bool Number(const char* id, const Rect& rect, const std::string& format, int* value, bool at_end) {
   if (rect.w <= 0.0f) return false;
@@ -103,7 +103,7 @@ void FrameField(Editor* editor, const Rect& rect) {
                                           frame, all.first, all.last));
     }
   }
-  if (rect.w > 0.0f) Tooltip(Tr("Current frame: drag, or double click and type"));
+  if (rect.w > 0.0f) Tooltip(Tr("Current frame: drag, or click and type"));
 }
 
 // ImGui keeps what is dragged only while it is: the document takes it at the end, as one step.

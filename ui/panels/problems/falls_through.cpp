@@ -1,0 +1,51 @@
+#include "ui/panels/problems/falls_through.h"
+
+#include <optional>
+#include <variant>
+
+#include "engine/collision/distance.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr double kDeep = 0.01;  // less is not worth a word [m]
+
+double RadiusOf(const HeldObject& object) {
+  if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) return sphere->radius;
+  return std::get<BoxShape>(object.shape).half_size.minCoeff();
+}
+
+std::optional<FallThrough> In(const Animation& animation, const Vec3& p, double radius) {
+  for (const SceneObject& obstacle : animation.scene) {
+    const Distance distance = SignedDistance(Capsule{p, p, radius}, obstacle.shape);
+    if (distance.value > -kDeep) continue;
+    FallThrough fall;
+    fall.obstacle = obstacle.name;
+    fall.outside = p - distance.value * distance.normal;
+    fall.normal = distance.normal;
+    return fall;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& motion) {
+  std::vector<FallThrough> falls;
+  for (size_t i = 0; i < animation.held_objects.size(); ++i) {
+    const double radius = RadiusOf(animation.held_objects[i]);
+    for (const MotionFrame& frame : motion.frames) {
+      if (i >= frame.objects.size() || frame.objects[i].is_held()) continue;
+      std::optional<FallThrough> fall = In(animation, frame.objects[i].X_WO.p, radius);
+      if (!fall) continue;
+      fall->object = static_cast<int>(i);
+      fall->frame = frame.frame;
+      falls.push_back(*fall);
+      break;
+    }
+  }
+  return falls;
+}
+
+}  // namespace hazumi::ui
