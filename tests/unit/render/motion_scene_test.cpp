@@ -210,6 +210,35 @@ TEST(MotionScene, MarksTheCentreOfMassAndWhatIsBelowIt) {
   EXPECT_LE((marker(MarkerShape::kCross) - Vec3(com.x(), com.y(), -1.0)).norm(), 0.01);
 }
 
+// Let go at rest, half a metre above the floor: 0.32 s, of 1 s.
+TEST(MotionScene, FollowsWhatIsLetGoToTheFloor) {
+  Animation animation = Still(test::TwoLinks());
+  animation.last_frame = animation.first_frame + 30;
+  HeldObject ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{0.1};
+  ball.mass = 0.1;
+  ball.color = "#ff0000";
+  ball.holders.push_back({animation.figure->joint(JointIndex(0)).group, Vec3::Zero()});
+  ball.holders[0].last_frame = animation.first_frame + 2;
+  animation.held_objects.push_back(ball);
+  Overlays overlays;
+  overlays.paths = true;
+  const Vec3 start = BakeOrFail(animation).frames[0].objects[0].X_WO.p;
+  test::AddFloor(&animation, start.z() - 0.6);
+  const Scene scene = SceneOf(animation, 0, overlays);
+  const auto is_red = [](const auto& mark) { return mark.color.r > 0.9f && mark.color.g < 0.1f; };
+  const auto path = std::find_if(scene.polylines.begin(), scene.polylines.end(), is_red);
+  ASSERT_NE(path, scene.polylines.end());
+  EXPECT_LE((path->points.front() - start).norm(), 1e-9);
+  EXPECT_LE((path->points.back() - (start - 0.5 * Vec3::UnitZ())).norm(), 1e-9);
+  EXPECT_NEAR(static_cast<double>(path->points.size()), 30.0 * std::sqrt(2.0 * 0.5 / 9.81) + 1,
+              1.0);
+  const auto mark = std::find_if(scene.markers.begin(), scene.markers.end(), is_red);
+  ASSERT_NE(mark, scene.markers.end());
+  EXPECT_LE((mark->center - (start - 0.6 * Vec3::UnitZ())).norm(), 0.01);
+}
+
 TEST(Framing, SeesTheWholeMotionFromEverySide) {
   const Animation animation = Still(test::Human());
   const Motion motion = BakeOrFail(animation);
