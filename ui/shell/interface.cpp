@@ -104,7 +104,7 @@ Interface::Interface(Editor* editor, render::InterfacePainter painter,
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.ConfigDragClickToInputText = true;  // a click on a number edits it, as in Blender
-  editor_->viewport.shown.reset();  // was in a texture of another context
+  editor_->viewport.shown.reset();       // was in a texture of another context
   editor_->paint_scene = [this](const render::Scene& scene, render::PictureSize size, bool shadow) {
     return (shadow ? with_shadow_ : without_shadow_).Draw(scene, size);
   };

@@ -17,7 +17,7 @@ std::optional<OpenAl> Loaded() {
     *function = reinterpret_cast<std::remove_pointer_t<decltype(function)>>(dlsym(library, name));
     has_all &= *function != nullptr;
   };
-#define HAZUMI_OPENAL_LOAD(name) load(#name, &al.name);
+#define HAZUMI_OPENAL_LOAD(type, name) load(#name, &al.name);
   HAZUMI_OPENAL(HAZUMI_OPENAL_LOAD)
 #undef HAZUMI_OPENAL_LOAD
   return has_all ? std::optional(al) : std::nullopt;

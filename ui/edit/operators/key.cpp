@@ -43,7 +43,7 @@ Result<Done> SetKey(Session* session, const Parameters& p) {
         const ProjectKey* there = KeyOn(p.number("frame"), curve.value());
         ProjectKey key = there ? *there : ProjectKey();
         key.frame = p.number("frame");
-        if (const Result<Done> set = SetFields(p, &key); !set.ok()) return set;
+        if (Result<Done> set = SetFields(p, &key); !set.ok()) return set;
         if (p.yes("auto_rate")) SetAutomatic(&key);
         PutKey(key, curve.value());
         return Done();
@@ -54,7 +54,7 @@ Result<Done> SetKey(Session* session, const Parameters& p) {
 // Both sides of the key, unless one of them is given or it is broken already.
 Result<Done> SetTangent(const Parameters& p, ProjectKey* key) {
   const std::string side = p.text("side");
-  if (side != "" && side != "before" && side != "after") {
+  if (!side.empty() && side != "before" && side != "after") {
     return Refusal("side", "\"" + side + "\" is none of before, after");
   }
   if (side == "before" && key->rate_in) {

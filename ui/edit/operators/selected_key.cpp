@@ -181,7 +181,7 @@ Result<Done> ChangeKeys(Session* session, const std::string& id, Change change) 
 // What is given of these fields, to each selected key.
 Result<Done> SetSelected(Session* session, const Parameters& p, const char* id) {
   ProjectKey probe;
-  if (const Result<Done> set = SetFields(p, &probe); !set.ok()) return set;
+  if (Result<Done> set = SetFields(p, &probe); !set.ok()) return set;
   return ChangeKeys(session, id, [&](ProjectKey* key) { (void)SetFields(p, key); });
 }
 Result<Done> InterpolateSelected(Session* session, const Parameters& p) {

@@ -87,7 +87,8 @@ void DrawAbout(Editor* editor) {
                               "moves them by their own inertia."));
   ImGui::Spacing();
   ImGui::TextDisabled("%s", Tr("Licence: see the file LICENSE."));
-  ImGui::TextDisabled("Dear ImGui %s, GLFW, OpenAL Soft, Mesa, Eigen, nlohmann/json, libpng", IMGUI_VERSION);
+  ImGui::TextDisabled("Dear ImGui %s, GLFW, OpenAL Soft, Mesa, Eigen, nlohmann/json, libpng",
+                      IMGUI_VERSION);
   ImGui::Spacing();
   if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0 || IsEscapePressed(*editor)) Close(editor);
 }

@@ -1,5 +1,6 @@
 // Language, theme, scale, and the keys of the keyboard.
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
