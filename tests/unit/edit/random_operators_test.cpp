@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -37,8 +38,8 @@ class History {
     const edit::Document& document = session_->document();
     const std::string text = WriteProject(session_->project());
     const bool was_refused = !done && document.num_steps() == num_steps_;
-    if (id == "edit.undo" && done) --at_;
-    if (id == "edit.redo" && done) ++at_;
+    // Several steps at once, too.
+    if ((id == "edit.undo" || id == "edit.redo") && done) at_ = document.undo_labels().size();
     if (id == "edit.cancel_drag" && done && document.num_steps() < num_steps_) --at_;
     const bool is_new = done && document.revision() != revision_ && id != "edit.undo" &&
                         id != "edit.redo" && id != "edit.cancel_drag";
@@ -106,7 +107,12 @@ void SaveAndLoad(Session* session, const std::string& path) {
 // Runs of the same block have the same files.
 class RandomRuns {
  public:
-  explicit RandomRuns(int block) : files_(WriteRandomFiles(folder_.path(), block)) {}
+  explicit RandomRuns(int block) : files_(WriteRandomFiles(folder_.path(), block)) {
+    std::filesystem::current_path(folder_.path());  // where names without a folder lead
+  }
+  ~RandomRuns() { std::filesystem::current_path(before_); }
+  RandomRuns(const RandomRuns&) = delete;
+  RandomRuns& operator=(const RandomRuns&) = delete;
 
   void Run(int seed, std::map<std::string, Count>* counts) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -132,6 +138,7 @@ class RandomRuns {
   }
 
  private:
+  const std::filesystem::path before_ = std::filesystem::current_path();
   TemporaryFolder folder_;
   RandomFiles files_;
 };

@@ -118,48 +118,6 @@ Result<Done> ChooseScale(Editor* editor, const Parameters& p) {
   return Done();
 }
 
-// Which key is changed, by where it counts and what it is by default.
-Result<KeyChange> KeyNamed(const Parameters& p) {
-  const std::optional<Place> place = PlaceNamed(p.text("place"));
-  if (!place) {
-    return Error{ErrorCode::kSchema, "", "place",
-                 "\"" + p.text("place") + "\" is none of anywhere, viewport, sheet"};
-  }
-  const std::optional<Chord> original = ChordNamed(p.text("key"));
-  for (const Shortcut& shortcut : DefaultShortcuts()) {
-    if (original && shortcut.place == *place && shortcut.chord == *original) {
-      return KeyChange{*place, *original, *original};
-    }
-  }
-  return Error{ErrorCode::kSchema, "", "key",
-               "\"" + p.text("key") + "\" does nothing there by default"};
-}
-
-Result<Done> SetKey(Editor* editor, const Parameters& p) {
-  Result<KeyChange> change = KeyNamed(p);
-  if (!change.ok()) return change.error();
-  if (p.has("to")) {
-    const std::string to = p.text("to");
-    const std::optional<Chord> chord = to.empty() ? Chord() : ChordNamed(to);
-    if (!chord) return Error{ErrorCode::kSchema, "", "to", "no key is called \"" + to + "\""};
-    change.value().chord = *chord;
-  }
-  const Chord loser = ChangeKey(change.value(), &editor->settings.keymap);
-  SetKeymap(editor->settings.keymap);
-  if (loser.key == kNoKey) return Done();
-  for (const Shortcut& shortcut : DefaultShortcuts()) {
-    if (shortcut.place != change.value().place || shortcut.chord != loser) continue;
-    editor->Say(std::string(Tr("Without a key now:")) + " " + LabelOf(std::string(shortcut.id)));
-  }
-  return Done();
-}
-
-Result<Done> ResetKeys(Editor* editor, const Parameters&) {
-  editor->settings.keymap.clear();
-  SetKeymap({});
-  return Done();
-}
-
 Result<Done> ChooseSheet(Editor* editor, const Parameters& p) {
   SheetState& sheet = editor->sheet;
   const bool is_graph = p.has("graph") ? p.yes("graph") : sheet.kind != SheetKind::kGraph;
@@ -299,15 +257,6 @@ const std::vector<Action>& AllActions() {
        "The language of the interface.",
        {{"language", kText, true, "en or ja", "en ja"}},
        ChooseLanguage},
-      {"keymap.set",
-       "Set key of the keyboard",
-       "Gives what a key does another key.",
-       {{"place", kText, true, "where the mouse is: anywhere, viewport or sheet",
-         "anywhere viewport sheet"},
-        {"key", kText, true, "the key that it has by default: Ctrl+G"},
-        {"to", kText, false, "its key now; empty: none; not given: as by default"}},
-       SetKey},
-      {"keymap.reset", "All keys as by default", "Takes all changes of keys back.", {}, ResetKeys},
       {"view.scale",
        "Interface scale",
        "How large everything is.",
@@ -407,7 +356,7 @@ const std::vector<Action>& AllActions() {
   };
   static const std::vector<Action> all = [] {
     std::vector<Action> together = actions;
-    for (auto&& list : {DialogActions(), ObjectActions(), PoseLibraryActions()}) {
+    for (auto&& list : {DialogActions(), KeymapActions(), ObjectActions(), PoseLibraryActions()}) {
       together.insert(together.end(), list.begin(), list.end());
     }
     return together;

@@ -18,6 +18,8 @@ struct Action {
   std::function<Result<Done>(Editor*, const edit::Parameters&)> run;
 };
 
+// Of one file, which are among all.
+std::vector<Action> KeymapActions();
 const std::vector<Action>& AllActions();
 const Action* FindAction(const std::string& id);
 

@@ -124,28 +124,28 @@ void OpenFileDialog(Editor* editor, bool is_save, Then then) {
   Open(Modal::kFiles, editor);
 }
 
-void OpenImportFileDialog(Editor* editor) {
+namespace {
+
+// To choose a file of another kind than projects.
+void OpenToChoose(FolderFilter::Kind kind, bool FileDialogState::*what, Editor* editor) {
   OpenFileDialog(editor, false);
-  FileDialogState& files = editor->dialogs.files;
-  files.imports = true;
-  files.filter.kind = FolderFilter::Kind::kCharacters;
+  editor->dialogs.files.*what = true;
+  editor->dialogs.files.filter.kind = kind;
   ReadFolder(editor);
+}
+
+}  // namespace
+
+void OpenImportFileDialog(Editor* editor) {
+  OpenToChoose(FolderFilter::Kind::kCharacters, &FileDialogState::imports, editor);
 }
 
 void OpenSoundDialog(Editor* editor) {
-  OpenFileDialog(editor, false);
-  FileDialogState& files = editor->dialogs.files;
-  files.sounds = true;
-  files.filter.kind = FolderFilter::Kind::kSounds;
-  ReadFolder(editor);
+  OpenToChoose(FolderFilter::Kind::kSounds, &FileDialogState::sounds, editor);
 }
 
 void OpenReferenceDialog(Editor* editor) {
-  OpenFileDialog(editor, false);
-  FileDialogState& files = editor->dialogs.files;
-  files.references = true;
-  files.filter.kind = FolderFilter::Kind::kReferences;
-  ReadFolder(editor);
+  OpenToChoose(FolderFilter::Kind::kReferences, &FileDialogState::references, editor);
 }
 
 void OpenFolderDialog(Editor* editor) {

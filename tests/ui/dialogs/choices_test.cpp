@@ -1,0 +1,63 @@
+// What is chosen: a sound, a reference, keys of the keyboard.
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/ui/dialogs/fixture.h"
+
+namespace hazumi::ui {
+namespace {
+
+TEST_F(Dialogs, ASoundIsChosenFromAListAndKeptRelativeToTheProject) {
+  fs::create_directories(folder_ / "sounds");
+  std::ofstream(File("sounds/voice.wav")) << "a sound";
+  std::ofstream(File("sounds/notes.txt")) << "none";
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("shot.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.sound_dialog"));
+  Frames();
+  GoToFolder(File("sounds"), &editor_);
+  ASSERT_EQ(editor_.dialogs.files.entries.size(), 1u);
+  SelectEntry(0, &editor_);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  ASSERT_TRUE(editor_.session().project().audio);
+  EXPECT_EQ(editor_.session().project().audio->file, "sounds/voice.wav");
+}
+
+TEST_F(Dialogs, AReferenceIsChosenAmongPicturesAndVideos) {
+  for (const char* name : {"take.mp4", "pose.PNG", "notes.txt"}) std::ofstream(File(name)) << "-";
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("shot.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.reference_dialog"));
+  Frames();
+  GoToFolder(folder_.string(), &editor_);
+  ASSERT_EQ(editor_.dialogs.files.entries.size(), 2u);
+  SelectEntry(1, &editor_);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  ASSERT_TRUE(editor_.session().project().reference);
+  EXPECT_EQ(editor_.session().project().reference->file, "take.mp4");
+}
+
+TEST_F(Dialogs, PreferencesGiveAShortcutTheKeyThatIsPressed) {
+  ASSERT_TRUE(editor_.Do("app.preferences"));
+  Frames();
+  const std::vector<Shortcut>& all = DefaultShortcuts();
+  const auto jump = std::find_if(all.begin(), all.end(), [](const Shortcut& shortcut) {
+    return std::string(shortcut.id) == "tool.jump";
+  });
+  editor_.dialogs.preferences.waits = static_cast<int>(jump - all.begin());
+  Press({kEscape});  // as it is
+  EXPECT_EQ(modal(), Modal::kPreferences);
+  EXPECT_EQ(KeyOf("tool.jump"), "J");
+  editor_.dialogs.preferences.waits = static_cast<int>(jump - all.begin());
+  Press({'U'});
+  EXPECT_EQ(KeyOf("tool.jump"), "U");
+  EXPECT_EQ(editor_.settings.keymap.size(), 1u);
+  EXPECT_EQ(editor_.dialogs.preferences.waits, -1);
+  ASSERT_TRUE(editor_.Do("keymap.reset"));
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+}  // namespace
+}  // namespace hazumi::ui
