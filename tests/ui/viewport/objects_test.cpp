@@ -52,8 +52,18 @@ TEST_F(Objects, InAHandItsOffsetIsDraggedAndTheHandStays) {
   EXPECT_EQ(user.project().joints.size(), num_curves);
 }
 
+TEST_F(Objects, WhatIsAddedIsSelectedInPlaceOfJoints) {
+  Do("select.joints", {{"joints", {"r_wrist"}}});
+  Do("held.add_ball", edit::Json::object());
+  EXPECT_EQ(Selected(), "ball");
+  EXPECT_TRUE(user.session().selected_joints().empty());
+  Do("object.add_box", {{"name", "crate"}});
+  EXPECT_EQ(Selected(), "crate");
+}
+
 TEST_F(Objects, WhatIsNotSelectedIsNotDragged) {
   Do("held.add_ball", {{"radius", 0.15}});
+  Do("select.joints", {{"joints", {"r_wrist"}}});
   const Vec3 before = BallNow();
   const ui::Point from = InWindow(before);
   user.Drag(from, {from.x + 60.0f, from.y});
@@ -92,6 +102,74 @@ TEST_F(Objects, EscapeTakesTheJumpBack) {
   EXPECT_NE(user.text(), before);
   user.Press(ui::kEscape);
   EXPECT_EQ(user.text(), before);
+}
+
+// The arms swing from a wind-up, and let go.
+class Throwing : public Objects {
+ protected:
+  Throwing() {
+    Do("time.range", {{"first", 0}, {"last", 30}});
+    Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 10}});
+    Do("key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 2}, {"value", -40}});
+    Do("region.add", {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
+    Do("object.add_box", {{"name", "table"}, {"x", 1.2}, {"z", 0.25}, {"size_z", 0.5}});
+  }
+};
+
+TEST_F(Throwing, TThrowsTheBallOntoTheSpotUnderTheMouseInOneStep) {
+  const Vec3 spot(1.2, -0.3, 0.5);
+  const size_t steps = user.num_steps();
+  user.MoveTo(InWindow(spot));
+  user.Press('T');
+  user.MoveTo(InWindow(spot));
+  user.Click(InWindow(spot));
+  EXPECT_EQ(user.num_steps(), steps + 1) << user.editor().message.text;
+  const Result<const Motion*> motion = user.session().WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
+}
+
+TEST_F(Throwing, EscapeTakesItBack) {
+  const std::string before = user.text();
+  user.MoveTo(InWindow(Vec3(1.2, -0.3, 0.5)));
+  user.Press('T');
+  user.MoveTo(InWindow(Vec3(1.2, -0.2, 0.5)));
+  EXPECT_NE(user.text(), before);
+  user.Press(ui::kEscape);
+  EXPECT_EQ(user.text(), before);
+}
+
+TEST_F(Objects, NothingToThrowIsSaid) {
+  user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
+  user.Press('T');
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_NE(user.editor().message.text.find("put a ball into a hand"), std::string::npos);
+}
+
+TEST_F(Objects, ABoxIsDrawnByItsBaseAndThenItsHeight) {
+  const Vec3 corner(0.6, -0.5, 0.0), opposite(1.2, 0.3, 0.0);
+  const size_t steps = user.num_steps();
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  user.Drag(InWindow(corner), InWindow(opposite));
+  const ui::Point top = InWindow(opposite + Vec3(0.0, 0.0, 0.4));
+  user.MoveTo(top);
+  user.Click(top);
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  EXPECT_EQ(Selected(), "box");
+  const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
+  EXPECT_LE((box.size_m - Vec3(0.6, 0.8, 0.4)).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LE((box.center_m - Vec3(0.9, -0.1, 0.2)).cwiseAbs().maxCoeff(), 0.02);
+}
+
+TEST_F(Objects, AClickPutsABoxOfHalfAMetreOntoAnother) {
+  Do("object.add_box", {{"name", "table"}, {"x", 1.2}, {"z", 0.2}, {"size_z", 0.4}});
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  const Vec3 spot(1.2, 0.0, 0.4);
+  user.Click(InWindow(spot));
+  EXPECT_FALSE(user.editor().has_tool());
+  const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
+  EXPECT_EQ(box.size_m, Vec3(0.5, 0.5, 0.5));
+  EXPECT_LE((box.center_m - spot - Vec3(0.0, 0.0, 0.25)).cwiseAbs().maxCoeff(), 0.02);
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p);
 // is the palm of the shipped human's hands.
 Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object);
 
+// Of the sphere in the middle of an object [m].
+double InnerRadius(const HeldObject& object);
+
 // One undo step on the object of the parameter "object".
 Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,
                         const std::function<Result<Done>(ProjectHeldObject*)>& change);

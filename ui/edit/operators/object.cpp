@@ -69,12 +69,15 @@ Result<Done> SetObject(Session* session, const Parameters& p) {
 }
 
 Result<Done> AddBox(Session* session, const Parameters& p) {
-  return session->Edit("Add box", [&](Project* project) -> Result<Done> {
-    ProjectSceneObject object = NewObject(ProjectBox());
-    if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
-    project->scene.objects.push_back(std::move(object));
-    return Done();
-  });
+  return session->Edit(
+      "Add box",
+      [&](Project* project) -> Result<Done> {
+        ProjectSceneObject object = NewObject(ProjectBox());
+        if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
+        project->scene.objects.push_back(std::move(object));
+        return Done();
+      },
+      p.text("drag"));
 }
 
 Result<Done> AddPlane(Session* session, const Parameters& p) {
@@ -122,7 +125,7 @@ Result<Done> RemoveObject(Session* session, const Parameters& p) {
 std::vector<Operator> ObjectOperators() {
   return {
       {"object.add_box", "Add box", "Puts a box into the scene.",
-       Requiring({"name"}, FieldsOf(NewObject(ProjectBox()))), AddBox},
+       Joined({Requiring({"name"}, FieldsOf(NewObject(ProjectBox()))), {kDrag}}), AddBox},
       {"object.add_plane", "Add plane", "Puts a plane into the scene; one side of it is solid.",
        Requiring({"name"}, FieldsOf(NewObject(ProjectPlane()))), AddPlane},
       {"object.set", "Change object", "Sets what is given of an object; what is not given stays.",

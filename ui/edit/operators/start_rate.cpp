@@ -1,16 +1,11 @@
 // How fast the joints of a dynamics region are let go: the rate of the key on its first frame.
 
-#include <algorithm>
+#include "ui/edit/operators/start_rate.h"
 
-#include "ui/edit/operators/edits.h"
+#include <algorithm>
 
 namespace hazumi::edit {
 
-namespace {
-
-using enum ParameterKind;
-
-// Whether its speed at the start is what another region, which ends there, leaves it with.
 bool IsTakenOver(const DynamicsRegion& region, JointIndex hinge, const Animation& animation) {
   return std::any_of(animation.regions.begin(), animation.regions.end(),
                      [&](const DynamicsRegion& other) {
@@ -18,6 +13,22 @@ bool IsTakenOver(const DynamicsRegion& region, JointIndex hinge, const Animation
                               std::binary_search(other.joints.begin(), other.joints.end(), hinge);
                      });
 }
+
+Result<ProjectKey> KeyAtStart(const std::string& hinge, int frame, Session* session) {
+  const ProjectCurve* curve = FindCurve(hinge, session->project());
+  if (const ProjectKey* key = curve ? KeyOn(frame, *curve) : nullptr) return *key;
+  const Result<const Motion*> motion = session->MotionTo(frame);
+  if (!motion.ok()) return motion.error();
+  const MotionFrame& at = motion.value()->frames[frame - session->project().frames.first];
+  ProjectKey key;
+  key.frame = frame;
+  key.value = ShortestDegrees(at.q[session->figure().FindJoint(hinge)->value()]);
+  return key;
+}
+
+namespace {
+
+using enum ParameterKind;
 
 // The region that was found in the project, as it is animated. Errors: the hinge is not in it, or
 // starts as fast as another region leaves it.
@@ -35,19 +46,6 @@ Result<const DynamicsRegion*> StartOf(const std::string& hinge, size_t region, S
                                 "that one earlier");
   }
   return &found;
-}
-
-// The key on a frame; made with the value that is seen there if there is none.
-Result<ProjectKey> KeyAtStart(const std::string& hinge, int frame, Session* session) {
-  const ProjectCurve* curve = FindCurve(hinge, session->project());
-  if (const ProjectKey* key = curve ? KeyOn(frame, *curve) : nullptr) return *key;
-  const Result<const Motion*> motion = session->MotionTo(frame);
-  if (!motion.ok()) return motion.error();
-  const MotionFrame& at = motion.value()->frames[frame - session->project().frames.first];
-  ProjectKey key;
-  key.frame = frame;
-  key.value = ShortestDegrees(at.q[session->figure().FindJoint(hinge)->value()]);
-  return key;
 }
 
 Result<Done> SetStartRate(Session* session, const Parameters& p) {

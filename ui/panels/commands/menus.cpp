@@ -87,6 +87,7 @@ MenuEntry ViewMenu() {
                           Line(),
                           {"view.orthographic"},
                           {"view.camera"},
+                          {"view.set_camera"},
                           {"view.frame_selected"},
                           {"view.frame_all"},
                           OverlayMenu(),
@@ -208,6 +209,7 @@ MenuEntry RegionMenu() {
 
 MenuEntry SceneMenu() {
   return Submenu("Scene", {{"scene.gravity"},
+                           {"tool.add_box"},
                            {"object.add_box"},
                            {"object.add_plane"},
                            {"held.add_ball"},
@@ -215,6 +217,8 @@ MenuEntry SceneMenu() {
                            {"held.let_go"},
                            {"held.pass"},
                            {"held.key"},
+                           {"tool.throw"},
+                           {"held.throw_onto"},
                            {"object.remove"},
                            Line(),
                            {"span.pin"},
@@ -228,9 +232,7 @@ MenuEntry SceneMenu() {
                            {"file.sound_dialog"},
                            {"audio.remove"},
                            {"file.reference_dialog"},
-                           {"reference.remove"},
-                           Line(),
-                           {"view.set_camera"}});
+                           {"reference.remove"}});
 }
 
 MenuEntry HelpMenu() {

@@ -44,6 +44,7 @@ const std::vector<Shortcut>& DefaultShortcuts() {
       {{'B'}, kViewport, "tool.box"},
       {{'G'}, kViewport, "tool.move"},
       {{'J'}, kViewport, "tool.jump"},
+      {{'T'}, kViewport, "tool.throw"},
       {{'X'}, kViewport, "view.remove_object"},
       {{kDelete}, kViewport, "view.remove_object"},
       {{kPeriod}, kViewport, "view.frame_selected"},

@@ -18,17 +18,39 @@ void DrawHeading(const char* text, const Theme& theme) {
   ImGui::PopStyleColor();
 }
 
-void DrawKeys(const Theme& theme) {
-  DrawHeading(Tr("Keys"), theme);
-  if (!ImGui::BeginTable("##keys", 4, ImGuiTableFlags_SizingStretchProp)) return;
-  for (const Shortcut& shortcut : AllShortcuts()) {
-    if (shortcut.chord.key == kNoKey) continue;
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", NameOf(shortcut.chord).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(LabelOf(shortcut).c_str());
+void DrawKey(const std::string& key, const std::string& does) {
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", key.c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(does.c_str());
+}
+
+void DrawMouse(Place place) {
+  const auto middle = [](const char* with) { return with + std::string(Tr("middle button")); };
+  if (place == Place::kViewport) {
+    DrawKey(middle(""), Tr("Turn the view"));
+    DrawKey(middle("Shift+"), Tr("Move the view"));
+    DrawKey(Tr("wheel"), Tr("Nearer or farther"));
+    DrawKey(Tr("right button"), Tr("What can be done with what is there"));
   }
-  ImGui::EndTable();
+  if (place == Place::kSheet) {
+    DrawKey(middle(""), Tr("Move the view"));
+    DrawKey("Ctrl+" + std::string(Tr("wheel")), Tr("More or fewer frames"));
+  }
+}
+
+void DrawKeys(const Theme& theme) {
+  for (const Place place : {Place::kAnywhere, Place::kViewport, Place::kSheet}) {
+    DrawHeading((std::string(Tr("Keys")) + ": " + LabelOf(place)).c_str(), theme);
+    const std::string id = "##keys" + std::to_string(static_cast<int>(place));
+    if (!ImGui::BeginTable(id.c_str(), 4, ImGuiTableFlags_SizingStretchProp)) continue;
+    DrawMouse(place);
+    for (const Shortcut& shortcut : AllShortcuts()) {
+      if (shortcut.chord.key == kNoKey || shortcut.place != place) continue;
+      DrawKey(NameOf(shortcut.chord), LabelOf(shortcut));
+    }
+    ImGui::EndTable();
+  }
 }
 
 void DrawStep(int step, bool is_done, bool is_next, const Theme& theme) {

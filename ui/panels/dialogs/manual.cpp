@@ -26,6 +26,9 @@ const std::vector<ManualPart>& ManualParts() {
         "it; pulled in a hand it changes its place there, on the ground its place is keyed. Its "
         "row in the dope sheet shows who has it: the end of a bar is where it is let go, Pass on "
         "gives it to the selected joint.",
+        "T aims a throw: point at where the ball is to come down and click. The dynamics region "
+        "that "
+        "moves the arm while it lets go starts as fast as it has to, over what stands in between.",
         "J begins a jump: point at where it is to land and click. Crouch, take-off, apex and "
         "landing become keys like any others; between take-off and landing gravity has the "
         "figure."}},

@@ -22,6 +22,8 @@ void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* ov
 void DrawManual(Editor* editor);
 void DrawAbout(Editor* editor);
 void DrawPreferences(Editor* editor);
+// Where keys count.
+const char* LabelOf(Place place);
 // What a shortcut does, as the menus call it.
 std::string LabelOf(const Shortcut& shortcut);
 // A window of its own, beside the panels.

@@ -55,18 +55,6 @@ void DrawLook(Editor* editor) {
       {scale("100 %", 1.0), scale("125 %", 1.25), scale("150 %", 1.5), scale("200 %", 2.0)});
 }
 
-const char* LabelOf(Place place) {
-  switch (place) {
-    case Place::kViewport:
-      return Tr("Viewport");
-    case Place::kSheet:
-      return Tr("Sheets");
-    case Place::kAnywhere:
-      break;
-  }
-  return Tr("Everywhere");
-}
-
 bool Contains(const std::string& text, const std::string& part) {
   const auto equal = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
   return std::search(text.begin(), text.end(), part.begin(), part.end(), equal) != text.end();
@@ -135,6 +123,18 @@ void DrawKeys(Editor* editor) {
 }
 
 }  // namespace
+
+const char* LabelOf(Place place) {
+  switch (place) {
+    case Place::kViewport:
+      return Tr("Viewport");
+    case Place::kSheet:
+      return Tr("Sheets");
+    case Place::kAnywhere:
+      break;
+  }
+  return Tr("Everywhere");
+}
 
 void DrawPreferences(Editor* editor) {
   PreferencesState& state = editor->dialogs.preferences;

@@ -22,8 +22,8 @@ class RowList {
   std::vector<SheetRow> Collect() {
     AddSummary();
     AddPlacement();
-    for (const Limb& limb : LimbsOf(figure_)) AddLimb(limb);
     for (const ProjectHeldObject& object : session_.project().held_objects) AddObject(object);
+    for (const Limb& limb : LimbsOf(figure_)) AddLimb(limb);
     return std::move(rows_);
   }
 

@@ -41,6 +41,7 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "region.add" && name == "friction") return 0.8;
   if (id.starts_with("object.add_") && name == "name")
     return edit::FreeName(id.substr(11), project.scene.objects);
+  if (id.starts_with("object.add_") && name == "color") return kDefaultObjectColor;
   if (id == "object.add_box" && name.starts_with("size_")) return 1.0;
   if (id == "object.add_box" && name.size() == 1) return name == "z" ? 0.5 : 0.0;  // on the ground
   return Json();

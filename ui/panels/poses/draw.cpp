@@ -63,7 +63,8 @@ void DrawTile(Editor* editor, const SavedPose& pose, bool is_own, float edge) {
   ImGui::PushID(pose.name.c_str());
   ImGui::InvisibleButton("##pose", {edge, edge + line});
   const bool is_hovered = ImGui::IsItemHovered();
-  Tooltip(name + "\n" + Tr("Click: apply. Pull to the right: a part of the way."));
+  const std::string shown = Shortened(name, edge);
+  if (shown != name) Tooltip(name);
   if (ImGui::IsItemVisible()) {
     const auto texture = editor->poses.thumbnails->TextureOf(pose);
     const ImVec2 end(at.x + edge, at.y + edge);
@@ -74,7 +75,7 @@ void DrawTile(Editor* editor, const SavedPose& pose, bool is_own, float edge) {
                          end, {left, 0.0f}, {1.0f - left, 1.0f});
     }
     if (is_hovered) Canvas()->AddRect(at, end, ToIm(editor->theme().accent), 3.0f, 0, 2.0f);
-    Canvas()->AddText({at.x, end.y}, ToIm(editor->theme().text), Shortened(name, edge).c_str());
+    Canvas()->AddText({at.x, end.y}, ToIm(editor->theme().text), shown.c_str());
   }
   ActOnTile(editor, pose, is_own);
   ImGui::PopID();
@@ -106,6 +107,7 @@ void DrawPosesSection(Editor* editor) {
   }
   DrawCheck(editor, "flipped", Tr("Left for right"), state.is_flipped,
             [&](bool is_on) { state.is_flipped = is_on; });
+  DrawNote(Tr("Click: apply. Pull to the right: a part of the way."));
   if (DrawHeading(Tr("Own poses"))) {
     if (error) DrawNote(TextOf(*error, "pose.apply"));
     if (!error && state.library.own().empty()) {

@@ -1,20 +1,15 @@
 #include "ui/panels/problems/falls_through.h"
 
 #include <optional>
-#include <variant>
 
 #include "engine/collision/distance.h"
+#include "ui/edit/operators/held_objects.h"
 
 namespace hazumi::ui {
 
 namespace {
 
 constexpr double kDeep = 0.01;  // less is not worth a word [m]
-
-double RadiusOf(const HeldObject& object) {
-  if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) return sphere->radius;
-  return std::get<BoxShape>(object.shape).half_size.minCoeff();
-}
 
 std::optional<FallThrough> In(const Animation& animation, const Vec3& p, double radius) {
   for (const SceneObject& obstacle : animation.scene) {
@@ -34,7 +29,7 @@ std::optional<FallThrough> In(const Animation& animation, const Vec3& p, double 
 std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& motion) {
   std::vector<FallThrough> falls;
   for (size_t i = 0; i < animation.held_objects.size(); ++i) {
-    const double radius = RadiusOf(animation.held_objects[i]);
+    const double radius = edit::InnerRadius(animation.held_objects[i]);
     for (const MotionFrame& frame : motion.frames) {
       if (i >= frame.objects.size() || frame.objects[i].is_held()) continue;
       std::optional<FallThrough> fall = In(animation, frame.objects[i].X_WO.p, radius);

@@ -99,8 +99,8 @@ void DrawObjects(Editor* editor) {
   if (!DrawHeading(Tr("Objects"))) return;
   const ProjectScene scene = editor->session().project().scene;
   for (const ProjectSceneObject& object : scene.objects) DrawObject(editor, object);
-  if (DrawButton(LabelOf("object.add_box"), HelpOf("object.add_box"), 2)) {
-    editor->Do("object.add_box", {{"name", edit::FreeName("box", scene.objects)}, {"z", 0.5}});
+  if (DrawButton(LabelOf("tool.add_box"), HelpOf("tool.add_box"), 2)) {
+    (void)editor->Invoke("tool.add_box");
   }
   ImGui::SameLine();
   if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {

@@ -1,5 +1,6 @@
 #include "ui/panels/viewport/drag_tool.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "ui/panels/text/number_text.h"
@@ -18,8 +19,7 @@ bool DragTool::Update(Editor* editor, const ToolInput& input) {
     TakeBack(editor);
     return false;
   }
-  const bool is_released = is_held_ && !input.is_held;
-  if (!is_released && (is_held_ || !input.confirm)) return true;
+  if (!IsConfirmed(input)) return true;
   editor->Do("edit.end_drag");
   return false;
 }
@@ -53,6 +53,10 @@ bool TypedAxis::Take(const Chord& chord) {
 std::string TypedAxis::shown() const {
   if (is_none()) return "";
   return std::string("  ") + Tr(is_own_ ? "own" : "world") + " " + letter_;
+}
+
+double ToCentimetres(double metres) {
+  return std::round(100.0 * metres) / 100.0 + 0.0;  // adding 0 leaves no -0
 }
 
 std::string Signed(double value, int digits) {

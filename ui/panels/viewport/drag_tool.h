@@ -16,6 +16,11 @@ class DragTool : public Tool {
   // `is_held`: confirmed when the left button comes up.
   DragTool(Editor* editor, const char* kind, bool is_held);
 
+  // The input is the last one: by default a click, or the button that comes up.
+  virtual bool IsConfirmed(const ToolInput& input) const {
+    return is_held_ ? !input.is_held : input.confirm;
+  }
+
   // Acts on the input. False: it cannot go on, and what it did is taken back.
   virtual bool Follow(Editor* editor, const ToolInput& input) = 0;
 
@@ -50,6 +55,8 @@ class TypedAxis {
   bool is_own_ = false;
 };
 
+// Places under the mouse are given no finer.
+double ToCentimetres(double metres);
 // "+12.5"; with so many digits after the point.
 std::string Signed(double value, int digits);
 // The keys that tools understand, for their hints; those that matter most go first, for the last

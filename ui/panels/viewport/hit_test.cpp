@@ -99,6 +99,22 @@ std::optional<double> Enter(const Ray& ray, const Ball& ball) {
   return EnterCapsule(ray, ball.center, ball.center, ball.radius, ball.radius);
 }
 
+std::optional<Vec3> MeetsScene(const Ray& ray, const std::vector<SceneObject>& scene) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SceneObject& object : scene) {
+    std::optional<double> distance;
+    if (const Box* box = std::get_if<Box>(&object.shape)) distance = Enter(ray, *box);
+    if (const Plane* plane = std::get_if<Plane>(&object.shape)) {
+      const double towards = -plane->normal.dot(ray.direction);
+      const double above = plane->normal.dot(ray.from) - plane->offset;
+      if (towards > 0.0 && above > 0.0) distance = above / towards;
+    }
+    if (distance) least = std::min(least, *distance);
+  }
+  if (!std::isfinite(least)) return std::nullopt;
+  return ray.from + least * ray.direction;
+}
+
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,
                     const std::vector<Solid>& solids, double scale) {
   ViewportHit hit;

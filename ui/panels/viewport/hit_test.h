@@ -15,6 +15,9 @@ std::optional<double> Enter(const Ray& ray, const hazumi::Look& look, const hazu
 std::optional<double> Enter(const Ray& ray, const Box& box);
 std::optional<double> Enter(const Ray& ray, const Ball& ball);
 
+// Where a ray meets planes and boxes first, world [m]; none if it does not.
+std::optional<Vec3> MeetsScene(const Ray& ray, const std::vector<SceneObject>& scene);
+
 // What is under a point of the window.
 struct ViewportHit {
   std::optional<GroupIndex> joint;

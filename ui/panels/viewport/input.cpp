@@ -45,14 +45,16 @@ bool IsSelected(const edit::Session& session, GroupIndex joint) {
   return false;
 }
 
+bool IsSelected(const edit::Session& session, const ViewportHit& hit) {
+  return hit.is_root ? session.is_root_selected() : hit.joint && IsSelected(session, *hit.joint);
+}
+
 void Click(Editor* editor, const ViewportHit& hit, bool toggles) {
   edit::Session& session = editor->session();
   Json names = Json::array();
   if (hit.joint) names.push_back(session.figure().group(*hit.joint).name);
   if (hit.is_root) names.push_back(session.figure().root_name());
-  const bool is_on =
-      hit.is_root ? session.is_root_selected() : hit.joint && IsSelected(session, *hit.joint);
-  const char* mode = !toggles ? "replace" : is_on ? "remove" : "add";
+  const char* mode = !toggles ? "replace" : IsSelected(session, hit) ? "remove" : "add";
   editor->Do("select.joints", {{"joints", names}, {"mode", mode}});
   if (!toggles || hit.object.is_valid()) SelectObject(editor, hit.object);
   editor->Say("");
@@ -91,9 +93,11 @@ void Press(Editor* editor, const View& view, const PosedFigure& figure) {
   const ViewportHit hit =
       HitTest(view, at, figure, SolidsOf(&editor->session(), figure), editor->settings.scale);
   const bool on_swivel = SwivelHandleUnder(*editor, view, figure, at).has_value();
-  const bool on_gizmo = !on_swivel && GizmoUnder(*editor, view, figure, at).has_value();
-  editor->viewport.press =
-      ViewportPress{at, HandleUnder(hit, figure.figure()), on_gizmo, on_swivel, hit.object};
+  const std::string handle = HandleUnder(hit, figure.figure());
+  const bool on_other = !handle.empty() && !IsSelected(editor->session(), hit);
+  const bool on_gizmo =
+      !on_swivel && !on_other && GizmoUnder(*editor, view, figure, at).has_value();
+  editor->viewport.press = ViewportPress{at, handle, on_gizmo, on_swivel, hit.object};
 }
 
 // The button is down: a ring or a limit that is pulled turns its hinge, a handle drags its limb,

@@ -51,6 +51,15 @@ void SelectObject(Editor* editor, ItemId object) {
   editor->side.section = Section::kScene;
 }
 
+void SelectAdded(Editor* editor, const std::string& id) {
+  const Project& project = editor->session().project();
+  const bool is_held = id.starts_with("held.add_");
+  if (!is_held && id != "object.add_box") return;
+  editor->session().set_selected_joints({});
+  SelectObject(editor, is_held ? project.held_objects.back().identity.id
+                               : project.scene.objects.back().identity.id);
+}
+
 std::string NameOfSelectedObject(const Editor& editor) {
   if (const ProjectHeldObject* held = SelectedHeldObject(editor)) return held->name;
   const ProjectSceneObject* object = SelectedSceneObject(editor);
@@ -100,6 +109,17 @@ std::vector<Action> ObjectActions() {
            "From where it stands now onto the spot under the mouse; its height may be typed.",
            {},
            [](Editor* editor, const edit::Parameters&) { return TakeJumpTool(editor); }},
+          {"tool.throw",
+           "Throw",
+           "Aims the throw of the selected held object at the spot under the mouse; how high it "
+           "rises may be typed.",
+           {},
+           [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
+          {"tool.add_box",
+           "Draw box",
+           "Draws a box on what is under the mouse: its base is dragged out, then its height.",
+           {},
+           [](Editor* editor, const edit::Parameters&) { return TakeAddBoxTool(editor); }},
           {"select.object",
            "Select object",
            "Selects a box of the scene or a held object.",

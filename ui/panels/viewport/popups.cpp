@@ -56,6 +56,7 @@ Items ObjectItems(const Editor& editor) {
   std::vector<MenuEntry> own = {{"tool.move"}};
   if (SelectedHeldObject(editor)) {
     for (const char* id : {"held.let_go", "held.pass", "held.key"}) own.push_back({id, object});
+    own.push_back({"tool.throw"});
   }
   return {own,
           {{"view.remove_object"}},
@@ -64,6 +65,7 @@ Items ObjectItems(const Editor& editor) {
 
 Items EmptyItems() {
   return {{{"select.all"}, {"select.none"}, {"tool.box"}},
+          {{"tool.add_box"}},
           {{"joint.show_all"}},
           {{"view.frame_selected"}, {"view.frame_all"}, {"view.orthographic"}, {"view.camera"}}};
 }

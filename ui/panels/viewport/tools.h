@@ -26,6 +26,10 @@ Result<Done> TakeMoveTool(Editor* editor);
 Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held);
 // A jump from the current frame on, onto the spot under the mouse.
 Result<Done> TakeJumpTool(Editor* editor);
+// Aims the selected held object's throw at the spot under the mouse.
+Result<Done> TakeThrowTool(Editor* editor);
+// A new box, drawn onto what is under the mouse.
+Result<Done> TakeAddBoxTool(Editor* editor);
 void TakeReachTool(Editor* editor, const std::string& joint, HeldFrom held);
 // Moves the root, with its feet or above them; turns it, or does so by one of its rings.
 void TakeRootMoveTool(Editor* editor, std::optional<HeldFrom> held);

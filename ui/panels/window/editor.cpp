@@ -14,6 +14,7 @@
 #include "ui/panels/poses/thumbnails.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/actions.h"
+#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::ui {
 
@@ -137,6 +138,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   const ExecutedCommand deed = {id, parameters, session_.frame(), session_.selected_joints()};
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
   DropObject(id);
+  SelectAdded(this, id);
   SayIfSwung(id, parameters);
   FrameNewDocument(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");

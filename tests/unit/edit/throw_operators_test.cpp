@@ -1,0 +1,160 @@
+// A held object that is thrown onto a spot: start rates are found, keys are what is left.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/edit/sessions.h"
+#include "ui/edit/operators/throw_aim.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Json;
+using edit::Session;
+
+constexpr int kRelease = 10;
+
+// The right arm swings from a wind-up and lets go of a ball.
+void AddThrow(Session* session) {
+  Do(session, "time.range", {{"first", 0}, {"last", 30}});
+  Do(session, "held.add_ball", {{"joint", "r_wrist"}, {"release", kRelease}});
+  Do(session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 2}, {"value", -40}});
+  Do(session, "region.add",
+     {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
+}
+
+Json Onto(const Vec3& spot) {
+  return {{"object", "ball"}, {"x", spot.x()}, {"y", spot.y()}, {"z", spot.z()}};
+}
+
+const Motion& MotionOf(Session* session) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
+  return *motion.value();
+}
+
+Vec3 BallIn(const Motion& motion, int frame) { return motion.frames[frame].objects[0].X_WO.p; }
+
+int ReleaseOf(const Session& session) {
+  return session.project().held_objects[0].release_frame.value();
+}
+
+// Where the parabola through its first two frames of flight is as high as the ball lies.
+Vec3 LandsAt(const Motion& motion, int release, double height) {
+  const double dt = motion.rate.SecondsAt(1), g = 9.81;
+  const Vec3 p = BallIn(motion, release);
+  const Vec3 v = (BallIn(motion, release + 1) - p) / dt + Vec3(0.0, 0.0, 0.5 * g * dt);
+  const double t = (v.z() + std::sqrt(v.z() * v.z() + 2.0 * g * (p.z() - height))) / g;
+  return p + t * v - Vec3(0.0, 0.0, 0.5 * g * t * t);
+}
+
+// Above where it is let go [m].
+double RiseOf(const Motion& motion, int release) {
+  double highest = 0.0;
+  for (int frame = release; frame < static_cast<int>(motion.frames.size()); ++frame) {
+    highest = std::max(highest, BallIn(motion, frame).z());
+  }
+  return highest - BallIn(motion, release).z();
+}
+
+TEST(ThrowOnto, TheSlowestThrowLeavesAtTheAngleOfTheTextbook) {
+  // On the level: 45 degrees, v^2 = g d, so that it rises by d / 4.
+  EXPECT_NEAR(edit::HeightOfSlowestThrow(Vec3::Zero(), Vec3(3.0, 4.0, 0.0), 9.81), 1.25, 1e-9);
+  // Any other height takes more speed.
+  const Vec3 from(0.0, 0.0, 1.3), spot(2.0, 1.0, 0.4);
+  const double best = edit::HeightOfSlowestThrow(from, spot, 9.81);
+  const auto speed = [&](double height) {
+    return edit::ThrowOver(from, spot, height, 9.81).velocity.norm();
+  };
+  EXPECT_LT(speed(best), speed(0.95 * best));
+  EXPECT_LT(speed(best), speed(1.05 * best));
+  const edit::ThrowPath path = edit::ThrowOver(from, spot, best, 9.81);
+  const Vec3 down = from + path.seconds * path.velocity -
+                    Vec3(0.0, 0.0, 0.5 * 9.81 * path.seconds * path.seconds);
+  EXPECT_LE((down - spot).norm(), 1e-12);
+}
+
+TEST(ThrowOnto, TheBallComesDownOnTheSpotAndLiesThere) {
+  for (const Vec3& spot : {Vec3(1.5, -0.4, 0.0), Vec3(2.5, 0.3, 0.0), Vec3(1.2, -1.0, 0.3)}) {
+    Session session;
+    AddThrow(&session);
+    Do(&session, "held.throw_onto", Onto(spot));
+    const Vec3 lies = spot + Vec3(0.0, 0.0, 0.037);
+    const Motion& motion = MotionOf(&session);
+    EXPECT_LE((LandsAt(motion, ReleaseOf(session), lies.z()) - lies).norm(), 0.006);
+    EXPECT_LE((motion.frames.back().objects[0].X_WO.p - lies).norm(), 1e-9);
+    Do(&session, "edit.undo");
+    EXPECT_EQ(session.project().held_objects[0].position, ProjectPosition());
+  }
+}
+
+TEST(ThrowOnto, OnlyTheStartOfTheRegionAndTheBallAreKeyed) {
+  Session session;
+  AddThrow(&session);
+  Project before = session.project();
+  Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.4, 0.0)));
+  for (const auto& [name, curve] : session.project().joints) {
+    const auto old = std::find_if(before.joints.begin(), before.joints.end(),
+                                  [&](const auto& entry) { return entry.name == name; });
+    for (const ProjectKey& key : curve.keys) {
+      if (key.frame == 2.0) continue;
+      EXPECT_TRUE(old != before.joints.end() &&
+                  std::find(old->value.keys.begin(), old->value.keys.end(), key) !=
+                      old->value.keys.end())
+          << name << " " << key.frame;
+    }
+  }
+  EXPECT_EQ(session.project().regions, before.regions);
+}
+
+TEST(ThrowOnto, ItRisesAsHighAsItIsTold) {
+  Session session;
+  AddThrow(&session);
+  Json onto = Onto(Vec3(1.5, -0.4, 0.0));
+  onto["height"] = 0.8;
+  Do(&session, "held.throw_onto", onto);
+  const Motion& motion = MotionOf(&session);
+  EXPECT_NEAR(RiseOf(motion, ReleaseOf(session)), 0.8, 0.02);
+}
+
+TEST(ThrowOnto, ItGoesOverWhatStandsInBetween) {
+  Session session;
+  AddThrow(&session);
+  const Vec3 spot(2.2, -0.3, 0.0);
+  Do(&session, "held.throw_onto", Onto(spot));
+  const double low = RiseOf(MotionOf(&session), ReleaseOf(session));
+  Do(&session, "object.add_box",
+     {{"name", "wall"}, {"x", 1.5}, {"z", 0.4}, {"size_x", 0.2}, {"size_y", 3}, {"size_z", 0.8}});
+  Do(&session, "held.throw_onto", Onto(spot));
+  const Motion& motion = MotionOf(&session);
+  EXPECT_GT(RiseOf(motion, ReleaseOf(session)), low);
+  for (const MotionFrame& frame : motion.frames) {
+    const Vec3 p = frame.objects[0].X_WO.p;
+    EXPECT_FALSE(std::abs(p.x() - 1.5) < 0.1 && p.z() < 0.8) << frame.frame;
+  }
+  Do(&session, "object.set", {{"object", "wall"}, {"z", 2.5}, {"size_z", 5}});
+  EXPECT_EQ(Refused(&session, "held.throw_onto", Onto(spot)).message,
+            "\"wall\" is in the way; choose a spot that is open from above");
+}
+
+TEST(ThrowOnto, ItSaysWhatItCannotDo) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
+  const auto refused = [&](const Vec3& spot) {
+    return Refused(&session, "held.throw_onto", Onto(spot)).message;
+  };
+  EXPECT_EQ(refused(Vec3(1.5, 0.0, 0.0)), "nobody lets go of \"ball\": let go of it first");
+  Do(&session, "held.set", {{"object", "ball"}, {"release", kRelease}});
+  EXPECT_EQ(refused(Vec3(1.5, 0.0, 0.0)),
+            "no dynamics region moves r_wrist in frame 10, in which it lets go: mark one that "
+            "begins before that");
+  Do(&session, "region.add",
+     {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
+  EXPECT_NE(refused(Vec3(90.0, 0.0, 0.0)).find("let go in frame 10 it misses by "),
+            std::string::npos);
+  Do(&session, "scene.gravity", {{"gravity", 0}});
+  EXPECT_EQ(refused(Vec3(1.5, 0.0, 0.0)), "without gravity nothing comes down");
+}
+
+}  // namespace
+}  // namespace hazumi::test
