@@ -135,12 +135,12 @@ class Compiler {
     object.mass = source.mass_kg;
     object.color = source.color;
     if (!source.joint.empty()) {
-      object.holders.push_back(
-          {*GroupOf(source.joint), source.offset_m, Holder::kFromTheStart, source.release_frame});
+      object.holders.push_back({*GroupOf(source.joint), source.offset_m, Holder::kFromTheStart,
+                                source.release_frame, RotationFromAngles(source.rotation_deg)});
     }
     for (const ProjectHolder& next : source.holders) {
-      object.holders.push_back(
-          {*GroupOf(next.joint), next.offset_m, next.first_frame, next.last_frame});
+      object.holders.push_back({*GroupOf(next.joint), next.offset_m, next.first_frame,
+                                next.last_frame, RotationFromAngles(next.rotation_deg)});
     }
     for (int axis = 0; axis < 3; ++axis) {
       object.keys[axis] = ToKeys(source.position.curves[axis], 1.0);

@@ -57,7 +57,7 @@ struct ProjectSphereShape {
 };
 
 struct ProjectBoxShape {
-  Vec3 size_m = Vec3::Ones();  // whole edges, along the holder's axes
+  Vec3 size_m = Vec3::Ones();  // whole edges, along its own axes
   ExtraFields extra;
   bool operator==(const ProjectBoxShape&) const = default;
 };
@@ -65,7 +65,8 @@ struct ProjectBoxShape {
 // Who takes an object over later.
 struct ProjectHolder {
   std::string joint;
-  Vec3 offset_m = Vec3::Zero();  // of the object's centre, in the joint's frame
+  Vec3 offset_m = Vec3::Zero();      // of the object's centre, in the joint's frame
+  Vec3 rotation_deg = Vec3::Zero();  // of its axes there: angles z, y, x of R = Rz Ry Rx
   int first_frame = 0;
   std::optional<int> last_frame;
   ExtraFields extra;
@@ -84,8 +85,9 @@ struct ProjectHeldObject {
   std::string name;
   std::variant<ProjectSphereShape, ProjectBoxShape> shape;
   double mass_kg = 0.0;
-  std::string joint;             // the holder from the first frame on; empty: nobody
-  Vec3 offset_m = Vec3::Zero();  // of the centre, in the holder's frame
+  std::string joint;                 // the holder from the first frame on; empty: nobody
+  Vec3 offset_m = Vec3::Zero();      // of the centre, in the holder's frame
+  Vec3 rotation_deg = Vec3::Zero();  // of its axes there: angles z, y, x of R = Rz Ry Rx
   std::optional<int> release_frame;
   std::vector<ProjectHolder> holders;  // that follow
   ProjectPosition position;            // while nobody holds it

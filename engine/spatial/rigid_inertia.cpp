@@ -34,10 +34,10 @@ RigidInertia SolidSphere(const Vec3& centre, double radius, double mass) {
   return {mass, centre, 0.4 * mass * radius * radius * Mat3::Identity()};
 }
 
-RigidInertia SolidBox(const Vec3& centre, const Vec3& half_size, double mass) {
+RigidInertia SolidBox(const Vec3& centre, const Vec3& half_size, double mass, const Mat3& axes) {
   const Vec3 squares = half_size.cwiseAbs2();
   const Vec3 diagonal = (mass / 3.0) * (Vec3::Constant(squares.sum()) - squares);
-  return {mass, centre, diagonal.asDiagonal()};
+  return {mass, centre, axes * diagonal.asDiagonal() * axes.transpose()};
 }
 
 }  // namespace hazumi

@@ -29,8 +29,9 @@ RigidInertia SolidCylinder(const Vec3& from, const Vec3& to, double radius, doub
 // A solid sphere about `centre`.
 RigidInertia SolidSphere(const Vec3& centre, double radius, double mass);
 
-// A solid box with axes along the frame's.
-RigidInertia SolidBox(const Vec3& centre, const Vec3& half_size, double mass);
+// A solid box whose axes are the columns of `axes`.
+RigidInertia SolidBox(const Vec3& centre, const Vec3& half_size, double mass,
+                      const Mat3& axes = Mat3::Identity());
 
 // m (|c|^2 1 - c c^T): what the parallel-axis theorem adds about a point at distance c.
 Mat3 PointInertia(double mass, const Vec3& c);

@@ -26,7 +26,7 @@ struct SphereShape {
   bool operator==(const SphereShape&) const = default;
 };
 struct BoxShape {
-  Vec3 half_size = Vec3::Zero();  // [m], along the holder's axes
+  Vec3 half_size = Vec3::Zero();  // [m], along its own axes
   bool operator==(const BoxShape&) const = default;
 };
 
@@ -37,6 +37,7 @@ struct Holder {
   static constexpr int kFromTheStart = std::numeric_limits<int>::min();
   int first_frame = kFromTheStart;
   std::optional<int> last_frame = {};  // the object is let go there; none: never
+  Mat3 rotation = Mat3::Identity();    // of the object's axes, in the joint's frame
   bool operator==(const Holder&) const = default;
 };
 

@@ -1,4 +1,5 @@
-// Held by a joint whose body is at X_WB: X_WO = X_WB (offset). Let go at t0 with v and w it flies:
+// Held by a joint whose body is at X_WB: X_WO = X_WB X_BO with X_BO = (rotation, offset). Let go at
+// t0 with v and w it flies:
 //   p = p0 + v (t - t0) - g (t - t0)^2 / 2 z,  R = exp(w (t - t0)) R0.
 
 #include "engine/bake/pose/held_objects.h"
@@ -17,13 +18,20 @@ Pose InFlight(const ObjectState::Flight& flight, double seconds, double gravity)
   return {Eigen::AngleAxisd(turn, flight.w.normalized()).toRotationMatrix() * flight.X_WO.R, p};
 }
 
+// The holder's axes are not multiplied by 1, which would lose the sign of zeros.
+Pose InHand(const BodyScratch& body, const Holder& holder) {
+  const bool is_turned = !holder.rotation.isIdentity(0.0);
+  return {is_turned ? Mat3(body.R * holder.rotation) : body.R, body.p + body.R * holder.offset};
+}
+
 }  // namespace
 
 RigidInertia InertiaOf(const HeldObject& object, const Holder& holder) {
   if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
     return SolidSphere(holder.offset, sphere->radius, object.mass);
   }
-  return SolidBox(holder.offset, std::get<BoxShape>(object.shape).half_size, object.mass);
+  const Vec3& half_size = std::get<BoxShape>(object.shape).half_size;
+  return SolidBox(holder.offset, half_size, object.mass, holder.rotation);
 }
 
 Figure WithObject(const Figure& figure, const HeldObject& object, int holder) {
@@ -63,7 +71,7 @@ void HeldObjects::Release(size_t object, double seconds, const DynamicsWorkspace
   const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
   const Vec3 arm = body.R * holder.offset;
   state.flight =
-      ObjectState::Flight{seconds, {body.R, body.p + arm}, body.v + body.w.cross(arm), body.w};
+      ObjectState::Flight{seconds, InHand(body, holder), body.v + body.w.cross(arm), body.w};
   state.holder = -1;
 }
 
@@ -82,7 +90,7 @@ ObjectPose HeldObjects::At(size_t object, double frame, const DynamicsWorkspace&
   if (state.holder >= 0) {
     const Holder& holder = of.holders[state.holder];
     const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
-    return {{body.R, body.p + body.R * holder.offset}, state.holder};
+    return {InHand(body, holder), state.holder};
   }
   const double seconds = animation_.rate.SecondsAt(frame);
   if (state.flight) {

@@ -83,7 +83,7 @@ void Place(const HeldObject& object, size_t i, const Motion& motion, const FileA
                                    [&](const MotionFrame& f) { return f.objects[i].holder == 0; });
   if (is_held) {
     prop->bone = 1 + object.holders[0].joint.value();
-    prop->rest.p = axes.Point(object.holders[0].offset);
+    prop->rest = axes.Turned(Pose{object.holders[0].rotation, object.holders[0].offset});
     return;
   }
   prop->rest = axes.Turned(motion.frames.front().objects[i].X_WO);

@@ -43,6 +43,8 @@ inline int FormatVersionOf(const Project& project) {
   const auto& joints = project.joints;
   const bool is_new =
       std::any_of(objects.begin(), objects.end(), ChangesHands) ||
+      std::any_of(objects.begin(), objects.end(),
+                  [](const auto& object) { return object.rotation_deg != Vec3::Zero(); }) ||
       std::any_of(regions.begin(), regions.end(), [](const auto& region) { return region.mute; }) ||
       HasNewKeys(project.root.curves) ||
       std::any_of(objects.begin(), objects.end(),

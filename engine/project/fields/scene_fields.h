@@ -101,7 +101,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectBoxShape> box) {
                .parameter = "size_?",
                .label = "Size",
                .help = "length of its edges",
-               .details = "Along the holder's axes.",
+               .details = "Along its own axes.",
                .unit = "m",
                .range = kPositive,
                .step = 0.005},
@@ -114,6 +114,15 @@ inline constexpr Field kHolderOffsetField = {.name = "offset_m",
                                              .help = "of its centre, in the holder's frame",
                                              .unit = "m",
                                              .step = 0.005};
+inline constexpr Field kHolderRotationField = {
+    .name = "rotation_deg",
+    .parameter = "angle_?",
+    .label = "Rotation",
+    .help = "in the holder's frame, angles of R = Rz Ry Rx",
+    .details = "Needs version 2.",
+    .unit = "°",
+    .step = 0.5,
+    .axes = "zyx"};
 
 template <>
 inline constexpr StructInfo kStructInfo<ProjectHolder> = {
@@ -133,6 +142,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectHolder> holder) {
                .help = "let go on this frame; not given: never"},
               holder.last_frame);
   ar.Optional(kHolderOffsetField, holder.offset_m, Vec3(Vec3::Zero()));
+  ar.Optional(kHolderRotationField, holder.rotation_deg, Vec3(Vec3::Zero()));
 }
 
 template <typename Ar>
@@ -168,6 +178,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
                .thing = Thing::kJoint},
               object.joint);
   ar.Optional(kHolderOffsetField, object.offset_m, Vec3(Vec3::Zero()));
+  ar.Optional(kHolderRotationField, object.rotation_deg, Vec3(Vec3::Zero()));
   ar.Optional({.name = "release_frame",
                .parameter = "release",
                .label = "Release frame",

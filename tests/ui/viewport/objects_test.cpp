@@ -1,5 +1,8 @@
 // Boxes and held objects in the viewport, and a jump onto one of them, with mouse and keys.
 
+#include <cmath>
+
+#include "engine/spatial/degrees.h"
 #include "tests/ui/user.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/object_actions.h"
@@ -50,6 +53,68 @@ TEST_F(Objects, InAHandItsOffsetIsDraggedAndTheHandStays) {
   EXPECT_LE((BallNow() - before - Vec3(0.1, 0.0, 0.0)).norm(), 1e-6);
   EXPECT_NEAR((user.project().held_objects[0].offset_m - offset).norm(), 0.1, 1e-6);
   EXPECT_EQ(user.project().joints.size(), num_curves);
+}
+
+class TurnedObject : public Objects {
+ protected:
+  TurnedObject() {
+    Do("held.add_box", {{"joint", "r_wrist"}, {"size_x", 0.4}, {"release", 20}});
+    Do("select.object", {{"object", "box"}});
+    before = Turn();
+    steps = user.num_steps();
+  }
+  Mat3 Turn() { return user.session().ShownFrame().value()->objects[0].X_WO.R; }
+  Mat3 By() { return Turn() * before.transpose(); }
+  static Mat3 About(const Vec3& axis, double degrees) {
+    return Eigen::AngleAxisd(degrees * kDegree, axis).toRotationMatrix();
+  }
+
+  Mat3 before;
+  size_t steps = 0;
+};
+
+TEST_F(TurnedObject, RAndTypedDegreesTurnItAboutAnAxisOfTheWorldInOneStep) {
+  ASSERT_EQ(Selected(), "box");
+  const size_t num_curves = user.project().joints.size();
+  user.MoveTo(InWindow(BallNow()));
+  for (const int key : {int{'R'}, int{'Z'}, int{'3'}, int{'0'}, int{ui::kEnter}}) user.Press(key);
+  EXPECT_LE((By() - About(Vec3::UnitZ(), 30.0)).norm(), 1e-8);
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  EXPECT_EQ(user.project().joints.size(), num_curves);
+  user.Press('Z', ui::kLeftControl);
+  EXPECT_EQ(Turn(), before);
+}
+
+TEST_F(TurnedObject, TheMouseTurnsItAboutTheLineOfSight) {
+  const ui::Point at = InWindow(BallNow());
+  user.MoveTo({at.x + 100.0f, at.y});
+  user.Press('R');
+  // A quarter counter-clockwise on the screen, whose y points down.
+  for (const float angle : {0.4f, 0.8f, 1.2f, 1.5707964f}) {
+    user.MoveTo({at.x + 100.0f * std::cos(angle), at.y - 100.0f * std::sin(angle)});
+  }
+  const ui::ViewportState& state = user.editor().viewport;
+  const Vec3 to_viewer = ui::ViewOf(state, user.project(), state.rect).ToViewer(BallNow());
+  EXPECT_LE((By() - About(to_viewer, 90.0)).norm(), 0.02);
+  user.Click({at.x, at.y - 100.0f});
+  EXPECT_EQ(user.num_steps(), steps + 1);
+}
+
+TEST_F(TurnedObject, EscapeTurnsItBack) {
+  user.MoveTo(InWindow(BallNow()));
+  for (const int key : {int{'R'}, int{'X'}, int{'9'}}) user.Press(key);
+  EXPECT_NE(Turn(), before);
+  user.Press(ui::kEscape);
+  EXPECT_EQ(Turn(), before);
+  EXPECT_EQ(user.num_steps(), steps);
+}
+
+TEST_F(TurnedObject, InTheAirItIsNotTurnedAndThatIsSaid) {
+  Do("time.frame", {{"frame", 25}});
+  user.MoveTo(InWindow(BallNow()));
+  user.Press('R');
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_NE(user.editor().message.text.find("nobody has it in this frame"), std::string::npos);
 }
 
 TEST_F(Objects, WhatIsAddedIsSelectedInPlaceOfJoints) {

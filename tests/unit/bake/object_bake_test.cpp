@@ -199,5 +199,70 @@ TEST(HeldObject, IsWhereItsKeysSayWhileNobodyHasIt) {
   EXPECT_LE((p(30) - Vec3::Constant(0.1)).norm(), 1e-15);
 }
 
+// A board in the swinging hand, its long edge along the axis (x, y or z) of the hand when it is not
+// turned.
+Animation WithBoard(int along, const Mat3& rotation) {
+  Animation animation = Throw(12);
+  HeldObject& board = animation.held_objects[0];
+  board.shape = BoxShape{Vec3::Constant(0.02) + 0.38 * Vec3::Unit(along)};
+  board.holders[0].rotation = rotation;
+  AddRegion(&animation, "arm", 5, 15, {"r_shoulder"});
+  return animation;
+}
+
+Mat3 About(const Vec3& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+TEST(HeldObject, IsTurnedInTheHand) {
+  const Mat3 turn = About(Vec3(1.0, -2.0, 0.5), 0.7);
+  const Animation animation = WithBoard(0, turn);
+  const Motion motion = BakeOrFail(animation);
+  for (int f = 0; f <= 12; ++f) {
+    const MotionFrame& frame = motion.frames[f];
+    DynamicsWorkspace ws(*animation.figure);
+    ComputePositions(*animation.figure, frame.X_WR, frame.q, &ws);
+    const GroupIndex hand = animation.held_objects[0].holders[0].joint;
+    const Mat3 expected = ws.body(animation.figure->group(hand).last()).R * turn;
+    EXPECT_LE((frame.objects[0].X_WO.R - expected).norm(), 1e-12) << f;
+  }
+  // Let go, it turns on from there, as fast as it was turned.
+  const auto R = [&](int f) { return motion.frames[f].objects[0].X_WO.R; };
+  const Mat3 step = R(14) * R(13).transpose();
+  EXPECT_LE((R(13) * R(12).transpose() - step).norm(), 1e-9);
+  EXPECT_GT((step - Mat3::Identity()).norm(), 1e-3);
+}
+
+// What is turned by a quarter swings as what is as long along the other axis.
+TEST(HeldObject, WeighsOnARegionAsItIsTurned) {
+  const Mat3 quarter = About(Vec3::UnitZ(), 0.5 * 3.14159265358979323846);
+  const Motion turned = BakeOrFail(WithBoard(0, quarter));
+  const Motion swapped = BakeOrFail(WithBoard(1, Mat3::Identity()));
+  const Motion unturned = BakeOrFail(WithBoard(0, Mat3::Identity()));
+  double other = 0.0;
+  for (int f = 0; f <= 30; ++f) {
+    for (Eigen::Index j = 0; j < turned.frames[f].q.size(); ++j) {
+      EXPECT_NEAR(turned.frames[f].q[j], swapped.frames[f].q[j], 1e-9) << f;
+      other = std::max(other, std::abs(turned.frames[f].q[j] - unturned.frames[f].q[j]));
+    }
+  }
+  EXPECT_GT(other, 1e-3);
+}
+
+TEST(HeldObject, IsTurnedAnotherWayInTheNextHand) {
+  Animation animation = Pass();
+  animation.held_objects[0].holders[1].rotation = About(Vec3::UnitX(), 0.3);
+  const Motion motion = BakeOrFail(animation), unturned = BakeOrFail(Pass());
+  const auto turn = [&](int f) {
+    return Mat3(unturned.frames[f].objects[0].X_WO.R.transpose() *
+                motion.frames[f].objects[0].X_WO.R);
+  };
+  EXPECT_EQ(turn(7), Mat3(unturned.frames[7].objects[0].X_WO.R.transpose() *
+                          unturned.frames[7].objects[0].X_WO.R));
+  for (int f = 8; f < 16; ++f) {
+    EXPECT_LE((turn(f) - About(Vec3::UnitX(), 0.3)).norm(), 1e-12) << f;
+  }
+}
+
 }  // namespace
 }  // namespace hazumi

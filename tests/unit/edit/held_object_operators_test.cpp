@@ -1,3 +1,4 @@
+#include "engine/spatial/degrees.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -133,6 +134,72 @@ TEST(HeldObjectOperators, MoveItInTheHandAndOnTheGround) {
   const std::string in_the_air =
       Refused(&session, "held.move", {{"object", "ball"}, {"x", 1}}).message;
   EXPECT_EQ(in_the_air.find("\"ball\" flies in frame 15"), 0u);
+}
+
+Mat3 TurnAt(Session* session, int frame) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok());
+  return motion.ok() ? motion.value()->frames[frame].objects[0].X_WO.R : Mat3::Zero();
+}
+
+Mat3 About(const Vec3& axis, double degrees) {
+  return Eigen::AngleAxisd(degrees * kDegree, axis.normalized()).toRotationMatrix();
+}
+
+TEST(HeldObjectOperators, TurnItInTheHandAboutAnAxisOfTheWorld) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", -50}});
+  Do(&session, "held.add_box", {{"joint", "r_wrist"}, {"release", 10}});
+  const Mat3 before = TurnAt(&session, 4);
+  const Vec3 place = PositionAt(&session, 4);
+  session.set_frame(4);
+  Do(&session, "held.turn", {{"object", "box"}, {"z", 30}});
+  EXPECT_LE((TurnAt(&session, 4) - About(Vec3::UnitZ(), 30) * before).norm(), 1e-9);
+  EXPECT_LE((PositionAt(&session, 4) - place).norm(), 1e-12);
+  // About an axis between those of the world, on from there.
+  Do(&session, "held.turn", {{"object", "box"}, {"x", 60}, {"y", 80}});
+  const Mat3 after = About(Vec3(0.6, 0.8, 0.0), 100) * About(Vec3::UnitZ(), 30) * before;
+  EXPECT_LE((TurnAt(&session, 4) - after).norm(), 1e-9);
+  Do(&session, "edit.undo");
+  Do(&session, "edit.undo");
+  EXPECT_EQ(TurnAt(&session, 4), before);
+  session.set_frame(15);
+  EXPECT_EQ(Refused(&session, "held.turn", {{"object", "box"}, {"z", 30}}).message,
+            "nobody has \"box\" in frame 15: it is turned in a hand; go to a frame in which one "
+            "has it");
+}
+
+TEST(HeldObjectOperators, ADragOfItsTurnIsOneStep) {
+  Session session;
+  Do(&session, "held.add_box", {{"joint", "r_wrist"}});
+  for (int i = 0; i < 3; ++i) {
+    Do(&session, "held.turn", {{"object", "box"}, {"x", 10}, {"drag", "a"}});
+  }
+  EXPECT_NE(Last(session).rotation_deg, Vec3::Zero());
+  Do(&session, "edit.undo");
+  EXPECT_EQ(Last(session).rotation_deg, Vec3::Zero());
+}
+
+TEST(HeldObjectOperators, ItsTurnIsSetAndMovesItAlongTheWorldsAxes) {
+  Session session;
+  Do(&session, "held.add_box",
+     {{"joint", "r_wrist"}, {"size_x", 0.4}, {"angle_z", 90}, {"release", 20}});
+  EXPECT_EQ(Last(session).rotation_deg, Vec3(90.0, 0.0, 0.0));
+  // In the palm it lies by the edge that is across the hand now.
+  EXPECT_LE((Last(session).offset_m - Vec3(0.0, 0.2, -0.09175)).norm(), 1e-12);
+  const Vec3 before = PositionAt(&session, 0);
+  Do(&session, "held.move", {{"object", "box"}, {"x", 0.05}, {"z", 0.02}});
+  EXPECT_LE((PositionAt(&session, 0) - before - Vec3(0.05, 0.0, 0.02)).norm(), 1e-9);
+  // The next hand has it as this one has, if nothing else is said.
+  Do(&session, "held.pass", {{"object", "box"}, {"joint", "l_wrist"}, {"frame", 8}});
+  EXPECT_EQ(Last(session).holders[0].rotation_deg, Vec3(90.0, 0.0, 0.0));
+  Do(&session, "held.set_holder", {{"object", "box"}, {"number", 0}, {"angle_y", 20}});
+  EXPECT_EQ(Last(session).holders[0].rotation_deg, Vec3(90.0, 20.0, 0.0));
+  session.set_frame(10);
+  Do(&session, "held.turn", {{"object", "box"}, {"z", 10}});
+  EXPECT_NE(Last(session).holders[0].rotation_deg, Vec3(90.0, 20.0, 0.0));
+  Do(&session, "held.set", {{"object", "box"}, {"angle_x", -15}});
+  EXPECT_EQ(Last(session).rotation_deg, Vec3(90.0, 0.0, -15.0));
 }
 
 // It flies to the key, which says where it lies from then on.

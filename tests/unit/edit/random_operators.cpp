@@ -283,6 +283,21 @@ void KeepToHolder(const Session& session, Random* random, Json* parameters) {
   if (parameters->contains("release")) (*parameters)["release"] = first + random->Integer(2, 4);
 }
 
+// What is let go of while there is a region that may move the arm.
+std::vector<ProjectHeldObject> Thrown(const Session& session) {
+  const std::vector<ProjectRegion>& regions = session.project().regions;
+  std::vector<ProjectHeldObject> thrown;
+  for (const ProjectHeldObject& object : session.project().held_objects) {
+    const bool is_in_one =
+        std::any_of(regions.begin(), regions.end(), [&](const ProjectRegion& region) {
+          return object.release_frame > region.first_frame &&
+                 object.release_frame <= region.last_frame;
+        });
+    if (is_in_one) thrown.push_back(object);
+  }
+  return thrown;
+}
+
 // As many as there are curves.
 void KeepToCurves(Random* random, Json* parameters) {
   Json values = Json::array();
@@ -316,6 +331,9 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id == "file.export") KeepToFormat(&parameters);
   if (id == "object.set") KeepToItem(session.project().scene.objects, infos, &parameters);
   if (parameters.contains("number")) KeepToHolder(session, random, &parameters);
+  if (id == "held.throw_onto" && !Thrown(session).empty()) {
+    parameters["object"] = OneOf(Thrown(session), random).name;
+  }
   if (id == "pose.blend") KeepToCurves(random, &parameters);
   if (id == "held.set") KeepToItem(session.project().held_objects, infos, &parameters);
   Order("first", "last", session.project().frames, &parameters);
@@ -336,9 +354,9 @@ static bool IsBetweenKeys(const Session& session) {
 }
 
 bool IsSeldomPossible(const std::string& id) {
-  static const char* const kIds[] = {"audio.remove", "held.set_frames", "held.set_holder",
-                                     "keys.paste",   "pose.breakdown",  "pose.push",
-                                     "pose.relax",   "reference.remove"};
+  static const char* const kIds[] = {
+      "audio.remove", "held.pass",      "held.set_frames", "held.set_holder", "held.throw_onto",
+      "keys.paste",   "pose.breakdown", "pose.push",       "pose.relax",      "reference.remove"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
@@ -347,6 +365,7 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   const bool is_of_selected = id.starts_with("keys.") && !id.starts_with("keys.select");
   if (id == "audio.remove") return session.project().audio.has_value();
   if (id == "reference.remove") return session.project().reference.has_value();
+  if (id == "held.throw_onto") return !Thrown(session).empty();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();

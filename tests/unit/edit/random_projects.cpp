@@ -125,6 +125,17 @@ void AddExample(const std::string& name, RandomFiles* files) {
   Save(&session, files->folder + "/" + name + ".kfa", files);
 }
 
+// A throw that can be aimed.
+void AddThrown(RandomFiles* files) {
+  edit::Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 30}});
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 10}});
+  Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 2}, {"value", -40}});
+  Do(&session, "region.add",
+     {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
+  Save(&session, files->folder + "/thrown.kfa", files);
+}
+
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
   Project project = session.project();
@@ -169,6 +180,7 @@ RandomFiles WriteRandomFiles(const std::string& folder, uint64_t seed) {
   RandomFiles files;
   files.folder = folder;
   for (const char* name : {"throw", "jump"}) AddExample(name, &files);
+  AddThrown(&files);
   AddSkinned(&files);
   for (int i = 0; i < 4; ++i) {
     files.characters.push_back(folder + "/clip_" + std::to_string(i) + ".bvh");

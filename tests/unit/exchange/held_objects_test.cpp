@@ -83,6 +83,21 @@ TEST(HeldObjects, WhatIsNeverLetGoIsACarriedNodeInGltf) {
   EXPECT_EQ(gltf.Channel("club", "rotation"), nullptr);
 }
 
+TEST(HeldObjects, ItsTurnInTheHandIsTheNodes) {
+  Animation animation = Holding();
+  Random random(5);
+  const Mat3 turn = random.Rotation();
+  animation.held_objects[1].holders[0].rotation = turn;
+  const Gltf gltf = Exported(animation, MotionOf(animation));
+  const Json& q = gltf.json["nodes"][NodeNamed(gltf.json, "club")]["rotation"];
+  ASSERT_EQ(q.size(), 4u);
+  const Mat3 R = Eigen::Quaterniond(q[3].get<double>(), q[0].get<double>(), q[1].get<double>(),
+                                    q[2].get<double>())
+                     .toRotationMatrix();
+  const Vec3 axis(0.3, -0.5, 0.8);
+  EXPECT_LE((R * InFile(axis) - InFile(turn * axis)).norm(), 1e-6);
+}
+
 TEST(HeldObjects, WhatIsLetGoMovesInTheWorldFromTheFirstFrameOn) {
   const Animation animation = Holding();
   const Motion motion = MotionOf(animation);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <numbers>
+
 #include "tests/support/random.h"
 
 namespace hazumi::test {
@@ -102,6 +105,17 @@ TEST(SolidCylinder, IsTheSumOfItsSlices) {
 TEST(SolidCylinder, OfNoLengthIsADisc) {
   const RigidInertia disc = SolidCylinder(Vec3::Ones(), Vec3::Ones(), 0.2, 1.0);
   ExpectNear(disc, {1.0, Vec3::Ones(), Vec3(0.01, 0.01, 0.02).asDiagonal()}, 1e-14);
+}
+
+// Turned by a quarter it is the box of swapped edges.
+TEST(SolidBox, IsTurned) {
+  const Vec3 centre(0.1, -0.2, 0.3);
+  const Mat3 quarter = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vec3::UnitZ()).toRotationMatrix();
+  ExpectNear(SolidBox(centre, Vec3(0.5, 0.2, 0.1), 3.0, quarter),
+             SolidBox(centre, Vec3(0.2, 0.5, 0.1), 3.0), 1e-15);
+  const Mat3 R = Eigen::AngleAxisd(0.4, Vec3::UnitX()).toRotationMatrix() * quarter;
+  const Mat3 I = SolidBox(centre, Vec3(0.5, 0.2, 0.1), 3.0, R).I_com;
+  EXPECT_NEAR(R.col(1).dot(I * R.col(1)), (0.25 + 0.01), 1e-15);  // m (a^2 + c^2) / 3
 }
 
 TEST(SolidBox, IsTheSumOfItsOctants) {

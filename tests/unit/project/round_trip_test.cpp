@@ -89,6 +89,16 @@ TEST(RoundTrip, WhatChangesHandsIsOfVersionTwo) {
   EXPECT_EQ(Json::parse(WriteProject(ParseGood(SampleProject())))["version"], 1);
 }
 
+TEST(RoundTrip, ATurnInAHandIsOfVersionTwo) {
+  const Json before =
+      Changed(SampleProject(), {{"/held_objects/1/rotation_deg", "[90, 20.5, -10]"}});
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["held_objects"][1]["rotation_deg"], before["held_objects"][1]["rotation_deg"]);
+  const Json unturned = Changed(SampleProject(), {{"/held_objects/1/rotation_deg", "[0, 0, 0]"}});
+  EXPECT_EQ(WriteProject(ParseGood(unturned)), WriteProject(ParseGood(SampleProject())));
+}
+
 TEST(RoundTrip, ANewDocumentIsExact) {
   const Json saved = Json::parse(WriteProject(Project()));
   EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":1})");

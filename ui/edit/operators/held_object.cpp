@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/held_objects.h"
 
@@ -31,8 +32,10 @@ ParameterInfos FieldsOfShapes() {
 }
 
 // From a holder's bones to the centre of what lies at its surface.
-double RadiusOf(const ProjectSphereShape& sphere) { return sphere.radius_m; }
-double RadiusOf(const ProjectBoxShape& box) { return 0.5 * box.size_m.y(); }
+double RadiusOf(const ProjectSphereShape& sphere, const Mat3&) { return sphere.radius_m; }
+double RadiusOf(const ProjectBoxShape& box, const Mat3& R) {
+  return 0.5 * R.row(1).cwiseAbs().dot(box.size_m);
+}
 
 // The joint of the first selected hinge; empty: none is.
 std::string SelectedHolder(const Session& session) {
@@ -75,7 +78,7 @@ Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject ob
     } else {
       object.joint = session->figure().group(holder.value()).name;
       if (!IsOffsetGiven(p)) {
-        object.offset_m = InThePalm(session->figure(), holder.value(), object);
+        object.offset_m = InThePalm(session->figure(), holder.value(), object, object.rotation_deg);
       }
     }
     project->held_objects.push_back(std::move(object));
@@ -116,8 +119,13 @@ Result<Done> RemoveHeld(Session* session, const Parameters& p) {
 
 }  // namespace
 
-Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object) {
-  const double radius = std::visit([](const auto& shape) { return RadiusOf(shape); }, object.shape);
+Mat3 TurnOf(const Vec3& rotation_deg) { return EulerRotation({2, 1, 0}, kDegree * rotation_deg); }
+
+Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object,
+               const Vec3& rotation_deg) {
+  const Mat3 R = TurnOf(rotation_deg);
+  const double radius =
+      std::visit([&](const auto& shape) { return RadiusOf(shape, R); }, object.shape);
   const JointIndex body = figure.group(holder).last();
   for (const Link& link : figure.links()) {
     if (link.joint != body) continue;

@@ -8,9 +8,12 @@ namespace hazumi::edit {
 
 // By the parameter "joint"; not given: the first selected joint. Errors: kSchema if there is none.
 Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p);
-// Where an object lies in the holder's frame [m]: half way along the first link, beside it, which
-// is the palm of the shipped human's hands.
-Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object);
+// Where an object that is turned so in the holder's frame lies there [m]: half way along the first
+// link, beside it, which is the palm of the shipped human's hands.
+Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object,
+               const Vec3& rotation_deg);
+// R = Rz Ry Rx of a turn in a hand.
+Mat3 TurnOf(const Vec3& rotation_deg);
 
 // Of the sphere in the middle of an object [m].
 double InnerRadius(const HeldObject& object);

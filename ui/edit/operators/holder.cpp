@@ -1,8 +1,10 @@
 // Who holds an object: hands pass it on and let go; nobody's are moved by keys.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held_objects.h"
@@ -62,6 +64,23 @@ std::optional<int>& EndOf(int number, ProjectHeldObject* object) {
   return number < 0 ? object->release_frame : object->holders[number].last_frame;
 }
 
+// How it lies in the hand of that holder, angles z, y, x [deg].
+Vec3& RotationOf(int number, ProjectHeldObject* object) {
+  return number < 0 ? object->rotation_deg : object->holders[number].rotation_deg;
+}
+
+// As given; else as in the hand that had it last.
+Vec3 RotationOfNext(const Parameters& p, int frame, const std::vector<HolderSpan>& spans,
+                    ProjectHeldObject* object) {
+  Vec3 rotation = Vec3::Zero();
+  for (const HolderSpan& span : spans) {
+    if (span.first <= frame) rotation = RotationOf(span.number, object);
+  }
+  constexpr const char* kAngles[] = {"angle_z", "angle_y", "angle_x"};
+  for (int i = 0; i < 3; ++i) rotation[i] = p.number(kAngles[i], rotation[i]);
+  return rotation;
+}
+
 // Who has it then lets go, and when it would have done so the new one does.
 Result<Done> Pass(Session* session, const Parameters& p) {
   const Result<GroupIndex> joint = HolderGiven(*session, p);
@@ -70,11 +89,12 @@ Result<Done> Pass(Session* session, const Parameters& p) {
   return ChangeHeld(session, p, "Pass on", [&](ProjectHeldObject* object) -> Result<Done> {
     ProjectHolder next;
     next.joint = session->figure().group(joint.value()).name;
+    const std::vector<HolderSpan> spans = HoldersOf(*object, session->project().frames);
+    next.rotation_deg = RotationOfNext(p, frame, spans, object);
     next.offset_m = p.has("offset_x") || p.has("offset_y") || p.has("offset_z")
                         ? Vec3(p.number("offset_x"), p.number("offset_y"), p.number("offset_z"))
-                        : InThePalm(session->figure(), joint.value(), *object);
+                        : InThePalm(session->figure(), joint.value(), *object, next.rotation_deg);
     next.first_frame = frame;
-    const std::vector<HolderSpan> spans = HoldersOf(*object, session->project().frames);
     const HolderSpan* now = HolderAt(frame, spans);
     if (now && now->first == frame) {
       return Refusal("frame", "\"" + now->joint + "\" has it from frame " + std::to_string(frame) +
@@ -203,6 +223,13 @@ Result<Done> KeyPosition(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+// Where it is in the current frame, before an edit that is being made of it.
+const ObjectPose& PoseBefore(const ProjectHeldObject& object, const Session& session,
+                             const MotionFrame& now) {
+  const int index = hazumi::IndexOf(object.identity.id, session.project().held_objects);
+  return now.objects[static_cast<size_t>(index)];
+}
+
 // In a hand its offset; else its place is keyed.
 Result<Done> MoveHeld(Session* session, const Parameters& p) {
   const Result<const MotionFrame*> now = session->FrameNow();
@@ -210,16 +237,12 @@ Result<Done> MoveHeld(Session* session, const Parameters& p) {
   const Vec3 by(p.number("x"), p.number("y"), p.number("z"));
   const int frame = static_cast<int>(std::lround(session->frame()));
   return ChangeHeld(session, p, "Move held object", [&](ProjectHeldObject* object) -> Result<Done> {
-    const auto& all = session->project().held_objects;
-    const auto same = std::find_if(all.begin(), all.end(), [&](const ProjectHeldObject& other) {
-      return other.name == object->name;
-    });
-    const ObjectPose& pose = now.value()->objects[static_cast<size_t>(same - all.begin())];
+    const ObjectPose& pose = PoseBefore(*object, *session, *now.value());
     const auto spans = HoldersOf(*object, session->project().frames);
     if (const HolderSpan* holder = HolderAt(frame, spans)) {
       Vec3& offset =
           holder->number < 0 ? object->offset_m : object->holders[holder->number].offset_m;
-      offset += pose.X_WO.R.transpose() * by;
+      offset += TurnOf(RotationOf(holder->number, object)) * pose.X_WO.R.transpose() * by;
       for (int axis = 0; axis < 3; ++axis) offset[axis] = WithoutRoundOff(offset[axis]);
       return Done();
     }
@@ -241,6 +264,32 @@ Result<Done> MoveHeld(Session* session, const Parameters& p) {
   });
 }
 
+// By a vector along an axis of the world: R_BO' = R_BO R_WO^T exp(turn) R_WO.
+Result<Done> TurnHeld(Session* session, const Parameters& p) {
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!now.ok()) return now.error();
+  const Vec3 turn = kDegree * Vec3(p.number("x"), p.number("y"), p.number("z"));
+  const int frame = static_cast<int>(std::lround(session->frame()));
+  return ChangeHeld(session, p, "Turn held object", [&](ProjectHeldObject* object) -> Result<Done> {
+    const auto spans = HoldersOf(*object, session->project().frames);
+    const HolderSpan* holder = HolderAt(frame, spans);
+    if (!holder) {
+      return Refusal("object", "nobody has \"" + object->name + "\" in frame " +
+                                   std::to_string(frame) +
+                                   ": it is turned in a hand; go to a frame in which one has it");
+    }
+    if (turn.isZero(0.0)) return Done();
+    const Mat3 R_WO = PoseBefore(*object, *session, *now.value()).X_WO.R;
+    const Mat3 about =
+        Eigen::AngleAxisd(turn.stableNorm(), turn.stableNormalized()).toRotationMatrix();
+    Vec3& angles = RotationOf(holder->number, object);
+    const Mat3 R_BO = TurnOf(angles) * R_WO.transpose() * about * R_WO;
+    angles = EulerAnglesNear(R_BO, {2, 1, 0}, kDegree * angles) / kDegree;
+    for (double& angle : angles) angle = WithoutRoundOff(angle);
+    return Done();
+  });
+}
+
 }  // namespace
 
 std::vector<Operator> HolderOperators() {
@@ -253,7 +302,9 @@ std::vector<Operator> HolderOperators() {
   return {
       {"held.pass", "Pass on",
        "From this frame on another joint holds it: the one that is selected, if none is given.",
-       Joined({{object, kFrame}, Only({"joint", "offset_x", "offset_y", "offset_z"}, fields)}),
+       Joined({{object, kFrame},
+               Only({"joint", "offset_x", "offset_y", "offset_z", "angle_z", "angle_y", "angle_x"},
+                    fields)}),
        Pass},
       {"held.let_go", "Let go", "Whoever holds it lets go.", {object, kFrame, kDrag}, LetGo},
       {"held.set_holder", "Change holder", "Sets what is given of a later holder.",
@@ -279,7 +330,16 @@ std::vector<Operator> HolderOperators() {
        Joined({{object}, position, {kDrag}}), KeyPosition},
       {"held.move", "Move held object",
        "Moves it in the hand that holds it, or keys its position, in the current frame.",
-       Joined({{object}, position, {kDrag}}), MoveHeld}};
+       Joined({{object}, position, {kDrag}}), MoveHeld},
+      {"held.turn",
+       "Turn held object",
+       "Turns it in the hand that holds it, about an axis of the world, in the current frame.",
+       {object,
+        {"x", kNumber, false, "degrees about the world's x; with the others the axis is between"},
+        {"y", kNumber, false, "degrees about the world's y"},
+        {"z", kNumber, false, "degrees about the world's z"},
+        kDrag},
+       TurnHeld}};
 }
 
 }  // namespace hazumi::edit

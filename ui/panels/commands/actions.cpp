@@ -219,7 +219,7 @@ const std::vector<Action>& AllActions() {
        [](Editor* editor, const Parameters&) { return FrameAll(editor); }},
       {"tool.rotate",
        "Rotate",
-       "Turns the selected joints with the mouse, or by typed degrees.",
+       "Turns the selected joints, or the object in a hand, with the mouse or by typed degrees.",
        {},
        [](Editor* editor, const Parameters&) { return TakeRotateTool(editor); }},
       {"tool.move",

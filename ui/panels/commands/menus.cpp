@@ -217,6 +217,7 @@ MenuEntry SceneMenu() {
                            {"held.let_go"},
                            {"held.pass"},
                            {"held.key"},
+                           {"held.turn"},
                            {"tool.throw"},
                            {"held.throw_onto"},
                            {"object.remove"},

@@ -23,9 +23,9 @@ const std::vector<ManualPart>& ManualParts() {
         "clicked."}},
       {"Balls, boxes and jumps",
        {"Scene > Add ball puts a ball into the selected hand, or on the ground. Click it to select "
-        "it; pulled in a hand it changes its place there, on the ground its place is keyed. Its "
-        "row in the dope sheet shows who has it: the end of a bar is where it is let go, Pass on "
-        "gives it to the selected joint.",
+        "it; pulled in a hand it changes its place there and R turns it, on the ground its place "
+        "is keyed. Its row in the dope sheet shows who has it: the end of a bar is where it is "
+        "let go, Pass on gives it to the selected joint.",
         "T aims a throw: point at where the ball is to come down and click. The dynamics region "
         "that "
         "moves the arm while it lets go starts as fast as it has to, over what stands in between.",

@@ -68,7 +68,7 @@ void DrawSpanFields(Editor* editor) {
     if (span.number >= 0) {
       return DrawFieldRows(editor, ProjectHolder(object.holders[span.number]), {}, set);
     }
-    return DrawRowsOf({"joint", "offset_?", "release"}, editor, object, set);
+    return DrawRowsOf({"joint", "offset_?", "angle_?", "release"}, editor, object, set);
   }
   if (bar->kind == BarKind::kPlacement) {
     const ProjectPlacement span = project.placements[bar->index];

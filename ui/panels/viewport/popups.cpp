@@ -55,6 +55,7 @@ Items ObjectItems(const Editor& editor) {
   const Json object = {{"object", NameOfSelectedObject(editor)}};
   std::vector<MenuEntry> own = {{"tool.move"}};
   if (SelectedHeldObject(editor)) {
+    own.push_back({"tool.rotate"});
     for (const char* id : {"held.let_go", "held.pass", "held.key"}) own.push_back({id, object});
     own.push_back({"tool.throw"});
   }

@@ -7,6 +7,7 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/panels/viewport/dial.h"
 #include "ui/panels/viewport/drag_tool.h"
+#include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/tools.h"
 
 namespace hazumi::ui {
@@ -207,8 +208,10 @@ Result<Done> TakeRotateTool(Editor* editor) {
     return Done();
   }
   std::vector<GroupIndex> joints = TurnableJoints(editor->session());
+  if (joints.empty() && SelectedHeldObject(*editor)) return TakeTurnObjectTool(editor);
   if (joints.empty()) {
-    return Error{ErrorCode::kSchema, "", "", "no joint that turns is selected: click on one"};
+    return Error{ErrorCode::kSchema, "", "",
+                 "no joint that turns and nothing in a hand is selected: click on one"};
   }
   if (!PoseNow(&editor->session())) {
     return Error{ErrorCode::kSemantics, "", "", "the project cannot be animated as it is"};

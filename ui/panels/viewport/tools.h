@@ -24,6 +24,8 @@ void TakeRingTool(Editor* editor, const GizmoHit& ring, HeldFrom held);
 Result<Done> TakeMoveTool(Editor* editor);
 // Moves the selected box, held object in its hand, or held object's keys.
 Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held);
+// Turns the selected held object in its hand.
+Result<Done> TakeTurnObjectTool(Editor* editor);
 // A jump from the current frame on, onto the spot under the mouse.
 Result<Done> TakeJumpTool(Editor* editor);
 // Aims the selected held object's throw at the spot under the mouse.
