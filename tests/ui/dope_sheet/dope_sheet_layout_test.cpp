@@ -200,8 +200,8 @@ TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {
   EXPECT_EQ(part({bar.rect.right() + 30.0f, bar.rect.y + 3.0f}), SheetPart::kTrack);
   ASSERT_FALSE(layout.keys.empty());
   for (const RowKey& key : layout.keys) EXPECT_EQ(part(key.at), SheetPart::kKey) << key.frame;
-  EXPECT_EQ(part({10.0f, layout.row_rects[2].y + 4.0f}), SheetPart::kArrow);
-  EXPECT_EQ(part({60.0f, layout.row_rects[2].y + 4.0f}), SheetPart::kName);
+  EXPECT_EQ(part({10.0f, layout.row_rects[3].y + 4.0f}), SheetPart::kArrow);
+  EXPECT_EQ(part({60.0f, layout.row_rects[3].y + 4.0f}), SheetPart::kName);
   EXPECT_EQ(part({300.0f, 105.0f}), SheetPart::kRuler);
   EXPECT_EQ(part({10.0f, 105.0f}), SheetPart::kCorner);
 }

@@ -30,7 +30,7 @@ TEST_F(DopeSheet, DraggingARegionMovesItWhole) {
 
 TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {
   const ui::DopeSheetLayout layout = Layout();
-  const float right_leg = layout.row_rects[6].y + 5.0f, left_leg = layout.row_rects[7].y + 5.0f;
+  const float right_leg = layout.row_rects[7].y + 5.0f, left_leg = layout.row_rects[8].y + 5.0f;
   user.MoveTo({X(18), right_leg});
   user.Press('D');
   ASSERT_TRUE(user.editor().has_tool());
@@ -47,7 +47,7 @@ TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {
 
 TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
   const ui::DopeSheetLayout layout = Layout();
-  const float right_leg = layout.row_rects[6].y + 5.0f;
+  const float right_leg = layout.row_rects[7].y + 5.0f;
   user.MoveTo({X(18), right_leg});
   user.Press('D');
   user.Pull({X(18), right_leg}, {X(26), right_leg});
@@ -66,8 +66,8 @@ TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
 }
 
 TEST_F(DopeSheet, DAndEnterMarksTheSelectedJoints) {
-  user.Click({60.0f, Layout().row_rects[3].y + 5.0f});  // the head's name
-  user.MoveTo({X(2), Layout().row_rects[3].y + 5.0f});
+  user.Click({60.0f, Layout().row_rects[4].y + 5.0f});  // the head's name
+  user.MoveTo({X(2), Layout().row_rects[4].y + 5.0f});
   user.Press('D');
   user.Press(ui::kEnter);
   ASSERT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;

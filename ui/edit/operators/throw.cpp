@@ -2,6 +2,7 @@
 // starts as fast as it has to.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -139,13 +140,16 @@ std::vector<int> ReleasesOf(const ThrowCase& of, const DynamicsRegion& region) {
 Result<AimedThrow> Aim(const Project& project, const Animation& animation, const Vec3& spot,
                        std::optional<double> height, ThrowCase* of) {
   constexpr int kStarts = 4;
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(12);
   const std::vector<int> releases = ReleasesOf(*of, animation.regions[of->region]);
   std::optional<Error> error;
   for (int start = 0; start < kStarts; ++start) {
     for (const int release : releases) {
       of->release = release;
-      Result<AimedThrow> aimed = ThrowAim(project, animation.figure, *of).At(spot, height, start);
+      Result<AimedThrow> aimed =
+          ThrowAim(project, animation.figure, *of, until).At(spot, height, start);
       if (aimed.ok()) return aimed;
+      if (aimed.error().code == ErrorCode::kInterrupted) return error.value_or(aimed.error());
       const bool is_near = aimed.error().code == ErrorCode::kSchema;
       if (!error || (is_near && error->code != ErrorCode::kSchema)) error = aimed.error();
     }

@@ -15,6 +15,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -37,6 +38,11 @@ Error OutOfReach(double miss, int release) {
               std::to_string(std::lround(100.0 * miss)) +
               " cm at best; choose a nearer spot, less friction, or a region of more frames or "
               "joints"};
+}
+
+Error NotInTime() {
+  return {ErrorCode::kInterrupted, "", "x",
+          "no such throw was found in a few seconds; choose a nearer spot or a shorter region"};
 }
 
 // Until it comes down through a height, or, if it does not rise so high, until it is highest [s].
@@ -82,8 +88,12 @@ ThrowPath ThrowOver(const Vec3& from, const Vec3& spot, double height, double gr
   return path;
 }
 
-ThrowAim::ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of)
-    : project_(std::move(project)), figure_(std::move(figure)), case_(std::move(of)) {
+ThrowAim::ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of,
+                   std::chrono::steady_clock::time_point until)
+    : project_(std::move(project)),
+      figure_(std::move(figure)),
+      case_(std::move(of)),
+      until_(until) {
   project_.frames.last = std::max(project_.frames.last, case_.release + 1);
 }
 
@@ -103,6 +113,7 @@ void ThrowAim::Apply(const ThrowCase& of, const VecX& rates, const Figure& figur
 
 // Where it is, and how fast, as it is let go.
 Result<ThrowPath> ThrowAim::Let(const VecX& rates) {
+  if (std::chrono::steady_clock::now() > until_) return NotInTime();
   Apply(case_, rates, *figure_, &project_);
   Result<Compiled> compiled = CompileAnimation(project_, nullptr, figure_);
   if (!compiled.ok()) return compiled.error();

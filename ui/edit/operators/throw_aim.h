@@ -3,6 +3,7 @@
 // Internal: how fast a dynamics region has to let its joints go for a thrown object to come down on
 // a spot. The equations are in throw_aim.cpp.
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -44,7 +45,9 @@ ThrowPath ThrowOver(const Vec3& from, const Vec3& spot, double height, double gr
 
 class ThrowAim {
  public:
-  ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of);
+  // It gives up after `until`, and never finds another throw for it.
+  ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of,
+           std::chrono::steady_clock::time_point until);
 
   // The centre of the object comes to `spot`, rising so high above the hand [m] or, not given, as
   // the least change has it; higher where something of the scene is in the way. Searched for
@@ -63,6 +66,7 @@ class ThrowAim {
   Project project_;
   std::shared_ptr<const Figure> figure_;
   ThrowCase case_;
+  std::chrono::steady_clock::time_point until_;
   std::unique_ptr<IncrementalBake> bake_;
 };
 

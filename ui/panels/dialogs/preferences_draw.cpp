@@ -17,7 +17,14 @@ std::string LabelOf(const Shortcut& shortcut) {
       return LabelOf(entry);
     }
   }
-  return LabelOf(std::string(shortcut.id));
+  constexpr std::pair<const char*, const char*> kPopups[] = {
+      {"interpolation", "Interpolation"}, {"handles", "Handles"}, {"key_type", "Key type"}};
+  for (const auto& [popup, label] : kPopups) {
+    if (shortcut.parameters.value("popup", "") == popup) return Tr(label);
+  }
+  const std::string id = shortcut.id;
+  const bool is_none = id == "keys.select" || id == "select.joints";  // of an empty list
+  return is_none ? Tr("Select none") : LabelOf(std::string(shortcut.id));
 }
 
 namespace {
