@@ -214,7 +214,7 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height, 
     return Refusal("height", "the spot is " + std::to_string(std::lround(100.0 * least)) +
                                  " cm higher than the hand: let it rise higher");
   }
-  const Result<AimedThrow> flat = Solve(spot, {}, Start(start));
+  Result<AimedThrow> flat = Solve(spot, {}, Start(start));
   if (!flat.ok()) return flat;
   std::string in_the_way = InTheWay(flat.value().path, radius, animation);
   if (!height && in_the_way.empty()) return flat;
