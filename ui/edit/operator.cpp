@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/object_curves.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/held/object_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

@@ -7,7 +7,7 @@
 #include "tests/unit/edit/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/posed_curves.h"
+#include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/operators/throw_aim.h"
+#include "ui/edit/operators/held/throw_aim.h"
 
 namespace hazumi::test {
 namespace {

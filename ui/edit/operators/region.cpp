@@ -5,8 +5,8 @@
 
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/root_curves.h"
-#include "ui/edit/operators/start_keys.h"
+#include "ui/edit/operators/keys/start_keys.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

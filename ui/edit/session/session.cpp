@@ -7,8 +7,8 @@
 #include "engine/project/compile.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/object_curves.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/held/object_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/edit/operators/holders.h"
+#include "ui/edit/operators/held/holders.h"
 
 namespace hazumi::ui {
 

@@ -6,7 +6,7 @@
 
 #include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/holders.h"
+#include "ui/edit/operators/held/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 
 namespace hazumi::ui {

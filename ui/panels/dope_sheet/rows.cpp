@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/object_curves.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/held/object_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/text/catalogue.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/pose/limb_chain.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/viewport/figure.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "engine/base/text.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/sheet/drag.h"

@@ -8,7 +8,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::ui {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/edit/operators/object_curves.h"
+#include "ui/edit/operators/held/object_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/window/editor.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/edit/operators/at_frame.h"
+#include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/outliner/input.h"
 #include "ui/panels/properties/field_state.h"
 #include "ui/panels/window/panels.h"

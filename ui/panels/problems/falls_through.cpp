@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/collision/distance.h"
-#include "ui/edit/operators/held_objects.h"
+#include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::ui {
 

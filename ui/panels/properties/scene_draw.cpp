@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/holders.h"
+#include "ui/edit/operators/held/holders.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"

@@ -1,6 +1,6 @@
 #include "ui/panels/properties/span_fields.h"
 
-#include "ui/edit/operators/holders.h"
+#include "ui/edit/operators/held/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/dynamics/kinematics.h"
-#include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/pose/limb_chain.h"
 
 namespace hazumi::ui {
 

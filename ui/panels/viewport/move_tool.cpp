@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/spatial/degrees.h"
-#include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/pose/limb_chain.h"
 #include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/tools.h"
 

@@ -1,6 +1,6 @@
 // The handle at an elbow or a knee: turns the limb about its own axis, hand or foot staying.
 
-#include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/pose/limb_chain.h"
 #include "ui/panels/viewport/dial.h"
 #include "ui/panels/viewport/drag_tool.h"
 #include "ui/panels/viewport/swivel_handle.h"

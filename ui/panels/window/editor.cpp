@@ -8,7 +8,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "render/motion/links_skin.h"
 #include "ui/edit/document/changed_frames.h"
-#include "ui/edit/operators/at_frame.h"
+#include "ui/edit/operators/keys/at_frame.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/poses/thumbnails.h"

@@ -1,4 +1,4 @@
-#include "ui/edit/operators/limb_swivel.h"
+#include "ui/edit/operators/pose/limb_swivel.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
-#include "ui/edit/operators/turned_hinges.h"
+#include "ui/edit/operators/pose/turned_hinges.h"
 
 namespace hazumi::edit {
 

@@ -7,9 +7,9 @@
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held_objects.h"
-#include "ui/edit/operators/holders.h"
-#include "ui/edit/operators/object_curves.h"
+#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/held/holders.h"
+#include "ui/edit/operators/held/object_curves.h"
 
 namespace hazumi::edit {
 

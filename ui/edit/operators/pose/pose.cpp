@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/flipped_pose.h"
-#include "ui/edit/operators/posed_curves.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
+#include "ui/edit/operators/pose/flipped_pose.h"
+#include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::edit {
 

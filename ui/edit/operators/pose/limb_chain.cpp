@@ -1,8 +1,8 @@
-#include "ui/edit/operators/limb_chain.h"
+#include "ui/edit/operators/pose/limb_chain.h"
 
 #include <algorithm>
 
-#include "ui/edit/operators/at_frame.h"
+#include "ui/edit/operators/keys/at_frame.h"
 
 namespace hazumi::edit {
 

@@ -11,7 +11,7 @@
 // least that move the object least: W has the squared distances of the hinges from it. J is from
 // finite differences, m grows until e falls (Levenberg and Marquardt).
 
-#include "ui/edit/operators/throw_aim.h"
+#include "ui/edit/operators/held/throw_aim.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -23,7 +23,7 @@
 #include "engine/collision/distance.h"
 #include "engine/project/compile.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held_objects.h"
+#include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::edit {
 

@@ -1,4 +1,4 @@
-#include "ui/edit/operators/turned_hinges.h"
+#include "ui/edit/operators/pose/turned_hinges.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

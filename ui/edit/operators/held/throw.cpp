@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "engine/dynamics/kinematics.h"
-#include "ui/edit/operators/held_objects.h"
-#include "ui/edit/operators/holders.h"
-#include "ui/edit/operators/start_rate.h"
-#include "ui/edit/operators/throw_aim.h"
+#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/held/holders.h"
+#include "ui/edit/operators/held/throw_aim.h"
+#include "ui/edit/operators/keys/start_rate.h"
 
 namespace hazumi::edit {
 

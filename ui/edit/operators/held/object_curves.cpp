@@ -1,4 +1,4 @@
-#include "ui/edit/operators/object_curves.h"
+#include "ui/edit/operators/held/object_curves.h"
 
 namespace hazumi::edit {
 

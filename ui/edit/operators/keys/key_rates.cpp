@@ -1,4 +1,4 @@
-#include "ui/edit/operators/key_rates.h"
+#include "ui/edit/operators/keys/key_rates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 
 #include "engine/base/text.h"
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/carried_along.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/key_rates.h"
+#include "ui/edit/operators/keys/carried_along.h"
+#include "ui/edit/operators/keys/key_rates.h"
 
 namespace hazumi::edit {
 

@@ -1,4 +1,4 @@
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,11 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "engine/placement/reach.h"
-#include "ui/edit/operators/at_frame.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/limb_chain.h"
-#include "ui/edit/operators/root_curves.h"
-#include "ui/edit/operators/turned_hinges.h"
+#include "ui/edit/operators/keys/at_frame.h"
+#include "ui/edit/operators/placement/root_curves.h"
+#include "ui/edit/operators/pose/limb_chain.h"
+#include "ui/edit/operators/pose/turned_hinges.h"
 
 namespace hazumi::edit {
 

@@ -1,4 +1,4 @@
-#include "ui/edit/operators/at_frame.h"
+#include "ui/edit/operators/keys/at_frame.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
-#include "ui/edit/operators/held_objects.h"
+#include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::edit {
 

@@ -1,6 +1,6 @@
 // How fast the joints of a dynamics region are let go: the rate of the key on its first frame.
 
-#include "ui/edit/operators/start_rate.h"
+#include "ui/edit/operators/keys/start_rate.h"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/flipped_pose.h"
-#include "ui/edit/operators/limb_chain.h"
-#include "ui/edit/operators/limb_swivel.h"
-#include "ui/edit/operators/turned_hinges.h"
+#include "ui/edit/operators/pose/flipped_pose.h"
+#include "ui/edit/operators/pose/limb_chain.h"
+#include "ui/edit/operators/pose/limb_swivel.h"
+#include "ui/edit/operators/pose/turned_hinges.h"
 
 namespace hazumi::edit {
 

@@ -1,4 +1,4 @@
-#include "ui/edit/operators/carried_along.h"
+#include "ui/edit/operators/keys/carried_along.h"
 
 #include <algorithm>
 #include <cmath>

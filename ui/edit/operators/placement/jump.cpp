@@ -13,9 +13,9 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/flight_plan.h"
-#include "ui/edit/operators/jump_poses.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/flight_plan.h"
+#include "ui/edit/operators/placement/jump_poses.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

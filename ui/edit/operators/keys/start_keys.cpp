@@ -1,4 +1,4 @@
-#include "ui/edit/operators/start_keys.h"
+#include "ui/edit/operators/keys/start_keys.h"
 
 #include <algorithm>
 #include <string>
@@ -7,8 +7,8 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/timeline/curve_track.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/key_rates.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/keys/key_rates.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 namespace {

@@ -1,6 +1,6 @@
 // c(t) = c0 + v t + g t^2 / 2, with v such that c(T) is where the keys have the CoM.
 
-#include "ui/edit/operators/flight_plan.h"
+#include "ui/edit/operators/placement/flight_plan.h"
 
 #include <algorithm>
 

@@ -9,9 +9,9 @@
 #include "engine/placement/contact.h"
 #include "engine/project/checks/checks.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/flight_plan.h"
-#include "ui/edit/operators/key_rates.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/keys/key_rates.h"
+#include "ui/edit/operators/placement/flight_plan.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

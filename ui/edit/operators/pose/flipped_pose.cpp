@@ -1,4 +1,4 @@
-#include "ui/edit/operators/flipped_pose.h"
+#include "ui/edit/operators/pose/flipped_pose.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "engine/figure/pose_mirror.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/root_curves.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 
