@@ -11,7 +11,27 @@ namespace hazumi::render {
 
 namespace {
 
-// Of all capsules at all frames.
+double RadiusOf(const HeldObject& object) {
+  if (const auto* sphere = std::get_if<hazumi::SphereShape>(&object.shape)) return sphere->radius;
+  return std::get<hazumi::BoxShape>(object.shape).half_size.norm();
+}
+
+// Boxes that are no larger than what moves, and no farther from it than they are large, are part of
+// what happens; others are where it happens.
+void ExtendByProps(const Animation& animation, Eigen::AlignedBox3d* bounds) {
+  const Eigen::AlignedBox3d moved = *bounds;
+  for (const SceneObject& object : animation.scene) {
+    const auto* box = std::get_if<Box>(&object.shape);
+    if (box == nullptr) continue;
+    const Vec3 reach = box->X_WB.R.cwiseAbs() * box->half_size;
+    const Eigen::AlignedBox3d of_box(box->X_WB.p - reach, box->X_WB.p + reach);
+    const double size = of_box.diagonal().norm();
+    if (size > moved.diagonal().norm() || moved.exteriorDistance(of_box) > size) continue;
+    bounds->extend(of_box);
+  }
+}
+
+// Of all capsules and all that is held or thrown, at all frames, and of the boxes beside them.
 Eigen::AlignedBox3d MotionBounds(const Animation& animation, const Motion& motion) {
   const Figure& figure = *animation.figure;
   DynamicsWorkspace ws(figure);
@@ -27,7 +47,13 @@ Eigen::AlignedBox3d MotionBounds(const Animation& animation, const Motion& motio
         bounds.extend(p + margin);
       }
     }
+    for (size_t i = 0; i < frame.objects.size(); ++i) {
+      const Vec3 margin = Vec3::Constant(RadiusOf(animation.held_objects[i]));
+      bounds.extend(frame.objects[i].X_WO.p - margin);
+      bounds.extend(frame.objects[i].X_WO.p + margin);
+    }
   }
+  ExtendByProps(animation, &bounds);
   return bounds;
 }
 

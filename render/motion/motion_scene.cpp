@@ -292,12 +292,9 @@ void MotionScene::AddFlights(size_t object, Scene* scene) const {
       continue;
     }
     if (path.empty() || has_landed || (p - path.back()).norm() < kStill) continue;
-    const double floor = GroundHeight(path.back()) + radius, before = path.back().z();
-    if (before >= floor && p.z() < floor) {
-      const double share = (before - floor) / (before - p.z());
-      const Vec3 touch = path.back() + share * (p - path.back());
-      path.push_back(touch);
-      const Vec3 mark(touch.x(), touch.y(), floor - radius + kLift);
+    if (const std::optional<Vec3> touch = LandingBetween(path.back(), p, radius)) {
+      path.push_back(*touch);
+      const Vec3 mark = *touch + (kLift - radius) * Vec3::UnitZ();
       scene->markers.push_back({MarkerShape::kCross, mark, 0.06, color, 2.0, true});
       has_landed = true;
     } else {
@@ -305,6 +302,20 @@ void MotionScene::AddFlights(size_t object, Scene* scene) const {
     }
   }
   end();
+}
+
+// What is below the start need not be below where it would touch, nor the other way round.
+std::optional<Vec3> MotionScene::LandingBetween(const Vec3& from, const Vec3& to,
+                                                double radius) const {
+  std::optional<Vec3> landing;
+  for (const Vec3& above : {from, Vec3(to.x(), to.y(), from.z())}) {
+    const double floor = GroundHeight(above) + radius;
+    if (from.z() < floor || to.z() >= floor) continue;
+    const Vec3 touch = from + (from.z() - floor) / (from.z() - to.z()) * (to - from);
+    const bool is_there = GroundHeight({touch.x(), touch.y(), from.z()}) + radius == floor;
+    if (is_there && (!landing || touch.z() > landing->z())) landing = touch;
+  }
+  return landing;
 }
 
 void MotionScene::AddContactMark(const MotionFrame& frame, Scene* scene) {

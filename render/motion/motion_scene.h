@@ -72,6 +72,8 @@ class MotionScene {
   void AddKeyedGhost(const MotionFrame& frame, Scene* scene);
   void AddPaths(const Vec3& com, Scene* scene) const;
   void AddFlights(size_t object, Scene* scene) const;
+  // Where an object of this radius comes down on the scene between two points of its path.
+  std::optional<Vec3> LandingBetween(const Vec3& from, const Vec3& to, double radius) const;
   void AddContactMark(const MotionFrame& frame, Scene* scene);
   void CollectPaths();
   double GroundHeight(const Vec3& below) const;

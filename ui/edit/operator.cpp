@@ -25,7 +25,7 @@ std::vector<Operator> Collect() {
                       RootOperators(),         SceneOperators(),     SelectedKeyOperators(),
                       SelectionSetOperators(), ImportOperators(),    ExportOperators(),
                       SessionOperators(),      StartRateOperators(), SwivelOperators(),
-                      ThrowOperators(),        TimeOperators()}) {
+                      ThrowOperators(),        MadeThrowOperators(), TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

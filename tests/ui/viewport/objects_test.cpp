@@ -194,11 +194,50 @@ TEST_F(Throwing, TThrowsTheBallOntoTheSpotUnderTheMouseInOneStep) {
   EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
 }
 
+// From nothing but a ball in a hand.
+TEST_F(Objects, TMakesAThrowOfWhatAHandHolds) {
+  Do("held.add_ball", {{"joint", "r_wrist"}});
+  const Vec3 spot(0.9, 0.5, 0.0);
+  const size_t steps = user.num_steps();
+  user.MoveTo(InWindow(spot));
+  user.Press('T');
+  user.MoveTo(InWindow(spot));
+  user.Click(InWindow(spot));
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  EXPECT_EQ(user.project().regions.size(), 1u);
+  EXPECT_NE(user.editor().message.text.find("it comes down in frame"), std::string::npos);
+  const Result<const Motion*> motion = user.session().WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
+}
+
+// The tool stays in hand, and another spot can be pointed at.
+TEST_F(Objects, AClickOnASpotThatCannotBeThrownToEndsNothing) {
+  Do("held.add_ball", {{"joint", "r_wrist"}});
+  // It does not only stand.
+  Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0}});
+  Do("key.set", {{"curve", "root.x"}, {"frame", 10}, {"value", 0.1}});
+  const std::string before = user.text();
+  const Vec3 behind(-0.8, -0.2, 0.0), spot(0.9, 0.5, 0.0);
+  user.MoveTo(InWindow(behind));
+  user.Press('T');
+  user.MoveTo(InWindow(behind));
+  user.Click(InWindow(behind));
+  ASSERT_TRUE(user.editor().has_tool());
+  EXPECT_EQ(user.text(), before);
+  EXPECT_TRUE(user.editor().viewport.aimed && user.editor().viewport.aimed->is_trouble);
+  user.MoveTo(InWindow(spot));
+  user.Click(InWindow(spot));
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_EQ(user.project().regions.size(), 1u);
+}
+
 TEST_F(Throwing, EscapeTakesItBack) {
   const std::string before = user.text();
   user.MoveTo(InWindow(Vec3(1.2, -0.3, 0.5)));
   user.Press('T');
   user.MoveTo(InWindow(Vec3(1.2, -0.2, 0.5)));
+  user.MoveTo(InWindow(Vec3(1.2, -0.2, 0.5)));  // it rests
   EXPECT_NE(user.text(), before);
   user.Press(ui::kEscape);
   EXPECT_EQ(user.text(), before);
@@ -222,8 +261,8 @@ TEST_F(Objects, ABoxIsDrawnByItsBaseAndThenItsHeight) {
   EXPECT_EQ(user.num_steps(), steps + 1);
   EXPECT_EQ(Selected(), "box");
   const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
-  EXPECT_LE((box.size_m - Vec3(0.6, 0.8, 0.4)).cwiseAbs().maxCoeff(), 0.02);
-  EXPECT_LE((box.center_m - Vec3(0.9, -0.1, 0.2)).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LE((box.size_m - Vec3(0.6, 0.8, 0.4)).cwiseAbs().maxCoeff(), 0.04);
+  EXPECT_LE((box.center_m - Vec3(0.9, -0.1, 0.2)).cwiseAbs().maxCoeff(), 0.04);
 }
 
 TEST_F(Objects, AClickPutsABoxOfHalfAMetreOntoAnother) {
@@ -234,7 +273,7 @@ TEST_F(Objects, AClickPutsABoxOfHalfAMetreOntoAnother) {
   EXPECT_FALSE(user.editor().has_tool());
   const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
   EXPECT_EQ(box.size_m, Vec3(0.5, 0.5, 0.5));
-  EXPECT_LE((box.center_m - spot - Vec3(0.0, 0.0, 0.25)).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LE((box.center_m - spot - Vec3(0.0, 0.0, 0.25)).cwiseAbs().maxCoeff(), 0.04);
 }
 
 }  // namespace

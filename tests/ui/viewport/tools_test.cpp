@@ -357,7 +357,12 @@ TEST_F(ViewportTools, TheCameraIsSetToTheView) {
   ASSERT_TRUE(camera.has_value());
   EXPECT_EQ(camera->eye_m, view.eye);
   EXPECT_EQ(camera->target_m, view.target);
-  EXPECT_EQ(camera->vertical_fov_deg, view.vertical_fov_deg);
+  // All that the viewport shows is in a picture of 16:9.
+  const auto half = [](double fov_deg) { return std::tan(0.5 * fov_deg * kDegree); };
+  const ui::Rect& rect = editor_.viewport.rect;
+  EXPECT_GE(camera->vertical_fov_deg, view.vertical_fov_deg);
+  EXPECT_GE(half(camera->vertical_fov_deg) * 16.0 / 9.0,
+            half(view.vertical_fov_deg) * rect.w / rect.h - 1e-6);
   ASSERT_TRUE(editor_.Do("view.camera"));
   ASSERT_TRUE(editor_.Do("edit.undo"));
   EXPECT_FALSE(editor_.session().project().camera.has_value());

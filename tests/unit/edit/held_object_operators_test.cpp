@@ -87,7 +87,7 @@ TEST(HeldObjectOperators, PassItFromHandToHand) {
   EXPECT_EQ(next.joint, "l_wrist");
   EXPECT_EQ(next.first_frame, 8);
   EXPECT_EQ(next.last_frame, 20);  // it is let go when it would have been
-  EXPECT_LE((next.offset_m - Vec3(0.0, 0.037, -0.09175)).norm(), 1e-12);
+  EXPECT_LE((next.offset_m - Vec3(0.0, -0.037, -0.09175)).norm(), 1e-12);  // the left palm
   EXPECT_NE(Refused(&session, "held.pass", {{"object", "ball"}, {"joint", "r_wrist"}, {"frame", 8}})
                 .message.find("\"l_wrist\" has it from frame 8 on"),
             std::string::npos);

@@ -7,6 +7,7 @@
 #include "tests/unit/edit/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/held/holders.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::test {
@@ -298,6 +299,20 @@ std::vector<ProjectHeldObject> Thrown(const Session& session) {
   return thrown;
 }
 
+// What a hand has in the current frame, with no region in the way of a throw.
+static std::vector<ProjectHeldObject> InAHand(const Session& session) {
+  const Project& project = session.project();
+  const int now = static_cast<int>(std::lround(session.frame()));
+  std::vector<ProjectHeldObject> held;
+  for (const ProjectHeldObject& object : project.held_objects) {
+    const std::vector<edit::HolderSpan> spans = edit::HoldersOf(object, project.frames);
+    const edit::HolderSpan* holder = edit::HolderAt(now, spans);
+    const bool is_hand = holder && (holder->joint == "r_wrist" || holder->joint == "l_wrist");
+    if (is_hand && project.regions.empty()) held.push_back(object);
+  }
+  return held;
+}
+
 // As many as there are curves.
 void KeepToCurves(Random* random, Json* parameters) {
   Json values = Json::array();
@@ -334,6 +349,9 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id == "held.throw_onto" && !Thrown(session).empty()) {
     parameters["object"] = OneOf(Thrown(session), random).name;
   }
+  if (id == "throw.add" && !InAHand(session).empty()) {
+    parameters["object"] = OneOf(InAHand(session), random).name;
+  }
   if (id == "pose.blend") KeepToCurves(random, &parameters);
   if (id == "held.set") KeepToItem(session.project().held_objects, infos, &parameters);
   Order("first", "last", session.project().frames, &parameters);
@@ -354,9 +372,10 @@ static bool IsBetweenKeys(const Session& session) {
 }
 
 bool IsSeldomPossible(const std::string& id) {
-  static const char* const kIds[] = {
-      "audio.remove", "held.pass",      "held.set_frames", "held.set_holder", "held.throw_onto",
-      "keys.paste",   "pose.breakdown", "pose.push",       "pose.relax",      "reference.remove"};
+  static const char* const kIds[] = {"audio.remove",     "held.pass",       "held.set_frames",
+                                     "held.set_holder",  "held.throw_onto", "keys.paste",
+                                     "pose.breakdown",   "pose.push",       "pose.relax",
+                                     "reference.remove", "throw.add"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
@@ -366,6 +385,7 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "audio.remove") return session.project().audio.has_value();
   if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "held.throw_onto") return !Thrown(session).empty();
+  if (id == "throw.add") return !InAHand(session).empty();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();

@@ -210,8 +210,10 @@ TEST(MotionScene, MarksTheCentreOfMassAndWhatIsBelowIt) {
   EXPECT_LE((marker(MarkerShape::kCross) - Vec3(com.x(), com.y(), -1.0)).norm(), 0.01);
 }
 
-// Let go at rest, half a metre above the floor: 0.32 s, of 1 s.
-TEST(MotionScene, FollowsWhatIsLetGoToTheFloor) {
+constexpr auto IsRed = [](const auto& mark) { return mark.color.r > 0.9f && mark.color.g < 0.1f; };
+
+// A red ball of 10 cm, let go on frame 2 of 30.
+Animation LetGo() {
   Animation animation = Still(test::TwoLinks());
   animation.last_frame = animation.first_frame + 30;
   HeldObject ball;
@@ -222,21 +224,58 @@ TEST(MotionScene, FollowsWhatIsLetGoToTheFloor) {
   ball.holders.push_back({animation.figure->joint(JointIndex(0)).group, Vec3::Zero()});
   ball.holders[0].last_frame = animation.first_frame + 2;
   animation.held_objects.push_back(ball);
+  return animation;
+}
+
+// Let go at rest, half a metre above the floor: 0.32 s, of 1 s.
+TEST(MotionScene, FollowsWhatIsLetGoToTheFloor) {
+  Animation animation = LetGo();
   Overlays overlays;
   overlays.paths = true;
   const Vec3 start = BakeOrFail(animation).frames[0].objects[0].X_WO.p;
   test::AddFloor(&animation, start.z() - 0.6);
   const Scene scene = SceneOf(animation, 0, overlays);
-  const auto is_red = [](const auto& mark) { return mark.color.r > 0.9f && mark.color.g < 0.1f; };
-  const auto path = std::find_if(scene.polylines.begin(), scene.polylines.end(), is_red);
+  const auto path = std::find_if(scene.polylines.begin(), scene.polylines.end(), IsRed);
   ASSERT_NE(path, scene.polylines.end());
   EXPECT_LE((path->points.front() - start).norm(), 1e-9);
   EXPECT_LE((path->points.back() - (start - 0.5 * Vec3::UnitZ())).norm(), 1e-9);
   EXPECT_NEAR(static_cast<double>(path->points.size()), 30.0 * std::sqrt(2.0 * 0.5 / 9.81) + 1,
               1.0);
-  const auto mark = std::find_if(scene.markers.begin(), scene.markers.end(), is_red);
+  const auto mark = std::find_if(scene.markers.begin(), scene.markers.end(), IsRed);
   ASSERT_NE(mark, scene.markers.end());
   EXPECT_LE((mark->center - (start - 0.6 * Vec3::UnitZ())).norm(), 0.01);
+}
+
+// It passes a centimetre beyond the edge of a box, over which it was in the frame before, and down
+// onto one that it was not over.
+TEST(MotionScene, MarksALandingOnWhatIsBelowTheLanding) {
+  Animation animation = LetGo();
+  Overlays overlays;
+  overlays.paths = true;
+  const Vec3 start = BakeOrFail(animation).frames[0].objects[0].X_WO.p;
+  Keys moved = {{0, 0.0, 3.0, Interpolation::kLinear}, {30, 3.0, 3.0, Interpolation::kLinear}};
+  animation.root_keys[kRootX] = moved;
+  const Motion motion = BakeOrFail(animation);
+  const auto at = [&](int frame) { return motion.frames[frame].objects[0].X_WO.p; };
+  test::AddFloor(&animation, start.z() - 1.0);
+  const auto box = [&](double x_first, double x_last, double top) {
+    const Vec3 half_size(0.5 * (x_last - x_first), 0.5, 0.05);
+    const Vec3 center(0.5 * (x_first + x_last), start.y(), top - 0.05);
+    animation.scene.push_back({"box", Box{{Mat3::Identity(), center}, half_size}, "#808080"});
+  };
+  const auto landing = [&] {
+    const Scene scene = SceneOf(animation, 0, overlays);
+    const auto mark = std::find_if(scene.markers.begin(), scene.markers.end(), IsRed);
+    return mark == scene.markers.end() ? Vec3(Vec3::Constant(1e9)) : mark->center;
+  };
+  // Its underside passes this height half way between frames 8 and 9.
+  const double top = 0.5 * (at(8).z() + at(9).z()) - 0.1, x = 0.5 * (at(8).x() + at(9).x());
+  box(at(8).x() - 0.1, x - 0.01, top);
+  EXPECT_NEAR(landing().z(), start.z() - 1.0, 0.01);
+  animation.scene.pop_back();
+  box(x - 0.01, at(9).x() + 0.1, top);
+  EXPECT_NEAR(landing().z(), top, 0.01);
+  EXPECT_NEAR(landing().x(), x, 0.01);
 }
 
 TEST(Framing, SeesTheWholeMotionFromEverySide) {
@@ -251,6 +290,26 @@ TEST(Framing, SeesTheWholeMotionFromEverySide) {
       EXPECT_LT(std::abs(clip.y()), clip.w()) << side;
     }
   }
+}
+
+TEST(Framing, SeesWhatIsThrownAndTheBoxBesideIt) {
+  Animation animation = LetGo();
+  animation.root_keys[kRootX] = {{0, 0.0, 3.0, Interpolation::kLinear},
+                                 {30, 3.0, 3.0, Interpolation::kLinear}};
+  animation.scene.push_back(
+      {"box", Box{{Mat3::Identity(), Vec3(4.0, 0.0, -1.0)}, Vec3(0.3, 0.3, 0.3)}, "#808080"});
+  animation.scene.push_back(
+      {"hill", Box{{Mat3::Identity(), Vec3(90.0, 0.0, 0.0)}, Vec3(50.0, 50.0, 9.0)}, "#808080"});
+  const Motion motion = BakeOrFail(animation);
+  const Camera camera = FrameMotion(animation, motion, "left", 16.0 / 9.0);
+  const Mat4 clip_of_world = ProjectionMatrix(camera, 16.0 / 9.0) * ViewMatrix(camera);
+  const auto is_seen = [&](const Vec3& p) {
+    const Eigen::Vector4d clip = clip_of_world * p.homogeneous();
+    return std::abs(clip.x()) < clip.w() && std::abs(clip.y()) < clip.w();
+  };
+  EXPECT_TRUE(is_seen(motion.frames.back().objects[0].X_WO.p));
+  EXPECT_TRUE(is_seen(Vec3(4.3, 0.3, -1.3)));
+  EXPECT_FALSE(is_seen(Vec3(140.0, 0.0, 0.0)));
 }
 
 }  // namespace

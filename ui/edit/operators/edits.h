@@ -41,6 +41,7 @@ std::vector<Operator> SessionOperators();
 std::vector<Operator> StartRateOperators();
 std::vector<Operator> SwivelOperators();
 std::vector<Operator> ThrowOperators();
+std::vector<Operator> MadeThrowOperators();
 std::vector<Operator> TimeOperators();
 
 // 60 degrees come back from radians as 60, not as 59.99999999999999.

@@ -219,6 +219,7 @@ MenuEntry SceneMenu() {
                            {"held.key"},
                            {"held.turn"},
                            {"tool.throw"},
+                           {"throw.add"},
                            {"held.throw_onto"},
                            {"object.remove"},
                            Line(),

@@ -26,9 +26,10 @@ const std::vector<ManualPart>& ManualParts() {
         "it; pulled in a hand it changes its place there and R turns it, on the ground its place "
         "is keyed. Its row in the dope sheet shows who has it: the end of a bar is where it is "
         "let go, Pass on gives it to the selected joint.",
-        "T aims a throw: point at where the ball is to come down and click. The dynamics region "
-        "that "
-        "moves the arm while it lets go starts as fast as it has to, over what stands in between.",
+        "T throws what a hand holds: point at where it is to come down and click. Backswing, "
+        "dynamics region and follow-through are made from the current frame on. Where a region "
+        "moves the arm as it lets go already, T aims it: it starts as fast as it has to, over "
+        "what stands in between.",
         "J begins a jump: point at where it is to land and click. Crouch, take-off, apex and "
         "landing become keys like any others; between take-off and landing gravity has the "
         "figure."}},

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
+#include "ui/edit/operators/edits.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/figure.h"
 #include "ui/panels/viewport/solids.h"
@@ -98,8 +100,15 @@ Result<Done> LookThroughCamera(Editor* editor) {
   return Done();
 }
 
+// Pictures show all that the viewport shows, and more above and below where that is wider.
 Result<Done> SetCameraToView(Editor* editor) {
-  const render::Camera view = CameraOf(editor->viewport.camera);
+  render::Camera view = CameraOf(editor->viewport.camera);
+  const Rect& rect = editor->viewport.rect;
+  const double wider = rect.h > 0.0f ? rect.w / rect.h / kPictureAspect : 1.0;
+  if (wider > 1.0) {
+    const double half = wider * std::tan(0.5 * kDegree * view.vertical_fov_deg);
+    view.vertical_fov_deg = edit::WithoutRoundOff(2.0 * std::atan(half) / kDegree);
+  }
   return editor->session().Run("camera.set", {{"eye_x", view.eye.x()},
                                               {"eye_y", view.eye.y()},
                                               {"eye_z", view.eye.z()},

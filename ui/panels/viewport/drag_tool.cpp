@@ -24,10 +24,14 @@ bool DragTool::Update(Editor* editor, const ToolInput& input) {
   return false;
 }
 
-bool DragTool::Run(Editor* editor, const std::string& id, Json parameters) {
+Result<Done> DragTool::Try(Editor* editor, const std::string& id, Json parameters) {
   parameters["drag"] = drag_;
   has_run_ = true;
-  return editor->Do(id, parameters);
+  return editor->Invoke(id, parameters);
+}
+
+bool DragTool::Run(Editor* editor, const std::string& id, Json parameters) {
+  return Try(editor, id, std::move(parameters)).ok();
 }
 
 void DragTool::TakeBack(Editor* editor) {

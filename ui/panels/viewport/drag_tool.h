@@ -25,6 +25,7 @@ class DragTool : public Tool {
   virtual bool Follow(Editor* editor, const ToolInput& input) = 0;
 
   // Runs an operator that takes `drag`.
+  Result<Done> Try(Editor* editor, const std::string& id, Json parameters);
   bool Run(Editor* editor, const std::string& id, Json parameters);
   // As if nothing had been run.
   void TakeBack(Editor* editor);

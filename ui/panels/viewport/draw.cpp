@@ -76,6 +76,7 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
   if (const auto handle = SwivelHandleOf(editor->session(), *figure)) {
     DrawSwivelHandle(*editor, view, *handle);
   }
+  DrawAimedSpot(*editor, view);
   if (has_mouse && !hovered) DrawHovered(*editor, view, *figure, solids, mouse);
 }
 

@@ -11,6 +11,7 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
 void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figure,
                  const std::vector<Solid>& solids, Point mouse);
 void DrawSelectedObject(const Editor& editor, const View& view, const std::vector<Solid>& solids);
+void DrawAimedSpot(const Editor& editor, const View& view);
 void DrawPathTicks(const Editor& editor, const View& view);
 void DrawGizmo(const Editor& editor, const View& view, const Gizmo& gizmo,
                const std::optional<GizmoHit>& hovered);

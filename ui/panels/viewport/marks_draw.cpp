@@ -23,6 +23,19 @@ void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
   Canvas()->AddPolyline(p, 4, line, ImDrawFlags_Closed, 1.0f);
 }
 
+// Beside a point, where there is room for it; as many lines as it takes.
+void DrawLabel(const Editor& editor, const Rect& within, Point beside, const std::string& text,
+               ImU32 color) {
+  const float pad = Px(editor, 4.0), widest = Px(editor, 360.0);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
+  const float x = std::min(beside.x + Px(editor, 14.0), within.right() - size.x - 2.0f * pad);
+  const float y = std::min(beside.y + Px(editor, 16.0), within.bottom() - size.y - 2.0f * pad);
+  Canvas()->AddRectFilled({x - pad, y - pad / 2}, {x + size.x + pad, y + size.y + pad / 2},
+                          ToIm(colors::kShade, 0.8f), pad);
+  Canvas()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, text.c_str(), nullptr,
+                    widest);
+}
+
 }  // namespace
 
 void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& figure) {
@@ -67,13 +80,19 @@ void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figu
     if (at)
       Canvas()->AddCircle(ToIm(*at), Px(editor, 8.0), ToIm(colors::kWhite), 24, Px(editor, 1.5));
   }
-  const ImVec2 size = ImGui::CalcTextSize(name.c_str());
-  const float pad = Px(editor, 4.0);
-  const float x = std::min(mouse.x + Px(editor, 14.0), view.rect().right() - size.x - 2.0f * pad);
-  const float y = std::min(mouse.y + Px(editor, 16.0), view.rect().bottom() - size.y - 2.0f * pad);
-  Canvas()->AddRectFilled({x - pad, y - pad / 2}, {x + size.x + pad, y + size.y + pad / 2},
-                          ToIm(colors::kShade, 0.8f), pad);
-  Canvas()->AddText({x, y}, ToIm(colors::kWhite), name.c_str());
+  DrawLabel(editor, view.rect(), mouse, name, ToIm(colors::kWhite));
+}
+
+void DrawAimedSpot(const Editor& editor, const View& view) {
+  const std::optional<AimedSpot>& aimed = editor.viewport.aimed;
+  const auto at = aimed ? view.ToWindow(aimed->at) : std::nullopt;
+  if (!at) return;
+  const ImU32 color = ToIm(aimed->is_trouble ? editor.theme().warning : colors::kSelected);
+  const float arm = Px(editor, 9.0), width = Px(editor, 2.0);
+  Canvas()->AddLine({at->x - arm, at->y}, {at->x + arm, at->y}, color, width);
+  Canvas()->AddLine({at->x, at->y - arm}, {at->x, at->y + arm}, color, width);
+  Canvas()->AddCircle(ToIm(*at), 0.6f * arm, color, 24, width);
+  if (!aimed->text.empty()) DrawLabel(editor, view.rect(), *at, aimed->text, color);
 }
 
 static void DrawOutline(const Editor& editor, const View& view, const Box& box) {

@@ -104,34 +104,35 @@ Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held) {
 
 std::vector<Action> ObjectActions() {
   using enum edit::ParameterKind;
-  return {{"tool.jump",
-           "Jump",
-           "From where it stands now onto the spot under the mouse; its height may be typed.",
-           {},
-           [](Editor* editor, const edit::Parameters&) { return TakeJumpTool(editor); }},
-          {"tool.throw",
-           "Throw",
-           "Aims the throw of the selected held object at the spot under the mouse; how high it "
-           "rises may be typed.",
-           {},
-           [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
-          {"tool.add_box",
-           "Draw box",
-           "Draws a box on what is under the mouse: its base is dragged out, then its height.",
-           {},
-           [](Editor* editor, const edit::Parameters&) { return TakeAddBoxTool(editor); }},
-          {"select.object",
-           "Select object",
-           "Selects a box of the scene or a held object.",
-           {{"object", kText, true, "its name"}},
-           [](Editor* editor, const edit::Parameters& p) {
-             return SelectObjectNamed(editor, p.text("object"));
-           }},
-          {"view.remove_object",
-           "Remove selected object",
-           "Takes the selected box or held object away.",
-           {},
-           [](Editor* editor, const edit::Parameters&) { return RemoveSelectedObject(editor); }}};
+  return {
+      {"tool.jump",
+       "Jump",
+       "From where it stands now onto the spot under the mouse; its height may be typed.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return TakeJumpTool(editor); }},
+      {"tool.throw",
+       "Throw",
+       "Throws the selected held object onto the spot under the mouse: makes the throw or, where "
+       "a dynamics region moves the arm as it lets go, aims it. How high it rises may be typed.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
+      {"tool.add_box",
+       "Draw box",
+       "Draws a box on what is under the mouse: its base is dragged out, then its height.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return TakeAddBoxTool(editor); }},
+      {"select.object",
+       "Select object",
+       "Selects a box of the scene or a held object.",
+       {{"object", kText, true, "its name"}},
+       [](Editor* editor, const edit::Parameters& p) {
+         return SelectObjectNamed(editor, p.text("object"));
+       }},
+      {"view.remove_object",
+       "Remove selected object",
+       "Takes the selected box or held object away.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return RemoveSelectedObject(editor); }}};
 }
 
 }  // namespace hazumi::ui

@@ -33,7 +33,7 @@ struct ViewportOverlays {
 // and a height above the horizon [rad].
 struct OrbitCamera {
   Vec3 target{0.0, 0.0, 0.9};
-  double azimuth = -0.85, elevation = 0.25, distance = 4.2;
+  double azimuth = -1.15, elevation = 0.25, distance = 4.2;
   bool is_orthographic = false;  // seen from so far away that nothing gets smaller
   bool operator==(const OrbitCamera&) const = default;
 };
@@ -78,6 +78,13 @@ struct ViewportPress {
 // Small windows that the right button opens: what can be done with what is under the mouse.
 enum class ViewportPopup { kNone, kJoint, kRoot, kObject, kNothing };
 
+// What a tool acts on, told beside the mouse.
+struct AimedSpot {
+  Vec3 at = Vec3::Zero();  // world [m]
+  std::string text;        // what comes of it, or why it cannot be
+  bool is_trouble = false;
+};
+
 struct ViewportState {
   OrbitCamera camera;
   bool through_project_camera = false;
@@ -89,6 +96,7 @@ struct ViewportState {
   ItemId selected_object;    // a box of the scene or a held object; invalid: none
   std::string active_hinge;  // whose limits are shown, if its joint is selected
   std::optional<ViewportPress> press;
+  std::optional<AimedSpot> aimed;              // by the tool in hand
   std::optional<Rect> box;                     // of a box selection
   ViewportPopup popup = ViewportPopup::kNone;  // to be opened
   bool had_tool = false;  // when it was drawn last: what the mouse does then is the tool's

@@ -192,6 +192,7 @@ void Editor::DropTool() {
 }
 
 void Editor::UpdateTool(const ToolInput& input) {
+  viewport.aimed.reset();
   if (!tool_) return;
   std::unique_ptr<Tool> tool = std::move(tool_);
   const bool stays = tool->Update(this, input);

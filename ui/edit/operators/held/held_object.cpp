@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/dynamics/kinematics.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/held/held_objects.h"
@@ -20,6 +21,7 @@ ProjectHeldObject NewObject(Shape shape, const char* name) {
   object.name = name;
   object.shape = std::move(shape);
   object.mass_kg = 0.145;
+  object.color = "#e8792b";
   return object;
 }
 // As large and as heavy as a baseball.
@@ -127,9 +129,12 @@ Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject&
   const double radius =
       std::visit([&](const auto& shape) { return RadiusOf(shape, R); }, object.shape);
   const JointIndex body = figure.group(holder).last();
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, {Mat3::Identity(), Vec3::Zero()}, VecX::Zero(figure.num_joints()), &ws);
+  const double inward = ws.body(body).p.y() > 0.0 ? -1.0 : 1.0;  // of a left hand
   for (const Link& link : figure.links()) {
     if (link.joint != body) continue;
-    return 0.5 * (link.capsule.a + link.capsule.b) + Vec3(0.0, radius, 0.0);
+    return 0.5 * (link.capsule.a + link.capsule.b) + Vec3(0.0, inward * radius, 0.0);
   }
   return Vec3::Zero();
 }

@@ -9,7 +9,8 @@ namespace hazumi::edit {
 // By the parameter "joint"; not given: the first selected joint. Errors: kSchema if there is none.
 Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p);
 // Where an object that is turned so in the holder's frame lies there [m]: half way along the first
-// link, beside it, which is the palm of the shipped human's hands.
+// link, beside it, towards the figure's middle: the
+// palm of the shipped human's hands.
 Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject& object,
                const Vec3& rotation_deg);
 // R = Rz Ry Rx of a turn in a hand.
@@ -17,6 +18,12 @@ Mat3 TurnOf(const Vec3& rotation_deg);
 
 // Of the sphere in the middle of an object [m].
 double InnerRadius(const HeldObject& object);
+
+// When this holder (of the object's later ones; -1: who has it at first) lets go of it; not given:
+// never.
+std::optional<int>& EndOf(int number, ProjectHeldObject* object);
+// Keys where its centre is while nobody holds it [m].
+void PutPosition(const Vec3& at, double frame, ProjectHeldObject* object);
 
 // One undo step on the object of the parameter "object".
 Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,

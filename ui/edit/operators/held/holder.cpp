@@ -48,6 +48,19 @@ const HolderSpan* HolderAt(int frame, const std::vector<HolderSpan>& holders) {
   return nullptr;
 }
 
+std::optional<int>& EndOf(int number, ProjectHeldObject* object) {
+  return number < 0 ? object->release_frame : object->holders[number].last_frame;
+}
+
+void PutPosition(const Vec3& at, double frame, ProjectHeldObject* object) {
+  for (int axis = 0; axis < 3; ++axis) {
+    ProjectKey key;
+    key.frame = frame;
+    key.value = WithoutRoundOff(at[axis]);
+    PutKey(key, &object->position.curves[axis]);
+  }
+}
+
 namespace {
 
 using enum ParameterKind;
@@ -57,11 +70,6 @@ const ParameterInfo kOfHolders = {"number", kInteger, true, "of its later holder
 
 int FrameOf(const Session& session, const Parameters& p) {
   return p.integer("frame", static_cast<int>(std::lround(session.frame())));
-}
-
-// When this holder lets go of it; not given: never.
-std::optional<int>& EndOf(int number, ProjectHeldObject* object) {
-  return number < 0 ? object->release_frame : object->holders[number].last_frame;
 }
 
 // How it lies in the hand of that holder, angles z, y, x [deg].
@@ -187,15 +195,6 @@ Result<std::vector<ObjectPose>> PosesNow(Session* session) {
   const Result<const MotionFrame*> now = session->FrameNow();
   if (!now.ok()) return now.error();
   return now.value()->objects;
-}
-
-void PutPosition(const Vec3& at, double frame, ProjectHeldObject* object) {
-  for (int axis = 0; axis < 3; ++axis) {
-    ProjectKey key;
-    key.frame = frame;
-    key.value = WithoutRoundOff(at[axis]);
-    PutKey(key, &object->position.curves[axis]);
-  }
 }
 
 size_t IndexOf(const ProjectHeldObject* object, const Project& project) {

@@ -6,13 +6,25 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/dynamics/kinematics.h"
+#include "engine/project/compile.h"
 #include "ui/edit/operators/held/held_objects.h"
 #include "ui/edit/operators/held/holders.h"
-#include "ui/edit/operators/held/throw_aim.h"
+#include "ui/edit/operators/held/throws.h"
 #include "ui/edit/operators/keys/start_rate.h"
 
 namespace hazumi::edit {
+
+std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex holder,
+                                   const Animation& animation) {
+  std::vector<JointIndex> hinges;
+  const Figure& figure = *animation.figure;
+  for (JointIndex j = figure.group(holder).last(); j.is_valid(); j = figure.joint(j).parent) {
+    const bool is_in = std::binary_search(region.joints.begin(), region.joints.end(), j);
+    if (is_in && !IsTakenOver(region, j, animation)) hinges.push_back(j);
+  }
+  std::reverse(hinges.begin(), hinges.end());
+  return hinges;
+}
 
 namespace {
 
@@ -31,23 +43,9 @@ Result<HolderSpan> ReleaseOf(const ProjectHeldObject& object, const ProjectFrame
   return Refusal("object", "nobody lets go of \"" + object.name + "\": let go of it first");
 }
 
-// Hinges from the holder to the root that the region moves and lets go by itself.
-std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex holder,
-                                   const Animation& animation) {
-  std::vector<JointIndex> hinges;
-  const Figure& figure = *animation.figure;
-  for (JointIndex j = figure.group(holder).last(); j.is_valid(); j = figure.joint(j).parent) {
-    const bool is_in = std::binary_search(region.joints.begin(), region.joints.end(), j);
-    if (is_in && !IsTakenOver(region, j, animation)) hinges.push_back(j);
-  }
-  std::reverse(hinges.begin(), hinges.end());
-  return hinges;
-}
-
 Result<ThrowCase> CaseOf(int object, Session* session) {
   const Animation* animation = session->animation();
   if (!animation) return session->WholeMotion().error();
-  if (!(animation->gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
   const Project& project = session->project();
   const Result<HolderSpan> release =
       ReleaseOf(project.held_objects[object], project.frames, session->frame());
@@ -71,43 +69,6 @@ Result<ThrowCase> CaseOf(int object, Session* session) {
                                ", in which it lets go: mark one that begins before that");
 }
 
-// What is there before it is aimed.
-Result<Done> TakeStart(Session* session, ThrowCase* of) {
-  const DynamicsRegion region = session->animation()->regions[of->region];
-  const Result<const Motion*> motion = session->MotionTo(region.first_frame);
-  if (!motion.ok()) return motion.error();
-  const size_t first = static_cast<size_t>(region.first_frame - session->project().frames.first);
-  const MotionFrame& start = motion.value()->frames[first];
-  const Figure& figure = session->figure();
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, start.X_WR, start.q, &ws);
-  of->rates.resize(static_cast<int>(of->hinges.size()));
-  of->ease.resize(of->rates.size());
-  for (size_t i = 0; i < of->hinges.size(); ++i) {
-    const JointIndex hinge = of->hinges[i];
-    of->rates[static_cast<int>(i)] = start.after.qd[hinge.value()];
-    of->ease[static_cast<int>(i)] =
-        (ws.body(hinge).p - start.objects[static_cast<size_t>(of->object)].X_WO.p).squaredNorm();
-    const std::string& name = figure.joint(hinge).name;
-    Result<ProjectKey> key = KeyAtStart(name, region.first_frame, session);
-    if (!key.ok()) return key.error();
-    of->keys.push_back(std::move(key).value());
-  }
-  return Done();
-}
-
-// It lies on the spot from when it comes down.
-void LetItLie(const Vec3& spot, int frame, const ThrowCase& of, Project* project) {
-  ProjectHeldObject& object = project->held_objects[of.object];
-  for (int axis = 0; axis < 3; ++axis) {
-    ProjectKey key;
-    key.frame = frame;
-    key.value = WithoutRoundOff(spot[axis]);
-    PutKey(key, &object.position.curves[axis]);
-  }
-  project->frames.last = std::max(project->frames.last, frame);
-}
-
 // Keys that it had in its flight and after it.
 void ClearFlight(const ThrowCase& of, Project* project) {
   ProjectHeldObject& object = project->held_objects[of.object];
@@ -122,40 +83,55 @@ void ClearFlight(const ThrowCase& of, Project* project) {
   }
 }
 
-// Frames in which it could be let go, the one that was given first, then those nearest to it.
-std::vector<int> ReleasesOf(const ThrowCase& of, const DynamicsRegion& region) {
-  std::vector<int> frames;
-  for (int frame = region.first_frame + 1; frame <= region.last_frame; ++frame) {
-    frames.push_back(frame);
-  }
-  std::stable_sort(frames.begin(), frames.end(), [&](int a, int b) {
-    return std::abs(a - of.release) < std::abs(b - of.release);
-  });
-  return frames;
+std::chrono::steady_clock::time_point After(int seconds) {
+  return std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
 }
 
-// Where the frame in which it lets go will not do, another one of the region is taken; and as
-// joints that reach their limits can be in the way, other rates are begun from then. Errors: that
-// of the frame that was given.
-Result<AimedThrow> Aim(const Project& project, const Animation& animation, const Vec3& spot,
-                       std::optional<double> height, ThrowCase* of) {
-  constexpr int kStarts = 4;
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(12);
-  const std::vector<int> releases = ReleasesOf(*of, animation.regions[of->region]);
-  std::optional<Error> error;
-  for (int start = 0; start < kStarts; ++start) {
-    for (const int release : releases) {
-      of->release = release;
-      Result<AimedThrow> aimed =
-          ThrowAim(project, animation.figure, *of, until).At(spot, height, start);
-      if (aimed.ok()) return aimed;
-      if (aimed.error().code == ErrorCode::kInterrupted) return error.value_or(aimed.error());
-      const bool is_near = aimed.error().code == ErrorCode::kSchema;
-      if (!error || (is_near && error->code != ErrorCode::kSchema)) error = aimed.error();
-    }
+// What would help where a throw misses: a region that takes no speed away, if that does.
+Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& height,
+                 const ThrowCase& of, Animation animation) {
+  if (error.code != ErrorCode::kSemantics) return error;
+  std::vector<double>& friction = animation.regions[of.region].friction;
+  if (std::all_of(friction.begin(), friction.end(), [](double f) { return f == 1.0; })) {
+    return error;
   }
-  return *error;
+  std::fill(friction.begin(), friction.end(), 1.0);
+  if (ThrowAim(animation, of, After(4)).At(spot, height).ok()) {
+    error.message += "; it gets there if \"" + animation.regions[of.region].name +
+                     "\" takes no speed away (friction 1)";
+  }
+  return error;
 }
+
+}  // namespace
+
+bool HasThrow(int object, Session* session) { return CaseOf(object, session).ok(); }
+
+Result<Done> ThrowTo(const Vec3& ground, std::optional<double> height, const ThrowCase& of,
+                     std::shared_ptr<const Figure> figure, Project* project) {
+  constexpr double kSeenLying = 0.6;  // [s]
+  const Result<Compiled> compiled = CompileAnimation(*project, nullptr, std::move(figure));
+  if (!compiled.ok()) return compiled.error();
+  const Animation& animation = compiled.value().animation;
+  if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
+  const double radius = InnerRadius(animation.held_objects[of.object]);
+  const Vec3 spot = ground + radius * Vec3::UnitZ();
+  ThrowAim aim(animation, of, After(8));
+  const Result<AimedThrow> aimed = aim.At(spot, height);
+  if (!aimed.ok()) return WithAdvice(aimed.error(), spot, height, of, animation);
+  const Result<ThrowStart> start = aim.Start();
+  if (!start.ok()) return start.error();
+  ClearFlight(of, project);
+  PutThrow(of, aimed.value(), start.value(), animation, project);
+  const double flown = animation.rate.FrameAt(aimed.value().path.seconds);
+  const int down = aimed.value().release + std::max(1, static_cast<int>(std::ceil(flown)));
+  PutPosition(spot, down, &project->held_objects[of.object]);
+  const int seen = down + static_cast<int>(std::lround(animation.rate.FrameAt(kSeenLying)));
+  if (down > project->frames.last) project->frames.last = seen;
+  return Done();
+}
+
+namespace {
 
 Result<Done> ThrowOnto(Session* session, const Parameters& p) {
   Project project = session->project();
@@ -163,25 +139,17 @@ Result<Done> ThrowOnto(Session* session, const Parameters& p) {
       EntryNamed(p.text("object"), "object", &project.held_objects);
   if (!object.ok()) return object.error();
   const int index = static_cast<int>(object.value() - project.held_objects.data());
-  Result<ThrowCase> of = CaseOf(index, session);
+  const Result<ThrowCase> of = CaseOf(index, session);
   if (!of.ok()) return of.error();
-  if (Result<Done> start = TakeStart(session, &of.value()); !start.ok()) return start;
-  const Animation& animation = *session->animation();
-  const double radius = InnerRadius(animation.held_objects[index]);
-  const Vec3 spot = Vec3(p.number("x"), p.number("y"), p.number("z") + radius);
+  const Vec3 ground(p.number("x"), p.number("y"), p.number("z"));
   std::optional<double> height;
   if (p.has("height")) height = p.number("height");
-  ClearFlight(of.value(), &project);
-  const Result<AimedThrow> aimed = Aim(project, animation, spot, height, &of.value());
-  if (!aimed.ok()) return aimed.error();
-  const double flown = animation.rate.FrameAt(aimed.value().path.seconds);
-  const int down = of.value().release + std::max(1, static_cast<int>(std::ceil(flown)));
+  Result<Done> thrown = ThrowTo(ground, height, of.value(), session->animation()->figure, &project);
+  if (!thrown.ok()) return thrown;
   return session->Edit(
       "Throw onto",
       [&](Project* changed) -> Result<Done> {
-        ClearFlight(of.value(), changed);
-        ThrowAim::Apply(of.value(), aimed.value().rates, *animation.figure, changed);
-        LetItLie(spot, down, of.value(), changed);
+        *changed = std::move(project);
         return Done();
       },
       p.text("drag"));

@@ -1,12 +1,8 @@
-// A throw that is to come down on a spot s, rising h above the point p where it is let go, leaves
-// with
-//   v_z = sqrt(2 g h),  T = (v_z + sqrt(2 g (h + p_z - s_z))) / g,  v_xy = (s - p)_xy / T.
-// The slowest one leaves at the angle with tan = (z + sqrt(z^2 + d^2)) / d, where d and z are how
-// far away and how much higher the spot is, and with v^2 = g (z + sqrt(z^2 + d^2)).
-//
-// What the hand does with start rates r is found by baking the motion up to the release. The rates
+// What the hand does with start rates r is found by baking the motion up to the release, with the
+// object in hand up to the region's end, so that one bake says it of every release. The rates
 // sought bring e(r), by how far the spot is missed, to zero: where the path comes down through the
-// spot's height less the spot, or, if a height is asked for, T (v(r) - v of that throw from p(r)).
+// spot's height less the spot, or, if a height is asked for, T (v(r) - v) with the time T and
+// velocity v of that throw from p(r).
 // There are more rates than that, of which the step dr = -W J' (J W J' + m I)^-1 e changes those
 // least that move the object least: W has the squared distances of the hinges from it. J is from
 // finite differences, m grows until e falls (Levenberg and Marquardt).
@@ -19,9 +15,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/bake/incremental_bake.h"
-#include "engine/collision/distance.h"
-#include "engine/project/compile.h"
+#include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held/held_objects.h"
 
@@ -32,114 +26,114 @@ namespace {
 constexpr double kNear = 0.005;                 // of a hit [m]
 constexpr double kMostRate = 2000.0 * kDegree;  // [rad/s]
 
-Error OutOfReach(double miss, int release) {
+Error OutOfReach(double miss, const AimedThrow& best) {
+  std::string message = "let go in frame " + std::to_string(best.release) + " it misses by " +
+                        std::to_string(std::lround(100.0 * miss)) + " cm at best";
+  if (best.limit_hits > 0) message += ", for " + best.at_limit + " is at its limit";
   return {ErrorCode::kSemantics, "", "x",
-          "let go in frame " + std::to_string(release) + " it misses by " +
-              std::to_string(std::lround(100.0 * miss)) +
-              " cm at best; choose a nearer spot, less friction, or a region of more frames or "
-              "joints"};
+          message +
+              "; choose another spot, another pose to throw from, or a region of more frames "
+              "or joints"};
 }
 
 Error NotInTime() {
   return {ErrorCode::kInterrupted, "", "x",
-          "no such throw was found in a few seconds; choose a nearer spot or a shorter region"};
+          "no such throw was found in a few seconds; choose another spot or a shorter region"};
 }
 
-// Until it comes down through a height, or, if it does not rise so high, until it is highest [s].
-double SecondsDown(const ThrowPath& path, double z, double gravity) {
-  const double up = path.velocity.z();
-  const double square = up * up + 2.0 * gravity * (path.from.z() - z);
-  return std::max(0.0, (up + std::sqrt(std::max(0.0, square))) / gravity);
-}
-
-// The first thing of the scene that is in the way; empty: nothing. Where it comes down does not
-// count.
-std::string InTheWay(const ThrowPath& path, double radius, const Animation& animation) {
-  constexpr double kStep = 0.01, kTouch = 0.01;  // [s, m]
-  const Vec3 g(0.0, 0.0, -animation.gravity);
-  const auto at = [&](double t) { return Vec3(path.from + t * path.velocity + 0.5 * t * t * g); };
-  const Vec3 spot = at(path.seconds);
-  for (double t = kStep; t < path.seconds; t += kStep) {
-    const Capsule swept = {at(t - kStep), at(t), radius};
-    for (const SceneObject& object : animation.scene) {
-      if (SignedDistance(swept, object.shape).value > -kTouch) continue;
-      if ((at(t) - spot).norm() > radius + 0.05) return object.name;
-    }
-  }
-  return "";
+// As `of`, and never let go of again by who throws it.
+Animation HeldOn(Animation animation, const ThrowCase& of) {
+  std::vector<Holder>& holders = animation.held_objects[static_cast<size_t>(of.object)].holders;
+  const auto thrower = std::find_if(holders.begin(), holders.end(), [&](const Holder& holder) {
+    return holder.last_frame == of.release;
+  });
+  if (thrower == holders.end()) return animation;
+  holders.erase(std::next(thrower), holders.end());
+  holders.back().last_frame.reset();
+  return animation;
 }
 
 }  // namespace
 
-double HeightOfSlowestThrow(const Vec3& from, const Vec3& spot, double gravity) {
-  const double d = (spot - from).head<2>().norm(), z = spot.z() - from.z();
-  const double up = z + std::hypot(z, d);  // d times the tangent of the angle
-  const double square = gravity * up, sine_square = up * up / (up * up + d * d + 1e-12);
-  return 0.5 * square * sine_square / gravity;
-}
-
-ThrowPath ThrowOver(const Vec3& from, const Vec3& spot, double height, double gravity) {
-  ThrowPath path;
-  path.from = from;
-  const double fall = std::max(0.0, height + from.z() - spot.z());
-  path.velocity.z() = std::sqrt(2.0 * gravity * height);
-  path.seconds = (path.velocity.z() + std::sqrt(2.0 * gravity * fall)) / gravity;
-  path.velocity.head<2>() = (spot - from).head<2>() / path.seconds;
-  return path;
-}
-
-ThrowAim::ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of,
+ThrowAim::ThrowAim(const Animation& animation, ThrowCase of,
                    std::chrono::steady_clock::time_point until)
-    : project_(std::move(project)),
-      figure_(std::move(figure)),
-      case_(std::move(of)),
-      until_(until) {
-  project_.frames.last = std::max(project_.frames.last, case_.release + 1);
+    : animation_(HeldOn(animation, of)), case_(std::move(of)), until_(until), bake_(animation_) {}
+
+Result<Done> ThrowAim::TakeStart() {
+  if (start_) return Done();
+  const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
+  if (const auto error = bake_.BakeTo(region.first_frame)) return *error;
+  const size_t first = static_cast<size_t>(region.first_frame - animation_.first_frame);
+  const MotionFrame& frame = bake_.motion().frames[first];
+  const Figure& figure = *animation_.figure;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, frame.X_WR, frame.q, &ws);
+  const int n = static_cast<int>(case_.hinges.size());
+  start_ = {VecX(n), VecX(n), VecX(n)};
+  ease_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const JointIndex hinge = case_.hinges[static_cast<size_t>(i)];
+    start_->q[i] = frame.after.q[hinge.value()];
+    start_->before[i] = frame.before.qd[hinge.value()];
+    start_->after[i] = frame.after.qd[hinge.value()];
+    const Vec3& object = frame.objects[static_cast<size_t>(case_.object)].X_WO.p;
+    ease_[i] = (ws.body(hinge).p - object).squaredNorm();
+  }
+  return Done();
 }
 
-void ThrowAim::Apply(const ThrowCase& of, const VecX& rates, const Figure& figure,
-                     Project* project) {
-  constexpr double kShown = 100.0;  // hundredths of a degree per second
-  ProjectHeldObject& object = project->held_objects[of.object];
-  (of.holder < 0 ? object.release_frame : object.holders[of.holder].last_frame) = of.release;
-  for (size_t i = 0; i < of.hinges.size(); ++i) {
-    ProjectKey key = of.keys[i];
-    key.rate = std::round(kShown * rates[i] / kDegree) / kShown + 0.0;
-    const Result<ProjectCurve*> curve =
-        CurveNamed(figure.joint(of.hinges[i]).name, figure, project);
-    if (curve.ok()) PutKey(key, curve.value());
+Result<ThrowStart> ThrowAim::Start() {
+  if (Result<Done> taken = TakeStart(); !taken.ok()) return taken.error();
+  return *start_;
+}
+
+// What comes before the region is as it was.
+void ThrowAim::Set(const VecX& rates) {
+  const int first = animation_.regions[static_cast<size_t>(case_.region)].first_frame;
+  for (size_t i = 0; i < case_.hinges.size(); ++i) {
+    const int at = static_cast<int>(i);
+    Keys& keys = animation_.joint_keys[static_cast<size_t>(case_.hinges[i].value())];
+    auto key = std::find_if(keys.begin(), keys.end(),
+                            [&](const Key& each) { return each.frame >= first; });
+    if (key == keys.end() || key->frame != first) {
+      key = keys.insert(key, Key());
+      key->frame = first;
+      key->value = start_->q[at];
+    }
+    if (!key->rate_in) key->rate_in = start_->before[at];
+    key->rate = rates[at];
   }
 }
 
 // Where it is, and how fast, as it is let go.
-Result<ThrowPath> ThrowAim::Let(const VecX& rates) {
+Result<ThrowPath> ThrowAim::Let(const VecX& rates, int release) {
   if (std::chrono::steady_clock::now() > until_) return NotInTime();
-  Apply(case_, rates, *figure_, &project_);
-  Result<Compiled> compiled = CompileAnimation(project_, nullptr, figure_);
-  if (!compiled.ok()) return compiled.error();
-  const Animation& animation = compiled.value().animation;
-  if (bake_) {
-    bake_->Update(animation);
-  } else {
-    bake_ = std::make_unique<IncrementalBake>(animation);
-  }
-  if (const auto error = bake_->BakeTo(case_.release + 1)) return *error;
-  const size_t i = static_cast<size_t>(case_.release - animation.first_frame);
-  const auto at = [&](size_t frame) {
-    return bake_->motion().frames[frame].objects[static_cast<size_t>(case_.object)].X_WO.p;
-  };
-  const double dt = animation.rate.SecondsAt(1);
-  ThrowPath path;
-  path.from = at(i);
-  path.velocity = (at(i + 1) - at(i)) / dt + 0.5 * dt * Vec3(0.0, 0.0, animation.gravity);
-  return path;
+  Set(rates);
+  bake_.Update(animation_);
+  if (const auto error = bake_.BakeTo(release)) return *error;
+  return PathFrom(release);
+}
+
+ThrowPath ThrowAim::PathFrom(int release) const {
+  const size_t i = static_cast<size_t>(release - animation_.first_frame);
+  const MotionFrame& frame = bake_.motion().frames[i];
+  const size_t object = static_cast<size_t>(case_.object);
+  const Holder& holder = animation_.held_objects[object].holders.back();
+  const Figure& figure = *animation_.figure;
+  const MotionLimit& at = frame.before;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, at.X_WR, at.q, &ws);
+  ComputeVelocities(figure, at.root_w, at.root_v, at.qd, &ws);
+  const BodyScratch& body = ws.body(figure.group(holder.joint).last());
+  const Vec3 arm = body.R * holder.offset;
+  return {body.p + arm, body.v + body.w.cross(arm), 0.0};
 }
 
 // By how far the spot is missed: with a height in three directions, without one in the plane of the
 // spot, whose height the path passes where it comes down, or comes nearest to from below.
 VecX ThrowAim::MissOf(const ThrowPath& path, const Vec3& spot,
                       const std::optional<double>& height) const {
-  const double g = project_.scene.gravity_m_s2;
+  const double g = animation_.gravity;
   if (height) {
     const ThrowPath wanted = ThrowOver(path.from, spot, *height, g);
     return wanted.seconds * (path.velocity - wanted.velocity);
@@ -148,12 +142,12 @@ VecX ThrowAim::MissOf(const ThrowPath& path, const Vec3& spot,
 }
 
 Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>& height,
-                                   VecX rates) {
+                                   int release, VecX rates) {
   constexpr int kMostSteps = 12, kMostTries = 5;
   constexpr double kDifference = 5.0 * kDegree;  // [rad/s]
   constexpr double kWorthwhile = 0.97;           // slower progress is none
   double damping = 1e-3;
-  Result<ThrowPath> path = Let(rates);
+  Result<ThrowPath> path = Let(rates, release);
   if (!path.ok()) return path.error();
   VecX e = MissOf(path.value(), spot, height);
   const auto n = rates.size(), m = e.size();
@@ -162,17 +156,17 @@ Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>
     for (int i = 0; i < n; ++i) {
       VecX other = rates;
       other[i] += kDifference;
-      const Result<ThrowPath> there = Let(other);
+      const Result<ThrowPath> there = Let(other, release);
       if (!there.ok()) return there.error();
       J.col(i) = (MissOf(there.value(), spot, height) - e) / kDifference;
     }
-    const MatX WJ = case_.ease.asDiagonal() * J.transpose(), square = J * WJ;
+    const MatX WJ = ease_.asDiagonal() * J.transpose(), square = J * WJ;
     const double before = e.norm();
     for (int i = 0; i < kMostTries; ++i, damping *= 6.0) {
       const MatX damped = square + (damping * square.trace() + 1e-12) * MatX::Identity(m, m);
       const VecX by = -WJ * damped.ldlt().solve(e);
       const VecX tried = (rates + by).cwiseMin(kMostRate).cwiseMax(-kMostRate);
-      const Result<ThrowPath> there = Let(tried);
+      const Result<ThrowPath> there = Let(tried, release);
       if (!there.ok()) continue;
       const VecX missed = MissOf(there.value(), spot, height);
       if (missed.norm() >= e.norm()) continue;
@@ -184,29 +178,51 @@ Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>
     }
     if (e.norm() > kWorthwhile * before) break;
   }
-  if (e.norm() > kNear) return OutOfReach(e.norm(), case_.release);
-  AimedThrow aimed = {rates, path.value()};
-  aimed.path.seconds = SecondsDown(aimed.path, spot.z(), project_.scene.gravity_m_s2);
+  AimedThrow aimed;
+  aimed.release = release;
+  aimed.rates = rates;
+  const Result<ThrowPath> again = Let(rates, release);  // for its limits
+  if (!again.ok()) return again.error();
+  aimed.path = again.value();
+  Judge(&aimed);
+  if (e.norm() > kNear) return OutOfReach(e.norm(), aimed);
+  aimed.path.seconds = SecondsDown(aimed.path, spot.z(), animation_.gravity);
   return aimed;
 }
 
-// Start 0: the rates there are. Others are farther and farther from them, and always the same.
-VecX ThrowAim::Start(int number) const {
+void ThrowAim::Judge(AimedThrow* aimed) const {
+  constexpr double kOfAHit = 0.5;  // [m/s]
+  const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
+  long most = 0;
+  for (const MotionEvent& event : bake_.motion().events) {
+    if (event.kind != EventKind::kLimit) continue;
+    if (event.frame <= region.first_frame || event.frame > aimed->release) continue;
+    aimed->limit_hits += event.count;
+    if (event.count <= most) continue;
+    most = event.count;
+    aimed->at_limit = event.joint;
+  }
+  const VecX change = (aimed->rates - start_->after).cwiseProduct(ease_.cwiseSqrt());
+  aimed->cost = change.norm() + aimed->path.velocity.norm() +
+                kOfAHit * static_cast<double>(aimed->limit_hits);
+}
+
+// 0: the rates there are. Others are farther and farther from them, and always the same.
+VecX ThrowAim::Rates(int number) const {
   constexpr double kSpread = 300.0 * kDegree;  // [rad/s]
   std::mt19937 random(static_cast<unsigned>(number));
-  VecX rates = case_.rates;
+  VecX rates = start_->after;
   for (double& rate : rates) rate += number * kSpread * (random() / 2147483648.0 - 1.0);
   return rates.cwiseMin(kMostRate).cwiseMax(-kMostRate);
 }
 
-Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height, int start) {
+// Let go in this frame, over what is in the way.
+Result<AimedThrow> ThrowAim::Over(const Vec3& spot, const std::optional<double>& height,
+                                  int release, const VecX& rates) {
   constexpr double kHigher = 0.2;  // [m]
   constexpr int kTries = 8;
-  Result<Compiled> compiled = CompileAnimation(project_, nullptr, figure_);
-  if (!compiled.ok()) return compiled.error();
-  const Animation& animation = compiled.value().animation;
-  const double radius = InnerRadius(animation.held_objects[static_cast<size_t>(case_.object)]);
-  const Result<ThrowPath> now = Let(case_.rates);
+  const double radius = InnerRadius(animation_.held_objects[static_cast<size_t>(case_.object)]);
+  const Result<ThrowPath> now = Let(rates, release);
   if (!now.ok()) return now.error();
   const Vec3 from = now.value().from;
   const double least = spot.z() - from.z();
@@ -214,24 +230,98 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height, 
     return Refusal("height", "the spot is " + std::to_string(std::lround(100.0 * least)) +
                                  " cm higher than the hand: let it rise higher");
   }
-  Result<AimedThrow> flat = Solve(spot, {}, Start(start));
+  Result<AimedThrow> flat = Solve(spot, {}, release, rates);
   if (!flat.ok()) return flat;
-  std::string in_the_way = InTheWay(flat.value().path, radius, animation);
+  std::string in_the_way = InTheWay(flat.value().path, radius, animation_);
   if (!height && in_the_way.empty()) return flat;
-  double high = height.value_or(HeightOfSlowestThrow(from, spot, animation.gravity));
+  double high = height.value_or(HeightOfSlowestThrow(from, spot, animation_.gravity));
   for (int i = 0; i < (height ? 1 : kTries); ++i, high += kHigher) {
     // Paths from here are tried first: most that something is in the way of need no solution.
-    const ThrowPath over = ThrowOver(from, spot, high, animation.gravity);
-    if (!height && !InTheWay(over, radius, animation).empty()) continue;
-    Result<AimedThrow> aimed = Solve(spot, high, flat.value().rates);
+    const ThrowPath over = ThrowOver(from, spot, high, animation_.gravity);
+    if (!height && !InTheWay(over, radius, animation_).empty()) continue;
+    Result<AimedThrow> aimed = Solve(spot, high, release, flat.value().rates);
     if (!aimed.ok() && height) return aimed;
     if (!aimed.ok()) continue;
-    in_the_way = InTheWay(aimed.value().path, radius, animation);
+    in_the_way = InTheWay(aimed.value().path, radius, animation_);
     if (in_the_way.empty()) return aimed;
   }
   return Refusal(height ? "height" : "x",
                  "\"" + in_the_way + "\" is in the way; " +
                      (height ? "let it rise higher" : "choose a spot that is open from above"));
+}
+
+// Frames of the region in which it could be let go, those that miss least first.
+Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& rates, bool given_first) {
+  const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
+  if (const auto path = Let(rates, region.last_frame); !path.ok()) return path.error();
+  std::vector<std::pair<double, int>> misses;
+  for (int frame = region.first_frame + 1; frame <= region.last_frame; ++frame) {
+    const bool is_given = given_first && frame == case_.release;
+    misses.emplace_back(is_given ? -1.0 : MissOf(PathFrom(frame), spot, {}).norm(), frame);
+  }
+  std::sort(misses.begin(), misses.end());
+  std::vector<int> frames;
+  for (const auto& [miss, frame] : misses) frames.push_back(frame);
+  return frames;
+}
+
+Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) {
+  constexpr int kStarts = 4, kMoreTries = 6;
+  if (Result<Done> taken = TakeStart(); !taken.ok()) return taken.error();
+  std::optional<Error> error;
+  std::optional<AimedThrow> best;
+  int more = kMoreTries;
+  for (int start = 0; start < kStarts; ++start) {
+    const Result<std::vector<int>> releases = Releases(spot, Rates(start), start == 0);
+    if (!releases.ok()) return error.value_or(releases.error());
+    for (const int release : releases.value()) {
+      Result<AimedThrow> aimed = Over(spot, height, release, Rates(start));
+      if (aimed.ok()) {
+        if (!best || aimed.value().cost < best->cost) best = aimed.value();
+        until_ = std::chrono::steady_clock::time_point::max();
+      } else if (aimed.error().code == ErrorCode::kInterrupted) {
+        return error.value_or(aimed.error());
+      } else if (const bool says_why = aimed.error().code == ErrorCode::kSchema;
+                 !error || (says_why && error->code != ErrorCode::kSchema)) {
+        error = aimed.error();
+      }
+      if (best && more-- == 0) return *best;
+    }
+  }
+  if (best) return *best;
+  return *error;
+}
+
+void PutThrow(const ThrowCase& of, const AimedThrow& aimed, const ThrowStart& start,
+              const Animation& animation, Project* project) {
+  constexpr double kShown = 100.0;  // hundredths of a degree per second
+  constexpr double kBent = 3.0;     // [deg]
+  EndOf(of.holder, &project->held_objects[static_cast<size_t>(of.object)]) = aimed.release;
+  const int first = project->regions[static_cast<size_t>(of.region)].first_frame;
+  const auto shown = [&](double rate) {
+    return std::round(kShown * rate / kDegree) / kShown + 0.0;
+  };
+  for (size_t i = 0; i < of.hinges.size(); ++i) {
+    const int at = static_cast<int>(i);
+    const Result<ProjectCurve*> curve =
+        CurveNamed(animation.figure->joint(of.hinges[i]).name, *animation.figure, project);
+    if (!curve.ok()) continue;
+    const std::vector<ProjectKey>& keys = curve.value()->keys;
+    ProjectKey key;
+    key.frame = first;
+    key.value = ShortestDegrees(start.q[at]);
+    if (const ProjectKey* there = KeyOn(first, *curve.value())) key = *there;
+    key.rate = shown(aimed.rates[at]);
+    // The last term of a cubic, T (s^3 - s^2) per rate, is 4/27 T at most.
+    const auto before = std::find_if(keys.rbegin(), keys.rend(),
+                                     [&](const ProjectKey& each) { return each.frame < first; });
+    const double seconds =
+        before == keys.rend() ? 0.0 : animation.rate.SecondsAt(first - before->frame);
+    const double arrives = shown(start.before[at]);
+    const bool bends = 4.0 / 27.0 * seconds * std::abs(*key.rate - arrives) > kBent;
+    if (bends && !of.has_backswing && !key.rate_in) key.rate_in = arrives;
+    PutKey(key, curve.value());
+  }
 }
 
 }  // namespace hazumi::edit

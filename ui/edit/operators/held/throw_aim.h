@@ -4,14 +4,15 @@
 // a spot. The equations are in throw_aim.cpp.
 
 #include <chrono>
-#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/bake/incremental_bake.h"
 #include "engine/base/result.h"
 #include "engine/project/project.h"
 #include "engine/timeline/animation.h"
+#include "ui/edit/operators/held/throw_path.h"
 
 namespace hazumi::edit {
 
@@ -21,53 +22,71 @@ struct ThrowCase {
   int holder = -1;  // of the object's later holders, who throws it; -1: who has it at first
   int release = 0;  // the frame in which it is let go
   int region = 0;   // of the project's, which moves what holds it
-  // Hinges of the region that carry the holder and whose start rates are free, and those rates now.
+  // Hinges of the region that carry the holder and whose start rates are free.
   std::vector<JointIndex> hinges;
-  VecX rates;  // [rad/s], by index of `hinges`
-  VecX ease;   // how readily each is changed: its squared distance from the object [m^2]
-  std::vector<ProjectKey> keys;  // of the hinges on the region's first frame, without these rates
-};
-
-struct ThrowPath {
-  Vec3 from = Vec3::Zero(), velocity = Vec3::Zero();  // as it is let go, world [m, m/s]
-  double seconds = 0.0;                               // to the spot
+  // The keys before the region are of the throw too: their curves follow its rates.
+  bool has_backswing = false;
 };
 
 struct AimedThrow {
-  VecX rates;  // [rad/s], by index of ThrowCase::hinges
+  int release = 0;  // the frame in which it is let go
+  VecX rates;       // of the region's start [rad/s], by index of ThrowCase::hinges
   ThrowPath path;
+  // Who hits a limit until then, and how often all do.
+  std::string at_limit;
+  long limit_hits = 0;
+  // Its speed, by how much the rates change that of the start, and half a metre per second for each
+  // hit of a limit [m/s].
+  double cost = 0.0;
 };
 
-// How high above where it is let go the slowest throw onto a spot rises [m].
-double HeightOfSlowestThrow(const Vec3& from, const Vec3& spot, double gravity);
-// The velocity of a throw that rises so high, and its time. It must rise above the spot.
-ThrowPath ThrowOver(const Vec3& from, const Vec3& spot, double height, double gravity);
+// The hinges on the region's first frame, by index of ThrowCase::hinges.
+struct ThrowStart {
+  VecX q;              // [rad]
+  VecX before, after;  // rates, as the keys arrive and as the region starts [rad/s]
+};
 
 class ThrowAim {
  public:
   // It gives up after `until`, and never finds another throw for it.
-  ThrowAim(Project project, std::shared_ptr<const Figure> figure, ThrowCase of,
-           std::chrono::steady_clock::time_point until);
+  ThrowAim(const Animation& animation, ThrowCase of, std::chrono::steady_clock::time_point until);
 
   // The centre of the object comes to `spot`, rising so high above the hand [m] or, not given, as
-  // the least change has it; higher where something of the scene is in the way. Searched for
-  // from start rates with this number, 0: from those there are. Errors: kSchema, with what is out
-  // of reach or in the way.
-  Result<AimedThrow> At(const Vec3& spot, std::optional<double> height, int start);
-  // The keys that let the region's joints go so fast, and the frame in which it is let go.
-  static void Apply(const ThrowCase& of, const VecX& rates, const Figure& figure, Project* project);
+  // the least change has it; higher where something of the scene is in the way. If need be it is
+  // let go in another frame of the region. Of the throws that are found the one of least cost is
+  // taken. Errors: kSchema, with what is in the way, or else by how much it misses if
+  // it is let go in the frame that was given; kInterrupted if there was no time.
+  Result<AimedThrow> At(const Vec3& spot, std::optional<double> height);
+
+  // Of the region; where it cannot be baked an error.
+  Result<ThrowStart> Start();
 
  private:
+  Result<Done> TakeStart();
+  void Set(const VecX& rates);
+  Result<ThrowPath> Let(const VecX& rates, int release);
+  ThrowPath PathFrom(int release) const;  // as it is baked
+  Result<std::vector<int>> Releases(const Vec3& spot, const VecX& rates, bool given_first);
   VecX MissOf(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height) const;
-  Result<AimedThrow> Solve(const Vec3& spot, const std::optional<double>& height, VecX rates);
-  VecX Start(int number) const;
-  Result<ThrowPath> Let(const VecX& rates);
+  Result<AimedThrow> Solve(const Vec3& spot, const std::optional<double>& height, int release,
+                           VecX rates);
+  Result<AimedThrow> Over(const Vec3& spot, const std::optional<double>& height, int release,
+                          const VecX& rates);
+  void Judge(AimedThrow* aimed) const;
+  VecX Rates(int number) const;
 
-  Project project_;
-  std::shared_ptr<const Figure> figure_;
+  Animation animation_;
   ThrowCase case_;
   std::chrono::steady_clock::time_point until_;
-  std::unique_ptr<IncrementalBake> bake_;
+  IncrementalBake bake_;
+  std::optional<ThrowStart> start_;
+  VecX ease_;  // how readily each rate is changed: its hinge's squared distance from the object
+               // [m^2]
 };
+
+// The frame in which it is let go, and the keys that let the region's joints go so fast. Keys
+// before them keep their curves, but for the last few degrees of one that arrives about as fast.
+void PutThrow(const ThrowCase& of, const AimedThrow& aimed, const ThrowStart& start,
+              const Animation& animation, Project* project);
 
 }  // namespace hazumi::edit

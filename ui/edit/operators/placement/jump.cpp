@@ -13,6 +13,7 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/keys/keyed_moves.h"
 #include "ui/edit/operators/placement/flight_plan.h"
 #include "ui/edit/operators/placement/jump_poses.h"
 #include "ui/edit/operators/placement/root_curves.h"
@@ -95,12 +96,9 @@ std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump() {
 }
 
 std::optional<Error> CheckFigure(const Figure& figure) {
-  for (const auto& [name, hinge] : HingesOfJump()) {
-    if (figure.FindJoint(name)) continue;
-    return Refusal("", "the figure has no hinge \"" + name +
-                           "\": a jump's poses are those of the human that comes with Hazumi");
-  }
-  return std::nullopt;
+  std::vector<std::string> names;
+  for (const auto& [name, hinge] : HingesOfJump()) names.push_back(name);
+  return CheckHinges(names, "jump", figure);
 }
 
 Stance StanceOf(JumpPhase phase, const Stance& start, const Figure& figure) {
@@ -150,7 +148,7 @@ Result<Done> SetTimes(const Animation& animation, double height, const Vec3& spo
                                  " cm higher than it takes off: let it jump higher");
   }
   const auto frames = [&](double seconds, int least) {
-    return std::max(least, static_cast<int>(std::lround(seconds * fps)));
+    return FramesOf(seconds, least, animation);
   };
   const double speed = std::sqrt(2.0 * g * height);
   const double up = speed / g, down = std::sqrt(2.0 * (height - rise) / g);
@@ -192,33 +190,20 @@ Result<JumpPlan> PlanJump(const Animation& animation, const MotionFrame& now, in
   return plan;
 }
 
-void Key(int frame, double value, std::optional<double> rate, ProjectCurve* curve) {
-  ProjectKey key;
-  key.frame = frame;
-  key.value = WithoutRoundOff(value);
-  if (rate) key.rate = WithoutRoundOff(*rate);
-  PutKey(key, curve);
-}
-
-void RemoveInside(int first, int last, ProjectCurve* curve) {
-  std::erase_if(curve->keys,
-                [&](const ProjectKey& key) { return key.frame >= first && key.frame <= last; });
-}
-
 // Where it pushes off the stretch is a parabola of the angle, which ends as fast as it goes.
 void KeyHinge(const JumpPlan& plan, int hinge, bool pushes_off, ProjectCurve* curve) {
   const auto angle = [&](const Stance& stance) { return stance.q[hinge] / kDegree; };
-  RemoveInside(plan.start, plan.end, curve);
-  Key(plan.start, angle(plan.standing), 0.0, curve);
+  RemoveKeysIn(plan.start, plan.end, curve);
+  KeyMove(plan.start, angle(plan.standing), 0.0, curve);
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
     std::optional<double> rate;
     const double now = angle(plan.stances[phase]);
     if (phase == kCrouch) rate = 0.0;
     if (phase == kTakeOff && pushes_off)
       rate = 2.0 * (now - angle(plan.stances[kCrouch])) / plan.stretch;
-    Key(plan.frames[phase], now, rate, curve);
+    KeyMove(plan.frames[phase], now, rate, curve);
   }
-  Key(plan.end, angle(plan.standing), 0.0, curve);
+  KeyMove(plan.end, angle(plan.standing), 0.0, curve);
 }
 
 void KeyRoot(const JumpPlan& plan, ProjectRoot* root) {
@@ -228,14 +213,14 @@ void KeyRoot(const JumpPlan& plan, ProjectRoot* root) {
     const auto value = [&](const Stance& stance, const Vec3& at) {
       return is_angle ? stance.angles[i - kRootAngleZ] : at[i];
     };
-    RemoveInside(plan.start, plan.end, &curve);
-    Key(plan.start, value(plan.standing, plan.root_before), 0.0, &curve);
+    RemoveKeysIn(plan.start, plan.end, &curve);
+    KeyMove(plan.start, value(plan.standing, plan.root_before), 0.0, &curve);
     for (int phase = 0; phase < kNumJumpPhases; ++phase) {
       const bool flies = phase == kStretched || phase == kApex;
       if (flies && !is_angle) continue;  // gravity says
-      Key(plan.frames[phase], value(plan.stances[phase], plan.roots[phase]), {}, &curve);
+      KeyMove(plan.frames[phase], value(plan.stances[phase], plan.roots[phase]), {}, &curve);
     }
-    Key(plan.end, value(plan.standing, plan.root_after), 0.0, &curve);
+    KeyMove(plan.end, value(plan.standing, plan.root_after), 0.0, &curve);
   }
 }
 
@@ -258,13 +243,7 @@ std::optional<Error> CheckFree(const JumpPlan& plan, const Project& project) {
                            std::to_string(span.last_frame) +
                            " are placed by a pin or by gravity already; jump after them");
   }
-  for (const ProjectRegion& region : project.regions) {
-    if (!is_in_way(region)) continue;
-    return Refusal("", "the region \"" + region.name + "\" moves joints in frames " +
-                           std::to_string(region.first_frame) + " to " +
-                           std::to_string(region.last_frame) + "; jump before or after it");
-  }
-  return std::nullopt;
+  return CheckFreeOfRegions(plan.start, plan.end, "jump before or after it", project);
 }
 
 Result<Done> KeyJump(const JumpPlan& plan, const Figure& figure, Project* project) {

@@ -1,0 +1,302 @@
+// A throw of what a hand holds, from how the figure stands onto a spot, as ordinary keys and a
+// dynamics region: the arm swings back, then forward as fast as the region starts, lets go in it,
+// swings on by itself and comes back to how it hung. The trunk turns to the spot and with the arm.
+//
+// An arm of length L, swung at w, gives the speed L w. It swings to the region's start in t at a
+// constant acceleration, over the angle w t / 2; what w is comes from the slowest throw,
+//   w = sqrt(g (z + sqrt(z^2 + d^2))) / L,
+// with the spot d away and z higher; ThrowTo finds it exactly.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/kinematics.h"
+#include "engine/project/compile.h"
+#include "ui/edit/operators/held/held_objects.h"
+#include "ui/edit/operators/held/holders.h"
+#include "ui/edit/operators/held/throw_poses.h"
+#include "ui/edit/operators/held/throws.h"
+#include "ui/edit/operators/keys/keyed_moves.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42,
+                 kHomeSeconds = 0.8;
+constexpr double kMostSwing = 900.0 * kDegree;  // [rad/s]
+
+// Which frame is what, and from where to where.
+struct ThrowPlan {
+  int object = 0;
+  HolderSpan holder;
+  std::string side;  // "r_" or "l_"
+  int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
+  double bearing = 0.0;     // of the spot, to the left of where the figure faces [rad]
+  double swing = 0.0;       // of the shoulder as the region starts [rad/s]
+  double forward = 0.0;     // from the backswing to the region's start [s]
+  bool moves_legs = false;  // nothing else places the figure then
+};
+
+struct NamedHinge {
+  std::string name;
+  const ThrowHinge* hinge;
+};
+
+std::vector<NamedHinge> HingesOfThrow(const std::string& side) {
+  const std::string other = side == "r_" ? "l_" : "r_";
+  std::vector<NamedHinge> all;
+  for (const ThrowHinge& hinge : kThrowHinges) {
+    const std::string name = hinge.name;
+    if (hinge.limb == ThrowLimb::kTrunk) all.push_back({name, &hinge});
+    if (hinge.limb == ThrowLimb::kShoulder) all.push_back({side + name, &hinge});
+    if (hinge.limb == ThrowLimb::kThrowingArm) all.push_back({side + name, &hinge});
+    if (hinge.limb == ThrowLimb::kOtherArm) all.push_back({other + name, &hinge});
+    if (hinge.limb != ThrowLimb::kLegs) continue;
+    for (const std::string& leg : {side, other}) all.push_back({leg + name, &hinge});
+  }
+  return all;
+}
+
+// Turned to the spot as far as its hinge goes; the head looks at it all the time.
+double AngleIn(ThrowPhase phase, const NamedHinge& of, const ThrowPlan& plan,
+               const Figure& figure) {
+  double angle = of.hinge->angles[phase];
+  if (of.hinge->is_mirrored) {
+    if (plan.side == "l_") angle = -angle;
+    const std::string name = of.hinge->name;
+    const double share = name == "waist_rotation" ? 0.35 : name == "chest_rotation" ? 0.65 : 0.0;
+    angle += share * plan.bearing / kDegree;
+  }
+  const Joint& joint = figure.joint(*figure.FindJoint(of.name));
+  return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
+}
+
+Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
+                             const ProjectFrames& frames) {
+  const std::vector<HolderSpan> spans = HoldersOf(object, frames);
+  const HolderSpan* holder = HolderAt(frame, spans);
+  if (!holder) {
+    return Refusal("object", "nobody has \"" + object.name + "\" in frame " +
+                                 std::to_string(frame) + ": go to a frame in which a hand has it");
+  }
+  const std::string& joint = holder->joint;
+  if (joint == "r_wrist" || joint == "l_wrist") return *holder;
+  return Refusal("object", "\"" + joint + "\" has \"" + object.name +
+                               "\" in this frame: a throw is made of what a hand has "
+                               "(r_wrist or l_wrist)");
+}
+
+// Of a spot, from where the figure faces, counter-clockwise from above [rad].
+double BearingOf(const Vec3& spot, const Vec3& from, const hazumi::Pose& X_WR) {
+  const Vec3 ahead = X_WR.R * Vec3::UnitX(), away = spot - from;
+  return std::remainder(std::atan2(away.y(), away.x()) - std::atan2(ahead.y(), ahead.x()),
+                        2.0 * EIGEN_PI);
+}
+
+bool StandsAllTheTime(const Project& project) {
+  const auto is_still = [](const ProjectCurve& curve) {
+    return std::all_of(curve.keys.begin(), curve.keys.end(), [&](const ProjectKey& key) {
+      return key.value == curve.keys.front().value && key.rate.value_or(0.0) == 0.0;
+    });
+  };
+  return project.placements.empty() && project.holds.empty() &&
+         std::all_of(project.root.curves.begin(), project.root.curves.end(), is_still);
+}
+
+// A figure that only stands is turned to a spot that is beside or behind it, in all frames.
+void TurnTo(const Vec3& spot, MotionFrame* now, Project* project) {
+  constexpr double kBeside = 35.0 * kDegree;
+  const double turn = BearingOf(spot, now->X_WR.p, now->X_WR);
+  if (std::abs(turn) < kBeside || !StandsAllTheTime(*project)) return;
+  const double degrees = std::round(turn / kDegree);
+  ProjectCurve& curve = project->root.curves[kRootAngleZ];
+  if (curve.keys.empty()) KeyMove(project->frames.first, 0.0, {}, &curve);
+  for (ProjectKey& key : curve.keys) key.value = WithoutRoundOff(key.value + degrees);
+  const Mat3 R = Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitZ()).toRotationMatrix();
+  now->X_WR.R = R * now->X_WR.R;
+  for (ObjectPose& object : now->objects) {
+    if (!object.is_held()) continue;
+    object.X_WO = {R * object.X_WO.R, now->X_WR.p + R * (object.X_WO.p - now->X_WR.p)};
+  }
+}
+
+bool MovesLegs(const ThrowPlan& plan, const Project& project) {
+  for (const ProjectPlacement& span : project.placements) {
+    if (span.first_frame < plan.end && span.last_frame > plan.start) return false;
+  }
+  for (const ProjectCurve& curve : project.root.curves) {
+    for (const ProjectKey& key : curve.keys) {
+      if (key.frame > plan.start && key.frame <= plan.end) return false;
+    }
+  }
+  return std::none_of(project.holds.begin(), project.holds.end(), [&](const ProjectHold& hold) {
+    return hold.first_frame < plan.end && hold.last_frame > plan.start;
+  });
+}
+
+void SetTimes(const Animation& animation, ThrowPlan* plan) {
+  plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
+  plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);
+  plan->forward = animation.rate.SecondsAt(plan->region_first - plan->back);
+  plan->region_last = plan->region_first + FramesOf(kFreeSeconds, 4, animation);
+  plan->end = plan->region_last + FramesOf(kHomeSeconds, 4, animation);
+}
+
+Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, const Vec3& spot,
+                            int object, const Project& project) {
+  constexpr double kWidest = 75.0 * kDegree;
+  ThrowPlan plan;
+  plan.object = object;
+  plan.start = now.frame;
+  const Result<HolderSpan> holder =
+      ThrowerOf(project.held_objects[object], now.frame, project.frames);
+  if (!holder.ok()) return holder.error();
+  plan.holder = holder.value();
+  plan.side = plan.holder.joint.substr(0, 2);
+  const Figure& figure = *animation.figure;
+  std::vector<std::string> names;
+  for (const NamedHinge& of : HingesOfThrow(plan.side)) names.push_back(of.name);
+  if (const auto error = CheckHinges(names, "throw", figure)) return *error;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, now.X_WR, now.q, &ws);
+  const Vec3 shoulder = ws.body(*figure.FindJoint(plan.side + "shoulder_flexion")).p;
+  const Vec3 away = spot - shoulder;
+  plan.bearing = BearingOf(spot, shoulder, now.X_WR);
+  if (std::abs(plan.bearing) > kWidest) {
+    return Refusal("x",
+                   "the spot is " + std::to_string(std::lround(std::abs(plan.bearing) / kDegree)) +
+                       " degrees to the side of where the figure faces; turn the figure to it");
+  }
+  const double arm = (now.objects[object].X_WO.p - shoulder).norm();
+  const double d = away.head<2>().norm(), z = away.z();
+  plan.swing = std::min(kMostSwing, std::sqrt(animation.gravity * (z + std::hypot(z, d))) / arm);
+  SetTimes(animation, &plan);
+  plan.moves_legs = MovesLegs(plan, project);
+  return plan;
+}
+
+void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, const Figure& figure,
+              ProjectCurve* curve) {
+  const auto angle = [&](ThrowPhase phase) { return AngleIn(phase, of, plan, figure); };
+  RemoveKeysIn(plan.start, plan.end, curve);
+  KeyMove(plan.start, standing, 0.0, curve);
+  KeyMove(plan.back, angle(kBackswing), 0.0, curve);
+  if (of.hinge->limb == ThrowLimb::kShoulder) {
+    const bool swings = std::string_view(of.hinge->name) == "shoulder_flexion";
+    const double rate = swings ? plan.swing / kDegree : 0.0;
+    KeyMove(plan.region_first, angle(kBackswing) + 0.5 * rate * plan.forward, rate, curve);
+  } else {
+    KeyMove((plan.region_first + plan.region_last) / 2, angle(kSwing), {}, curve);
+    KeyMove(plan.region_last, angle(kFollowThrough), {}, curve);
+  }
+  KeyMove(plan.end, standing, 0.0, curve);
+}
+
+ProjectRegion RegionOf(const ThrowPlan& plan, const Project& project) {
+  ProjectRegion region;
+  region.name = FreeName("throw", project.regions);
+  region.first_frame = plan.region_first;
+  region.last_frame = plan.region_last;
+  region.joints = {{plan.side + "shoulder", false, {}}};
+  region.limit_tangents = true;
+  return region;
+}
+
+Result<Done> KeyThrow(const ThrowPlan& plan, const MotionFrame& now, const Figure& figure,
+                      Project* project) {
+  if (const auto error =
+          CheckFreeOfRegions(plan.start, plan.end, "throw before or after it", *project)) {
+    return *error;
+  }
+  project->frames.last = std::max(project->frames.last, plan.end);
+  for (const NamedHinge& of : HingesOfThrow(plan.side)) {
+    if (of.hinge->limb == ThrowLimb::kLegs && !plan.moves_legs) continue;
+    const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
+    if (!curve.ok()) return curve.error();
+    const double standing = ShortestDegrees(now.q[figure.FindJoint(of.name)->value()]);
+    KeyHinge(plan, of, standing, figure, curve.value());
+  }
+  project->regions.push_back(RegionOf(plan, *project));
+  if (!plan.moves_legs) return Done();
+  ProjectPlacement pin;
+  pin.kind = PlacementKind::kPinned;
+  pin.pin = plan.side + "toe";
+  pin.first_frame = plan.start;
+  pin.last_frame = plan.end;
+  return PutPlacement(pin, true, &project->placements);
+}
+
+// When the arm has come so far that what it holds flies off at 45 degrees.
+int LikelyRelease(const ThrowPlan& plan, const Animation& animation) {
+  const double from = kShoulderBack * kDegree + 0.5 * plan.swing * plan.forward;
+  const int frames = FramesOf((45.0 * kDegree - from) / plan.swing, 1, animation);
+  return std::min(plan.region_first + frames, plan.region_last);
+}
+
+Result<Done> AddThrow(Session* session, const Parameters& p) {
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!now.ok()) return now.error();
+  const Animation& animation = *session->animation();
+  Project project = session->project();
+  const Result<ProjectHeldObject*> object =
+      EntryNamed(p.text("object"), "object", &project.held_objects);
+  if (!object.ok()) return object.error();
+  const int index = static_cast<int>(object.value() - project.held_objects.data());
+  const Vec3 spot(p.number("x"), p.number("y"), p.number("z"));
+  MotionFrame standing = *now.value();
+  TurnTo(spot, &standing, &project);
+  const Result<ThrowPlan> plan = PlanThrow(animation, standing, spot, index, project);
+  if (!plan.ok()) return plan.error();
+  if (Result<Done> keyed = KeyThrow(plan.value(), standing, *animation.figure, &project);
+      !keyed.ok()) {
+    return keyed;
+  }
+  ThrowCase of;
+  of.object = index;
+  of.holder = plan.value().holder.number;
+  of.has_backswing = true;
+  of.release = LikelyRelease(plan.value(), animation);
+  of.region = static_cast<int>(project.regions.size()) - 1;
+  EndOf(of.holder, object.value()) = of.release;
+  const Result<Compiled> compiled = CompileAnimation(project, nullptr, animation.figure);
+  if (!compiled.ok()) return compiled.error();
+  const Animation& keyed = compiled.value().animation;
+  of.hinges = FreeHinges(keyed.regions.back(),
+                         *animation.figure->FindGroup(plan.value().holder.joint), keyed);
+  std::optional<double> height;
+  if (p.has("height")) height = p.number("height");
+  if (Result<Done> thrown = ThrowTo(spot, height, of, animation.figure, &project); !thrown.ok()) {
+    return thrown;
+  }
+  return session->Edit(
+      "Add throw",
+      [&](Project* changed) -> Result<Done> {
+        *changed = std::move(project);
+        return Done();
+      },
+      p.text("drag"));
+}
+
+}  // namespace
+
+std::vector<Operator> MadeThrowOperators() {
+  return {{"throw.add",
+           "Add throw",
+           "Makes a throw of what a hand holds in the current frame onto a spot: the arm swings "
+           "back, a dynamics region lets it swing forward and let go. Not given how high: as "
+           "slowly as it gets there past what stands in between. A figure that only stands is "
+           "turned to the spot.",
+           {{"object", kText, true, "the held object's name", Thing::kHeldObject},
+            {"x", kNumber, true, "the spot, metres"},
+            {"y", kNumber, true, "the spot, metres"},
+            {"z", kNumber, false, "the spot, metres; not given: 0"},
+            {"height", kNumber, false, "how far it rises above the hand, metres"},
+            kDrag},
+           AddThrow}};
+}
+
+}  // namespace hazumi::edit

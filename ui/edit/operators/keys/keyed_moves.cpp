@@ -1,0 +1,46 @@
+#include "ui/edit/operators/keys/keyed_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi::edit {
+
+std::optional<Error> CheckHinges(const std::vector<std::string>& names, const std::string& whose,
+                                 const Figure& figure) {
+  for (const std::string& name : names) {
+    if (figure.FindJoint(name)) continue;
+    return Refusal("", "the figure has no hinge \"" + name + "\": a " + whose +
+                           "'s poses are those of the human that comes with Hazumi");
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& instead,
+                                        const Project& project) {
+  for (const ProjectRegion& region : project.regions) {
+    if (region.first_frame >= last || region.last_frame <= first) continue;
+    return Refusal("", "the region \"" + region.name + "\" moves joints in frames " +
+                           std::to_string(region.first_frame) + " to " +
+                           std::to_string(region.last_frame) + "; " + instead);
+  }
+  return std::nullopt;
+}
+
+void RemoveKeysIn(int first, int last, ProjectCurve* curve) {
+  std::erase_if(curve->keys,
+                [&](const ProjectKey& key) { return key.frame >= first && key.frame <= last; });
+}
+
+void KeyMove(int frame, double value, std::optional<double> rate, ProjectCurve* curve) {
+  ProjectKey key;
+  key.frame = frame;
+  key.value = WithoutRoundOff(value);
+  if (rate) key.rate = WithoutRoundOff(*rate);
+  PutKey(key, curve);
+}
+
+int FramesOf(double seconds, int least, const Animation& animation) {
+  return std::max(least, static_cast<int>(std::lround(animation.rate.FrameAt(seconds))));
+}
+
+}  // namespace hazumi::edit
