@@ -1,5 +1,5 @@
-"""What the tour tells: a throw, in three poses with a dynamics region between them, and a jump onto
-a box."""
+"""What the tour tells: a throw, in three poses with a dynamics region between them, a jump onto a
+box, and a throw over one that is made whole."""
 
 # Angles of the wind-up, of the throw and of the end [degrees], by frame. Within a pose the joints
 # farther out come first: what they turn is not in the way of those that are turned after them.
@@ -19,3 +19,5 @@ RELEASE = 18  # the frame in which the ball leaves the hand
 NAME = "Tour"
 BOX = {"name": "box", "x": 1.2, "y": 0, "z": 0.2, "size_x": 0.8, "size_y": 0.8, "size_z": 0.4}
 SPOT = (1.21, 0.0)  # where the toes land, on the box [m]
+WALL = {"name": "box", "x": 1.0, "y": 0.3, "z": 0.3, "size_x": 0.3, "size_y": 0.8, "size_z": 0.6}
+TARGET = (1.8, 0.34, 0.0)  # where the ball comes down, behind it [m]

@@ -6,7 +6,7 @@ import signal
 import sys
 import time
 
-from tour_story import (BOX, END, FIRST, LAST, NAME, POSES, REGION, RELEASE, SPOT,
+from tour_story import (BOX, END, FIRST, LAST, NAME, POSES, REGION, RELEASE, SPOT, TARGET, WALL,
                         WRIST_FRICTION)
 from window_user import User
 
@@ -25,6 +25,8 @@ AXES = {"flexion": "y", "abduction": "x", "rotation": "z"}
 ROWS = {"right arm": 655, "left arm": 685}  # of the dope sheet
 RULER = 516
 ON_BOX = (484, 366)  # what the middle of the box is seen at, from the front
+BEHIND_BOX = (800, 420)  # on the floor, as the view is at first
+CLOSE_FIRST_STEPS = (944, 305)
 
 
 def frame_x(frame):
@@ -203,20 +205,27 @@ class Tour:
         return self.user.leave()
 
 
-class JumpTour(Tour):
-    def box(self):
+class BoxTour(Tour):
+    """From an empty project with a box."""
+
+    def add(self, box):
         """Add box, its numbers typed."""
         user = self.user
         user.wait("an empty project", lambda: user.title() == "Untitled - Hazumi")
         self.command("Add box")
         user.looked("add-box")
         user.keys("ctrl+a")
-        user.type("\t".join(str(BOX[name]) for name in ("name", "x", "y", "z")))
+        user.type("\t".join(str(box[name]) for name in ("name", "x", "y", "z")))
         user.keys("Tab")
-        user.type("\t".join(str(BOX[name]) for name in ("size_x", "size_y", "size_z")))
+        user.type("\t".join(str(box[name]) for name in ("size_x", "size_y", "size_z")))
         user.looked("box-typed")
         user.keys("Return")
         user.did("object.add_box")
+
+
+class JumpTour(BoxTour):
+    def box(self):
+        self.add(BOX)
 
     def jump(self):
         """J, and the spot is pointed at."""
@@ -228,6 +237,28 @@ class JumpTour(Tour):
         user.did("jump.add")
         step = user.deeds("jump.add")[-1]
         assert (step["x"], step["y"]) == SPOT, step
+        self.save_as(self.project)
+
+
+class ThrowTour(BoxTour):
+    def box(self):
+        self.user.click(*CLOSE_FIRST_STEPS)
+        self.add(WALL)
+
+    def throw(self):
+        """A ball in the hand, T, and the spot is pointed at."""
+        user = self.user
+        self.choose("r_wrist")
+        self.command("Add ball")
+        user.keys("Return")
+        user.did("held.add_ball")
+        user.move(*BEHIND_BOX)
+        user.keys("t")
+        user.looked("aimed")
+        user.click(*BEHIND_BOX)
+        user.did("throw.add")
+        step = user.deeds("throw.add")[-1]
+        assert (step["x"], step["y"], step["z"]) == TARGET, step
         self.save_as(self.project)
 
 
@@ -269,10 +300,19 @@ def check_same(by_hand, told):
 
 def jump_by_hand(hazumi, out, told):
     """`told`: the jump that the tour without a window has saved."""
+    story_by_hand(hazumi, out, told, JumpTour, "jump", 13)
+
+
+def throw_by_hand(hazumi, out, told):
+    story_by_hand(hazumi, out, told, ThrowTour, "throw", 15)
+
+
+def story_by_hand(hazumi, out, told, kind, name, number):
     user = User(hazumi, out)
     try:
-        tour = JumpTour(user, out / "jump.kfa")
-        for name, step in [("13-box", tour.box), ("14-jump", tour.jump)]:
+        tour = kind(user, out / f"{name}.kfa")
+        deed = getattr(tour, name)
+        for name, step in [(f"{number}-box", tour.box), (f"{number + 1}-{name}", deed)]:
             try:
                 step()
             except AssertionError:
@@ -283,4 +323,4 @@ def jump_by_hand(hazumi, out, told):
     finally:
         user.close()
     check_same(tour.project, told)
-    print("tour: by hand the same jump")
+    print(f"tour: by hand the same {tour.project.stem}")

@@ -29,6 +29,10 @@ void PrintTrace(const ui::WindowTrace& trace) {
             "the latest by %.0f ms",
             trace.frames(), trace.passed_over(), trace.late_frames(), 1e3 * trace.latest());
   PrintLine(stdout, "events %d, of which %d changed the project", trace.events(), trace.changes());
+  if (trace.typed() > 0) {
+    PrintLine(stdout, "typing: %d events to picture: median %.1f ms, 99 of 100 within %.1f ms",
+              trace.typed(), 1e3 * trace.TypingTimeOf(0.5), 1e3 * trace.TypingTimeOf(0.99));
+  }
   if (trace.changes() == 0) return;
   PrintLine(stdout,
             "change to picture: median %.1f ms, 99 of 100 within %.1f ms; in %d the motion "

@@ -304,13 +304,14 @@ void MotionScene::AddFlights(size_t object, Scene* scene) const {
   end();
 }
 
-// What is below the start need not be below where it would touch, nor the other way round.
+// To where its keys say that it lies, too. What is below the start need not be below where it would touch, nor the other way round.
 std::optional<Vec3> MotionScene::LandingBetween(const Vec3& from, const Vec3& to,
                                                 double radius) const {
+  constexpr double kTouch = 1e-6;  // [m]
   std::optional<Vec3> landing;
   for (const Vec3& above : {from, Vec3(to.x(), to.y(), from.z())}) {
     const double floor = GroundHeight(above) + radius;
-    if (from.z() < floor || to.z() >= floor) continue;
+    if (from.z() < floor + kTouch || to.z() > floor + kTouch) continue;
     const Vec3 touch = from + (from.z() - floor) / (from.z() - to.z()) * (to - from);
     const bool is_there = GroundHeight({touch.x(), touch.y(), from.z()}) + radius == floor;
     if (is_there && (!landing || touch.z() > landing->z())) landing = touch;

@@ -11,6 +11,7 @@ class WindowTrace {
     double seconds;    // from what the user did to the finished picture
     bool has_changed;  // the project
     bool is_behind;    // the picture shows a motion from before, as the new one is still computed
+    bool is_typing = false;  // a text field has the keyboard
   };
   void AddEvent(const Event& event);
   int events() const { return events_; }
@@ -19,6 +20,9 @@ class WindowTrace {
   int behind() const { return behind_; }
   // What a share of the changes kept to, in (0, 1] [s]; 0 if there is none.
   double TimeOf(double share) const;
+  // Events while a text field has the keyboard, and what a share of them kept to.
+  int typed() const { return static_cast<int>(typed_.size()); }
+  double TypingTimeOf(double share) const;
 
   // Another frame of playback is shown.
   struct Frame {
@@ -34,7 +38,7 @@ class WindowTrace {
 
  private:
   int events_ = 0, behind_ = 0;
-  std::vector<double> changes_;  // [s]
+  std::vector<double> changes_, typed_;  // [s]
   int frames_ = 0, passed_over_ = 0, late_frames_ = 0;
   double latest_ = 0.0;
 };

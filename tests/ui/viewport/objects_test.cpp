@@ -206,6 +206,7 @@ TEST_F(Objects, TMakesAThrowOfWhatAHandHolds) {
   EXPECT_EQ(user.num_steps(), steps + 1);
   EXPECT_EQ(user.project().regions.size(), 1u);
   EXPECT_NE(user.editor().message.text.find("it comes down in frame"), std::string::npos);
+  EXPECT_FALSE(user.editor().viewport.aimed);
   const Result<const Motion*> motion = user.session().WholeMotion();
   ASSERT_TRUE(motion.ok());
   EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);

@@ -21,6 +21,14 @@ TEST(WindowTrace, TimesOnlyEventsThatChangeTheProject) {
   EXPECT_DOUBLE_EQ(trace.TimeOf(1.0), 0.100);
 }
 
+TEST(WindowTrace, TimesWhatIsTypedApart) {
+  WindowTrace trace;
+  for (int i = 1; i <= 100; ++i) trace.AddEvent({0.001 * i, false, false, i % 2 == 0});
+  EXPECT_EQ(trace.typed(), 50);
+  EXPECT_DOUBLE_EQ(trace.TypingTimeOf(0.5), 0.050);
+  EXPECT_EQ(trace.changes(), 0);
+}
+
 TEST(WindowTrace, HasNoTimeWithoutAChange) {
   WindowTrace trace;
   trace.AddEvent({0.1, false, false});

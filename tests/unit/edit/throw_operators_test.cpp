@@ -297,7 +297,8 @@ TEST(AddThrow, SaysWhatItRefuses) {
   Do(&session, "held.set", {{"object", "ball"}, {"joint", "r_wrist"}, {"release", 0}});
   EXPECT_EQ(
       refused(Vec3(2.0, 0.0, 0.0)),
-      "throw.add.object: nobody has \"ball\" in frame 0: go to a frame in which a hand has it");
+      "throw.add.object: nobody has \"ball\" in frame 0: select a wrist and pass it on, or go to a "
+      "frame in which a hand has it");
   Do(&session, "held.set", {{"object", "ball"}, {"never", true}});
   Do(&session, "region.add", {{"name", "leg"}, {"first", 2}, {"last", 14}, {"joints", {"r_knee"}}});
   EXPECT_EQ(

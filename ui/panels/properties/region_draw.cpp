@@ -95,7 +95,7 @@ void DrawFactor(Editor* editor, const ProjectRegion& region, const std::string& 
 
 // All joints, those with a factor of their own, and the one that is selected.
 void DrawFriction(Editor* editor, const ProjectRegion& region) {
-  if (!DrawHeading(Tr("Friction"))) return;
+  if (!DrawHeading(Tr("Friction: speed left"))) return;
   const ProjectFriction friction = region.friction;
   DrawFactor(editor, region, "", friction.default_factor);
   for (const auto& [joint, factor] : friction.joints) DrawFactor(editor, region, joint, factor);

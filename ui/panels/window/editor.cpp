@@ -197,6 +197,7 @@ void Editor::UpdateTool(const ToolInput& input) {
   std::unique_ptr<Tool> tool = std::move(tool_);
   const bool stays = tool->Update(this, input);
   if (stays && !tool_) tool_ = std::move(tool);
+  if (!tool_) viewport.aimed.reset();
 }
 
 }  // namespace hazumi::ui

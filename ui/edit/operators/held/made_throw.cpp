@@ -80,8 +80,10 @@ Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
   const std::vector<HolderSpan> spans = HoldersOf(object, frames);
   const HolderSpan* holder = HolderAt(frame, spans);
   if (!holder) {
-    return Refusal("object", "nobody has \"" + object.name + "\" in frame " +
-                                 std::to_string(frame) + ": go to a frame in which a hand has it");
+    return Refusal("object",
+                   "nobody has \"" + object.name + "\" in frame " + std::to_string(frame) +
+                       ": select a wrist and pass it on, or go to a frame in which a hand "
+                       "has it");
   }
   const std::string& joint = holder->joint;
   if (joint == "r_wrist" || joint == "l_wrist") return *holder;
