@@ -45,8 +45,10 @@ class InterfacePainter {
   unsigned AddTexture(const std::uint8_t* rgba, PictureSize size);
   void FreeTexture(unsigned texture);
 
-  // Fills the context's own framebuffer, which has this size.
-  void Draw(const std::vector<InterfaceLayer>& layers, PictureSize size, const SrgbColor& clear);
+  // Fills the context's own framebuffer, which has this size. Only what differs from what it drew
+  // last is drawn anew; `has_new_picture`: textures that are not its own show something else.
+  void Draw(const std::vector<InterfaceLayer>& layers, PictureSize size, const SrgbColor& clear,
+            bool has_new_picture);
   // Waits until everything is drawn.
   void Finish();
 

@@ -31,6 +31,7 @@ extern const char* const kFlatFragment;
 // Interfaces. a_0 pixels from the upper left corner, a_1 place in the texture, a_2 srgb colour.
 extern const char* const kInterfaceVertex;
 extern const char* const kInterfaceFragment;
+extern const char* const kInterfaceSolidFragment;
 extern const char* const kPictureVertex;
 extern const char* const kPictureFragment;
 

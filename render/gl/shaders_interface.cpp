@@ -24,4 +24,10 @@ out vec4 pixel;
 void main() { pixel = color * texture(picture, place); }
 )";
 
+const char* const kInterfaceSolidFragment = R"(
+in vec4 color;
+out vec4 pixel;
+void main() { pixel = color; }
+)";
+
 }  // namespace hazumi::render::shaders

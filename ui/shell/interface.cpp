@@ -174,7 +174,9 @@ void Interface::Paint(render::PictureSize size) {
   std::vector<render::InterfaceLayer> layers;
   layers.reserve(data.CmdListsCount);
   for (int i = 0; i < data.CmdListsCount; ++i) layers.push_back(LayerOf(*data.CmdLists[i]));
-  painter_->Draw(layers, size, editor_->theme().window);
+  const long pictures = editor_->viewport.pictures_drawn;
+  const bool has_new_picture = std::exchange(pictures_painted_, pictures) != pictures;
+  painter_->Draw(layers, size, editor_->theme().window, has_new_picture);
 }
 
 }  // namespace hazumi::ui

@@ -40,6 +40,7 @@ class Interface {
   std::unique_ptr<render::InterfacePainter> painter_;
   render::SceneTexture with_shadow_, without_shadow_;
   unsigned font_texture_ = 0;
+  long pictures_painted_ = -1;  // of the viewport, when it was painted last
   // What the style and the fonts were made for.
   bool is_styled_ = false, is_dark_ = false;
   double scale_ = 0.0;
