@@ -304,7 +304,8 @@ void MotionScene::AddFlights(size_t object, Scene* scene) const {
   end();
 }
 
-// To where its keys say that it lies, too. What is below the start need not be below where it would touch, nor the other way round.
+// To where its keys say that it lies, too. What is below the start need not be below where it would
+// touch, nor the other way round.
 std::optional<Vec3> MotionScene::LandingBetween(const Vec3& from, const Vec3& to,
                                                 double radius) const {
   constexpr double kTouch = 1e-6;  // [m]

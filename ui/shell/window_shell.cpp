@@ -162,7 +162,8 @@ class Loop {
     const bool is_baking = session.bake() != nullptr && session.bake()->is_busy();
     const bool has_changed = std::exchange(traced_document_, document) != document;
     if (event_time_ >= 0.0) {
-      options_.trace->AddEvent({now - event_time_, has_changed, is_baking, ImGui::GetIO().WantTextInput});
+      options_.trace->AddEvent(
+          {now - event_time_, has_changed, is_baking, ImGui::GetIO().WantTextInput});
     }
     TraceFrame(now);
   }

@@ -23,11 +23,9 @@ namespace hazumi::edit {
 
 namespace {
 
-using enum ParameterKind;
-
 constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42,
                  kHomeSeconds = 0.8;
-constexpr double kMostSwing = 900.0 * kDegree;  // [rad/s]
+constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  // [rad/s]
 
 // Which frame is what, and from where to where.
 struct ThrowPlan {
@@ -175,7 +173,8 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, 
   }
   const double arm = (now.objects[object].X_WO.p - shoulder).norm();
   const double d = away.head<2>().norm(), z = away.z();
-  plan.swing = std::min(kMostSwing, std::sqrt(animation.gravity * (z + std::hypot(z, d))) / arm);
+  const double speed = std::sqrt(animation.gravity * std::max(0.0, z + std::hypot(z, d)));
+  plan.swing = arm > 0.0 ? std::clamp(speed / arm, kLeastSwing, kMostSwing) : kLeastSwing;
   SetTimes(animation, &plan);
   plan.moves_legs = MovesLegs(plan, project);
   return plan;
@@ -248,10 +247,10 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
       EntryNamed(p.text("object"), "object", &project.held_objects);
   if (!object.ok()) return object.error();
   const int index = static_cast<int>(object.value() - project.held_objects.data());
-  const Vec3 spot(p.number("x"), p.number("y"), p.number("z"));
+  const ThrowTarget target = TargetOf(p);
   MotionFrame standing = *now.value();
-  TurnTo(spot, &standing, &project);
-  const Result<ThrowPlan> plan = PlanThrow(animation, standing, spot, index, project);
+  TurnTo(target.ground, &standing, &project);
+  const Result<ThrowPlan> plan = PlanThrow(animation, standing, target.ground, index, project);
   if (!plan.ok()) return plan.error();
   if (Result<Done> keyed = KeyThrow(plan.value(), standing, *animation.figure, &project);
       !keyed.ok()) {
@@ -269,36 +268,21 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
   const Animation& keyed = compiled.value().animation;
   of.hinges = FreeHinges(keyed.regions.back(),
                          *animation.figure->FindGroup(plan.value().holder.joint), keyed);
-  std::optional<double> height;
-  if (p.has("height")) height = p.number("height");
-  if (Result<Done> thrown = ThrowTo(spot, height, of, animation.figure, &project); !thrown.ok()) {
+  if (Result<Done> thrown = ThrowTo(target, of, animation.figure, &project); !thrown.ok()) {
     return thrown;
   }
-  return session->Edit(
-      "Add throw",
-      [&](Project* changed) -> Result<Done> {
-        *changed = std::move(project);
-        return Done();
-      },
-      p.text("drag"));
+  return PutThrown(session, "Add throw", std::move(project), p);
 }
 
 }  // namespace
 
 std::vector<Operator> MadeThrowOperators() {
-  return {{"throw.add",
-           "Add throw",
+  return {{"throw.add", "Add throw",
            "Makes a throw of what a hand holds in the current frame onto a spot: the arm swings "
            "back, a dynamics region lets it swing forward and let go. Not given how high: as "
            "slowly as it gets there past what stands in between. A figure that only stands is "
            "turned to the spot.",
-           {{"object", kText, true, "the held object's name", Thing::kHeldObject},
-            {"x", kNumber, true, "the spot, metres"},
-            {"y", kNumber, true, "the spot, metres"},
-            {"z", kNumber, false, "the spot, metres; not given: 0"},
-            {"height", kNumber, false, "how far it rises above the hand, metres"},
-            kDrag},
-           AddThrow}};
+           ThrowParameters(), AddThrow}};
 }
 
 }  // namespace hazumi::edit

@@ -107,7 +107,32 @@ Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& hei
 
 bool HasThrow(int object, Session* session) { return CaseOf(object, session).ok(); }
 
-Result<Done> ThrowTo(const Vec3& ground, std::optional<double> height, const ThrowCase& of,
+std::vector<ParameterInfo> ThrowParameters() {
+  return {{"object", kText, true, "the held object's name", Thing::kHeldObject},
+          {"x", kNumber, true, "the spot, metres"},
+          {"y", kNumber, true, "the spot, metres"},
+          {"z", kNumber, false, "the spot, metres; not given: 0"},
+          {"height", kNumber, false, "how far it rises above the hand, metres"},
+          kDrag};
+}
+
+ThrowTarget TargetOf(const Parameters& p) {
+  ThrowTarget target = {Vec3(p.number("x"), p.number("y"), p.number("z")), std::nullopt};
+  if (p.has("height")) target.height = p.number("height");
+  return target;
+}
+
+Result<Done> PutThrown(Session* session, const char* label, Project project, const Parameters& p) {
+  return session->Edit(
+      label,
+      [&](Project* changed) -> Result<Done> {
+        *changed = std::move(project);
+        return Done();
+      },
+      p.text("drag"));
+}
+
+Result<Done> ThrowTo(const ThrowTarget& target, const ThrowCase& of,
                      std::shared_ptr<const Figure> figure, Project* project) {
   constexpr double kSeenLying = 0.6;  // [s]
   const Result<Compiled> compiled = CompileAnimation(*project, nullptr, std::move(figure));
@@ -115,10 +140,10 @@ Result<Done> ThrowTo(const Vec3& ground, std::optional<double> height, const Thr
   const Animation& animation = compiled.value().animation;
   if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
   const double radius = InnerRadius(animation.held_objects[of.object]);
-  const Vec3 spot = ground + radius * Vec3::UnitZ();
+  const Vec3 spot = target.ground + radius * Vec3::UnitZ();
   ThrowAim aim(animation, of, After(8));
-  const Result<AimedThrow> aimed = aim.At(spot, height);
-  if (!aimed.ok()) return WithAdvice(aimed.error(), spot, height, of, animation);
+  const Result<AimedThrow> aimed = aim.At(spot, target.height);
+  if (!aimed.ok()) return WithAdvice(aimed.error(), spot, target.height, of, animation);
   const Result<ThrowStart> start = aim.Start();
   if (!start.ok()) return start.error();
   ClearFlight(of, project);
@@ -141,35 +166,19 @@ Result<Done> ThrowOnto(Session* session, const Parameters& p) {
   const int index = static_cast<int>(object.value() - project.held_objects.data());
   const Result<ThrowCase> of = CaseOf(index, session);
   if (!of.ok()) return of.error();
-  const Vec3 ground(p.number("x"), p.number("y"), p.number("z"));
-  std::optional<double> height;
-  if (p.has("height")) height = p.number("height");
-  Result<Done> thrown = ThrowTo(ground, height, of.value(), session->animation()->figure, &project);
+  Result<Done> thrown = ThrowTo(TargetOf(p), of.value(), session->animation()->figure, &project);
   if (!thrown.ok()) return thrown;
-  return session->Edit(
-      "Throw onto",
-      [&](Project* changed) -> Result<Done> {
-        *changed = std::move(project);
-        return Done();
-      },
-      p.text("drag"));
+  return PutThrown(session, "Throw onto", std::move(project), p);
 }
 
 }  // namespace
 
 std::vector<Operator> ThrowOperators() {
-  return {{"held.throw_onto",
-           "Throw onto",
+  return {{"held.throw_onto", "Throw onto",
            "Aims a throw: the dynamics region that moves the arm as it lets go starts as fast as "
            "it has to for the object to come down on a spot, where it lies then. Not given how "
            "high: as slowly as it gets there past what stands in between.",
-           {{"object", kText, true, "the held object's name", Thing::kHeldObject},
-            {"x", kNumber, true, "the spot, metres"},
-            {"y", kNumber, true, "the spot, metres"},
-            {"z", kNumber, false, "the spot, metres; not given: 0"},
-            {"height", kNumber, false, "how far it rises above the hand, metres"},
-            kDrag},
-           ThrowOnto}};
+           ThrowParameters(), ThrowOnto}};
 }
 
 }  // namespace hazumi::edit

@@ -10,6 +10,17 @@
 
 namespace hazumi::edit {
 
+// Where something is to come down [m], and how far it rises above the hand, if that is given [m].
+struct ThrowTarget {
+  Vec3 ground;
+  std::optional<double> height;
+};
+// Of the operators' parameters: "object", the target's, and a drag.
+std::vector<ParameterInfo> ThrowParameters();
+ThrowTarget TargetOf(const Parameters& p);
+// The project becomes this one, in one undo step.
+Result<Done> PutThrown(Session* session, const char* label, Project project, const Parameters& p);
+
 // Hinges from the holder to the root that the region moves and lets go by itself.
 std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex holder,
                                    const Animation& animation);
@@ -18,9 +29,8 @@ std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex hold
 bool HasThrow(int object, Session* session);
 
 // The region starts as fast as it has to, and what is thrown lies on the spot from when it comes
-// down: `ground` is where it touches, by default as high as it has to rise [m]. Errors: those of
-// ThrowAim, and what would help.
-Result<Done> ThrowTo(const Vec3& ground, std::optional<double> height, const ThrowCase& of,
+// down. Errors: those of ThrowAim, and what would help.
+Result<Done> ThrowTo(const ThrowTarget& target, const ThrowCase& of,
                      std::shared_ptr<const Figure> figure, Project* project);
 
 }  // namespace hazumi::edit
