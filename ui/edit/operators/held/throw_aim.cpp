@@ -261,6 +261,7 @@ Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& rates,
   }
   std::sort(misses.begin(), misses.end());
   std::vector<int> frames;
+  frames.reserve(misses.size());
   for (const auto& [miss, frame] : misses) frames.push_back(frame);
   return frames;
 }

@@ -7,12 +7,12 @@ namespace hazumi::edit {
 
 std::optional<Error> CheckHinges(const std::vector<std::string>& names, const std::string& whose,
                                  const Figure& figure) {
-  for (const std::string& name : names) {
-    if (figure.FindJoint(name)) continue;
-    return Refusal("", "the figure has no hinge \"" + name + "\": a " + whose +
-                           "'s poses are those of the human that comes with Hazumi");
-  }
-  return std::nullopt;
+  const auto missing = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    return !figure.FindJoint(name).has_value();
+  });
+  if (missing == names.end()) return std::nullopt;
+  return Refusal("", "the figure has no hinge \"" + *missing + "\": a " + whose +
+                         "'s poses are those of the human that comes with Hazumi");
 }
 
 std::optional<Error> CheckFreeOfRegions(int first, int last, const std::string& instead,
