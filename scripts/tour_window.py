@@ -312,13 +312,13 @@ def story_by_hand(hazumi, out, told, kind, name, number):
     try:
         tour = kind(user, out / f"{name}.kfa")
         deed = getattr(tour, name)
-        for name, step in [(f"{number}-box", tour.box), (f"{number + 1}-{name}", deed)]:
+        for picture, step in [(f"{number}-box", tour.box), (f"{number + 1}-{name}", deed)]:
             try:
                 step()
             except AssertionError:
                 user.looked("failed")
                 raise
-            user.looked(name)
+            user.looked(picture)
         tour.leave()
     finally:
         user.close()

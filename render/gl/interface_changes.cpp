@@ -5,27 +5,19 @@
 #include "render/gl/interface_changes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <functional>
+#include <span>
 
 namespace hazumi::render {
 
 namespace {
-
-constexpr PixelRect kNothing = {};
 
 PixelRect Both(const PixelRect& a, const PixelRect& b) {
   if (a.is_empty()) return b;
   if (b.is_empty()) return a;
   return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
           std::max(a.bottom, b.bottom)};
-}
-
-template <typename Items>
-bool AreSame(const Items& a, const auto& b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 PixelRect SeenThrough(const std::vector<InterfacePart>& parts) {
@@ -36,33 +28,28 @@ PixelRect SeenThrough(const std::vector<InterfacePart>& parts) {
   return all;
 }
 
-template <typename Vertices>
-PixelRect BoundsOf(const Vertices& vertices, const std::uint32_t (&corners)[3]) {
+using Vertices = std::span<const InterfaceVertex>;
+
+PixelRect BoundsOf(Vertices vertices, const std::array<std::uint32_t, 3>& corners) {
   const InterfaceVertex &a = vertices[corners[0]], &b = vertices[corners[1]],
                         &c = vertices[corners[2]];
   return PixelsOf(std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.x, b.x, c.x}),
                   std::max({a.y, b.y, c.y}));
 }
 
-bool AreSame(const InterfaceVertex& a, const InterfaceVertex& b) {
-  return a.x == b.x && a.y == b.y && a.u == b.u && a.v == b.v && a.rgba == b.rgba;
-}
-
-// Of the triangles that are not as they were, in layers of the same triangles.
-template <typename Before>
-PixelRect ChangedIn(const InterfacePart& part, const InterfaceLayer& layer, const Before& before,
+// Of the triangles that are not as they were, or of all, in a layer of the same triangles.
+PixelRect ChangedIn(const InterfacePart& part, const InterfaceLayer& layer, Vertices before,
                     bool all) {
   PixelRect changed;
   for (std::uint32_t i = part.first_index; i + 3 <= part.first_index + part.num_indices; i += 3) {
-    std::uint32_t corners[3];
+    std::array<std::uint32_t, 3> corners;
     bool is_same = !all;
-    for (int k = 0; k < 3; ++k) {
-      corners[k] = part.first_vertex + layer.indices[i + static_cast<std::uint32_t>(k)];
-      is_same = is_same && AreSame(layer.vertices[corners[k]], before.vertices[corners[k]]);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      corners[k] = part.first_vertex + layer.indices[i + k];
+      is_same = is_same && layer.vertices[corners[k]] == before[corners[k]];
     }
     if (is_same) continue;
-    changed =
-        Both(changed, Both(BoundsOf(layer.vertices, corners), BoundsOf(before.vertices, corners)));
+    changed = Both(changed, Both(BoundsOf(layer.vertices, corners), BoundsOf(before, corners)));
   }
   return Common(changed, PixelsOf(part.left, part.top, part.right, part.bottom));
 }
@@ -86,12 +73,17 @@ std::vector<PixelRect> Merged(std::vector<PixelRect> rects) {
 PixelRect Common(const PixelRect& a, const PixelRect& b) {
   const PixelRect common = {std::max(a.left, b.left), std::max(a.top, b.top),
                             std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
-  return common.is_empty() ? kNothing : common;
+  return common.is_empty() ? PixelRect() : common;
 }
 
 PixelRect PixelsOf(float left, float top, float right, float bottom) {
-  return {static_cast<int>(std::floor(left)), static_cast<int>(std::floor(top)),
-          static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom))};
+  // Of what is far outside, or nowhere, no whole number could tell where it is.
+  constexpr float kFar = 1e6f;
+  const auto pixel = [](float place) {
+    return static_cast<int>(std::fmin(std::fmax(place, -kFar), kFar));
+  };
+  return {pixel(std::floor(left)), pixel(std::floor(top)), pixel(std::ceil(right)),
+          pixel(std::ceil(bottom))};
 }
 
 std::vector<PixelRect> InterfaceChanges::Since(const std::vector<InterfaceLayer>& layers,
@@ -107,25 +99,32 @@ std::vector<PixelRect> InterfaceChanges::Since(const std::vector<InterfaceLayer>
     const Kept& before = (*layers_)[i];
     PixelRect rect;
     if (layer.vertices.size() != before.vertices.size() ||
-        !AreSame(before.indices, layer.indices) || !AreSame(before.parts, layer.parts)) {
+        !std::ranges::equal(before.indices, layer.indices) || before.parts != layer.parts) {
       rect = Both(SeenThrough(layer.parts), SeenThrough(before.parts));
     } else {
       for (const InterfacePart& part : layer.parts) {
         const bool all = has_new_picture && !is_own(part.texture);
-        rect = Both(rect, ChangedIn(part, layer, before, all));
+        rect = Both(rect, ChangedIn(part, layer, before.vertices, all));
       }
     }
     rect = Common(rect, whole);
     if (!rect.is_empty()) changed.push_back(rect);
   }
-  layers_.emplace();
-  for (const InterfaceLayer& layer : layers) {
-    layers_->push_back({{layer.vertices.begin(), layer.vertices.end()},
-                        {layer.indices.begin(), layer.indices.end()},
-                        layer.parts});
-  }
+  Keep(layers);
   size_ = size;
   return Merged(std::move(changed));
+}
+
+void InterfaceChanges::Keep(const std::vector<InterfaceLayer>& layers) {
+  if (!layers_) layers_.emplace();
+  layers_->resize(layers.size());
+  for (size_t i = 0; i < layers.size(); ++i) {
+    const InterfaceLayer& layer = layers[i];
+    Kept& kept = (*layers_)[i];
+    kept.vertices.assign(layer.vertices.begin(), layer.vertices.end());
+    kept.indices.assign(layer.indices.begin(), layer.indices.end());
+    kept.parts = layer.parts;
+  }
 }
 
 }  // namespace hazumi::render

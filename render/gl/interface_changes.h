@@ -35,6 +35,8 @@ class InterfaceChanges {
     std::vector<std::uint16_t> indices;
     std::vector<InterfacePart> parts;
   };
+  void Keep(const std::vector<InterfaceLayer>& layers);
+
   std::optional<std::vector<Kept>> layers_;
   PictureSize size_;
 };

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "render/gl/gl_name.h"
+#include "render/gl/drawn_texture.h"
 #include "render/gl/interface_changes.h"
 #include "render/gl/shader_program.h"
 #include "render/gl/shaders.h"
@@ -50,8 +50,7 @@ struct InterfacePainter::State {
         array(gl),
         vertices(gl),
         indices(gl),
-        kept(gl),
-        framebuffer(gl) {
+        kept(gl) {
     gl.BindVertexArray(array.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
@@ -60,15 +59,18 @@ struct InterfacePainter::State {
     AddAttribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(InterfaceVertex, rgba));
   }
 
-  void AddAttribute(GLuint index, int components, GLenum type, GLboolean normalized,
+  void AddAttribute(GLuint index, int size, GLenum type, GLboolean normalized,
                     std::uintptr_t offset) const {
     gl.EnableVertexAttribArray(index);
-    gl.VertexAttribPointer(index, components, type, normalized, sizeof(InterfaceVertex),
+    gl.VertexAttribPointer(index, size, type, normalized, sizeof(InterfaceVertex),
                            reinterpret_cast<const void*>(offset));
   }
 
   void Begin(PictureSize size, const SrgbColor& clear);
-  void Resize(PictureSize wanted);
+  void SeeThrough(const PixelRect& rect) const {
+    gl.Scissor(rect.left, kept.size().height - rect.bottom, rect.right - rect.left,
+               rect.bottom - rect.top);
+  }
   void DrawLayer(const InterfaceLayer& layer, const PixelRect& within) const;
   void DrawPart(const InterfaceLayer& layer, const InterfacePart& part) const;
   void DrawTriangles(const InterfacePart& part, unsigned first, unsigned end, Fill fill) const;
@@ -78,9 +80,7 @@ struct InterfacePainter::State {
   ShaderProgram program, solid;
   GlVertexArray array;
   GlBuffer vertices, indices;
-  GlTexture kept;  // what was drawn last, as buffers of a window are not kept
-  GlFramebuffer framebuffer;
-  PictureSize size;
+  DrawnTexture kept;  // what was drawn last, as buffers of a window are not kept
   SrgbColor background;
   InterfaceChanges changes;
   std::map<unsigned, GlTexture> textures;  // by id
@@ -118,21 +118,8 @@ void InterfacePainter::FreeTexture(unsigned texture) {
   state_->changes.Forget();
 }
 
-void InterfacePainter::State::Resize(PictureSize wanted) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  if (size.width == wanted.width && size.height == wanted.height) return;
-  size = wanted;
-  gl.BindTexture(GL_TEXTURE_2D, kept.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                nullptr);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  }
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, kept.id(), 0);
-}
-
-void InterfacePainter::State::Begin(PictureSize wanted, const SrgbColor& clear) {
-  Resize(wanted);
+void InterfacePainter::State::Begin(PictureSize size, const SrgbColor& clear) {
+  (void)kept.Begin(gl, size);
   gl.Viewport(0, 0, size.width, size.height);
   gl.ClearColor(clear.r, clear.g, clear.b, 1.0f);
   gl.Disable(GL_CULL_FACE);
@@ -149,16 +136,20 @@ void InterfacePainter::State::Begin(PictureSize wanted, const SrgbColor& clear) 
 
 void InterfacePainter::State::DrawLayer(const InterfaceLayer& layer,
                                         const PixelRect& within) const {
+  const auto seen_of = [&](const InterfacePart& part) {
+    return Common(within, PixelsOf(part.left, part.top, part.right, part.bottom));
+  };
+  const auto is_seen = [&](const InterfacePart& part) { return !seen_of(part).is_empty(); };
+  if (std::none_of(layer.parts.begin(), layer.parts.end(), is_seen)) return;
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(layer.vertices.size_bytes()),
                 layer.vertices.data(), GL_STREAM_DRAW);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(layer.indices.size_bytes()),
                 layer.indices.data(), GL_STREAM_DRAW);
   for (const InterfacePart& part : layer.parts) {
-    const PixelRect seen = Common(within, PixelsOf(part.left, part.top, part.right, part.bottom));
+    const PixelRect seen = seen_of(part);
     if (seen.is_empty()) continue;
-    gl.Scissor(seen.left, size.height - seen.bottom, seen.right - seen.left,
-               seen.bottom - seen.top);
+    SeeThrough(seen);
     gl.BindTexture(GL_TEXTURE_2D, part.texture);
     DrawPart(layer, part);
   }
@@ -200,7 +191,8 @@ void InterfacePainter::State::End() const {
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_BLEND);
   gl.Enable(GL_CULL_FACE);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.id());
+  const PictureSize size = kept.size();
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, kept.framebuffer());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   gl.BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height,
                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -215,8 +207,7 @@ void InterfacePainter::Draw(const std::vector<InterfaceLayer>& layers, PictureSi
   state.Begin(size, clear);
   const auto is_own = [&](unsigned texture) { return state.textures.contains(texture); };
   for (const PixelRect& rect : state.changes.Since(layers, size, has_new_picture, is_own)) {
-    state.gl.Scissor(rect.left, size.height - rect.bottom, rect.right - rect.left,
-                     rect.bottom - rect.top);
+    state.SeeThrough(rect);
     state.gl.Clear(GL_COLOR_BUFFER_BIT);
     for (const InterfaceLayer& layer : layers) state.DrawLayer(layer, rect);
   }

@@ -15,6 +15,7 @@ namespace hazumi::render {
 struct InterfaceVertex {
   float x, y, u, v;
   std::uint32_t rgba;
+  bool operator==(const InterfaceVertex&) const = default;
 };
 
 // Triangles of one texture, seen through a rectangle [px].
@@ -22,6 +23,7 @@ struct InterfacePart {
   float left, top, right, bottom;
   unsigned texture;
   std::uint32_t first_index, num_indices, first_vertex;
+  bool operator==(const InterfacePart&) const = default;
 };
 
 // Parts in drawing order, with the vertices that their indices count.

@@ -2,25 +2,16 @@
 
 #include <utility>
 
-#include "render/gl/gl_name.h"
+#include "render/gl/drawn_texture.h"
 
 namespace hazumi::render {
 
 struct SceneTexture::State {
   State(const GlFunctions& functions, Renderer drawer)
-      : gl(functions), renderer(std::move(drawer)), texture(gl), depth(gl), framebuffer(gl) {}
+      : gl(functions), renderer(std::move(drawer)), picture(gl), depth(gl) {}
 
-  void Resize(PictureSize wanted) {
-    if (size.width == wanted.width && size.height == wanted.height) return;
-    size = wanted;
-    gl.BindTexture(GL_TEXTURE_2D, texture.id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                  nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-      gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    }
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+  void Resize(PictureSize size) {
+    if (!picture.Begin(gl, size)) return;
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth.id());
     gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.width,
                                       size.height);
@@ -29,10 +20,8 @@ struct SceneTexture::State {
 
   GlFunctions gl;
   Renderer renderer;
-  GlTexture texture;
+  DrawnTexture picture;
   GlRenderbuffer depth;
-  GlFramebuffer framebuffer;
-  PictureSize size;
 };
 
 SceneTexture::SceneTexture(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -50,9 +39,9 @@ Result<SceneTexture> SceneTexture::Create(GlProcLoader loader, const RendererOpt
 
 Result<unsigned> SceneTexture::Draw(const Scene& scene, PictureSize size) {
   state_->Resize(size);
-  const Result<Done> drawn = state_->renderer.Draw(scene, size, state_->framebuffer.id());
+  const Result<Done> drawn = state_->renderer.Draw(scene, size, state_->picture.framebuffer());
   if (!drawn.ok()) return drawn.error();
-  return state_->texture.id();
+  return state_->picture.texture();
 }
 
 }  // namespace hazumi::render

@@ -19,11 +19,11 @@ using render::PixelRect;
 // A square of 10 px at each place, seen through all of 100 x 100 px.
 class Squares {
  public:
-  explicit Squares(const std::vector<std::pair<float, float>>& places, unsigned texture = 1) {
+  explicit Squares(const std::vector<std::pair<float, float>>& places, unsigned texture = 1,
+                   float edge = 10.0f) {
     for (const auto& [x, y] : places) {
       const auto first = static_cast<std::uint16_t>(vertices_.size());
-      for (const auto& [u, v] :
-           {std::pair(0.0f, 0.0f), {10.0f, 0.0f}, {10.0f, 10.0f}, {0.0f, 10.0f}}) {
+      for (const auto& [u, v] : {std::pair(0.0f, 0.0f), {edge, 0.0f}, {edge, edge}, {0.0f, edge}}) {
         vertices_.push_back({x + u, y + v, 0.0f, 0.0f, 0xffffffff});
       }
       for (const int i : {0, 1, 2, 0, 2, 3}) {
@@ -55,6 +55,14 @@ TEST(InterfaceChanges, AreWhereATriangleIsAndWhereItWas) {
   EXPECT_EQ(Since({before.layer()}, &changes), (std::vector<PixelRect>{{0, 0, 100, 100}}));
   EXPECT_TRUE(Since({before.layer()}, &changes).empty());
   EXPECT_EQ(Since({after.layer()}, &changes), (std::vector<PixelRect>{{50, 65, 80, 80}}));
+}
+
+// A line may lead to a point behind the viewer, which is anywhere.
+TEST(InterfaceChanges, OfWhatIsFarOutsideAreWithinTheWindow) {
+  InterfaceChanges changes;
+  const Squares near({{10.0f, 10.0f}}), far({{10.0f, 10.0f}}, 1, 1e13f);
+  (void)Since({near.layer()}, &changes);
+  EXPECT_EQ(Since({far.layer()}, &changes), (std::vector<PixelRect>{{10, 10, 100, 100}}));
 }
 
 TEST(InterfaceChanges, OfOtherTrianglesAreAllThatIsSeenOfThem) {

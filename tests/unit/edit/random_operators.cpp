@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <map>
 
+#include "tests/unit/edit/held_by_hands.h"
 #include "tests/unit/edit/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/holders.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::test {
@@ -263,14 +263,6 @@ void KeepToItem(const std::vector<T>& list, const std::vector<ParameterInfo>& in
   }
 }
 
-std::vector<ProjectHeldObject> PassedOn(const Session& session) {
-  std::vector<ProjectHeldObject> passed;
-  for (const ProjectHeldObject& object : session.project().held_objects) {
-    if (!object.holders.empty()) passed.push_back(object);
-  }
-  return passed;
-}
-
 // A later holder that there is, and frames near those it has.
 void KeepToHolder(const Session& session, Random* random, Json* parameters) {
   const std::vector<ProjectHeldObject> passed = PassedOn(session);
@@ -282,35 +274,6 @@ void KeepToHolder(const Session& session, Random* random, Json* parameters) {
   const int first = object.holders[number].first_frame;
   if (parameters->contains("first")) (*parameters)["first"] = first + random->Integer(0, 1);
   if (parameters->contains("release")) (*parameters)["release"] = first + random->Integer(2, 4);
-}
-
-// What is let go of while there is a region that may move the arm.
-std::vector<ProjectHeldObject> Thrown(const Session& session) {
-  const std::vector<ProjectRegion>& regions = session.project().regions;
-  std::vector<ProjectHeldObject> thrown;
-  for (const ProjectHeldObject& object : session.project().held_objects) {
-    const bool is_in_one =
-        std::any_of(regions.begin(), regions.end(), [&](const ProjectRegion& region) {
-          return object.release_frame > region.first_frame &&
-                 object.release_frame <= region.last_frame;
-        });
-    if (is_in_one) thrown.push_back(object);
-  }
-  return thrown;
-}
-
-// What a hand has in the current frame, with no region in the way of a throw.
-static std::vector<ProjectHeldObject> InAHand(const Session& session) {
-  const Project& project = session.project();
-  const int now = static_cast<int>(std::lround(session.frame()));
-  std::vector<ProjectHeldObject> held;
-  for (const ProjectHeldObject& object : project.held_objects) {
-    const std::vector<edit::HolderSpan> spans = edit::HoldersOf(object, project.frames);
-    const edit::HolderSpan* holder = edit::HolderAt(now, spans);
-    const bool is_hand = holder && (holder->joint == "r_wrist" || holder->joint == "l_wrist");
-    if (is_hand && project.regions.empty()) held.push_back(object);
-  }
-  return held;
 }
 
 // As many as there are curves.

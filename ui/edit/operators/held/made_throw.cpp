@@ -12,7 +12,6 @@
 #include <cmath>
 
 #include "engine/dynamics/kinematics.h"
-#include "engine/project/compile.h"
 #include "ui/edit/operators/held/held_objects.h"
 #include "ui/edit/operators/held/holders.h"
 #include "ui/edit/operators/held/throw_poses.h"
@@ -29,7 +28,6 @@ constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  //
 
 // Which frame is what, and from where to where.
 struct ThrowPlan {
-  int object = 0;
   HolderSpan holder;
   std::string side;  // "r_" or "l_"
   int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
@@ -50,8 +48,8 @@ std::vector<NamedHinge> HingesOfThrow(const std::string& side) {
   for (const ThrowHinge& hinge : kThrowHinges) {
     const std::string name = hinge.name;
     if (hinge.limb == ThrowLimb::kTrunk) all.push_back({name, &hinge});
-    if (hinge.limb == ThrowLimb::kShoulder) all.push_back({side + name, &hinge});
-    if (hinge.limb == ThrowLimb::kThrowingArm) all.push_back({side + name, &hinge});
+    const bool throws = hinge.limb == ThrowLimb::kShoulder || hinge.limb == ThrowLimb::kThrowingArm;
+    if (throws) all.push_back({side + name, &hinge});
     if (hinge.limb == ThrowLimb::kOtherArm) all.push_back({other + name, &hinge});
     if (hinge.limb != ThrowLimb::kLegs) continue;
     for (const std::string& leg : {side, other}) all.push_back({leg + name, &hinge});
@@ -59,16 +57,12 @@ std::vector<NamedHinge> HingesOfThrow(const std::string& side) {
   return all;
 }
 
-// Turned to the spot as far as its hinge goes; the head looks at it all the time.
+// The trunk is turned to the spot as far as its hinges go.
 double AngleIn(ThrowPhase phase, const NamedHinge& of, const ThrowPlan& plan,
                const Figure& figure) {
   double angle = of.hinge->angles[phase];
-  if (of.hinge->is_mirrored) {
-    if (plan.side == "l_") angle = -angle;
-    const std::string name = of.hinge->name;
-    const double share = name == "waist_rotation" ? 0.35 : name == "chest_rotation" ? 0.65 : 0.0;
-    angle += share * plan.bearing / kDegree;
-  }
+  if (of.hinge->is_mirrored && plan.side == "l_") angle = -angle;
+  angle += of.hinge->turns * plan.bearing / kDegree;
   const Joint& joint = figure.joint(*figure.FindJoint(of.name));
   return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
 }
@@ -150,7 +144,6 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, 
                             int object, const Project& project) {
   constexpr double kWidest = 75.0 * kDegree;
   ThrowPlan plan;
-  plan.object = object;
   plan.start = now.frame;
   const Result<HolderSpan> holder =
       ThrowerOf(project.held_objects[object], now.frame, project.frames);
@@ -263,11 +256,6 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
   of.release = LikelyRelease(plan.value(), animation);
   of.region = static_cast<int>(project.regions.size()) - 1;
   EndOf(of.holder, object.value()) = of.release;
-  const Result<Compiled> compiled = CompileAnimation(project, nullptr, animation.figure);
-  if (!compiled.ok()) return compiled.error();
-  const Animation& keyed = compiled.value().animation;
-  of.hinges = FreeHinges(keyed.regions.back(),
-                         *animation.figure->FindGroup(plan.value().holder.joint), keyed);
   if (Result<Done> thrown = ThrowTo(target, of, animation.figure, &project); !thrown.ok()) {
     return thrown;
   }

@@ -14,6 +14,11 @@
 
 namespace hazumi::edit {
 
+namespace {
+
+using enum ParameterKind;
+
+// Hinges from the holder to the root that the region moves and lets go by itself.
 std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex holder,
                                    const Animation& animation) {
   std::vector<JointIndex> hinges;
@@ -25,10 +30,6 @@ std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex hold
   std::reverse(hinges.begin(), hinges.end());
   return hinges;
 }
-
-namespace {
-
-using enum ParameterKind;
 
 // The next time that it is let go; if there is none the last time.
 Result<HolderSpan> ReleaseOf(const ProjectHeldObject& object, const ProjectFrames& frames,
@@ -43,6 +44,7 @@ Result<HolderSpan> ReleaseOf(const ProjectHeldObject& object, const ProjectFrame
   return Refusal("object", "nobody lets go of \"" + object.name + "\": let go of it first");
 }
 
+// All but its hinges.
 Result<ThrowCase> CaseOf(int object, Session* session) {
   const Animation* animation = session->animation();
   if (!animation) return session->WholeMotion().error();
@@ -55,31 +57,31 @@ Result<ThrowCase> CaseOf(int object, Session* session) {
   of.holder = release.value().number;
   of.release = release.value().last;
   const auto holder = animation->figure->FindGroup(release.value().joint);
+  size_t most = 0;
   for (size_t i = 0; holder && i < animation->regions.size(); ++i) {
     const DynamicsRegion& region = animation->regions[i];
     if (of.release <= region.first_frame || of.release > region.last_frame) continue;
-    std::vector<JointIndex> hinges = FreeHinges(region, *holder, *animation);
-    if (hinges.size() <= of.hinges.size()) continue;
-    of.hinges = std::move(hinges);
+    const size_t count = FreeHinges(region, *holder, *animation).size();
+    if (count <= most) continue;
+    most = count;
     of.region = static_cast<int>(i);
   }
-  if (!of.hinges.empty()) return of;
+  if (most > 0) return of;
   return Refusal("object", "no dynamics region moves " + release.value().joint + " in frame " +
                                std::to_string(of.release) +
                                ", in which it lets go: mark one that begins before that");
 }
 
-// Keys that it had in its flight and after it.
-void ClearFlight(const ThrowCase& of, Project* project) {
+// Keys that it has from this frame on, until the next one has it.
+void ClearFlight(int release, const ThrowCase& of, Project* project) {
   ProjectHeldObject& object = project->held_objects[of.object];
   double until = std::numeric_limits<double>::infinity();
   for (const ProjectHolder& holder : object.holders) {
     if (holder.first_frame > of.release) until = std::min<double>(until, holder.first_frame);
   }
   for (ProjectCurve& curve : object.position.curves) {
-    std::erase_if(curve.keys, [&](const ProjectKey& key) {
-      return key.frame >= of.release && key.frame < until;
-    });
+    std::erase_if(curve.keys,
+                  [&](const ProjectKey& key) { return key.frame >= release && key.frame < until; });
   }
 }
 
@@ -132,22 +134,24 @@ Result<Done> PutThrown(Session* session, const char* label, Project project, con
       p.text("drag"));
 }
 
-Result<Done> ThrowTo(const ThrowTarget& target, const ThrowCase& of,
-                     std::shared_ptr<const Figure> figure, Project* project) {
+Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<const Figure> figure,
+                     Project* project) {
   constexpr double kSeenLying = 0.6;  // [s]
   const Result<Compiled> compiled = CompileAnimation(*project, nullptr, std::move(figure));
   if (!compiled.ok()) return compiled.error();
   const Animation& animation = compiled.value().animation;
   if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
+  const ProjectHeldObject& object = project->held_objects[of.object];
+  const std::string& joint = of.holder < 0 ? object.joint : object.holders[of.holder].joint;
+  of.hinges =
+      FreeHinges(animation.regions[of.region], *animation.figure->FindGroup(joint), animation);
   const double radius = InnerRadius(animation.held_objects[of.object]);
   const Vec3 spot = target.ground + radius * Vec3::UnitZ();
   ThrowAim aim(animation, of, After(8));
   const Result<AimedThrow> aimed = aim.At(spot, target.height);
   if (!aimed.ok()) return WithAdvice(aimed.error(), spot, target.height, of, animation);
-  const Result<ThrowStart> start = aim.Start();
-  if (!start.ok()) return start.error();
-  ClearFlight(of, project);
-  PutThrow(of, aimed.value(), start.value(), animation, project);
+  ClearFlight(std::min(of.release, aimed.value().release), of, project);
+  PutThrow(of, aimed.value(), aim.start(), animation, project);
   const double flown = animation.rate.FrameAt(aimed.value().path.seconds);
   const int down = aimed.value().release + std::max(1, static_cast<int>(std::ceil(flown)));
   PutPosition(spot, down, &project->held_objects[of.object]);

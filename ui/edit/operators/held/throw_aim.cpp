@@ -53,6 +53,12 @@ Animation HeldOn(Animation animation, const ThrowCase& of) {
   return animation;
 }
 
+// What was found, or else why nothing was.
+Result<AimedThrow> Given(const std::optional<AimedThrow>& found, const Error& error) {
+  if (found) return *found;
+  return error;
+}
+
 }  // namespace
 
 ThrowAim::ThrowAim(const Animation& animation, ThrowCase of,
@@ -60,7 +66,6 @@ ThrowAim::ThrowAim(const Animation& animation, ThrowCase of,
     : animation_(HeldOn(animation, of)), case_(std::move(of)), until_(until), bake_(animation_) {}
 
 Result<Done> ThrowAim::TakeStart() {
-  if (start_) return Done();
   const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
   if (const auto error = bake_.BakeTo(region.first_frame)) return *error;
   const size_t first = static_cast<size_t>(region.first_frame - animation_.first_frame);
@@ -80,11 +85,6 @@ Result<Done> ThrowAim::TakeStart() {
     ease_[i] = (ws.body(hinge).p - object).squaredNorm();
   }
   return Done();
-}
-
-Result<ThrowStart> ThrowAim::Start() {
-  if (Result<Done> taken = TakeStart(); !taken.ok()) return taken.error();
-  return *start_;
 }
 
 // What comes before the region is as it was.
@@ -107,7 +107,9 @@ void ThrowAim::Set(const VecX& rates) {
 
 // Where it is, and how fast, as it is let go.
 Result<ThrowPath> ThrowAim::Let(const VecX& rates, int release) {
-  if (std::chrono::steady_clock::now() > until_) return NotInTime();
+  const bool is_over =
+      bakes_left_ ? (*bakes_left_)-- <= 0 : std::chrono::steady_clock::now() > until_;
+  if (is_over) return NotInTime();
   Set(rates);
   bake_.Update(animation_);
   if (const auto error = bake_.BakeTo(release)) return *error;
@@ -267,21 +269,21 @@ Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& rates,
 }
 
 Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) {
-  constexpr int kStarts = 4, kMoreTries = 6;
+  constexpr int kStarts = 4, kMoreTries = 6, kMoreBakes = 1500;
   if (Result<Done> taken = TakeStart(); !taken.ok()) return taken.error();
   std::optional<Error> error;
   std::optional<AimedThrow> best;
   int more = kMoreTries;
   for (int start = 0; start < kStarts; ++start) {
     const Result<std::vector<int>> releases = Releases(spot, Rates(start), start == 0);
-    if (!releases.ok()) return error.value_or(releases.error());
+    if (!releases.ok()) return Given(best, error.value_or(releases.error()));
     for (const int release : releases.value()) {
       Result<AimedThrow> aimed = Over(spot, height, release, Rates(start));
       if (aimed.ok()) {
         if (!best || aimed.value().cost < best->cost) best = aimed.value();
-        until_ = std::chrono::steady_clock::time_point::max();
+        if (!bakes_left_) bakes_left_ = kMoreBakes;
       } else if (aimed.error().code == ErrorCode::kInterrupted) {
-        return error.value_or(aimed.error());
+        return Given(best, error.value_or(aimed.error()));
       } else if (const bool says_why = aimed.error().code == ErrorCode::kSchema;
                  !error || (says_why && error->code != ErrorCode::kSchema)) {
         error = aimed.error();
@@ -289,8 +291,7 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) 
       if (best && more-- == 0) return *best;
     }
   }
-  if (best) return *best;
-  return *error;
+  return Given(best, *error);
 }
 
 void PutThrow(const ThrowCase& of, const AimedThrow& aimed, const ThrowStart& start,

@@ -22,7 +22,8 @@ struct ThrowCase {
   int holder = -1;  // of the object's later holders, who throws it; -1: who has it at first
   int release = 0;  // the frame in which it is let go
   int region = 0;   // of the project's, which moves what holds it
-  // Hinges of the region that carry the holder and whose start rates are free.
+  // Hinges of the region that carry the holder and whose start rates are free, the nearest to the
+  // root first.
   std::vector<JointIndex> hinges;
   // The keys before the region are of the throw too: their curves follow its rates.
   bool has_backswing = false;
@@ -48,18 +49,19 @@ struct ThrowStart {
 
 class ThrowAim {
  public:
-  // It gives up after `until`, and never finds another throw for it.
+  // It gives up after `until`, and never finds another throw for it. Once one is found only so many
+  // more bakes are made for a better one.
   ThrowAim(const Animation& animation, ThrowCase of, std::chrono::steady_clock::time_point until);
 
   // The centre of the object comes to `spot`, rising so high above the hand [m] or, not given, as
   // the least change has it; higher where something of the scene is in the way. If need be it is
   // let go in another frame of the region. Of the throws that are found the one of least cost is
-  // taken. Errors: kSchema, with what is in the way, or else by how much it misses if
-  // it is let go in the frame that was given; kInterrupted if there was no time.
+  // taken. Errors: kSchema, with what is in the way; else kSemantics, by how much it
+  // misses if it is let go in the frame that was given; kInterrupted if there was no time for that.
   Result<AimedThrow> At(const Vec3& spot, std::optional<double> height);
 
-  // Of the region; where it cannot be baked an error.
-  Result<ThrowStart> Start();
+  // Of the region, once At has found a throw.
+  const ThrowStart& start() const { return *start_; }
 
  private:
   Result<Done> TakeStart();
@@ -78,6 +80,7 @@ class ThrowAim {
   Animation animation_;
   ThrowCase case_;
   std::chrono::steady_clock::time_point until_;
+  std::optional<int> bakes_left_;  // once a throw is found
   IncrementalBake bake_;
   std::optional<ThrowStart> start_;
   VecX ease_;  // how readily each rate is changed: its hinge's squared distance from the object

@@ -19,17 +19,17 @@ struct ThrowHinge {
   // Of the trunk: to the left is to the right if the left hand throws.
   bool is_mirrored;
   std::array<double, kNumThrowPhases> angles;  // by phase [degrees]
+  double turns = 0.0;                          // its share of the way to the spot
 };
 
 inline constexpr double kShoulderBack = -60.0;  // as far back as the arm swings [degrees]
 
-// The feet are flat: ankle = knee - hip. Where the region moves the throwing arm its angles are
-// those of the backswing alone.
+// The feet are flat: ankle = knee - hip.
 inline constexpr ThrowHinge kThrowHinges[] = {
     {"waist_flexion", ThrowLimb::kTrunk, false, {10.0, 12.0, 4.0}},
-    {"waist_rotation", ThrowLimb::kTrunk, true, {-12.0, 2.0, 10.0}},
+    {"waist_rotation", ThrowLimb::kTrunk, true, {-12.0, 2.0, 10.0}, 0.35},
     {"chest_flexion", ThrowLimb::kTrunk, false, {6.0, 4.0, 0.0}},
-    {"chest_rotation", ThrowLimb::kTrunk, true, {-24.0, 2.0, 16.0}},
+    {"chest_rotation", ThrowLimb::kTrunk, true, {-24.0, 2.0, 16.0}, 0.65},
     {"neck_flexion", ThrowLimb::kTrunk, false, {-10.0, -10.0, -4.0}},
     {"neck_rotation", ThrowLimb::kTrunk, true, {34.0, -2.0, -24.0}},
     {"shoulder_flexion", ThrowLimb::kOtherArm, false, {38.0, 14.0, -22.0}},

@@ -21,16 +21,12 @@ ThrowTarget TargetOf(const Parameters& p);
 // The project becomes this one, in one undo step.
 Result<Done> PutThrown(Session* session, const char* label, Project project, const Parameters& p);
 
-// Hinges from the holder to the root that the region moves and lets go by itself.
-std::vector<JointIndex> FreeHinges(const DynamicsRegion& region, GroupIndex holder,
-                                   const Animation& animation);
-
 // Whether a dynamics region moves who lets go of the object next, so that its throw can be aimed.
 bool HasThrow(int object, Session* session);
 
 // The region starts as fast as it has to, and what is thrown lies on the spot from when it comes
-// down. Errors: those of ThrowAim, and what would help.
-Result<Done> ThrowTo(const ThrowTarget& target, const ThrowCase& of,
-                     std::shared_ptr<const Figure> figure, Project* project);
+// down. The hinges of the case are found. Errors: those of ThrowAim, and what would help.
+Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<const Figure> figure,
+                     Project* project);
 
 }  // namespace hazumi::edit

@@ -234,11 +234,9 @@ Result<Done> Pin(int first, int last, ProjectPlacement* pin, Project* project) {
 
 // Nothing else may move what the jump moves.
 std::optional<Error> CheckFree(const JumpPlan& plan, const Project& project) {
-  const auto is_in_way = [&](const auto& span) {
-    return span.first_frame < plan.end && span.last_frame > plan.start;
-  };
   for (const ProjectPlacement& span : project.placements) {
-    if (span.kind == PlacementKind::kKeyed || !is_in_way(span)) continue;
+    const bool is_in_way = span.first_frame < plan.end && span.last_frame > plan.start;
+    if (span.kind == PlacementKind::kKeyed || !is_in_way) continue;
     return Refusal("", "frames " + std::to_string(span.first_frame) + " to " +
                            std::to_string(span.last_frame) +
                            " are placed by a pin or by gravity already; jump after them");
