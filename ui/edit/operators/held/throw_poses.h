@@ -10,7 +10,8 @@ namespace hazumi::edit {
 enum ThrowPhase { kBackswing, kSwing, kFollowThrough, kNumThrowPhases };
 
 // Of the throwing arm the region moves the shoulder: of its angles only those of the backswing
-// count.
+// count. Its wrist is bent back as it lets go and stays so: what flies off along the arm, for the
+// arm goes round, comes off the fingers then instead of through them.
 enum class ThrowLimb { kTrunk, kShoulder, kThrowingArm, kOtherArm, kLegs };
 
 struct ThrowHinge {
@@ -41,9 +42,9 @@ inline constexpr ThrowHinge kThrowHinges[] = {
     {"shoulder_flexion", ThrowLimb::kShoulder, false, {kShoulderBack, 0.0, 0.0}},
     {"shoulder_rotation", ThrowLimb::kShoulder, false, {0.0, 0.0, 0.0}},
     {"shoulder_abduction", ThrowLimb::kShoulder, false, {10.0, 0.0, 0.0}},
-    {"elbow_flexion", ThrowLimb::kThrowingArm, false, {12.0, 8.0, 50.0}},
+    {"elbow_flexion", ThrowLimb::kThrowingArm, false, {14.0, 8.0, 12.0}},
     {"elbow_pronation", ThrowLimb::kThrowingArm, false, {-55.0, -65.0, -40.0}},
-    {"wrist_flexion", ThrowLimb::kThrowingArm, false, {-20.0, -5.0, 30.0}},
+    {"wrist_flexion", ThrowLimb::kThrowingArm, false, {-20.0, -56.0, -58.0}},
     {"wrist_deviation", ThrowLimb::kThrowingArm, false, {0.0, 0.0, 0.0}}};
 
 }  // namespace hazumi::edit
