@@ -164,7 +164,7 @@ class Export(InFolder):
         subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-f", "lavfi", "-i",
                         "sine=frequency=1000:sample_rate=48000:duration=0.3,adelay=24000S",
                         self.folder / "tone.wav"], check=True)
-        document = json.loads(THROW.read_text())
+        document = self.project()
         document["audio"] = {"file": "tone.wav", **audio}
         project = self.folder / "with_sound.kfa"
         project.write_text(json.dumps(document))
@@ -238,7 +238,7 @@ class Export(InFolder):
         pictures = {}
         for name, more in (("none", None), ("guide", {"opacity": 1}),
                            ("seen", {"opacity": 1, "rendered": True})):
-            document = json.loads(THROW.read_text())
+            document = self.project()
             if more:
                 document["reference"] = {"file": "red.png", **more}
             project = self.folder / f"{name}.kfa"

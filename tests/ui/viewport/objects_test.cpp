@@ -1,32 +1,13 @@
-// Boxes and held objects in the viewport, and a jump onto one of them, with mouse and keys.
+// Boxes and held objects in the viewport, with mouse and keys.
+
+#include "tests/ui/viewport/objects.h"
 
 #include <cmath>
 
 #include "engine/spatial/degrees.h"
-#include "tests/ui/user.h"
-#include "ui/panels/viewport/camera.h"
-#include "ui/panels/viewport/object_actions.h"
 
 namespace hazumi::test {
 namespace {
-
-class Objects : public testing::Test {
- protected:
-  Objects() : user("", {1280, 800}) {}
-
-  ui::Point InWindow(const Vec3& p) {
-    const ui::ViewportState& state = user.editor().viewport;
-    return ui::ViewOf(state, user.project(), state.rect).ToWindow(p).value();
-  }
-  Vec3 BallNow() { return user.session().ShownFrame().value()->objects[0].X_WO.p; }
-  void Do(const char* id, const edit::Json& parameters) {
-    ASSERT_TRUE(user.editor().Do(id, parameters)) << user.editor().message.text;
-    user.Wait(1);
-  }
-  std::string Selected() { return ui::NameOfSelectedObject(user.editor()); }
-
-  User user;
-};
 
 TEST_F(Objects, ABallOnTheGroundIsClickedAndDraggedToWhereItIsKeyed) {
   Do("held.add_ball", {{"radius", 0.15}});
@@ -143,112 +124,27 @@ TEST_F(Objects, XTakesTheSelectedOneAway) {
   EXPECT_EQ(Selected(), "");
 }
 
-TEST_F(Objects, JPutsAJumpOntoTheBoxUnderTheMouseInOneStep) {
-  Do("object.add_box",
-     {{"name", "box"}, {"x", 1.2}, {"z", 0.2}, {"size_x", 0.8}, {"size_y", 0.8}, {"size_z", 0.4}});
-  const size_t steps = user.num_steps();
-  user.MoveTo(InWindow(Vec3(0.4, 0.0, 0.0)));
-  user.Press('J');
-  user.MoveTo(InWindow(Vec3(1.2, 0.0, 0.4)));
-  EXPECT_EQ(user.project().placements.size(), 3u) << user.editor().message.text;
-  user.Click(InWindow(Vec3(1.2, 0.0, 0.4)));
-  EXPECT_EQ(user.num_steps(), steps + 1);
-  const Result<const Motion*> motion = user.session().WholeMotion();
-  ASSERT_TRUE(motion.ok());
-  EXPECT_GT(motion.value()->frames.back().X_WR.p.z(), 1.2);
-  EXPECT_NEAR(motion.value()->frames.back().X_WR.p.x(), 1.2, 0.2);
-}
-
-TEST_F(Objects, EscapeTakesTheJumpBack) {
-  const std::string before = user.text();
+TEST_F(Objects, ShiftDTakesACopyInHand) {
+  Do("object.add_box", {{"name", "crate"}, {"x", 1.2}, {"z", 0.25}});
+  Do("select.object", {{"object", "crate"}});
   user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
-  user.Press('J');
-  user.MoveTo(InWindow(Vec3(0.8, 0.0, 0.0)));
-  EXPECT_NE(user.text(), before);
-  user.Press(ui::kEscape);
-  EXPECT_EQ(user.text(), before);
-}
-
-// The arms swing from a wind-up, and let go.
-class Throwing : public Objects {
- protected:
-  Throwing() {
-    Do("time.range", {{"first", 0}, {"last", 30}});
-    Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 10}});
-    Do("key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 2}, {"value", -40}});
-    Do("region.add", {{"name", "arm"}, {"first", 2}, {"last", 14}, {"joints", {"r_shoulder+"}}});
-    Do("object.add_box", {{"name", "table"}, {"x", 1.2}, {"z", 0.25}, {"size_z", 0.5}});
-  }
-};
-
-TEST_F(Throwing, TThrowsTheBallOntoTheSpotUnderTheMouseInOneStep) {
-  const Vec3 spot(1.2, -0.3, 0.5);
-  const size_t steps = user.num_steps();
-  user.MoveTo(InWindow(spot));
-  user.Press('T');
-  user.MoveTo(InWindow(spot));
-  user.Click(InWindow(spot));
-  EXPECT_EQ(user.num_steps(), steps + 1) << user.editor().message.text;
-  const Result<const Motion*> motion = user.session().WholeMotion();
-  ASSERT_TRUE(motion.ok());
-  EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
-}
-
-// From nothing but a ball in a hand.
-TEST_F(Objects, TMakesAThrowOfWhatAHandHolds) {
-  Do("held.add_ball", {{"joint", "r_wrist"}});
-  const Vec3 spot(0.9, 0.5, 0.0);
-  const size_t steps = user.num_steps();
-  user.MoveTo(InWindow(spot));
-  user.Press('T');
-  user.MoveTo(InWindow(spot));
-  user.Click(InWindow(spot));
-  EXPECT_EQ(user.num_steps(), steps + 1);
-  EXPECT_EQ(user.project().regions.size(), 1u);
-  EXPECT_NE(user.editor().message.text.find("it comes down in frame"), std::string::npos);
-  EXPECT_FALSE(user.editor().viewport.aimed);
-  const Result<const Motion*> motion = user.session().WholeMotion();
-  ASSERT_TRUE(motion.ok());
-  EXPECT_LE((motion.value()->frames.back().objects[0].X_WO.p - spot).head<2>().norm(), 0.03);
-}
-
-// The tool stays in hand, and another spot can be pointed at.
-TEST_F(Objects, AClickOnASpotThatCannotBeThrownToEndsNothing) {
-  Do("held.add_ball", {{"joint", "r_wrist"}});
-  // It does not only stand.
-  Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0}});
-  Do("key.set", {{"curve", "root.x"}, {"frame", 10}, {"value", 0.1}});
-  const std::string before = user.text();
-  const Vec3 behind(-0.8, -0.2, 0.0), spot(0.9, 0.5, 0.0);
-  user.MoveTo(InWindow(behind));
-  user.Press('T');
-  user.MoveTo(InWindow(behind));
-  user.Click(InWindow(behind));
+  user.Press('D', ui::kLeftShift);
+  EXPECT_EQ(Selected(), "crate 2");
   ASSERT_TRUE(user.editor().has_tool());
-  EXPECT_EQ(user.text(), before);
-  EXPECT_TRUE(user.editor().viewport.aimed && user.editor().viewport.aimed->is_trouble);
-  user.MoveTo(InWindow(spot));
-  user.Click(InWindow(spot));
-  EXPECT_FALSE(user.editor().has_tool());
-  EXPECT_EQ(user.project().regions.size(), 1u);
+  for (const int key : {int{'X'}, int{'1'}, int{ui::kEnter}}) user.Press(key);
+  const auto& objects = user.project().scene.objects;
+  const auto center = [&](size_t i) { return std::get<ProjectBox>(objects[i].shape).center_m; };
+  const size_t last = objects.size() - 1;
+  EXPECT_LE((center(last) - center(last - 1) - Vec3(1.0, 0.0, 0.0)).norm(), 1e-9);
+  EXPECT_NE(objects[last].identity.id, objects[last - 1].identity.id);
 }
 
-TEST_F(Throwing, EscapeTakesItBack) {
-  const std::string before = user.text();
-  user.MoveTo(InWindow(Vec3(1.2, -0.3, 0.5)));
-  user.Press('T');
-  user.MoveTo(InWindow(Vec3(1.2, -0.2, 0.5)));
-  user.MoveTo(InWindow(Vec3(1.2, -0.2, 0.5)));  // it rests
-  EXPECT_NE(user.text(), before);
-  user.Press(ui::kEscape);
-  EXPECT_EQ(user.text(), before);
-}
-
-TEST_F(Objects, NothingToThrowIsSaid) {
+TEST_F(Objects, ShiftDWithNothingToCopySaysSo) {
+  Do("select.none", edit::Json::object());
   user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
-  user.Press('T');
+  user.Press('D', ui::kLeftShift);
   EXPECT_FALSE(user.editor().has_tool());
-  EXPECT_NE(user.editor().message.text.find("put a ball into a hand"), std::string::npos);
+  EXPECT_NE(user.editor().message.text.find("click on a box"), std::string::npos);
 }
 
 TEST_F(Objects, ABoxIsDrawnByItsBaseAndThenItsHeight) {

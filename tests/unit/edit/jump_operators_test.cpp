@@ -3,64 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
-#include "tests/unit/edit/sessions.h"
+#include "tests/unit/edit/jumps.h"
 
 namespace hazumi::test {
 namespace {
 
 using edit::Session;
 
-constexpr double kHigh = 0.5;  // of the box [m]
-
-void AddBox(Session* session) {
-  Do(session, "object.add_box",
-     {{"name", "box"},
-      {"x", 1.2},
-      {"z", 0.5 * kHigh},
-      {"size_x", 0.8},
-      {"size_y", 0.8},
-      {"size_z", kHigh}});
-}
-
-Motion JumpMotion(Session* session) {
-  const Result<const Motion*> motion = session->WholeMotion();
-  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
-  return motion.ok() ? *motion.value() : Motion();
-}
-
-DynamicsWorkspace Placed(const MotionFrame& frame, Session* session) {
-  DynamicsWorkspace ws(session->figure());
-  ComputePositions(session->figure(), frame.X_WR, frame.q, &ws);
-  return ws;
-}
-
-Vec3 ToesIn(const MotionFrame& frame, Session* session) {
-  const Figure& figure = session->figure();
-  const DynamicsWorkspace ws = Placed(frame, session);
-  const auto toe = [&](const char* name) {
-    return ws.body(figure.group(*figure.FindGroup(name)).first).p;
-  };
-  return 0.5 * (toe("r_toe") + toe("l_toe"));
-}
-
-// By its placements: pinned, flight, pinned.
-struct Phases {
-  int take_off, landing, end;
-};
-Phases PhasesOf(const Session& session) {
-  const std::vector<ProjectPlacement>& spans = session.project().placements;
-  EXPECT_EQ(spans.size(), 3u);
-  return {spans[0].last_frame, spans[1].last_frame, spans[2].last_frame};
-}
-
 TEST(JumpOperators, AJumpLandsWithItsToesOnTheSpotOnABox) {
   Session session;
   AddBox(&session);
   Do(&session, "jump.add", {{"x", 1.15}, {"y", 0.1}});
   const Motion motion = JumpMotion(&session);
-  const Phases phases = PhasesOf(session);
+  const JumpPhases phases = PhasesOf(session);
   const Vec3 toes = ToesIn(motion.frames[phases.landing], &session);
   EXPECT_LE((toes.head<2>() - Eigen::Vector2d(1.15, 0.1)).norm(), 1e-3);
   EXPECT_NEAR(toes.z(), kHigh, 0.05);
@@ -74,7 +30,7 @@ TEST(JumpOperators, ItFliesFreelyAndTouchesNothingOnTheWay) {
   AddBox(&session);
   Do(&session, "jump.add", {{"x", 1.15}, {"y", 0.0}});
   const Motion motion = JumpMotion(&session);
-  const Phases phases = PhasesOf(session);
+  const JumpPhases phases = PhasesOf(session);
   constexpr double kFrame = 1.0 / 30.0;
   for (int f = phases.take_off + 4; f < phases.landing; ++f) {
     const auto com = [&](int i) { return motion.frames[i].com; };
@@ -103,7 +59,7 @@ TEST(JumpOperators, ItRisesAsHighAsItIsTold) {
     Session session;
     Do(&session, "jump.add", {{"x", 0.5}, {"height", height}});
     const Motion motion = JumpMotion(&session);
-    const Phases phases = PhasesOf(session);
+    const JumpPhases phases = PhasesOf(session);
     double highest = 0.0;
     for (const MotionFrame& frame : motion.frames) highest = std::max(highest, frame.com.z());
     // The flight takes whole frames, which makes it a little higher or lower.
@@ -116,7 +72,7 @@ TEST(JumpOperators, ItEndsStandingAsItBegan) {
   Do(&session, "pose.rotate", {{"joint", "neck_rotation"}, {"to", 30}});
   Do(&session, "jump.add");
   const Motion motion = JumpMotion(&session);
-  const Phases phases = PhasesOf(session);
+  const JumpPhases phases = PhasesOf(session);
   EXPECT_LE((motion.frames[phases.end].q - motion.frames[0].q).cwiseAbs().maxCoeff(), 1e-9);
   const Vec3 way = motion.frames[phases.end].X_WR.p - motion.frames[0].X_WR.p;
   EXPECT_LE((way - Vec3(way.x(), 0.0, 0.0)).norm(), 0.01);
@@ -140,7 +96,7 @@ TEST(JumpOperators, SayWhatTheyRefuse) {
     return Refused(&session, "jump.add", given).ToString();
   };
   EXPECT_EQ(refused({{"x", 1.15}, {"height", 0.2}}),
-            "jump.add.height: it lands 33 cm higher than it takes off: let it jump higher");
+            "jump.add.height: it lands 33 cm higher than it takes off: give a greater height");
   EXPECT_NE(refused({{"x", 1.15}, {"height", 0.36}}).find("meets \"box\""), std::string::npos);
   ASSERT_EQ(session.project().placements.size(), 0u);
   Do(&session, "region.add", {{"first", 2}, {"last", 8}, {"joints", {"r_shoulder+"}}});

@@ -8,6 +8,7 @@
 #include "tests/unit/edit/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/placement/jumps.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::test {
@@ -335,10 +336,10 @@ static bool IsBetweenKeys(const Session& session) {
 }
 
 bool IsSeldomPossible(const std::string& id) {
-  static const char* const kIds[] = {"audio.remove",     "held.pass",       "held.set_frames",
-                                     "held.set_holder",  "held.throw_onto", "keys.paste",
-                                     "pose.breakdown",   "pose.push",       "pose.relax",
-                                     "reference.remove", "throw.add"};
+  static const char* const kIds[] = {"audio.remove",    "held.pass",        "held.set_frames",
+                                     "held.set_holder", "held.throw_onto",  "jump.aim",
+                                     "keys.paste",      "pose.breakdown",   "pose.push",
+                                     "pose.relax",      "reference.remove", "throw.add"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
@@ -349,6 +350,7 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "held.throw_onto") return !Thrown(session).empty();
   if (id == "throw.add") return !InAHand(session).empty();
+  if (id == "jump.aim") return edit::JumpAt(session.frame(), session.project()).has_value();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();

@@ -136,8 +136,10 @@ void AddThrown(RandomFiles* files) {
   Save(&session, files->folder + "/thrown.kfa", files);
 }
 
+// With a jump that can be aimed.
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
+  Do(&session, "jump.add", {{"x", 0.6}, {"y", 0.0}});
   Project project = session.project();
   project.skin = {.skin = std::make_shared<const Skin>(testing::SampleSkin())};
   session.Replace(project, "");

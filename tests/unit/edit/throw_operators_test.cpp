@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/spatial/degrees.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/operators/held/throw_path.h"
 

@@ -110,6 +110,20 @@ Result<Done> MoveObject(Session* session, const Parameters& p) {
       p.text("drag"));
 }
 
+// Where it is, to be moved away.
+Result<Done> DuplicateObject(Session* session, const Parameters& p) {
+  return session->Edit("Duplicate object", [&](Project* project) -> Result<Done> {
+    auto& objects = project->scene.objects;
+    const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
+    if (!object.ok()) return object.error();
+    ProjectSceneObject copy = *object.value();
+    copy.name = FreeName(copy.name, objects);
+    copy.identity = {};
+    objects.push_back(std::move(copy));
+    return Done();
+  });
+}
+
 Result<Done> RemoveObject(Session* session, const Parameters& p) {
   return session->Edit("Remove object", [&](Project* project) -> Result<Done> {
     auto& objects = project->scene.objects;
@@ -139,6 +153,11 @@ std::vector<Operator> ObjectOperators() {
         {"z", kNumber, false, "metres"},
         kDrag},
        MoveObject},
+      {"object.duplicate",
+       "Duplicate object",
+       "Puts another box or plane like this one into the scene, in the same place.",
+       {kObject},
+       DuplicateObject},
       {"object.remove", "Remove object", "Takes an object away.", {kObject}, RemoveObject}};
 }
 

@@ -45,6 +45,7 @@ const std::vector<Shortcut>& DefaultShortcuts() {
       {{'G'}, kViewport, "tool.move"},
       {{'J'}, kViewport, "tool.jump"},
       {{'T'}, kViewport, "tool.throw"},
+      {{'D', false, true}, kViewport, "view.duplicate_object"},
       {{'X'}, kViewport, "view.remove_object"},
       {{kDelete}, kViewport, "view.remove_object"},
       {{kPeriod}, kViewport, "view.frame_selected"},

@@ -10,6 +10,7 @@ bool TypedNumber::Take(const Chord& chord) {
   const int key = is_pad ? chord.key - kPad0 + '0' : chord.key;
   constexpr int kPadMinus = 333;
   if (key >= '0' && key <= '9') {
+    if (text_ == "0") text_.clear();
     text_ += static_cast<char>(key);
   } else if ((key == kPeriod || key == kPadPeriod) && text_.find('.') == std::string::npos) {
     text_ += '.';

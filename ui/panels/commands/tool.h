@@ -29,6 +29,8 @@ class Tool {
   virtual ~Tool() = default;
   // What it is doing and what the keys do now, for the status bar.
   virtual std::string hint() const = 0;
+  // The mouse points at the scene: nothing else may lie on it.
+  virtual bool aims() const { return false; }
   // Follows the mouse; true as long as the tool stays in hand. On cancel it leaves the document as
   // it was when it was taken.
   virtual bool Update(Editor* editor, const ToolInput& input) = 0;

@@ -234,7 +234,7 @@ int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons)
 
 void DrawDialogs(Editor* editor, const Rect& window) {
   DialogsState& dialogs = editor->dialogs;
-  if (dialogs.shows_first_steps) DrawFirstSteps(editor, window);
+  if (dialogs.shows_first_steps && !editor->aims()) DrawFirstSteps(editor, window);
   if (dialogs.modal != Modal::kNone && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   if (!ImGui::IsPopupOpen(kId)) return LetArrowsLead(false);
   const Frame frame = FrameOf(dialogs);

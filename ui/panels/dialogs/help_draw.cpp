@@ -82,9 +82,14 @@ void DrawSteps(const Editor& editor) {
   const auto ticks = editor.dialogs.first_steps.ticks();
   const auto next = std::find(ticks.begin(), ticks.end(), false) - ticks.begin();
   for (int i = 0; i < kNumFirstSteps; ++i) DrawStep(i, ticks[i], i == next, editor.theme());
-  if (next < kNumFirstSteps) return;
   ImGui::Spacing();
-  ImGui::TextWrapped("%s", Tr("That was a throw. Help > Manual tells more."));
+  if (next == kNumFirstSteps) {
+    ImGui::TextWrapped("%s", Tr("That was a throw. Help > Manual tells more."));
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(editor.theme().faint_text));
+  ImGui::TextWrapped("%s", Tr("Or at once: Scene > Add ball, then T throws it onto the spot under "
+                              "the mouse. J jumps there."));
+  ImGui::PopStyleColor();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "engine/base/text.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/problems/falls_through.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/flight_text.h"
@@ -111,7 +112,11 @@ class ProblemList {
           Filled(Tr("At frame %d the figure is %.2f m from its keys, and has %.2f s to get there."),
                  jump.frame, jump.distance, jump.seconds);
     }
-    problems_.push_back({text, static_cast<double>(jump.frame), "", {}, false, {}});
+    Problem problem{text, static_cast<double>(jump.frame), "", {}, false, {}};
+    if (edit::JumpAt(jump.frame, project_)) {
+      problem.cures.push_back({"jump.aim", Json::object(), problem.frame, Tr("Land there")});
+    }
+    problems_.push_back(std::move(problem));
   }
 
   void AddSinking(const Sinking& sinking) {

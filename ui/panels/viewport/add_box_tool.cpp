@@ -27,6 +27,7 @@ class AddBoxTool : public DragTool {
       : DragTool(editor, "object.add_box ", false),
         name_(edit::FreeName(std::string("box"), editor->session().project().scene.objects)) {}
 
+  bool aims() const override { return true; }
   std::string hint() const override {
     const char* what = !corner_     ? "Drag out the base of a box, or click for one of 50 cm"
                        : !has_base_ ? "The base of the box"

@@ -87,7 +87,7 @@ void DrawAimedSpot(const Editor& editor, const View& view) {
   const std::optional<AimedSpot>& aimed = editor.viewport.aimed;
   const auto at = aimed ? view.ToWindow(aimed->at) : std::nullopt;
   if (!at) return;
-  const ImU32 color = ToIm(aimed->is_trouble ? editor.theme().warning : colors::kSelected);
+  const ImU32 color = ToIm(aimed->is_trouble ? colors::kSinking : colors::kSelected);
   const float arm = Px(editor, 9.0), width = Px(editor, 2.0);
   Canvas()->AddLine({at->x - arm, at->y}, {at->x + arm, at->y}, color, width);
   Canvas()->AddLine({at->x, at->y - arm}, {at->x, at->y + arm}, color, width);

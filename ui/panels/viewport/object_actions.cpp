@@ -92,6 +92,19 @@ static Result<Done> RemoveSelectedObject(Editor* editor) {
   return editor->Invoke("object.remove", {{"object", object->name}});
 }
 
+// And takes the copy in hand.
+static Result<Done> DuplicateSelectedObject(Editor* editor) {
+  const ProjectSceneObject* object = SelectedSceneObject(*editor);
+  if (!object) {
+    return Error{ErrorCode::kSchema, "", "",
+                 "click on a box first: another one like it is put into the scene"};
+  }
+  Result<Done> done = editor->Invoke("object.duplicate", {{"object", object->name}});
+  if (!done.ok()) return done;
+  SelectObject(editor, editor->session().project().scene.objects.back().identity.id);
+  return TakeMoveObjectTool(editor, std::nullopt);
+}
+
 Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held) {
   const auto figure = PoseNow(&editor->session());
   if (!figure) return NothingSelected();
@@ -107,7 +120,8 @@ std::vector<Action> ObjectActions() {
   return {
       {"tool.jump",
        "Jump",
-       "From where it stands now onto the spot under the mouse; its height may be typed.",
+       "From where it stands now onto the spot under the mouse; a jump of the current frame is "
+       "aimed there. How high its centre of mass rises may be typed.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeJumpTool(editor); }},
       {"tool.throw",
@@ -128,6 +142,11 @@ std::vector<Action> ObjectActions() {
        [](Editor* editor, const edit::Parameters& p) {
          return SelectObjectNamed(editor, p.text("object"));
        }},
+      {"view.duplicate_object",
+       "Duplicate selected object",
+       "Puts another box like the selected one into the scene and takes it in hand.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return DuplicateSelectedObject(editor); }},
       {"view.remove_object",
        "Remove selected object",
        "Takes the selected box or held object away.",

@@ -58,6 +58,8 @@ Items ObjectItems(const Editor& editor) {
     own.push_back({"tool.rotate"});
     for (const char* id : {"held.let_go", "held.pass", "held.key"}) own.push_back({id, object});
     own.push_back({"tool.throw"});
+  } else {
+    own.push_back({"view.duplicate_object"});
   }
   return {own,
           {{"view.remove_object"}},

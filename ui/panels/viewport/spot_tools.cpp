@@ -1,10 +1,14 @@
 // What is done onto the spot under the mouse, seen while it is chosen: a jump (J) and a throw (T).
 // A height may be typed meanwhile.
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/edit/operators/held/throws.h"
+#include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/text/filled.h"
+#include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/drag_tool.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/object_actions.h"
@@ -14,30 +18,42 @@ namespace hazumi::ui {
 
 namespace {
 
+// What came of it, and whether the animator should think about it again.
+struct Told {
+  std::string text;
+  bool is_caution = false;
+};
+
 class SpotTool : public DragTool {
  public:
-  // An operator that takes the spot's coordinates in `axes` and, if one is typed, a height. One
-  // that takes long is run where the mouse rests.
-  SpotTool(Editor* editor, const char* id, std::string axes, const char* what, bool takes_long)
-      : DragTool(editor, id, false),
-        id_(id),
-        axes_(std::move(axes)),
-        what_(what),
-        takes_long_(takes_long) {}
-
+  bool aims() const override { return true; }
   std::string hint() const override {
-    std::string text = std::string(Tr(what_));
+    std::string text = std::string(Tr(texts_.what));
     if (!typed_.is_empty()) {
-      text += "   " + std::string(Tr("height")) + " " + typed_.shown() + " m";
+      text += "   " + std::string(Tr(texts_.height)) + ": " + typed_.shown() + " m";
     }
     if (!trouble_.empty()) return text + "   ! " + trouble_;
-    return text + "   0-9: " + Tr("height") + "   Esc: " + Tr("cancel");
+    return text + "   0-9: " + Tr(texts_.height) + "   Esc: " + Tr("cancel");
   }
 
  protected:
+  struct Texts {
+    const char *what, *height,
+        *computing;  // what it does, what a typed height is, while it does it
+  };
+  // An operator that takes the spot's coordinates in `axes` and, if one is typed, a height. One
+  // that takes long is run where the mouse rests.
+  SpotTool(Editor* editor, const char* id, std::string axes, Texts texts, bool takes_long)
+      : DragTool(editor, id, false),
+        id_(id),
+        axes_(std::move(axes)),
+        texts_(texts),
+        takes_long_(takes_long) {}
+
   virtual Json Fixed() const { return Json::object(); }
-  // What came of it.
-  virtual std::string Told(Editor*) const { return ""; }
+  // Where it is done if this is under the mouse.
+  virtual Vec3 SpotAt(const Vec3& met, const std::vector<SceneObject>&) const { return met; }
+  virtual Told Tell(Editor*) const = 0;
   // What cannot be is not confirmed: another spot can be pointed at.
   bool IsConfirmed(const ToolInput& input) const override {
     return input.confirm && trouble_.empty();
@@ -46,15 +62,17 @@ class SpotTool : public DragTool {
  private:
   bool Follow(Editor* editor, const ToolInput& input) override;
   void RunThere(Editor* editor);
+  AimedSpot AimedAt(const Vec3& spot) const;
 
   const char* id_;
   std::string axes_;
-  const char* what_;
+  Texts texts_;
   bool takes_long_;
   TypedNumber typed_;
   std::optional<Json> wanted_;  // what it was asked for last
   bool is_due_ = false;         // it has not been done yet
-  std::string told_, trouble_;  // what came of it; why it cannot be
+  Told told_;
+  std::string trouble_;  // why it cannot be
 };
 
 bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
@@ -62,11 +80,12 @@ bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
   const Animation* animation = editor->session().animation();
   if (!animation) return false;
   const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
-  const auto spot = MeetsScene(view.Through(input.mouse), animation->scene);
-  if (!spot) return true;
+  const auto met = MeetsScene(view.Through(input.mouse), animation->scene);
+  if (!met) return true;
+  const Vec3 spot = SpotAt(*met, animation->scene);
   Json wanted = Fixed();
   for (const char axis : axes_) {
-    wanted[std::string(1, axis)] = ToCentimetres((*spot)[axis - 'x']);
+    wanted[std::string(1, axis)] = ToCentimetres(spot[axis - 'x']);
   }
   if (!typed_.is_empty()) wanted["height"] = typed_.value();
   const bool rests = wanted_ == wanted;
@@ -75,12 +94,10 @@ bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
     is_due_ = true;
   }
   if (is_due_ && (rests || input.confirm || !takes_long_)) RunThere(editor);
-  const std::string shown = trouble_.empty() ? told_ : trouble_;
-  editor->viewport.aimed =
-      AimedSpot{*spot, is_due_ ? Tr("Computing the throw") : shown, !is_due_ && !trouble_.empty()};
+  editor->viewport.aimed = AimedAt(spot);
   if (!IsConfirmed(input)) return true;
   if (editor->last_frame() > editor->sheet.last) editor->Do("sheet.frame_all");
-  if (!told_.empty()) editor->Say(told_);
+  if (!told_.text.empty()) editor->Say(told_.text);
   return true;
 }
 
@@ -89,15 +106,69 @@ void SpotTool::RunThere(Editor* editor) {
   TakeBack(editor);
   const Result<Done> done = Try(editor, id_, *wanted_);
   trouble_ = done.ok() ? "" : done.error().message;
-  told_ = done.ok() ? Told(editor) : "";
+  told_ = done.ok() ? Tell(editor) : Told();
 }
+
+AimedSpot SpotTool::AimedAt(const Vec3& spot) const {
+  AimedSpot aimed;
+  aimed.at = spot;
+  aimed.text = Filled("x %.2f  y %.2f  z %.2f m\n", WithoutMinusZero(spot.x(), 2),
+                      WithoutMinusZero(spot.y(), 2), WithoutMinusZero(spot.z(), 2));
+  if (is_due_) {
+    aimed.text += Tr(texts_.computing);
+  } else {
+    aimed.is_trouble = told_.is_caution || !trouble_.empty();
+    aimed.text += trouble_.empty() ? told_.text : trouble_;
+  }
+  return aimed;
+}
+
+class JumpTool : public SpotTool {
+ public:
+  JumpTool(Editor* editor, bool is_there)
+      : SpotTool(editor, is_there ? "jump.aim" : "jump.add", "xy",
+                 {is_there ? "Aim the jump at the spot under the mouse"
+                           : "Jump onto the spot under the mouse",
+                  "rise of the centre of mass", "Computing the jump"},
+                 /*takes_long=*/false) {}
+
+ private:
+  // Feet land on top of what is met on its side.
+  Vec3 SpotAt(const Vec3& met, const std::vector<SceneObject>& scene) const override {
+    constexpr double kAbove = 1000.0;  // [m]
+    const Ray down = {{met.x(), met.y(), kAbove}, -Vec3::UnitZ()};
+    return MeetsScene(down, scene).value_or(met);
+  }
+
+  Told Tell(Editor* editor) const override {
+    constexpr double kFewRise = 0.6;  // [m]
+    const Project& project = editor->session().project();
+    const auto spans = edit::JumpAt(editor->session().frame(), project);
+    const Result<const Motion*> motion = editor->session().WholeMotion();
+    if (!spans || !motion.ok()) return {};
+    const int take_off = project.placements[spans->before].last_frame;
+    const int landing = project.placements[spans->flight].last_frame;
+    const auto height = [&](int frame) {
+      return motion.value()->frames[static_cast<size_t>(frame - editor->first_frame())].com.z();
+    };
+    double rise = 0.0;
+    for (int f = take_off; f <= landing; ++f) rise = std::max(rise, height(f) - height(take_off));
+    Told told;
+    told.text = Filled(Tr("Takes off in frame %d, rises %.2f m, lands in frame %d."), take_off,
+                       rise, landing);
+    told.is_caution = rise > kFewRise;
+    if (told.is_caution) told.text += std::string(" ") + Tr("Few people can jump so high.");
+    return told;
+  }
+};
 
 class ThrowTool : public SpotTool {
  public:
   ThrowTool(Editor* editor, const ProjectHeldObject& object, bool is_made)
       : SpotTool(editor, is_made ? "held.throw_onto" : "throw.add", "xyz",
-                 is_made ? "Throw onto the spot under the mouse"
-                         : "Make a throw onto the spot under the mouse",
+                 {is_made ? "Throw onto the spot under the mouse"
+                          : "Make a throw onto the spot under the mouse",
+                  "rise above the hand", "Computing the throw"},
                  /*takes_long=*/true),
         object_(object.name),
         id_(object.identity.id) {}
@@ -105,23 +176,44 @@ class ThrowTool : public SpotTool {
  private:
   Json Fixed() const override { return {{"object", object_}}; }
 
-  // When it is let go and comes down, and how fast it leaves.
-  std::string Told(Editor* editor) const override {
+  // When it is let go and comes down, how fast it leaves and how high it rises.
+  Told Tell(Editor* editor) const override {
     const Result<const Motion*> motion = editor->session().WholeMotion();
     const int object = IndexOf(id_, editor->session().project().held_objects);
-    if (!motion.ok() || object < 0) return "";
+    if (!motion.ok() || object < 0) return {};
     const ProjectHeldObject& thrown = editor->session().project().held_objects[object];
     const std::vector<ProjectKey>& keys = thrown.position.curves[0].keys;
-    if (keys.empty()) return "";
+    if (keys.empty()) return {};
     const int down = static_cast<int>(keys.back().frame);
     const auto& frames = motion.value()->frames;
-    size_t i = static_cast<size_t>(down - editor->first_frame());
-    if (i >= frames.size()) return "";
+    const auto at = [&](size_t i) -> const Vec3& { return frames[i].objects[object].X_WO.p; };
+    const size_t last = static_cast<size_t>(down - editor->first_frame());
+    size_t i = last;
+    if (i >= frames.size()) return {};
     while (i > 0 && !frames[i - 1].objects[object].is_held()) --i;
-    if (i == 0 || i + 1 >= frames.size()) return "";
-    const Vec3 way = frames[i + 1].objects[object].X_WO.p - frames[i].objects[object].X_WO.p;
-    return Filled(Tr("Lets go in frame %d at %.1f m/s; it comes down in frame %d."),
-                  frames[i].frame, way.norm() / motion.value()->rate.SecondsAt(1), down);
+    if (i == 0 || i + 1 >= frames.size()) return {};
+    const Vec3 way = at(i + 1) - at(i);
+    double rise = 0.0;
+    for (size_t f = i; f <= last; ++f) rise = std::max(rise, at(f).z() - at(i).z());
+    Told told;
+    told.text =
+        Filled(Tr("Lets go in frame %d at %.1f m/s, rises %.2f m above the hand; it comes down in "
+                  "frame %d."),
+               frames[i].frame, way.norm() / motion.value()->rate.SecondsAt(1), rise, down);
+    Warn(frames[i].X_WR.R * Vec3::UnitX(), way, &told);
+    return told;
+  }
+
+  static void Warn(const Vec3& ahead, const Vec3& way, Told* told) {
+    constexpr double kWidest = 75.0;  // [degrees]
+    const double turn = std::remainder(
+        std::atan2(way.y(), way.x()) - std::atan2(ahead.y(), ahead.x()), 2.0 * std::numbers::pi);
+    const double degrees = std::abs(turn) / kDegree;
+    if (degrees <= kWidest) return;
+    told->is_caution = true;
+    told->text += " " + Filled(Tr("That is %.0f degrees to the side of where the figure faces: "
+                                  "turn the figure to it."),
+                               degrees);
   }
 
   std::string object_;
@@ -131,8 +223,9 @@ class ThrowTool : public SpotTool {
 }  // namespace
 
 Result<Done> TakeJumpTool(Editor* editor) {
-  editor->Take(std::make_unique<SpotTool>(editor, "jump.add", "xy",
-                                          "Jump onto the spot under the mouse", false));
+  const edit::Session& session = editor->session();
+  const bool is_there = edit::JumpAt(session.frame(), session.project()).has_value();
+  editor->Take(std::make_unique<JumpTool>(editor, is_there));
   return Done();
 }
 

@@ -80,6 +80,7 @@ class Editor {
   // Takes a tool in hand; one that was is cancelled.
   void Take(std::unique_ptr<Tool> next);
   bool has_tool() const { return tool_ != nullptr; }
+  bool aims() const { return tool_ && tool_->aims(); }
   std::string tool_hint() const { return tool_ ? tool_->hint() : ""; }
   void UpdateTool(const ToolInput& input);
   // Puts down what was in hand for a document that is no longer there.

@@ -2,10 +2,10 @@
 // dynamics region: the arm swings back, then forward as fast as the region starts, lets go in it,
 // swings on by itself and comes back to how it hung. The trunk turns to the spot and with the arm.
 //
-// An arm of length L, swung at w, gives the speed L w. It swings to the region's start in t at a
-// constant acceleration, over the angle w t / 2; what w is comes from the slowest throw,
-//   w = sqrt(g (z + sqrt(z^2 + d^2))) / L,
-// with the spot d away and z higher; ThrowTo finds it exactly.
+// An arm of length L, swung at w, gives the speed L w; swung by an angle a from where it hangs
+// down, the direction that rises at a. It swings to the region's start in t at a constant
+// acceleration, over the angle w t / 2. What w and a are comes from the throw's path
+// (throw_path.cpp), as if it began at the shoulder; ThrowTo finds it exactly.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -33,6 +33,7 @@ struct ThrowPlan {
   int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
   double bearing = 0.0;     // of the spot, to the left of where the figure faces [rad]
   double swing = 0.0;       // of the shoulder as the region starts [rad/s]
+  double rise = 0.0;        // of the path as it is let go, from the horizontal [rad]
   double forward = 0.0;     // from the backswing to the region's start [s]
   bool moves_legs = false;  // nothing else places the figure then
 };
@@ -140,9 +141,10 @@ void SetTimes(const Animation& animation, ThrowPlan* plan) {
   plan->end = plan->region_last + FramesOf(kHomeSeconds, 4, animation);
 }
 
-Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, const Vec3& spot,
-                            int object, const Project& project) {
+Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
+                            const ThrowTarget& target, int object, const Project& project) {
   constexpr double kWidest = 75.0 * kDegree;
+  const Vec3& spot = target.ground;
   ThrowPlan plan;
   plan.start = now.frame;
   const Result<HolderSpan> holder =
@@ -157,7 +159,6 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, 
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, now.X_WR, now.q, &ws);
   const Vec3 shoulder = ws.body(*figure.FindJoint(plan.side + "shoulder_flexion")).p;
-  const Vec3 away = spot - shoulder;
   plan.bearing = BearingOf(spot, shoulder, now.X_WR);
   if (std::abs(plan.bearing) > kWidest) {
     return Refusal("x",
@@ -165,9 +166,13 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now, 
                        " degrees to the side of where the figure faces; turn the figure to it");
   }
   const double arm = (now.objects[object].X_WO.p - shoulder).norm();
-  const double d = away.head<2>().norm(), z = away.z();
-  const double speed = std::sqrt(animation.gravity * std::max(0.0, z + std::hypot(z, d)));
-  plan.swing = arm > 0.0 ? std::clamp(speed / arm, kLeastSwing, kMostSwing) : kLeastSwing;
+  if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
+  const double high =
+      std::max({0.0, spot.z() - shoulder.z(),
+                target.height.value_or(HeightOfSlowestThrow(shoulder, spot, animation.gravity))});
+  const Vec3 velocity = ThrowOver(shoulder, spot, high, animation.gravity).velocity;
+  plan.swing = arm > 0.0 ? std::clamp(velocity.norm() / arm, kLeastSwing, kMostSwing) : kLeastSwing;
+  plan.rise = std::atan2(velocity.z(), velocity.head<2>().norm());
   SetTimes(animation, &plan);
   plan.moves_legs = MovesLegs(plan, project);
   return plan;
@@ -224,10 +229,10 @@ Result<Done> KeyThrow(const ThrowPlan& plan, const MotionFrame& now, const Figur
   return PutPlacement(pin, true, &project->placements);
 }
 
-// When the arm has come so far that what it holds flies off at 45 degrees.
+// When the arm has come so far that what it holds flies off as its path rises.
 int LikelyRelease(const ThrowPlan& plan, const Animation& animation) {
   const double from = kShoulderBack * kDegree + 0.5 * plan.swing * plan.forward;
-  const int frames = FramesOf((45.0 * kDegree - from) / plan.swing, 1, animation);
+  const int frames = FramesOf((plan.rise - from) / plan.swing, 1, animation);
   return std::min(plan.region_first + frames, plan.region_last);
 }
 
@@ -243,7 +248,7 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
   const ThrowTarget target = TargetOf(p);
   MotionFrame standing = *now.value();
   TurnTo(target.ground, &standing, &project);
-  const Result<ThrowPlan> plan = PlanThrow(animation, standing, target.ground, index, project);
+  const Result<ThrowPlan> plan = PlanThrow(animation, standing, target, index, project);
   if (!plan.ok()) return plan.error();
   if (Result<Done> keyed = KeyThrow(plan.value(), standing, *animation.figure, &project);
       !keyed.ok()) {

@@ -107,7 +107,13 @@ Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& hei
 
 }  // namespace
 
-bool HasThrow(int object, Session* session) { return CaseOf(object, session).ok(); }
+bool HasThrow(int object, Session* session) {
+  const Project& project = session->project();
+  const std::vector<HolderSpan> spans = HoldersOf(project.held_objects[object], project.frames);
+  const HolderSpan* holder = HolderAt(static_cast<int>(session->frame()), spans);
+  const bool keeps_it = holder && !holder->is_let_go;
+  return !keeps_it && CaseOf(object, session).ok();
+}
 
 std::vector<ParameterInfo> ThrowParameters() {
   return {{"object", kText, true, "the held object's name", Thing::kHeldObject},

@@ -3,9 +3,11 @@
 // sought bring e(r), by how far the spot is missed, to zero: where the path comes down through the
 // spot's height less the spot, or, if a height is asked for, T (v(r) - v) with the time T and
 // velocity v of that throw from p(r).
-// There are more rates than that, of which the step dr = -W J' (J W J' + m I)^-1 e changes those
-// least that move the object least: W has the squared distances of the hinges from it. J is from
-// finite differences, m grows until e falls (Levenberg and Marquardt).
+// A made throw that has to rise to a height finds, with its rates, how far its fastest hinge has
+// swung as the region starts: it is let go on a whole frame, and angle and speed there are two
+// things. There are more unknowns than equations, of which the step dr = -W J' (J W J' + m I)^-1 e
+// changes those least that move the object least: W has the squared distances of the hinges from
+// it. J is from finite differences, m grows until e falls (Levenberg and Marquardt).
 
 #include "ui/edit/operators/held/throw_aim.h"
 
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <random>
 
 #include "engine/dynamics/kinematics.h"
@@ -23,8 +26,9 @@ namespace hazumi::edit {
 
 namespace {
 
-constexpr double kNear = 0.005;                 // of a hit [m]
-constexpr double kMostRate = 2000.0 * kDegree;  // [rad/s]
+constexpr double kNear = 0.005;                  // of a hit [m]
+constexpr double kMostRate = 2000.0 * kDegree;   // [rad/s]
+constexpr double kMostFarther = 35.0 * kDegree;  // [rad]
 
 Error OutOfReach(double miss, const AimedThrow& best) {
   std::string message = "let go in frame " + std::to_string(best.release) + " it misses by " +
@@ -34,6 +38,12 @@ Error OutOfReach(double miss, const AimedThrow& best) {
           message +
               "; choose another spot, another pose to throw from, or a region of more frames "
               "or joints"};
+}
+
+Error Whirls() {
+  return {ErrorCode::kSemantics, "", "height",
+          "the arm would have to whirl backwards for it; choose a spot or a height that takes less "
+          "speed"};
 }
 
 Error NotInTime() {
@@ -63,9 +73,14 @@ Result<AimedThrow> Given(const std::optional<AimedThrow>& found, const Error& er
 
 ThrowAim::ThrowAim(const Animation& animation, ThrowCase of,
                    std::chrono::steady_clock::time_point until)
-    : animation_(HeldOn(animation, of)), case_(std::move(of)), until_(until), bake_(animation_) {}
+    : animation_(HeldOn(animation, of)),
+      case_(std::move(of)),
+      until_(until),
+      bake_(animation_),
+      radius_(InnerRadius(animation_.held_objects[static_cast<size_t>(case_.object)])) {}
 
 Result<Done> ThrowAim::TakeStart() {
+  constexpr double kFartherEase = 0.05;  // 0.2 rad are changed as readily as 1 rad/s [s^2]
   const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
   if (const auto error = bake_.BakeTo(region.first_frame)) return *error;
   const size_t first = static_cast<size_t>(region.first_frame - animation_.first_frame);
@@ -75,7 +90,7 @@ Result<Done> ThrowAim::TakeStart() {
   ComputePositions(figure, frame.X_WR, frame.q, &ws);
   const int n = static_cast<int>(case_.hinges.size());
   start_ = {VecX(n), VecX(n), VecX(n)};
-  ease_.resize(n);
+  ease_.resize(n + 1);
   for (int i = 0; i < n; ++i) {
     const JointIndex hinge = case_.hinges[static_cast<size_t>(i)];
     start_->q[i] = frame.after.q[hinge.value()];
@@ -84,11 +99,13 @@ Result<Done> ThrowAim::TakeStart() {
     const Vec3& object = frame.objects[static_cast<size_t>(case_.object)].X_WO.p;
     ease_[i] = (ws.body(hinge).p - object).squaredNorm();
   }
+  start_->after.cwiseAbs().maxCoeff(&start_->fastest);
+  ease_[n] = kFartherEase * ease_[start_->fastest];
   return Done();
 }
 
-// What comes before the region is as it was.
-void ThrowAim::Set(const VecX& rates) {
+// What comes before the region is as it was, but for the hinge that has swung farther.
+void ThrowAim::Set(const VecX& swing) {
   const int first = animation_.regions[static_cast<size_t>(case_.region)].first_frame;
   for (size_t i = 0; i < case_.hinges.size(); ++i) {
     const int at = static_cast<int>(i);
@@ -100,17 +117,18 @@ void ThrowAim::Set(const VecX& rates) {
       key->frame = first;
       key->value = start_->q[at];
     }
+    if (at == start_->fastest) key->value = start_->q[at] + Farther(swing);
     if (!key->rate_in) key->rate_in = start_->before[at];
-    key->rate = rates[at];
+    key->rate = swing[at];
   }
 }
 
 // Where it is, and how fast, as it is let go.
-Result<ThrowPath> ThrowAim::Let(const VecX& rates, int release) {
+Result<ThrowPath> ThrowAim::Let(const VecX& swing, int release) {
   const bool is_over =
       bakes_left_ ? (*bakes_left_)-- <= 0 : std::chrono::steady_clock::now() > until_;
   if (is_over) return NotInTime();
-  Set(rates);
+  Set(swing);
   bake_.Update(animation_);
   if (const auto error = bake_.BakeTo(release)) return *error;
   return PathFrom(release);
@@ -144,35 +162,39 @@ VecX ThrowAim::MissOf(const ThrowPath& path, const Vec3& spot,
 }
 
 Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>& height,
-                                   int release, VecX rates) {
+                                   int release, VecX swing) {
   constexpr int kMostSteps = 12, kMostTries = 5;
   constexpr double kDifference = 5.0 * kDegree;  // [rad/s]
   constexpr double kWorthwhile = 0.97;           // slower progress is none
   double damping = 1e-3;
-  Result<ThrowPath> path = Let(rates, release);
+  Result<ThrowPath> path = Let(swing, release);
   if (!path.ok()) return path.error();
   VecX e = MissOf(path.value(), spot, height);
-  const auto n = rates.size(), m = e.size();
+  const bool is_angle_free = height && case_.has_backswing;
+  const auto m = e.size(), n = swing.size() - (is_angle_free ? 0 : 1);
+  VecX most = VecX::Constant(n, kMostRate);
+  if (is_angle_free) most[n - 1] = kMostFarther;
   for (int step = 0; step < kMostSteps && e.norm() > 0.1 * kNear; ++step) {
     MatX J(m, n);
     for (int i = 0; i < n; ++i) {
-      VecX other = rates;
+      VecX other = swing;
       other[i] += kDifference;
       const Result<ThrowPath> there = Let(other, release);
       if (!there.ok()) return there.error();
       J.col(i) = (MissOf(there.value(), spot, height) - e) / kDifference;
     }
-    const MatX WJ = ease_.asDiagonal() * J.transpose(), square = J * WJ;
+    const MatX WJ = ease_.head(n).asDiagonal() * J.transpose(), square = J * WJ;
     const double before = e.norm();
     for (int i = 0; i < kMostTries; ++i, damping *= 6.0) {
       const MatX damped = square + (damping * square.trace() + 1e-12) * MatX::Identity(m, m);
       const VecX by = -WJ * damped.ldlt().solve(e);
-      const VecX tried = (rates + by).cwiseMin(kMostRate).cwiseMax(-kMostRate);
+      VecX tried = swing;
+      tried.head(n) = (swing.head(n) + by).cwiseMin(most).cwiseMax(-most);
       const Result<ThrowPath> there = Let(tried, release);
       if (!there.ok()) continue;
       const VecX missed = MissOf(there.value(), spot, height);
       if (missed.norm() >= e.norm()) continue;
-      rates = tried;
+      swing = tried;
       path = there;
       e = missed;
       damping *= 0.1;
@@ -182,12 +204,14 @@ Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>
   }
   AimedThrow aimed;
   aimed.release = release;
-  aimed.rates = rates;
-  const Result<ThrowPath> again = Let(rates, release);  // for its limits
+  aimed.rates = swing.head(swing.size() - 1);
+  aimed.farther = Farther(swing);
+  const Result<ThrowPath> again = Let(swing, release);  // for its limits
   if (!again.ok()) return again.error();
   aimed.path = again.value();
   Judge(&aimed);
   if (e.norm() > kNear) return OutOfReach(e.norm(), aimed);
+  if (case_.has_backswing && SwingsBack(aimed.rates)) return Whirls();
   aimed.path.seconds = SecondsDown(aimed.path, spot.z(), animation_.gravity);
   return aimed;
 }
@@ -204,58 +228,82 @@ void ThrowAim::Judge(AimedThrow* aimed) const {
     most = event.count;
     aimed->at_limit = event.joint;
   }
-  const VecX change = (aimed->rates - start_->after).cwiseProduct(ease_.cwiseSqrt());
+  const auto n = aimed->rates.size();
+  const VecX change = (aimed->rates - start_->after).cwiseProduct(ease_.head(n).cwiseSqrt());
   aimed->cost = change.norm() + aimed->path.velocity.norm() +
                 kOfAHit * static_cast<double>(aimed->limit_hits);
 }
 
-// 0: the rates there are. Others are farther and farther from them, and always the same.
-VecX ThrowAim::Rates(int number) const {
+// The hinge that swings fastest as the backswing has it swings the other way.
+bool ThrowAim::SwingsBack(const VecX& rates) const {
+  return rates[start_->fastest] * start_->after[start_->fastest] < 0.0;
+}
+
+// 0: as there is. Others are farther and farther from that, and always the same.
+VecX ThrowAim::Swing(int number) const {
   constexpr double kSpread = 300.0 * kDegree;  // [rad/s]
   std::mt19937 random(static_cast<unsigned>(number));
-  VecX rates = start_->after;
-  for (double& rate : rates) rate += number * kSpread * (random() / 2147483648.0 - 1.0);
-  return rates.cwiseMin(kMostRate).cwiseMax(-kMostRate);
+  VecX swing(start_->after.size() + 1);
+  swing << start_->after, 0.0;
+  for (Eigen::Index i = 0; i + 1 < swing.size(); ++i) {
+    swing[i] += number * kSpread * (random() / 2147483648.0 - 1.0);
+    swing[i] = std::clamp(swing[i], -kMostRate, kMostRate);
+  }
+  return swing;
+}
+
+Error InTheWayOf(const std::string& what, bool has_height) {
+  return Refusal(
+      has_height ? "height" : "x",
+      "\"" + what + "\" is in the way; " +
+          (has_height ? "give a greater height" : "choose a spot that is open from above"));
 }
 
 // Let go in this frame, over what is in the way.
-Result<AimedThrow> ThrowAim::Over(const Vec3& spot, const std::optional<double>& height,
-                                  int release, const VecX& rates) {
+Result<AimedThrow> ThrowAim::Over(const Vec3& spot, int release, const VecX& swing) {
   constexpr double kHigher = 0.2;  // [m]
   constexpr int kTries = 8;
-  const double radius = InnerRadius(animation_.held_objects[static_cast<size_t>(case_.object)]);
-  const Result<ThrowPath> now = Let(rates, release);
-  if (!now.ok()) return now.error();
-  const Vec3 from = now.value().from;
-  const double least = spot.z() - from.z();
-  if (height && *height <= std::max(0.0, least)) {
-    return Refusal("height", "the spot is " + std::to_string(std::lround(100.0 * least)) +
-                                 " cm higher than the hand: let it rise higher");
-  }
-  Result<AimedThrow> flat = Solve(spot, {}, release, rates);
+  Result<AimedThrow> flat = Solve(spot, {}, release, swing);
   if (!flat.ok()) return flat;
-  std::string in_the_way = InTheWay(flat.value().path, radius, animation_);
-  if (!height && in_the_way.empty()) return flat;
-  double high = height.value_or(HeightOfSlowestThrow(from, spot, animation_.gravity));
-  for (int i = 0; i < (height ? 1 : kTries); ++i, high += kHigher) {
+  std::string in_the_way = InTheWay(flat.value().path, radius_, animation_);
+  if (in_the_way.empty()) return flat;
+  const Vec3 from = flat.value().path.from;
+  double high = HeightOfSlowestThrow(from, spot, animation_.gravity);
+  for (int i = 0; i < kTries; ++i, high += kHigher) {
     // Paths from here are tried first: most that something is in the way of need no solution.
     const ThrowPath over = ThrowOver(from, spot, high, animation_.gravity);
-    if (!height && !InTheWay(over, radius, animation_).empty()) continue;
-    Result<AimedThrow> aimed = Solve(spot, high, release, flat.value().rates);
-    if (!aimed.ok() && height) return aimed;
+    if (!InTheWay(over, radius_, animation_).empty()) continue;
+    Result<AimedThrow> aimed = Solve(spot, high, release, flat.value().swing());
     if (!aimed.ok()) continue;
-    in_the_way = InTheWay(aimed.value().path, radius, animation_);
+    in_the_way = InTheWay(aimed.value().path, radius_, animation_);
     if (in_the_way.empty()) return aimed;
   }
-  return Refusal(height ? "height" : "x",
-                 "\"" + in_the_way + "\" is in the way; " +
-                     (height ? "let it rise higher" : "choose a spot that is open from above"));
+  return InTheWayOf(in_the_way, false);
+}
+
+// Let go in this frame, rising as high as is asked for.
+Result<AimedThrow> ThrowAim::AsHigh(const Vec3& spot, double height, int release,
+                                    const VecX& swing) {
+  const Result<ThrowPath> now = Let(swing, release);
+  if (!now.ok()) return now.error();
+  const double least = spot.z() - now.value().from.z();
+  if (height <= std::max(0.0, least)) {
+    return Refusal("height", least > 0.0
+                                 ? "the spot is " + std::to_string(std::lround(100.0 * least)) +
+                                       " cm higher than the hand: give a greater height"
+                                 : "it has to rise above the hand: give a height greater than 0");
+  }
+  Result<AimedThrow> aimed = Solve(spot, height, release, swing);
+  if (!aimed.ok()) return aimed;
+  const std::string in_the_way = InTheWay(aimed.value().path, radius_, animation_);
+  if (!in_the_way.empty()) return InTheWayOf(in_the_way, true);
+  return aimed;
 }
 
 // Frames of the region in which it could be let go, those that miss least first.
-Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& rates, bool given_first) {
+Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& swing, bool given_first) {
   const DynamicsRegion& region = animation_.regions[static_cast<size_t>(case_.region)];
-  if (const auto path = Let(rates, region.last_frame); !path.ok()) return path.error();
+  if (const auto path = Let(swing, region.last_frame); !path.ok()) return path.error();
   std::vector<std::pair<double, int>> misses;
   for (int frame = region.first_frame + 1; frame <= region.last_frame; ++frame) {
     const bool is_given = given_first && frame == case_.release;
@@ -275,10 +323,11 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) 
   std::optional<AimedThrow> best;
   int more = kMoreTries;
   for (int start = 0; start < kStarts; ++start) {
-    const Result<std::vector<int>> releases = Releases(spot, Rates(start), start == 0);
+    const Result<std::vector<int>> releases = Releases(spot, Swing(start), start == 0);
     if (!releases.ok()) return Given(best, error.value_or(releases.error()));
     for (const int release : releases.value()) {
-      Result<AimedThrow> aimed = Over(spot, height, release, Rates(start));
+      Result<AimedThrow> aimed =
+          height ? AsHigh(spot, *height, release, Swing(start)) : Over(spot, release, Swing(start));
       if (aimed.ok()) {
         if (!best || aimed.value().cost < best->cost) best = aimed.value();
         if (!bakes_left_) bakes_left_ = kMoreBakes;
@@ -291,7 +340,19 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) 
       if (best && more-- == 0) return *best;
     }
   }
+  if (!best && height && error->code == ErrorCode::kSemantics) return WithHeight(*error, spot);
   return Given(best, *error);
+}
+
+// What would help where it misses at the height that was asked for.
+Error ThrowAim::WithHeight(Error error, const Vec3& spot) {
+  const Result<AimedThrow> flat = Over(spot, case_.release, Swing(0));
+  if (!flat.ok()) return error;
+  const double up = std::max(0.0, flat.value().path.velocity.z());
+  char rise[40];
+  std::snprintf(rise, sizeof rise, "%.2f", 0.5 * up * up / animation_.gravity);
+  error.message += "; it gets there if it rises " + std::string(rise) + " m above the hand";
+  return error;
 }
 
 void PutThrow(const ThrowCase& of, const AimedThrow& aimed, const ThrowStart& start,
@@ -313,6 +374,7 @@ void PutThrow(const ThrowCase& of, const AimedThrow& aimed, const ThrowStart& st
     key.frame = first;
     key.value = ShortestDegrees(start.q[at]);
     if (const ProjectKey* there = KeyOn(first, *curve.value())) key = *there;
+    if (at == start.fastest) key.value += shown(aimed.farther);
     key.rate = shown(aimed.rates[at]);
     // The last term of a cubic, T (s^3 - s^2) per rate, is 4/27 T at most.
     const auto before = std::find_if(keys.rbegin(), keys.rend(),

@@ -30,8 +30,9 @@ struct ThrowCase {
 };
 
 struct AimedThrow {
-  int release = 0;  // the frame in which it is let go
-  VecX rates;       // of the region's start [rad/s], by index of ThrowCase::hinges
+  int release = 0;       // the frame in which it is let go
+  VecX rates;            // of the region's start [rad/s], by index of ThrowCase::hinges
+  double farther = 0.0;  // has the fastest hinge swung as the region starts [rad]
   ThrowPath path;
   // Who hits a limit until then, and how often all do.
   std::string at_limit;
@@ -39,12 +40,20 @@ struct AimedThrow {
   // Its speed, by how much the rates change that of the start, and half a metre per second for each
   // hit of a limit [m/s].
   double cost = 0.0;
+
+  // The unknowns: the rates, and last the angle.
+  VecX swing() const {
+    VecX all(rates.size() + 1);
+    all << rates, farther;
+    return all;
+  }
 };
 
 // The hinges on the region's first frame, by index of ThrowCase::hinges.
 struct ThrowStart {
-  VecX q;              // [rad]
-  VecX before, after;  // rates, as the keys arrive and as the region starts [rad/s]
+  VecX q;                    // [rad]
+  VecX before, after;        // rates, as the keys arrive and as the region starts [rad/s]
+  Eigen::Index fastest = 0;  // as it starts
 };
 
 class ThrowAim {
@@ -64,18 +73,23 @@ class ThrowAim {
   const ThrowStart& start() const { return *start_; }
 
  private:
+  // `swing`: AimedThrow::swing.
+  static double Farther(const VecX& swing) { return swing[swing.size() - 1]; }
+
   Result<Done> TakeStart();
-  void Set(const VecX& rates);
-  Result<ThrowPath> Let(const VecX& rates, int release);
+  void Set(const VecX& swing);
+  Result<ThrowPath> Let(const VecX& swing, int release);
   ThrowPath PathFrom(int release) const;  // as it is baked
-  Result<std::vector<int>> Releases(const Vec3& spot, const VecX& rates, bool given_first);
+  Result<std::vector<int>> Releases(const Vec3& spot, const VecX& swing, bool given_first);
   VecX MissOf(const ThrowPath& path, const Vec3& spot, const std::optional<double>& height) const;
   Result<AimedThrow> Solve(const Vec3& spot, const std::optional<double>& height, int release,
-                           VecX rates);
-  Result<AimedThrow> Over(const Vec3& spot, const std::optional<double>& height, int release,
-                          const VecX& rates);
+                           VecX swing);
+  Result<AimedThrow> Over(const Vec3& spot, int release, const VecX& swing);
+  Result<AimedThrow> AsHigh(const Vec3& spot, double height, int release, const VecX& swing);
+  Error WithHeight(Error error, const Vec3& spot);
   void Judge(AimedThrow* aimed) const;
-  VecX Rates(int number) const;
+  bool SwingsBack(const VecX& rates) const;
+  VecX Swing(int number) const;
 
   Animation animation_;
   ThrowCase case_;
@@ -83,8 +97,9 @@ class ThrowAim {
   std::optional<int> bakes_left_;  // once a throw is found
   IncrementalBake bake_;
   std::optional<ThrowStart> start_;
-  VecX ease_;  // how readily each rate is changed: its hinge's squared distance from the object
-               // [m^2]
+  VecX ease_;  // how readily each unknown is changed: its hinge's squared distance from the object
+               // [m^2]; of the angle a share of that
+  double radius_;  // of what is thrown [m]
 };
 
 // The frame in which it is let go, and the keys that let the region's joints go so fast. Keys

@@ -21,7 +21,8 @@ ThrowTarget TargetOf(const Parameters& p);
 // The project becomes this one, in one undo step.
 Result<Done> PutThrown(Session* session, const char* label, Project project, const Parameters& p);
 
-// Whether a dynamics region moves who lets go of the object next, so that its throw can be aimed.
+// Whether a dynamics region moves who lets go of the object next, so that its throw can be aimed;
+// not if who has it in the current frame keeps it.
 bool HasThrow(int object, Session* session);
 
 // The region starts as fast as it has to, and what is thrown lies on the spot from when it comes

@@ -1,0 +1,263 @@
+// A jump is aimed at another spot. Its poses are those of the motion there is on the frames of its
+// phases f_i; a jump onto the new spot has its phases on frames g_i (jump_plan.cpp), and what is
+// keyed in between goes along: a key on frame t with f_i <= t <= f_i+1 to
+//   g_i + (t - f_i) (g_i+1 - g_i) / (f_i+1 - f_i),
+// and its rates so much faster as its stretch of the jump is shorter.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/operators/keys/carried_along.h"
+#include "ui/edit/operators/keys/keyed_moves.h"
+#include "ui/edit/operators/placement/flight_plan.h"
+#include "ui/edit/operators/placement/jump_plan.h"
+#include "ui/edit/operators/placement/jumps.h"
+#include "ui/edit/operators/placement/root_curves.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+constexpr int kOnTheWay = 3;  // frames from the ground that a flight may key
+
+// First frame, phases, last frame.
+std::vector<int> AllFrames(int start, const JumpFrames& phases, int end) {
+  std::vector<int> all = {start};
+  all.insert(all.end(), phases.begin(), phases.end());
+  all.push_back(end);
+  return all;
+}
+
+// From the frames there are to those there will be; both have one for each phase.
+struct Retiming {
+  std::vector<int> from, to;
+
+  // The stretch in which a frame is, or which ends on it.
+  size_t StretchOf(double frame) const {
+    size_t i = 0;
+    while (i + 2 < from.size() && frame > from[i + 1]) ++i;
+    return i;
+  }
+  double SpeedIn(size_t stretch) const {
+    return static_cast<double>(from[stretch + 1] - from[stretch]) / (to[stretch + 1] - to[stretch]);
+  }
+  double operator()(double frame) const {
+    if (frame < from.front() || frame > from.back()) return frame;
+    const size_t i = StretchOf(frame);
+    return std::round(to[i] + (frame - from[i]) / SpeedIn(i));
+  }
+};
+
+void RetimeKeys(const Retiming& retiming, ProjectCurve* curve) {
+  std::vector<ProjectKey> moved;
+  for (const ProjectKey& key : curve->keys) {
+    if (key.frame >= retiming.from.front() && key.frame <= retiming.from.back()) {
+      moved.push_back(key);
+    }
+  }
+  RemoveKeysIn(retiming.from.front(), std::max(retiming.from.back(), retiming.to.back()), curve);
+  for (ProjectKey& key : moved) {
+    const double speed = retiming.SpeedIn(retiming.StretchOf(key.frame));
+    if (key.rate) *key.rate = WithoutRoundOff(*key.rate * speed);
+    if (key.rate_in) *key.rate_in = WithoutRoundOff(*key.rate_in * speed);
+    key.frame = retiming(key.frame);
+    PutKey(key, curve);
+  }
+}
+
+// All joints and the root's angles, and what else has frames there.
+Result<Done> Retime(const Retiming& retiming, const Figure& figure, Project* project) {
+  KeySelection all;
+  for (const std::string& name : CurveNames(*project)) {
+    for (const ProjectKey& key : FindCurve(name, *project)->keys) {
+      const bool is_in = key.frame >= retiming.from.front() && key.frame <= retiming.from.back();
+      if (is_in) all[name].insert(key.frame);
+    }
+  }
+  CarryAlong(all, figure, retiming, project);
+  for (const std::string& name : CurveNames(*project)) {
+    const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
+    if (!curve.ok()) return curve.error();
+    RetimeKeys(retiming, curve.value());
+  }
+  return Done();
+}
+
+// The last frame on which a jump may end that ended on `frame`, for what comes after it; none if
+// nothing does.
+std::optional<int> LatestEnd(int frame, const Project& project) {
+  std::optional<int> latest;
+  const auto take = [&](int other) { latest = latest ? std::min(*latest, other) : other; };
+  for (const std::string& name : CurveNames(project)) {
+    for (const ProjectKey& key : FindCurve(name, project)->keys) {
+      if (key.frame > frame) take(static_cast<int>(std::ceil(key.frame)) - 1);
+    }
+  }
+  const auto take_spans = [&](const auto& spans) {
+    for (const auto& span : spans) {
+      if (span.first_frame >= frame) take(span.first_frame);
+    }
+  };
+  take_spans(project.placements);
+  take_spans(project.regions);
+  take_spans(project.holds);
+  return latest;
+}
+
+// A jump there is, in its motion.
+class KnownJump {
+ public:
+  KnownJump(const JumpSpans& spans, const Project& project, const Animation& animation,
+            const Motion& motion)
+      : project_(project), motion_(motion) {
+    pins_ = {project.placements[spans.before], project.placements[spans.after]};
+    const int take_off = pins_.before.last_frame;
+    frames_[kTakeOff] = take_off;
+    frames_[kLanding] = project.placements[spans.flight].last_frame;
+    frames_[kCrouch] = LowestBetween(start(), take_off);
+    frames_[kAbsorbed] = LowestBetween(frames_[kLanding], end());
+    const int flown = frames_[kLanding] - take_off;
+    frames_[kStretched] = take_off + std::min(FramesOf(kStretchSeconds, 1, animation), flown / 3);
+    frames_[kApex] = std::clamp(take_off + FramesOf(SecondsUp(animation), 1, animation),
+                                frames_[kStretched] + 1, frames_[kLanding] - 1);
+  }
+
+  int start() const { return pins_.before.first_frame; }
+  int end() const { return pins_.after.last_frame; }
+  const JumpFrames& frames() const { return frames_; }
+  const JumpPins& pins() const { return pins_; }
+  JumpLengths lengths() const {
+    return {frames_[kCrouch] - start(), frames_[kAbsorbed] - frames_[kLanding],
+            end() - frames_[kAbsorbed]};
+  }
+  Stance StanceOn(int frame) const {
+    const MotionFrame& there = FrameOf(motion_, frame);
+    const auto values = RootValues(there.X_WR, project_.root, frame);
+    return {there.q, Vec3(values[kRootAngleZ], values[kRootAngleY], values[kRootAngleX])};
+  }
+  Vec3 RootOn(int frame) const { return FrameOf(motion_, frame).X_WR.p; }
+  // Where its keys have it land; what it does may be another thing.
+  Vec3 KeyedLanding(Stage* stage) const {
+    return stage->ToesOf(StanceOn(frames_[kLanding]), KeyedRoot());
+  }
+
+ private:
+  Vec3 KeyedRoot() const {
+    Vec3 root = RootOn(frames_[kLanding]);
+    for (int i = 0; i < 3; ++i) {
+      const ProjectKey* key = KeyOn(frames_[kLanding], project_.root.curves[kRootX + i]);
+      if (key) root[i] = key->value;
+    }
+    return root;
+  }
+  // Of the flight that its keys have, which takes T: c1 = c0 + v T - g T^2 / 2, up for v / g.
+  double SecondsUp(const Animation& animation) const {
+    const double T = animation.rate.SecondsAt(frames_[kLanding] - frames_[kTakeOff]);
+    const double c0 = FrameOf(motion_, frames_[kTakeOff]).com.z();
+    const double c1 = Stage(animation).ComOf(StanceOn(frames_[kLanding]), KeyedRoot()).z();
+    return animation.gravity > 0.0 ? ((c1 - c0) / T) / animation.gravity + 0.5 * T : 0.5 * T;
+  }
+  // The frame between two others on which the CoM is lowest.
+  int LowestBetween(int first, int last) const {
+    int lowest = first + 1;
+    for (int frame = first + 2; frame < last; ++frame) {
+      if (FrameOf(motion_, frame).com.z() < FrameOf(motion_, lowest).com.z()) lowest = frame;
+    }
+    return lowest;
+  }
+
+  const Project& project_;
+  const Motion& motion_;
+  JumpPins pins_;
+  JumpFrames frames_{};
+};
+
+// What comes after the jump stays where it is: the figure stands up faster, if it has to.
+Result<Done> EndBy(std::optional<int> latest, JumpPlan* plan) {
+  constexpr int kLeastRise = 3;
+  if (!latest || plan->end <= *latest) return Done();
+  plan->end = *latest;
+  if (plan->end >= plan->frames[kAbsorbed] + kLeastRise) return Done();
+  return Refusal("height", "it lands in frame " + std::to_string(plan->frames[kLanding]) +
+                               ", and after frame " + std::to_string(*latest) +
+                               " something else begins: move that later, or jump lower");
+}
+
+Result<Done> Jump(const KnownJump& known, const JumpSpans& spans, const Animation& animation,
+                  const Vec3& target, double height, Project* project) {
+  Stage stage(animation);
+  JumpPlan plan;
+  plan.start = known.start();
+  plan.before = known.StanceOn(known.start());
+  plan.after = known.StanceOn(known.end());
+  plan.root_before = known.RootOn(known.start());
+  for (int i = 0; i < kNumJumpPhases; ++i) plan.stances[i] = known.StanceOn(known.frames()[i]);
+  const Vec3 spot = stage.ToesOf(plan.before, plan.root_before);
+  Result<Done> done = SetRoots(spot, target, &stage, &plan);
+  if (!done.ok()) return done;
+  done = SetTimes(animation, height, known.lengths(), &stage, &plan);
+  if (!done.ok()) return done;
+  auto& all = project->placements;
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(spans.before),
+            all.begin() + static_cast<std::ptrdiff_t>(spans.after) + 1);
+  done = EndBy(LatestEnd(known.end(), *project), &plan);
+  if (!done.ok()) return done;
+  done = Retime({AllFrames(known.start(), known.frames(), known.end()),
+                 AllFrames(plan.start, plan.frames, plan.end)},
+                *animation.figure, project);
+  if (!done.ok()) return done;
+  return PutJump(plan, known.pins(), project);
+}
+
+}  // namespace
+
+std::optional<JumpSpans> JumpAt(double frame, const Project& project) {
+  const auto& all = project.placements;
+  for (size_t i = 0; i + 2 < all.size(); ++i) {
+    const ProjectPlacement &before = all[i], &flight = all[i + 1], &after = all[i + 2];
+    const bool is_flight = before.kind == PlacementKind::kPinned &&
+                           flight.kind == PlacementKind::kGravity &&
+                           after.kind == PlacementKind::kPinned;
+    const bool is_whole = flight.first_frame >= before.last_frame &&
+                          flight.first_frame <= before.last_frame + kOnTheWay &&
+                          after.first_frame == flight.last_frame;
+    // Room for each phase to have a frame of its own.
+    const bool is_long = before.last_frame - before.first_frame >= 2 &&
+                         flight.last_frame - before.last_frame >= 3 &&
+                         after.last_frame - after.first_frame >= 2;
+    const bool is_here = frame >= before.first_frame && frame < after.last_frame;
+    if (is_flight && is_whole && is_long && is_here) return JumpSpans{i, i + 1, i + 2};
+  }
+  return std::nullopt;
+}
+
+Result<Done> AimJump(Session* session, const Parameters& p) {
+  const auto spans = JumpAt(session->frame(), session->project());
+  if (!spans) {
+    return Refusal("", "there is no jump in this frame: a flight by gravity between two pins");
+  }
+  const Figure& figure = session->figure();
+  for (const char* toe : kToes) {
+    if (figure.FindGroup(toe)) continue;
+    return Refusal(
+        "", "the figure has no joint \"" + std::string(toe) + "\": a jump is aimed by its toes");
+  }
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const Animation& animation = *session->animation();
+  const Project project = session->project();
+  const KnownJump known(*spans, project, animation, *motion.value());
+  Stage stage(animation);
+  const Vec3 landing = known.KeyedLanding(&stage);
+  const Vec3 target(p.number("x", landing.x()), p.number("y", landing.y()), 0.0);
+  return session->Edit(
+      "Aim jump",
+      [&](Project* changed) {
+        return JumpAsLow(p.maybe_number("height"), changed, [&](double height, Project* tried) {
+          return Jump(known, *spans, animation, target, height, tried);
+        });
+      },
+      p.text("drag"));
+}
+
+}  // namespace hazumi::edit

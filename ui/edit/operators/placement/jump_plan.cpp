@@ -1,0 +1,151 @@
+// The flight between is gravity's. With the CoM's heights c0 at take-off and c1 at landing and the
+// apex H above c0 it takes
+//   T = (sqrt(2 g H) + sqrt(2 g (H - (c1 - c0)))) / g,
+// and the stretch to take-off so long that the CoM leaves the crouch, on a parabola of the angles,
+// as fast as the flight begins.
+
+#include "ui/edit/operators/placement/jump_plan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/placement/contact.h"
+#include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/keys/keyed_moves.h"
+#include "ui/edit/operators/placement/flight_plan.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+Stance Between(const Stance& a, const Stance& b, double s) {
+  return {a.q + s * (b.q - a.q), a.angles + s * (b.angles - a.angles)};
+}
+
+// How fast the CoM rises at take-off per second of a stretch that takes one second, on a parabola.
+double RiseAtTakeOff(const JumpPlan& plan, Stage* stage) {
+  constexpr double kStep = 0.02;
+  const Vec3 spot = stage->ToesOf(plan.stances[kTakeOff], plan.roots[kTakeOff]);
+  const auto height = [&](double s) {
+    const Stance stance = Between(plan.stances[kCrouch], plan.stances[kTakeOff], s);
+    const Result<Vec3> root = stage->RootOn(stance, spot);
+    return root.ok() ? stage->ComOf(stance, root.value()).z() : 0.0;
+  };
+  return 2.0 * (height(1.0) - height(1.0 - kStep)) / kStep;
+}
+
+void KeyPlace(const JumpPlan& plan, ProjectRoot* root) {
+  for (int i = 0; i < 3; ++i) {
+    ProjectCurve& curve = root->curves[kRootX + i];
+    RemoveKeysIn(plan.start, plan.end, &curve);
+    KeyMove(plan.start, plan.root_before[i], 0.0, &curve);
+    for (int phase = 0; phase < kNumJumpPhases; ++phase) {
+      if (phase == kStretched || phase == kApex) continue;  // gravity says
+      KeyMove(plan.frames[phase], plan.roots[phase][i], {}, &curve);
+    }
+    KeyMove(plan.end, plan.root_after[i], 0.0, &curve);
+  }
+}
+
+Result<Done> Pin(int first, int last, ProjectPlacement pin, Project* project) {
+  pin.first_frame = first;
+  pin.last_frame = last;
+  return PutPlacement(std::move(pin), true, &project->placements);
+}
+
+}  // namespace
+
+Stage::Stage(const Animation& animation)
+    : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
+
+Result<Vec3> Stage::RootOn(const Stance& stance, const Vec3& spot) {
+  constexpr double kAbove = 3.0, kFar = 1000.0;  // [m]
+  Place(stance, Vec3::Zero());
+  Vec3 root = spot - Toes();
+  root.z() = spot.z() + kAbove;
+  const auto touch =
+      FirstTouchOfFigure(figure_, animation_.scene, ws_, root, Vec3(0.0, 0.0, -kFar));
+  if (!touch) return Refusal("x", "there is nothing to stand on; add a ground to the scene");
+  root.z() -= *touch * kFar;
+  return root;
+}
+
+Vec3 Stage::ComOf(const Stance& stance, const Vec3& root) {
+  Place(stance, root);
+  return CenterOfMass(figure_, ws_);
+}
+
+Vec3 Stage::ToesOf(const Stance& stance, const Vec3& root) {
+  Place(stance, root);
+  return Toes();
+}
+
+void Stage::Place(const Stance& stance, const Vec3& root) {
+  const Vec3 a = stance.angles * kDegree;
+  const Mat3 R = (Eigen::AngleAxisd(a[0], Vec3::UnitZ()) * Eigen::AngleAxisd(a[1], Vec3::UnitY()) *
+                  Eigen::AngleAxisd(a[2], Vec3::UnitX()))
+                     .toRotationMatrix();
+  ComputePositions(figure_, {R, root}, stance.q, &ws_);
+}
+
+Vec3 Stage::Toes() const {
+  Vec3 middle = Vec3::Zero();
+  for (const char* toe : kToes) {
+    middle += 0.5 * ws_.body(figure_.group(*figure_.FindGroup(toe)).first).p;
+  }
+  return middle;
+}
+
+Result<Done> SetRoots(const Vec3& spot, const Vec3& target, Stage* stage, JumpPlan* plan) {
+  for (int phase = 0; phase < kNumJumpPhases; ++phase) {
+    const Result<Vec3> on = stage->RootOn(plan->stances[phase], phase <= kTakeOff ? spot : target);
+    if (!on.ok()) return on.error();
+    plan->roots[phase] = on.value();
+  }
+  const Result<Vec3> after = stage->RootOn(plan->after, target);
+  if (!after.ok()) return after.error();
+  plan->root_after = after.value();
+  return Done();
+}
+
+Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
+                      Stage* stage, JumpPlan* plan) {
+  const double g = animation.gravity, fps = animation.rate.FrameAt(1.0);
+  const double rise = stage->ComOf(plan->stances[kLanding], plan->roots[kLanding]).z() -
+                      stage->ComOf(plan->stances[kTakeOff], plan->roots[kTakeOff]).z();
+  if (!(g > 0.0)) return Refusal("height", "without gravity nothing comes down again");
+  if (height <= std::max(0.0, rise)) {
+    return Refusal("height", "it lands " + std::to_string(std::lround(100.0 * rise)) +
+                                 " cm higher than it takes off: give a greater height");
+  }
+  const auto frames = [&](double seconds, int least) {
+    return FramesOf(seconds, least, animation);
+  };
+  const double speed = std::sqrt(2.0 * g * height);
+  const double up = speed / g, down = std::sqrt(2.0 * (height - rise) / g);
+  const double stretch = std::clamp(RiseAtTakeOff(*plan, stage) / speed, 0.1, 0.5);
+  JumpFrames& at = plan->frames;
+  at[kCrouch] = plan->start + lengths.crouch;
+  at[kTakeOff] = at[kCrouch] + frames(stretch, 2);
+  plan->stretch = (at[kTakeOff] - at[kCrouch]) / fps;
+  at[kLanding] = at[kTakeOff] + frames(up + down, 4);
+  at[kStretched] = at[kTakeOff] + frames(kStretchSeconds, 1);
+  at[kApex] = std::clamp(at[kTakeOff] + frames(up, 1), at[kStretched] + 1, at[kLanding] - 1);
+  at[kAbsorbed] = at[kLanding] + lengths.absorb;
+  plan->end = at[kAbsorbed] + lengths.rise;
+  return Done();
+}
+
+Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project) {
+  project->frames.last = std::max(project->frames.last, plan.end);
+  KeyPlace(plan, &project->root);
+  const int take_off = plan.frames[kTakeOff], landing = plan.frames[kLanding];
+  Result<Done> put = Pin(plan.start, take_off, std::move(pins.before), project);
+  if (!put.ok()) return put;
+  Result<Done> flown = FlyByGravity({take_off, landing}, project);
+  if (!flown.ok()) return flown;
+  return Pin(landing, plan.end, std::move(pins.after), project);
+}
+
+}  // namespace hazumi::edit
