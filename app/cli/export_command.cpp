@@ -55,9 +55,12 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
   const PictureSize size = EvenSize(PictureSizeOf(options));
   const Result<render::FigureSkin> skin = SkinOn(baked, options.files[0]);
   if (!skin.ok()) return Complain(skin.error());
+  const Result<render::ThingModels> things = ThingsOf(baked, options.files[0]);
+  if (!things.ok()) return Complain(things.error());
   const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0]);
   if (!film.ok()) return Complain(film.error());
-  Pictures pictures(baked, frames, path_motion.value(), skin.value(), film.value(), size, options);
+  Pictures pictures(baked, frames, path_motion.value(), skin.value(), things.value(), film.value(),
+                    size, options);
   Progress progress("export", pictures.count());
   render::Sequence sequence = pictures.Sequence();
   sequence.progress = [&](int done) {

@@ -124,6 +124,15 @@ Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& 
   return skin;
 }
 
+Result<render::ThingModels> ThingsOf(const BakedProject& baked, const std::string& file) {
+  Result<render::ThingModels> things = render::ThingCache().Of(baked.animation.held_objects);
+  if (!things.ok()) return things;
+  for (const auto& model : things.value()) {
+    if (model) PrintWarnings(file, model->warnings);
+  }
+  return things;
+}
+
 Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file) {
   const Project& project = baked.project;
   if (!edit::RenderedReference(project)) return render::ReferenceFilm();
@@ -133,12 +142,12 @@ Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::strin
 }
 
 Pictures::Pictures(const BakedProject& baked, const FrameRange& frames, const Motion& path_motion,
-                   render::FigureSkin skin, render::ReferenceFilm film, PictureSize size,
-                   const Options& options)
+                   render::FigureSkin skin, render::ThingModels things, render::ReferenceFilm film,
+                   PictureSize size, const Options& options)
     : baked_(baked),
       frames_(frames),
       scenes_(baked.animation, baked.motion, path_motion, CameraFor(baked, size, options),
-              OverlaysOf(options, baked.motion.frames.size()), std::move(skin)),
+              OverlaysOf(options, baked.motion.frames.size()), std::move(skin), std::move(things)),
       film_(std::move(film)) {}
 
 render::Sequence Pictures::Sequence() {

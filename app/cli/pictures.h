@@ -30,6 +30,9 @@ Result<Motion> PathMotion(const BakedProject& baked, const Options& options);
 // seen.
 Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& file);
 
+// Meshes of what the project's figure holds.
+Result<render::ThingModels> ThingsOf(const BakedProject& baked, const std::string& file);
+
 // The project's reference, if it is seen in pictures. Errors: of ReferenceFilm::Load.
 Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file);
 
@@ -37,8 +40,8 @@ Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::strin
 class Pictures {
  public:
   Pictures(const BakedProject& baked, const FrameRange& frames, const Motion& path_motion,
-           render::FigureSkin skin, render::ReferenceFilm film, PictureSize size,
-           const Options& options);
+           render::FigureSkin skin, render::ThingModels things, render::ReferenceFilm film,
+           PictureSize size, const Options& options);
   Pictures(const Pictures&) = delete;
   Pictures& operator=(const Pictures&) = delete;
 

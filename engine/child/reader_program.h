@@ -30,9 +30,10 @@ struct ReadOptions {
 // or, as in a build tree, in one of the four folders above it. Empty: none.
 std::string ReaderPath();
 
-// What the reader can do: a character, from the file named; pictures, from the input (see
-// engine/picture/picture_bytes.h).
+// What the reader can do: a character or the meshes of a thing, from the file named; pictures, from
+// the input (see engine/picture/picture_bytes.h).
 inline constexpr const char* kReadCharacter = "character";
+inline constexpr const char* kReadThing = "thing";
 inline constexpr const char* kDecodePictures = "pictures";
 
 struct ReaderTask {

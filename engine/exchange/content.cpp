@@ -102,6 +102,8 @@ const char* FormatName(CharacterFormat format) {
       return "FBX";
     case CharacterFormat::kCollada:
       return "Collada";
+    case CharacterFormat::kObj:
+      return "OBJ";
   }
   return "";
 }
@@ -119,6 +121,21 @@ Result<CharacterFormat> FormatOf(std::string_view bytes, const std::string& file
   return Error{ErrorCode::kSyntax, file, "",
                "is " + Resembles(bytes) + DespiteItsName(file) + "; Hazumi reads " +
                    FormatsThatAreRead() + ": export it as one of these"};
+}
+
+Result<CharacterFormat> MeshFormatOf(std::string_view bytes, const std::string& file) {
+  constexpr const char* kRead = "glTF 2.0 (.gltf, .glb), FBX (.fbx), Collada (.dae) and OBJ (.obj)";
+  const std::optional<CharacterFormat> format = Known(bytes);
+  if (format == CharacterFormat::kBvh) {
+    return Error{ErrorCode::kSyntax, file, "",
+                 std::string("is BVH, which has no meshes; meshes are read from ") + kRead};
+  }
+  if (format) return *format;
+  const std::string suffix = LowerCase(std::filesystem::path(file).extension().string());
+  if (suffix == ".obj" && !AfterBlanks(bytes).empty()) return CharacterFormat::kObj;
+  return Error{ErrorCode::kSyntax, file, "",
+               (AfterBlanks(bytes).empty() ? std::string("is empty") : "is " + Resembles(bytes)) +
+                   "; meshes are read from " + kRead + ": export it as one of these"};
 }
 
 }  // namespace hazumi

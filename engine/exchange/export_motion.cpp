@@ -34,7 +34,7 @@ Result<std::string> ExportGltf(const Animation& animation, const Motion& motion,
   const auto container =
       options.format == MotionFormat::kGlb ? GltfContainer::kBinary : GltfContainer::kText;
   std::vector<GltfProp> held =
-      HeldProps(animation, motion, FileAxes(UpAxis::kY, 1.0), &character.value().materials);
+      HeldProps(animation, motion, FileAxes(UpAxis::kY, 1.0), &character.value());
   return GltfFile(character.value(),
                   {container, options.generator, MotionExtras(animation, motion), std::move(held)});
 }

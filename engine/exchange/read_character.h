@@ -10,5 +10,8 @@ namespace hazumi {
 // read_in_child.h). Errors name the file: not there or no regular file (kNoInput), of another
 // format (kSyntax; says which are read), broken, or as ReadInChild has them.
 Result<Character> ReadCharacter(const std::string& path, const ReadOptions& options = {});
+// The meshes of a thing, on one bone, from glTF 2.0, GLB, FBX, Collada or OBJ. Errors: the same;
+// kSemantics if it has none.
+Result<Character> ReadThing(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hazumi

@@ -134,6 +134,7 @@ class Compiler {
     object.shape = std::visit([](const auto& item) { return ToShape(item); }, source.shape);
     object.mass = source.mass_kg;
     object.color = source.color;
+    object.mesh = source.mesh.skin;
     if (!source.joint.empty()) {
       object.holders.push_back({*GroupOf(source.joint), source.offset_m, Holder::kFromTheStart,
                                 source.release_frame, RotationFromAngles(source.rotation_deg)});

@@ -12,6 +12,7 @@
 #include "engine/project/item_id.h"
 #include "engine/project/json/extra_fields.h"
 #include "engine/project/project_curve.h"
+#include "engine/project/project_skin.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -91,6 +92,7 @@ struct ProjectHeldObject {
   std::optional<int> release_frame;
   std::vector<ProjectHolder> holders;  // that follow
   ProjectPosition position;            // while nobody holds it
+  ProjectMesh mesh;                    // drawn in place of the shape
   std::string color = kDefaultObjectColor;
   ExtraFields extra;
   Identity identity = {};

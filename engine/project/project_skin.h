@@ -28,4 +28,16 @@ struct ProjectSkin {
   }
 };
 
+// What a thing that is held looks like: meshes bound to one bone, its own; null: its shape. They
+// are stretched to fill the box around the shape.
+struct ProjectMesh {
+  std::shared_ptr<const Skin> skin;
+
+  explicit operator bool() const { return skin != nullptr; }
+  // Equal as documents.
+  bool operator==(const ProjectMesh& other) const {
+    return skin == other.skin || (skin && other.skin && *skin == *other.skin);
+  }
+};
+
 }  // namespace hazumi

@@ -288,6 +288,7 @@ class SchemaWriter {
   }
   Json SchemaOf(const Field&, const ProjectFigure&) { return FromText(kFigure); }
   Json SchemaOf(const Field&, const ProjectSkin&) { return FromText(kSkin); }
+  Json SchemaOf(const Field&, const ProjectMesh&) { return {{"$ref", "#/definitions/skin"}}; }
   template <typename T>
   Json SchemaOf(const Field& field, const std::optional<T>&) {
     return SchemaOf(field, T());

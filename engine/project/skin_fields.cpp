@@ -125,29 +125,44 @@ static void Describe(FieldReader& in, Skin& skin) {
   in.Optional({"textures"}, skin.textures);
 }
 
+// Null if it is not sound, which is reported.
+static std::shared_ptr<const Skin> ReadSkin(const Json& json, const Site& site) {
+  Skin skin;
+  ReadValue(json, site, skin);
+  if (!site.errors->ok()) return nullptr;
+  if (const Result<Done> checked = CheckSkin(skin); !checked.ok()) {
+    site.Field(checked.error().place).Report(Check::kBadMesh, {checked.error().message});
+    return nullptr;
+  }
+  return std::make_shared<const Skin>(std::move(skin));
+}
+
+static Json SkinToJson(const Skin& skin) {
+  return {{"bones", ListToJson(skin.bones)},
+          {"meshes", ListToJson(skin.meshes)},
+          {"materials", ListToJson(skin.materials)},
+          {"textures", ListToJson(skin.textures)}};
+}
+
+void ReadValue(const Json& json, const Site& site, ProjectMesh& value) {
+  value.skin = ReadSkin(json, site);
+}
+
+Json ToJson(const ProjectMesh& value) { return value ? SkinToJson(*value.skin) : Json(); }
+
 void ReadValue(const Json& json, const Site& site, ProjectSkin& value) {
   if (json.is_object() && json.contains("shipped")) {
     return ReadObject(json, site, value, [](FieldReader& in, ProjectSkin& reference) {
       in.Required({"shipped"}, reference.shipped.emplace());
     });
   }
-  Skin skin;
-  ReadValue(json, site, skin);
-  if (!site.errors->ok()) return;
-  if (const Result<Done> checked = CheckSkin(skin); !checked.ok()) {
-    return site.Field(checked.error().place).Report(Check::kBadMesh, {checked.error().message});
-  }
-  value.skin = std::make_shared<const Skin>(std::move(skin));
+  value.skin = ReadSkin(json, site);
 }
 
 Json ToJson(const ProjectSkin& value) {
   if (!value) return nullptr;
   if (value.shipped) return {{"shipped", NameOf(*value.shipped)}};
-  const Skin& skin = *value.skin;
-  return {{"bones", ListToJson(skin.bones)},
-          {"meshes", ListToJson(skin.meshes)},
-          {"materials", ListToJson(skin.materials)},
-          {"textures", ListToJson(skin.textures)}};
+  return SkinToJson(*value.skin);
 }
 
 }  // namespace hazumi

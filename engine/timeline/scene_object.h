@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +10,7 @@
 
 #include "engine/collision/shapes.h"
 #include "engine/figure/indices.h"
+#include "engine/figure/skin.h"
 #include "engine/timeline/keyframe.h"
 
 namespace hazumi {
@@ -47,10 +49,11 @@ struct Holder {
 struct HeldObject {
   std::string name;
   std::variant<SphereShape, BoxShape> shape;
-  double mass = 0.0;            // [kg], part of the holder's body while held
-  std::vector<Holder> holders;  // ascending, disjoint
-  std::array<Keys, 3> keys;     // of its centre in the world [m]; all have keys, or none
-  std::string color;            // "#rrggbb", sRGB
+  double mass = 0.0;                      // [kg], part of the holder's body while held
+  std::vector<Holder> holders;            // ascending, disjoint
+  std::array<Keys, 3> keys;               // of its centre in the world [m]; all have keys, or none
+  std::string color;                      // "#rrggbb", sRGB
+  std::shared_ptr<const Skin> mesh = {};  // drawn in the box around the shape; null: the shape is
   bool operator==(const HeldObject&) const = default;
 };
 

@@ -75,13 +75,14 @@ std::vector<Look> LooksOf(const Link& link) {
 
 MotionScene::MotionScene(const Animation& animation, const Motion& motion,
                          const Motion& path_motion, const Camera& camera, const Overlays& overlays,
-                         FigureSkin skin)
+                         FigureSkin skin, ThingModels things)
     : animation_(animation),
       motion_(motion),
       path_motion_(path_motion),
       camera_(camera),
       overlays_(overlays),
       skin_(std::move(skin)),
+      things_(std::move(things)),
       ws_(*animation.figure) {
   if (overlays_.paths) CollectPaths();
 }
@@ -192,7 +193,13 @@ void MotionScene::AddLook(const Look& look, const Pose& X_WJ, const SrgbColor& c
 
 void MotionScene::AddHeldObjects(const MotionFrame& frame, float alpha, Scene* scene) const {
   for (size_t i = 0; i < frame.objects.size(); ++i) {
-    AddHeldObject(animation_.held_objects[i], frame.objects[i].X_WO, alpha, scene);
+    const Pose& X_WO = frame.objects[i].X_WO;
+    if (i < things_.size() && things_[i]) {
+      const size_t num_bones = things_[i]->skin->bones.size();
+      scene->skins.push_back({things_[i], std::vector<Pose>(num_bones, X_WO), {}, alpha});
+    } else {
+      AddHeldObject(animation_.held_objects[i], X_WO, alpha, scene);
+    }
   }
 }
 

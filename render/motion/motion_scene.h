@@ -8,6 +8,7 @@
 #include "engine/dynamics/workspace.h"
 #include "engine/timeline/animation.h"
 #include "render/motion/figure_skin.h"
+#include "render/motion/thing_models.h"
 #include "render/scene/scene.h"
 
 namespace hazumi::render {
@@ -44,9 +45,11 @@ std::vector<Look> LooksOf(const Link& link);
 class MotionScene {
  public:
   // `path_motion`: the same motion at as many frames a second as the paths shall have points.
-  // `skin`: on the animation's figure, or none.
+  // `skin`: on the animation's figure, or none. `things`: of its held objects; empty: their shapes
+  // are drawn.
   MotionScene(const Animation& animation, const Motion& motion, const Motion& path_motion,
-              const Camera& camera, const Overlays& overlays, FigureSkin skin = {});
+              const Camera& camera, const Overlays& overlays, FigureSkin skin = {},
+              ThingModels things = {});
 
   // `index` counts the motion's frames from 0.
   Scene At(int index);
@@ -84,6 +87,7 @@ class MotionScene {
   Camera camera_;
   Overlays overlays_;
   FigureSkin skin_;
+  ThingModels things_;
   DynamicsWorkspace ws_;
   std::vector<std::vector<Vec3>> end_paths_;  // of every end of the figure, a point a frame
 };

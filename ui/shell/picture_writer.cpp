@@ -52,8 +52,11 @@ Result<int> WritePictures(const RenderTask& task, const std::function<void(int)>
   render::SkinCache skins;
   const Result<render::FigureSkin> skin = skins.On(*task.animation.figure, task.skin.meshes());
   if (!skin.ok()) return skin.error();
+  render::ThingCache cache;
+  const Result<render::ThingModels> things = cache.Of(task.animation.held_objects);
+  if (!things.ok()) return things.error();
   render::MotionScene scenes(task.animation, task.motion, task.motion, task.camera, task.overlays,
-                             skin.value());
+                             skin.value(), things.value());
   Result<render::ReferenceFilm> film = FilmOf(task, cancel);
   if (!film.ok()) return film.error();
   render::SequenceOptions options;

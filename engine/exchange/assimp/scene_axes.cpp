@@ -50,6 +50,9 @@ void TakeAxesAndUnit(CharacterFormat format, aiScene* scene, Character* characte
       return TakeFbx(*scene, character);
     case CharacterFormat::kCollada:
       return TakeCollada(scene, character);
+    case CharacterFormat::kObj:
+      character->up = UpAxis::kY;  // as most programs write it; its unit nobody knows
+      return;
     default:  // glTF is what it is
       character->up = UpAxis::kY;
       character->metres_per_unit = 1.0;

@@ -38,6 +38,8 @@ AssimpFormat AssimpFormatOf(CharacterFormat format) {
       return {"Autodesk FBX Importer", ".fbx"};
     case CharacterFormat::kCollada:
       return {"Collada Importer", ".dae"};
+    case CharacterFormat::kObj:
+      return {"Wavefront Object Importer", ".obj"};
     case CharacterFormat::kBvh:
       break;
   }
@@ -137,6 +139,38 @@ Result<Character> Convert(CharacterFormat format, aiScene* scene, const GltfNote
   return character;
 }
 
+// All meshes on one bone, which is the scene's root.
+Result<Character> ConvertThing(CharacterFormat format, aiScene* scene, SceneFiles* files,
+                               const std::string& path, Character character) {
+  character.name = ValidUtf8(std::filesystem::path(path).stem().string());
+  TakeAxesAndUnit(format, scene, &character);
+  const Result<SceneTree> tree = FlattenScene(*scene, path);
+  if (!tree.ok()) return tree.error();
+  const size_t num_nodes = tree.value().nodes.size();
+  SceneSkeleton skeleton;
+  skeleton.chains = {{0}};
+  skeleton.bone_of_node.assign(num_nodes, -1);
+  skeleton.is_apart.assign(num_nodes, 0);
+  skeleton.bones.resize(1);
+  skeleton.bones[0].name = "thing";
+  Result<std::vector<SkinMesh>> meshes =
+      ReadMeshes(*scene, tree.value(), skeleton, path, &character.warnings);
+  if (!meshes.ok()) return meshes.error();
+  if (meshes.value().empty()) {
+    return Error{ErrorCode::kSemantics, path, "", "has no mesh; export it with one"};
+  }
+  character.meshes = std::move(meshes).value();
+  for (SkinMesh& mesh : character.meshes) {
+    for (SkinMesh::Bind& bind : mesh.binds) {
+      bind.inverse_bind = (tree.value().nodes[0].world * bind.inverse_bind).eval();
+    }
+  }
+  ReadMaterials(*scene, files, &character);
+  DropUnused(&character);
+  character.bones = std::move(skeleton.bones);
+  return character;
+}
+
 // glTF as assimp reads it correctly, and what it will not say.
 Result<GltfNotes> Prepare(const std::string& path, SceneFiles* files,
                           std::vector<Warning>* warnings) {
@@ -150,7 +184,8 @@ Result<GltfNotes> Prepare(const std::string& path, SceneFiles* files,
 
 }  // namespace
 
-Result<Character> ReadScene(CharacterFormat format, std::string bytes, const std::string& path) {
+Result<Character> ReadScene(CharacterFormat format, SceneUse use, std::string bytes,
+                            const std::string& path) {
   const AssimpFormat known = AssimpFormatOf(format);
   auto* files = new SceneFiles(std::move(bytes), path, known.suffix);
   Assimp::Importer importer;
@@ -171,6 +206,9 @@ Result<Character> ReadScene(CharacterFormat format, std::string bytes, const std
   const std::string why = importer.GetErrorString();
   aiScene* scene = importer.GetOrphanedScene();
   if (!scene || !scene->mRootNode) return CannotRead(path, format, why, *files);
+  if (use == SceneUse::kThing) {
+    return ConvertThing(format, scene, files, path, std::move(character));
+  }
   return Convert(format, scene, notes, files, path, std::move(character));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// FBX, glTF 2.0, GLB and Collada by assimp. A broken file may crash this process: hazumi-reader
-// calls it, nothing else.
+// FBX, glTF 2.0, GLB, Collada and OBJ by assimp. A broken file may crash this process:
+// hazumi-reader calls it, nothing else.
 
 #include <string>
 
@@ -11,8 +11,13 @@
 
 namespace hazumi {
 
+// What is wanted of it: a skeleton with its clips and skin, or all meshes as they lie at rest, on a
+// single bone.
+enum class SceneUse { kCharacter, kThing };
+
 // `bytes` are those of the file at `path`, of this format; other files are read only from the
 // folder it lies in. See README.md for what is taken and how.
-Result<Character> ReadScene(CharacterFormat format, std::string bytes, const std::string& path);
+Result<Character> ReadScene(CharacterFormat format, SceneUse use, std::string bytes,
+                            const std::string& path);
 
 }  // namespace hazumi

@@ -1,11 +1,13 @@
 #include "engine/exchange/gltf/held_props.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "engine/base/assert.h"
+#include "engine/timeline/box_around.h"
 
 namespace hazumi {
 
@@ -65,7 +67,42 @@ void AddBox(const Vec3& half, const FileAxes& axes, SkinMesh* mesh) {
   }
 }
 
-SkinMesh MeshOf(const HeldObject& object, const FileAxes& axes) {
+// In the axes of the file, about the thing's origin.
+SkinMesh PartOf(const SkinMesh& part, const std::string& name, const FileAxes& axes) {
+  SkinMesh mesh;
+  mesh.name = name;
+  mesh.triangles = part.triangles;
+  mesh.texture_coordinates = part.texture_coordinates;
+  for (size_t v = 0; v < part.positions.size(); ++v) {
+    const Eigen::Matrix4d& M = part.binds[part.bind_indices[v][0]].inverse_bind;
+    const Mat3 A = M.topLeftCorner<3, 3>();
+    const Vec3 normal = A.inverse().transpose() * part.normals[v].cast<double>();
+    AddVertex(A * part.positions[v].cast<double>() + M.topRightCorner<3, 1>(), normal.normalized(),
+              axes, &mesh);
+  }
+  return mesh;
+}
+
+// A mesh of its own, stretched as it is drawn; its materials and textures go to the character's.
+std::vector<SkinMesh> OwnMeshes(const HeldObject& object, const FileAxes& axes,
+                                Character* character) {
+  const Skin skin = Stretched(*object.mesh, BoxAround(object));
+  const int material = static_cast<int>(character->materials.size());
+  const int texture = static_cast<int>(character->textures.size());
+  std::vector<SkinMesh> meshes;
+  for (const SkinMesh& part : skin.meshes) {
+    meshes.push_back(PartOf(part, object.name, axes));
+    if (part.material >= 0) meshes.back().material = material + part.material;
+  }
+  for (Material each : skin.materials) {
+    if (each.texture >= 0) each.texture += texture;
+    character->materials.push_back(std::move(each));
+  }
+  character->textures.insert(character->textures.end(), skin.textures.begin(), skin.textures.end());
+  return meshes;
+}
+
+SkinMesh ShapeOf(const HeldObject& object, const FileAxes& axes) {
   SkinMesh mesh;
   mesh.name = object.name;
   if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
@@ -97,18 +134,26 @@ void Place(const HeldObject& object, size_t i, const Motion& motion, const FileA
 }  // namespace
 
 std::vector<GltfProp> HeldProps(const Animation& animation, const Motion& motion,
-                                const FileAxes& axes, std::vector<Material>* materials) {
+                                const FileAxes& axes, Character* character) {
   std::vector<GltfProp> props;
   if (motion.frames.empty()) return props;
   for (size_t i = 0; i < animation.held_objects.size(); ++i) {
     HAZUMI_DEMAND(i < motion.frames.front().objects.size());
     const HeldObject& object = animation.held_objects[i];
-    GltfProp prop;
-    prop.mesh = MeshOf(object, axes);
-    prop.mesh.material = static_cast<int>(materials->size());
-    materials->push_back({object.name, LinearColorOf(object.color), -1});
-    Place(object, i, motion, axes, &prop);
-    props.push_back(std::move(prop));
+    std::vector<SkinMesh> meshes;
+    if (object.mesh) {
+      meshes = OwnMeshes(object, axes, character);
+    } else {
+      meshes = {ShapeOf(object, axes)};
+      meshes[0].material = static_cast<int>(character->materials.size());
+      character->materials.push_back({object.name, LinearColorOf(object.color), -1});
+    }
+    for (SkinMesh& mesh : meshes) {
+      GltfProp prop;
+      prop.mesh = std::move(mesh);
+      Place(object, i, motion, axes, &prop);
+      props.push_back(std::move(prop));
+    }
   }
   return props;
 }

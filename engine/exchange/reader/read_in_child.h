@@ -12,5 +12,7 @@ namespace hazumi {
 // name the file: kInterrupted when cancelled; kFailed when the reader is missing; kSyntax when the
 // file made it crash, or take too much time or memory.
 Result<Character> ReadInChild(const std::string& path, const ReadOptions& options = {});
+// The meshes of a thing, on one bone.
+Result<Character> ReadThingInChild(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hazumi

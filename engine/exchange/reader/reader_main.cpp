@@ -1,6 +1,6 @@
-// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE [TROUBLE]: under limits, reads a character from
-// FILE (character_bytes.h) or decodes the pictures of standard input (picture_bytes.h); writes
-// them, or the error, to descriptor kChildOutput. Started by RunReader.
+// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE [TROUBLE]: under limits, reads a character, or
+// the meshes of a thing, from FILE (character_bytes.h) or decodes the pictures of standard input
+// (picture_bytes.h); writes them, or the error, to descriptor kChildOutput. Started by RunReader.
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -62,9 +62,11 @@ void MakeTrouble(const char* kind) {
   }
 }
 
-hazumi::Result<hazumi::Character> Read(const char* path) {
+using Reader = hazumi::Result<hazumi::Character> (*)(const std::string& path);
+
+hazumi::Result<hazumi::Character> Read(Reader read, const char* path) {
   try {
-    return hazumi::ReadHere(path);
+    return read(path);
   } catch (const std::exception& error) {
     return hazumi::Error{hazumi::ErrorCode::kFailed, path, "",
                          std::string("cannot be read (") + error.what() +
@@ -80,7 +82,11 @@ bool DecodeStandardInput() {
 }
 
 bool Do(const std::string& task, const char* file) {
-  if (task == hazumi::kReadCharacter) return PassOn(hazumi::CharacterToBytes(Read(file)));
+  const auto pass_on = [file](Reader read) {
+    return PassOn(hazumi::CharacterToBytes(Read(read, file)));
+  };
+  if (task == hazumi::kReadCharacter) return pass_on(hazumi::ReadHere);
+  if (task == hazumi::kReadThing) return pass_on(hazumi::ReadThingHere);
   return task == hazumi::kDecodePictures && DecodeStandardInput();
 }
 

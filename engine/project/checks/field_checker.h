@@ -107,6 +107,7 @@ class FieldChecker {
   void CheckValue(const Field&, const std::vector<JointRef>&) {}
   void CheckValue(const Field&, const ProjectFigure&) {}
   void CheckValue(const Field&, const ProjectSkin&) {}
+  void CheckValue(const Field&, const ProjectMesh&) {}
   void CheckValue(const Field& field, const std::vector<Named<double>>& values) {
     for (const Named<double>& item : values) {
       const Inside inside(&place_, item.name.c_str());

@@ -194,6 +194,9 @@ void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
        .details = "Where it is while nobody holds it: of x, y and z all have keys, or none. "
                   "Keys while it is held or flies say nothing."},
       object.position);
+  ar.Optional({.name = "mesh",
+               .details = "Drawn in place of the shape, stretched to fill the box around it."},
+              object.mesh);
   ar.Stated(kColorField, object.color);
 }
 

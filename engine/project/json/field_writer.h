@@ -24,6 +24,7 @@ Json ToJson(const Vec3& value);
 Json ToJson(const JointRef& value);
 Json ToJson(const ProjectFigure& figure);
 Json ToJson(const ProjectSkin& skin);
+Json ToJson(const ProjectMesh& mesh);
 Json ToJson(const std::vector<Named<double>>& values);
 Json FromText(const std::string& json_text);
 

@@ -27,6 +27,7 @@ void ReadValue(const Json& json, const Site& site, JointRef& value);
 void ReadValue(const Json& json, const Site& site, ProjectFigure& figure);
 // Lists of numbers are base64 of their little-endian bytes.
 void ReadValue(const Json& json, const Site& site, ProjectSkin& skin);
+void ReadValue(const Json& json, const Site& site, ProjectMesh& mesh);
 // An object of numbers by name, as in friction.
 void ReadValue(const Json& json, const Site& site, std::vector<Named<double>>& values);
 

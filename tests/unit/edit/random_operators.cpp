@@ -145,6 +145,7 @@ const std::map<std::string, std::vector<const char*>> kEndings = {
     {"file.export", {".bvh", ".glb", ".gltf", ".csv", ".json"}}, {"file.save", {".kfa"}}};
 
 Json SomePath(const std::string& id, const RandomFiles& files, Random* random) {
+  if (id == "file.add_mesh") return files.mesh;
   if (id == "file.import") return OneOf(files.characters, random);
   const auto endings = kEndings.find(id);
   if (endings == kEndings.end()) return OneOf(files.projects, random);

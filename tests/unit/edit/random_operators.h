@@ -13,6 +13,7 @@ struct RandomFiles {
   std::string folder;                   // to write into
   std::vector<std::string> projects;    // to open
   std::vector<std::string> characters;  // to import
+  std::string mesh;                     // of a thing
 };
 
 // Parameters that an operator or action takes, though it may refuse them: mostly things that the

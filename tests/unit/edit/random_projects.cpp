@@ -181,6 +181,9 @@ RandomFiles WriteRandomFiles(const std::string& folder, uint64_t seed) {
   Random random(seed);
   RandomFiles files;
   files.folder = folder;
+  files.mesh = folder + "/wedge.obj";
+  Write(files.mesh,
+        "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nv 0 0 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
   for (const char* name : {"throw", "jump"}) AddExample(name, &files);
   AddThrown(&files);
   AddSkinned(&files);

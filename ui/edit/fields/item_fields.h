@@ -57,6 +57,9 @@ template <typename T>
 inline constexpr bool kIsList = false;
 template <typename T>
 inline constexpr bool kIsList<std::vector<T>> = !std::is_same_v<T, JointRef>;
+// Read from a file, by an operator of its own.
+template <typename T>
+inline constexpr bool kIsMesh = std::is_same_v<T, ProjectMesh>;
 
 // Visits what one item says itself: `visit(field, value)` of each field that has a label. Lists of
 // items, which have operators of their own, are left out.
@@ -72,7 +75,7 @@ class ItemFields {
   void Required(const Field& field, T& value) {
     if constexpr (requires { Describe(*this, value); }) {
       Describe(*this, value);
-    } else if constexpr (!kIsList<std::remove_const_t<T>>) {
+    } else if constexpr (!kIsList<std::remove_const_t<T>> && !kIsMesh<std::remove_const_t<T>>) {
       if (field.label[0] != '\0') (*visit_)(field, value);
     }
   }

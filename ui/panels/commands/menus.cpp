@@ -215,6 +215,7 @@ MenuEntry SceneMenu() {
                   {"object.add_plane"},
                   {"held.add_ball"},
                   {"held.add_box"},
+                  {"file.mesh_dialog"},
                   {"held.let_go"},
                   {"held.pass"},
                   {"held.key"},
@@ -278,7 +279,8 @@ std::string LabelOf(const MenuEntry& entry) {
   const std::string id = entry.id ? entry.id : "";
   const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
                     id == "file.sound_dialog" || id == "file.export_dialog" ||
-                    id == "file.reference_dialog" || id == "file.save_as" || id == "render.dialog";
+                    id == "file.reference_dialog" || id == "file.mesh_dialog" ||
+                    id == "file.save_as" || id == "render.dialog";
   if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
   return label;
 }

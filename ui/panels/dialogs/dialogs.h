@@ -37,6 +37,7 @@ void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
 void OpenImportFileDialog(Editor* editor);
 void OpenSoundDialog(Editor* editor);
 void OpenReferenceDialog(Editor* editor);
+void OpenMeshDialog(Editor* editor);
 // Shows it to choose the render dialog's folder; that dialog comes back after either answer.
 void OpenFolderDialog(Editor* editor);
 void ChooseFolder(Editor* editor);

@@ -148,6 +148,10 @@ void OpenReferenceDialog(Editor* editor) {
   OpenToChoose(FolderFilter::Kind::kReferences, &FileDialogState::references, editor);
 }
 
+void OpenMeshDialog(Editor* editor) {
+  OpenToChoose(FolderFilter::Kind::kMeshes, &FileDialogState::meshes, editor);
+}
+
 void OpenFolderDialog(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   files = {};
@@ -206,6 +210,9 @@ void ChooseFile(Editor* editor) {
   if (files.exports) return TakeExportPath(editor);
   if (files.sounds) return TakeMedia(editor, "audio.set");
   if (files.references) return TakeMedia(editor, "reference.set");
+  if (files.meshes) {
+    return Finish(editor->Invoke("file.add_mesh", {{"path", ExistingPath(files)}}), editor);
+  }
   if (files.imports || (!files.is_save && IsOfOtherProgram(wanted))) {
     return OpenImport(ChosenPath(files), editor);
   }

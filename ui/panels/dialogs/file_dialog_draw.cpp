@@ -108,6 +108,7 @@ void DrawList(Editor* editor) {
                               : files.imports    ? Tr("There is no character in this folder.")
                               : files.sounds     ? Tr("There is no sound in this folder.")
                               : files.references ? Tr("There is no picture in this folder.")
+                              : files.meshes     ? Tr("There is no mesh in this folder.")
                                                  : Tr("There is no project in this folder."));
   }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
@@ -209,8 +210,9 @@ void DrawBottom(Editor* editor) {
       : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
       : files.sounds     ? ButtonText{Tr("Choose"), Tr("This is heard with the motion.")}
       : files.references ? ButtonText{Tr("Choose"), Tr("This is seen behind or in the scene.")}
-      : files.is_save    ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
-                         : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
+      : files.meshes  ? ButtonText{Tr("Choose"), Tr("This is put into the hand, or on the ground.")}
+      : files.is_save ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
+                      : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
   const int clicked =
       DrawButtons(*editor, {choose, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
   if (clicked == 0) files.picks_folder ? ChooseFolder(editor) : ChooseFile(editor);

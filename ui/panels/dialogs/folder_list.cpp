@@ -46,6 +46,10 @@ bool IsOfOtherProgram(const std::string& path) {
   return EndsInOneOf({".bvh", ".fbx", ".gltf", ".glb", ".dae"}, path);
 }
 
+bool IsMesh(const std::string& path) {
+  return EndsInOneOf({".obj", ".fbx", ".gltf", ".glb", ".dae"}, path);
+}
+
 bool IsExport(const std::string& path) {
   return EndsInOneOf({".bvh", ".gltf", ".glb", ".csv", ".json", ".mp4"}, path);
 }
@@ -71,6 +75,7 @@ bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (filter.kind == FolderFilter::Kind::kCharacters) return IsOfOtherProgram(entry.name);
   if (filter.kind == FolderFilter::Kind::kSounds) return IsSound(entry.name);
   if (filter.kind == FolderFilter::Kind::kReferences) return IsReference(entry.name);
+  if (filter.kind == FolderFilter::Kind::kMeshes) return IsMesh(entry.name);
   if (filter.kind == FolderFilter::Kind::kMotions) return IsExport(entry.name);
   return LowerCase(entry.name).ends_with(kSuffix);
 }

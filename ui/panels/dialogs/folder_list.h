@@ -19,7 +19,7 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  enum class Kind { kProjects, kCharacters, kMotions, kSounds, kReferences };
+  enum class Kind { kProjects, kCharacters, kMotions, kSounds, kReferences, kMeshes };
   bool all_files = false;  // else those of the kind alone; what begins with a dot is never shown
   FileOrder order = FileOrder::kName;
   Kind kind = Kind::kProjects;
@@ -27,6 +27,8 @@ struct FolderFilter {
 
 // Called as files of other programs are that can be imported.
 bool IsOfOtherProgram(const std::string& path);
+// Called as files with meshes.
+bool IsMesh(const std::string& path);
 // Called as what File > Export writes.
 bool IsExport(const std::string& path);
 // Called as sounds and videos are, or as pictures and videos; there are more that ffmpeg reads.

@@ -25,14 +25,15 @@ const std::vector<ManualPart>& ManualParts() {
        {"Scene > Add ball puts a ball into the selected hand, or on the ground. Click it to select "
         "it; pulled in a hand it changes its place there and R turns it, on the ground its place "
         "is keyed. Its row in the dope sheet shows who has it: the end of a bar is where it is "
-        "let go, Pass on gives it to the selected joint.",
+        "let go, Pass on gives it to the selected joint. Scene > Choose mesh does the same with a "
+        "thing of another program.",
         "T throws what a hand holds: point at where it is to come down and click. Backswing, "
         "dynamics region and follow-through are made from the current frame on. Where a region "
         "moves the arm as it lets go already, T aims it: it starts as fast as it has to, over "
         "what stands in between.",
         "J begins a jump: point at where it is to land and click. Crouch, take-off, apex and "
         "landing become keys like any others; between take-off and landing gravity has the "
-        "figure."}},
+        "figure. On a frame of a jump J aims it again. How high is typed, for T and J alike."}},
       {"Working",
        {"Click a joint to select it, R turns it, I keys the pose as it is seen: of the selected "
         "joints, or all of it if none is. All you do can be "

@@ -45,6 +45,7 @@ struct FileDialogState {
   bool imports = false;       // a character of another program
   bool sounds = false;        // the project's sound
   bool references = false;    // its reference picture or video
+  bool meshes = false;        // of a thing that is held
   bool exports = false;       // a file for the export dialog, which asks before it overwrites
   std::string folder;
   FolderFilter filter;

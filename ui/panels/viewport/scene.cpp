@@ -179,9 +179,11 @@ Result<ViewportScene> SceneNow(Editor* editor, const Rect& rect) {
   const Result<render::FigureSkin> skin =
       editor->skins.On(session.figure(), session.project().skin.meshes());
   if (!skin.ok()) return skin.error();
+  const Result<render::ThingModels> things = editor->things.Of(session.animation()->held_objects);
+  if (!things.ok()) return things.error();
   render::MotionScene scene(*session.animation(), *motion.value(), paths.motion,
                             CameraNow(editor->viewport, session.project(), rect),
-                            OverlaysOf(*editor), skin.value());
+                            OverlaysOf(*editor), skin.value(), things.value());
   ViewportScene shown;
   shown.scene = scene.At(FrameShown(*editor) - first);
   editor->film.AddTo(session, FrameShown(*editor), &shown.scene);

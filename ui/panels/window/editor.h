@@ -8,6 +8,7 @@
 
 #include "render/mesh/flat_mesh.h"
 #include "render/motion/figure_skin.h"
+#include "render/motion/thing_models.h"
 #include "render/scene/scene.h"
 #include "ui/edit/session/session.h"
 #include "ui/panels/commands/keymap.h"
@@ -101,6 +102,7 @@ class Editor {
   Playback playback;
   ViewportState viewport;
   render::SkinCache skins;  // of the document
+  render::ThingCache things;
   SheetState sheet;
   SideState side;
   PosesState poses;

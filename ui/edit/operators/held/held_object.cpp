@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/exchange/import/thing_mesh.h"
+#include "engine/exchange/read_character.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/held/held_objects.h"
@@ -24,6 +26,8 @@ ProjectHeldObject NewObject(Shape shape, const char* name) {
   object.color = "#e8792b";
   return object;
 }
+constexpr double kThinnest = 1e-3;  // side of the box around a mesh [m]
+
 // As large and as heavy as a baseball.
 ProjectHeldObject NewBall() { return NewObject(ProjectSphereShape{0.037, {}}, "ball"); }
 ProjectHeldObject NewBox() { return NewObject(ProjectBoxShape{Vec3(0.1, 0.1, 0.1), {}}, "box"); }
@@ -93,6 +97,17 @@ Result<Done> AddHeldBall(Session* session, const Parameters& p) {
 }
 Result<Done> AddHeldBox(Session* session, const Parameters& p) {
   return AddHeld(session, p, NewBox());
+}
+
+// Solid as the box around it.
+Result<Done> AddHeldMesh(Session* session, const Parameters& p) {
+  const Result<Character> read = ReadThing(p.text("path"));
+  if (!read.ok()) return read.error();
+  ThingMesh mesh = MeshOfThing(read.value());
+  ProjectHeldObject object =
+      NewObject(ProjectBoxShape{mesh.size.cwiseMax(kThinnest), {}}, read.value().name.c_str());
+  object.mesh.skin = std::make_shared<const Skin>(std::move(mesh.skin));
+  return AddHeld(session, p, std::move(object));
 }
 
 Result<Done> SetHeld(Session* session, const Parameters& p) {
@@ -179,6 +194,12 @@ std::vector<Operator> HeldObjectOperators() {
        "is "
        "selected, on the ground.",
        FieldsOf(NewBox()), AddHeldBox},
+      {"file.add_mesh", "Add mesh",
+       "Puts a thing with a mesh of another program into a hand: glTF, GLB, FBX, Collada or OBJ. "
+       "As "
+       "heavy as a baseball, solid as the box around it; if no joint is given or selected, on the "
+       "ground.",
+       Joined({{{"path", kText, true, "the file"}}, FieldsOf(NewBox())}), AddHeldMesh},
       {"held.set", "Change held object", "Sets what is given of a held object.",
        Joined({{kObject},
                FieldsOfShapes(),
