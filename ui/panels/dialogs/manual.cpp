@@ -25,7 +25,7 @@ const std::vector<ManualPart>& ManualParts() {
        {"Scene > Add ball puts a ball into the selected hand, or on the ground. Click it to select "
         "it; pulled in a hand it changes its place there and R turns it, on the ground its place "
         "is keyed. Its row in the dope sheet shows who has it: the end of a bar is where it is "
-        "let go, Pass on gives it to the selected joint. Scene > Choose mesh does the same with a "
+        "let go, Pass on gives it to the selected joint. Scene > Add mesh does the same with a "
         "thing of another program.",
         "T throws what a hand holds: point at where it is to come down and click. Backswing, "
         "dynamics region and follow-through are made from the current frame on. Where a region "
