@@ -49,6 +49,7 @@ const std::vector<Opening>& Dialogs() {
       {"unsaved", {{"marker.add", {{"name", "new"}}}, {"app.new", {}}}},
       {"open", {{"file.open_dialog", {}}}},
       {"import", {{"file.import_dialog", {}}}},
+      {"mesh", {{"file.mesh_dialog", {}}}},
       {"export", {{"file.export_dialog", {}}}},
       {"save as", {{"file.save_as", {}}}},
       {"render", {{"render.dialog", {}}}},

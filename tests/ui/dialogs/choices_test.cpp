@@ -24,6 +24,24 @@ TEST_F(Dialogs, ASoundIsChosenFromAListAndKeptRelativeToTheProject) {
   EXPECT_EQ(editor_.session().project().audio->file, "sounds/voice.wav");
 }
 
+TEST_F(Dialogs, AMeshIsChosenAndIsInTheSelectedHand) {
+  fs::create_directories(folder_ / "things");
+  std::ofstream(File("things/wedge.obj"))
+      << "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nv 0 0 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::ofstream(File("things/notes.txt")) << "none";
+  ASSERT_TRUE(editor_.Do("select.joints", {{"joints", {"l_wrist"}}}));
+  ASSERT_TRUE(editor_.Do("file.mesh_dialog"));
+  FileDialogState& files = editor_.dialogs.files;
+  GoToFolder(File("things"), &editor_);
+  ASSERT_EQ(files.entries.size(), 1u);
+  SelectEntry(0, &editor_);
+  ChooseFile(&editor_);
+  EXPECT_EQ(editor_.dialogs.modal, Modal::kNone) << files.error;
+  ASSERT_EQ(editor_.session().project().held_objects.size(), 1u);
+  EXPECT_EQ(editor_.session().project().held_objects[0].joint, "l_wrist");
+  EXPECT_TRUE(editor_.session().project().held_objects[0].mesh);
+}
+
 TEST_F(Dialogs, AReferenceIsChosenAmongPicturesAndVideos) {
   for (const char* name : {"take.mp4", "pose.PNG", "notes.txt"}) std::ofstream(File(name)) << "-";
   ASSERT_TRUE(editor_.Do("file.save", {{"path", File("shot.kfa")}}));
