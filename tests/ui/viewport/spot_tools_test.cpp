@@ -194,6 +194,11 @@ TEST_F(Objects, TMakesASecondThrowOfWhatWasThrownBefore) {
   user.MoveTo(InWindow(spot));
   user.Click(InWindow(spot));
   EXPECT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;
+  // Until it is taken again it lies where it came down.
+  const Result<const Motion*> motion = user.session().WholeMotion();
+  ASSERT_TRUE(motion.ok());
+  const auto at = [&](int f) { return motion.value()->frames[f].objects[0].X_WO.p; };
+  EXPECT_LE((at(last + 9) - at(last)).norm(), 1e-9);
 }
 
 TEST_F(Objects, AThrowThatIsAimedBehindTheFigureIsSaid) {

@@ -85,6 +85,21 @@ void ClearFlight(int release, const ThrowCase& of, Project* project) {
   }
 }
 
+// Where it lay before the thrower took it, it lies until then: it does not begin to go to where it
+// is thrown.
+void LieUntilTaken(const ThrowCase& of, Project* project) {
+  ProjectHeldObject& object = project->held_objects[of.object];
+  if (of.holder < 0) return;
+  const int taken = object.holders[of.holder].first_frame;
+  for (ProjectCurve& curve : object.position.curves) {
+    ProjectKey* last = nullptr;
+    for (ProjectKey& key : curve.keys) {
+      if (key.frame <= taken) last = &key;
+    }
+    if (last) last->interpolation = Interpolation::kHold;
+  }
+}
+
 std::chrono::steady_clock::time_point After(int seconds) {
   return std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
 }
@@ -160,6 +175,7 @@ Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<co
   PutThrow(of, aimed.value(), aim.start(), animation, project);
   const double flown = animation.rate.FrameAt(aimed.value().path.seconds);
   const int down = aimed.value().release + std::max(1, static_cast<int>(std::ceil(flown)));
+  LieUntilTaken(of, project);
   PutPosition(spot, down, &project->held_objects[of.object]);
   const int seen = down + static_cast<int>(std::lround(animation.rate.FrameAt(kSeenLying)));
   if (down > project->frames.last) project->frames.last = seen;

@@ -350,7 +350,7 @@ Error ThrowAim::WithHeight(Error error, const Vec3& spot) {
   if (!flat.ok()) return error;
   const double up = std::max(0.0, flat.value().path.velocity.z());
   char rise[40];
-  std::snprintf(rise, sizeof rise, "%.2f", 0.5 * up * up / animation_.gravity);
+  std::snprintf(rise, sizeof rise, "%.2f", std::ceil(50.0 * up * up / animation_.gravity) / 100.0);
   error.message += "; it gets there if it rises " + std::string(rise) + " m above the hand";
   return error;
 }
