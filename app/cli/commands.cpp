@@ -103,7 +103,7 @@ bool IsProject(const std::string& file) {
   if (file.ends_with(".kfa")) return true;
   if (!file.ends_with(".json")) return false;
   const Result<std::string> beginning = FileBeginning(file, kContentBytes);
-  return beginning.ok() && !FormatOf(beginning.value(), file).ok();
+  return beginning.ok() && !FormatOf(ReadUse::kCharacter, beginning.value(), file).ok();
 }
 
 Result<Project> LoadOrImport(const std::string& file, const ImportOptions& options,

@@ -79,9 +79,13 @@ std::string Resembles(std::string_view bytes) {
   return "of a format that Hazumi does not know";
 }
 
+std::string SuffixOf(const std::string& file) {
+  return LowerCase(std::filesystem::path(file).extension().string());
+}
+
 // ", although it is called .fbx" for names that promise one of our formats.
 std::string DespiteItsName(const std::string& file) {
-  const std::string suffix = LowerCase(std::filesystem::path(file).extension().string());
+  const std::string suffix = SuffixOf(file);
   for (const char* ours : {".bvh", ".gltf", ".glb", ".fbx", ".dae"})
     if (suffix == ours) return ", although its name ends in " + suffix;
   return "";
@@ -108,34 +112,22 @@ const char* FormatName(CharacterFormat format) {
   return "";
 }
 
-const char* FormatsThatAreRead() {
-  return "BVH (.bvh), glTF 2.0 (.gltf, .glb), FBX (.fbx) and Collada (.dae)";
-}
-
-Result<CharacterFormat> FormatOf(std::string_view bytes, const std::string& file) {
-  if (const std::optional<CharacterFormat> format = Known(bytes)) return *format;
-  if (AfterBlanks(bytes).empty()) {
+Result<CharacterFormat> FormatOf(ReadUse use, std::string_view bytes, const std::string& file) {
+  const bool is_thing = use == ReadUse::kThing;
+  const auto refused = [&](const std::string& why) {
+    const char* formats = is_thing
+                              ? "glTF 2.0 (.gltf, .glb), FBX (.fbx), Collada (.dae) and OBJ (.obj)"
+                              : "BVH (.bvh), glTF 2.0 (.gltf, .glb), FBX (.fbx) and Collada (.dae)";
     return Error{ErrorCode::kSyntax, file, "",
-                 std::string("is empty; export it again as one of ") + FormatsThatAreRead()};
-  }
-  return Error{ErrorCode::kSyntax, file, "",
-               "is " + Resembles(bytes) + DespiteItsName(file) + "; Hazumi reads " +
-                   FormatsThatAreRead() + ": export it as one of these"};
-}
-
-Result<CharacterFormat> MeshFormatOf(std::string_view bytes, const std::string& file) {
-  constexpr const char* kRead = "glTF 2.0 (.gltf, .glb), FBX (.fbx), Collada (.dae) and OBJ (.obj)";
+                 "is " + why + "; " + (is_thing ? "meshes are read from " : "Hazumi reads ") +
+                     formats + ": export it as one of these"};
+  };
   const std::optional<CharacterFormat> format = Known(bytes);
-  if (format == CharacterFormat::kBvh) {
-    return Error{ErrorCode::kSyntax, file, "",
-                 std::string("is BVH, which has no meshes; meshes are read from ") + kRead};
-  }
+  if (is_thing && format == CharacterFormat::kBvh) return refused("BVH, which has no meshes");
   if (format) return *format;
-  const std::string suffix = LowerCase(std::filesystem::path(file).extension().string());
-  if (suffix == ".obj" && !AfterBlanks(bytes).empty()) return CharacterFormat::kObj;
-  return Error{ErrorCode::kSyntax, file, "",
-               (AfterBlanks(bytes).empty() ? std::string("is empty") : "is " + Resembles(bytes)) +
-                   "; meshes are read from " + kRead + ": export it as one of these"};
+  if (AfterBlanks(bytes).empty()) return refused("empty");
+  if (is_thing && SuffixOf(file) == ".obj") return CharacterFormat::kObj;
+  return refused(Resembles(bytes) + DespiteItsName(file));
 }
 
 }  // namespace hazumi

@@ -12,14 +12,15 @@ enum class CharacterFormat { kBvh, kGltf, kGlb, kFbxBinary, kFbxText, kCollada, 
 
 // "BVH", "glTF", "GLB", "FBX", "Collada" or "OBJ".
 const char* FormatName(CharacterFormat format);
-// "BVH (.bvh), glTF 2.0 (.gltf, .glb), ...": for messages.
-const char* FormatsThatAreRead();
+// What a file is read for: a skeleton with its clips and skin, or all meshes as they lie at rest,
+// on a single bone.
+enum class ReadUse { kCharacter, kThing };
 
 // What a file is by its content, whatever it is called; `bytes` is all of it or its beginning, of
-// kContentBytes at least. Error (kSyntax): none of these; says what else it seems to be.
-Result<CharacterFormat> FormatOf(std::string_view bytes, const std::string& file);
-// The same of a file that has the mesh of a thing: not BVH, and OBJ, which is known by its name.
-Result<CharacterFormat> MeshFormatOf(std::string_view bytes, const std::string& file);
+// kContentBytes at least. Of OBJ, which things are read from and characters not, the name decides;
+// BVH has no meshes. Error (kSyntax): none of these; says what else it seems to be, and which are
+// read.
+Result<CharacterFormat> FormatOf(ReadUse use, std::string_view bytes, const std::string& file);
 constexpr size_t kContentBytes = 65536;
 
 }  // namespace hazumi

@@ -42,7 +42,15 @@ struct SkinMesh {
   std::vector<std::array<uint32_t, 3>> triangles;     // counter-clockwise outside
   int material = -1;                                  // index of a material, or none
   bool operator==(const SkinMesh&) const = default;
+
+  // From a vertex to the bone, of a mesh that has a single one: the sum of w inverse_bind.
+  Eigen::Matrix4d BindOf(size_t vertex) const;
 };
+
+// A point by an affine transform, and a unit normal by its inverse transpose; one that has no
+// direction then stays as it is.
+Eigen::Vector3d PointBy(const Eigen::Matrix4d& M, const Eigen::Vector3f& point);
+Eigen::Vector3d NormalBy(const Eigen::Matrix4d& M, const Eigen::Vector3f& normal);
 
 // What moves a part of a skin: the body beyond a joint, or the root, by name. With a share less
 // than 1 it turns only so far, each hinge's angle times the share, about the joint's place: between

@@ -2,15 +2,6 @@
 
 namespace hazumi {
 
-namespace {
-
-Vec3 Bound(const SkinMesh& mesh, size_t vertex) {
-  const Eigen::Matrix4d& M = mesh.binds[mesh.bind_indices[vertex][0]].inverse_bind;
-  return M.topLeftCorner<3, 3>() * mesh.positions[vertex].cast<double>() + M.topRightCorner<3, 1>();
-}
-
-}  // namespace
-
 Vec3 BoxAround(const HeldObject& object) {
   if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
     return Vec3::Constant(2.0 * sphere->radius);
@@ -23,7 +14,7 @@ Skin Stretched(const Skin& mesh, const Vec3& size) {
   Vec3 low = Vec3::Constant(kFar), high = -low;
   for (const SkinMesh& part : mesh.meshes) {
     for (size_t v = 0; v < part.positions.size(); ++v) {
-      const Vec3 p = Bound(part, v);
+      const Vec3 p = PointBy(part.BindOf(v), part.positions[v]);
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }

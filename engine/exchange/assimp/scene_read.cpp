@@ -184,7 +184,7 @@ Result<GltfNotes> Prepare(const std::string& path, SceneFiles* files,
 
 }  // namespace
 
-Result<Character> ReadScene(CharacterFormat format, SceneUse use, std::string bytes,
+Result<Character> ReadScene(CharacterFormat format, ReadUse use, std::string bytes,
                             const std::string& path) {
   const AssimpFormat known = AssimpFormatOf(format);
   auto* files = new SceneFiles(std::move(bytes), path, known.suffix);
@@ -206,7 +206,7 @@ Result<Character> ReadScene(CharacterFormat format, SceneUse use, std::string by
   const std::string why = importer.GetErrorString();
   aiScene* scene = importer.GetOrphanedScene();
   if (!scene || !scene->mRootNode) return CannotRead(path, format, why, *files);
-  if (use == SceneUse::kThing) {
+  if (use == ReadUse::kThing) {
     return ConvertThing(format, scene, files, path, std::move(character));
   }
   return Convert(format, scene, notes, files, path, std::move(character));

@@ -11,13 +11,9 @@
 
 namespace hazumi {
 
-// What is wanted of it: a skeleton with its clips and skin, or all meshes as they lie at rest, on a
-// single bone.
-enum class SceneUse { kCharacter, kThing };
-
 // `bytes` are those of the file at `path`, of this format; other files are read only from the
 // folder it lies in. See README.md for what is taken and how.
-Result<Character> ReadScene(CharacterFormat format, SceneUse use, std::string bytes,
+Result<Character> ReadScene(CharacterFormat format, ReadUse use, std::string bytes,
                             const std::string& path);
 
 }  // namespace hazumi

@@ -1,6 +1,5 @@
 #include "engine/exchange/gltf/held_props.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -74,11 +73,8 @@ SkinMesh PartOf(const SkinMesh& part, const std::string& name, const FileAxes& a
   mesh.triangles = part.triangles;
   mesh.texture_coordinates = part.texture_coordinates;
   for (size_t v = 0; v < part.positions.size(); ++v) {
-    const Eigen::Matrix4d& M = part.binds[part.bind_indices[v][0]].inverse_bind;
-    const Mat3 A = M.topLeftCorner<3, 3>();
-    const Vec3 normal = A.inverse().transpose() * part.normals[v].cast<double>();
-    AddVertex(A * part.positions[v].cast<double>() + M.topRightCorner<3, 1>(), normal.normalized(),
-              axes, &mesh);
+    const Eigen::Matrix4d M = part.BindOf(v);
+    AddVertex(PointBy(M, part.positions[v]), NormalBy(M, part.normals[v]), axes, &mesh);
   }
   return mesh;
 }

@@ -14,18 +14,14 @@ namespace {
 
 // As it lies in the world, in the file's unit. What was turned inside out is turned back.
 void Place(const Mat3& C, SkinMesh* mesh) {
-  std::vector<Eigen::Matrix4d> binds;
-  for (const SkinMesh::Bind& bind : mesh->binds) binds.push_back(bind.inverse_bind);
+  Eigen::Matrix4d to_world = Eigen::Matrix4d::Identity();
+  to_world.topLeftCorner<3, 3>() = C;
   bool is_mirrored = false;
   for (size_t v = 0; v < mesh->positions.size(); ++v) {
-    const Eigen::Matrix4d& M = binds[mesh->bind_indices[v][0]];
-    const Mat3 A = C * M.topLeftCorner<3, 3>();
-    const Vec3 p = A * mesh->positions[v].cast<double>() + C * M.topRightCorner<3, 1>();
-    mesh->positions[v] = p.cast<float>();
-    is_mirrored = A.determinant() < 0.0;
-    if (std::abs(A.determinant()) < 1e-12) continue;
-    const Vec3 normal = A.inverse().transpose() * mesh->normals[v].cast<double>();
-    mesh->normals[v] = normal.normalized().cast<float>();
+    const Eigen::Matrix4d M = to_world * mesh->BindOf(v);
+    mesh->positions[v] = PointBy(M, mesh->positions[v]).cast<float>();
+    mesh->normals[v] = NormalBy(M, mesh->normals[v]).cast<float>();
+    is_mirrored = M.topLeftCorner<3, 3>().determinant() < 0.0;
   }
   for (auto& triangle : mesh->triangles) {
     if (is_mirrored) std::swap(triangle[1], triangle[2]);

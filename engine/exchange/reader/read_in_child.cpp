@@ -14,22 +14,15 @@ Error Of(const std::string& file, Error error) {
   return error;
 }
 
-Result<Character> Run(const char* task, const std::string& path, const ReadOptions& options) {
+}  // namespace
+
+Result<Character> ReadInChild(ReadUse use, const std::string& path, const ReadOptions& options) {
+  const char* task = use == ReadUse::kThing ? kReadThing : kReadCharacter;
   Result<ChildOutcome> outcome = RunReader({task, path, {}}, options);
   if (!outcome.ok())
     return outcome.error().file.empty() ? Of(path, outcome.error()) : outcome.error();
   if (const auto error = WhyNoAnswer(outcome.value(), options.limits)) return Of(path, *error);
   return CharacterFromBytes(outcome.value().output, path);
-}
-
-}  // namespace
-
-Result<Character> ReadInChild(const std::string& path, const ReadOptions& options) {
-  return Run(kReadCharacter, path, options);
-}
-
-Result<Character> ReadThingInChild(const std::string& path, const ReadOptions& options) {
-  return Run(kReadThing, path, options);
 }
 
 }  // namespace hazumi

@@ -62,11 +62,9 @@ void MakeTrouble(const char* kind) {
   }
 }
 
-using Reader = hazumi::Result<hazumi::Character> (*)(const std::string& path);
-
-hazumi::Result<hazumi::Character> Read(Reader read, const char* path) {
+hazumi::Result<hazumi::Character> Read(hazumi::ReadUse use, const char* path) {
   try {
-    return read(path);
+    return hazumi::ReadHere(use, path);
   } catch (const std::exception& error) {
     return hazumi::Error{hazumi::ErrorCode::kFailed, path, "",
                          std::string("cannot be read (") + error.what() +
@@ -82,11 +80,11 @@ bool DecodeStandardInput() {
 }
 
 bool Do(const std::string& task, const char* file) {
-  const auto pass_on = [file](Reader read) {
-    return PassOn(hazumi::CharacterToBytes(Read(read, file)));
+  const auto pass_on = [file](hazumi::ReadUse use) {
+    return PassOn(hazumi::CharacterToBytes(Read(use, file)));
   };
-  if (task == hazumi::kReadCharacter) return pass_on(hazumi::ReadHere);
-  if (task == hazumi::kReadThing) return pass_on(hazumi::ReadThingHere);
+  if (task == hazumi::kReadCharacter) return pass_on(hazumi::ReadUse::kCharacter);
+  if (task == hazumi::kReadThing) return pass_on(hazumi::ReadUse::kThing);
   return task == hazumi::kDecodePictures && DecodeStandardInput();
 }
 

@@ -4,7 +4,7 @@
 
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/commands/commands.h"
-#include "tests/unit/edit/random_projects.h"
+#include "tests/unit/edit/random/random_projects.h"
 #include "ui/edit/script.h"
 #include "ui/shell/scripted_editor.h"
 

@@ -18,7 +18,7 @@
 #include "tests/support/from_environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/commands/commands.h"
-#include "tests/unit/edit/random_projects.h"
+#include "tests/unit/edit/random/random_projects.h"
 #include "ui/shell/scripted_editor.h"
 
 namespace hazumi::test {

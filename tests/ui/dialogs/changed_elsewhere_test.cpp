@@ -76,7 +76,7 @@ TEST_F(ChangedElsewhere, SavingAsOverItsOwnFileAsksToo) {
   Press({kEnter});
   EXPECT_TRUE(editor_.dialogs.files.asks_overwrite);
   EXPECT_TRUE(ends_with_line());
-  ConfirmOverwrite(&editor_);
+  editor_.dialogs.files.purpose->take(&editor_);
   EXPECT_TRUE(is_saved());
 }
 

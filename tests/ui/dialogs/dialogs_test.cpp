@@ -137,13 +137,13 @@ TEST_F(Dialogs, FilesAreLookedForWhereTheProjectIsElseWhereTheLastOneWas) {
   fs::create_directories(folder_ / "b");
   ASSERT_TRUE(editor_.Do("file.save", {{"path", File("b/one.kfa")}}));
   ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a/one.kfa")}}));
-  OpenFileDialog(&editor_, false);
+  OpenFileDialog(&editor_, kOpenProject);
   EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
   ASSERT_TRUE(editor_.Do("file.new"));
-  OpenFileDialog(&editor_, false);
+  OpenFileDialog(&editor_, kOpenProject);
   EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
   fs::remove_all(folder_ / "a");
-  OpenFileDialog(&editor_, true);
+  OpenFileDialog(&editor_, kSaveProject);
   EXPECT_EQ(editor_.dialogs.files.folder, File("b"));
 }
 

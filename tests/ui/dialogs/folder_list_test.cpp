@@ -31,11 +31,19 @@ TEST(FolderList, TheNewestGoesFirstIfAsked) {
 }
 
 TEST(FolderList, ShowsProjectsAndFoldersUnlessAllIsAsked) {
-  EXPECT_TRUE(IsShown({"a.KFA"}, {}));
+  const FolderFilter projects = {.wanted = IsProject};
+  const FolderFilter all = {.wanted = IsProject, .all_files = true};
+  EXPECT_TRUE(IsShown({"a.KFA"}, projects));
+  EXPECT_TRUE(IsShown({"folder", true}, projects));
+  EXPECT_FALSE(IsShown({"a.txt"}, projects));
+  EXPECT_TRUE(IsShown({"a.txt"}, all));
+  EXPECT_FALSE(IsShown({".hidden.kfa"}, all));
+}
+
+TEST(FolderList, ShowsFoldersAloneWhereNoFileIsWanted) {
   EXPECT_TRUE(IsShown({"folder", true}, {}));
-  EXPECT_FALSE(IsShown({"a.txt"}, {}));
-  EXPECT_TRUE(IsShown({"a.txt"}, {true}));
-  EXPECT_FALSE(IsShown({".hidden.kfa"}, {true}));
+  EXPECT_FALSE(IsShown({"a.kfa"}, {}));
+  EXPECT_FALSE(IsShown({"a.kfa"}, {.all_files = true}));
 }
 
 TEST(FolderList, TypedNamesBecomePaths) {
@@ -69,7 +77,7 @@ TEST(FolderList, AFolderIsListedAndOneThatIsNotThereIsAnError) {
   fs::create_directories(folder / "sub");
   std::ofstream(folder / "投げる.kfa") << "x";
   std::ofstream(folder / "notes.txt") << "x";
-  const auto listed = ListFolder(folder.string(), {});
+  const auto listed = ListFolder(folder.string(), {.wanted = IsProject});
   ASSERT_TRUE(listed.ok());
   EXPECT_EQ(NamesOf(listed.value()), (std::vector<std::string>{"sub", "投げる.kfa"}));
   EXPECT_GT(listed.value()[1].changed, 1'500'000'000);

@@ -12,6 +12,7 @@
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/commands/first_steps.h"
 #include "ui/panels/commands/menus.h"
+#include "ui/panels/dialogs/file_purpose.h"
 #include "ui/panels/dialogs/manual.h"
 #include "ui/panels/forms/options.h"
 #include "ui/panels/forms/texts.h"
@@ -96,6 +97,15 @@ TEST(Catalogue, HasEveryOperatorAndAction) {
   }
   for (const Action& action : AllActions()) {
     ExpectHasAll(action.id, action.label, action.help, action.parameters);
+  }
+}
+
+TEST(Catalogue, HasTheTextsOfTheFileDialog) {
+  for (const FilePurpose* purpose : AllFilePurposes()) {
+    for (const char* text :
+         {purpose->title, purpose->nothing, purpose->button, purpose->button_help}) {
+      ExpectHas(text, purpose->title);
+    }
   }
 }
 

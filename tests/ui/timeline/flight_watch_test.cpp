@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "tests/unit/edit/keyed_jump.h"
+#include "tests/unit/edit/placement/keyed_jump.h"
 #include "ui/panels/sheet/frame.h"
 #include "ui/panels/timeline/flight_text.h"
 

@@ -17,7 +17,7 @@ TEST(Content, SaysTheFormatWhateverTheFileIsCalled) {
       {"<?xml version=\"1.0\"?>\n<COLLADA version=\"1.4.1\">", CharacterFormat::kCollada},
   };
   for (const auto& [bytes, format] : cases) {
-    const Result<CharacterFormat> found = FormatOf(bytes, "model.png");
+    const Result<CharacterFormat> found = FormatOf(ReadUse::kCharacter, bytes, "model.png");
     ASSERT_TRUE(found.ok()) << bytes;
     EXPECT_EQ(found.value(), format) << bytes;
   }
@@ -31,7 +31,7 @@ TEST(Content, NamesWhatIsNotReadAndWhatIs) {
       {"\x01\x02\x03", "does not know"},
   };
   for (const auto& [bytes, name] : cases) {
-    const Result<CharacterFormat> found = FormatOf(bytes, "folder/model.fbx");
+    const Result<CharacterFormat> found = FormatOf(ReadUse::kCharacter, bytes, "folder/model.fbx");
     ASSERT_FALSE(found.ok()) << bytes;
     const std::string text = found.error().ToString();
     for (const std::string& part : {std::string("folder/model.fbx"), name, std::string("BVH"),
@@ -42,7 +42,7 @@ TEST(Content, NamesWhatIsNotReadAndWhatIs) {
 
 TEST(Content, AnEmptyFileIsCalledEmpty) {
   for (const char* bytes : {"", " \n\t", "\xEF\xBB\xBF"}) {
-    const Result<CharacterFormat> found = FormatOf(bytes, "a.bvh");
+    const Result<CharacterFormat> found = FormatOf(ReadUse::kCharacter, bytes, "a.bvh");
     ASSERT_FALSE(found.ok());
     EXPECT_NE(found.error().message.find("is empty"), std::string::npos);
   }

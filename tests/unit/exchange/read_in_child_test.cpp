@@ -52,14 +52,16 @@ class ReadInChildTest : public testing::Test {
 
 TEST_F(ReadInChildTest, ACrashIsAnError) {
   options_.trouble = "crash";
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"crashed", "export"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"crashed", "export"});
 }
 
 TEST_F(ReadInChildTest, AHangEndsAtTheTimeLimit) {
   options_.trouble = "hang";
   options_.limits.seconds = 0.3;
   const Clock::time_point start = Clock::now();
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"0.3 s", "export"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"0.3 s", "export"});
   EXPECT_GE(SecondsSince(start), 0.29);
   EXPECT_LT(SecondsSince(start), 3.0);
 }
@@ -67,7 +69,8 @@ TEST_F(ReadInChildTest, AHangEndsAtTheTimeLimit) {
 TEST_F(ReadInChildTest, ALoopEndsAtTheTimeLimitToo) {
   options_.trouble = "spin";
   options_.limits.seconds = 0.3;
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"0.3 s", "export"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"0.3 s", "export"});
 }
 
 TEST_F(ReadInChildTest, FourGigabytesAreAnError) {
@@ -76,18 +79,21 @@ TEST_F(ReadInChildTest, FourGigabytesAreAnError) {
 #endif
   options_.trouble = "allocate";
   options_.limits.seconds = 120.0;  // to touch it all
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"2048 MB", "export"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"2048 MB", "export"});
 }
 
 TEST_F(ReadInChildTest, GarbageIsAnError) {
   options_.trouble = "garbage";
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"no usable answer"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"no usable answer"});
 }
 
 TEST_F(ReadInChildTest, EndlessOutputIsAnError) {
   options_.trouble = "flood";
   options_.limits.answer = 16u << 20;
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kSyntax, {"far too much"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,
+              {"far too much"});
 }
 
 TEST_F(ReadInChildTest, CanBeCancelled) {
@@ -95,13 +101,14 @@ TEST_F(ReadInChildTest, CanBeCancelled) {
   std::atomic<int> asked = 0;
   options_.is_cancelled = [&] { return ++asked > 3; };
   const Clock::time_point start = Clock::now();
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kInterrupted, {"cancelled"});
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kInterrupted,
+              {"cancelled"});
   EXPECT_LT(SecondsSince(start), 3.0);
 }
 
 TEST_F(ReadInChildTest, AMissingReaderIsNamed) {
   options_.reader = "/nowhere/hazumi-reader";
-  ExpectError(ReadInChild("some.fbx", options_), ErrorCode::kFailed,
+  ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kFailed,
               {"/nowhere/hazumi-reader", "missing", "install"});
 }
 
@@ -109,7 +116,7 @@ TEST_F(ReadInChildTest, AReaderThatIsNoProgramIsNamed) {
   const test::TemporaryFolder folder;
   options_.reader = folder / "reader";
   std::ofstream(options_.reader) << "no program";
-  const Result<Character> result = ReadInChild("some.fbx", options_);
+  const Result<Character> result = ReadInChild(ReadUse::kCharacter, "some.fbx", options_);
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().ToString().find(options_.reader), std::string::npos);
 }
@@ -122,7 +129,7 @@ TEST_F(ReadInChildTest, SeveralThreadsMayRead) {
       ReadOptions options;
       options.trouble = i % 2 ? "crash" : "garbage";
       for (int k = 0; k < 5; ++k) {
-        const Result<Character> result = ReadInChild("some.fbx", options);
+        const Result<Character> result = ReadInChild(ReadUse::kCharacter, "some.fbx", options);
         const bool crashed =
             !result.ok() && result.error().message.find("crashed") != std::string::npos;
         if (crashed == (i % 2 == 1)) ++right;

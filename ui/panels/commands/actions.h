@@ -16,6 +16,7 @@ struct Action {
   const char* help;
   std::vector<edit::ParameterInfo> parameters;
   std::function<Result<Done>(Editor*, const edit::Parameters&)> run;
+  bool asks = false;  // opens a dialog before it does anything: "..." behind its label
 };
 
 // Of one file, which are among all.

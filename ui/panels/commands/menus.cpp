@@ -278,10 +278,8 @@ std::vector<MenuEntry> FlatMenus() {
 std::string LabelOf(const MenuEntry& entry) {
   std::string label = entry.label ? Tr(entry.label) : LabelOf(std::string(entry.id));
   const std::string id = entry.id ? entry.id : "";
-  const bool asks = id == "file.open_dialog" || id == "file.import_dialog" ||
-                    id == "file.sound_dialog" || id == "file.export_dialog" ||
-                    id == "file.reference_dialog" || id == "file.mesh_dialog" ||
-                    id == "file.save_as" || id == "render.dialog";
+  const Action* action = FindAction(id);
+  const bool asks = action && action->asks;
   if (!id.empty() && (asks || NeedsForm(id, entry.parameters))) label += "...";
   return label;
 }

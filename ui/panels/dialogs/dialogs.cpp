@@ -30,26 +30,26 @@ Result<Done> OpenPath(Editor* editor, const Parameters& p) {
   });
 }
 
-Result<Done> OpenWithDialog(Editor* editor, const Parameters&) {
-  return AskToSave(editor, [](Editor* asked) -> Result<Done> {
-    OpenFileDialog(asked, false);
+using Run = std::function<Result<Done>(Editor*, const Parameters&)>;
+
+Run FileDialogFor(const FilePurpose& purpose) {
+  return [&purpose](Editor* editor, const Parameters&) -> Result<Done> {
+    OpenFileDialog(editor, purpose);
     return Done();
-  });
+  };
 }
 
-Result<Done> ImportWithDialog(Editor* editor, const Parameters&) {
-  return AskToSave(editor, [](Editor* asked) -> Result<Done> {
-    OpenImportFileDialog(asked);
-    return Done();
-  });
+// What replaces the project.
+Run FileDialogAfterSaving(const FilePurpose& purpose) {
+  return [&purpose](Editor* editor, const Parameters&) {
+    return AskToSave(editor, [&purpose](Editor* asked) -> Result<Done> {
+      OpenFileDialog(asked, purpose);
+      return Done();
+    });
+  };
 }
 
 Result<Done> Save(Editor* editor, const Parameters&) { return SaveThen(editor, nullptr); }
-
-Result<Done> SaveAs(Editor* editor, const Parameters&) {
-  OpenFileDialog(editor, true);
-  return Done();
-}
 
 Result<Done> ShowFirstSteps(Editor* editor, const Parameters& p) {
   DialogsState& dialogs = editor->dialogs;
@@ -59,7 +59,7 @@ Result<Done> ShowFirstSteps(Editor* editor, const Parameters& p) {
   return Done();
 }
 
-std::function<Result<Done>(Editor*, const Parameters&)> Opener(Modal modal) {
+Run Opener(Modal modal) {
   return [modal](Editor* editor, const Parameters&) -> Result<Done> {
     Open(modal, editor);
     return Done();
@@ -90,21 +90,6 @@ Result<Done> ExportWithDialog(Editor* editor, const Parameters& p) {
   return Done();
 }
 
-Result<Done> ChooseSound(Editor* editor, const Parameters&) {
-  OpenSoundDialog(editor);
-  return Done();
-}
-
-Result<Done> ChooseReference(Editor* editor, const Parameters&) {
-  OpenReferenceDialog(editor);
-  return Done();
-}
-
-Result<Done> ChooseMesh(Editor* editor, const Parameters&) {
-  OpenMeshDialog(editor);
-  return Done();
-}
-
 Result<Done> ShowRender(Editor* editor, const Parameters& p) {
   OpenRenderDialog(editor, p.yes("whole"));
   return Done();
@@ -124,35 +109,50 @@ std::vector<Action> DialogActions() {
        "Opens a project, or imports a character. Asks about unsaved changes.",
        {{"path", kText, true, "a .kfa file, or one of another program"}},
        OpenPath},
-      {"file.open_dialog", "Open", "Chooses a project to open.", {}, OpenWithDialog},
+      {"file.open_dialog",
+       "Open",
+       "Chooses a project to open.",
+       {},
+       FileDialogAfterSaving(kOpenProject),
+       true},
       {"file.import_dialog",
        "Import character",
        "Makes a project of a character and its clip: BVH, FBX, glTF, GLB or Collada.",
        {},
-       ImportWithDialog},
+       FileDialogAfterSaving(kImportCharacter),
+       true},
       {"file.sound_dialog",
        "Choose sound",
        "Chooses the sound that is heard with the motion: WAV, MP3, a video's, and others.",
        {},
-       ChooseSound},
+       FileDialogFor(kChooseSound),
+       true},
       {"file.reference_dialog",
        "Choose reference",
        "Chooses a picture or a video to animate by; it is seen behind or in the scene.",
        {},
-       ChooseReference},
+       FileDialogFor(kChooseReference),
+       true},
       {"file.mesh_dialog",
        "Choose mesh",
        "Puts a mesh of another program into the selected hand, or on the ground: glTF, GLB, FBX, "
        "Collada or OBJ.",
        {},
-       ChooseMesh},
+       FileDialogFor(kChooseMesh),
+       true},
       {"file.export_dialog",
        "Export",
        "Writes the motion for other programs: BVH, glTF, CSV, JSON, or a video.",
        {{"path", kText, false, "the file that is proposed; not given: as the time before"}},
-       ExportWithDialog},
+       ExportWithDialog,
+       true},
       {"app.save", "Save", "Saves the project; asks for a name if it has none.", {}, Save},
-      {"file.save_as", "Save as", "Saves the project under another name.", {}, SaveAs},
+      {"file.save_as",
+       "Save as",
+       "Saves the project under another name.",
+       {},
+       FileDialogFor(kSaveProject),
+       true},
       {"app.search",
        "Search",
        "Finds whatever Hazumi can do by its name, and does it.",
@@ -179,7 +179,8 @@ std::vector<Action> DialogActions() {
        "Render",
        "Draws pictures of the animation into PNG files.",
        {{"whole", kYesNo, false, "true: all frames, else the current one"}},
-       ShowRender}};
+       ShowRender,
+       true}};
 }
 
 void Open(Modal modal, Editor* editor) {
@@ -206,7 +207,7 @@ void AnswerSave(Editor* editor) {
 Result<Done> SaveThen(Editor* editor, Then then) {
   const edit::Document& document = editor->session().document();
   if (document.path().empty()) {
-    OpenFileDialog(editor, true, std::move(then));
+    OpenFileDialog(editor, kSaveProject, std::move(then));
     return Done();
   }
   if (document.is_changed_elsewhere()) {
@@ -236,7 +237,7 @@ void AnswerTakeTheirs(Editor* editor) {
   if (editor->Do("file.open", {{"path", path}})) DoThen(then, editor);
 }
 
-void AnswerSaveAs(Editor* editor) { OpenFileDialog(editor, true, editor->dialogs.then); }
+void AnswerSaveAs(Editor* editor) { OpenFileDialog(editor, kSaveProject, editor->dialogs.then); }
 
 void AnswerDiscard(Editor* editor) {
   const Then then = editor->dialogs.then;

@@ -32,24 +32,17 @@ void AnswerTakeTheirs(Editor* editor);
 void AnswerSaveAs(Editor* editor);
 
 // Shows the file dialog; `then` is done after a project was saved.
-void OpenFileDialog(Editor* editor, bool is_save, Then then = nullptr);
-// Shows it to choose a character of another program; its import dialog comes after it.
-void OpenImportFileDialog(Editor* editor);
-void OpenSoundDialog(Editor* editor);
-void OpenReferenceDialog(Editor* editor);
-void OpenMeshDialog(Editor* editor);
+void OpenFileDialog(Editor* editor, const FilePurpose& purpose, Then then = nullptr);
 // Shows it to choose the render dialog's folder; that dialog comes back after either answer.
 void OpenFolderDialog(Editor* editor);
-void ChooseFolder(Editor* editor);
 // The same for the export dialog's file.
 void OpenExportFileDialog(Editor* editor);
 void LeaveFileDialog(Editor* editor);
 void GoToFolder(const std::string& folder, Editor* editor);
 void ReadFolder(Editor* editor);
 void SelectEntry(int entry, Editor* editor);
-// Opens the folder or the project that the name says, or saves; asks before it overwrites.
+// Goes to the folder that the name says, or takes the file.
 void ChooseFile(Editor* editor);
-void ConfirmOverwrite(Editor* editor);
 
 // Where the middle of a dialog is from the left [px]: that of the window, or beside a card that it
 // would cover, if it fits there.

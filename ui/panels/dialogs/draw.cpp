@@ -17,13 +17,7 @@ struct Frame {
 Frame FrameOf(const DialogsState& dialogs) {
   switch (dialogs.modal) {
     case Modal::kFiles:
-      if (dialogs.files.imports) return {"Import character", 680, 430};
-      if (dialogs.files.sounds) return {"Choose sound", 680, 430};
-      if (dialogs.files.references) return {"Choose reference", 680, 430};
-      if (dialogs.files.meshes) return {"Add mesh", 680, 430};
-      if (dialogs.files.picks_folder) return {"Choose folder", 680, 430};
-      if (dialogs.files.exports) return {"Export", 680, 430};
-      return {dialogs.files.is_save ? "Save project" : "Open project", 680, 430};
+      return {dialogs.files.purpose->title, 680, 430};
     case Modal::kUnsaved:
       return {"Unsaved changes", 400, 0};
     case Modal::kChangedElsewhere:

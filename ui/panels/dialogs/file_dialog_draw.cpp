@@ -42,7 +42,8 @@ void DrawShelves(Editor* editor) {
     }
   }
   const FileDialogState& files = editor->dialogs.files;
-  if (files.is_save || files.picks_folder || editor->settings.recent_files.empty()) return;
+  if (files.purpose->writes || !files.purpose->wanted || editor->settings.recent_files.empty())
+    return;
   ImGui::Spacing();
   ImGui::TextDisabled("%s", Tr("Recent files"));
   const std::vector<std::string> recent = editor->settings.recent_files;
@@ -65,7 +66,7 @@ void DrawTop(Editor* editor) {
     return ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
   };
   const float files_width =
-      files.picks_folder ? 0.0f : width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
+      !files.purpose->wanted ? 0.0f : width_of(Tr("All files")) + ImGui::GetStyle().ItemSpacing.x;
   const float choices_width = width_of(Tr("Newest first")) + files_width;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - choices_width;
@@ -78,7 +79,7 @@ void DrawTop(Editor* editor) {
   bool is_changed = ImGui::Checkbox(Tr("Newest first"), &is_newest);
   Tooltip(Tr("Sorts by the time of the last change instead of the name."));
   files.filter.order = is_newest ? FileOrder::kNewest : FileOrder::kName;
-  if (!files.picks_folder) {
+  if (files.purpose->wanted) {
     ImGui::SameLine();
     is_changed |= ImGui::Checkbox(Tr("All files"), &files.filter.all_files);
     Tooltip(Tr("Also shows files that are no projects."));
@@ -103,13 +104,7 @@ void DrawList(Editor* editor) {
                        ImGui::CalcTextSize("2026-12-31  23:59").x - Px(*editor, 16);
   std::optional<int> chosen;
   if (files.entries.empty()) {
-    ImGui::TextDisabled("%s", files.picks_folder ? Tr("There is no folder in here.")
-                              : files.exports    ? Tr("There is no such file in this folder.")
-                              : files.imports    ? Tr("There is no character in this folder.")
-                              : files.sounds     ? Tr("There is no sound in this folder.")
-                              : files.references ? Tr("There is no picture in this folder.")
-                              : files.meshes     ? Tr("There is no mesh in this folder.")
-                                                 : Tr("There is no project in this folder."));
+    ImGui::TextDisabled("%s", Tr(files.purpose->nothing));
   }
   for (int i = 0; i < static_cast<int>(files.entries.size()); ++i) {
     ImGui::PushID(i);
@@ -180,7 +175,7 @@ void DrawName(Editor* editor) {
       files.name != before) {
     files.error.clear();
     files.asks_overwrite = false;
-    files.selected = files.is_save ? -1 : FirstBeginningWith(files.entries, files.name);
+    files.selected = files.purpose->writes ? -1 : FirstBeginningWith(files.entries, files.name);
     editor->NeedGlyphs(files.name);
     NoteNameField(files);
   }
@@ -197,7 +192,7 @@ void DrawOverwrite(Editor* editor) {
   DrawError(Trouble(editor->dialogs.files), editor->theme());
   const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
                                             {Tr("Cancel"), Tr("Leaves everything as it is.")}});
-  if (clicked == 0) ConfirmOverwrite(editor);
+  if (clicked == 0) editor->dialogs.files.purpose->take(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) editor->dialogs.files.asks_overwrite = false;
 }
 
@@ -205,17 +200,11 @@ void DrawBottom(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
   if (files.asks_overwrite) return DrawOverwrite(editor);
   DrawError(Trouble(files), editor->theme());
-  const ButtonText choose =
-      files.picks_folder ? ButtonText{Tr("Choose"), Tr("The pictures go into this folder.")}
-      : files.exports    ? ButtonText{Tr("Choose"), Tr("The export goes into this file.")}
-      : files.sounds     ? ButtonText{Tr("Choose"), Tr("This is heard with the motion.")}
-      : files.references ? ButtonText{Tr("Choose"), Tr("This is seen behind or in the scene.")}
-      : files.meshes  ? ButtonText{Tr("Choose"), Tr("This is put into the hand, or on the ground.")}
-      : files.is_save ? ButtonText{Tr("Save"), Tr("Saves under this name.")}
-                      : ButtonText{Tr("Open"), Tr("Opens the project, or the folder.")};
+  const FilePurpose& purpose = *files.purpose;
+  const ButtonText choose = {Tr(purpose.button), Tr(purpose.button_help)};
   const int clicked =
       DrawButtons(*editor, {choose, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
-  if (clicked == 0) files.picks_folder ? ChooseFolder(editor) : ChooseFile(editor);
+  if (clicked == 0) purpose.wanted ? ChooseFile(editor) : purpose.take(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) LeaveFileDialog(editor);
 }
 

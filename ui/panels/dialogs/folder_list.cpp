@@ -40,15 +40,20 @@ bool EndsInOneOf(std::initializer_list<const char*> suffixes, const std::string&
                      [&](const char* suffix) { return name.ends_with(suffix); });
 }
 
+// glTF, FBX and Collada hold both characters and meshes.
+bool IsScene(const std::string& path) {
+  return EndsInOneOf({".fbx", ".gltf", ".glb", ".dae"}, path);
+}
+
 }  // namespace
 
+bool IsProject(const std::string& path) { return EndsInOneOf({kSuffix}, path); }
+
 bool IsOfOtherProgram(const std::string& path) {
-  return EndsInOneOf({".bvh", ".fbx", ".gltf", ".glb", ".dae"}, path);
+  return IsScene(path) || EndsInOneOf({".bvh"}, path);
 }
 
-bool IsMesh(const std::string& path) {
-  return EndsInOneOf({".obj", ".fbx", ".gltf", ".glb", ".dae"}, path);
-}
+bool IsMesh(const std::string& path) { return IsScene(path) || EndsInOneOf({".obj"}, path); }
 
 bool IsExport(const std::string& path) {
   return EndsInOneOf({".bvh", ".gltf", ".glb", ".csv", ".json", ".mp4"}, path);
@@ -71,13 +76,8 @@ bool IsReference(const std::string& path) {
 
 bool IsShown(const FileEntry& entry, const FolderFilter& filter) {
   if (entry.name.starts_with('.')) return false;
-  if (entry.is_folder || filter.all_files) return true;
-  if (filter.kind == FolderFilter::Kind::kCharacters) return IsOfOtherProgram(entry.name);
-  if (filter.kind == FolderFilter::Kind::kSounds) return IsSound(entry.name);
-  if (filter.kind == FolderFilter::Kind::kReferences) return IsReference(entry.name);
-  if (filter.kind == FolderFilter::Kind::kMeshes) return IsMesh(entry.name);
-  if (filter.kind == FolderFilter::Kind::kMotions) return IsExport(entry.name);
-  return LowerCase(entry.name).ends_with(kSuffix);
+  if (entry.is_folder) return true;
+  return filter.wanted && (filter.all_files || filter.wanted(entry.name));
 }
 
 bool ComesBefore(const std::string& a, const std::string& b) {
@@ -143,7 +143,7 @@ std::string PathOf(const std::string& folder, const std::string& typed, const st
 }
 
 std::string WithProjectSuffix(const std::string& name) {
-  return LowerCase(name).ends_with(kSuffix) ? name : name + kSuffix;
+  return IsProject(name) ? name : name + kSuffix;
 }
 
 int FirstBeginningWith(const std::vector<FileEntry>& entries, const std::string& typed) {

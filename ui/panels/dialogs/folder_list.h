@@ -19,12 +19,13 @@ struct FileEntry {
 enum class FileOrder { kName, kNewest };
 
 struct FolderFilter {
-  enum class Kind { kProjects, kCharacters, kMotions, kSounds, kReferences, kMeshes };
-  bool all_files = false;  // else those of the kind alone; what begins with a dot is never shown
+  bool (*wanted)(const std::string& path) = nullptr;  // which files are shown; null: folders alone
+  bool all_files = false;  // else those that are wanted; what begins with a dot is never shown
   FileOrder order = FileOrder::kName;
-  Kind kind = Kind::kProjects;
 };
 
+// Called as projects are.
+bool IsProject(const std::string& path);
 // Called as files of other programs are that can be imported.
 bool IsOfOtherProgram(const std::string& path);
 // Called as files with meshes.

@@ -8,6 +8,7 @@
 #include "ui/panels/commands/first_steps.h"
 #include "ui/panels/commands/search.h"
 #include "ui/panels/dialogs/export_job.h"
+#include "ui/panels/dialogs/file_purpose.h"
 #include "ui/panels/dialogs/folder_list.h"
 #include "ui/panels/dialogs/import_job.h"
 #include "ui/panels/dialogs/render_job.h"
@@ -18,35 +19,11 @@ namespace hazumi::ui {
 
 class Editor;
 
-// What is on top of the panels and has all keys; one at a time.
-enum class Modal {
-  kNone,
-  kFiles,
-  kUnsaved,
-  kChangedElsewhere,
-  kSearch,
-  kForm,
-  kImport,
-  kExport,
-  kRender,
-  kProgress,
-  kManual,
-  kAbout,
-  kPreferences
-};
-
 // What goes on once a question is answered. An error is shown where it was asked.
 using Then = std::function<Result<Done>(Editor*)>;
 
-// The dialog to open a project or to save it, or to choose a folder or a file to be written.
 struct FileDialogState {
-  bool is_save = false;
-  bool picks_folder = false;  // for the pictures of the render dialog
-  bool imports = false;       // a character of another program
-  bool sounds = false;        // the project's sound
-  bool references = false;    // its reference picture or video
-  bool meshes = false;        // of a thing that is held
-  bool exports = false;       // a file for the export dialog, which asks before it overwrites
+  const FilePurpose* purpose = &kOpenProject;
   std::string folder;
   FolderFilter filter;
   std::vector<FileEntry> entries;  // of the folder

@@ -205,15 +205,13 @@ class ThrowTool : public SpotTool {
   }
 
   static void Warn(const Vec3& ahead, const Vec3& way, Told* told) {
-    constexpr double kWidest = 75.0;  // [degrees]
     const double turn = std::remainder(
         std::atan2(way.y(), way.x()) - std::atan2(ahead.y(), ahead.x()), 2.0 * std::numbers::pi);
-    const double degrees = std::abs(turn) / kDegree;
-    if (degrees <= kWidest) return;
+    if (std::abs(turn) <= edit::kWidestThrow) return;
     told->is_caution = true;
     told->text += " " + Filled(Tr("That is %.0f degrees to the side of where the figure faces: "
                                   "turn the figure to it."),
-                               degrees);
+                               std::abs(turn) / kDegree);
   }
 
   std::string object_;

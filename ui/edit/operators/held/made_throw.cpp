@@ -143,7 +143,6 @@ void SetTimes(const Animation& animation, ThrowPlan* plan) {
 
 Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
                             const ThrowTarget& target, int object, const Project& project) {
-  constexpr double kWidest = 75.0 * kDegree;
   const Vec3& spot = target.ground;
   ThrowPlan plan;
   plan.start = now.frame;
@@ -160,7 +159,7 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
   ComputePositions(figure, now.X_WR, now.q, &ws);
   const Vec3 shoulder = ws.body(*figure.FindJoint(plan.side + "shoulder_flexion")).p;
   plan.bearing = BearingOf(spot, shoulder, now.X_WR);
-  if (std::abs(plan.bearing) > kWidest) {
+  if (std::abs(plan.bearing) > kWidestThrow) {
     return Refusal("x",
                    "the spot is " + std::to_string(std::lround(std::abs(plan.bearing) / kDegree)) +
                        " degrees to the side of where the figure faces; turn the figure to it");

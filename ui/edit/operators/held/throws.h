@@ -21,6 +21,9 @@ ThrowTarget TargetOf(const Parameters& p);
 // The project becomes this one, in one undo step.
 Result<Done> PutThrown(Session* session, const char* label, Project project, const Parameters& p);
 
+// How far to the side of where the figure faces it can throw [rad].
+inline constexpr double kWidestThrow = 75.0 * kDegree;
+
 // Whether a dynamics region moves who lets go of the object next, so that its throw can be aimed;
 // not if who has it in the current frame keeps it.
 bool HasThrow(int object, Session* session);

@@ -253,9 +253,10 @@ Result<Done> AimJump(Session* session, const Parameters& p) {
   return session->Edit(
       "Aim jump",
       [&](Project* changed) {
-        return JumpAsLow(p.maybe_number("height"), changed, [&](double height, Project* tried) {
+        const auto jump = [&](double height, Project* tried) {
           return Jump(known, *spans, animation, target, height, tried);
-        });
+        };
+        return JumpAsLow(p.maybe_number("height"), jump, changed);
       },
       p.text("drag"));
 }

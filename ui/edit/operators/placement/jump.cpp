@@ -137,7 +137,7 @@ Result<Done> AddJump(Session* session, const Parameters& p) {
   };
   return session->Edit(
       "Add jump",
-      [&](Project* project) { return JumpAsLow(p.maybe_number("height"), project, jump); },
+      [&](Project* project) { return JumpAsLow(p.maybe_number("height"), jump, project); },
       p.text("drag"));
 }
 

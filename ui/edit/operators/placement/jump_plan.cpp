@@ -148,4 +148,18 @@ Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project) {
   return Pin(landing, plan.end, std::move(pins.after), project);
 }
 
+Result<Done> JumpAsLow(std::optional<double> height, const JumpSoHigh& jump, Project* project) {
+  constexpr double kLeast = 0.15, kMost = 1.5, kStep = 0.05;  // [m]
+  if (height) return jump(*height, project);
+  Result<Done> done = Done();
+  for (double tried_height = kLeast; tried_height <= kMost; tried_height += kStep) {
+    Project tried = *project;
+    done = jump(tried_height, &tried);
+    if (!done.ok()) continue;
+    *project = std::move(tried);
+    return done;
+  }
+  return done;
+}
+
 }  // namespace hazumi::edit

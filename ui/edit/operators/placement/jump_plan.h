@@ -4,7 +4,8 @@
 // equations are in jump_plan.cpp.
 
 #include <array>
-#include <vector>
+#include <functional>
+#include <optional>
 
 #include "engine/bake/motion.h"
 #include "engine/dynamics/kinematics.h"
@@ -77,20 +78,8 @@ struct JumpPins {
 // figure then.
 Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project);
 
-// As low as it gets there, if no height is given: `jump(height, project)` until one succeeds.
-template <typename Jump>
-Result<Done> JumpAsLow(std::optional<double> height, Project* project, Jump jump) {
-  constexpr double kLeast = 0.15, kMost = 1.5, kStep = 0.05;  // [m]
-  if (height) return jump(*height, project);
-  Result<Done> done = Done();
-  for (double tried_height = kLeast; tried_height <= kMost; tried_height += kStep) {
-    Project tried = *project;
-    done = jump(tried_height, &tried);
-    if (!done.ok()) continue;
-    *project = std::move(tried);
-    return done;
-  }
-  return done;
-}
+// Jumps so high [m] or, if no height is given, as low as it gets there.
+using JumpSoHigh = std::function<Result<Done>(double height, Project* project)>;
+Result<Done> JumpAsLow(std::optional<double> height, const JumpSoHigh& jump, Project* project);
 
 }  // namespace hazumi::edit

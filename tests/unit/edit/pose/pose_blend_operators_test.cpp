@@ -1,5 +1,5 @@
-#include "tests/unit/edit/body_places.h"
-#include "tests/unit/edit/keys_of.h"
+#include "tests/unit/edit/keys/keys_of.h"
+#include "tests/unit/edit/pose/body_places.h"
 
 namespace hazumi::test {
 namespace {

@@ -1,6 +1,6 @@
 // Whatever is done can be undone and done again, to the byte, and what is saved is what was there.
 
-#include "tests/unit/edit/random_operators.h"
+#include "tests/unit/edit/random/random_operators.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "engine/project/project_reader.h"
 #include "tests/support/from_environment.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/edit/random_projects.h"
+#include "tests/unit/edit/random/random_projects.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {

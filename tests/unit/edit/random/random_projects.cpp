@@ -1,4 +1,4 @@
-#include "tests/unit/edit/random_projects.h"
+#include "tests/unit/edit/random/random_projects.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 
 #include "engine/project/project_reader.h"
 #include "tests/support/from_environment.h"
-#include "tests/unit/edit/journals.h"
-#include "tests/unit/edit/random_operators.h"
+#include "tests/unit/edit/random/random_operators.h"
+#include "tests/unit/edit/session/journals.h"
 #include "ui/edit/document/file_digest.h"
 
 namespace hazumi::test {

@@ -1,6 +1,6 @@
 // Which keys are selected, and what becomes of that when they are edited.
 
-#include "tests/unit/edit/keys_of.h"
+#include "tests/unit/edit/keys/keys_of.h"
 
 namespace hazumi::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "engine/spatial/degrees.h"
 #include "engine/timeline/curve_track.h"
-#include "tests/unit/edit/keys_of.h"
+#include "tests/unit/edit/keys/keys_of.h"
 #include "ui/edit/operators/keys/key_rates.h"
 
 namespace hazumi::test {

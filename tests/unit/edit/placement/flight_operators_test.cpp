@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/unit/edit/keyed_jump.h"
+#include "tests/unit/edit/placement/keyed_jump.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {

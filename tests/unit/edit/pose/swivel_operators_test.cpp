@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "engine/spatial/degrees.h"
-#include "tests/unit/edit/body_places.h"
+#include "tests/unit/edit/pose/body_places.h"
 
 namespace hazumi::test {
 namespace {

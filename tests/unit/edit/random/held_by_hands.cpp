@@ -1,4 +1,4 @@
-#include "tests/unit/edit/held_by_hands.h"
+#include "tests/unit/edit/random/held_by_hands.h"
 
 #include <algorithm>
 #include <cmath>

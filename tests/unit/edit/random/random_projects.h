@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tests/unit/edit/random_operators.h"
+#include "tests/unit/edit/random/random_operators.h"
 
 namespace hazumi::test {
 

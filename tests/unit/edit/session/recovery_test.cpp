@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "engine/project/project_reader.h"
-#include "tests/unit/edit/journals.h"
-#include "tests/unit/edit/random_operators.h"
+#include "tests/unit/edit/random/random_operators.h"
+#include "tests/unit/edit/session/journals.h"
 
 namespace hazumi::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/unit/edit/keys_of.h"
+#include "tests/unit/edit/keys/keys_of.h"
 
 namespace hazumi::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/unit/edit/likely_numbers.h"
+#include "tests/unit/edit/random/likely_numbers.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/placement/contact.h"
-#include "tests/unit/edit/jumps.h"
+#include "tests/unit/edit/placement/jumps.h"
 
 namespace hazumi::test {
 namespace {

@@ -1,11 +1,11 @@
-#include "tests/unit/edit/random_operators.h"
+#include "tests/unit/edit/random/random_operators.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
 
-#include "tests/unit/edit/held_by_hands.h"
-#include "tests/unit/edit/likely_numbers.h"
+#include "tests/unit/edit/random/held_by_hands.h"
+#include "tests/unit/edit/random/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/placement/jumps.h"

@@ -2,7 +2,7 @@
 
 #include "ui/edit/recovery/journal.h"
 
-#include "tests/unit/edit/journals.h"
+#include "tests/unit/edit/session/journals.h"
 
 namespace hazumi::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/unit/edit/jumps.h"
+#include "tests/unit/edit/placement/jumps.h"
 
 namespace hazumi::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "engine/collision/distance.h"
 #include "tests/support/random.h"
-#include "tests/unit/edit/body_places.h"
+#include "tests/unit/edit/pose/body_places.h"
 
 namespace hazumi::test {
 namespace {
