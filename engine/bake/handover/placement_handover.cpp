@@ -54,7 +54,7 @@ void PlacementHandover::TakeKeyedVelocity(int frame) {
 }
 
 void PlacementHandover::WarnOfVelocityJump(int frame) {
-  constexpr double kJump = 1e-3;  // [m/s]
+  constexpr double kJump = 0.01;  // [m/s]; at 30 frames a second it is a third of a millimetre
   const double jump = (context_.now.root.v - context_.before.root_v).norm();
   if (frame == context_.animation.first_frame || jump <= kJump) return;
   context_.recorder.AddJump({context_.schedule.PlacementAt(frame), frame, jump},

@@ -67,6 +67,43 @@ TEST(JumpOperators, ItRisesAsHighAsItIsTold) {
   }
 }
 
+Vec3 Step(const Motion& motion, int frame) {
+  return motion.frames[frame].com - motion.frames[frame - 1].com;
+}
+
+TEST(JumpOperators, AsTheFeetTouchItSinksOnAndOnlySlows) {
+  for (const double height : {0.2, 0.35, 0.5, 0.8}) {
+    Session session;
+    Do(&session, "jump.add", {{"x", 0.6}, {"height", height}});
+    const Motion motion = JumpMotion(&session);
+    const auto sunk = [&](int f) { return -Step(motion, f).z(); };
+    const int landing = PhasesOf(session).landing;
+    EXPECT_NEAR(sunk(landing + 1), sunk(landing), 0.15 * sunk(landing)) << height;
+    for (int f = landing + 1; sunk(f) > 0.002; ++f) {
+      EXPECT_LE(sunk(f + 1), 1.05 * sunk(f)) << height << ", frame " << f - landing;
+    }
+  }
+}
+
+// Its centre of mass, from one frame to the next: a leap in that is seen as a hitch. To the front,
+// up, back, onto a box.
+TEST(JumpOperators, NowhereDoesItSpeedUpOrStopAtOnce) {
+  constexpr double kMost = 0.045;  // [m] a frame more or less than in the one before it
+  for (const double x : {0.05, 0.6, 1.15, -0.3}) {
+    for (const double height : {0.2, 0.35, 0.5}) {
+      Session session;
+      if (x == 1.15) AddBox(&session);
+      if (x == 1.15 && height < 0.5) continue;
+      Do(&session, "jump.add", {{"x", x}, {"height", height}});
+      const Motion motion = JumpMotion(&session);
+      for (int f = 2; f <= PhasesOf(session).end; ++f) {
+        EXPECT_LE((Step(motion, f) - Step(motion, f - 1)).norm(), kMost)
+            << x << ", " << height << ", frame " << f << " of " << PhasesOf(session).landing;
+      }
+    }
+  }
+}
+
 TEST(JumpOperators, ItEndsStandingAsItBegan) {
   Session session;
   Do(&session, "pose.rotate", {{"joint", "neck_rotation"}, {"to", 30}});

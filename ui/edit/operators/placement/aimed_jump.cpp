@@ -2,7 +2,9 @@
 // phases f_i; a jump onto the new spot has its phases on frames g_i (jump_plan.cpp), and what is
 // keyed in between goes along: a key on frame t with f_i <= t <= f_i+1 to
 //   g_i + (t - f_i) (g_i+1 - g_i) / (f_i+1 - f_i),
-// and its rates so much faster as its stretch of the jump is shorter.
+// and its rates so much faster as its stretch of the jump is shorter. Where its keys say how fast
+// it takes off and lands, as those of a jump that was made do, that and its lean there are found
+// anew (jump_contacts.cpp).
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +12,7 @@
 #include "ui/edit/operators/keys/carried_along.h"
 #include "ui/edit/operators/keys/keyed_moves.h"
 #include "ui/edit/operators/placement/flight_plan.h"
-#include "ui/edit/operators/placement/jump_plan.h"
+#include "ui/edit/operators/placement/jump_contacts.h"
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/edit/operators/placement/root_curves.h"
 
@@ -126,10 +128,7 @@ class KnownJump {
   int end() const { return pins_.after.last_frame; }
   const JumpFrames& frames() const { return frames_; }
   const JumpPins& pins() const { return pins_; }
-  JumpLengths lengths() const {
-    return {frames_[kCrouch] - start(), frames_[kAbsorbed] - frames_[kLanding],
-            end() - frames_[kAbsorbed]};
-  }
+  JumpLengths lengths() const { return {frames_[kCrouch] - start(), end() - frames_[kAbsorbed]}; }
   Stance StanceOn(int frame) const {
     const MotionFrame& there = FrameOf(motion_, frame);
     const auto values = RootValues(there.X_WR, project_.root, frame);
@@ -192,10 +191,12 @@ Result<Done> Jump(const KnownJump& known, const JumpSpans& spans, const Animatio
   plan.after = known.StanceOn(known.end());
   plan.root_before = known.RootOn(known.start());
   for (int i = 0; i < kNumJumpPhases; ++i) plan.stances[i] = known.StanceOn(known.frames()[i]);
-  const Vec3 spot = stage.ToesOf(plan.before, plan.root_before);
-  Result<Done> done = SetRoots(spot, target, &stage, &plan);
+  const JumpSpots spots = {stage.ToesOf(plan.before, plan.root_before), target};
+  const bool is_made = HasContacts(known.frames(), *project);
+  Result<Done> done = SetRoots(spots, &stage, &plan);
   if (!done.ok()) return done;
-  done = SetTimes(animation, height, known.lengths(), &stage, &plan);
+  done = is_made ? PlanContacts(animation, spots, height, known.lengths(), &stage, &plan)
+                 : SetTimes(animation, height, known.lengths(), &stage, &plan);
   if (!done.ok()) return done;
   auto& all = project->placements;
   all.erase(all.begin() + static_cast<std::ptrdiff_t>(spans.before),
@@ -206,6 +207,7 @@ Result<Done> Jump(const KnownJump& known, const JumpSpans& spans, const Animatio
                  AllFrames(plan.start, plan.frames, plan.end)},
                 *animation.figure, project);
   if (!done.ok()) return done;
+  if (is_made) KeyContacts(plan, *animation.figure, project);
   return PutJump(plan, known.pins(), project);
 }
 

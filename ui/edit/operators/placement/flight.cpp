@@ -25,6 +25,7 @@ constexpr double kNear = 0.02;  // so far from its key it may land [m]
 struct FlightKeys {
   FlightSpan span;
   int by_gravity = 0;              // first frame that gravity places
+  bool lands = false;              // on the last frame
   std::vector<Vec3> roots, rates;  // of the root, from span.first to by_gravity [m, m/s]
   Vec3 root_before, root_after;    // on the frame before the first, that after the last
   Vec3 rate_before, rate_after;    // [m/s]
@@ -64,27 +65,30 @@ Result<int> FirstByGravity(const FlightArc& arc, const FlightSpan& span) {
                               " frames after it took off: it does not get off the ground");
 }
 
-// Where the keys have the figure on the ground, or not much inside, it flies to a hair inside, so
-// that it lands, and not before.
+// It flies to a hair inside the ground, so that it lands, and not before.
 void EndOnTheGround(double clearance, int last, FlightArc* arc) {
-  constexpr double kHair = 1e-6, kLands = 1e-4;  // [m]
-  if (clearance < kLands) arc->EndAt(arc->ComAt(last) - (clearance + kHair) * Vec3::UnitZ());
+  constexpr double kHair = 1e-6;  // [m]
+  arc->EndAt(arc->ComAt(last) - (clearance + kHair) * Vec3::UnitZ());
 }
 
 Result<FlightKeys> KeysOf(const FlightSpan& span, const Motion& motion, FlightArc* planned) {
+  constexpr double kLands = 1e-4;  // [m]
   FlightArc& arc = *planned;
   const auto landing = arc.NearnessAt(span.last);
   if (landing && landing->clearance < -kNear) {
     return Refusal("last", Inside(*landing, span.last) +
                                ": key the root so much higher there, or let it land before");
   }
-  if (landing) EndOnTheGround(landing->clearance, span.last, &arc);
+  // Where the keys have the figure on the ground, or not much inside.
+  const bool lands = landing && landing->clearance < kLands;
+  if (lands) EndOnTheGround(landing->clearance, span.last, &arc);
   const Result<int> by_gravity = FirstByGravity(arc, span);
   if (!by_gravity.ok()) return by_gravity.error();
   const MotionFrame& before = FrameOf(motion, span.first - 1);
   const MotionFrame& after = FrameOf(motion, span.last + 1);
   FlightKeys keys{span,
                   by_gravity.value(),
+                  lands,
                   {},
                   {},
                   before.X_WR.p,
@@ -191,11 +195,14 @@ class Tries {
   std::unique_ptr<IncrementalBake> bake_;
 };
 
+// On the way, not as it ends.
 const MotionEvent* LandingIn(const Motion& motion, const FlightKeys& keys) {
+  constexpr double kAsItEnds = 1e-3;  // [s]
+  const double end = motion.rate.SecondsAt(keys.span.last) - kAsItEnds;
   const auto landing =
       std::find_if(motion.events.begin(), motion.events.end(), [&](const MotionEvent& event) {
         return event.kind == EventKind::kLanding && event.frame > keys.by_gravity &&
-               event.frame < keys.span.last;
+               event.time < end;
       });
   return landing == motion.events.end() ? nullptr : &*landing;
 }
@@ -214,21 +221,36 @@ std::optional<Error> CheckFlown(const FlightArc& arc, const FlightKeys& keys,
                              Frame(landing->frame) + " on the way, which leaves the figure " + far);
 }
 
+// The arc ends where the figure is on the ground as it was flown there: a region that moves joints
+// in the flight has them elsewhere than the keys. Whether that is another place.
+bool EndAsFlown(MotionFrame flown, const FlightKeys& keys, FlightArc* arc) {
+  constexpr double kElsewhere = 2e-6;  // [m]
+  const int last = keys.span.last;
+  flown.X_WR.p += arc->ComAt(last) - flown.com;
+  const auto nearness = arc->NearnessIn(flown);
+  if (!keys.lands || !nearness || std::abs(nearness->clearance) < kElsewhere) return false;
+  EndOnTheGround(nearness->clearance, last, arc);
+  return true;
+}
+
 // Sets the rate with which gravity takes over so that the CoM is at the arc's end on the last
 // frame. What a coarse step adds is seen in the tries; a flight that lands early is left as it is.
-Result<Done> Aim(const FlightArc& arc, const Project& project, double step, FlightKeys* keys) {
-  constexpr double kThere = 1e-7;  // [m]
-  constexpr int kTries = 4;
-  const Vec3 goal = arc.ComAt(keys->span.last);
+Result<Done> Aim(const Project& project, double step, FlightKeys* keys, FlightArc* arc) {
+  constexpr double kThere = 2e-6;  // [m]
+  constexpr int kTries = 12;
   const double duration = step * (keys->span.last - keys->by_gravity);
   Tries tries(project);
   for (int i = 0; i < kTries; ++i) {
     const Result<const Motion*> flown = tries.Fly(*keys);
     if (!flown.ok()) return flown.error();
-    const Vec3 off = goal - FrameOf(*flown.value(), keys->span.last).com;
-    const bool is_there = off.norm() < kThere || LandingIn(*flown.value(), *keys);
+    const MotionFrame& end = FrameOf(*flown.value(), keys->span.last);
+    const bool is_early = LandingIn(*flown.value(), *keys) != nullptr;
+    const Vec3 goal = arc->ComAt(keys->span.last);
+    const bool ends_elsewhere = EndAsFlown(end, *keys, arc);
+    const Vec3 off = arc->ComAt(keys->span.last) - (is_early ? goal : end.com);
+    const bool is_there = !ends_elsewhere && off.norm() < kThere;
     if (is_there || i + 1 == kTries) {
-      if (const auto error = CheckFlown(arc, *keys, *flown.value())) return *error;
+      if (const auto error = CheckFlown(*arc, *keys, *flown.value())) return *error;
       break;
     }
     keys->rates.back() += off / duration;
@@ -251,7 +273,7 @@ Result<FlightKeys> PlannedFlight(const FlightSpan& span, const Project& project,
   FlightArc arc(animation, motion, span);
   Result<FlightKeys> keys = KeysOf(span, motion, &arc);
   if (!keys.ok()) return keys;
-  const Result<Done> aimed = Aim(arc, project, animation.rate.SecondsAt(1.0), &keys.value());
+  const Result<Done> aimed = Aim(project, animation.rate.SecondsAt(1.0), &keys.value(), &arc);
   if (!aimed.ok()) return aimed.error();
   return keys;
 }

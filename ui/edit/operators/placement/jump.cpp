@@ -7,7 +7,7 @@
 
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/keyed_moves.h"
-#include "ui/edit/operators/placement/jump_plan.h"
+#include "ui/edit/operators/placement/jump_contacts.h"
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/edit/operators/placement/root_curves.h"
 
@@ -17,19 +17,7 @@ namespace {
 
 using enum ParameterKind;
 
-constexpr double kCrouchSeconds = 0.4, kAbsorbSeconds = 0.2, kRiseSeconds = 0.6;
-
-// Every hinge that a jump keys, with its angles.
-std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump() {
-  std::vector<std::pair<std::string, const JumpHinge*>> all;
-  for (const JumpHinge& hinge : kJumpHinges) {
-    if (!hinge.has_sides) all.emplace_back(hinge.name, &hinge);
-    for (const char* side : {"r_", "l_"}) {
-      if (hinge.has_sides) all.emplace_back(side + std::string(hinge.name), &hinge);
-    }
-  }
-  return all;
-}
+constexpr double kCrouchSeconds = 0.4, kRiseSeconds = 0.6;
 
 std::optional<Error> CheckFigure(const Figure& figure) {
   std::vector<std::string> names;
@@ -59,29 +47,23 @@ Result<JumpPlan> PlanJump(const Animation& animation, const MotionFrame& now, in
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
     plan.stances[phase] = StanceOf(static_cast<JumpPhase>(phase), plan.before, figure);
   }
-  const Vec3 spot = stage.ToesOf(plan.before, now.X_WR.p);
-  const Result<Done> placed = SetRoots(spot, target, &stage, &plan);
-  if (!placed.ok()) return placed.error();
+  const JumpSpots spots = {stage.ToesOf(plan.before, now.X_WR.p), target};
   const JumpLengths lengths = {FramesOf(kCrouchSeconds, 2, animation),
-                               FramesOf(kAbsorbSeconds, 2, animation),
                                FramesOf(kRiseSeconds, 3, animation)};
-  const Result<Done> timed = SetTimes(animation, height, lengths, &stage, &plan);
-  if (!timed.ok()) return timed.error();
+  const Result<Done> planned = PlanContacts(animation, spots, height, lengths, &stage, &plan);
+  if (!planned.ok()) return planned.error();
   return plan;
 }
 
-// Where it pushes off the stretch is a parabola of the angle, which ends as fast as it goes.
-void KeyHinge(const JumpPlan& plan, int hinge, bool pushes_off, ProjectCurve* curve) {
+void KeyHinge(const JumpPlan& plan, int hinge, bool bears, ProjectCurve* curve) {
   const auto angle = [&](const Stance& stance) { return stance.q[hinge] / kDegree; };
   RemoveKeysIn(plan.start, plan.end, curve);
   KeyMove(plan.start, angle(plan.before), 0.0, curve);
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
     std::optional<double> rate;
-    const double now = angle(plan.stances[phase]);
-    if (phase == kCrouch) rate = 0.0;
-    if (phase == kTakeOff && pushes_off)
-      rate = 2.0 * (now - angle(plan.stances[kCrouch])) / plan.stretch;
-    KeyMove(plan.frames[phase], now, rate, curve);
+    if (phase == kCrouch || (phase == kAbsorbed && bears)) rate = 0.0;
+    if (plan.rates[phase]) rate = angle(*plan.rates[phase]);
+    KeyMove(plan.frames[phase], angle(plan.stances[phase]), rate, curve);
   }
   KeyMove(plan.end, angle(plan.after), 0.0, curve);
 }
@@ -90,7 +72,10 @@ void KeyRootAngle(const JumpPlan& plan, int angle, ProjectCurve* curve) {
   RemoveKeysIn(plan.start, plan.end, curve);
   KeyMove(plan.start, plan.before.angles[angle], 0.0, curve);
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    KeyMove(plan.frames[phase], plan.stances[phase].angles[angle], {}, curve);
+    std::optional<double> rate;
+    if (phase == kCrouch || phase == kAbsorbed) rate = 0.0;
+    if (plan.rates[phase]) rate = plan.rates[phase]->angles[angle];
+    KeyMove(plan.frames[phase], plan.stances[phase].angles[angle], rate, curve);
   }
   KeyMove(plan.end, plan.after.angles[angle], 0.0, curve);
 }
@@ -112,7 +97,7 @@ Result<Done> KeyJump(const JumpPlan& plan, const Figure& figure, Project* projec
   for (const auto& [name, hinge] : HingesOfJump()) {
     const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
     if (!curve.ok()) return curve.error();
-    KeyHinge(plan, figure.FindJoint(name)->value(), hinge->pushes_off, curve.value());
+    KeyHinge(plan, figure.FindJoint(name)->value(), hinge->bears, curve.value());
   }
   for (int i = 0; i < 3; ++i) KeyRootAngle(plan, i, &project->root.curves[kRootAngleZ + i]);
   JumpPins pins;

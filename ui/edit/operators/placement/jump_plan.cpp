@@ -1,8 +1,8 @@
 // The flight between is gravity's. With the CoM's heights c0 at take-off and c1 at landing and the
 // apex H above c0 it takes
 //   T = (sqrt(2 g H) + sqrt(2 g (H - (c1 - c0)))) / g,
-// and the stretch to take-off so long that the CoM leaves the crouch, on a parabola of the angles,
-// as fast as the flight begins.
+// and the stretch to take-off, by h higher, 2 h over the speed there, for the CoM gets to it on a
+// parabola of time; the way from the landing to the lowest pose is that backwards.
 
 #include "ui/edit/operators/placement/jump_plan.h"
 
@@ -18,22 +18,6 @@
 namespace hazumi::edit {
 
 namespace {
-
-Stance Between(const Stance& a, const Stance& b, double s) {
-  return {a.q + s * (b.q - a.q), a.angles + s * (b.angles - a.angles)};
-}
-
-// How fast the CoM rises at take-off per second of a stretch that takes one second, on a parabola.
-double RiseAtTakeOff(const JumpPlan& plan, Stage* stage) {
-  constexpr double kStep = 0.02;
-  const Vec3 spot = stage->ToesOf(plan.stances[kTakeOff], plan.roots[kTakeOff]);
-  const auto height = [&](double s) {
-    const Stance stance = Between(plan.stances[kCrouch], plan.stances[kTakeOff], s);
-    const Result<Vec3> root = stage->RootOn(stance, spot);
-    return root.ok() ? stage->ComOf(stance, root.value()).z() : 0.0;
-  };
-  return 2.0 * (height(1.0) - height(1.0 - kStep)) / kStep;
-}
 
 void KeyPlace(const JumpPlan& plan, ProjectRoot* root) {
   for (int i = 0; i < 3; ++i) {
@@ -56,6 +40,17 @@ Result<Done> Pin(int first, int last, ProjectPlacement pin, Project* project) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump() {
+  std::vector<std::pair<std::string, const JumpHinge*>> all;
+  for (const JumpHinge& hinge : kJumpHinges) {
+    if (!hinge.has_sides) all.emplace_back(hinge.name, &hinge);
+    for (const char* side : {"r_", "l_"}) {
+      if (hinge.has_sides) all.emplace_back(side + std::string(hinge.name), &hinge);
+    }
+  }
+  return all;
+}
+
 Stage::Stage(const Animation& animation)
     : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
 
@@ -74,6 +69,11 @@ Result<Vec3> Stage::RootOn(const Stance& stance, const Vec3& spot) {
 Vec3 Stage::ComOf(const Stance& stance, const Vec3& root) {
   Place(stance, root);
   return CenterOfMass(figure_, ws_);
+}
+
+Vec3 Stage::ComOver(const Vec3& toes, const Stance& stance) {
+  Place(stance, Vec3::Zero());
+  return CenterOfMass(figure_, ws_) + toes - Toes();
 }
 
 Vec3 Stage::ToesOf(const Stance& stance, const Vec3& root) {
@@ -97,13 +97,14 @@ Vec3 Stage::Toes() const {
   return middle;
 }
 
-Result<Done> SetRoots(const Vec3& spot, const Vec3& target, Stage* stage, JumpPlan* plan) {
+Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan) {
   for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    const Result<Vec3> on = stage->RootOn(plan->stances[phase], phase <= kTakeOff ? spot : target);
+    const Result<Vec3> on =
+        stage->RootOn(plan->stances[phase], phase <= kTakeOff ? spots.from : spots.onto);
     if (!on.ok()) return on.error();
     plan->roots[phase] = on.value();
   }
-  const Result<Vec3> after = stage->RootOn(plan->after, target);
+  const Result<Vec3> after = stage->RootOn(plan->after, spots.onto);
   if (!after.ok()) return after.error();
   plan->root_after = after.value();
   return Done();
@@ -111,9 +112,11 @@ Result<Done> SetRoots(const Vec3& spot, const Vec3& target, Stage* stage, JumpPl
 
 Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
                       Stage* stage, JumpPlan* plan) {
-  const double g = animation.gravity, fps = animation.rate.FrameAt(1.0);
-  const double rise = stage->ComOf(plan->stances[kLanding], plan->roots[kLanding]).z() -
-                      stage->ComOf(plan->stances[kTakeOff], plan->roots[kTakeOff]).z();
+  const double g = animation.gravity;
+  const auto height_of = [&](JumpPhase phase) {
+    return stage->ComOf(plan->stances[phase], plan->roots[phase]).z();
+  };
+  const double rise = height_of(kLanding) - height_of(kTakeOff);
   if (!(g > 0.0)) return Refusal("height", "without gravity nothing comes down again");
   if (height <= std::max(0.0, rise)) {
     return Refusal("height", "it lands " + std::to_string(std::lround(100.0 * rise)) +
@@ -124,15 +127,17 @@ Result<Done> SetTimes(const Animation& animation, double height, const JumpLengt
   };
   const double speed = std::sqrt(2.0 * g * height);
   const double up = speed / g, down = std::sqrt(2.0 * (height - rise) / g);
-  const double stretch = std::clamp(RiseAtTakeOff(*plan, stage) / speed, 0.1, 0.5);
+  const double lift = height_of(kTakeOff) - height_of(kCrouch);
+  const double sink = height_of(kLanding) - height_of(kAbsorbed);
+  const double stretch = std::clamp(2.0 * lift / speed, 0.1, 0.5);
+  const double absorb = std::clamp(2.0 * sink / (g * down), 0.1, 0.5);
   JumpFrames& at = plan->frames;
   at[kCrouch] = plan->start + lengths.crouch;
   at[kTakeOff] = at[kCrouch] + frames(stretch, 2);
-  plan->stretch = (at[kTakeOff] - at[kCrouch]) / fps;
   at[kLanding] = at[kTakeOff] + frames(up + down, 4);
   at[kStretched] = at[kTakeOff] + frames(kStretchSeconds, 1);
   at[kApex] = std::clamp(at[kTakeOff] + frames(up, 1), at[kStretched] + 1, at[kLanding] - 1);
-  at[kAbsorbed] = at[kLanding] + lengths.absorb;
+  at[kAbsorbed] = at[kLanding] + frames(absorb, 2);
   plan->end = at[kAbsorbed] + lengths.rise;
   return Done();
 }

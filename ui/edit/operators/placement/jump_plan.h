@@ -25,6 +25,14 @@ struct Stance {
   Vec3 angles;  // of the root: z, y, x [degrees]
 };
 
+// A stance after so many seconds at these rates.
+inline Stance Going(const Stance& stance, double seconds, const Stance& rates) {
+  return {stance.q + seconds * rates.q, stance.angles + seconds * rates.angles};
+}
+
+// Every hinge that a jump keys, by its name in the figure.
+std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump();
+
 // Stances of a figure, put onto the scene. The animation must outlive it.
 class Stage {
  public:
@@ -34,7 +42,10 @@ class Stage {
   // above, touches the scene. Errors: kSchema if there is nothing to stand on.
   Result<Vec3> RootOn(const Stance& stance, const Vec3& spot);
   Vec3 ComOf(const Stance& stance, const Vec3& root);
+  // The middle of its toes.
   Vec3 ToesOf(const Stance& stance, const Vec3& root);
+  // Its CoM if the middle of its toes is there.
+  Vec3 ComOver(const Vec3& toes, const Stance& stance);
 
  private:
   void Place(const Stance& stance, const Vec3& root);
@@ -46,26 +57,32 @@ class Stage {
 };
 
 using JumpFrames = std::array<int, kNumJumpPhases>;
+using JumpStances = std::array<Stance, kNumJumpPhases>;
 
 // Which frame each phase is on, and where the root is.
 struct JumpPlan {
   int start = 0, end = 0;
   JumpFrames frames{};
-  std::array<Stance, kNumJumpPhases> stances;
+  JumpStances stances;
   std::array<Vec3, kNumJumpPhases> roots;
   Stance before, after;          // how it stands on the first and on the last frame
   Vec3 root_before, root_after;  // and where
-  double stretch = 0.0;          // from crouch to take-off [s]
+  // Of the stances at take-off and landing, per second; others have none.
+  std::array<std::optional<Stance>, kNumJumpPhases> rates;
 };
 
-// What a jump takes besides its stretch and its flight.
+// What a jump takes besides its stretch, its flight and its landing.
 struct JumpLengths {
-  int crouch = 0, absorb = 0, rise = 0;  // frames to the crouch, from landing on, until it stands
+  int crouch = 0, rise = 0;  // frames to the crouch, and from the lowest pose until it stands
 };
 
-// Of a plan with its stances: the roots, with the toes over `spot` until take-off, then over
-// `target`. Errors: kSchema if there is nothing to stand on.
-Result<Done> SetRoots(const Vec3& spot, const Vec3& target, Stage* stage, JumpPlan* plan);
+// Where the middle of its toes is until take-off, and from the landing on.
+struct JumpSpots {
+  Vec3 from, onto;
+};
+
+// Of a plan with its stances: the roots. Errors: kSchema if there is nothing to stand on.
+Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan);
 // Of a plan with its roots: the frames, for an apex so high above take-off [m]. Errors: kSchema.
 Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
                       Stage* stage, JumpPlan* plan);

@@ -12,7 +12,7 @@ enum JumpPhase { kCrouch, kTakeOff, kStretched, kApex, kLanding, kAbsorbed, kNum
 struct JumpHinge {
   const char* name;  // without the side, or of the trunk
   bool has_sides;
-  bool pushes_off;                            // it is at its fastest at take-off
+  bool bears;                                 // fastest as it pushes off and as it catches
   std::array<double, kNumJumpPhases> angles;  // by phase [degrees]
 };
 
@@ -22,7 +22,7 @@ inline constexpr JumpHinge kJumpHinges[] = {
     {"hip_flexion", true, true, {95.0, 20.0, 5.0, 75.0, 50.0, 95.0}},
     {"knee", true, true, {95.0, 30.0, 12.0, 90.0, 50.0, 95.0}},
     {"ankle_flexion", true, true, {20.0, -25.0, -38.0, -20.0, 15.0, 20.0}},
-    {"toe", true, false, {0.0, 43.0, 10.0, 0.0, 0.0, 0.0}},
+    {"toe", true, true, {0.0, 43.0, 10.0, 0.0, 0.0, 0.0}},
     {"shoulder_flexion", true, false, {-50.0, 110.0, 135.0, 80.0, 45.0, 20.0}},
     {"shoulder_abduction", true, false, {10.0, 15.0, 15.0, 20.0, 20.0, 10.0}},
     {"elbow_flexion", true, false, {25.0, 20.0, 20.0, 40.0, 35.0, 30.0}},
