@@ -305,6 +305,32 @@ TEST(AddThrow, ItGoesOverABoxAndCanBeAimedElsewhereAfterwards) {
   EXPECT_EQ(session.project().regions.size(), 1u);
 }
 
+// By how it was made at first the second throw is neither helped nor held back.
+TEST(AddThrow, AimedAnewItIsTheThrowThatIsMadeThereAtOnce) {
+  struct Case {
+    Vec3 spot;
+    std::optional<double> height;
+  };
+  for (const Case& wanted : {Case{{3.0, 0.8, 0.0}, {}}, Case{{1.5, 0.0, 0.0}, 1.0},
+                             Case{{3.0, -0.5, 0.0}, 2.0}, Case{{2.2, 0.2, 0.0}, 0.3}}) {
+    Json onto = Onto(wanted.spot);
+    if (wanted.height) onto["height"] = *wanted.height;
+    Session again, at_once;
+    AddBall(&again);
+    AddBall(&at_once);
+    Do(&again, "throw.add", Onto(Vec3(2.0, -0.2, 0.0)));
+    Do(&again, "held.throw_onto", onto);
+    Do(&at_once, "throw.add", onto);
+    EXPECT_EQ(ReleaseOf(again), ReleaseOf(at_once)) << wanted.spot.transpose();
+    for (size_t i = 0; i < MotionOf(&at_once).frames.size(); ++i) {
+      const auto ball = [&](Session* session) {
+        return MotionOf(session).frames[i].objects[0].X_WO.p;
+      };
+      EXPECT_LE((ball(&again) - ball(&at_once)).norm(), 0.02) << wanted.spot.transpose() << i;
+    }
+  }
+}
+
 TEST(AddThrow, SaysWhatItRefuses) {
   Session session;
   AddBall(&session);

@@ -26,14 +26,19 @@ constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42
                  kHomeSeconds = 0.8;
 constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  // [rad/s]
 
+// Of the shoulder as the region starts.
+struct Swing {
+  double speed = 0.0;  // [rad/s]
+  double rise = 0.0;   // of the path as it is let go, from the horizontal [rad]
+};
+
 // Which frame is what, and from where to where.
 struct ThrowPlan {
   HolderSpan holder;
   std::string side;  // "r_" or "l_"
   int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
-  double bearing = 0.0;     // of the spot, to the left of where the figure faces [rad]
-  double swing = 0.0;       // of the shoulder as the region starts [rad/s]
-  double rise = 0.0;        // of the path as it is let go, from the horizontal [rad]
+  double bearing = 0.0;  // of the spot, to the left of where the figure faces [rad]
+  Swing swing;
   double forward = 0.0;     // from the backswing to the region's start [s]
   bool moves_legs = false;  // nothing else places the figure then
 };
@@ -133,6 +138,36 @@ bool MovesLegs(const ThrowPlan& plan, const Project& project) {
   });
 }
 
+// Of an arm so long [m].
+Swing SwingFor(const ThrowTarget& target, const Vec3& shoulder, double arm, double gravity) {
+  const Vec3& spot = target.ground;
+  const double high =
+      std::max({0.0, spot.z() - shoulder.z(),
+                target.height.value_or(HeightOfSlowestThrow(shoulder, spot, gravity))});
+  const Vec3 velocity = ThrowOver(shoulder, spot, high, gravity).velocity;
+  const double speed =
+      arm > 0.0 ? std::clamp(velocity.norm() / arm, kLeastSwing, kMostSwing) : kLeastSwing;
+  return {speed, std::atan2(velocity.z(), velocity.head<2>().norm())};
+}
+
+// How far the arm swings from where it is back until the region starts [rad].
+double SwungBy(const Swing& swing, double forward) { return 0.5 * swing.speed * forward; }
+
+// When the arm, `back` as it begins to swing [rad], has come so far that what it holds flies off as
+// its path rises.
+int LikelyRelease(const Swing& swing, double back, double forward, const ProjectRegion& region,
+                  const Animation& animation) {
+  const double from = back + SwungBy(swing, forward);
+  const int frames = FramesOf((swing.rise - from) / swing.speed, 1, animation);
+  return std::min(region.first_frame + frames, region.last_frame);
+}
+
+Vec3 ShoulderIn(const MotionFrame& frame, const std::string& side, const Figure& figure) {
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, frame.X_WR, frame.q, &ws);
+  return ws.body(*figure.FindJoint(side + "shoulder_flexion")).p;
+}
+
 void SetTimes(const Animation& animation, ThrowPlan* plan) {
   plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
   plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);
@@ -155,9 +190,7 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
   std::vector<std::string> names;
   for (const NamedHinge& of : HingesOfThrow(plan.side)) names.push_back(of.name);
   if (const auto error = CheckHinges(names, "throw", figure)) return *error;
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, now.X_WR, now.q, &ws);
-  const Vec3 shoulder = ws.body(*figure.FindJoint(plan.side + "shoulder_flexion")).p;
+  const Vec3 shoulder = ShoulderIn(now, plan.side, figure);
   plan.bearing = BearingOf(spot, shoulder, now.X_WR);
   if (std::abs(plan.bearing) > kWidestThrow) {
     return Refusal("x",
@@ -166,15 +199,18 @@ Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
   }
   const double arm = (now.objects[object].X_WO.p - shoulder).norm();
   if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
-  const double high =
-      std::max({0.0, spot.z() - shoulder.z(),
-                target.height.value_or(HeightOfSlowestThrow(shoulder, spot, animation.gravity))});
-  const Vec3 velocity = ThrowOver(shoulder, spot, high, animation.gravity).velocity;
-  plan.swing = arm > 0.0 ? std::clamp(velocity.norm() / arm, kLeastSwing, kMostSwing) : kLeastSwing;
-  plan.rise = std::atan2(velocity.z(), velocity.head<2>().norm());
+  plan.swing = SwingFor(target, shoulder, arm, animation.gravity);
   SetTimes(animation, &plan);
   plan.moves_legs = MovesLegs(plan, project);
   return plan;
+}
+
+// Of a hinge of the shoulder, `back` as the arm begins to swing [degrees].
+void KeyStart(int frame, const ThrowHinge& hinge, double back, const Swing& swing, double forward,
+              ProjectCurve* curve) {
+  const bool swings = std::string_view(hinge.name) == "shoulder_flexion";
+  KeyMove(frame, back + (swings ? SwungBy(swing, forward) / kDegree : 0.0),
+          swings ? swing.speed / kDegree : 0.0, curve);
 }
 
 void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, const Figure& figure,
@@ -184,9 +220,7 @@ void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, cons
   KeyMove(plan.start, standing, 0.0, curve);
   KeyMove(plan.back, angle(kBackswing), 0.0, curve);
   if (of.hinge->limb == ThrowLimb::kShoulder) {
-    const bool swings = std::string_view(of.hinge->name) == "shoulder_flexion";
-    const double rate = swings ? plan.swing / kDegree : 0.0;
-    KeyMove(plan.region_first, angle(kBackswing) + 0.5 * rate * plan.forward, rate, curve);
+    KeyStart(plan.region_first, *of.hinge, angle(kBackswing), plan.swing, plan.forward, curve);
   } else {
     KeyMove((plan.region_first + plan.region_last) / 2, angle(kSwing), {}, curve);
     KeyMove(plan.region_last, angle(kFollowThrough), {}, curve);
@@ -228,13 +262,6 @@ Result<Done> KeyThrow(const ThrowPlan& plan, const MotionFrame& now, const Figur
   return PutPlacement(pin, true, &project->placements);
 }
 
-// When the arm has come so far that what it holds flies off as its path rises.
-int LikelyRelease(const ThrowPlan& plan, const Animation& animation) {
-  const double from = kShoulderBack * kDegree + 0.5 * plan.swing * plan.forward;
-  const int frames = FramesOf((plan.rise - from) / plan.swing, 1, animation);
-  return std::min(plan.region_first + frames, plan.region_last);
-}
-
 Result<Done> AddThrow(Session* session, const Parameters& p) {
   const Result<const MotionFrame*> now = session->FrameNow();
   if (!now.ok()) return now.error();
@@ -257,8 +284,9 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
   of.object = index;
   of.holder = plan.value().holder.number;
   of.has_backswing = true;
-  of.release = LikelyRelease(plan.value(), animation);
   of.region = static_cast<int>(project.regions.size()) - 1;
+  of.release = LikelyRelease(plan.value().swing, kShoulderBack * kDegree, plan.value().forward,
+                             project.regions.back(), animation);
   EndOf(of.holder, object.value()) = of.release;
   if (Result<Done> thrown = ThrowTo(target, of, animation.figure, &project); !thrown.ok()) {
     return thrown;
@@ -266,7 +294,87 @@ Result<Done> AddThrow(Session* session, const Parameters& p) {
   return PutThrown(session, "Add throw", std::move(project), p);
 }
 
+// The keys between which the arm of a made throw goes back and begins to swing forward: it stands
+// still on both, and all hinges of the shoulder have one there.
+struct Backswing {
+  int start = 0, back = 0;
+};
+
+std::optional<Backswing> BackswingOf(const ThrowCase& of, const std::string& side,
+                                     const Project& project) {
+  const int first = project.regions[static_cast<size_t>(of.region)].first_frame;
+  std::optional<Backswing> found;
+  for (const ThrowHinge& hinge : kThrowHinges) {
+    if (hinge.limb != ThrowLimb::kShoulder) continue;
+    const ProjectCurve* curve = FindCurve(side + hinge.name, project);
+    const ProjectKey* start = curve ? KeyOn(first, *curve) : nullptr;
+    const auto n = start ? start - curve->keys.data() : 0;
+    if (n < 2 || !start->rate || start->rate_in) return std::nullopt;
+    const ProjectKey &back = start[-1], &before = start[-2];
+    if (back.rate != 0.0 || before.rate != 0.0) return std::nullopt;
+    const Backswing here = {static_cast<int>(before.frame), static_cast<int>(back.frame)};
+    if (found && (found->start != here.start || found->back != here.back)) return std::nullopt;
+    found = here;
+  }
+  return found;
+}
+
+// The trunk turns so much farther to the left [rad].
+void TurnTrunk(double by, int first, int last, const Figure& figure, Project* project) {
+  for (const ThrowHinge& hinge : kThrowHinges) {
+    const auto joint = figure.FindJoint(hinge.name);
+    if (hinge.turns == 0.0 || !joint) continue;
+    const Result<ProjectCurve*> curve = CurveNamed(hinge.name, figure, project);
+    if (!curve.ok()) continue;
+    for (ProjectKey& key : curve.value()->keys) {
+      if (key.frame <= first || key.frame > last) continue;
+      key.value = WithoutRoundOff(std::clamp(key.value + hinge.turns * by / kDegree,
+                                             figure.joint(*joint).lower / kDegree,
+                                             figure.joint(*joint).upper / kDegree));
+    }
+  }
+}
+
 }  // namespace
+
+void SwingAnew(const ThrowTarget& target, const Animation& animation, const Motion& motion,
+               ThrowCase* of, Project* project) {
+  ProjectHeldObject* object = &project->held_objects[static_cast<size_t>(of->object)];
+  const std::string& joint =
+      of->holder < 0 ? object->joint : object->holders[static_cast<size_t>(of->holder)].joint;
+  const std::string side = joint.substr(0, 2);
+  const auto backswing = BackswingOf(*of, side, *project);
+  if (!backswing) return;
+  const ProjectRegion& region = project->regions[static_cast<size_t>(of->region)];
+  const Figure& figure = *animation.figure;
+  const MotionFrame& standing =
+      motion.frames[static_cast<size_t>(backswing->start - animation.first_frame)];
+  const Vec3 shoulder = ShoulderIn(standing, side, figure);
+  const Vec3& in_hand = standing.objects[static_cast<size_t>(of->object)].X_WO.p;
+  const Swing swing = SwingFor(target, shoulder, (in_hand - shoulder).norm(), animation.gravity);
+  const double forward = animation.rate.SecondsAt(region.first_frame - backswing->back);
+  double arm_back = 0.0;
+  for (const ThrowHinge& hinge : kThrowHinges) {
+    if (hinge.limb != ThrowLimb::kShoulder) continue;
+    const Result<ProjectCurve*> curve = CurveNamed(side + hinge.name, figure, project);
+    if (!curve.ok()) return;
+    const double back = KeyOn(backswing->back, *curve.value())->value;
+    if (std::string_view(hinge.name) == "shoulder_flexion") arm_back = back * kDegree;
+    KeyStart(region.first_frame, hinge, back, swing, forward, curve.value());
+  }
+  const auto lay = [&](int axis) { return object->position.curves[axis].keys.back().value; };
+  if (!object->position.curves[0].keys.empty()) {
+    const Vec3 before(lay(0), lay(1), 0.0);
+    const auto bearing = [&](const Vec3& spot) {
+      return std::clamp(BearingOf(spot, shoulder, standing.X_WR), -kWidestThrow, kWidestThrow);
+    };
+    TurnTrunk(bearing(target.ground) - bearing(before), backswing->start, region.last_frame, figure,
+              project);
+  }
+  of->has_backswing = true;
+  of->release = LikelyRelease(swing, arm_back, forward, region, animation);
+  EndOf(of->holder, object) = of->release;
+}
 
 std::vector<Operator> MadeThrowOperators() {
   return {{"throw.add", "Add throw",

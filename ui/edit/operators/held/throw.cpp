@@ -190,9 +190,14 @@ Result<Done> ThrowOnto(Session* session, const Parameters& p) {
       EntryNamed(p.text("object"), "object", &project.held_objects);
   if (!object.ok()) return object.error();
   const int index = static_cast<int>(object.value() - project.held_objects.data());
-  const Result<ThrowCase> of = CaseOf(index, session);
+  Result<ThrowCase> of = CaseOf(index, session);
   if (!of.ok()) return of.error();
-  Result<Done> thrown = ThrowTo(TargetOf(p), of.value(), session->animation()->figure, &project);
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  const ThrowTarget target = TargetOf(p);
+  const Animation& animation = *session->animation();
+  SwingAnew(target, animation, *motion.value(), &of.value(), &project);
+  Result<Done> thrown = ThrowTo(target, of.value(), animation.figure, &project);
   if (!thrown.ok()) return thrown;
   return PutThrown(session, "Throw onto", std::move(project), p);
 }

@@ -30,14 +30,14 @@ constexpr double kNear = 0.005;                  // of a hit [m]
 constexpr double kMostRate = 2000.0 * kDegree;   // [rad/s]
 constexpr double kMostFarther = 35.0 * kDegree;  // [rad]
 
-Error OutOfReach(double miss, const AimedThrow& best) {
+Error OutOfReach(double miss, const AimedThrow& best, bool is_made) {
   std::string message = "let go in frame " + std::to_string(best.release) + " it misses by " +
                         std::to_string(std::lround(100.0 * miss)) + " cm at best";
   if (best.limit_hits > 0) message += ", for " + best.at_limit + " is at its limit";
   return {ErrorCode::kSemantics, "", "x",
-          message +
-              "; choose another spot, another pose to throw from, or a region of more frames "
-              "or joints"};
+          message + (is_made ? "; choose another spot, or another height"
+                             : "; choose another spot, another pose to throw from, or a region of "
+                               "more frames or joints")};
 }
 
 Error Whirls() {
@@ -210,7 +210,7 @@ Result<AimedThrow> ThrowAim::Solve(const Vec3& spot, const std::optional<double>
   if (!again.ok()) return again.error();
   aimed.path = again.value();
   Judge(&aimed);
-  if (e.norm() > kNear) return OutOfReach(e.norm(), aimed);
+  if (e.norm() > kNear) return OutOfReach(e.norm(), aimed, case_.has_backswing);
   if (case_.has_backswing && SwingsBack(aimed.rates)) return Whirls();
   aimed.path.seconds = SecondsDown(aimed.path, spot.z(), animation_.gravity);
   return aimed;

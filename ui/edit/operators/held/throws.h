@@ -28,6 +28,11 @@ inline constexpr double kWidestThrow = 75.0 * kDegree;
 // not if who has it in the current frame keeps it.
 bool HasThrow(int object, Session* session);
 
+// A throw that was made, whose arm goes back and swings forward by its keys, swings and turns as if
+// it were made for this target, and knows that it has a backswing; any other stays as it is.
+void SwingAnew(const ThrowTarget& target, const Animation& animation, const Motion& motion,
+               ThrowCase* of, Project* project);
+
 // The region starts as fast as it has to, and what is thrown lies on the spot from when it comes
 // down. The hinges of the case are found. Errors: those of ThrowAim, and what would help.
 Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<const Figure> figure,
