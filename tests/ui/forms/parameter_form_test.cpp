@@ -139,6 +139,15 @@ TEST(ParameterForm, SuggestsAHingeOfTheRegionToBeStarted) {
   EXPECT_EQ(suggested(), "r_wrist_flexion");
 }
 
+TEST(ParameterForm, SuggestsABoxOnTheGroundAheadOfTheFigure) {
+  edit::Session session;
+  edit::Json given = ValuesOf(MakeForm("object.add_box", {{"name", "box"}}, &session)).value();
+  ASSERT_TRUE(session.Run("object.add_box", given).ok()) << given;
+  const auto& box = std::get<ProjectBox>(session.project().scene.objects.back().shape);
+  EXPECT_EQ(box.center_m, Vec3(1.2, 0.0, 0.25));
+  EXPECT_EQ(box.size_m, Vec3(0.5, 0.5, 0.5));
+}
+
 TEST(ParameterForm, SuggestsTheProjectsNumbersUnrounded) {
   edit::Session session;
   ASSERT_TRUE(session.Run("scene.gravity", {{"gravity", 9.80665}}).ok());

@@ -107,6 +107,21 @@ TEST_F(Problems, ABallThatFallsThroughTheGroundIsLaidOnIt) {
   EXPECT_NEAR(ball.position.curves[2].keys.back().value, shape.radius_m, 1e-6);
 }
 
+TEST_F(Problems, AHandReachesForABallThatWouldJumpIntoIt) {
+  Do("time.range", {{"first", 0}, {"last", 30}});
+  Do("time.frame", {{"frame", 0}});
+  Do("pose.reach", {{"joint", "r_wrist"}, {"x", 0.35}, {"y", -0.05}, {"z", 1.1}});
+  Do("held.add_ball", {{"joint", "r_wrist"}});
+  Do("time.frame", {{"frame", 15}});
+  Do("held.pass", {{"object", "ball"}, {"joint", "l_wrist"}});
+  const std::vector<Problem> jumps = FoundWith("jumps by");
+  ASSERT_EQ(jumps.size(), 1u);
+  EXPECT_EQ(jumps[0].frame, 15.0);
+  ASSERT_EQ(jumps[0].cures.size(), 1u);
+  EXPECT_TRUE(Apply(jumps[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(FoundWith("jumps by").empty());
+}
+
 // One hinge of an arm after the other is warned of in the engine.
 TEST_F(Problems, OfOneKindInOneRegionAreOne) {
   for (const char* hinge : {"r_shoulder_flexion", "r_elbow_flexion", "r_wrist_flexion"}) {

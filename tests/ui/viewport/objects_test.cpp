@@ -124,19 +124,41 @@ TEST_F(Objects, XTakesTheSelectedOneAway) {
   EXPECT_EQ(Selected(), "");
 }
 
-TEST_F(Objects, ShiftDTakesACopyInHand) {
+TEST_F(Objects, ShiftDPutsACopyWhereTheMouseGoesInOneStep) {
   Do("object.add_box", {{"name", "crate"}, {"x", 1.2}, {"z", 0.25}});
   Do("select.object", {{"object", "crate"}});
+  const std::string before = user.text();
+  const size_t steps = user.num_steps();
   user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
   user.Press('D', ui::kLeftShift);
-  EXPECT_EQ(Selected(), "crate 2");
   ASSERT_TRUE(user.editor().has_tool());
+  EXPECT_EQ(user.text(), before);
+  user.MoveTo(InWindow(Vec3(0.6, 0.4, 0.0)));
+  user.Press(ui::kEscape);
+  EXPECT_EQ(user.text(), before);
+  EXPECT_EQ(Selected(), "crate");
+  user.Press('D', ui::kLeftShift);
   for (const int key : {int{'X'}, int{'1'}, int{ui::kEnter}}) user.Press(key);
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  EXPECT_EQ(Selected(), "crate 2");
   const auto& objects = user.project().scene.objects;
   const auto center = [&](size_t i) { return std::get<ProjectBox>(objects[i].shape).center_m; };
   const size_t last = objects.size() - 1;
   EXPECT_LE((center(last) - center(last - 1) - Vec3(1.0, 0.0, 0.0)).norm(), 1e-9);
   EXPECT_NE(objects[last].identity.id, objects[last - 1].identity.id);
+}
+
+TEST_F(Objects, ABoxThatIsMovedStaysOnTheGround) {
+  Do("object.add_box", {{"name", "crate"}, {"x", 1.2}, {"z", 0.5}});
+  Do("select.object", {{"object", "crate"}});
+  const Vec3 middle(1.2, 0.0, 0.5), to(0.9, 0.6, 0.5);
+  user.MoveTo(InWindow(middle));
+  user.Press('G');
+  user.MoveTo(InWindow(to));
+  user.Click(InWindow(to));
+  const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
+  EXPECT_LE((box.center_m - to).norm(), 0.02) << box.center_m.transpose();
+  EXPECT_EQ(box.center_m.z(), 0.5);
 }
 
 TEST_F(Objects, ShiftDWithNothingToCopySaysSo) {

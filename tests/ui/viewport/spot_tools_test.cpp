@@ -90,6 +90,12 @@ TEST_F(Objects, AClickOnASpotThatCannotBeThrownToEndsNothing) {
   ASSERT_TRUE(user.editor().has_tool());
   EXPECT_EQ(user.text(), before);
   EXPECT_TRUE(user.editor().viewport.aimed && user.editor().viewport.aimed->is_trouble);
+  const auto says = [&](const char* text) {
+    return user.editor().viewport.aimed->text.find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(says("Nothing is done yet")) << user.editor().viewport.aimed->text;
+  user.Press('S', ui::kLeftControl);
+  EXPECT_TRUE(says("First click to confirm")) << user.editor().viewport.aimed->text;
   user.MoveTo(InWindow(spot));
   user.Click(InWindow(spot));
   EXPECT_FALSE(user.editor().has_tool());

@@ -51,6 +51,32 @@ TEST(SceneOperators, AnObjectKeepsWhatIsNotGiven) {
             "object.set.size_z: a plane has none; boxes have");
 }
 
+TEST(SceneOperators, ABoxThatIsMadeHigherKeepsItsBase) {
+  Session session;
+  Do(&session, "object.add_box", {{"name", "box"}, {"z", 0.5}});
+  const auto box = [&] {
+    return std::get<ProjectBox>(session.project().scene.objects.back().shape);
+  };
+  Do(&session, "object.set", {{"object", "box"}, {"size_z", 1.6}});
+  EXPECT_NEAR(box().center_m.z(), 0.8, 1e-12);
+  Do(&session, "object.set", {{"object", "box"}, {"size_z", 2}, {"z", 0}});
+  EXPECT_EQ(box().center_m.z(), 0.0);
+  // Turned onto its side it grows that way.
+  Do(&session, "object.set", {{"object", "box"}, {"angle_x", 90}});
+  Do(&session, "object.set", {{"object", "box"}, {"size_z", 3}});
+  EXPECT_LE((box().center_m - Vec3(0.0, -0.5, 0.0)).norm(), 1e-12);
+}
+
+TEST(SceneOperators, ACopyIsSoFarFromTheBoxAndHasTheNextNumber) {
+  Session session;
+  Do(&session, "object.add_box", {{"name", "box"}, {"z", 0.5}});
+  Do(&session, "object.duplicate", {{"object", "box"}, {"x", 1}});
+  Do(&session, "object.duplicate", {{"object", "box 2"}, {"x", 1}});
+  const auto& objects = session.project().scene.objects;
+  EXPECT_EQ(objects.back().name, "box 3");
+  EXPECT_EQ(std::get<ProjectBox>(objects.back().shape).center_m, Vec3(2.0, 0.0, 0.5));
+}
+
 TEST(SessionOperators, SelectMirrorAndNone) {
   Session session;
   Do(&session, "select.joints", {{"joints", {"r_knee", "l_toe", "chest_bend"}}});

@@ -104,14 +104,20 @@ Result<T*> EntryNamed(const std::string& name, const char* what, std::vector<T>*
       what, "there is no \"" + name + "\"; there " + (known.empty() ? "are none" : "is " + known));
 }
 
-// The name, or with a number behind it if another entry of the list has it.
+// "box" of "box 2".
+inline std::string WithoutNumber(const std::string& name) {
+  const size_t digits = name.find_last_not_of("0123456789") + 1;
+  const bool is_numbered = digits > 1 && digits < name.size() && name[digits - 1] == ' ';
+  return is_numbered ? name.substr(0, digits - 1) : name;
+}
+// The name, or with the next number behind it if another entry of the list has it.
 template <typename T>
 std::string FreeName(const std::string& wanted, const std::vector<T>& list,
                      const T* own = nullptr) {
   std::string name = wanted;
   const auto is_taken = [&](const T& entry) { return &entry != own && entry.name == name; };
   for (int i = 2; std::any_of(list.begin(), list.end(), is_taken); ++i) {
-    name = wanted + " " + std::to_string(i);
+    name = WithoutNumber(wanted) + " " + std::to_string(i);
   }
   return name;
 }

@@ -5,6 +5,7 @@
 
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::edit {
 
@@ -13,6 +14,10 @@ namespace {
 using enum ParameterKind;
 
 const ParameterInfo kObject = {"object", kText, true, "the object's name", Thing::kObject};
+
+const ParameterInfos kOffset = {{"x", kNumber, false, "metres"},
+                                {"y", kNumber, false, "metres"},
+                                {"z", kNumber, false, "metres"}};
 
 template <typename Shape>
 ProjectSceneObject NewObject(Shape shape) {
@@ -50,6 +55,22 @@ Result<Done> ExpectOwn(const Parameters& p, const ProjectSceneObject& object) {
                    is_box ? "a box has none; planes have" : "a plane has none; boxes have");
 }
 
+// Of a box; 0 of a plane.
+double HeightOf(const ProjectSceneObject& object) {
+  const auto* box = std::get_if<ProjectBox>(&object.shape);
+  return box ? box->size_m.z() : 0.0;
+}
+
+// A box that is made higher or lower keeps its base, unless it is said where its middle is.
+void KeepBase(const Parameters& p, double higher, ProjectSceneObject* object) {
+  auto* box = std::get_if<ProjectBox>(&object->shape);
+  if (!box || p.has("x") || p.has("y") || p.has("z")) return;
+  for (const char* angle : {"angle_x", "angle_y", "angle_z"}) {
+    if (p.has(angle)) return;
+  }
+  box->center_m += TurnOf(box->rotation_deg) * Vec3(0.0, 0.0, 0.5 * higher);
+}
+
 // What is not given stays. A normal is brought to length 1.
 Result<Done> SetObject(Session* session, const Parameters& p) {
   return session->Edit(
@@ -59,7 +80,9 @@ Result<Done> SetObject(Session* session, const Parameters& p) {
         const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
         if (!object.ok()) return object.error();
         if (Result<Done> own = ExpectOwn(p, *object.value()); !own.ok()) return own;
+        const double high = HeightOf(*object.value());
         if (Result<Done> set = SetFields(p, object.value()); !set.ok()) return set;
+        KeepBase(p, HeightOf(*object.value()) - high, object.value());
         if (p.has("name")) {
           object.value()->name = FreeName(object.value()->name, objects, object.value());
         }
@@ -92,7 +115,16 @@ Result<Done> AddPlane(Session* session, const Parameters& p) {
   });
 }
 
+Vec3 OffsetOf(const Parameters& p) { return {p.number("x"), p.number("y"), p.number("z")}; }
+
 // A box, or how high a plane is.
+void MoveBy(const Vec3& by, ProjectSceneObject* object) {
+  if (auto* box = std::get_if<ProjectBox>(&object->shape)) box->center_m += by;
+  if (auto* plane = std::get_if<ProjectPlane>(&object->shape)) {
+    plane->offset_m += plane->normal.dot(by);
+  }
+}
+
 Result<Done> MoveObject(Session* session, const Parameters& p) {
   return session->Edit(
       "Move object",
@@ -100,28 +132,27 @@ Result<Done> MoveObject(Session* session, const Parameters& p) {
         const Result<ProjectSceneObject*> object =
             EntryNamed(p.text("object"), "object", &project->scene.objects);
         if (!object.ok()) return object.error();
-        const Vec3 by(p.number("x"), p.number("y"), p.number("z"));
-        if (auto* box = std::get_if<ProjectBox>(&object.value()->shape)) box->center_m += by;
-        if (auto* plane = std::get_if<ProjectPlane>(&object.value()->shape)) {
-          plane->offset_m += plane->normal.dot(by);
-        }
+        MoveBy(OffsetOf(p), object.value());
         return Done();
       },
       p.text("drag"));
 }
 
-// Where it is, to be moved away.
 Result<Done> DuplicateObject(Session* session, const Parameters& p) {
-  return session->Edit("Duplicate object", [&](Project* project) -> Result<Done> {
-    auto& objects = project->scene.objects;
-    const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
-    if (!object.ok()) return object.error();
-    ProjectSceneObject copy = *object.value();
-    copy.name = FreeName(copy.name, objects);
-    copy.identity = {};
-    objects.push_back(std::move(copy));
-    return Done();
-  });
+  return session->Edit(
+      "Duplicate object",
+      [&](Project* project) -> Result<Done> {
+        auto& objects = project->scene.objects;
+        const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
+        if (!object.ok()) return object.error();
+        ProjectSceneObject copy = *object.value();
+        copy.name = FreeName(copy.name, objects);
+        copy.identity = {};
+        MoveBy(OffsetOf(p), &copy);
+        objects.push_back(std::move(copy));
+        return Done();
+      },
+      p.text("drag"));
 }
 
 Result<Done> RemoveObject(Session* session, const Parameters& p) {
@@ -142,22 +173,15 @@ std::vector<Operator> ObjectOperators() {
        Joined({Requiring({"name"}, FieldsOf(NewObject(ProjectBox()))), {kDrag}}), AddBox},
       {"object.add_plane", "Add plane", "Puts a plane into the scene; one side of it is solid.",
        Requiring({"name"}, FieldsOf(NewObject(ProjectPlane()))), AddPlane},
-      {"object.set", "Change object", "Sets what is given of an object; what is not given stays.",
+      {"object.set", "Change object",
+       "Sets what is given of an object; what is not given stays. A box that is made higher keeps "
+       "its base.",
        Joined({{kObject}, FieldsOfShapes(), {kDrag}}), SetObject},
-      {"object.move",
-       "Move object",
-       "Moves an object of the scene.",
-       {kObject,
-        {"x", kNumber, false, "metres"},
-        {"y", kNumber, false, "metres"},
-        {"z", kNumber, false, "metres"},
-        kDrag},
-       MoveObject},
-      {"object.duplicate",
-       "Duplicate object",
-       "Puts another box or plane like this one into the scene, in the same place.",
-       {kObject},
-       DuplicateObject},
+      {"object.move", "Move object", "Moves an object of the scene.",
+       Joined({{kObject}, kOffset, {kDrag}}), MoveObject},
+      {"object.duplicate", "Duplicate object",
+       "Puts another box or plane like this one into the scene, so far from it.",
+       Joined({{kObject}, kOffset, {kDrag}}), DuplicateObject},
       {"object.remove", "Remove object", "Takes an object away.", {kObject}, RemoveObject}};
 }
 

@@ -8,7 +8,8 @@ namespace hazumi::ui {
 
 namespace {
 
-// Where the project is, or else the latest one, or else home.
+// Where the project is, or else the latest one, or else where the program was started from a shell,
+// or else home.
 std::string FirstFolder(const Editor& editor) {
   const std::string& path = editor.session().document().path();
   std::error_code unknown;
@@ -19,7 +20,8 @@ std::string FirstFolder(const Editor& editor) {
   for (const std::string& file : editor.settings.recent_files) {
     if (std::filesystem::is_directory(ParentOf(file), unknown)) return ParentOf(file);
   }
-  return HomeFolder();
+  const std::string start = std::filesystem::current_path(unknown).string();
+  return unknown || start == "/" ? HomeFolder() : start;
 }
 
 std::string FirstName(const Editor& editor) {

@@ -125,8 +125,8 @@ void DrawList(const std::vector<FormOption>& options, FormField* field, Editor* 
 }
 
 void DrawColorField(FormField* field) {
-  unsigned rgb = 0xb0b0b0;
-  if (!field->text.empty()) std::sscanf(field->text.c_str(), "#%x", &rgb);
+  unsigned rgb = 0;
+  std::sscanf(field->text.empty() ? kDefaultObjectColor : field->text.c_str(), "#%x", &rgb);
   float parts[3];
   for (int i = 0; i < 3; ++i) parts[i] = static_cast<float>((rgb >> (16 - 8 * i)) & 0xff) / 255.0f;
   if (!ImGui::ColorEdit3("##color", parts, ImGuiColorEditFlags_DisplayHex)) return;

@@ -166,6 +166,20 @@ Json Present(const FormState& form, const std::string& name, const Project& proj
   return form.id == "hold.set" ? of(project.holds) : Json();
 }
 
+// A box that is put into the scene: half a metre high, on the ground, a step ahead of the figure.
+Json BoxAhead(const std::string& id, const std::string& name, edit::Session* session) {
+  constexpr double kAhead = 1.2, kSize = 0.5;  // [m]
+  if (id != "object.add_box") return Json();
+  if (name.starts_with("size_")) return kSize;
+  if (name == "z") return 0.5 * kSize;
+  const bool is_x = name == "x", is_place = is_x || name == "y";
+  const Result<const MotionFrame*> now = session->FrameNow();
+  if (!is_place || !now.ok()) return Json();
+  const hazumi::Pose& X_WR = now.value()->X_WR;
+  const Vec3 ahead = X_WR.p + kAhead * (X_WR.R * Vec3::UnitX());
+  return std::round(10.0 * (is_x ? ahead.x() : ahead.y())) / 10.0 + 0.0;
+}
+
 }  // namespace
 
 std::string PresentValue(const FormState& form, const std::string& name,
@@ -179,6 +193,7 @@ std::string PresentValue(const FormState& form, const std::string& name,
 }
 
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
+  if (Json ahead = BoxAhead(id, info.name, session); !ahead.is_null()) return ahead;
   Json present = Present(id, info.name, session->project());
   if (!present.is_null()) return present;
   if (id == "region.start_rate" && info.offer.thing == Thing::kHinge) return StartingHinge(session);

@@ -7,6 +7,7 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/problems/falls_through.h"
+#include "ui/panels/problems/taken_object.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/flight_text.h"
 
@@ -47,7 +48,11 @@ class ProblemList {
     for (const PlacementJump& jump : motion.value()->placement_jumps) AddJump(jump);
     for (const Warning& warning : motion.value()->warnings) {
       // Those of placements are the jumps.
-      if (!IndexIn("placements", warning.place)) AddPlaced(warning, false);
+      if (IndexIn("placements", warning.place)) continue;
+      AddPlaced(warning, false);
+      if (const auto object = IndexIn("held_objects", warning.place)) {
+        AddTaking(static_cast<int>(*object), warning, *motion.value());
+      }
     }
     for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
     for (const FootSkate& skate : editor_.flights.analysis().skates) {
@@ -87,6 +92,26 @@ class ProblemList {
     problems_.push_back(std::move(problem));
   }
 
+  // The last problem is that an object jumps into a hand: that hand may reach for it.
+  void AddTaking(int object, const Warning& warning, const Motion& motion) {
+    if (!warning.frame) return;
+    const auto taking = TakingAt(object, *warning.frame, *editor_.session().animation(), motion);
+    if (!taking) return;
+    Problem& problem = problems_.back();
+    problem.frame = *warning.frame;
+    problem.joint = taking->joint;
+    problem.cures.push_back({"pose.reach",
+                             {{"joint", taking->joint},
+                              {"x", edit::WithoutRoundOff(taking->object.x())},
+                              {"y", edit::WithoutRoundOff(taking->object.y())},
+                              {"z", edit::WithoutRoundOff(taking->object.z())},
+                              {"offset_x", taking->offset.x()},
+                              {"offset_y", taking->offset.y()},
+                              {"offset_z", taking->offset.z()}},
+                             problem.frame,
+                             Tr("Reach for it")});
+  }
+
   void AddRemedy(Warning::Remedy remedy, const ProjectRegion& region, Problem* problem) {
     constexpr int kBlendFrames = 5;
     if (remedy == Warning::Remedy::kBlend) {
@@ -114,7 +139,14 @@ class ProblemList {
     }
     Problem problem{text, static_cast<double>(jump.frame), "", {}, false, {}};
     if (edit::JumpAt(jump.frame, project_)) {
-      problem.cures.push_back({"jump.aim", Json::object(), problem.frame, Tr("Land there")});
+      if (jump.distance > 0.0) {
+        problem.text = Filled(
+            Tr("Frame %d: the jump comes down %.2f m from where its keys have it, as on a box that "
+               "was changed."),
+            jump.frame, jump.distance);
+      }
+      problem.cures.push_back(
+          {"jump.aim", Json::object(), problem.frame, Tr("Aim the jump there again")});
     }
     problems_.push_back(std::move(problem));
   }

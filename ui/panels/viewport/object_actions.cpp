@@ -13,6 +13,14 @@ Error NothingSelected() {
   return {ErrorCode::kSchema, "", "", "nothing is selected: click on a joint, a box or a ball"};
 }
 
+std::optional<Solid> SelectedSolid(Editor* editor) {
+  const auto figure = PoseNow(&editor->session());
+  if (!figure) return std::nullopt;
+  const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
+  const Solid* solid = FindSolid(editor->viewport.selected_object, solids);
+  return solid ? std::optional(*solid) : std::nullopt;
+}
+
 const ProjectSceneObject* SelectedSceneObject(const Editor& editor) {
   const Project& project = editor.session().project();
   const int index = hazumi::IndexOf(editor.viewport.selected_object, project.scene.objects);
@@ -22,19 +30,52 @@ const ProjectSceneObject* SelectedSceneObject(const Editor& editor) {
 // The operators add to where the object is: each time from the beginning.
 class ObjectTool : public PointMoveTool {
  public:
-  ObjectTool(Editor* editor, const Solid& solid, std::optional<HeldFrom> held)
+  ObjectTool(Editor* editor, const Solid& solid, const char* id, std::optional<HeldFrom> held)
       : PointMoveTool(editor, solid.name, solid.center(), held),
-        id_(solid.is_held_object ? "held.move" : "object.move") {}
+        id_(id),
+        is_in_scene_(!solid.is_held_object) {}
 
- private:
+ protected:
   bool Place(Editor* editor, const Vec3& offset) override {
     TakeBack(editor);
     return Run(editor, id_,
                {{"object", name()}, {"x", offset.x()}, {"y", offset.y()}, {"z", offset.z()}});
   }
+  // What stands in the scene stays as high as it is, unless it is seen from the side.
+  Vec3 PlaneOf(const View& view) const override {
+    constexpr double kFromTheSide = 0.1;
+    const bool is_from_above = std::abs(view.back().z()) > kFromTheSide;
+    return is_in_scene_ && is_from_above ? Vec3(Vec3::UnitZ()) : view.back();
+  }
 
   const char* id_;
+  bool is_in_scene_;
 };
+
+// Nothing is copied until the mouse moves, so that no copy is ever left where the box is.
+class CopyTool : public ObjectTool {
+ public:
+  CopyTool(Editor* editor, const Solid& solid)
+      : ObjectTool(editor, solid, "object.duplicate", std::nullopt) {}
+
+ private:
+  bool Place(Editor* editor, const Vec3& offset) override {
+    return is_made_ = ObjectTool::Place(editor, offset);
+  }
+  bool Follow(Editor* editor, const ToolInput& input) override {
+    if (!ObjectTool::Follow(editor, input)) return false;
+    if (is_made_ && IsConfirmed(input)) {
+      SelectObject(editor, editor->session().project().scene.objects.back().identity.id);
+    }
+    return true;
+  }
+
+  bool is_made_ = false;
+};
+
+const char* MoveOperatorOf(const Solid& solid) {
+  return solid.is_held_object ? "held.move" : "object.move";
+}
 
 }  // namespace
 
@@ -92,26 +133,20 @@ static Result<Done> RemoveSelectedObject(Editor* editor) {
   return editor->Invoke("object.remove", {{"object", object->name}});
 }
 
-// And takes the copy in hand.
 static Result<Done> DuplicateSelectedObject(Editor* editor) {
-  const ProjectSceneObject* object = SelectedSceneObject(*editor);
-  if (!object) {
+  const std::optional<Solid> solid = SelectedSolid(editor);
+  if (!solid || solid->is_held_object) {
     return Error{ErrorCode::kSchema, "", "",
                  "click on a box first: another one like it is put into the scene"};
   }
-  Result<Done> done = editor->Invoke("object.duplicate", {{"object", object->name}});
-  if (!done.ok()) return done;
-  SelectObject(editor, editor->session().project().scene.objects.back().identity.id);
-  return TakeMoveObjectTool(editor, std::nullopt);
+  editor->Take(std::make_unique<CopyTool>(editor, *solid));
+  return Done();
 }
 
 Result<Done> TakeMoveObjectTool(Editor* editor, std::optional<HeldFrom> held) {
-  const auto figure = PoseNow(&editor->session());
-  if (!figure) return NothingSelected();
-  const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
-  const Solid* solid = FindSolid(editor->viewport.selected_object, solids);
+  const std::optional<Solid> solid = SelectedSolid(editor);
   if (!solid) return NothingSelected();
-  editor->Take(std::make_unique<ObjectTool>(editor, *solid, held));
+  editor->Take(std::make_unique<ObjectTool>(editor, *solid, MoveOperatorOf(*solid), held));
   return Done();
 }
 

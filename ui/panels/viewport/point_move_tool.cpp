@@ -47,8 +47,8 @@ Vec3 PointMoveTool::OffsetOf(const View& view, bool snap) const {
   if (axis_) {
     offset = (AlongAxis(view, mouse_, from_, axis) - AlongAxis(view, *start_, from_, axis)) * axis;
   } else {
-    const auto to = view.OnPlane(mouse_, from_, view.back());
-    const auto from = view.OnPlane(*start_, from_, view.back());
+    const auto to = view.OnPlane(mouse_, from_, PlaneOf(view));
+    const auto from = view.OnPlane(*start_, from_, PlaneOf(view));
     if (to && from) offset = *to - *from;
   }
   if (!snap) return offset;

@@ -8,7 +8,7 @@
 
 namespace hazumi::ui {
 
-// Moves a point, in the plane of the view or along an axis of the world.
+// Moves a point, in a plane or along an axis of the world.
 class PointMoveTool : public DragTool {
  public:
   // `from`: where the point is [m].
@@ -19,16 +19,19 @@ class PointMoveTool : public DragTool {
  protected:
   // To where it was plus `offset` [m].
   virtual bool Place(Editor* editor, const Vec3& offset) = 0;
+  // The normal of that plane: by default towards the eye.
+  virtual Vec3 PlaneOf(const View& view) const { return view.back(); }
   // A key that is no number and no axis. True if it changes what Place does.
   virtual bool TakeKey(const Chord&) { return false; }
   // What such keys do.
   virtual std::string MoreHint() const { return ""; }
 
+  bool Follow(Editor* editor, const ToolInput& input) override;
+
   const std::string& name() const { return name_; }
   const Vec3& from() const { return from_; }
 
  private:
-  bool Follow(Editor* editor, const ToolInput& input) override;
   Vec3 OffsetOf(const View& view, bool snap) const;
 
   std::string name_;

@@ -73,10 +73,16 @@ class SpotTool : public DragTool {
   bool is_due_ = false;         // it has not been done yet
   Told told_;
   std::string trouble_;  // why it cannot be
+  // Something was to be done that has to wait: a spot that cannot be, or another key.
+  const char* reminder_ = "";
 };
 
 bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
-  for (const Chord& chord : input.keys) (void)typed_.Take(chord);
+  if (!input.keys.empty()) reminder_ = "";
+  for (const Chord& chord : input.keys) {
+    const bool is_other = !typed_.Take(chord) && chord.ctrl;
+    if (is_other) reminder_ = Tr("First click to confirm, or press Esc.");
+  }
   const Animation* animation = editor->session().animation();
   if (!animation) return false;
   const View view = ViewOf(editor->viewport, editor->session().project(), editor->viewport.rect);
@@ -90,10 +96,14 @@ bool SpotTool::Follow(Editor* editor, const ToolInput& input) {
   if (!typed_.is_empty()) wanted["height"] = typed_.value();
   const bool rests = wanted_ == wanted;
   if (!rests) {
+    reminder_ = "";
     wanted_ = wanted;
     is_due_ = true;
   }
   if (is_due_ && (rests || input.confirm || !takes_long_)) RunThere(editor);
+  if (input.confirm && !trouble_.empty()) {
+    reminder_ = Tr("Nothing is done yet: point at another spot, or press Esc.");
+  }
   editor->viewport.aimed = AimedAt(spot);
   if (!IsConfirmed(input)) return true;
   if (editor->last_frame() > editor->sheet.last) editor->Do("sheet.frame_all");
@@ -120,6 +130,7 @@ AimedSpot SpotTool::AimedAt(const Vec3& spot) const {
     aimed.is_trouble = told_.is_caution || !trouble_.empty();
     aimed.text += trouble_.empty() ? told_.text : trouble_;
   }
+  if (*reminder_) aimed.text += std::string("\n") + reminder_;
   return aimed;
 }
 

@@ -33,6 +33,20 @@ TEST(ReachOperators, BringsAHandWhereItIsWanted) {
   EXPECT_TRUE(session.project().joints.empty());
 }
 
+TEST(ReachOperators, APointOfTheHandComesThereInsteadOfTheWrist) {
+  Session session;
+  const Vec3 target(0.3, 0.05, 1.15), palm(0.02, 0.04, -0.08);
+  Json parameters = To("l_wrist", target);
+  for (int i = 0; i < 3; ++i) parameters[std::string("offset_") + "xyz"[i]] = palm[i];
+  Do(&session, "pose.reach", parameters);
+  const MotionFrame& now = *session.FrameNow().value();
+  const Figure& figure = session.figure();
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, now.X_WR, now.q, &ws);
+  const BodyScratch& hand = ws.body(figure.group(*figure.FindGroup("l_wrist")).last());
+  EXPECT_LE((hand.p + hand.R * palm - target).norm(), 1e-3);
+}
+
 TEST(ReachOperators, DraggingIsOneStep) {
   Session session;
   const Vec3 from = PlaceOf(&session, "l_ankle");

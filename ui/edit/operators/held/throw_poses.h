@@ -25,7 +25,7 @@ struct ThrowHinge {
 
 inline constexpr double kShoulderBack = -60.0;  // as far back as the arm swings [degrees]
 
-// The feet are flat: ankle = knee - hip.
+// The feet are flat: ankle = knee - hip. The weight goes from over the feet towards the toes.
 inline constexpr ThrowHinge kThrowHinges[] = {
     {"waist_flexion", ThrowLimb::kTrunk, false, {10.0, 12.0, 4.0}},
     {"waist_rotation", ThrowLimb::kTrunk, true, {-12.0, 2.0, 10.0}, 0.35},
@@ -36,9 +36,9 @@ inline constexpr ThrowHinge kThrowHinges[] = {
     {"shoulder_flexion", ThrowLimb::kOtherArm, false, {38.0, 14.0, -22.0}},
     {"shoulder_abduction", ThrowLimb::kOtherArm, false, {18.0, 24.0, 18.0}},
     {"elbow_flexion", ThrowLimb::kOtherArm, false, {35.0, 28.0, 24.0}},
-    {"hip_flexion", ThrowLimb::kLegs, false, {30.0, 18.0, 8.0}},
-    {"knee", ThrowLimb::kLegs, false, {44.0, 26.0, 12.0}},
-    {"ankle_flexion", ThrowLimb::kLegs, false, {14.0, 8.0, 4.0}},
+    {"hip_flexion", ThrowLimb::kLegs, false, {24.0, 14.0, 2.0}},
+    {"knee", ThrowLimb::kLegs, false, {44.0, 28.0, 14.0}},
+    {"ankle_flexion", ThrowLimb::kLegs, false, {20.0, 14.0, 12.0}},
     {"shoulder_flexion", ThrowLimb::kShoulder, false, {kShoulderBack, 0.0, 0.0}},
     {"shoulder_rotation", ThrowLimb::kShoulder, false, {0.0, 0.0, 0.0}},
     {"shoulder_abduction", ThrowLimb::kShoulder, false, {10.0, 0.0, 0.0}},

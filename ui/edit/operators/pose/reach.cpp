@@ -117,6 +117,29 @@ std::vector<JointIndex> ReachWanted(const Wanted& wanted, const hazumi::Pose& X_
   return all;
 }
 
+// The same for a point of the moved body, `offset` in its frame: as the body turns on the way the
+// joint's place is found again.
+std::vector<JointIndex> ReachWithPoint(Wanted wanted, const Vec3& offset, const hazumi::Pose& X_WR,
+                                       const std::vector<JointIndex>& hinges,
+                                       const std::vector<JointIndex>& own, const Figure& figure,
+                                       VecX* q) {
+  constexpr int kMostTries = 40;
+  constexpr double kThere = 1e-4;  // [m]
+  const Vec3 point = wanted.p;
+  std::vector<JointIndex> turned;
+  for (int i = 0; i < kMostTries; ++i) {
+    DynamicsWorkspace ws(figure);
+    ComputePositions(figure, X_WR, *q, &ws);
+    const BodyScratch& body = ws.body(figure.group(wanted.moved).last());
+    const Vec3 arm = body.R * offset;
+    if (!turned.empty() && (body.p + arm - point).norm() < kThere) break;
+    wanted.p = point - arm;
+    turned = ReachWanted(wanted, X_WR, hinges, own, figure, q);
+    if (offset.isZero(0.0)) break;
+  }
+  return turned;
+}
+
 Wanted WantedOf(GroupIndex moved, const Parameters& p, const MotionFrame& now,
                 const Figure& figure) {
   Wanted wanted = {moved, Vec3(p.number("x"), p.number("y"), p.number("z")), std::nullopt};
@@ -143,9 +166,10 @@ Result<Done> ReachFor(Session* session, const Parameters& p) {
   }
   VecX q = now.value()->q;
   Pose pose;
-  for (const JointIndex j :
-       ReachWanted(WantedOf(*moved, p, *now.value(), figure), now.value()->X_WR, hinges.value(),
-                   PosedHinges({*moved}, frame, animation, locked), figure, &q)) {
+  const Vec3 offset(p.number("offset_x"), p.number("offset_y"), p.number("offset_z"));
+  for (const JointIndex j : ReachWithPoint(
+           WantedOf(*moved, p, *now.value(), figure), offset, now.value()->X_WR, hinges.value(),
+           PosedHinges({*moved}, frame, animation, locked), figure, &q)) {
     pose.push_back({figure.joint(j).name, ShortestDegrees(q[j.value()])});
   }
   const Result<Pose> both = PoseOfSides(std::move(pose), p, session);
@@ -156,6 +180,8 @@ Result<Done> ReachFor(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> ReachOperators() {
+  constexpr const char* kOffsetHelp =
+      "of the point that comes there, such as a palm, from the joint, metres in its frame";
   return {{"pose.reach",
            "Reach",
            "Turns a limb, within its limits, so that a joint comes to a place or near it; keys it.",
@@ -163,6 +189,9 @@ std::vector<Operator> ReachOperators() {
             {"x", kNumber, true, "where to, metres in the world"},
             {"y", kNumber, true, "metres"},
             {"z", kNumber, true, "metres"},
+            {"offset_x", kNumber, false, kOffsetHelp},
+            {"offset_y", kNumber, false, kOffsetHelp},
+            {"offset_z", kNumber, false, kOffsetHelp},
             {"chain", kInteger, false,
              "how many joints turn; 0: all up to the root; not given: the limb"},
             {"keep_turned", kYesNo, false,
