@@ -10,8 +10,8 @@
 #include "app/cli/help_text.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
-#include "app/cli/version.h"
 #include "engine/base/text.h"
+#include "engine/base/version.h"
 #include "engine/exchange/export_motion.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/json/did_you_mean.h"
@@ -375,7 +375,7 @@ ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
   CLI::App app("", "hazumi");
   Options options;
   app.allow_extras();
-  app.set_version_flag("--version", std::string("hazumi ") + kVersion);
+  app.set_version_flag("--version", "hazumi " + ProgramVersion());
   Declare(kTasks, &app);
   Declare(kRules, &app);
   app.add_option("FILE", options.files);

@@ -9,7 +9,7 @@
 #include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/report_text.h"
-#include "app/cli/version.h"
+#include "engine/base/version.h"
 
 namespace hazumi {
 
