@@ -31,6 +31,8 @@ constexpr CheckText kTexts[] = {
      "not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
     {Check::kNotPoses, kSchema,
      "not a file of Hazumi poses: expected an object with \"format\": \"hazumi-poses\""},
+    {Check::kNotASweep, kSchema,
+     "not a Hazumi sweep: expected an object with \"format\": \"hazumi-sweep\""},
     {Check::kNewerFormat, kSchema,
      "made by a newer Hazumi: this is format version {}, this Hazumi reads {}; please update it"},
     {Check::kUnknownFormat, kSchema, "there is no format version {}; write 1"},

@@ -28,6 +28,7 @@ enum class Check {
   kNotAProject,
   kNotAFigure,
   kNotPoses,
+  kNotASweep,
   kNewerFormat,
   kUnknownFormat,
   kMissingField,

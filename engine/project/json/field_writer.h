@@ -26,6 +26,8 @@ Json ToJson(const ProjectFigure& figure);
 Json ToJson(const ProjectSkin& skin);
 Json ToJson(const ProjectMesh& mesh);
 Json ToJson(const std::vector<Named<double>>& values);
+template <typename T>
+Json ToJson(const std::vector<T>& values);
 Json FromText(const std::string& json_text);
 
 class FieldWriter {

@@ -2,6 +2,7 @@
 
 #include "engine/project/json/json.h"
 #include "engine/project/pose_file.h"
+#include "engine/sweep/sweep_plan.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/wrong_makers.h"
 
@@ -185,6 +186,10 @@ std::string ReadPosesOfAProject() {
   return Complaint(ParsePoses(SampleProject().dump(), "wrong.json"));
 }
 
+std::string ReadSweepOfAProject() {
+  return Complaint(ParseSweep(SampleProject().dump(), "wrong.json"));
+}
+
 std::vector<WrongProject> WrongFigures() {
   const std::string axis = "/joints/0/hinges/0/axis", link = "/joints/0/links/0";
   return {
@@ -192,6 +197,8 @@ std::vector<WrongProject> WrongFigures() {
        "figure: not a Hazumi figure: expected an object with \"format\": \"hazumi-figure\""},
       {Check::kNotPoses, ReadPosesOfAProject,
        "not a file of Hazumi poses: expected an object with \"format\": \"hazumi-poses\""},
+      {Check::kNotASweep, ReadSweepOfAProject,
+       "not a Hazumi sweep: expected an object with \"format\": \"hazumi-sweep\""},
       {Check::kNewerFormat, Read("/figure/version", "7"),
        "figure.version: made by a newer Hazumi: this is format version 7, this Hazumi reads 1; "
        "please update it"},

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "engine/analysis/object_landing.h"
 #include "engine/collision/distance.h"
-#include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::ui {
 
@@ -29,7 +29,7 @@ std::optional<FallThrough> In(const Animation& animation, const Vec3& p, double 
 std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& motion) {
   std::vector<FallThrough> falls;
   for (size_t i = 0; i < animation.held_objects.size(); ++i) {
-    const double radius = edit::InnerRadius(animation.held_objects[i]);
+    const double radius = InnerRadius(animation.held_objects[i]);
     for (const MotionFrame& frame : motion.frames) {
       if (i >= frame.objects.size() || frame.objects[i].is_held()) continue;
       std::optional<FallThrough> fall = In(animation, frame.objects[i].X_WO.p, radius);

@@ -154,11 +154,6 @@ Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject&
   return Vec3::Zero();
 }
 
-double InnerRadius(const HeldObject& object) {
-  if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) return sphere->radius;
-  return std::get<BoxShape>(object.shape).half_size.minCoeff();
-}
-
 Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p) {
   const std::string name = p.has("joint") ? p.text("joint") : SelectedHolder(session);
   if (name.empty()) return Refusal("joint", "is missing, and no joint is selected");

@@ -16,9 +16,6 @@ Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject&
 // R = Rz Ry Rx of a turn in a hand.
 Mat3 TurnOf(const Vec3& rotation_deg);
 
-// Of the sphere in the middle of an object [m].
-double InnerRadius(const HeldObject& object);
-
 // When this holder (of the object's later ones; -1: who has it at first) lets go of it; not given:
 // never.
 std::optional<int>& EndOf(int number, ProjectHeldObject* object);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/analysis/object_landing.h"
 #include "engine/project/compile.h"
 #include "ui/edit/operators/held/held_objects.h"
 #include "ui/edit/operators/held/holders.h"

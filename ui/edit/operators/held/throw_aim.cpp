@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <random>
 
+#include "engine/analysis/object_landing.h"
 #include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held/held_objects.h"
