@@ -31,6 +31,14 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunOperators();
     case hazumi::Task::kSchema:
       return hazumi::RunSchema();
+    case hazumi::Task::kSweep:
+      return hazumi::RunSweep(options);
+    case hazumi::Task::kVerify:
+      return hazumi::RunVerify(options);
+    case hazumi::Task::kFields:
+      return hazumi::RunFields(options);
+    case hazumi::Task::kQuantities:
+      return hazumi::RunQuantities();
     case hazumi::Task::kWindow:
       return hazumi::RunWindow(options);
   }

@@ -8,6 +8,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/verify.h"
 #include "engine/base/atomic_file.h"
 #include "engine/exchange/motion_csv.h"
 #include "engine/exchange/motion_json.h"
@@ -39,7 +40,8 @@ int RunBake(const Options& options) {
   PrintWarnings(options.files[0], warnings);
   const std::string text =
       IsCsv(out) ? MotionToCsv(animation, motion, options.torques)
-                 : MotionToJson(animation, motion, {options.timings, options.torques});
+                 : MotionToJson(animation, motion,
+                                {options.timings, options.torques, {MadeByText(), options.given}});
   if (Interrupted()) return Complain(InterruptedError());
   if (out != "-") {
     const Result<Done> written = WriteFileAtomically(out, text, WriteMode::kDurable);

@@ -18,6 +18,10 @@ int RunWindow(const Options& options);
 int RunEdits(const Options& options);
 int RunOperators();
 int RunSchema();
+int RunSweep(const Options& options);
+int RunVerify(const Options& options);
+int RunFields(const Options& options);
+int RunQuantities();
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);

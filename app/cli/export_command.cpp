@@ -5,6 +5,7 @@
 #include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/terminal.h"
+#include "app/cli/verify.h"
 #include "engine/base/atomic_file.h"
 #include "engine/base/version.h"
 #include "engine/exchange/export_motion.h"
@@ -30,6 +31,7 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.skin = baked.project.skin ? baked.project.skin.meshes().get() : &capsules;
   settings.timings = options.timings;
   settings.torques = options.torques;
+  settings.made_by = {MadeByText(), options.given};
   PrintWarnings(options.files[0], LeftOutOf(baked.animation, settings.format));
   const Motion motion = PartOf(baked.motion, frames.first, frames.last);
   const Result<std::string> bytes = ExportMotion(baked.animation, motion, settings);

@@ -71,6 +71,12 @@ bool ReadScript(const std::string& text, Options* options) {
   return !text.empty();
 }
 
+bool ReadSweep(const std::string& text, Options* options) {
+  options->task = Task::kSweep;
+  options->script = text;
+  return !text.empty();
+}
+
 bool ReadImported(const std::string& text, Options* options) {
   options->task = Task::kImport;
   options->files.push_back(text);
@@ -176,6 +182,31 @@ constexpr OptionRule kTasks[] = {
      .files = "json",
      .remedy = "name a script, a JSON list of operators",
      .read = ReadScript},
+    {.name = "--verify",
+     .tasks = kVerify,
+     .help = "make the motion or the pictures again, and say whether every value and every pixel "
+             "is as it is in MADE: what --bake wrote as .json, or a folder of --render; exit code "
+             "1 where one differs",
+     .call = "FILE MADE",
+     .read = Choose<Task::kVerify>},
+    {.name = "--sweep",
+     .tasks = kSweep,
+     .value = "SWEEP",
+     .help = "bake, measure and draw variations of a project, as the file SWEEP says; the table "
+             "is FOLDER/sweep.csv. What is in FOLDER already is not computed again",
+     .call = "SWEEP.json --out FOLDER [--tasks N --task K]",
+     .files = "json",
+     .remedy = "name a sweep file (.json)",
+     .read = ReadSweep},
+    {.name = "--fields",
+     .tasks = kFields,
+     .help = "list the addresses of a project's fields, with their values: what a sweep can vary",
+     .call = "FILE",
+     .read = Choose<Task::kFields>},
+    {.name = "--quantities",
+     .tasks = kQuantities,
+     .help = "list what a sweep can measure",
+     .read = Choose<Task::kQuantities>},
     {.name = "--operators",
      .tasks = kOperators,
      .help = "list the operators and their parameters",
@@ -201,6 +232,7 @@ constexpr OptionRule kOptions[] = {
      .more = "--frames counts output frames when --fps is given, and belongs to --export of any "
              "format",
      .remedy = "give a frame, or A..B with A <= B",
+     .is_silent = true,
      .read = [](const std::string& text, Options* o) { return Keep(ReadRange(text), &o->frames); }},
     {.name = "--size",
      .tasks = kDraw | kRun,
@@ -241,6 +273,7 @@ constexpr OptionRule kOptions[] = {
      .help = "at most 2 are used: one draws, one writes",
      .fallback = "2",
      .remedy = "give a whole number from 1",
+     .is_silent = true,
      .read =
          [](const std::string& text, Options* o) {
            return KeepInt(text, 1, std::numeric_limits<int>::max(), &o->threads);
@@ -374,6 +407,7 @@ constexpr OptionRule kOptions[] = {
      .tasks = kForeign,
      .section = Section::kForeignFiles,
      .help = "say all that is dropped or changed, not the first ten lines",
+     .is_silent = true,
      .read = Set<&Options::all_warnings>},
     {.name = "--method",
      .tasks = kMotion,
@@ -430,6 +464,7 @@ constexpr OptionRule kOptions[] = {
      .section = Section::kOutput,
      .help = "with --bake and --export to .json: reports carry microseconds, off by default so "
              "that two are equal bytes",
+     .is_silent = true,
      .read = Set<&Options::timings>},
     {.name = "--torques",
      .tasks = kBake | kJson | kCsv,
@@ -441,7 +476,42 @@ constexpr OptionRule kOptions[] = {
      .tasks = kCheck | kInfo | kFlight,
      .section = Section::kOutput,
      .help = "with --check, --info, --flight: answer in JSON",
+     .is_silent = true,
      .read = Set<&Options::json>},
+    {.name = "--out",
+     .tasks = kSweep,
+     .section = Section::kSweep,
+     .value = "FOLDER",
+     .help = "where the results are",
+     .files = "/",
+     .remedy = "name a folder",
+     .read =
+         [](const std::string& text, Options* o) {
+           o->output = text;
+           return !text.empty();
+         }},
+    {.name = "--tasks",
+     .tasks = kSweep,
+     .section = Section::kSweep,
+     .value = "N",
+     .help = "share the cells out among N tasks, on one machine or many",
+     .fallback = "all cells",
+     .remedy = "give a whole number from 1 to 1000000",
+     .read = [](const std::string& text,
+                Options* o) { return KeepInt(text, 1, 1000000, &o->tasks); }},
+    {.name = "--task",
+     .tasks = kSweep,
+     .section = Section::kSweep,
+     .value = "K",
+     .help = "this one's share, from 0 to N - 1; the table is made by a last call without it",
+     .remedy = "give a whole number from 0",
+     .read = [](const std::string& text,
+                Options* o) { return KeepInt(text, 0, 999999, &o->task_number); }},
+    {.name = "--count",
+     .tasks = kSweep,
+     .section = Section::kSweep,
+     .help = "only say how many cells there are",
+     .read = Set<&Options::count>},
     {.name = "--trace",
      .tasks = kWindow,
      .section = Section::kEditor,
@@ -457,6 +527,7 @@ constexpr SectionTitle kSections[] = {
     {Section::kForeignFiles, "Reading files of other programs"},
     {Section::kMotion, "Motion, with any task, instead of what the file and its regions say"},
     {Section::kOutput, "Output"},
+    {Section::kSweep, "Sweeps, with --sweep"},
     {Section::kEditor, "Editor"},
 };
 

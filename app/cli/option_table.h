@@ -29,18 +29,22 @@ enum TaskBits : unsigned {
   kCsv = 1u << 12,
   kPlain = 1u << 13,  // others
   kSchema = 1u << 14,
+  kSweep = 1u << 15,
+  kVerify = 1u << 16,
+  kFields = 1u << 17,
+  kQuantities = 1u << 18,
   kExport = kBvh | kVideo | kJson | kCsv | kPlain,
   kDraw = kRender | kVideo,
   kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,
   // Those that read files of other programs.
   kForeign = kRender | kBake | kInfo | kFlight | kImport | kExport,
   // Those that take a FILE: a project, of some one of another program.
-  kProjects = kMotion | kRun | kWindow,
+  kProjects = kMotion | kRun | kWindow | kVerify | kFields,
   kCharacters = kForeign & ~kImport,
 };
 
 // Parts of the help, in this order.
-enum class Section { kTasks, kDrawing, kForeignFiles, kMotion, kOutput, kEditor };
+enum class Section { kTasks, kDrawing, kForeignFiles, kMotion, kOutput, kSweep, kEditor };
 struct SectionTitle {
   Section section;
   const char* title;
@@ -67,6 +71,9 @@ struct OptionRule {
   const char* files = nullptr;
   // What to do about a value that cannot be read. A flag has none.
   const char* remedy = nullptr;
+  // Of an option: whether it goes with --bake, --render or --export and leaves what they write as
+  // it is.
+  bool is_silent = false;
   // Puts the value where it belongs. Returns whether it is one.
   bool (*read)(const std::string& text, Options* options) = nullptr;
 };

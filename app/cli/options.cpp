@@ -72,8 +72,12 @@ void Declare(std::span<const OptionRule> rules, CLI::App* app) {
 void Read(const CLI::App& app, const OptionRule& rule, Options* options) {
   if (app.count(rule.name) == 0) return;
   const std::string text = rule.value ? app[rule.name]->as<std::string>() : "";
-  if (rule.read(text, options)) return;
-  throw UsageError(std::string(rule.name) + " " + text + ": " + rule.remedy);
+  if (!rule.read(text, options)) {
+    throw UsageError(std::string(rule.name) + " " + text + ": " + rule.remedy);
+  }
+  if (rule.section == Section::kTasks || rule.is_silent) return;
+  options->given.push_back(rule.name);
+  if (rule.value) options->given.push_back(text);
 }
 
 // The task that is asked for, read.
@@ -90,6 +94,18 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
   if (!chosen) return options->task = Task::kWindow, kEditInWindow;
   Read(app, *chosen, options);
   return *chosen;
+}
+
+void CheckSweep(const CLI::App& app, const Options& options) {
+  if (options.output.empty() && !options.count) throw UsageError("--sweep wants --out FOLDER");
+  if ((app.count("--tasks") == 0) != (app.count("--task") == 0)) {
+    throw UsageError("--tasks and --task go together: how many there are, and which one this is");
+  }
+  if (options.tasks > 0 && options.task_number >= options.tasks) {
+    throw UsageError("--task " + std::to_string(options.task_number) + ": of " +
+                     std::to_string(options.tasks) + " tasks the last one is " +
+                     std::to_string(options.tasks - 1));
+  }
 }
 
 void ReadOptions(const CLI::App& app, Options* options) {
@@ -110,12 +126,17 @@ void ReadOptions(const CLI::App& app, Options* options) {
     if (options->rate) options->import.fps = options->rate->FrameAt(1.0);
     return;
   }
+  if (task.tasks & kSweep) CheckSweep(app, *options);
   if (!(task.tasks & kProjects)) {
     if (!options->files.empty()) throw UsageError(std::string(task.name) + " takes no FILE");
     return;
   }
   if (options->files.empty() && !(task.tasks & (kRun | kWindow))) {
     throw UsageError("no FILE; name a project (.kfa)");
+  }
+  if (task.tasks & kVerify) {
+    if (options->files.size() != 2) throw UsageError("--verify takes FILE and MADE: two names");
+    return;
   }
   if (options->task != Task::kCheck && options->files.size() > 1) {
     throw UsageError(std::string(task.name) + " takes one FILE; only --check takes several");
@@ -133,10 +154,9 @@ std::string Explain(const CLI::ParseError& error) {
   return text;
 }
 
-}  // namespace
-
-// CLI11 only tells options, values and files apart: what they mean is in the table.
-ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
+// Throws what CLI11 does. It only tells options, values and files apart: what they mean is in the
+// table.
+Options ParseOrThrow(int argc, const char* const* argv) {
   CLI::App app("", "hazumi");
   Options options;
   app.allow_extras();
@@ -144,9 +164,28 @@ ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
   Declare(Tasks(), &app);
   Declare(TaskOptions(), &app);
   app.add_option("FILE", options.files);
+  app.parse(argc, argv);
+  ReadOptions(app, &options);
+  return options;
+}
+
+}  // namespace
+
+Result<Options> ParseWords(const std::vector<std::string>& words) {
+  std::vector<const char*> argv = {"hazumi"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
   try {
-    app.parse(argc, argv);
-    ReadOptions(app, &options);
+    return ParseOrThrow(static_cast<int>(argv.size()), argv.data());
+  } catch (const UsageError& error) {
+    return Error{ErrorCode::kSchema, "", "", error.what()};
+  } catch (const CLI::ParseError& error) {
+    return Error{ErrorCode::kSchema, "", "", Explain(error)};
+  }
+}
+
+ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
+  try {
+    return {ParseOrThrow(argc, argv), kExitOk};
   } catch (const CLI::CallForHelp&) {
     std::fputs(HelpText().c_str(), stdout);
     return {std::nullopt, kExitOk};
@@ -158,7 +197,6 @@ ParsedCommandLine ParseCommandLine(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     return {std::nullopt, ComplainOfUsage(Explain(error))};
   }
-  return {options, kExitOk};
 }
 
 }  // namespace hazumi

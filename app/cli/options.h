@@ -24,7 +24,11 @@ enum class Task {
   kImport,
   kRun,
   kOperators,
-  kSchema
+  kSchema,
+  kSweep,
+  kVerify,
+  kFields,
+  kQuantities
 };
 
 struct FrameRange {
@@ -45,8 +49,8 @@ struct CameraChoice {
 // What the command line asks for. See `hazumi --help`.
 struct Options {
   Task task = Task::kWindow;
-  std::string output;  // of --render, --export, --bake and --save
-  std::string script;  // of --run
+  std::string output;  // of --render, --export, --bake, --save and --out
+  std::string script;  // of --run and --sweep
   std::vector<std::string>
       files;  // --check takes several, --run and the window one or none, the others one
 
@@ -76,6 +80,14 @@ struct Options {
   bool torques = false;
   bool trace = false;  // of the window
   bool json = false;
+
+  // Of --sweep.
+  int tasks = 0;        // 0: all cells
+  int task_number = 0;  // from 0 to tasks - 1
+  bool count = false;
+
+  // Those that were given and change what comes out, as words: "--fps", "60".
+  std::vector<std::string> given;
 };
 
 // Either options, or an exit code after the message (help, version, what is wrong) was printed.
@@ -84,5 +96,8 @@ struct ParsedCommandLine {
   int exit_code = 0;
 };
 ParsedCommandLine ParseCommandLine(int argc, const char* const* argv);
+
+// The same of words, without the program's name. Errors: kSchema, with what is wrong.
+Result<Options> ParseWords(const std::vector<std::string>& words);
 
 }  // namespace hazumi

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
@@ -9,6 +10,7 @@
 #include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/report_text.h"
+#include "app/cli/verify.h"
 #include "engine/base/version.h"
 
 namespace hazumi {
@@ -21,13 +23,17 @@ std::string WithoutControls(std::string text) {
 }
 
 // No dates, so that equal input gives equal bytes.
-std::vector<render::PngText> Metadata(const BakedProject& baked, int frame) {
+std::vector<render::PngText> Metadata(const BakedProject& baked, const Options& options,
+                                      int frame) {
   const SolverSettings& solver = baked.animation.solver;
   return {{"Software", std::string("Hazumi ") + kVersion},
           {"Project", WithoutControls(baked.project.name)},
           {"Frame", std::to_string(frame)},
           {"Solver", FinenessText(solver.method, solver.step, solver.tolerance) + ", version " +
-                         std::to_string(solver.version)}};
+                         std::to_string(solver.version)},
+          {"Maker", MadeByText()},
+          {"Options", nlohmann::json(options.given)
+                          .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)}};
 }
 
 int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Options& options) {
@@ -48,7 +54,7 @@ int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Optio
   const auto name = [&](int i) { return names.value().Of(pictures.FrameOf(i)); };
   render::Sequence sequence = pictures.Sequence();
   sequence.path = [&](int i) { return std::filesystem::path(name(i)); };
-  sequence.metadata = [&](int i) { return Metadata(baked, pictures.FrameOf(i)); };
+  sequence.metadata = [&](int i) { return Metadata(baked, options, pictures.FrameOf(i)); };
   sequence.progress = [&](int done) { progress.Report(done, name(done - 1)); };
   const Result<int> written = RenderSequence(SequenceOptionsOf(options, size), sequence);
   progress.Finish();

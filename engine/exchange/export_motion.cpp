@@ -75,7 +75,7 @@ Result<std::string> ExportMotion(const Animation& animation, const Motion& motio
     case MotionFormat::kCsv:
       return MotionToCsv(animation, motion, options.torques);
     case MotionFormat::kJson:
-      return MotionToJson(animation, motion, {options.timings, options.torques});
+      return MotionToJson(animation, motion, {options.timings, options.torques, options.made_by});
   }
   return Error{ErrorCode::kFailed, "", "", "unknown format"};
 }

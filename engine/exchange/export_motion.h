@@ -10,6 +10,7 @@
 #include "engine/base/result.h"
 #include "engine/base/warning.h"
 #include "engine/exchange/character/character.h"
+#include "engine/exchange/motion_json.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -32,9 +33,10 @@ struct MotionExportOptions {
   // BVH libraries are. glTF is y up and metres by definition.
   UpAxis up = UpAxis::kY;
   double metres_per_unit = 0.01;
-  const Skin* skin = nullptr;  // of glTF; none: the skeleton alone
-  bool timings = false;        // of JSON
-  bool torques = false;        // of JSON and CSV
+  const Skin* skin = nullptr;             // of glTF; none: the skeleton alone
+  bool timings = false;                   // of JSON
+  bool torques = false;                   // of JSON and CSV
+  MotionJsonOptions::Maker made_by = {};  // of JSON
 };
 
 // What a file of this format cannot hold of a motion, each by name.

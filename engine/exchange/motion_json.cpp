@@ -222,6 +222,10 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
           ", \"fps_den\": " + std::to_string(motion.rate.den);
   text += ",\n  \"solver\": {" + FinenessText(solver.method, solver.step, solver.tolerance) +
           ", \"version\": " + std::to_string(solver.version) + "}";
+  if (!options.made_by.program.empty()) {
+    text += ",\n  \"made_by\": {\"program\": " + Quote(options.made_by.program) +
+            ", \"options\": " + List(options.made_by.options, Quote) + "}";
+  }
   text += ",\n  \"joints\": " +
           List(animation.figure->joints(), [](const Joint& joint) { return Quote(joint.name); });
   text += ",\n  \"joint_groups\": " + List(animation.figure->joints(), [&](const Joint& joint) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/bake/motion.h"
 #include "engine/timeline/animation.h"
@@ -14,6 +15,12 @@ struct MotionJsonOptions {
   // of one file should be equal bytes.
   bool timings = false;
   bool torques = false;  // also write what each frame's motion needs: analysis/joint_torques.h
+  // What makes it, for those who want to make it again; empty: not said.
+  struct Maker {
+    std::string program;               // with version and commit
+    std::vector<std::string> options;  // that change what comes out, as on the command line
+  };
+  Maker made_by = {};
 };
 
 // A motion as JSON, one line a frame: metres, degrees, seconds, world axes (z up), quaternions

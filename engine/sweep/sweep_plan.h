@@ -65,8 +65,8 @@ struct SweepPlan {
   std::string project;  // a file, relative to the sweep file's folder
   SweepCombine combine = SweepCombine::kGrid;
   std::vector<SweepAxis> vary;
-  std::optional<int> count;  // of cells: kRandom
-  int seed = 1;              // kRandom
+  std::optional<int> count;           // of cells: kRandom
+  int seed = 1;                       // kRandom
   std::vector<SweepMeasure> measure;  // empty: DefaultMeasures of quantities.h
   std::optional<SweepPicture> picture;
   ExtraFields extra;
@@ -74,7 +74,7 @@ struct SweepPlan {
   bool operator==(const SweepPlan&) const = default;
 };
 
-inline constexpr double kMostCells = 1e7;
+inline constexpr double kMostCells = 1e6;
 
 // Reads and checks a sweep file by itself: shape, ranges, a number of cells from 1 to kMostCells.
 // Errors: kNoInput, kSyntax, kSchema, with file, place and remedy.

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/result.h"
 #include "engine/bake/motion.h"
+#include "engine/base/result.h"
 #include "engine/sweep/quantities.h"
 #include "engine/sweep/sweep_plan.h"
 
@@ -30,6 +30,7 @@ class Sweep {
   static Result<Sweep> Load(const std::string& path);
 
   const SweepPlan& plan() const { return plan_; }
+  const Project& project() const { return project_; }
   const std::string& project_file() const { return project_file_; }
   const std::vector<SweepColumn>& columns() const { return columns_; }
   long cells() const { return CellCount(plan_); }

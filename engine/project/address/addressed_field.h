@@ -19,9 +19,9 @@ namespace hazumi {
 
 // What one number, word, vector or list of joints is: the fields that an address can end in.
 template <typename T>
-inline constexpr bool kIsOneValue = std::is_arithmetic_v<T> || FileEnum<T> ||
-                                    std::is_same_v<T, std::string> || std::is_same_v<T, Vec3> ||
-                                    std::is_same_v<T, std::vector<JointRef>>;
+inline constexpr bool kIsOneValue =
+    std::is_arithmetic_v<T> || FileEnum<T> || std::is_same_v<T, std::string> ||
+    std::is_same_v<T, Vec3> || std::is_same_v<T, std::vector<JointRef>>;
 template <typename T>
 inline constexpr bool kIsOneValue<std::optional<T>> = kIsOneValue<T>;
 
@@ -32,6 +32,23 @@ std::optional<T> WholeNumber(const std::string& text) {
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+// What stands in brackets for each item of a list: its name, of a key its frame, else its number.
+template <typename Values>
+std::vector<std::string> ItemNames(const Values& values) {
+  using Value = typename Values::value_type;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < values.size(); ++i) {
+    if constexpr (requires(Value value) { value.name; }) {
+      names.push_back(values[i].name);
+    } else if constexpr (std::is_same_v<Value, ProjectKey>) {
+      names.push_back(FormatNumber(values[i].frame));
+    } else {
+      names.push_back(std::to_string(i));
+    }
+  }
+  return names;
 }
 
 // `visit(field, value)` is called with the one field that is found and returns what is wrong with
@@ -184,11 +201,12 @@ class AddressedField {
 
   template <typename Values, typename Fields>
   Wrong EnterItem(const Field& field, Values& values, Fields fields) {
-    if (!Item()) return MakeWrong("\"" + std::string(field.name) +
-                                  "\" is a list: name an item of it, in brackets");
+    if (!Item())
+      return MakeWrong("\"" + std::string(field.name) +
+                       "\" is a list: name an item of it, in brackets");
     const std::optional<size_t> found = IndexOf(values, *Item());
     if (found) return EnterBy(step_ + 2, values[*found], fields);
-    const std::vector<std::string> names = NamesOf(values);
+    const std::vector<std::string> names = ItemNames(values);
     return MakeWrong("there is no \"" + *Item() + "\" among \"" + field.name + "\"" +
                      (names.empty() ? ", which is empty" : "; " + Suggestion(*Item(), names)));
   }
@@ -207,22 +225,6 @@ class AddressedField {
     if constexpr (std::is_same_v<Value, ProjectKey>) return std::nullopt;
     const auto number = WholeNumber<size_t>(item);
     return number && *number < values.size() ? number : std::nullopt;
-  }
-
-  template <typename Values>
-  static std::vector<std::string> NamesOf(const Values& values) {
-    using Value = typename Values::value_type;
-    std::vector<std::string> names;
-    for (size_t i = 0; i < values.size(); ++i) {
-      if constexpr (requires(Value value) { value.name; }) {
-        names.push_back(values[i].name);
-      } else if constexpr (std::is_same_v<Value, ProjectKey>) {
-        names.push_back(FormatNumber(values[i].frame));
-      } else {
-        names.push_back(std::to_string(i));
-      }
-    }
-    return names;
   }
 
   const FieldAddress& address_;

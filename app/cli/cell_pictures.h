@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/cli/options.h"
+#include "engine/sweep/sweep_run.h"
+#include "engine/sweep/sweep_store.h"
+#include "render/motion/figure_skin.h"
+
+namespace hazumi {
+
+// Draws cells of a sweep into its folder as its picture says: frames side by side, or a video. Used
+// on one thread.
+class CellPictures {
+ public:
+  // Errors: kSchema, whose place is in the sweep file: options of drawing that are none, or frames
+  // that the project has not.
+  static Result<CellPictures> Create(const Sweep& sweep, const SweepStore& store);
+  ~CellPictures();
+  CellPictures(CellPictures&&) noexcept;
+  CellPictures& operator=(CellPictures&&) = delete;
+
+  // Errors: of drawing and writing.
+  Result<Done> Draw(const SweptCell& cell);
+
+ private:
+  struct Parts;
+  explicit CellPictures(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+// What a cell's picture ends in: ".png" or ".mp4"; null: there are none.
+const char* PictureSuffix(const SweepPlan& plan);
+
+}  // namespace hazumi
