@@ -54,7 +54,8 @@ double FastestRate(const Measured& m) {
   return ToDegrees(Largest(m.motion, [&](const MotionFrame& frame) {
     const VecX& before = frame.before.qd;
     const VecX& after = frame.after.qd;
-    if (m.of < 0) return std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>());
+    if (m.of < 0)
+      return std::max(before.lpNorm<Eigen::Infinity>(), after.lpNorm<Eigen::Infinity>());
     return std::max(std::abs(before[m.of]), std::abs(after[m.of]));
   }));
 }
@@ -137,8 +138,7 @@ double WorstErrorEstimate(const Measured& m) {
 template <typename Term>
 double Energy(const Measured& m, Term term) {
   return OverRegions(
-      m,
-      [&](const RegionReport& region) { return region.energy ? term(*region.energy) : kNone; },
+      m, [&](const RegionReport& region) { return region.energy ? term(*region.energy) : kNone; },
       [](double a, double b) { return a + b; });
 }
 double KineticEnd(const Measured& m) {
@@ -159,8 +159,8 @@ constexpr Quantity kQuantities[] = {
      "where it first touches the scene once it is let go: its centre's x", LandingPlace<0>},
     {"landing_y_m", QuantityOf::kHeldObject, true, false, false, "its y there", LandingPlace<1>},
     {"landing_z_m", QuantityOf::kHeldObject, true, false, false, "its z there", LandingPlace<2>},
-    {"landing_frame", QuantityOf::kHeldObject, true, false, false,
-     "when; may lie between frames", LandingFrame},
+    {"landing_frame", QuantityOf::kHeldObject, true, false, false, "when; may lie between frames",
+     LandingFrame},
     {"com_highest_m", QuantityOf::kNothing, false, false, false,
      "greatest height of the centre of mass", HighestCom},
     {"com_lowest_m", QuantityOf::kNothing, false, false, false,
@@ -183,7 +183,8 @@ constexpr Quantity kQuantities[] = {
      "kinetic energy in the end, of the region or the sum", KineticEnd},
     {"friction_work_j", QuantityOf::kRegion, false, false, true, "work of friction", FrictionWork},
     {"limit_work_j", QuantityOf::kRegion, false, false, true, "work of limits", LimitWork},
-    {"keyed_work_j", QuantityOf::kRegion, false, false, true, "work of the keyed joints", KeyedWork},
+    {"keyed_work_j", QuantityOf::kRegion, false, false, true, "work of the keyed joints",
+     KeyedWork},
     {"warnings", QuantityOf::kNothing, false, false, false, "how many the bake gives", Warnings},
 };
 
@@ -318,8 +319,8 @@ Result<std::vector<SweepColumn>> ResolveMeasures(const SweepPlan& plan,
     if (auto error = Resolve(measure, animation, place, &column)) return *error;
     for (const SweepColumn& other : columns) {
       if (other.name == column.name) {
-        return WrongAt(place, "two columns are named \"" + column.name +
-                                  "\": give one another \"name\"");
+        return WrongAt(place,
+                       "two columns are named \"" + column.name + "\": give one another \"name\"");
       }
     }
     columns.push_back(std::move(column));

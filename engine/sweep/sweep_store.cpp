@@ -51,9 +51,10 @@ Result<SweepStore> SweepStore::Open(const std::string& folder, long cells,
   const Result<std::string> there = ReadTextFile(plan);
   if (!there.ok()) return there.error();
   if (there.value() == identity) return SweepStore(folder, cells);
-  return Error{ErrorCode::kSemantics, folder, "",
-               "holds another sweep: its plan.json differs in the sweep, the project, its figure or "
-               "the program; name another folder, or remove this one"};
+  return Error{
+      ErrorCode::kSemantics, folder, "",
+      "holds another sweep: its plan.json differs in the sweep, the project, its figure or "
+      "the program; name another folder, or remove this one"};
 }
 
 long SweepStore::EndCell(long block) const {

@@ -17,15 +17,16 @@ bool HasHinge(const std::string& name, const Figure& figure) {
 
 std::vector<Operator> Collect() {
   std::vector<Operator> all;
-  for (auto&& list : {MediaOperators(),        FigureOperators(),    FlightOperators(),
-                      HeldObjectOperators(),   HolderOperators(),    JumpOperators(),
-                      JointStateOperators(),   KeyOperators(),       KeySelectionOperators(),
-                      ObjectOperators(),       PlacementOperators(), PoseBlendOperators(),
-                      PoseOperators(),         ReachOperators(),     RegionOperators(),
-                      RootOperators(),         SceneOperators(),     SelectedKeyOperators(),
-                      SelectionSetOperators(), ImportOperators(),    ExportOperators(),
-                      SessionOperators(),      StartRateOperators(), SwivelOperators(),
-                      ThrowOperators(),        MadeThrowOperators(), TimeOperators()}) {
+  for (auto&& list : {FieldOperators(),        MediaOperators(),        FigureOperators(),
+                      FlightOperators(),       HeldObjectOperators(),   HolderOperators(),
+                      JumpOperators(),         JointStateOperators(),   KeyOperators(),
+                      KeySelectionOperators(), ObjectOperators(),       PlacementOperators(),
+                      PoseBlendOperators(),    PoseOperators(),         ReachOperators(),
+                      RegionOperators(),       RootOperators(),         SceneOperators(),
+                      SelectedKeyOperators(),  SelectionSetOperators(), ImportOperators(),
+                      ExportOperators(),       SessionOperators(),      StartRateOperators(),
+                      SwivelOperators(),       ThrowOperators(),        MadeThrowOperators(),
+                      TimeOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -48,7 +48,7 @@ TEST(FieldState, ARegionComputesAfterItsFirstFrame) {
 TEST(PropertiesLayout, TabsAreBesideTheContentAndFoundByTheMouse) {
   for (const double scale : {1.0, 1.5}) {
     const PropertiesLayout layout = LayOutProperties({100.0f, 50.0f, 300.0f, 400.0f}, scale);
-    ASSERT_EQ(layout.tabs.size(), 6u);
+    ASSERT_EQ(layout.tabs.size(), 7u);
     for (size_t i = 0; i < layout.tabs.size(); ++i) {
       const Rect& tab = layout.tabs[i];
       EXPECT_LE(tab.right(), layout.content.x);

@@ -8,6 +8,7 @@
 #include "ui/panels/dope_sheet/span_actions.h"
 #include "ui/panels/poses/actions.h"
 #include "ui/panels/sheet/actions.h"
+#include "ui/panels/sweep/actions.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/overlays.h"
@@ -356,7 +357,8 @@ const std::vector<Action>& AllActions() {
   };
   static const std::vector<Action> all = [] {
     std::vector<Action> together = actions;
-    for (auto&& list : {DialogActions(), KeymapActions(), ObjectActions(), PoseLibraryActions()}) {
+    for (auto&& list : {DialogActions(), KeymapActions(), ObjectActions(), PoseLibraryActions(),
+                        SweepActions()}) {
       together.insert(together.end(), list.begin(), list.end());
     }
     return together;

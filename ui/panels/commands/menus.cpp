@@ -28,6 +28,7 @@ MenuEntry FileMenu() {
                           {"file.save_as"},
                           Line(),
                           {"file.export_dialog"},
+                          {"file.sweep_dialog"},
                           {"render.dialog", Json::object(), "Render picture"},
                           {"render.dialog", {{"whole", true}}, "Render animation"},
                           Line(),

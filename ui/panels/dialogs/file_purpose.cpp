@@ -66,6 +66,14 @@ void TakeMesh(Editor* editor) {
   Did("file.add_mesh", {{"path", ChosenPath(editor->dialogs.files)}}, editor);
 }
 
+void TakeSweep(Editor* editor) {
+  Did("sweep.open", {{"path", ChosenPath(editor->dialogs.files)}}, editor);
+}
+
+bool IsSweep(const std::string& path) {
+  return std::filesystem::path(path).filename() == "sweep.csv";
+}
+
 void TakeFolder(Editor* editor) {
   const FileDialogState& files = editor->dialogs.files;
   editor->dialogs.render.folder = files.name.empty() ? files.folder : ChosenPath(files);
@@ -118,6 +126,12 @@ const FilePurpose kChooseMesh = {.title = "Add mesh",
                                  .button_help = "This is put into the hand, or on the ground.",
                                  .wanted = IsMesh,
                                  .take = TakeMesh};
+const FilePurpose kChooseSweep = {.title = "Open sweep",
+                                  .nothing = "There is no sweep in this folder.",
+                                  .button = "Open",
+                                  .button_help = "Shows the cells of the sweep.",
+                                  .wanted = IsSweep,
+                                  .take = TakeSweep};
 const FilePurpose kChooseFolder = {.title = "Choose folder",
                                    .nothing = "There is no folder in here.",
                                    .button = "Choose",
@@ -136,8 +150,8 @@ const FilePurpose kChooseExport = {.title = "Export",
 
 const std::vector<const FilePurpose*>& AllFilePurposes() {
   static const std::vector<const FilePurpose*> all = {
-      &kOpenProject,     &kSaveProject, &kImportCharacter, &kChooseSound,
-      &kChooseReference, &kChooseMesh,  &kChooseFolder,    &kChooseExport};
+      &kOpenProject, &kSaveProject, &kImportCharacter, &kChooseSound, &kChooseReference,
+      &kChooseMesh,  &kChooseSweep, &kChooseFolder,    &kChooseExport};
   return all;
 }
 

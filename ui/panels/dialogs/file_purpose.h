@@ -22,7 +22,7 @@ struct FilePurpose {
 };
 
 extern const FilePurpose kOpenProject, kSaveProject, kImportCharacter, kChooseSound,
-    kChooseReference, kChooseMesh, kChooseFolder, kChooseExport;
+    kChooseReference, kChooseMesh, kChooseSweep, kChooseFolder, kChooseExport;
 const std::vector<const FilePurpose*>& AllFilePurposes();
 
 }  // namespace hazumi::ui

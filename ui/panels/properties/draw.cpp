@@ -26,11 +26,14 @@ const char* NameOf(Section section) {
       return "Project";
     case Section::kProblems:
       return "Problems";
+    case Section::kSweep:
+      return "Sweep";
   }
   return "";
 }
 
-// A bent limb, four pictures, a hatched bar, a box, a sheet of paper, a warning sign.
+// A bent limb, four pictures, a hatched bar, a box, a sheet of paper, a warning sign, a
+// table.
 void DrawIcon(Section section, Point c, float r, ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = std::max(1.0f, 0.2f * r);
@@ -66,6 +69,13 @@ void DrawIcon(Section section, Point c, float r, ImU32 color) {
                       line);
     list->AddLine({c.x, c.y - 0.35f * r}, {c.x, c.y + 0.3f * r}, color, line);
     DrawDot(list, {c.x, c.y + 0.62f * r}, 0.14f * r, color);
+  } else if (section == Section::kSweep) {
+    for (const float x : {-1.0f, -0.3f, 0.4f}) {
+      for (const float y : {-1.0f, -0.3f, 0.4f}) {
+        list->AddRectFilled({c.x + x * r, c.y + y * r},
+                            {c.x + (x + 0.55f) * r, c.y + (y + 0.55f) * r}, color);
+      }
+    }
   } else {
     list->AddRect({c.x - 0.75f * r, low.y}, {c.x + 0.75f * r, high.y}, color, 1.0f, 0, line);
     for (const float y : {-0.4f, 0.05f, 0.5f}) {
@@ -111,6 +121,8 @@ void DrawSection(Editor* editor) {
       return DrawProjectSection(editor);
     case Section::kProblems:
       return DrawProblemsSection(editor);
+    case Section::kSweep:
+      return DrawSweepSection(editor);
   }
 }
 

@@ -13,7 +13,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr int kSections = 6;
+constexpr int kSections = 7;
 
 float Whole(double x) { return static_cast<float>(std::round(x)); }
 

@@ -11,6 +11,7 @@ void DrawRegionSection(Editor* editor);
 void DrawSceneSection(Editor* editor);
 void DrawProjectSection(Editor* editor);
 void DrawProblemsSection(Editor* editor);
+void DrawSweepSection(Editor* editor);
 void DrawFlights(Editor* editor);  // of the project
 
 }  // namespace hazumi::ui

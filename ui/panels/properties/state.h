@@ -9,7 +9,7 @@
 namespace hazumi::ui {
 
 // What the properties show.
-enum class Section { kPose, kPoses, kRegion, kScene, kProject, kProblems };
+enum class Section { kPose, kPoses, kRegion, kScene, kProject, kProblems, kSweep };
 
 // A number that is being typed into a field: it counts when it is confirmed.
 struct TypedField {

@@ -18,6 +18,7 @@
 #include "ui/panels/poses/state.h"
 #include "ui/panels/properties/state.h"
 #include "ui/panels/sheet/state.h"
+#include "ui/panels/sweep/state.h"
 #include "ui/panels/text/catalogue.h"
 #include "ui/panels/timeline/film_watch.h"
 #include "ui/panels/timeline/flight_watch.h"
@@ -106,6 +107,7 @@ class Editor {
   SheetState sheet;
   SideState side;
   PosesState poses;
+  SweepState sweep;
   bool mirrors_poses = false;  // posing one side poses the other as its mirror image
   RecoveryState recovery;
   DialogsState dialogs;

@@ -1,0 +1,146 @@
+#include "ui/panels/sweep/actions.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/picture/decode_pictures.h"
+#include "engine/project/json/text_file.h"
+#include "ui/panels/window/editor.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+using enum edit::ParameterKind;
+
+constexpr const char* kDragName = "sweep";
+
+Error Refused(const char* message) { return {ErrorCode::kSchema, "", "", message}; }
+
+void DropPicture(Editor* editor) {
+  SweepState& state = editor->sweep;
+  if (state.texture != 0 && editor->pictures.free) editor->pictures.free(state.texture);
+  state.texture = 0;
+}
+
+// A picture that cannot be read is not shown; its cell can be looked at all the same.
+void ShowPicture(size_t cell, Editor* editor) {
+  DropPicture(editor);
+  SweepState& state = editor->sweep;
+  const std::string path = state.swept->PictureOf(cell);
+  if (path.empty() || !editor->pictures.add) return;
+  const Result<std::string> text = ReadTextFile(path);
+  if (!text.ok()) return editor->Say(text.error().ToString(), true);
+  const std::vector<std::uint8_t> bytes(text.value().begin(), text.value().end());
+  const std::span<const std::uint8_t> files[] = {bytes};
+  const Result<Image> image = std::move(DecodePictures(files).front());
+  if (!image.ok()) return editor->Say(image.error().ToString(), true);
+  state.aspect = static_cast<double>(image.value().width) / image.value().height;
+  state.texture = editor->pictures.add(image.value());
+}
+
+void CloseSweep(Editor* editor) {
+  DropPicture(editor);
+  editor->sweep = {};
+}
+
+Result<Done> OpenSweep(Editor* editor, const edit::Parameters& p) {
+  Result<SweptFolder> swept = ReadSweptFolder(p.text("path"));
+  if (!swept.ok()) return swept.error();
+  CloseSweep(editor);
+  editor->sweep.swept = std::make_shared<const SweptFolder>(std::move(swept).value());
+  editor->side.section = Section::kSweep;
+  return Done();
+}
+
+Result<Done> ShowCell(size_t cell, Editor* editor) {
+  const SweepPlan& plan = editor->sweep.swept->plan;
+  const std::vector<std::string> values = ValuesOf(plan, static_cast<long>(cell));
+  Json fields = Json::array(), texts = Json::array();
+  for (size_t i = 0; i < plan.vary.size(); ++i) {
+    for (const std::string* field : FieldsOf(plan.vary[i])) {
+      fields.push_back(*field);
+      texts.push_back(values[i]);
+    }
+  }
+  Result<Done> set =
+      editor->Invoke("field.set", {{"fields", fields}, {"values", texts}, {"drag", kDragName}});
+  if (!set.ok()) return set;
+  editor->sweep.cell = cell;
+  ShowPicture(cell, editor);
+  return Done();
+}
+
+Result<Done> Preview(Editor* editor, const edit::Parameters& p) {
+  if (!editor->sweep.swept) return Refused("no sweep is open");
+  const int cell = p.integer("cell");
+  const size_t cells = editor->sweep.swept->rows.size();
+  if (cell < 0 || static_cast<size_t>(cell) >= cells) return Refused("there is no such cell");
+  return ShowCell(static_cast<size_t>(cell), editor);
+}
+
+// As many cells on; the first one if none is looked at yet.
+Result<Done> Step(Editor* editor, const edit::Parameters& p) {
+  if (!editor->sweep.swept) return Refused("no sweep is open");
+  const auto last = static_cast<int>(editor->sweep.swept->rows.size()) - 1;
+  const int by = p.integer("by", 1);
+  const int cell =
+      editor->sweep.cell ? std::clamp(static_cast<int>(*editor->sweep.cell) + by, 0, last) : 0;
+  return ShowCell(static_cast<size_t>(cell), editor);
+}
+
+Result<Done> Adopt(Editor* editor, const edit::Parameters&) {
+  if (!editor->sweep.cell) return Refused("choose a cell first");
+  Result<Done> kept = editor->Invoke("edit.end_drag");
+  if (!kept.ok()) return kept;
+  editor->sweep.cell.reset();
+  DropPicture(editor);
+  return Done();
+}
+
+Result<Done> Leave(Editor* editor, const edit::Parameters&) {
+  const bool is_untouched = editor->session().document().drag_start(kDragName) != nullptr;
+  if (editor->sweep.cell && is_untouched) {
+    Result<Done> back = editor->Invoke("edit.cancel_drag");
+    if (!back.ok()) return back;
+  }
+  if (editor->sweep.cell && !is_untouched) {
+    editor->Say(Tr("The project was changed since a cell was looked at: undo goes back."));
+  }
+  CloseSweep(editor);
+  return Done();
+}
+
+}  // namespace
+
+std::vector<Action> SweepActions() {
+  return {
+      {"sweep.open",
+       "Open sweep",
+       "Shows the cells of a sweep that was made with hazumi --sweep.",
+       {{"path", kText, true, "its folder, or a file in it"}},
+       OpenSweep},
+      {"sweep.preview",
+       "Look at cell",
+       "Gives the project the values of a cell for the time being.",
+       {{"cell", kInteger, true, "its number"}},
+       Preview},
+      {"sweep.step",
+       "Look at next cell",
+       "Goes to another cell of the sweep.",
+       {{"by", kInteger, false, "so many cells on; not given: one"}},
+       Step},
+      {"sweep.adopt",
+       "Keep this cell",
+       "The project keeps the values of the cell that is looked at; one step back undoes it.",
+       {},
+       Adopt},
+      {"sweep.leave",
+       "Close sweep",
+       "The project is as it was before a cell was looked at.",
+       {},
+       Leave},
+  };
+}
+
+}  // namespace hazumi::ui

@@ -1,0 +1,122 @@
+// The sweep among the properties: its cells in a table, the picture of the one that is looked at.
+
+#include <algorithm>
+
+#include "ui/panels/commands/actions.h"
+#include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/properties/fields.h"
+#include "ui/panels/properties/sections.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+constexpr int kMostColumns = 60;  // ImGui has 64 at most
+
+// "friction.default" of "regions[arms].friction.default": what tells columns apart.
+std::string ShortName(const std::string& name) {
+  const size_t item = name.find("].");
+  return item == name.npos ? name : name.substr(item + 2);
+}
+
+// Those of fields and measures; the error is said in words.
+int ColumnsOf(const SweptFolder& swept) {
+  return std::min(static_cast<int>(swept.names.size()) - 1, kMostColumns);
+}
+
+void DrawPicture(const SweepState& state) {
+  if (state.texture == 0) return;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(state.texture));
+  ImGui::Image(texture, {width, width / static_cast<float>(state.aspect)});
+}
+
+void DrawRow(Editor* editor, const SweptFolder& swept, size_t cell, std::optional<size_t>* chosen) {
+  ImGui::TableNextRow();
+  const std::vector<std::string>& row = swept.rows[cell];
+  const bool failed = !swept.ErrorOf(cell).empty();
+  for (int column = 0; column < ColumnsOf(swept); ++column) {
+    ImGui::TableSetColumnIndex(column);
+    const std::string& text = row[static_cast<size_t>(column)];
+    if (column > 0) {
+      ImGui::TextUnformatted(text.c_str());
+      continue;
+    }
+    if (failed) ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(colors::kSinking));
+    if (ImGui::Selectable(text.c_str(), editor->sweep.cell == cell,
+                          ImGuiSelectableFlags_SpanAllColumns)) {
+      *chosen = cell;
+    }
+    if (failed) ImGui::PopStyleColor();
+    if (failed) Tooltip(swept.ErrorOf(cell));
+  }
+}
+
+void DrawHead(const SweptFolder& swept) {
+  ImGui::TableSetupScrollFreeze(1, 1);
+  for (int column = 0; column < ColumnsOf(swept); ++column) {
+    const std::string& name = swept.names[static_cast<size_t>(column)];
+    ImGui::TableSetupColumn(column == 0 ? Tr("Cell") : ShortName(name).c_str());
+  }
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (int column = 0; column < ColumnsOf(swept); ++column) {
+    ImGui::TableSetColumnIndex(column);
+    ImGui::TableHeader(ImGui::TableGetColumnName(column));
+    if (column > 0) Tooltip(swept.names[static_cast<size_t>(column)]);
+  }
+}
+
+void DrawTable(Editor* editor, const SweptFolder& swept) {
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                     ImGuiTableFlags_SizingFixedFit;
+  const float least = 8.0f * ImGui::GetTextLineHeightWithSpacing();
+  const float height = std::max(least, ImGui::GetContentRegionAvail().y);
+  if (!ImGui::BeginTable("##cells", ColumnsOf(swept), kFlags, {0.0f, height})) return;
+  DrawHead(swept);
+  std::optional<size_t> chosen;
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(swept.rows.size()));
+  while (clipper.Step()) {
+    for (int cell = clipper.DisplayStart; cell < clipper.DisplayEnd; ++cell) {
+      DrawRow(editor, swept, static_cast<size_t>(cell), &chosen);
+    }
+  }
+  ImGui::EndTable();
+  if (chosen) editor->Do("sweep.preview", {{"cell", static_cast<int>(*chosen)}});
+}
+
+void DrawButtons(Editor* editor) {
+  const auto button = [&](const char* id, const Json& parameters, const char* label) {
+    if (DrawButton(label, HelpOf(id), 2)) editor->Do(id, parameters);
+  };
+  button("sweep.step", {{"by", -1}}, Tr("Cell before"));
+  ImGui::SameLine();
+  button("sweep.step", {{"by", 1}}, Tr("Cell after"));
+  button("sweep.adopt", Json::object(), LabelOf("sweep.adopt").c_str());
+  ImGui::SameLine();
+  button("sweep.leave", Json::object(), LabelOf("sweep.leave").c_str());
+}
+
+}  // namespace
+
+void DrawSweepSection(Editor* editor) {
+  if (!DrawHeading(Tr("Sweep"))) return;
+  // A copy: a button may close it.
+  const std::shared_ptr<const SweptFolder> swept = editor->sweep.swept;
+  if (!swept) {
+    DrawNote(
+        Tr("Variations of a project, made with hazumi --sweep, are looked at and one is kept."));
+    if (DrawButton(Tr("Open sweep..."), HelpOf("file.sweep_dialog")))
+      editor->Do("file.sweep_dialog");
+    return;
+  }
+  DrawNote(swept->folder);
+  editor->NeedGlyphs(swept->folder);
+  DrawButtons(editor);
+  if (!editor->sweep.swept) return;
+  DrawPicture(editor->sweep);
+  DrawTable(editor, *swept);
+}
+
+}  // namespace hazumi::ui

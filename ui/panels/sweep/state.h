@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/sweep/swept_folder.h"
+
+namespace hazumi::ui {
+
+// The sweep whose cells are looked at, among the properties.
+struct SweepState {
+  std::shared_ptr<const SweptFolder> swept;  // null: none is open
+  std::optional<size_t> cell;                // whose values the project has for the time being
+  double aspect = 1.0;                       // width over height of its picture
+  unsigned texture = 0;                      // its picture; 0: none
+};
+
+}  // namespace hazumi::ui
