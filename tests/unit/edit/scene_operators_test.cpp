@@ -88,5 +88,18 @@ TEST(SessionOperators, SelectMirrorAndNone) {
   EXPECT_TRUE(session.selected_joints().empty());
 }
 
+TEST(FieldOperators, SetSeveralFieldsByTheirAddressesInOneStep) {
+  Session session;
+  Do(&session, "field.set",
+     {{"fields", {"scene.gravity_m_s2", "frames.last"}}, {"values", {"1.6", "40"}}});
+  EXPECT_EQ(session.project().scene.gravity_m_s2, 1.6);
+  EXPECT_EQ(session.project().frames.last, 40);
+  EXPECT_EQ(session.document().num_steps(), 1u);
+  Refused(&session, "field.set", {{"fields", {"scene.gravity_m_s2"}}, {"values", {"1", "2"}}});
+  Refused(&session, "field.set", {{"fields", {"scene.gravity"}}, {"values", {"1"}}});
+  Refused(&session, "field.set", {{"fields", {"scene.gravity_m_s2"}}, {"values", {"-1"}}});
+  EXPECT_EQ(session.project().scene.gravity_m_s2, 1.6);
+}
+
 }  // namespace
 }  // namespace hazumi::test

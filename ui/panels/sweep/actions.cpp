@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/picture/decode_pictures.h"
-#include "engine/project/json/text_file.h"
+#include "ui/panels/sweep/picture.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -16,28 +15,6 @@ using enum edit::ParameterKind;
 constexpr const char* kDragName = "sweep";
 
 Error Refused(const char* message) { return {ErrorCode::kSchema, "", "", message}; }
-
-void DropPicture(Editor* editor) {
-  SweepState& state = editor->sweep;
-  if (state.texture != 0 && editor->pictures.free) editor->pictures.free(state.texture);
-  state.texture = 0;
-}
-
-// A picture that cannot be read is not shown; its cell can be looked at all the same.
-void ShowPicture(size_t cell, Editor* editor) {
-  DropPicture(editor);
-  SweepState& state = editor->sweep;
-  const std::string path = state.swept->PictureOf(cell);
-  if (path.empty() || !editor->pictures.add) return;
-  const Result<std::string> text = ReadTextFile(path);
-  if (!text.ok()) return editor->Say(text.error().ToString(), true);
-  const std::vector<std::uint8_t> bytes(text.value().begin(), text.value().end());
-  const std::span<const std::uint8_t> files[] = {bytes};
-  const Result<Image> image = std::move(DecodePictures(files).front());
-  if (!image.ok()) return editor->Say(image.error().ToString(), true);
-  state.aspect = static_cast<double>(image.value().width) / image.value().height;
-  state.texture = editor->pictures.add(image.value());
-}
 
 void CloseSweep(Editor* editor) {
   DropPicture(editor);
@@ -67,7 +44,6 @@ Result<Done> ShowCell(size_t cell, Editor* editor) {
       editor->Invoke("field.set", {{"fields", fields}, {"values", texts}, {"drag", kDragName}});
   if (!set.ok()) return set;
   editor->sweep.cell = cell;
-  ShowPicture(cell, editor);
   return Done();
 }
 
@@ -94,7 +70,6 @@ Result<Done> Adopt(Editor* editor, const edit::Parameters&) {
   Result<Done> kept = editor->Invoke("edit.end_drag");
   if (!kept.ok()) return kept;
   editor->sweep.cell.reset();
-  DropPicture(editor);
   return Done();
 }
 

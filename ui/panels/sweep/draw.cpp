@@ -6,6 +6,7 @@
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/sections.h"
+#include "ui/panels/sweep/picture.h"
 
 namespace hazumi::ui {
 
@@ -24,11 +25,12 @@ int ColumnsOf(const SweptFolder& swept) {
   return std::min(static_cast<int>(swept.names.size()) - 1, kMostColumns);
 }
 
-void DrawPicture(const SweepState& state) {
-  if (state.texture == 0) return;
+void DrawPicture(Editor* editor) {
+  const unsigned picture = PictureOfCell(editor);
+  if (picture == 0) return;
   const float width = ImGui::GetContentRegionAvail().x;
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(state.texture));
-  ImGui::Image(texture, {width, width / static_cast<float>(state.aspect)});
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
+  ImGui::Image(texture, {width, width / static_cast<float>(editor->sweep.aspect)});
 }
 
 void DrawRow(Editor* editor, const SweptFolder& swept, size_t cell, std::optional<size_t>* chosen) {
@@ -93,9 +95,9 @@ void DrawButtons(Editor* editor) {
   button("sweep.step", {{"by", -1}}, Tr("Cell before"));
   ImGui::SameLine();
   button("sweep.step", {{"by", 1}}, Tr("Cell after"));
-  button("sweep.adopt", Json::object(), LabelOf("sweep.adopt").c_str());
+  button("sweep.adopt", Json::object(), LabelOf("sweep.adopt"));
   ImGui::SameLine();
-  button("sweep.leave", Json::object(), LabelOf("sweep.leave").c_str());
+  button("sweep.leave", Json::object(), LabelOf("sweep.leave"));
 }
 
 }  // namespace
@@ -115,7 +117,7 @@ void DrawSweepSection(Editor* editor) {
   editor->NeedGlyphs(swept->folder);
   DrawButtons(editor);
   if (!editor->sweep.swept) return;
-  DrawPicture(editor->sweep);
+  DrawPicture(editor);
   DrawTable(editor, *swept);
 }
 

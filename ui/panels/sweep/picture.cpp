@@ -1,0 +1,44 @@
+#include "ui/panels/sweep/picture.h"
+
+#include "engine/picture/decode_pictures.h"
+#include "engine/project/json/text_file.h"
+
+namespace hazumi::ui {
+
+namespace {
+
+Result<Image> ReadPicture(const std::string& path) {
+  const Result<std::string> text = ReadTextFile(path);
+  if (!text.ok()) return text.error();
+  const std::vector<std::uint8_t> bytes(text.value().begin(), text.value().end());
+  const std::span<const std::uint8_t> files[] = {bytes};
+  return std::move(DecodePictures(files).front());
+}
+
+}  // namespace
+
+unsigned PictureOfCell(Editor* editor) {
+  SweepState& state = editor->sweep;
+  if (state.pictured == state.cell) return state.texture;
+  DropPicture(editor);
+  state.pictured = state.cell;
+  if (!state.cell) return 0;
+  const std::string path = state.swept->PictureOf(*state.cell);
+  if (path.empty() || !editor->pictures.add) return 0;
+  const Result<Image> image = ReadPicture(path);
+  if (!image.ok()) {
+    editor->Say(image.error().ToString(), true);
+    return 0;
+  }
+  state.aspect = static_cast<double>(image.value().width) / image.value().height;
+  return state.texture = editor->pictures.add(image.value());
+}
+
+void DropPicture(Editor* editor) {
+  SweepState& state = editor->sweep;
+  if (state.texture != 0 && editor->pictures.free) editor->pictures.free(state.texture);
+  state.texture = 0;
+  state.pictured.reset();
+}
+
+}  // namespace hazumi::ui
