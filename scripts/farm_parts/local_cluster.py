@@ -3,9 +3,9 @@ sockets, ports, logs and state of their own in a temporary folder. Nothing of a 
 machine may have is touched. All of it ends with the program, and nothing else does."""
 
 import ctypes
-import getpass
 import os
 import pathlib
+import pwd
 import shutil
 import signal
 import socket
@@ -133,7 +133,7 @@ class LocalCluster:
         nodes = "\n".join(f"NodeName={name} NodeHostname={host} NodeAddr=127.0.0.1 Port={port} "
                           f"CPUs={cpus} State=UNKNOWN" for name, port in zip(NODES, ports[1:]))
         self.conf.write_text(CONFIGURATION.format(
-            host=host, ports=ports, folder=self.folder, user=getpass.getuser(), nodes=nodes))
+            host=host, ports=ports, folder=self.folder, user=pwd.getpwuid(os.getuid()).pw_name, nodes=nodes))
 
     def start(self):
         """All daemons, until both nodes are there. Raises FarmError."""

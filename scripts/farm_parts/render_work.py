@@ -12,7 +12,7 @@ from . import drawing, video
 from .errors import FarmError
 
 CONTACT_SHEET = pathlib.Path(__file__).resolve().parents[1] / "contact_sheet"
-MOST_ON_SHEET = 400   # frames, every second of which is on it
+MOST_ON_SHEET = 100   # frames, every second of which is on it: montage takes its time
 TRIED = 10            # frames that are drawn to tell how long one takes
 
 

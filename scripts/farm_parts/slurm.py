@@ -18,6 +18,9 @@ def call(*arguments, text=None):
         raise FarmError(
             f"{arguments[0]} is not installed on this machine; on Debian: apt install slurm-client. "
             "Another queue runs the tasks as well: scripts/farm --help")
+    conf = os.environ.get("SLURM_CONF")
+    if conf and not os.path.exists(conf):  # for which Slurm would wait a minute
+        raise no_answer(f"SLURM_CONF: there is no file {conf}")
     try:
         done = subprocess.run([*map(str, arguments)], input=text, capture_output=True, text=True,
                               timeout=ANSWERS_WITHIN, check=False,
@@ -27,7 +30,7 @@ def call(*arguments, text=None):
     if done.returncode == 0:
         return done.stdout
     says = done.stderr.strip().splitlines() or [f"ended with {done.returncode}"]
-    if any(re.search("contact|connect|configuration|authentic|munge", line) for line in says):
+    if any(re.search("contact|connect|timed out|configuration|authentic|munge", line) for line in says):
         raise no_answer(f"{arguments[0]}: {says[-1]}")
     raise FarmError(f"{arguments[0]}: {says[0]}")
 

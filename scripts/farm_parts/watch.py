@@ -14,7 +14,7 @@ from .errors import CANNOT_WRITE, FAILED, FarmError
 from .work import work_of
 
 COMMAND = pathlib.Path(__file__).resolve().parents[1] / "farm"
-POLL = 1.0           # [s]; for many tasks longer
+POLL = 0.5           # [s]; for many tasks longer
 SENT_AGAIN = 3       # times, where a task ended without a word
 SILENCES = 3         # times in a row that Slurm may leave unanswered
 SHOWN = 5            # errors
@@ -86,7 +86,7 @@ def await_job(folder, plan):
         if is_over:
             break
         refuse_held(folder, plan["job"], queue)
-        time.sleep(POLL * min(max(work.tasks / 100, 1), 10))
+        time.sleep(POLL * min(max(work.tasks / 50, 1), 20))
     if queue:  # of a node that is lost with its work done, which would be started again
         slurm.cancel(plan["job"], folder)
 

@@ -20,7 +20,7 @@ from farm_parts.errors import FarmError  # noqa: E402
 from farm_parts.local_cluster import find_programs  # noqa: E402
 
 FARM = ROOT / "scripts" / "farm"
-SMALL = ["--size", "64x48"]
+SMALL = ["--size", "64x48", "--frames", "0..11"]
 PATIENCE = 60  # [s]
 
 
@@ -38,6 +38,11 @@ def farm(*arguments, **more):
                           **more)
 
 
+def heed_interrupts():
+    """In a child, whatever the test's own parent ignores."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def wait_until(is_so, what):
     end = time.monotonic() + PATIENCE
     while not is_so():
@@ -48,6 +53,8 @@ def wait_until(is_so, what):
 
 class FarmTest(InFolder):
     """What the tests with and without a cluster share."""
+
+    one_process = None  # frames, sheet and video of one, drawn once
 
     def program(self, line):
         """hazumi, which first does something where a node runs it."""
@@ -64,21 +71,24 @@ class FarmTest(InFolder):
     def reports(self, out):
         return [json.loads(p.read_text()) for p in (self.folder / out / "logs").glob("*.json")]
 
-    def pixels(self, folder):
-        """What the frames of a folder are: PNG files, to the byte."""
-        return {p.name: p.read_bytes() for p in (self.folder / folder).glob("*")}
+    def contents(self, folder):
+        """Frames, sheet and video, to the byte."""
+        files = [*(folder / "frames").glob("*"), folder / "sheet.png", folder / "video.mp4"]
+        return {path.name: path.read_bytes() for path in files}
+
+    def draw_by_one_process(self):
+        one = self.folder / "one"
+        self.assertEqual(run("--render", one / "frames", *SMALL, THROW).returncode, 0)
+        self.assertEqual(run("--export", one / "video.mp4", *SMALL, THROW).returncode, 0)
+        subprocess.run([ROOT / "scripts" / "contact_sheet", one / "frames", one / "sheet.png"],
+                       check=True, capture_output=True)
+        FarmTest.one_process = self.contents(one)
 
     def assert_as_one_process_does(self, out):
-        """Frames, sheet and video are the bytes of one process."""
-        self.assertEqual(run("--render", self.folder / "one", *SMALL, THROW).returncode, 0)
-        self.assertEqual(len(self.pixels("one")), 31)
-        self.assertEqual(self.pixels(f"{out}/frames"), self.pixels("one"))
-        sheet, video = self.folder / "one.png", self.folder / "one.mp4"
-        subprocess.run([ROOT / "scripts" / "contact_sheet", self.folder / "one", sheet], check=True,
-                       capture_output=True)
-        self.assertEqual((self.folder / out / "sheet.png").read_bytes(), sheet.read_bytes())
-        self.assertEqual(run("--export", video, *SMALL, THROW).returncode, 0)
-        self.assertEqual((self.folder / out / "video.mp4").read_bytes(), video.read_bytes())
+        if not FarmTest.one_process:
+            self.draw_by_one_process()
+        self.assertEqual(len(FarmTest.one_process), 14)
+        self.assertEqual(self.contents(self.folder / out), FarmTest.one_process)
 
 
 @unittest.skipIf(missing(), missing())
@@ -115,12 +125,12 @@ class OnACluster(FarmTest):
 
     def start(self, words):
         return subprocess.Popen([FARM, *map(str, words)], text=True, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE)
+                                stderr=subprocess.PIPE, preexec_fn=heed_interrupts)
 
     def test_a_render_is_what_one_process_draws(self):
         done = farm(*self.render("out", "--tasks", 4))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("4/4 tasks, 31/31 frames", done.stderr)
+        self.assertIn("4/4 tasks, 12/12 frames", done.stderr)
         self.assert_as_one_process_does("out")
         self.assertEqual([r["exit"] for r in self.reports("out")], [0] * 4)
         again = farm(*self.render("out", "--tasks", 4))
@@ -145,7 +155,7 @@ class OnACluster(FarmTest):
         self.assert_as_one_process_does("out")
 
     def test_interrupted_it_says_how_to_go_on(self):
-        child = self.start(self.render("out", "--tasks", 2, hazumi=self.program("sleep 3")))
+        child = self.start(self.render("out", "--tasks", 2, hazumi=self.program("sleep 2")))
         wait_until(lambda: self.job_processes("sleep"), "no task has started")
         child.send_signal(signal.SIGINT)
         said = child.communicate(timeout=PATIENCE)[1]
@@ -204,7 +214,7 @@ class OnACluster(FarmTest):
 
     def test_z_a_node_that_is_lost_takes_nothing_with_it(self):
         """Last, by its name: there is one node from then on."""
-        child = self.start(self.render("out", "--tasks", 6, hazumi=self.program("sleep 1.5")))
+        child = self.start(self.render("out", "--tasks", 5, hazumi=self.program("sleep 1")))
         wait_until(lambda: processes.running_on(self.place, "b") & set(self.job_processes("sleep")),
                    "node b got no task")
         processes.kill_node(self.place, "b")
@@ -213,6 +223,26 @@ class OnACluster(FarmTest):
         self.assert_as_one_process_does("out")
         again = [r for r in self.reports("out") if r["restarts"]]
         self.assertEqual([(r["node"], r["exit"]) for r in again], [("a", 0)], said)
+
+
+@unittest.skipIf(missing(), missing())
+class ItsOwnCluster(FarmTest):
+    def test_ctrl_c_ends_the_command_and_then_the_cluster(self):
+        command = ("trap 'echo ended; kill $!; exit 7' INT; echo $HAZUMI_LOCAL_CLUSTER; "
+                   "sleep 50 >/dev/null & wait")
+        child = subprocess.Popen([FARM, "--local-cluster", "sh", "-c", command], text=True,
+                                 stdout=subprocess.PIPE, start_new_session=True,
+                                 preexec_fn=heed_interrupts)
+        place = pathlib.Path(child.stdout.readline().strip())
+        self.assertTrue((place / "slurm.conf").exists())
+        daemons = {pid for pid in processes.descendants(processes.table(), {child.pid})
+                   if processes.table()[pid][2] in ("munged", "slurmctld", "slurmd")}
+        self.assertEqual(len(daemons), 4)
+        os.killpg(child.pid, signal.SIGINT)
+        self.assertEqual(child.communicate(timeout=PATIENCE)[0], "ended\n")
+        self.assertEqual(child.returncode, 130)
+        self.assertEqual(daemons & processes.table().keys(), set())
+        self.assertFalse(place.exists())
 
 
 class FakeFolder:
@@ -242,12 +272,12 @@ class WithoutACluster(FarmTest):
         farm(*self.render("out", "--tasks", 1, "--plan"))
         farm("task", self.folder / "out", 0)
         frames = self.folder / "out" / "frames"
-        for number in (3, 4, 17):
+        for number in (3, 4, 7):
             (frames / f"frame_{number:04d}.png").unlink()
         before = {p.name: p.stat().st_mtime_ns for p in frames.glob("*")}
         self.assertEqual(farm("task", self.folder / "out", 0).returncode, 0)
         after = {p.name: p.stat().st_mtime_ns for p in frames.glob("*")}
-        self.assertEqual(len(after), 31)
+        self.assertEqual(len(after), 12)
         self.assertEqual({n: after[n] for n in before}, before)
 
     def test_a_node_that_lacks_something_says_what(self):
