@@ -1,4 +1,4 @@
-"""The options of a drawing, which hazumi --render and --export share, as far as the farm has to know."""
+"""The options that hazumi --render and --export share, as far as the farm has to know them."""
 
 import json
 import math

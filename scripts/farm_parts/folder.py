@@ -40,7 +40,7 @@ def digest(path):
 
 
 def files_named_in(path):
-    """The files that a project or a sweep names, as absolute paths, those that they name as well."""
+    """The files that a project or a sweep names, and those that they name: absolute paths."""
     found, waiting = [], [path]
     while waiting:
         here = waiting.pop()

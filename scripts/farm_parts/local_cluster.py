@@ -80,8 +80,8 @@ def find_programs():
     found = {name: shutil.which(name, path=path) for name in PROGRAMS}
     missing = sorted({PROGRAMS[name] for name in PROGRAMS if not found[name]})
     if missing:
-        raise FarmError("a local cluster needs Slurm; on Debian: apt install --no-install-recommends "
-                        + " ".join(missing), NO_INPUT)
+        raise FarmError("a local cluster needs Slurm; on Debian: apt install "
+                        "--no-install-recommends " + " ".join(missing), NO_INPUT)
     return found
 
 
@@ -121,8 +121,8 @@ class LocalCluster:
         """Key, folders and slurm.conf."""
         munge = self.folder / "munge"
         if len(str(munge / "socket")) > LONGEST_SOCKET:
-            raise FarmError(f"{munge}/socket: is too long for the name of a socket; set TMPDIR to a "
-                            "folder with a shorter name")
+            raise FarmError(f"{munge}/socket: is too long for the name of a socket; set TMPDIR to "
+                            "a folder with a shorter name")
         munge.mkdir(mode=0o700)
         (self.folder / "state").mkdir(mode=0o700)
         key = munge / "key"
@@ -132,8 +132,9 @@ class LocalCluster:
         cpus = max((os.cpu_count() or 1) // len(NODES), 1)
         nodes = "\n".join(f"NodeName={name} NodeHostname={host} NodeAddr=127.0.0.1 Port={port} "
                           f"CPUs={cpus} State=UNKNOWN" for name, port in zip(NODES, ports[1:]))
-        self.conf.write_text(CONFIGURATION.format(
-            host=host, ports=ports, folder=self.folder, user=pwd.getpwuid(os.getuid()).pw_name, nodes=nodes))
+        user = pwd.getpwuid(os.getuid()).pw_name
+        self.conf.write_text(CONFIGURATION.format(host=host, ports=ports, folder=self.folder,
+                                                  user=user, nodes=nodes))
 
     def start(self):
         """All daemons, until both nodes are there. Raises FarmError."""

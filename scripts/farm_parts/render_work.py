@@ -1,4 +1,5 @@
-"""Pictures of a motion: a task draws a share of the frames, those together are a video and a sheet."""
+"""Pictures of a motion: a task draws a share of the frames; together they are a video and a
+sheet."""
 
 import pathlib
 import re
@@ -76,6 +77,10 @@ class RenderWork:
         return [self.hazumi, "--render", str(self.frames), "--frames", f"{first}..{last}",
                 *self.work["options"], self.work["file"]]
 
+    def most_tasks(self):
+        """A task has a frame or more."""
+        return self.total()
+
     def missing(self):
         drawn = self.drawn()
         return [f for f in range(self.first, self.last + 1) if f not in drawn]
@@ -125,7 +130,7 @@ class RenderWork:
         return f"video      {path}"
 
     def merge_sheet(self, pictures, scratch):
-        """As scripts/contact_sheet makes it of a folder; of evenly chosen frames if they are many."""
+        """As scripts/contact_sheet makes it of a folder; of every Nth frame if they are many."""
         path, scratch = self.folder.path / "sheet.png", pathlib.Path(scratch)
         if not shutil.which("montage"):
             raise FarmError("the program montage, which makes sheets, is not installed; on Debian: "

@@ -10,14 +10,16 @@ from .errors import FarmError, USAGE
 ANSWERS_WITHIN = 60  # [s]
 # Of squeue: the queue has forgotten the job, as all of it has ended.
 FORGOTTEN = "Invalid job id"
+# Of any command: there is nobody who knows.
+SILENT = "contact|connect|timed out|configuration|authentic|munge"
 
 
 def call(*arguments, text=None):
     """What a command prints. Raises FarmError."""
     if not shutil.which(arguments[0]):
         raise FarmError(
-            f"{arguments[0]} is not installed on this machine; on Debian: apt install slurm-client. "
-            "Another queue runs the tasks as well: scripts/farm --help")
+            f"{arguments[0]} is not installed on this machine; on Debian: apt install "
+            "slurm-client. Another queue runs the tasks as well: scripts/farm --help")
     conf = os.environ.get("SLURM_CONF")
     if conf and not os.path.exists(conf):  # for which Slurm would wait a minute
         raise no_answer(f"SLURM_CONF: there is no file {conf}")
@@ -30,7 +32,7 @@ def call(*arguments, text=None):
     if done.returncode == 0:
         return done.stdout
     says = done.stderr.strip().splitlines() or [f"ended with {done.returncode}"]
-    if any(re.search("contact|connect|timed out|configuration|authentic|munge", line) for line in says):
+    if any(re.search(SILENT, line) for line in says):
         raise no_answer(f"{arguments[0]}: {says[-1]}")
     raise FarmError(f"{arguments[0]}: {says[0]}")
 

@@ -22,8 +22,8 @@ def node_name():
 def check_node(plan):
     """Raises FarmError where hazumi or a file is missing here, or another file than was planned."""
     if not os.access(plan["hazumi"], os.X_OK):
-        raise FarmError(f"there is no program {plan['hazumi']}; it must be at the same place on all "
-                        "nodes: install it, or give another with --hazumi", NO_INPUT)
+        raise FarmError(f"there is no program {plan['hazumi']}; it must be at the same place on "
+                        "all nodes: install it, or give another with --hazumi", NO_INPUT)
     for path, wanted in plan["inputs"].items():
         try:
             found = digest(path)

@@ -92,7 +92,7 @@ def await_job(folder, plan):
 
 
 def patient_queue(folder, job):
-    """The job's queue, asked for again where Slurm is silent. Raises FarmError after a few times."""
+    """The job's queue, asked for again where Slurm is silent. Raises FarmError in the end."""
     for silences in range(SILENCES):
         try:
             return slurm.queue(job, folder)
@@ -147,8 +147,8 @@ def refuse(folder, errors):
     for _, line in errors[:SHOWN]:
         print(f"farm: {line}", file=sys.stderr)
     more = f" ({len(errors) - SHOWN} more are in the logs)" if len(errors) > SHOWN else ""
-    raise FarmError(f"{len(errors)} tasks failed{more}; what is done is kept in {folder.path}, logs "
-                    f"in {folder.logs}; the same command goes on once the cause is mended",
+    raise FarmError(f"{len(errors)} tasks failed{more}; what is done is kept in {folder.path}, "
+                    f"logs in {folder.logs}; the same command goes on once the cause is mended",
                     errors[0][0])
 
 
@@ -162,12 +162,12 @@ def finish_tasks(folder, plan):
         if not lost:
             return
         if slurm.is_cancelled(plan["job"]):
-            raise FarmError(f"job {plan['job']} was cancelled with {len(lost)} tasks left; the same "
-                            "command goes on with them")
+            raise FarmError(f"job {plan['job']} was cancelled with {len(lost)} tasks left; the "
+                            "same command goes on with them")
         words = [last_words(folder, plan["job"], task) for task in lost]
         if free_bytes(folder) == 0:
-            raise FarmError(f"{folder.path}: its disk is full; make room, then run the same command "
-                            f"again: what is done is kept. {words[0]}", CANNOT_WRITE)
+            raise FarmError(f"{folder.path}: its disk is full; make room, then run the same "
+                            f"command again: what is done is kept. {words[0]}", CANNOT_WRITE)
         print("\n".join(f"farm: {line}" for line in words[:SHOWN]), file=sys.stderr)
         print(f"farm: {len(lost)} tasks ended without a result; sent again", file=sys.stderr)
         send(folder, plan)
@@ -180,8 +180,8 @@ def merge(folder, plan):
     if errors:
         refuse(folder, errors)
     if lost:
-        raise FarmError(f"{folder.path}: tasks {slurm.ranges(lost)} of {plan['tasks']} are not done; "
-                        f"{COMMAND} task {folder.path} K does task K")
+        raise FarmError(f"{folder.path}: tasks {slurm.ranges(lost)} of {plan['tasks']} are not "
+                        f"done; {COMMAND} task {folder.path} K does task K")
     for line in work_of(folder, plan).merge():
         print(line, flush=True)
     plan["job"], plan["merged"] = None, True
@@ -202,8 +202,8 @@ def watch(folder, plan):
 def tell_how_to_go_on(folder, plan):
     """On Ctrl+C."""
     if "HAZUMI_LOCAL_CLUSTER" in os.environ:
-        print("\nfarm: interrupted, and the local cluster with it; the same command goes on with what "
-              "is missing", file=sys.stderr)
+        print("\nfarm: interrupted, and the local cluster with it; the same command goes on with "
+              "what is missing", file=sys.stderr)
         return
     print(f"\nfarm: job {plan['job']} goes on; progress and merge: {COMMAND} watch {folder.path}; "
           f"to end it: {COMMAND} cancel {folder.path}", file=sys.stderr)

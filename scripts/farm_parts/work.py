@@ -2,8 +2,9 @@
 
 from .errors import BAD_DATA, FarmError
 from .render_work import RenderWork
+from .sweep_work import SweepWork
 
-KINDS = {"render": RenderWork}
+KINDS = {"render": RenderWork, "sweep": SweepWork}
 
 
 def work_of(folder, plan):
