@@ -31,6 +31,10 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunOperators();
     case hazumi::Task::kSchema:
       return hazumi::RunSchema();
+    case hazumi::Task::kManual:
+      return hazumi::RunManual();
+    case hazumi::Task::kCompletion:
+      return hazumi::RunCompletion(options);
     case hazumi::Task::kWindow:
       return hazumi::RunWindow(options);
   }

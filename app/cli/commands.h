@@ -18,6 +18,8 @@ int RunWindow(const Options& options);
 int RunEdits(const Options& options);
 int RunOperators();
 int RunSchema();
+int RunManual();
+int RunCompletion(const Options& options);
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The one table of what can be said on the command line. What is taken (options.cpp) and the help
-// (help_text.h) follow from
+// The one table of what can be said on the command line. What is taken (options.cpp), the help
+// (help_text.h), the manual page (man_page.h) and what shells complete (completion.h) follow from
 // it: a new option is a new entry here, and a member of Options.
 
 #include <span>
@@ -29,6 +29,8 @@ enum TaskBits : unsigned {
   kCsv = 1u << 12,
   kPlain = 1u << 13,  // others
   kSchema = 1u << 14,
+  kManual = 1u << 15,
+  kCompletion = 1u << 16,
   kExport = kBvh | kVideo | kJson | kCsv | kPlain,
   kDraw = kRender | kVideo,
   kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,

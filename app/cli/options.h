@@ -24,7 +24,9 @@ enum class Task {
   kImport,
   kRun,
   kOperators,
-  kSchema
+  kSchema,
+  kManual,
+  kCompletion
 };
 
 struct FrameRange {
@@ -47,6 +49,7 @@ struct Options {
   Task task = Task::kWindow;
   std::string output;  // of --render, --export, --bake and --save
   std::string script;  // of --run
+  std::string shell;   // of --completion: bash, zsh or fish
   std::vector<std::string>
       files;  // --check takes several, --run and the window one or none, the others one
 
