@@ -39,6 +39,10 @@ int Run(const hazumi::Options& options) {
       return hazumi::RunFields(options);
     case hazumi::Task::kQuantities:
       return hazumi::RunQuantities();
+    case hazumi::Task::kManual:
+      return hazumi::RunManual();
+    case hazumi::Task::kCompletion:
+      return hazumi::RunCompletion(options);
     case hazumi::Task::kWindow:
       return hazumi::RunWindow(options);
   }

@@ -22,6 +22,8 @@ int RunSweep(const Options& options);
 int RunVerify(const Options& options);
 int RunFields(const Options& options);
 int RunQuantities();
+int RunManual();
+int RunCompletion(const Options& options);
 
 // Prints "hazumi: file: place: message" to standard error and returns the exit code.
 int Complain(const Error& error);

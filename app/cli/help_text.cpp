@@ -67,7 +67,7 @@ void AddFallback(const std::string& fallback, std::vector<std::string>* lines) {
 }
 
 // `says_default`: the first one tells what is in the parentheses.
-std::string Entry(const OptionRule& rule, bool says_default) {
+std::string HelpEntry(const OptionRule& rule, bool says_default) {
   std::vector<std::string> lines = Wrapped(rule.help, kWidth - kTextColumn);
   if (rule.fallback) {
     AddFallback(std::string(says_default ? "default: " : "") + rule.fallback, &lines);
@@ -87,7 +87,7 @@ std::string Entry(const OptionRule& rule, bool says_default) {
   return text + "\n";
 }
 
-std::string Calls() {
+std::string HelpCalls() {
   std::string text = "  hazumi [FILE]                         the editor, in a window\n";
   for (const OptionRule& task : Tasks()) {
     if (task.call) text += std::string("  hazumi ") + task.name + " " + task.call + "\n";
@@ -101,21 +101,21 @@ std::string Paragraph(std::string_view words) {
   return text;
 }
 
-std::string OptionsText() {
+std::string HelpOptions() {
   std::string text;
   bool says_default = true;
   for (const SectionTitle& section : Sections()) {
     text += std::string("\n") + section.title + "\n";
     for (const OptionRule& rule : AllOptions()) {
       if (rule.section != section.section) continue;
-      text += Entry(rule, says_default);
+      text += HelpEntry(rule, says_default);
       if (rule.fallback) says_default = false;
     }
   }
   return text;
 }
 
-std::string Exits() {
+std::string HelpExits() {
   std::string text;
   for (const ExitMeaning& exit : kExitMeanings) {
     text += (text.empty() ? "Exit codes: " : ", ") + std::to_string(exit.code) + " " + exit.meaning;
@@ -123,7 +123,7 @@ std::string Exits() {
   return Paragraph(text + ".");
 }
 
-std::string Examples() {
+std::string HelpExamples() {
   std::string text = "\nExamples\n";
   for (const CallExample& example : kCallExamples) {
     std::string line = std::string("  hazumi ") + example.call;
@@ -139,8 +139,9 @@ std::span<const ExitMeaning> ExitMeanings() { return kExitMeanings; }
 std::span<const CallExample> CallExamples() { return kCallExamples; }
 
 std::string HelpText() {
-  return std::string("Hazumi: ") + kSummary + "\n\n" + Calls() + "\n" + Paragraph(kWhatFilesAre) +
-         OptionsText() + "\n" + Paragraph(kStreams) + Exits() + Examples();
+  return std::string("Hazumi: ") + kSummary + "\n\n" + HelpCalls() + "\n" +
+         Paragraph(kWhatFilesAre) + HelpOptions() + "\n" + Paragraph(kStreams) + HelpExits() +
+         HelpExamples();
 }
 
 }  // namespace hazumi

@@ -105,6 +105,12 @@ bool KeepPositive(const std::string& text, double most, std::optional<double>* f
   return number && *number > 0.0 && *number <= most && Keep(number, field);
 }
 
+bool ReadShell(const std::string& text, Options* options) {
+  options->task = Task::kCompletion;
+  options->shell = text;
+  return text == "bash" || text == "zsh" || text == "fish";
+}
+
 template <bool Options::*kField, bool kValue = true>
 bool Set(const std::string&, Options* options) {
   options->*kField = kValue;
@@ -215,6 +221,17 @@ constexpr OptionRule kTasks[] = {
      .tasks = kSchema,
      .help = "write the JSON schema of .kfa files",
      .read = Choose<Task::kSchema>},
+    {.name = "--man",
+     .tasks = kManual,
+     .help = "write the manual page, for man -l -",
+     .read = Choose<Task::kManual>},
+    {.name = "--completion",
+     .tasks = kCompletion,
+     .value = "SHELL",
+     .help = "write what SHELL completes calls by: bash, zsh or fish",
+     .choices = "bash zsh fish",
+     .remedy = "give bash, zsh or fish",
+     .read = ReadShell},
 };
 
 constexpr OptionRule kStandard[] = {

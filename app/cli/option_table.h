@@ -1,7 +1,7 @@
 #pragma once
 
-// The one table of what can be said on the command line. What is taken (options.cpp) and the help
-// (help_text.h) follow from
+// The one table of what can be said on the command line. What is taken (options.cpp), the help
+// (help_text.h), the manual page (man_page.h) and what shells complete (completion.h) follow from
 // it: a new option is a new entry here, and a member of Options.
 
 #include <span>
@@ -33,6 +33,8 @@ enum TaskBits : unsigned {
   kVerify = 1u << 16,
   kFields = 1u << 17,
   kQuantities = 1u << 18,
+  kManual = 1u << 19,
+  kCompletion = 1u << 20,
   kExport = kBvh | kVideo | kJson | kCsv | kPlain,
   kDraw = kRender | kVideo,
   kMotion = kRender | kBake | kCheck | kInfo | kFlight | kExport,

@@ -28,7 +28,9 @@ enum class Task {
   kSweep,
   kVerify,
   kFields,
-  kQuantities
+  kQuantities,
+  kManual,
+  kCompletion
 };
 
 struct FrameRange {
@@ -51,6 +53,7 @@ struct Options {
   Task task = Task::kWindow;
   std::string output;  // of --render, --export, --bake, --save and --out
   std::string script;  // of --run and --sweep
+  std::string shell;   // of --completion: bash, zsh or fish
   std::vector<std::string>
       files;  // --check takes several, --run and the window one or none, the others one
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// Which Hazumi this is. Whoever asks links hazumi_version, a library of its own, so that a new
-// commit compiles one small file and links the programs, nothing else.
+// Which Hazumi this is. The version is the engine's; whoever asks for the commit links
+// hazumi_commit, a library of its own, so that a new commit compiles one small file and links the
+// programs, nothing else.
 
 #include <string>
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <vector>
 
 #include "engine/base/text.h"
 #include "engine/child/exit_codes.h"
@@ -53,16 +54,26 @@ std::optional<Error> Exited(int code, const ReadLimits& limits) {
   return Crashed(exit);
 }
 
+// Where it may be, seen from the folder of this program: beside it; where it is installed; or, in a
+// build tree, up to four folders above.
+std::vector<fs::path> ReaderFolders(fs::path folder) {
+  std::vector<fs::path> folders = {folder, folder.parent_path() / "libexec" / "hazumi"};
+  for (int up = 0; up < 4; ++up) {
+    folder = folder.parent_path();
+    if (folder.has_relative_path()) folders.push_back(folder);
+  }
+  return folders;
+}
+
 }  // namespace
 
 std::string ReaderPath() {
-  std::error_code error;
   if (const char* named = std::getenv("HAZUMI_READER"); named && *named) return named;
-  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (int up = 0; !error && up <= 4 && folder.has_relative_path(); ++up) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return "";
+  for (const fs::path& folder : ReaderFolders(program.parent_path())) {
     if (fs::is_regular_file(folder / kReaderName, error)) return (folder / kReaderName).string();
-    error.clear();
-    folder = folder.parent_path();
   }
   return "";
 }
@@ -73,8 +84,8 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
     return Because(ErrorCode::kFailed,
                    "cannot be read, because the program " +
                        (reader.empty() ? kReaderName : reader) +
-                       " is missing; it belongs beside hazumi: install Hazumi again, or set "
-                       "HAZUMI_READER to where it is");
+                       " is missing; it belongs beside hazumi, or in libexec/hazumi beside its "
+                       "folder: install Hazumi again, or set HAZUMI_READER to where it is");
   }
   const long cpu_seconds = static_cast<long>(std::ceil(options.limits.seconds)) + 1;
   std::vector<std::string> arguments = {reader, task.kind, std::to_string(options.limits.memory),

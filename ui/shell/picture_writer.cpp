@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/version.h"
 #include "render/motion/figure_skin.h"
 #include "render/motion/reference_film.h"
 #include "render/pipeline/offscreen.h"
@@ -30,7 +31,7 @@ void NameFiles(const RenderTask& task, render::Sequence* sequence) {
     return std::filesystem::path(PictureName(task, task.first + i));
   };
   sequence->metadata = [&task](int i) {
-    return std::vector<render::PngText>{{"Software", std::string("Hazumi ") + HAZUMI_VERSION},
+    return std::vector<render::PngText>{{"Software", std::string("Hazumi ") + kVersion},
                                         {"Project", WithoutControls(task.project)},
                                         {"Frame", std::to_string(task.first + i)}};
   };

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/version.h"
 #include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
@@ -61,7 +62,7 @@ Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& se
   MotionExportOptions options;
   options.format = settings.format;
   if (!source.name.empty()) options.name = source.name;
-  options.generator = std::string("Hazumi ") + HAZUMI_VERSION;
+  options.generator = std::string("Hazumi ") + kVersion;
   options.up = settings.up;
   options.metres_per_unit = settings.metres_per_unit;
   options.torques = settings.torques;

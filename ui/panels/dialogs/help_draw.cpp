@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/version.h"
 #include "ui/panels/commands/menus.h"
 #include "ui/panels/dialogs/manual.h"
 #include "ui/panels/dialogs/parts.h"
@@ -109,7 +110,7 @@ void DrawManual(Editor* editor) {
 }
 
 void DrawAbout(Editor* editor) {
-  ImGui::Text("Hazumi %s", HAZUMI_VERSION);
+  ImGui::Text("Hazumi %s", kVersion);
   ImGui::TextWrapped("%s", Tr("Keyframe animation in which joints can let go: a dynamics region "
                               "moves them by their own inertia."));
   ImGui::Spacing();

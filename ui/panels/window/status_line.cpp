@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/base/text.h"
+#include "engine/base/version.h"
 
 namespace hazumi::ui {
 
@@ -47,7 +48,7 @@ std::vector<std::string> StatusParts(const Editor& editor) {
           std::string(Tr("Frame")) + " " + FormatShort(session.frame()) + " / " +
               std::to_string(session.project().frames.last),
           std::string(Tr("Undo")) + " " + MemoryText(document.history_bytes()),
-          std::string("Hazumi ") + HAZUMI_VERSION};
+          std::string("Hazumi ") + kVersion};
 }
 
 }  // namespace hazumi::ui

@@ -1,5 +1,5 @@
-# Writes version.cpp if what it says has changed. Run at each build:
-#   cmake -DHAZUMI_VERSION=0.1.0 -DSOURCE=top of the tree -DOUTPUT=version.cpp -P version.cmake
+# Writes commit.cpp if what it says has changed. Run at each build:
+#   cmake -DSOURCE=top of the tree -DOUTPUT=commit.cpp -P commit.cmake
 # The commit is git's, where the tree is a git repository itself (not a folder in another one), else
 # that of commit.txt, which `git archive` fills in, else "unknown".
 
@@ -18,4 +18,4 @@ endif()
 if(NOT HAZUMI_COMMIT MATCHES "^[0-9a-f]+[+]?$")
   set(HAZUMI_COMMIT unknown)
 endif()
-configure_file(${CMAKE_CURRENT_LIST_DIR}/version.cpp.in ${OUTPUT} @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/commit.cpp.in ${OUTPUT} @ONLY)

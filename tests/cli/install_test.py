@@ -1,0 +1,133 @@
+#!/usr/bin/env -S /usr/bin/python3
+"""What is installed works where it lies, and knows nothing of where it was built. It is installed
+once, by cmake, and then moved. usage: install_test.py HAZUMI CMAKE"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CMAKE = sys.argv.pop(2)
+from command_line import HAZUMI, ROOT  # noqa: E402
+
+BUILD = pathlib.Path(HAZUMI).parent
+IS_SANITIZED = os.environ.get("HAZUMI_SANITIZE", "") != ""
+
+
+def needs(program):
+    return unittest.skipUnless(shutil.which(program), f"no {program} here")
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-installed-"))
+        subprocess.run([CMAKE, "--install", BUILD, "--strip", "--prefix", cls.folder / "first"],
+                       check=True, capture_output=True)
+        cls.prefix = (cls.folder / "first").rename(cls.folder / "moved")
+        cls.share = cls.prefix / "share"
+        cls.throw = cls.share / "hazumi" / "examples" / "throw.kfa"
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def run_installed(self, *arguments):
+        """From a folder that has nothing of it, and without what the tests are told."""
+        away = self.folder / "elsewhere"
+        away.mkdir(exist_ok=True)
+        clean = {name: value for name, value in os.environ.items() if name != "HAZUMI_READER"}
+        done = subprocess.run([self.prefix / "bin" / "hazumi", *arguments], cwd=away, env=clean,
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def files(self):
+        return [path for path in sorted(self.prefix.rglob("*")) if path.is_file()]
+
+    def test_everything_is_where_it_is_looked_for(self):
+        names = {str(path.relative_to(self.prefix)) for path in self.files()}
+        icons = {name for name in names if name.endswith("apps/hazumi.png")}
+        self.assertEqual(len(icons), 9 if shutil.which("rsvg-convert") else 0)
+        self.assertEqual(
+            {re.sub(r"\.gz$", "", name) for name in names - icons}, {
+                "bin/hazumi", "libexec/hazumi/hazumi-reader",
+                "share/applications/hazumi.desktop", "share/bash-completion/completions/hazumi",
+                "share/doc/hazumi/copyright", "share/fish/vendor_completions.d/hazumi.fish",
+                "share/hazumi/examples/jump.kfa", "share/hazumi/examples/throw.kfa",
+                "share/hazumi/figures/README.md", "share/hazumi/figures/human.json",
+                "share/hazumi/schema/figure.schema.json", "share/hazumi/schema/kfa.schema.json",
+                "share/hazumi/schema/poses.schema.json",
+                "share/icons/hicolor/scalable/apps/hazumi.svg", "share/man/man1/hazumi.1",
+                "share/metainfo/org.example.hazumi.metainfo.xml", "share/mime/packages/hazumi.xml",
+                "share/zsh/site-functions/_hazumi"})
+
+    def test_an_example_opens_where_it_lies_and_is_drawn(self):
+        self.assertRegex(self.run_installed("--version"), r"^hazumi \d")
+        self.assertEqual(self.run_installed("--check", self.throw), f"{self.throw}: ok\n")
+        self.run_installed("--render", self.folder / "out", "--frames", "9", "--size", "64x48",
+                           self.throw)
+        self.assertTrue((self.folder / "out" / "frame_0009.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_the_reader_is_found(self):
+        walk, own = self.folder / "walk.bvh", self.folder / "own.kfa"
+        self.run_installed("--export", walk, self.throw)
+        self.run_installed("--import", walk, "--save", own)
+        self.assertEqual(json.loads(own.read_text())["format"], "hazumi-project")
+
+    @unittest.skipIf(IS_SANITIZED, "sanitizers keep the names of source files")
+    def test_nothing_says_where_it_was_built(self):
+        for path in self.files():
+            data = path.read_bytes()
+            for place in (ROOT, BUILD, self.folder):
+                self.assertNotIn(os.fsencode(place), data, path)
+
+    @needs("readelf")
+    def test_libraries_are_looked_for_where_the_system_says(self):
+        for program in ("bin/hazumi", "libexec/hazumi/hazumi-reader"):
+            shown = subprocess.run(["readelf", "-d", self.prefix / program], check=True, text=True,
+                                   capture_output=True).stdout
+            self.assertNotRegex(shown, "RPATH|RUNPATH")
+
+    def test_page_and_completions_are_those_of_the_program(self):
+        for name, arguments in (("man/man1/hazumi.1", ["--man"]),
+                                ("bash-completion/completions/hazumi", ["--completion", "bash"]),
+                                ("zsh/site-functions/_hazumi", ["--completion", "zsh"]),
+                                ("fish/vendor_completions.d/hazumi.fish",
+                                 ["--completion", "fish"])):
+            self.assertEqual((self.share / name).read_text(), self.run_installed(*arguments))
+
+    def test_schemas_are_json(self):
+        for schema in (self.share / "hazumi" / "schema").iterdir():
+            self.assertIn("$schema", json.loads(schema.read_text()))
+
+    @needs("desktop-file-validate")
+    def test_the_menu_entry_is_one(self):
+        done = subprocess.run(["desktop-file-validate", self.share / "applications/hazumi.desktop"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
+    @needs("appstreamcli")
+    def test_the_description_is_one(self):
+        done = subprocess.run(["appstreamcli", "validate", "--no-net",
+                               self.share / "metainfo" / "org.example.hazumi.metainfo.xml"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    @needs("update-mime-database")
+    def test_the_type_of_projects_is_taken(self):
+        mime = shutil.copytree(self.share / "mime", self.folder / "mime")
+        done = subprocess.run(["update-mime-database", mime], capture_output=True, text=True,
+                              env={**os.environ, "XDG_DATA_DIRS": str(self.folder)})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("60:application/x-hazumi-project:*.kfa", (mime / "globs2").read_text())
+        self.assertIn(b"hazumi-project", (mime / "magic").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main()
