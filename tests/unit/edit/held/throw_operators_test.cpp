@@ -258,6 +258,34 @@ TEST(AddThrow, TheFeetStayOnTheFloorInEveryFrame) {
   }
 }
 
+// When it lies on the spot.
+int DownAt(const Session& session) {
+  return static_cast<int>(session.project().held_objects[0].position.curves[0].keys.back().frame);
+}
+
+TEST(AddThrow, WhatCameDownIsSeenLyingForHalfASecond) {
+  for (const int fps : {24, 30, 60}) {
+    for (const double x : {1.5, 3.0, 4.5}) {
+      Session session;
+      AddBall(&session);
+      Do(&session, "time.rate", {{"num", fps}});
+      Do(&session, "throw.add", Onto(Vec3(x, 0.2, 0.0)));
+      EXPECT_GE(session.project().frames.last, DownAt(session) + fps / 2) << fps << ", " << x;
+    }
+  }
+}
+
+TEST(ThrowOnto, AClipThatEndsSoonAfterItCameDownIsMadeLonger) {
+  for (const int left : {0, 1, 5}) {
+    Session session;
+    AddThrow(&session);
+    Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.2, 0.0)));
+    Do(&session, "time.range", {{"first", 0}, {"last", DownAt(session) + left}});
+    Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.2, 0.0)));
+    EXPECT_GE(session.project().frames.last, DownAt(session) + 15) << left;
+  }
+}
+
 // The arm swings forward, and no joint turns farther than it can.
 TEST(AddThrow, TheArmSwingsForwardWithinItsLimits) {
   Session session;
