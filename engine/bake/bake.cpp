@@ -4,6 +4,7 @@
 
 #include "engine/bake/bake_size.h"
 #include "engine/bake/baker.h"
+#include "engine/bake/flight_events.h"
 #include "engine/base/memory.h"
 
 namespace hazumi {
@@ -41,7 +42,7 @@ Result<Motion> BakeWhole(const Animation& animation, const BakeOptions& options)
     if (!next.value()) break;
     stretch.start = std::move(*next.value());
   }
-  SortByTime(&motion.events);
+  TellFlights(animation, &motion);
   DropRepeated(&motion.warnings);
   return motion;
 }

@@ -11,6 +11,7 @@
 #include "engine/bake/bake_size.h"
 #include "engine/bake/baker.h"
 #include "engine/bake/edit_reach.h"
+#include "engine/bake/flight_events.h"
 #include "engine/base/memory.h"
 
 namespace hazumi {
@@ -227,7 +228,7 @@ void IncrementalBake::State::CollectEvents() {
   motion_.warnings.clear();
   motion_.placement_jumps.clear();
   for (const auto& [frame, part] : parts_) part.stretch.AppendTo(&motion_);
-  SortByTime(&motion_.events);
+  TellFlights(animation_, &motion_);
   DropRepeated(&motion_.warnings);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/placement/contact.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/operators/held/throw_path.h"
@@ -237,6 +238,52 @@ TEST(AddThrow, NothingSlidesJumpsOrStopsDeadAndItEndsAsItBegan) {
   }
   EXPECT_LE((motion.frames.back().q - motion.frames.front().q).lpNorm<Eigen::Infinity>(), 1e-9);
   EXPECT_LE((motion.frames.back().X_WR.p - motion.frames.front().X_WR.p).norm(), 1e-6);
+}
+
+TEST(AddThrow, TheFeetStayOnTheFloorInEveryFrame) {
+  constexpr double kDeep = 0.001;  // [m]
+  for (const char* hand : {"r_wrist", "l_wrist"}) {
+    for (const Vec3& spot :
+         {Vec3(1.5, -0.4, 0.0), Vec3(2.2, 0.0, 0.0), Vec3(3.0, 0.8, 0.0), Vec3(4.5, 0.0, 0.0)}) {
+      Session session;
+      Do(&session, "held.add_ball", {{"joint", hand}});
+      Do(&session, "throw.add", Onto(spot));
+      DynamicsWorkspace ws(session.figure());
+      for (const MotionFrame& frame : MotionOf(&session).frames) {
+        ComputePositions(session.figure(), frame.X_WR, frame.q, &ws);
+        EXPECT_GE(Clearance(session.figure(), session.animation()->scene, ws), -kDeep)
+            << hand << ", " << spot.x() << " m ahead, frame " << frame.frame;
+      }
+    }
+  }
+}
+
+// When it lies on the spot.
+int DownAt(const Session& session) {
+  return static_cast<int>(session.project().held_objects[0].position.curves[0].keys.back().frame);
+}
+
+TEST(AddThrow, WhatCameDownIsSeenLyingForHalfASecond) {
+  for (const int fps : {24, 30, 60}) {
+    for (const double x : {1.5, 3.0, 4.5}) {
+      Session session;
+      AddBall(&session);
+      Do(&session, "time.rate", {{"num", fps}});
+      Do(&session, "throw.add", Onto(Vec3(x, 0.2, 0.0)));
+      EXPECT_GE(session.project().frames.last, DownAt(session) + fps / 2) << fps << ", " << x;
+    }
+  }
+}
+
+TEST(ThrowOnto, AClipThatEndsSoonAfterItCameDownIsMadeLonger) {
+  for (const int left : {0, 1, 5}) {
+    Session session;
+    AddThrow(&session);
+    Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.2, 0.0)));
+    Do(&session, "time.range", {{"first", 0}, {"last", DownAt(session) + left}});
+    Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.2, 0.0)));
+    EXPECT_GE(session.project().frames.last, DownAt(session) + 15) << left;
+  }
 }
 
 // The arm swings forward, and no joint turns farther than it can.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/bake/bake.h"
 #include "engine/placement/contact.h"
 #include "tests/unit/edit/placement/jumps.h"
 
@@ -114,6 +115,32 @@ TEST(JumpOperators, ItEndsStandingAsItBegan) {
   const Vec3 way = motion.frames[phases.end].X_WR.p - motion.frames[0].X_WR.p;
   EXPECT_LE((way - Vec3(way.x(), 0.0, 0.0)).norm(), 0.01);
   EXPECT_GT(way.x(), 0.5);
+}
+
+TEST(JumpOperators, TheBakeTellsTakeOffApexAndLandingOnceEachInTheirFrames) {
+  for (const double x : {0.4, 0.8, 1.15}) {
+    Session session;
+    if (x == 1.15) AddBox(&session);
+    Do(&session, "jump.add", {{"x", x}});
+    const JumpPhases phases = PhasesOf(session);
+    // As edits left the motion, and baked from nothing.
+    const Motion whole = Bake(*session.animation()).value();
+    for (const Motion& motion : {JumpMotion(&session), whole}) {
+      std::vector<MotionEvent> told;
+      for (const MotionEvent& event : motion.events) {
+        if (event.kind != EventKind::kPinChange) told.push_back(event);
+      }
+      ASSERT_EQ(told.size(), 3u) << x;
+      EXPECT_EQ(told[0].kind, EventKind::kTakeOff);
+      EXPECT_EQ(told[0].frame, phases.take_off);
+      EXPECT_EQ(told[0].joint, "r_toe");
+      EXPECT_EQ(told[1].kind, EventKind::kApex);
+      EXPECT_GT(told[1].frame, phases.take_off);
+      EXPECT_LT(told[1].frame, phases.landing);
+      EXPECT_EQ(told[2].kind, EventKind::kLanding);
+      EXPECT_EQ(told[2].frame, phases.landing);
+    }
+  }
 }
 
 TEST(JumpOperators, TheTimelineIsMadeLongEnoughAndOneUndoTakesAllOfItBack) {

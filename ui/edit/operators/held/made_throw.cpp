@@ -213,6 +213,24 @@ void KeyStart(int frame, const ThrowHinge& hinge, double back, const Swing& swin
           swings ? swing.speed / kDegree : 0.0, curve);
 }
 
+// A foot stays flat while hip, knee and ankle together keep it so: their rates are the same sum of
+// their angles, which rates that follow from each curve by itself are not.
+void KeyLeg(const ThrowPlan& plan, const std::array<double, kNumThrowPhases>& angles,
+            double standing, ProjectCurve* curve) {
+  constexpr double kGoesOn = 0.3;  // how much of its speed it has as the region ends
+  const int swing = (plan.region_first + plan.region_last) / 2;
+  const double frame_time = plan.forward / (plan.region_first - plan.back);  // [s]
+  const auto rate = [&](double from, double to, int frames) {
+    return (to - from) / (frames * frame_time);
+  };
+  const double arrives = rate(angles[kSwing], angles[kFollowThrough], plan.region_last - swing);
+  const double leaves = rate(angles[kFollowThrough], standing, plan.end - plan.region_last);
+  KeyMove(swing, angles[kSwing],
+          rate(angles[kBackswing], angles[kFollowThrough], plan.region_last - plan.back), curve);
+  KeyMove(plan.region_last, angles[kFollowThrough], kGoesOn * arrives + (1.0 - kGoesOn) * leaves,
+          curve);
+}
+
 void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, const Figure& figure,
               ProjectCurve* curve) {
   const auto angle = [&](ThrowPhase phase) { return AngleIn(phase, of, plan, figure); };
@@ -221,6 +239,8 @@ void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, cons
   KeyMove(plan.back, angle(kBackswing), 0.0, curve);
   if (of.hinge->limb == ThrowLimb::kShoulder) {
     KeyStart(plan.region_first, *of.hinge, angle(kBackswing), plan.swing, plan.forward, curve);
+  } else if (of.hinge->limb == ThrowLimb::kLegs) {
+    KeyLeg(plan, of.hinge->angles, standing, curve);
   } else {
     KeyMove((plan.region_first + plan.region_last) / 2, angle(kSwing), {}, curve);
     KeyMove(plan.region_last, angle(kFollowThrough), {}, curve);

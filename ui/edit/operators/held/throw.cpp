@@ -179,7 +179,7 @@ Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<co
   LieUntilTaken(of, project);
   PutPosition(spot, down, &project->held_objects[of.object]);
   const int seen = down + static_cast<int>(std::lround(animation.rate.FrameAt(kSeenLying)));
-  if (down > project->frames.last) project->frames.last = seen;
+  project->frames.last = std::max(project->frames.last, seen);
   return Done();
 }
 

@@ -116,11 +116,12 @@ class KnownJump {
     const int take_off = pins_.before.last_frame;
     frames_[kTakeOff] = take_off;
     frames_[kLanding] = project.placements[spans.flight].last_frame;
-    frames_[kCrouch] = LowestBetween(start(), take_off);
-    frames_[kAbsorbed] = LowestBetween(frames_[kLanding], end());
+    frames_[kCrouch] = PosedNear(LowestBetween(start(), take_off));
+    frames_[kAbsorbed] = PosedNear(LowestBetween(frames_[kLanding], end()));
     const int flown = frames_[kLanding] - take_off;
-    frames_[kStretched] = take_off + std::min(FramesOf(kStretchSeconds, 1, animation), flown / 3);
-    frames_[kApex] = std::clamp(take_off + FramesOf(SecondsUp(animation), 1, animation),
+    frames_[kStretched] =
+        PosedNear(take_off + std::min(FramesOf(kStretchSeconds, 1, animation), flown / 3));
+    frames_[kApex] = std::clamp(PosedNear(take_off + FramesOf(SecondsUp(animation), 1, animation)),
                                 frames_[kStretched] + 1, frames_[kLanding] - 1);
   }
 
@@ -155,6 +156,16 @@ class KnownJump {
     const double c0 = FrameOf(motion_, frames_[kTakeOff]).com.z();
     const double c1 = Stage(animation).ComOf(StanceOn(frames_[kLanding]), KeyedRoot()).z();
     return animation.gravity > 0.0 ? ((c1 - c0) / T) / animation.gravity + 0.5 * T : 0.5 * T;
+  }
+  // Where a jump that was made has its pose: its keys may have the CoM lowest beside it.
+  int PosedNear(int frame) const {
+    constexpr int kFar = 3;
+    for (int i = 0; i <= 2 * kFar; ++i) {
+      const int other = frame + (i % 2 ? -(i + 1) / 2 : i / 2);
+      if (other <= start() || other >= end() || other == frames_[kTakeOff]) continue;
+      if (other != frames_[kLanding] && HasPose(other, project_)) return other;
+    }
+    return frame;
   }
   // The frame between two others on which the CoM is lowest.
   int LowestBetween(int first, int last) const {

@@ -2,17 +2,23 @@
 // fast as the flight ends; in between the ground pushes. With the flight's duration T and the CoM's
 // place c at both ends the flight has
 //   v0 = (c1 - c0) / T - g T / 2,   v1 = v0 + g T.
-// From rest in the crouch the CoM gets to v0 on a parabola of time in the stretch S = 2 h / v0z,
-// for which it rises by h, and goes v0 S / 2 meanwhile. So the body leans at take-off as far as it
-// needs to for the CoM to be there. Landing is that backwards: the CoM is v1 A / 2 behind where it
-// comes to rest in A, so that the legs reach forward. The rates of the angles on the frame itself
-// are
+// From rest in the crouch the CoM gets to it in the stretch S = 2 h / v0z, for which it rises by h,
+// and goes k0 v0 S meanwhile; from the landing to rest in A it goes k1 v1 A. A cubic of time does
+// that without turning round if k is from 1/3 to 2/3; with k = 1/2 it speeds up evenly, with less
+// it is braked most at first. On level ground, with the CoM as far ahead of the toes as r0 and r1
+// at rest, and toes that are put D ahead,
+//   D + r1 - r0 = v (T + k0 S + k1 A),
+// which gives the speed v of the flight, and that how far the CoM has to be ahead of the toes at
+// take-off and landing, to where the body leans. Where it cannot lean so far k is another one, and
+// a jump for which the CoM would turn round, or be pushed too hard, is refused.
+//
+// The rates of the angles on the frame itself are
 //   q' = a d + b l,
-// with d from the one pose to the other and l the lean about the toes, the foot staying on the
-// ground; a and b are such that the CoM has the velocity v in the plane of the figure's forward
-// direction and the vertical. What bears nothing, as the arms, goes as its poses before and after
-// have it, and counts in v. As the feet touch, the body sinks a little slower than it came down, so
-// that they press on the ground instead of grazing it.
+// with d from the one pose to the other and l the lean, the foot staying on the ground; a and b are
+// such that the CoM has the velocity v in the plane of the figure's forward direction and the
+// vertical. What bears nothing, as the arms, goes as its poses before and after have it, and counts
+// in v. As the feet touch, the body sinks a little slower than it came down, so that they press on
+// the ground instead of grazing it.
 
 #include "ui/edit/operators/placement/jump_contacts.h"
 
@@ -20,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/text.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/placement/root_curves.h"
 
@@ -27,16 +34,19 @@ namespace hazumi::edit {
 
 namespace {
 
+constexpr const char* kHip = "hip_flexion";
+
 // The feet leave the ground, or touch it.
 struct Contact {
   JumpPhase phase, rest;  // rest: in the crouch before it, or in the lowest pose after it
   double sign;            // 1: rest is before it, -1: after it
   const char* foot;       // the hinge that keeps the foot on the ground while the body leans
+  double trunk;           // so much of the lean the trunk takes part in, the legs in all of it
   double least, most;     // lean, besides kJumpLean [degrees]
 };
 
-constexpr Contact kContacts[] = {{kTakeOff, kCrouch, 1.0, "toe", -15.0, 16.0},
-                                 {kLanding, kAbsorbed, -1.0, "ankle_flexion", -30.0, 5.0}};
+constexpr Contact kContacts[] = {{kTakeOff, kCrouch, 1.0, "toe", 1.0, -15.0, 16.0},
+                                 {kLanding, kAbsorbed, -1.0, "ankle_flexion", 0.4, -30.0, 5.0}};
 
 bool Bears(const std::string& name) {
   for (const auto& [hinge_name, hinge] : HingesOfJump()) {
@@ -45,11 +55,20 @@ bool Bears(const std::string& name) {
   return false;
 }
 
+// The legs about the foot, and the trunk on them.
 void LeanBy(double degrees, const Contact& contact, const Figure& figure, Stance* stance) {
-  stance->angles[1] += degrees;
+  stance->angles[1] += contact.trunk * degrees;
   for (const char* side : {"r_", "l_"}) {
-    stance->q[figure.FindJoint(side + std::string(contact.foot))->value()] += degrees * kDegree;
+    const auto turn = [&](const char* hinge, double by) {
+      stance->q[figure.FindJoint(side + std::string(hinge))->value()] += by * kDegree;
+    };
+    turn(contact.foot, degrees);
+    turn(kHip, (contact.trunk - 1.0) * degrees);
   }
+}
+
+double LeanOf(const Contact& contact, const Stance& stance) {
+  return (stance.angles[1] - kJumpLean[contact.phase]) / contact.trunk;
 }
 
 Vec3 Forward(const JumpPlan& plan) {
@@ -68,24 +87,78 @@ Vec3 FlightVelocity(const Contact& contact, const Animation& animation, const Ju
   return (com(kLanding) - com(kTakeOff)) / T + contact.sign * half;
 }
 
-// The lean with which the CoM is where it has to be, by how much it moves for a degree.
-void Lean(const Contact& contact, const Animation& animation, Stage* stage, JumpPlan* plan) {
-  const Figure& figure = *animation.figure;
-  const Vec3 forward = Forward(*plan);
-  const Vec3 velocity = FlightVelocity(contact, animation, *plan, stage);
+// How far the CoM is ahead of the toes [m].
+double Ahead(JumpPhase phase, const JumpPlan& plan, Stage* stage) {
+  return Forward(plan).dot(stage->ComOver(Vec3::Zero(), plan.stances[phase]));
+}
+
+// The lean with which the CoM is so far ahead of the toes, or the nearest it can have.
+void LeanTo(const Contact& contact, double ahead, const Figure& figure, Stage* stage,
+            JumpPlan* plan) {
+  constexpr int kSteps = 8;
   Stance& stance = plan->stances[contact.phase];
-  const Vec3 toes = stage->ToesOf(stance, plan->roots[contact.phase]);
-  const Vec3 rest = stage->ComOf(plan->stances[contact.rest], plan->roots[contact.rest]);
-  const double seconds =
-      animation.rate.SecondsAt(std::abs(plan->frames[contact.phase] - plan->frames[contact.rest]));
-  const double wanted = forward.dot(rest) + contact.sign * 0.5 * seconds * forward.dot(velocity);
-  Stance leaning = stance;
-  LeanBy(1.0, contact, figure, &leaning);
-  const double is = forward.dot(stage->ComOver(toes, stance));
-  const double by_degree = forward.dot(stage->ComOver(toes, leaning)) - is;
-  const double before = stance.angles[1] - kJumpLean[contact.phase];
-  const double lean = std::clamp(before + (wanted - is) / by_degree, contact.least, contact.most);
-  LeanBy(lean - before, contact, figure, &stance);
+  const auto lean_by = [&](double degrees) { LeanBy(degrees, contact, figure, &stance); };
+  for (int i = 0; i < kSteps; ++i) {
+    const double is = Ahead(contact.phase, *plan, stage);
+    lean_by(1.0);
+    const double by_degree = Ahead(contact.phase, *plan, stage) - is;
+    lean_by(-1.0);
+    const double lean = LeanOf(contact, stance);
+    const double wanted = lean + (ahead - is) / by_degree;
+    lean_by(std::clamp(wanted, contact.least, contact.most) - lean);
+  }
+}
+
+// Between a contact and its rest.
+double SecondsOf(const Contact& contact, const Animation& animation, const JumpPlan& plan) {
+  return animation.rate.SecondsAt(std::abs(plan.frames[contact.phase] - plan.frames[contact.rest]));
+}
+
+constexpr double kEvenly = 0.5;  // k of an even push
+
+// The k of a landing at this speed [m/s]: braked evenly if that is hard, else most at first, so
+// that the body is soon over the feet.
+double LandingShare(double speed, double seconds) {
+  constexpr double kHard = 12.0;  // [m/s^2]
+  if (speed == 0.0) return kEvenly;
+  return std::clamp((4.0 - kHard * seconds / std::abs(speed)) / 6.0, 1.0 / 3.0, kEvenly);
+}
+
+// Both leans, each with what the other one cannot do.
+void Lean(const Animation& animation, const JumpSpots& spots, Stage* stage, JumpPlan* plan) {
+  const auto& [push, catching] = kContacts;
+  const Figure& figure = *animation.figure;
+  const auto ahead = [&](JumpPhase phase) { return Ahead(phase, *plan, stage); };
+  const double D = Forward(*plan).dot(spots.onto - spots.from);
+  const double T = animation.rate.SecondsAt(plan->frames[kLanding] - plan->frames[kTakeOff]);
+  const double r0 = ahead(kCrouch), r1 = ahead(kAbsorbed), way = D + r1 - r0;
+  const double S = kEvenly * SecondsOf(push, animation, *plan);
+  double A = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const double seconds = SecondsOf(catching, animation, *plan);
+    A = seconds * LandingShare(way / (T + S + A), seconds);
+  }
+  LeanTo(push, r0 + S * way / (T + S + A), figure, stage, plan);
+  LeanTo(catching, r1 - A * (D + r1 - ahead(kTakeOff)) / (T + A), figure, stage, plan);
+  LeanTo(push, r0 + S * (D + ahead(kLanding) - r0) / (T + S), figure, stage, plan);
+}
+
+// Whether the CoM goes from rest to the flight's speed, and from that to rest, without turning
+// round and without a jerk. The cubic's accelerations at its ends are
+//   4 v / S - 6 d / S^2,   6 d / S^2 - 2 v / S.
+bool GetsUpToSpeed(const Animation& animation, const JumpPlan& plan, Stage* stage) {
+  constexpr double kMost = 20.0, kBack = 3.0;  // [m/s^2]
+  for (const Contact& contact : kContacts) {
+    const double S = SecondsOf(contact, animation, plan);
+    const double v = Forward(plan).dot(FlightVelocity(contact, animation, plan, stage));
+    const double d =
+        contact.sign * (Ahead(contact.phase, plan, stage) - Ahead(contact.rest, plan, stage));
+    for (const double end : {4.0 * v / S - 6.0 * d / (S * S), 6.0 * d / (S * S) - 2.0 * v / S}) {
+      const double along = v < 0.0 ? -end : end;
+      if (along > kMost || along < -kBack) return false;
+    }
+  }
+  return true;
 }
 
 // By angle, of a pose on the way between those before and after it [rad/s].
@@ -94,9 +167,14 @@ VecX RatesBetween(JumpPhase phase, const Animation& animation, const JumpPlan& p
   return (plan.stances[phase + 1].q - plan.stances[phase - 1].q) / seconds;
 }
 
-// Of all angles as the feet leave the ground, or touch it.
-Stance RatesAt(const Contact& contact, const Animation& animation, const JumpPlan& plan,
-               Stage* stage) {
+// Of all angles as the feet leave the ground, or touch it, and by how much the CoM goes otherwise
+// than it flies [m/s].
+struct ContactRates {
+  Stance rates;
+  double off = 0.0;
+};
+ContactRates RatesAt(const Contact& contact, const Animation& animation, const JumpPlan& plan,
+                     Stage* stage) {
   constexpr double kStep = 1e-4;  // [s]
   constexpr double kPress = 0.2;  // [m/s]
   constexpr double kMost = 2.9;   // a cubic that goes 3 times as fast as its chord overshoots
@@ -122,14 +200,12 @@ Stance RatesAt(const Contact& contact, const Animation& animation, const JumpPla
   Eigen::Matrix2d A;
   A << moves(along), moves(lean);
   Eigen::Vector2d x = A.partialPivLu().solve(v);
-  const double seconds =
-      animation.rate.SecondsAt(std::abs(plan.frames[contact.phase] - plan.frames[contact.rest]));
-  const double most = kMost / seconds;
+  const double most = kMost / SecondsOf(contact, animation, plan);
   if (!(x[0] >= 0.0 && x[0] <= most)) {
     x[0] = std::clamp(v[1] / A(1, 0), 0.0, most);
     x[1] = (v[0] - A(0, 0) * x[0]) / A(0, 1);
   }
-  return Going(Going(others, x[0], along), x[1], lean);
+  return {Going(Going(others, x[0], along), x[1], lean), (A * x - v).norm()};
 }
 
 }  // namespace
@@ -137,18 +213,41 @@ Stance RatesAt(const Contact& contact, const Animation& animation, const JumpPla
 Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
                           const JumpLengths& lengths, Stage* stage, JumpPlan* plan) {
   constexpr int kRounds = 5;
-  for (int round = 0;; ++round) {
-    Result<Done> done = SetRoots(spots, stage, plan);
-    if (!done.ok()) return done;
-    done = SetTimes(animation, height, lengths, stage, plan);
-    if (!done.ok()) return done;
-    if (round == kRounds) break;
-    for (const Contact& contact : kContacts) Lean(contact, animation, stage, plan);
-  }
+  constexpr double kMostOff = 0.5;
   for (const Contact& contact : kContacts) {
-    plan->rates[contact.phase] = RatesAt(contact, animation, *plan, stage);
+    Stance& stance = plan->stances[contact.phase];
+    LeanBy(-LeanOf(contact, stance), contact, *animation.figure, &stance);
   }
-  return Done();
+  Result<Done> done = SetRoots(spots, stage, plan);
+  for (int round = 0; round < kRounds && done.ok(); ++round) {
+    done = SetTimes(animation, height, lengths, stage, plan);
+    if (!done.ok()) break;
+    Lean(animation, spots, stage, plan);
+    done = SetRoots(spots, stage, plan);
+  }
+  if (!done.ok()) return done;
+  bool goes_as_it_flies = GetsUpToSpeed(animation, *plan, stage);
+  double speed = 0.0;
+  for (const Contact& contact : kContacts) {
+    const Vec3 velocity = FlightVelocity(contact, animation, *plan, stage);
+    speed = Forward(*plan).dot(velocity);
+    const bool is_flat = std::abs(speed) > std::abs(velocity.z());
+    ContactRates at = RatesAt(contact, animation, *plan, stage);
+    if (is_flat && at.off > kMostOff * std::abs(velocity.z())) goes_as_it_flies = false;
+    plan->rates[contact.phase] = std::move(at.rates);
+  }
+  if (goes_as_it_flies) return Done();
+  return Refusal("height", "it would fly forward at " + FormatShort(speed) +
+                               " m/s, which the legs cannot give or take: give a greater height, "
+                               "or a nearer spot");
+}
+
+bool HasPose(int frame, const Project& project) {
+  const auto hinges = HingesOfJump();
+  return std::all_of(hinges.begin(), hinges.end(), [&](const auto& of) {
+    const ProjectCurve* curve = FindCurve(of.first, project);
+    return !of.second->bears || (curve && KeyOn(frame, *curve));
+  });
 }
 
 bool HasContacts(const JumpFrames& frames, const Project& project) {
@@ -175,7 +274,8 @@ void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project) {
       ProjectKey* key = curve.ok() ? KeyOn(frame, curve.value()) : nullptr;
       if (!key || !key->rate) continue;
       const int i = figure.FindJoint(name)->value();
-      if (name.ends_with(contact.foot)) key->value = WithoutRoundOff(stance.q[i] / kDegree);
+      const bool leans = name.ends_with(contact.foot) || name.ends_with(kHip);
+      if (leans) key->value = WithoutRoundOff(stance.q[i] / kDegree);
       key->rate = WithoutRoundOff(rates.q[i] / kDegree);
     }
     ProjectKey* key = KeyOn(frame, &project->root.curves[kRootAngleY]);

@@ -2,7 +2,9 @@
 // apex H above c0 it takes
 //   T = (sqrt(2 g H) + sqrt(2 g (H - (c1 - c0)))) / g,
 // and the stretch to take-off, by h higher, 2 h over the speed there, for the CoM gets to it on a
-// parabola of time; the way from the landing to the lowest pose is that backwards.
+// parabola of time; the way from the landing to the lowest pose is that backwards. If it flies so
+// fast forward that the ground would have to brake it too hard on it, that takes longer, up to 2.8
+// h over the speed: the sinking is braked most at first then, and does not turn round.
 
 #include "ui/edit/operators/placement/jump_plan.h"
 
@@ -112,6 +114,7 @@ Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan) {
 
 Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
                       Stage* stage, JumpPlan* plan) {
+  constexpr double kBraking = 12.0;  // [m/s^2]
   const double g = animation.gravity;
   const auto height_of = [&](JumpPhase phase) {
     return stage->ComOf(plan->stances[phase], plan->roots[phase]).z();
@@ -130,7 +133,11 @@ Result<Done> SetTimes(const Animation& animation, double height, const JumpLengt
   const double lift = height_of(kTakeOff) - height_of(kCrouch);
   const double sink = height_of(kLanding) - height_of(kAbsorbed);
   const double stretch = std::clamp(2.0 * lift / speed, 0.1, 0.5);
-  const double absorb = std::clamp(2.0 * sink / (g * down), 0.1, 0.5);
+  const Vec3 way = stage->ComOf(plan->stances[kLanding], plan->roots[kLanding]) -
+                   stage->ComOf(plan->stances[kTakeOff], plan->roots[kTakeOff]);
+  const double braking = way.head<2>().norm() / (up + down) / kBraking;
+  const double even = 2.0 * sink / (g * down);
+  const double absorb = std::clamp(std::max(even, std::min(braking, 1.4 * even)), 0.1, 0.5);
   JumpFrames& at = plan->frames;
   at[kCrouch] = plan->start + lengths.crouch;
   at[kTakeOff] = at[kCrouch] + frames(stretch, 2);
