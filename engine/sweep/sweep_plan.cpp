@@ -86,7 +86,8 @@ std::optional<Error> CheckAxis(const SweepAxis& axis, SweepCombine combine,
     return WrongAt(place, "give either \"values\" or \"from\", \"to\" and \"count\"");
   }
   if (is_range && !axis.count && combine != SweepCombine::kRandom) {
-    return WrongAt(place, "\"count\" is missing: how many values there are from \"from\" to \"to\"");
+    return WrongAt(place,
+                   "\"count\" is missing: how many values there are from \"from\" to \"to\"");
   }
   if (axis.count && combine == SweepCombine::kRandom) {
     return WrongAt(place + ".count",
@@ -135,7 +136,7 @@ std::optional<Error> CheckPlan(const SweepPlan& plan) {
   }
   const double cells = Cells(plan);
   if (cells > kMostCells) {
-    return WrongAt("vary", FormatShort(cells) + " cells; " + FormatNumber(kMostCells) +
+    return WrongAt("vary", FormatShort(cells) + " cells; " + FormatShort(kMostCells) +
                                " are the most: give fewer values, or split the sweep");
   }
   if (plan.picture && plan.picture->frames.empty() && !plan.picture->video) {
@@ -243,8 +244,7 @@ Result<Done> CheckFields(const SweepPlan& plan, const Project& project) {
     for (const auto& [place, value] : TriedValues(plan.vary[i])) {
       auto error = SetAll(plan.vary[i], value, &tried);
       if (!error) continue;
-      return WrongAt(PlaceOf(i) + place,
-                     error->place + " = " + value + ": " + error->message);
+      return WrongAt(PlaceOf(i) + place, error->place + " = " + value + ": " + error->message);
     }
   }
   return Done();
