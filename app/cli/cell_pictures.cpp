@@ -56,6 +56,22 @@ std::optional<Error> CheckFrames(const Sweep& sweep) {
   return std::nullopt;
 }
 
+// The options of drawing, with a size and on one thread, once all that is said of pictures is
+// right.
+Result<Options> CheckedOptions(const Sweep& sweep) {
+  Result<Options> options = OptionsOf(sweep);
+  if (!options.ok()) return options;
+  if (auto error = CheckFrames(sweep)) return *error;
+  Options& chosen = options.value();
+  if (!chosen.size) chosen.size = PictureSize{240, 180};
+  if (sweep.plan().picture->video &&
+      (chosen.size->width % 2 != 0 || chosen.size->height % 2 != 0)) {
+    return AtPicture(".options", "--size: videos have even sizes");
+  }
+  chosen.threads = 1;
+  return options;
+}
+
 // All cells are seen from one place, so that they can be compared: that from which the project
 // itself, unvaried, is seen in the frames that are drawn.
 Result<Done> KeepCamera(const Sweep& sweep, PictureSize size, Options* options) {
@@ -104,16 +120,17 @@ const char* PictureSuffix(const SweepPlan& plan) {
   return plan.picture->video ? ".mp4" : ".png";
 }
 
-Result<CellPictures> CellPictures::Create(const Sweep& sweep, const SweepStore& store) {
-  Result<Options> options = OptionsOf(sweep);
+Result<Done> CellPictures::Check(const Sweep& sweep) {
+  const Result<Options> options = CheckedOptions(sweep);
   if (!options.ok()) return options.error();
-  if (auto error = CheckFrames(sweep)) return *error;
-  const PictureSize size = options.value().size.value_or(PictureSize{240, 180});
-  if (sweep.plan().picture->video && (size.width % 2 != 0 || size.height % 2 != 0)) {
-    return AtPicture(".options", "--size: videos have even sizes");
-  }
+  return Done();
+}
+
+Result<CellPictures> CellPictures::Create(const Sweep& sweep, const SweepStore& store) {
+  Result<Options> options = CheckedOptions(sweep);
+  if (!options.ok()) return options.error();
   Options chosen = std::move(options).value();
-  chosen.threads = 1;
+  const PictureSize size = *chosen.size;
   const Result<Done> camera = KeepCamera(sweep, size, &chosen);
   if (!camera.ok()) return camera.error();
   auto renderer = render::OffscreenRenderer::Create(SequenceOptionsOf(chosen, size).renderer);

@@ -14,8 +14,11 @@ namespace hazumi {
 // on one thread.
 class CellPictures {
  public:
-  // Errors: kSchema, whose place is in the sweep file: options of drawing that are none, or frames
-  // that the project has not.
+  // Whether what the sweep says of pictures is right, before a folder is made. Errors: kSchema,
+  // whose place is in the sweep file: options of drawing that are none, or frames that the project
+  // has not.
+  static Result<Done> Check(const Sweep& sweep);
+  // Errors: those of Check, and of what draws.
   static Result<CellPictures> Create(const Sweep& sweep, const SweepStore& store);
   ~CellPictures();
   CellPictures(CellPictures&&) noexcept;

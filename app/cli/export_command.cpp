@@ -20,6 +20,16 @@ namespace {
 
 std::string Generator() { return std::string("Hazumi ") + kVersion; }
 
+// Of a motion it matters which frames there are, too.
+std::vector<std::string> GivenOf(const Options& options) {
+  std::vector<std::string> given = options.given;
+  if (options.frames) {
+    given.push_back("--frames=" + std::to_string(options.frames->first) + ".." +
+                    std::to_string(options.frames->last));
+  }
+  return given;
+}
+
 int ExportFile(const BakedProject& baked, const FrameRange& frames, const Options& options) {
   const Skin capsules = baked.project.skin ? Skin() : render::SkinOfLinks(*baked.animation.figure);
   MotionExportOptions settings;
@@ -31,9 +41,11 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.skin = baked.project.skin ? baked.project.skin.meshes().get() : &capsules;
   settings.timings = options.timings;
   settings.torques = options.torques;
-  settings.made_by = {MadeByText(), options.given};
+  settings.made_by = {MadeByText(), GivenOf(options)};
   PrintWarnings(options.files[0], LeftOutOf(baked.animation, settings.format));
-  const Motion motion = PartOf(baked.motion, frames.first, frames.last);
+  // Without --frames also what happens between the last output frame and the motion's end.
+  const Motion motion =
+      options.frames ? PartOf(baked.motion, frames.first, frames.last) : baked.motion;
   const Result<std::string> bytes = ExportMotion(baked.animation, motion, settings);
   if (Interrupted()) return Complain(InterruptedError());
   if (!bytes.ok()) return Complain(bytes.error());

@@ -153,13 +153,13 @@ int RunSweep(const Options& options) {
     PrintLine(stdout, "%ld", sweep.cells());
     return kExitOk;
   }
+  if (sweep.plan().picture) {
+    const Result<Done> checked = CellPictures::Check(sweep);
+    if (!checked.ok()) return Complain(InFile(checked.error(), options.script));
+  }
   const auto store =
       SweepStore::Open(options.output, sweep.cells(), sweep.Identity("Hazumi " + ProgramVersion()));
   if (!store.ok()) return Complain(store.error());
-  if (sweep.plan().picture) {
-    const auto pictures = CellPictures::Create(sweep, store.value());
-    if (!pictures.ok()) return Complain(InFile(pictures.error(), options.script));
-  }
   if (auto error = BlockRun(sweep, store.value(), MissingBlocks(store.value(), options)).Run()) {
     return Complain(*error);
   }

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/verify.h"
 #include "engine/base/text.h"
+#include "engine/exchange/export_motion.h"
 #include "engine/exchange/motion_json.h"
 #include "engine/project/json/text_file.h"
 
@@ -11,7 +13,7 @@ namespace hazumi {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // What differs between two trees of values, the first of it and how much there is.
 class Comparison {
@@ -114,35 +116,27 @@ Result<MadeMotion> ReadMotion(const std::string& file) {
   return made;
 }
 
-// The frames that were made, of all.
-void KeepFrames(const Json& made, Json* again) {
-  if (!made.contains("frames") || !made["frames"].is_array() || made["frames"].empty()) return;
-  const Json& frames = made["frames"];
-  const auto number = [](const Json& frame) { return frame.value("frame", 0); };
-  Json kept = Json::array();
-  for (Json& frame : (*again)["frames"]) {
-    if (number(frame) < number(frames.front()) || number(frame) > number(frames.back())) continue;
-    kept.push_back(std::move(frame));
-  }
-  (*again)["frames"] = std::move(kept);
-}
-
 }  // namespace
 
 Result<Verdict> VerifyMotion(const std::string& project, const std::string& motion_file) {
   const Result<MadeMotion> made = ReadMotion(motion_file);
   if (!made.ok()) return made.error();
+  // --export takes the options of --bake, and --frames.
   const Result<Options> options =
-      OptionsToMakeAgain({"--bake", "again.json"}, made.value().options, project);
+      OptionsToMakeAgain({"--export", "again.json"}, made.value().options, project);
   if (!options.ok()) return options.error();
-  const Result<BakedProject> baked = LoadAndBake(project, options.value());
+  Result<BakedProject> baked = LoadAndBake(project, options.value());
   if (!baked.ok()) return baked.error();
-  Json again = Json::parse(MotionToJson(baked.value().animation, baked.value().motion,
-                                        {false, options.value().torques, {}}));
-  const Json& json = made.value().json;
-  KeepFrames(json, &again);
+  Motion& motion = baked.value().motion;
+  const auto& asked = options.value().frames;
+  if (asked && !motion.frames.empty()) {
+    motion = PartOf(motion, std::max(asked->first, motion.frames.front().frame),
+                    std::min(asked->last, motion.frames.back().frame));
+  }
+  const Json again = Json::parse(
+      MotionToJson(baked.value().animation, motion, {false, options.value().torques, {}}));
   Comparison comparison(again["joints"]);
-  comparison.Compare(json, again, "");
+  comparison.Compare(made.value().json, again, "");
   Verdict verdict;
   RemarkOnMaker(made.value().maker, &verdict);
   verdict.is_same = comparison.differences() == 0;

@@ -16,7 +16,7 @@ namespace hazumi {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 struct MadePicture {
   std::string file, maker, renderer;
@@ -41,11 +41,12 @@ Result<MadePicture> ReadMaking(const std::string& file) {
   auto texts = PngTexts(Bytes(bytes.value()));
   MadePicture made;
   made.file = file;
+  const bool says_options = texts.contains("Options");
   made.maker = texts["Maker"];
   made.options = Words(texts["Options"]);
   const std::string& frame = texts["Frame"];
   const auto [end, failed] = std::from_chars(frame.data(), frame.data() + frame.size(), made.frame);
-  if (failed == std::errc() && end == frame.data() + frame.size() && texts.contains("Options")) {
+  if (failed == std::errc() && end == frame.data() + frame.size() && says_options) {
     return made;
   }
   return Error{ErrorCode::kSchema, file, "",

@@ -1,8 +1,8 @@
 // The parabola through two neighbouring frames of a flight, a time T apart:
 //   p(t) = p0 + v0 t + g t^2 / 2
 // v0 is that of the frames before, (p0 - p-1) / T + g T / 2, since the last frame may lie where
-// keys have put the object; of the first flight it is (p1 - p0) / T - g T / 2. The gap to the scene
-// is sampled on it and its first zero halved down to rounding.
+// keys have put the object; of the first frames in the air it is (p1 - p0) / T - g T / 2. The gap
+// to the scene is sampled on it and its first zero halved down to rounding.
 
 #include "engine/analysis/object_landing.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr int kSamples = 16;      // of the gap, between two frames
 constexpr int kHalvings = 50;     // of the time between two samples
 constexpr double kStill = 1e-9;   // moves less than this are none [m]
-constexpr double kTouch = 1e-9;   // so near is touching [m]
+constexpr double kTouch = 1e-12;  // so near is touching: as exact as the gap is [m]
 
 struct Gap {
   double value = 0.0;  // [m]
@@ -73,14 +73,15 @@ std::optional<ObjectLanding> LandingOf(const Animation& animation, const Motion&
   int flown = 0;  // frames since it was let go
   for (size_t i = 1; i < motion.frames.size(); ++i) {
     was_held = was_held || pose(i - 1).is_held();
-    if (!was_held || pose(i).is_held()) {
+    // The way from the hand's last frame to the one in which it lets go is still the hand's.
+    if (!was_held || pose(i - 1).is_held() || pose(i).is_held()) {
       flown = 0;
       continue;
     }
     const Vec3 p0 = pose(i - 1).X_WO.p, step = pose(i).X_WO.p - p0;
     if (step.norm() < kStill) continue;
-    const Vec3 v0 =
-        flown > 0 ? Vec3((p0 - pose(i - 2).X_WO.p) / T + 0.5 * T * g) : Vec3(step / T - 0.5 * T * g);
+    const Vec3 v0 = flown > 0 ? Vec3((p0 - pose(i - 2).X_WO.p) / T + 0.5 * T * g)
+                              : Vec3(step / T - 0.5 * T * g);
     ++flown;
     auto landing = FirstTouchOn({p0, v0, g}, T, radius, animation);
     if (!landing) continue;

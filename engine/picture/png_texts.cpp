@@ -11,11 +11,23 @@ namespace hazumi {
 
 namespace {
 
-std::uint32_t Length(std::string_view bytes) {
-  std::uint32_t length = 0;
-  for (int i = 0; i < 4; ++i) length = length << 8 | static_cast<std::uint8_t>(bytes[i]);
-  return length;
+std::uint32_t Number(std::string_view bytes) {
+  std::uint32_t number = 0;
+  for (int i = 0; i < 4; ++i) number = number << 8 | static_cast<std::uint8_t>(bytes[i]);
+  return number;
 }
+
+// CRC-32 of kind and data. [PNG 3rd edition, annex D]
+std::uint32_t Checksum(std::string_view bytes) {
+  std::uint32_t crc = ~0u;
+  for (const char c : bytes) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+bool IsText(std::string_view kind) { return kind == "tEXt" || kind == "iTXt"; }
 
 // What stands before the first 0, which goes with it.
 std::string_view Cut(std::string_view* data) {
@@ -27,7 +39,6 @@ std::string_view Cut(std::string_view* data) {
 
 void AddText(std::string_view kind, std::string_view data,
              std::map<std::string, std::string>* texts) {
-  if (kind != "tEXt" && kind != "iTXt") return;
   const std::string key(Cut(&data));
   if (kind == "iTXt") {
     if (data.size() < 2 || data[0] != 0) return;
@@ -46,9 +57,14 @@ std::map<std::string, std::string> PngTexts(std::span<const std::uint8_t> file) 
   if (!rest.starts_with("\x89PNG\r\n\x1a\n")) return texts;
   rest.remove_prefix(8);
   while (rest.size() >= 12) {
-    const std::uint32_t length = Length(rest);
+    const std::uint32_t length = Number(rest);
     if (length > rest.size() - 12) break;
-    AddText(rest.substr(4, 4), rest.substr(8, length), &texts);
+    const std::string_view kind = rest.substr(4, 4);
+    if (IsText(kind)) {
+      const std::uint32_t checksum = Number(rest.substr(8 + static_cast<size_t>(length)));
+      if (checksum != Checksum(rest.substr(4, 4 + static_cast<size_t>(length)))) break;
+      AddText(kind, rest.substr(8, length), &texts);
+    }
     rest.remove_prefix(12 + static_cast<size_t>(length));
   }
   return texts;

@@ -136,7 +136,7 @@ std::optional<Error> CheckPlan(const SweepPlan& plan) {
   }
   const double cells = Cells(plan);
   if (cells > kMostCells) {
-    return WrongAt("vary", FormatShort(cells) + " cells; " + FormatNumber(kMostCells) +
+    return WrongAt("vary", FormatShort(cells) + " cells; " + FormatShort(kMostCells) +
                                " are the most: give fewer values, or split the sweep");
   }
   if (plan.picture && plan.picture->frames.empty() && !plan.picture->video) {

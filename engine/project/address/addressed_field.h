@@ -3,6 +3,7 @@
 // Internal. Finds the field that an address names by going through the descriptions of the fields
 // (fields/project_fields.h), step by step from the outside in.
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -35,13 +36,17 @@ std::optional<T> WholeNumber(const std::string& text) {
 }
 
 // What stands in brackets for each item of a list: its name, of a key its frame, else its number.
+// A name that cannot stand there or that an item before it has gives way to the number.
 template <typename Values>
 std::vector<std::string> ItemNames(const Values& values) {
   using Value = typename Values::value_type;
   std::vector<std::string> names;
   for (size_t i = 0; i < values.size(); ++i) {
     if constexpr (requires(Value value) { value.name; }) {
-      names.push_back(values[i].name);
+      const std::string& name = values[i].name;
+      const bool is_taken = std::find(names.begin(), names.end(), name) != names.end();
+      const bool stands = !name.empty() && name.find(']') == name.npos && !is_taken;
+      names.push_back(stands ? name : std::to_string(i));
     } else if constexpr (std::is_same_v<Value, ProjectKey>) {
       names.push_back(FormatNumber(values[i].frame));
     } else {
