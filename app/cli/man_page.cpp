@@ -54,9 +54,11 @@ std::string PageCall(std::string_view call) {
 std::string Synopsis() {
   std::string text = ".SH SYNOPSIS\n.B hazumi\n[" + Italic("FILE") + "]\n";
   for (const OptionRule& task : Tasks()) {
-    const std::string rest = task.call ? " " + PageCall(task.call) : "";
-    const std::string value = task.value && !task.call ? " " + Italic(task.value) : "";
-    text += ".br\n" + Bold(std::string("hazumi ") + task.name) + rest + value + "\n";
+    text.append(".br\n").append(Bold(std::string("hazumi ") + task.name));
+    if (const char* rest = task.call ? task.call : task.value) {
+      text.append(" ").append(PageCall(rest));
+    }
+    text += "\n";
   }
   return text;
 }
