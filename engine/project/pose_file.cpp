@@ -1,10 +1,8 @@
 #include "engine/project/pose_file.h"
 
-#include "engine/project/checks/field_checker.h"
 #include "engine/project/checks/unique_names.h"
-#include "engine/project/figure_fields.h"
+#include "engine/project/json/described_file.h"
 #include "engine/project/json/field_writer.h"
-#include "engine/project/json/read_value.h"
 #include "engine/project/json/text_file.h"
 
 namespace hazumi {
@@ -43,19 +41,10 @@ Result<PoseFile> LoadPoses(const std::string& path) {
 }
 
 Result<PoseFile> ParsePoses(std::string_view text, const std::string& file_name) {
-  FirstError errors;
-  const std::optional<Json> json = ParseJson(text, &errors);
-  if (!json) return errors.In(file_name);
-  PoseFile file;
-  const Site site{"", &errors, &file.read.warnings};
-  if (ExpectFormat(*json, kPoseFormat, 1, Check::kNotPoses, site)) ReadValue(*json, site, file);
-  if (errors.ok()) {
-    FieldChecker fields(&errors);
-    Describe(fields, file);
-    CheckNamesUnique(file.poses, site.Field("poses"));
-  }
-  if (!errors.ok()) return errors.In(file_name);
-  return file;
+  return ParseDescribedFile<PoseFile>(text, file_name, kPoseFormat, Check::kNotPoses,
+                                      [](const PoseFile& file, FirstError* errors) {
+                                        CheckNamesUnique(file.poses, Site{"poses", errors});
+                                      });
 }
 
 std::string WritePoses(const PoseFile& file) { return FormatJson(ToJson(file)); }

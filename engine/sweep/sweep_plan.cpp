@@ -10,10 +10,8 @@
 #include <iterator>
 
 #include "engine/base/text.h"
-#include "engine/project/checks/field_checker.h"
-#include "engine/project/figure_fields.h"
+#include "engine/project/json/described_file.h"
 #include "engine/project/json/field_writer.h"
-#include "engine/project/json/read_value.h"
 #include "engine/project/json/text_file.h"
 #include "engine/sweep/sweep_fields.h"
 #include "engine/sweep/wrong_at.h"
@@ -188,21 +186,11 @@ Result<SweepPlan> LoadSweep(const std::string& path) {
 }
 
 Result<SweepPlan> ParseSweep(std::string_view text, const std::string& file_name) {
-  FirstError errors;
-  const std::optional<Json> json = ParseJson(text, &errors);
-  if (!json) return errors.In(file_name);
-  SweepPlan plan;
-  const Site site{"", &errors, &plan.read.warnings};
-  if (ExpectFormat(*json, kSweepFormat, 1, Check::kNotASweep, site)) ReadValue(*json, site, plan);
-  if (errors.ok()) {
-    FieldChecker fields(&errors);
-    Describe(fields, plan);
-  }
-  if (errors.ok()) {
-    if (auto error = CheckPlan(plan)) errors.Report(*error);
-  }
-  if (!errors.ok()) return errors.In(file_name);
-  return plan;
+  return ParseDescribedFile<SweepPlan>(text, file_name, kSweepFormat, Check::kNotASweep,
+                                       [](const SweepPlan& plan, FirstError* errors) {
+                                         if (!errors->ok()) return;
+                                         if (auto error = CheckPlan(plan)) errors->Report(*error);
+                                       });
 }
 
 std::string WriteSweep(const SweepPlan& plan) { return FormatJson(ToJson(plan)); }

@@ -60,9 +60,11 @@ class Installed(unittest.TestCase):
                 "share/applications/hazumi.desktop", "share/bash-completion/completions/hazumi",
                 "share/doc/hazumi/copyright", "share/fish/vendor_completions.d/hazumi.fish",
                 "share/hazumi/examples/jump.kfa", "share/hazumi/examples/throw.kfa",
+                "share/hazumi/examples/throw_sweep.json",
                 "share/hazumi/figures/README.md", "share/hazumi/figures/human.json",
                 "share/hazumi/schema/figure.schema.json", "share/hazumi/schema/kfa.schema.json",
                 "share/hazumi/schema/poses.schema.json",
+                "share/hazumi/schema/sweep.schema.json",
                 "share/icons/hicolor/scalable/apps/hazumi.svg", "share/man/man1/hazumi.1",
                 "share/metainfo/org.example.hazumi.metainfo.xml", "share/mime/packages/hazumi.xml",
                 "share/zsh/site-functions/_hazumi"})

@@ -14,6 +14,7 @@
 #include "engine/project/figure_reader.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
+#include "engine/sweep/sweep_run.h"
 #include "tests/unit/project/skin_sample.h"
 
 namespace hazumi::testing {
@@ -128,6 +129,20 @@ TEST(Schema, ShippedPosesAreValidAndMistakesInThemAreFound) {
     PlainJson wrong = poses;
     wrong[PlainJson::json_pointer(place)] = true;
     EXPECT_NE(ComplaintOf("poses.schema.json", wrong), "") << place;
+  }
+}
+
+TEST(Schema, ShippedSweepsAreValidAndMistakesInThemAreFound) {
+  const PlainJson sweep = Load(kAssets + "examples/throw_sweep.json");
+  EXPECT_EQ(ComplaintOf("sweep.schema.json", sweep), "");
+  const Result<Sweep> loaded = Sweep::Load(kAssets + "examples/throw_sweep.json");
+  EXPECT_TRUE(loaded.ok()) << loaded.error().ToString();
+  for (const char* place :
+       {"/format", "/vary/0/field", "/vary/0/values", "/measure/0/quantity", "/picture/frames"}) {
+    PlainJson wrong = sweep;
+    wrong[PlainJson::json_pointer(place)] = true;
+    EXPECT_NE(ComplaintOf("sweep.schema.json", wrong), "") << place;
+    EXPECT_FALSE(ParseSweep(wrong.dump(), "wrong.json").ok()) << place;
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include "engine/project/json/json.h"
 #include "engine/project/pose_file.h"
-#include "engine/sweep/sweep_plan.h"
 #include "engine/project/project_writer.h"
+#include "engine/sweep/sweep_plan.h"
 #include "tests/unit/project/wrong_makers.h"
 
 namespace hazumi::testing {
