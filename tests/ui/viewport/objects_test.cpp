@@ -138,6 +138,7 @@ TEST_F(Objects, ShiftDPutsACopyWhereTheMouseGoesInOneStep) {
   EXPECT_EQ(user.text(), before);
   EXPECT_EQ(Selected(), "crate");
   user.Press('D', ui::kLeftShift);
+  EXPECT_EQ(user.editor().tool_hint().rfind("Move crate 2: ", 0), 0u) << user.editor().tool_hint();
   for (const int key : {int{'X'}, int{'1'}, int{ui::kEnter}}) user.Press(key);
   EXPECT_EQ(user.num_steps(), steps + 1);
   EXPECT_EQ(Selected(), "crate 2");

@@ -2,6 +2,7 @@
 
 #include "ui/panels/viewport/object_actions.h"
 
+#include "ui/edit/operators/edits.h"
 #include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/solids.h"
 
@@ -56,9 +57,11 @@ class ObjectTool : public PointMoveTool {
 class CopyTool : public ObjectTool {
  public:
   CopyTool(Editor* editor, const Solid& solid)
-      : ObjectTool(editor, solid, "object.duplicate", std::nullopt) {}
+      : ObjectTool(editor, solid, "object.duplicate", std::nullopt),
+        copy_(edit::FreeName(solid.name, editor->session().project().scene.objects)) {}
 
  private:
+  std::string moved() const override { return copy_; }
   bool Place(Editor* editor, const Vec3& offset) override {
     return is_made_ = ObjectTool::Place(editor, offset);
   }
@@ -70,6 +73,7 @@ class CopyTool : public ObjectTool {
     return true;
   }
 
+  std::string copy_;  // its name
   bool is_made_ = false;
 };
 
