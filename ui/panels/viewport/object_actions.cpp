@@ -174,6 +174,14 @@ std::vector<Action> ObjectActions() {
        "Draws a box on what is under the mouse: its base is dragged out, then its height.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeAddBoxTool(editor); }},
+      {"view.add_menu",
+       "Add menu",
+       "Opens what can be put into the scene or a hand.",
+       {},
+       [](Editor* editor, const edit::Parameters&) -> Result<Done> {
+         editor->viewport.popup = ViewportPopup::kAdd;
+         return Done();
+       }},
       {"select.object",
        "Select object",
        "Selects a box of the scene or a held object.",
