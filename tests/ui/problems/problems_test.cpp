@@ -95,6 +95,27 @@ TEST_F(Problems, WhatARegionIsWarnedOfNamesIt) {
   EXPECT_TRUE(FoundWith("stops dead").empty());
 }
 
+TEST_F(Problems, ALandingThatJerksTheBodyIsToldAndAimedAgain) {
+  Do("jump.add", {{"x", 1.2}, {"y", 0.0}});
+  for (const Problem& problem : Found()) ADD_FAILURE() << problem.text;
+  const int landing = editor_.session().project().placements[1].last_frame;
+  // Far behind its feet, from where it is flung forward.
+  Do("key.set", {{"curve", "root.angle_y"}, {"frame", landing}, {"value", -35}});
+  const std::vector<Problem> jerks = FoundWith("as it lands the body is");
+  ASSERT_EQ(jerks.size(), 1u);
+  EXPECT_GE(jerks[0].frame, landing);
+  ASSERT_EQ(jerks[0].cures.size(), 1u);
+  EXPECT_TRUE(Apply(jerks[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(FoundWith("as it lands the body is").empty());
+}
+
+TEST_F(Problems, NoJerkIsSeenInTheExamples) {
+  for (const char* example : {"throw.kfa", "jump.kfa"}) {
+    Do("file.open", {{"path", HAZUMI_SOURCE_DIR "/assets/examples/" + std::string(example)}});
+    EXPECT_TRUE(FoundWith("the body is braked").empty()) << example;
+  }
+}
+
 TEST_F(Problems, ABallThatFallsThroughTheGroundIsLaidOnIt) {
   Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 3}});
   std::vector<Problem> falls = FoundWith("goes into");

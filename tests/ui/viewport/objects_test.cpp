@@ -138,6 +138,7 @@ TEST_F(Objects, ShiftDPutsACopyWhereTheMouseGoesInOneStep) {
   EXPECT_EQ(user.text(), before);
   EXPECT_EQ(Selected(), "crate");
   user.Press('D', ui::kLeftShift);
+  EXPECT_EQ(user.editor().tool_hint().rfind("Move crate 2: ", 0), 0u) << user.editor().tool_hint();
   for (const int key : {int{'X'}, int{'1'}, int{ui::kEnter}}) user.Press(key);
   EXPECT_EQ(user.num_steps(), steps + 1);
   EXPECT_EQ(Selected(), "crate 2");
@@ -182,6 +183,58 @@ TEST_F(Objects, ABoxIsDrawnByItsBaseAndThenItsHeight) {
   const auto& box = std::get<ProjectBox>(user.project().scene.objects.back().shape);
   EXPECT_LE((box.size_m - Vec3(0.6, 0.8, 0.4)).cwiseAbs().maxCoeff(), 0.04);
   EXPECT_LE((box.center_m - Vec3(0.9, -0.1, 0.2)).cwiseAbs().maxCoeff(), 0.04);
+}
+
+const ProjectBox& LastBox(User& user) {
+  return std::get<ProjectBox>(user.project().scene.objects.back().shape);
+}
+
+TEST_F(Objects, TheEdgesOfABoxAreTypedWithTabBetweenThem) {
+  const size_t steps = user.num_steps();
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  const Vec3 spot(1.2, 0.2, 0.0);
+  user.MoveTo(InWindow(spot));
+  for (const char* edge : {"0.4", "0.6", "0.3"}) {
+    for (const char* key = edge; *key; ++key) user.Press(*key);
+    if (std::string(edge) != "0.3") user.Press(ui::kTab);
+  }
+  EXPECT_NE(user.editor().tool_hint().find("0.4| x 0.6| x 0.3| m"), std::string::npos)
+      << user.editor().tool_hint();
+  user.Press(ui::kEnter);
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_EQ(user.num_steps(), steps + 1);
+  EXPECT_EQ(LastBox(user).size_m, Vec3(0.4, 0.6, 0.3));
+  EXPECT_LE((LastBox(user).center_m - spot - Vec3(0.0, 0.0, 0.15)).cwiseAbs().maxCoeff(), 0.04);
+}
+
+TEST_F(Objects, OnceItsBaseIsDrawnTheHeightOfABoxIsTyped) {
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  const Vec3 corner(0.6, -0.5, 0.0), opposite(1.2, 0.3, 0.0);
+  user.Drag(InWindow(corner), InWindow(opposite));
+  for (const int key : {int{'0'}, int{'.'}, int{'7'}, int{ui::kEnter}}) user.Press(key);
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_EQ(LastBox(user).size_m.z(), 0.7);
+  EXPECT_LE((LastBox(user).size_m - Vec3(0.6, 0.8, 0.7)).cwiseAbs().maxCoeff(), 0.04);
+  EXPECT_LE((LastBox(user).center_m - Vec3(0.9, -0.1, 0.35)).cwiseAbs().maxCoeff(), 0.04);
+}
+
+TEST_F(Objects, EscapeTakesATypedBoxBack) {
+  const std::string before = user.text();
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  user.MoveTo(InWindow(Vec3(1.2, 0.2, 0.0)));
+  for (const int key : {int{'1'}, int{ui::kTab}, int{'2'}}) user.Press(key);
+  EXPECT_NE(user.text(), before);
+  user.Press(ui::kEscape);
+  EXPECT_EQ(user.text(), before);
+}
+
+TEST_F(Objects, WithCtrlTheBaseOfABoxGoesInStepsOfFiveCentimetres) {
+  ASSERT_TRUE(user.editor().Invoke("tool.add_box").ok());
+  user.DragWith(ui::kLeftControl, InWindow(Vec3(0.6, -0.5, 0.0)), InWindow(Vec3(1.2, 0.5, 0.0)));
+  user.Press(ui::kEnter);
+  EXPECT_LE((LastBox(user).size_m.head<2>() - Eigen::Vector2d(0.6, 1.0)).norm(), 1e-9);
+  EXPECT_LE((LastBox(user).center_m.head<2>() - Eigen::Vector2d(0.9, 0.0)).norm(), 1e-9)
+      << LastBox(user).center_m.transpose();
 }
 
 TEST_F(Objects, AClickPutsABoxOfHalfAMetreOntoAnother) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "tests/ui/viewport/fixture.h"
 #include "ui/panels/forms/parameter_form.h"
@@ -42,6 +43,29 @@ TEST_F(ViewportPopups, EveryMenuOfTheViewportOffersWhatThereIs) {
       const auto known = edit::Parameters::Check(ParametersOf(entry.id), entry.parameters);
       EXPECT_TRUE(known.ok()) << entry.id;
     }
+  }
+}
+
+TEST_F(ViewportPopups, ShiftAOpensAllThatCanBeAdded) {
+  const Rect& rect = editor_.viewport.rect;
+  shell_->MoveMouse(rect.x + 0.5f * rect.w, rect.y + 0.5f * rect.h);
+  shell_->Frame();
+  const auto before = shell_->picture().rgba;
+  shell_->PressKey(kLeftShift, true);
+  shell_->PressKey('A', true);
+  shell_->Frame();
+  shell_->PressKey('A', false);
+  shell_->PressKey(kLeftShift, false);
+  for (int i = 0; i < 3; ++i) shell_->Frame();
+  EXPECT_NE(shell_->picture().rgba, before);
+  EXPECT_TRUE(editor_.session().selected_joints().empty());
+  std::set<std::string> offered;
+  for (const MenuEntry& entry : ItemsToAdd()) {
+    EXPECT_NE(LabelOf(entry), "") << entry.id;
+    offered.insert(entry.id);
+  }
+  for (const char* id : {"tool.add_box", "object.add_box", "held.add_ball", "file.mesh_dialog"}) {
+    EXPECT_TRUE(offered.count(id)) << id;
   }
 }
 

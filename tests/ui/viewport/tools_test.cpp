@@ -346,7 +346,7 @@ TEST_F(ViewportTools, ThePictureIsDrawnAgainOnlyWhenItChanges) {
 TEST_F(ViewportTools, WithoutACameraOneIsAskedFor) {
   EXPECT_FALSE(editor_.Do("view.camera"));
   EXPECT_FALSE(editor_.viewport.through_project_camera);
-  EXPECT_NE(editor_.message.text.find("Set camera to the view"), std::string::npos);
+  EXPECT_NE(editor_.message.text.find("View > Set camera to the view"), std::string::npos);
 }
 
 TEST_F(ViewportTools, TheCameraIsSetToTheView) {
@@ -363,7 +363,11 @@ TEST_F(ViewportTools, TheCameraIsSetToTheView) {
   EXPECT_GE(camera->vertical_fov_deg, view.vertical_fov_deg);
   EXPECT_GE(half(camera->vertical_fov_deg) * 16.0 / 9.0,
             half(view.vertical_fov_deg) * rect.w / rect.h - 1e-6);
-  ASSERT_TRUE(editor_.Do("view.camera"));
+  // It says so, and its frame is seen.
+  EXPECT_NE(editor_.message.text.find("The camera looks from here"), std::string::npos);
+  EXPECT_FALSE(editor_.message.is_error);
+  EXPECT_TRUE(editor_.viewport.through_project_camera);
+  for (int i = 0; i < 3; ++i) shell_->Frame();
   ASSERT_TRUE(editor_.Do("edit.undo"));
   EXPECT_FALSE(editor_.session().project().camera.has_value());
 }

@@ -27,6 +27,7 @@ const std::vector<Shortcut>& DefaultShortcuts() {
       {{'I', false, false, true}, kAnywhere, "key.delete"},
       {{'A'}, kViewport, "select.all"},
       {{'A', false, false, true}, kViewport, "select.joints", {{"joints", Json::array()}}},
+      {{'A', false, true}, kViewport, "view.add_menu"},
       {{'R', false, false, true}, kViewport, "pose.clear"},
       {{'G', false, false, true}, kViewport, "root.to_ground"},
       {{'E', false, true}, kViewport, "tool.breakdown"},

@@ -6,6 +6,7 @@
 #include "engine/base/text.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/placement/jumps.h"
+#include "ui/panels/problems/contact_jerk.h"
 #include "ui/panels/problems/falls_through.h"
 #include "ui/panels/problems/taken_object.h"
 #include "ui/panels/text/filled.h"
@@ -62,6 +63,9 @@ class ProblemList {
     }
     for (const FallThrough& fall : FallsThrough(*session.animation(), *motion.value())) {
       AddFall(fall);
+    }
+    for (const ContactJerk& jerk : ContactJerks(*session.animation(), *motion.value())) {
+      AddJerk(jerk);
     }
     AddTime(editor_.flights.analysis().time);
     return Grouped();
@@ -148,6 +152,22 @@ class ProblemList {
       problem.cures.push_back(
           {"jump.aim", Json::object(), problem.frame, Tr("Aim the jump there again")});
     }
+    problems_.push_back(std::move(problem));
+  }
+
+  void AddJerk(const ContactJerk& jerk) {
+    constexpr double kOneG = 9.81;  // [m/s^2]
+    const char* text = jerk.is_landing
+                           ? "Frame %d: as it lands the body is braked or thrown with %.1f g."
+                           : "Frame %d: as it takes off the body is braked or thrown with %.1f g.";
+    Problem problem{Filled(Tr(text), jerk.frame, jerk.acceleration / kOneG),
+                    static_cast<double>(jerk.frame),
+                    "",
+                    {},
+                    false,
+                    {}};
+    problem.cures.push_back(
+        {"jump.aim", Json::object(), problem.frame, Tr("Aim the jump there again")});
     problems_.push_back(std::move(problem));
   }
 
@@ -255,6 +275,7 @@ bool HasProblems(Editor* editor) {
   return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
          SlidesFar(editor->flights.analysis()) ||
          !FallsThrough(*session.animation(), *motion.value()).empty() ||
+         !ContactJerks(*session.animation(), *motion.value()).empty() ||
          !AlarmText(editor->flights.analysis().time).empty();
 }
 

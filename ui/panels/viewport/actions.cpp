@@ -94,13 +94,14 @@ Result<Done> LookThroughCamera(Editor* editor) {
   bool& through = editor->viewport.through_project_camera;
   if (!through && !editor->session().project().camera) {
     return Error{ErrorCode::kSchema, "", "view.camera",
-                 "the project has no camera; give it one with Scene > Set camera to the view"};
+                 "the project has no camera; give it one with View > Set camera to the view"};
   }
   through = !through;
   return Done();
 }
 
-// Pictures show all that the viewport shows, and more above and below where that is wider.
+// Pictures show all that the viewport shows, and more above and below where that is wider. Their
+// frame is seen as through the camera, until the view is moved.
 Result<Done> SetCameraToView(Editor* editor) {
   render::Camera view = CameraOf(editor->viewport.camera);
   const Rect& rect = editor->viewport.rect;
@@ -109,13 +110,17 @@ Result<Done> SetCameraToView(Editor* editor) {
     const double half = wider * std::tan(0.5 * kDegree * view.vertical_fov_deg);
     view.vertical_fov_deg = edit::WithoutRoundOff(2.0 * std::atan(half) / kDegree);
   }
-  return editor->session().Run("camera.set", {{"eye_x", view.eye.x()},
-                                              {"eye_y", view.eye.y()},
-                                              {"eye_z", view.eye.z()},
-                                              {"target_x", view.target.x()},
-                                              {"target_y", view.target.y()},
-                                              {"target_z", view.target.z()},
-                                              {"fov", view.vertical_fov_deg}});
+  Result<Done> set = editor->session().Run("camera.set", {{"eye_x", view.eye.x()},
+                                                          {"eye_y", view.eye.y()},
+                                                          {"eye_z", view.eye.z()},
+                                                          {"target_x", view.target.x()},
+                                                          {"target_y", view.target.y()},
+                                                          {"target_z", view.target.z()},
+                                                          {"fov", view.vertical_fov_deg}});
+  if (!set.ok()) return set;
+  editor->viewport.through_project_camera = true;
+  editor->Say(Tr("The camera looks from here: pictures show what is in the frame."));
+  return set;
 }
 
 }  // namespace hazumi::ui

@@ -2,6 +2,7 @@
 
 #include "ui/panels/viewport/object_actions.h"
 
+#include "ui/edit/operators/edits.h"
 #include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/solids.h"
 
@@ -56,9 +57,11 @@ class ObjectTool : public PointMoveTool {
 class CopyTool : public ObjectTool {
  public:
   CopyTool(Editor* editor, const Solid& solid)
-      : ObjectTool(editor, solid, "object.duplicate", std::nullopt) {}
+      : ObjectTool(editor, solid, "object.duplicate", std::nullopt),
+        copy_(edit::FreeName(solid.name, editor->session().project().scene.objects)) {}
 
  private:
+  std::string moved() const override { return copy_; }
   bool Place(Editor* editor, const Vec3& offset) override {
     return is_made_ = ObjectTool::Place(editor, offset);
   }
@@ -70,6 +73,7 @@ class CopyTool : public ObjectTool {
     return true;
   }
 
+  std::string copy_;  // its name
   bool is_made_ = false;
 };
 
@@ -170,6 +174,14 @@ std::vector<Action> ObjectActions() {
        "Draws a box on what is under the mouse: its base is dragged out, then its height.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeAddBoxTool(editor); }},
+      {"view.add_menu",
+       "Add menu",
+       "Opens what can be put into the scene or a hand.",
+       {},
+       [](Editor* editor, const edit::Parameters&) -> Result<Done> {
+         editor->viewport.popup = ViewportPopup::kAdd;
+         return Done();
+       }},
       {"select.object",
        "Select object",
        "Selects a box of the scene or a held object.",

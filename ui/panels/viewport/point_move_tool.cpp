@@ -26,7 +26,7 @@ PointMoveTool::PointMoveTool(Editor* editor, std::string name, const Vec3& from,
 }
 
 std::string PointMoveTool::hint() const {
-  std::string text = std::string(Tr("Move")) + " " + name_ + ": ";
+  std::string text = std::string(Tr("Move")) + " " + moved() + ": ";
   if (!typed_.is_empty()) {
     text += std::string(1, axis_ ? axis_ : 'X') + " " + typed_.shown() + " m";
   } else {

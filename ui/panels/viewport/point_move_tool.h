@@ -21,6 +21,8 @@ class PointMoveTool : public DragTool {
   virtual bool Place(Editor* editor, const Vec3& offset) = 0;
   // The normal of that plane: by default towards the eye.
   virtual Vec3 PlaneOf(const View& view) const { return view.back(); }
+  // What is moved, for who reads it.
+  virtual std::string moved() const { return name_; }
   // A key that is no number and no axis. True if it changes what Place does.
   virtual bool TakeKey(const Chord&) { return false; }
   // What such keys do.

@@ -1,4 +1,5 @@
-// Small windows over the viewport: what can be done with a joint, the root, an object or the view.
+// Small windows over the viewport: what can be done with a joint, the root, an object or the view,
+// and what can be added.
 
 #include "ui/panels/viewport/popups.h"
 
@@ -73,6 +74,11 @@ Items EmptyItems() {
           {{"view.frame_selected"}, {"view.frame_all"}, {"view.orthographic"}, {"view.camera"}}};
 }
 
+Items AddItems() {
+  return {{{"held.add_ball"}, {"held.add_box"}, {"file.mesh_dialog", Json::object(), "Add mesh"}},
+          {{"tool.add_box"}, {"object.add_box"}, {"object.add_plane"}}};
+}
+
 Items ItemsOf(ViewportPopup popup, const Editor& editor) {
   switch (popup) {
     case ViewportPopup::kJoint:
@@ -81,6 +87,8 @@ Items ItemsOf(ViewportPopup popup, const Editor& editor) {
       return RootItems();
     case ViewportPopup::kObject:
       return ObjectItems(editor);
+    case ViewportPopup::kAdd:
+      return AddItems();
     case ViewportPopup::kNothing:
     case ViewportPopup::kNone:
       break;
@@ -92,6 +100,7 @@ Items ItemsOf(ViewportPopup popup, const Editor& editor) {
 std::string TitleOf(ViewportPopup popup, const Editor& editor) {
   if (popup == ViewportPopup::kRoot) return editor.session().figure().root_name();
   if (popup == ViewportPopup::kObject) return NameOfSelectedObject(editor);
+  if (popup == ViewportPopup::kAdd) return Tr("Add");
   if (popup != ViewportPopup::kJoint) return "";
   const std::vector<std::string> names = SelectedNames(editor.session());
   if (names.empty()) return "";
@@ -114,19 +123,25 @@ ViewportPopup PopupOf(const ViewportHit& hit) {
 }
 
 const char* IdOf(ViewportPopup popup) {
-  constexpr const char* kIds[] = {"", "##joint", "##root", "##object", "##nothing"};
+  constexpr const char* kIds[] = {"", "##joint", "##root", "##object", "##nothing", "##add"};
   return kIds[static_cast<int>(popup)];
 }
 
 }  // namespace
 
-std::vector<MenuEntry> ItemsAt(const Editor& editor, const ViewportHit& hit) {
+static std::vector<MenuEntry> Flat(const Items& items) {
   std::vector<MenuEntry> all;
-  for (const std::vector<MenuEntry>& group : ItemsOf(PopupOf(hit), editor)) {
+  for (const std::vector<MenuEntry>& group : items) {
     all.insert(all.end(), group.begin(), group.end());
   }
   return all;
 }
+
+std::vector<MenuEntry> ItemsAt(const Editor& editor, const ViewportHit& hit) {
+  return Flat(ItemsOf(PopupOf(hit), editor));
+}
+
+std::vector<MenuEntry> ItemsToAdd() { return Flat(AddItems()); }
 
 void OpenViewportPopup(Editor* editor, const ViewportHit& hit) {
   const edit::Session& session = editor->session();
@@ -152,7 +167,7 @@ void DrawViewportPopups(Editor* editor) {
   ViewportPopup& wanted = editor->viewport.popup;
   if (wanted != kNone) ImGui::OpenPopup(IdOf(wanted));
   wanted = kNone;
-  for (const ViewportPopup popup : {kJoint, kRoot, kObject, kNothing}) {
+  for (const ViewportPopup popup : {kJoint, kRoot, kObject, kNothing, kAdd}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
     const std::string title = TitleOf(popup, *editor);
     if (!title.empty()) ImGui::TextDisabled("%s", title.c_str());

@@ -75,8 +75,9 @@ struct ViewportPress {
   ItemId object;           // under it
 };
 
-// Small windows that the right button opens: what can be done with what is under the mouse.
-enum class ViewportPopup { kNone, kJoint, kRoot, kObject, kNothing };
+// Small windows that the right button opens: what can be done with what is under the mouse. And
+// what can be added, by its key.
+enum class ViewportPopup { kNone, kJoint, kRoot, kObject, kNothing, kAdd };
 
 // What a tool acts on, told beside the mouse.
 struct AimedSpot {

@@ -116,8 +116,8 @@ class KnownJump {
     const int take_off = pins_.before.last_frame;
     frames_[kTakeOff] = take_off;
     frames_[kLanding] = project.placements[spans.flight].last_frame;
-    frames_[kCrouch] = PosedNear(LowestBetween(start(), take_off));
-    frames_[kAbsorbed] = PosedNear(LowestBetween(frames_[kLanding], end()));
+    frames_[kCrouch] = LowestBetween(start(), take_off);
+    frames_[kAbsorbed] = LowestBetween(frames_[kLanding], end());
     const int flown = frames_[kLanding] - take_off;
     frames_[kStretched] =
         PosedNear(take_off + std::min(FramesOf(kStretchSeconds, 1, animation), flown / 3));
@@ -157,23 +157,29 @@ class KnownJump {
     const double c1 = Stage(animation).ComOf(StanceOn(frames_[kLanding]), KeyedRoot()).z();
     return animation.gravity > 0.0 ? ((c1 - c0) / T) / animation.gravity + 0.5 * T : 0.5 * T;
   }
-  // Where a jump that was made has its pose: its keys may have the CoM lowest beside it.
+  // Where a jump that was made has a pose in the air.
   int PosedNear(int frame) const {
     constexpr int kFar = 3;
     for (int i = 0; i <= 2 * kFar; ++i) {
       const int other = frame + (i % 2 ? -(i + 1) / 2 : i / 2);
-      if (other <= start() || other >= end() || other == frames_[kTakeOff]) continue;
-      if (other != frames_[kLanding] && HasPose(other, project_)) return other;
+      const bool flies = other > frames_[kTakeOff] && other < frames_[kLanding];
+      if (flies && HasPose(other, project_)) return other;
     }
     return frame;
   }
-  // The frame between two others on which the CoM is lowest.
+  // The frame between two others on which the CoM is lowest, of those with a pose if there are any:
+  // keys of a jump that was made may have it lowest beside its pose.
   int LowestBetween(int first, int last) const {
-    int lowest = first + 1;
-    for (int frame = first + 2; frame < last; ++frame) {
-      if (FrameOf(motion_, frame).com.z() < FrameOf(motion_, lowest).com.z()) lowest = frame;
+    std::optional<int> lowest, posed;
+    const auto take = [&](int frame, std::optional<int>* best) {
+      const double z = FrameOf(motion_, frame).com.z();
+      if (!*best || z < FrameOf(motion_, **best).com.z()) *best = frame;
+    };
+    for (int frame = first + 1; frame < last; ++frame) {
+      take(frame, &lowest);
+      if (HasPose(frame, project_)) take(frame, &posed);
     }
-    return lowest;
+    return posed ? *posed : *lowest;
   }
 
   const Project& project_;

@@ -67,6 +67,19 @@ void LeanBy(double degrees, const Contact& contact, const Figure& figure, Stance
   }
 }
 
+// Takes away the lean that its foot tells, and has it turned as the poses are. Returns the lean.
+double Straighten(const Contact& contact, const Figure& figure, Stance* stance) {
+  const std::string foot = "r_" + std::string(contact.foot);
+  const auto is_foot = [&](const auto& of) { return of.first == foot; };
+  const auto hinges = HingesOfJump();
+  const JumpHinge* hinge = std::find_if(hinges.begin(), hinges.end(), is_foot)->second;
+  const double lean =
+      stance->q[figure.FindJoint(foot)->value()] / kDegree - hinge->angles[contact.phase];
+  LeanBy(-lean, contact, figure, stance);
+  stance->angles[1] = kJumpLean[contact.phase];
+  return lean;
+}
+
 double LeanOf(const Contact& contact, const Stance& stance) {
   return (stance.angles[1] - kJumpLean[contact.phase]) / contact.trunk;
 }
@@ -208,24 +221,9 @@ ContactRates RatesAt(const Contact& contact, const Animation& animation, const J
   return {Going(Going(others, x[0], along), x[1], lean), (A * x - v).norm()};
 }
 
-}  // namespace
-
-Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
-                          const JumpLengths& lengths, Stage* stage, JumpPlan* plan) {
-  constexpr int kRounds = 5;
+// At take-off and landing. Errors: kSchema if the body does not go as it flies then.
+Result<Done> SetRates(const Animation& animation, Stage* stage, JumpPlan* plan) {
   constexpr double kMostOff = 0.5;
-  for (const Contact& contact : kContacts) {
-    Stance& stance = plan->stances[contact.phase];
-    LeanBy(-LeanOf(contact, stance), contact, *animation.figure, &stance);
-  }
-  Result<Done> done = SetRoots(spots, stage, plan);
-  for (int round = 0; round < kRounds && done.ok(); ++round) {
-    done = SetTimes(animation, height, lengths, stage, plan);
-    if (!done.ok()) break;
-    Lean(animation, spots, stage, plan);
-    done = SetRoots(spots, stage, plan);
-  }
-  if (!done.ok()) return done;
   bool goes_as_it_flies = GetsUpToSpeed(animation, *plan, stage);
   double speed = 0.0;
   for (const Contact& contact : kContacts) {
@@ -242,27 +240,25 @@ Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, do
                                "or a nearer spot");
 }
 
-bool HasPose(int frame, const Project& project) {
-  const auto hinges = HingesOfJump();
-  return std::all_of(hinges.begin(), hinges.end(), [&](const auto& of) {
-    const ProjectCurve* curve = FindCurve(of.first, project);
-    return !of.second->bears || (curve && KeyOn(frame, *curve));
-  });
-}
+}  // namespace
 
-bool HasContacts(const JumpFrames& frames, const Project& project) {
-  const auto says = [&](const std::string& name, JumpPhase phase) {
-    const ProjectCurve* curve = FindCurve(name, project);
-    const ProjectKey* key = curve ? KeyOn(frames[phase], *curve) : nullptr;
-    return key && key->rate;
-  };
-  return std::all_of(std::begin(kContacts), std::end(kContacts), [&](const Contact& contact) {
-    const auto bearing = HingesOfJump();
-    return says(kRootCurveNames[kRootAngleY], contact.phase) &&
-           std::all_of(bearing.begin(), bearing.end(), [&](const auto& of) {
-             return !of.second->bears || says(of.first, contact.phase);
-           });
-  });
+Result<Done> PlanContacts(const Animation& animation, const JumpSpots& spots, double height,
+                          const JumpLengths& lengths, Stage* stage, JumpPlan* plan) {
+  constexpr int kRounds = 5;
+  const Contact &push = kContacts[0], &catching = kContacts[1];
+  const Figure& figure = *animation.figure;
+  const double leant = Straighten(push, figure, &plan->stances[kTakeOff]);
+  Straighten(catching, figure, &plan->stances[kLanding]);
+  Result<Done> done = SetRoots(spots, stage, plan);
+  for (int round = 0; round < kRounds && done.ok(); ++round) {
+    done = SetTimes(animation, height, lengths, stage, plan);
+    if (!done.ok()) break;
+    Lean(animation, spots, stage, plan);
+    done = SetRoots(spots, stage, plan);
+  }
+  if (!done.ok()) return done;
+  plan->stances[kStretched].angles[1] += LeanOf(push, plan->stances[kTakeOff]) - leant;
+  return SetRates(animation, stage, plan);
 }
 
 void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project) {
@@ -283,6 +279,8 @@ void KeyContacts(const JumpPlan& plan, const Figure& figure, Project* project) {
     key->value = WithoutRoundOff(stance.angles[1]);
     key->rate = WithoutRoundOff(rates.angles[1]);
   }
+  ProjectKey* key = KeyOn(plan.frames[kStretched], &project->root.curves[kRootAngleY]);
+  if (key) key->value = WithoutRoundOff(plan.stances[kStretched].angles[1]);
 }
 
 }  // namespace hazumi::edit

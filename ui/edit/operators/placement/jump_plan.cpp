@@ -16,6 +16,7 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/keyed_moves.h"
 #include "ui/edit/operators/placement/flight_plan.h"
+#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -147,6 +148,29 @@ Result<Done> SetTimes(const Animation& animation, double height, const JumpLengt
   at[kAbsorbed] = at[kLanding] + frames(absorb, 2);
   plan->end = at[kAbsorbed] + lengths.rise;
   return Done();
+}
+
+bool HasPose(int frame, const Project& project) {
+  const auto hinges = HingesOfJump();
+  return std::all_of(hinges.begin(), hinges.end(), [&](const auto& of) {
+    const ProjectCurve* curve = FindCurve(of.first, project);
+    return !of.second->bears || (curve && KeyOn(frame, *curve));
+  });
+}
+
+bool HasContacts(const JumpFrames& frames, const Project& project) {
+  const auto says = [&](const std::string& name, JumpPhase phase) {
+    const ProjectCurve* curve = FindCurve(name, project);
+    const ProjectKey* key = curve ? KeyOn(frames[phase], *curve) : nullptr;
+    return key && key->rate;
+  };
+  const auto bearing = HingesOfJump();
+  const auto says_all = [&](JumpPhase phase) {
+    return says(kRootCurveNames[kRootAngleY], phase) &&
+           std::all_of(bearing.begin(), bearing.end(),
+                       [&](const auto& of) { return !of.second->bears || says(of.first, phase); });
+  };
+  return says_all(kTakeOff) && says_all(kLanding);
 }
 
 Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project) {

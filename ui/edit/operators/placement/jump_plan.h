@@ -87,6 +87,11 @@ Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan);
 Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
                       Stage* stage, JumpPlan* plan);
 
+// Whether every hinge that bears a jump has a key on this frame.
+bool HasPose(int frame, const Project& project);
+// Whether the keys on these frames say how fast it takes off and lands.
+bool HasContacts(const JumpFrames& frames, const Project& project);
+
 // The pins on which a jump stands before and after its flight; their frames are the plan's.
 struct JumpPins {
   ProjectPlacement before, after;
