@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -23,10 +24,11 @@ inline bool CanLimitMemory() {
 #endif
 }
 
-// While it lives, this process gets so many more bytes.
+// While it lives, this process gets so many more bytes; what earlier tests freed is given back.
 class MemoryLimit {
  public:
   explicit MemoryLimit(double more) {
+    ::malloc_trim(0);
     ::getrlimit(RLIMIT_AS, &old_);
     const rlimit limit{Taken() + static_cast<rlim_t>(more), old_.rlim_max};
     ::setrlimit(RLIMIT_AS, &limit);

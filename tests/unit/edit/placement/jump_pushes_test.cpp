@@ -66,8 +66,8 @@ TEST(JumpPushes, NowhereIsTheBodyThrownOrBrakedHarderThanAPersonCan) {
 }
 
 TEST(JumpPushes, ForwardItSpeedsUpToTheFlightsSpeedAndOnlySlowsDownAfterTheLanding) {
-  constexpr double kSways = 0.15, kSlack = 0.1;  // [m/s]
-  constexpr int kCrouch = 13;                    // a frame after it rests there
+  constexpr double kSways = 0.15, kSlack = 0.15;  // [m/s]
+  constexpr int kCrouch = 13;                     // a frame after it rests there
   for (const Spot& spot : Spots()) {
     if (spot.x < 0.4) continue;
     SCOPED_TRACE(NameOf(spot));

@@ -217,7 +217,7 @@ void KeyStart(int frame, const ThrowHinge& hinge, double back, const Swing& swin
 // their angles, which rates that follow from each curve by itself are not.
 void KeyLeg(const ThrowPlan& plan, const std::array<double, kNumThrowPhases>& angles,
             double standing, ProjectCurve* curve) {
-  constexpr double kGoesOn = 0.3;  // how much of its speed it has as the region ends
+  constexpr double kGoesOn = 0.65;  // how much of its speed it has as the region ends
   const int swing = (plan.region_first + plan.region_last) / 2;
   const double frame_time = plan.forward / (plan.region_first - plan.back);  // [s]
   const auto rate = [&](double from, double to, int frames) {

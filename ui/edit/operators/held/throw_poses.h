@@ -44,7 +44,7 @@ inline constexpr ThrowHinge kThrowHinges[] = {
     {"shoulder_abduction", ThrowLimb::kShoulder, false, {10.0, 0.0, 0.0}},
     {"elbow_flexion", ThrowLimb::kThrowingArm, false, {14.0, 8.0, 12.0}},
     {"elbow_pronation", ThrowLimb::kThrowingArm, false, {-55.0, -65.0, -40.0}},
-    {"wrist_flexion", ThrowLimb::kThrowingArm, false, {-20.0, -56.0, -58.0}},
+    {"wrist_flexion", ThrowLimb::kThrowingArm, false, {-20.0, -59.0, -61.0}},
     {"wrist_deviation", ThrowLimb::kThrowingArm, false, {0.0, 0.0, 0.0}}};
 
 }  // namespace hazumi::edit
