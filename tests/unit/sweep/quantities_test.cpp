@@ -201,12 +201,12 @@ TEST(Quantities, CountLimitsByHinge) {
   Example thrown("throw");
   thrown.motion.events.clear();
   for (const auto& [joint, count] : {std::pair("r_elbow_flexion", 3L), {"neck_flexion", 1L}}) {
-    MotionEvent event{EventKind::kLimit};
+    MotionEvent event{EventKind::kLimit, 0.0, 0, {}};
     event.joint = joint;
     event.count = count;
     thrown.motion.events.push_back(event);
   }
-  thrown.motion.events.push_back({EventKind::kRelease});
+  thrown.motion.events.push_back({EventKind::kRelease, 0.0, 0, {}});
   EXPECT_EQ(thrown.Value(R"({"quantity": "limit_hits"})"), 4.0);
   EXPECT_EQ(thrown.Value(R"({"quantity": "limit_hits", "of": "r_elbow_flexion"})"), 3.0);
   EXPECT_EQ(thrown.Value(R"({"quantity": "limit_hits", "of": "l_elbow_flexion"})"), 0.0);
