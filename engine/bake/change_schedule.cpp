@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/bake/pose/held_objects.h"
+
 namespace hazumi {
 namespace {
 
@@ -53,9 +55,13 @@ void ChangeSchedule::FindEdges() {
       mark(frame);
       hand_overs_.Add(frame, i);
     };
-    for (const Holder& holder : animation_.held_objects[i].holders) {
-      if (holder.first_frame > animation_.first_frame) add(holder.first_frame);
-      if (holder.last_frame) add(*holder.last_frame);
+    // Who had it before the animation begins hands nothing over in it.
+    const std::vector<Holder>& holders = animation_.held_objects[i].holders;
+    const int at_first = HolderAtFirst(animation_.held_objects[i], animation_.first_frame);
+    for (size_t k = static_cast<size_t>(std::max(at_first, 0)); k < holders.size(); ++k) {
+      const int first = animation_.first_frame;
+      if (holders[k].first_frame > first) add(holders[k].first_frame);
+      if (holders[k].last_frame && *holders[k].last_frame >= first) add(*holders[k].last_frame);
     }
   }
   for (ItemsByFrame* list : lists) list->Sort();

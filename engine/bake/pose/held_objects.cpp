@@ -55,12 +55,19 @@ void HeldObjects::ResetCurves() {
   }
 }
 
+int HolderAtFirst(const HeldObject& object, int first_frame) {
+  const auto begins_later = [&](const Holder& holder) { return holder.first_frame > first_frame; };
+  const auto later = std::find_if(object.holders.begin(), object.holders.end(), begins_later);
+  if (later == object.holders.begin()) return -1;
+  const Holder& last = *std::prev(later);
+  const bool has_let_go = last.last_frame && *last.last_frame < first_frame;
+  return has_let_go ? -1 : static_cast<int>(std::prev(later) - object.holders.begin());
+}
+
 std::vector<ObjectState> HeldObjects::AtFirst() const {
   std::vector<ObjectState> states;
   for (const HeldObject& object : animation_.held_objects) {
-    const bool is_held =
-        !object.holders.empty() && object.holders[0].first_frame <= animation_.first_frame;
-    states.push_back({is_held ? 0 : -1, std::nullopt});
+    states.push_back({HolderAtFirst(object, animation_.first_frame), std::nullopt});
   }
   return states;
 }

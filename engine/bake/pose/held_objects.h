@@ -11,6 +11,10 @@
 
 namespace hazumi {
 
+// Who has an object as the animation begins, by index of its holders; -1: nobody. Who lets go of it
+// on that very frame has it, unless the next one takes it there.
+int HolderAtFirst(const HeldObject& object, int first_frame);
+
 // The body that an object adds to its holder, in the frame of the holder's last hinge.
 RigidInertia InertiaOf(const HeldObject& object, const Holder& holder);
 // The figure with an object that its holder of this index has; as it is if that is -1.

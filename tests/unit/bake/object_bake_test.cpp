@@ -154,6 +154,18 @@ TEST(HeldObject, GoesFromHandToHandAndIsLetGoByTheLast) {
   }
 }
 
+TEST(HeldObject, IsWithWhoHasItAsTheAnimationBeginsWhereverThatIs) {
+  for (const int first : {7, 8, 9, 16, 17}) {
+    Animation animation = Pass();
+    animation.first_frame = first;
+    const Motion motion = BakeOrFail(animation);
+    const int holder = first < 8 ? 0 : first <= 15 ? 1 : -1;
+    EXPECT_EQ(motion.frames[0].objects[0].holder, holder) << first;
+    const long releases = static_cast<long>(EventsOf(motion, EventKind::kRelease).size());
+    EXPECT_EQ(releases, first <= 16 ? 1 : 0) << first;
+  }
+}
+
 TEST(HeldObject, ThatJumpsIntoAHandIsWarnedOf) {
   const Animation animation = Pass();
   const Motion motion = BakeOrFail(animation);
