@@ -74,7 +74,7 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
       return;
     }
     *curve = ToDriven(piece, context_.animation.rate);
-    if (curve->degree > 0 || piece.last_frame > from) to = std::min(to, piece.last_frame);
+    if (piece.last_frame > from + kSameFrame) to = std::min(to, piece.last_frame);
   };
   const int n = poses.figure().num_joints();
   for (int j = 0; j < n; ++j) {
@@ -92,10 +92,13 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
 
 double DrivenCurves::FitUntil(const CurveTrack::Piece& piece, double from) const {
   const FrameRate rate = context_.animation.rate;
-  const double smooth =
-      piece.first_frame +
-      rate.FrameAt(piece.interval.SmoothUntil(rate.SecondsAt(from - piece.first_frame)));
-  return std::min({std::floor(from + kSameFrame) + 1.0, piece.last_frame, smooth});
+  // From a little later on: by rounding, the corner that was reached may still lie ahead.
+  constexpr double kPast = 1e-6;  // [frames]
+  const double seconds = rate.SecondsAt(from + kPast - piece.first_frame);
+  const double smooth = piece.first_frame + rate.FrameAt(piece.interval.SmoothUntil(seconds));
+  const double whole = std::floor(from + kSameFrame) + 1.0;
+  const double until = std::min({whole, piece.last_frame, smooth});
+  return until > from + kSameFrame ? until : whole;  // whatever rounding does, it goes on
 }
 
 DrivenCurve DrivenCurves::Fitted(const CurveTrack::Piece& piece, double from, double to) const {
