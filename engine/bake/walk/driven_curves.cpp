@@ -95,7 +95,10 @@ double DrivenCurves::FitUntil(const CurveTrack::Piece& piece, double from) const
   const double smooth =
       piece.first_frame +
       rate.FrameAt(piece.interval.SmoothUntil(rate.SecondsAt(from - piece.first_frame)));
-  return std::min({std::floor(from + kSameFrame) + 1.0, piece.last_frame, smooth});
+  const double until = std::min(std::floor(from + kSameFrame) + 1.0, piece.last_frame);
+  // What rounding alone tells apart is one instant: nothing would be left between, for ever.
+  const bool is_between = smooth > from + kSameFrame && smooth < until - kSameFrame;
+  return is_between ? smooth : until;
 }
 
 DrivenCurve DrivenCurves::Fitted(const CurveTrack::Piece& piece, double from, double to) const {
