@@ -1,6 +1,6 @@
 // A PNG file: 8 bytes, then chunks: length (4 bytes, big-endian), kind (4 letters), data, checksum
 // (4 bytes). tEXt: key, 0, text. iTXt: key, 0, is compressed, method, language, 0, translated
-// key, 0, text. (PNG specification, 3rd edition, 5.3 and 11.3.3)
+// key, 0, text. [PNG 5.3, 11.3.3]
 
 #include "engine/picture/png_texts.h"
 
@@ -17,7 +17,7 @@ std::uint32_t Number(std::string_view bytes) {
   return number;
 }
 
-// CRC-32 of kind and data. (PNG specification, 3rd edition, annex D)
+// CRC-32 of kind and data. [PNG annex D]
 std::uint32_t Checksum(std::string_view bytes) {
   std::uint32_t crc = ~0u;
   for (const char c : bytes) {

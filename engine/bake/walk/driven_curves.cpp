@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/text.h"
 #include "engine/timeline/frame_time.h"
@@ -33,11 +32,17 @@ DrivenCurve ToDriven(const CurveTrack::Piece& piece, FrameRate rate) {
   return curve;
 }
 
+static_assert(kPoints == 10);
+// cos(pi (2 i + 1) / 20), written out: a compiler that computes such a constant by itself does so
+// with the functions of its own machine.
+constexpr Points kCosines = {0.9876883405951378,  0.8910065241883679,  0.7071067811865476,
+                             0.4539904997395468,  0.15643446504023087, -0.15643446504023087,
+                             -0.4539904997395468, -0.7071067811865476, -0.8910065241883679,
+                             -0.9876883405951378};
+
 Points ChebyshevPoints(double half) {
   Points s;
-  for (int i = 0; i < kPoints; ++i) {
-    s[i] = half * std::cos(std::numbers::pi * (2 * i + 1) / (2.0 * kPoints));
-  }
+  for (int i = 0; i < kPoints; ++i) s[i] = half * kCosines[i];
   return s;
 }
 
