@@ -169,9 +169,9 @@ Result<Done> CellPictures::Parts::DrawFrames(
     const Result<render::Scene> scene =
         sequence.scene(std::clamp(frame, all.first, all.last) - all.first);
     if (!scene.ok()) return scene.error();
-    const Result<Done> drawn = renderer.Draw(scene.value(), image);
+    Result<Done> drawn = renderer.Draw(scene.value(), image);
     if (!drawn.ok()) return drawn;
-    const Result<Done> taken = take(image);
+    Result<Done> taken = take(image);
     if (!taken.ok()) return taken;
   }
   return Done();
@@ -181,7 +181,7 @@ Result<Done> CellPictures::Parts::DrawStrip(const BakedProject& baked, long cell
   const std::vector<int>& frames = sweep.plan().picture->frames;
   Image strip(size.width * static_cast<int>(frames.size()), size.height);
   int x = 0;
-  const Result<Done> drawn = DrawFrames(baked, frames, [&](const Image& image) -> Result<Done> {
+  Result<Done> drawn = DrawFrames(baked, frames, [&](const Image& image) -> Result<Done> {
     render::CopyInto(image, x, 0, &strip);
     x += size.width;
     return Done();
@@ -199,7 +199,7 @@ Result<Done> CellPictures::Parts::DrawVideo(const BakedProject& baked, long cell
   if (!video.ok()) return video.error();
   std::vector<int> frames;
   for (const MotionFrame& frame : baked.motion.frames) frames.push_back(frame.frame);
-  const Result<Done> drawn =
+  Result<Done> drawn =
       DrawFrames(baked, frames, [&](const Image& image) { return video.value().Write(image); });
   if (!drawn.ok()) return drawn;
   return video.value().Finish(&Interrupted());

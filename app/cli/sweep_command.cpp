@@ -60,7 +60,7 @@ class BlockRun {
     while (!has_failed_) {
       const size_t next = next_++;
       if (next >= blocks_.size()) break;
-      const Result<Done> done = DoBlock(blocks_[next], pictures ? &*pictures : nullptr);
+      Result<Done> done = DoBlock(blocks_[next], pictures ? &*pictures : nullptr);
       if (!done.ok()) return done;
       Report(blocks_[next]);
     }

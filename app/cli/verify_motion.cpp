@@ -92,7 +92,7 @@ class Comparison {
   std::string first_;
 };
 
-struct MadeMotion {
+struct MadeMotion {  // NOLINT(bugprone-exception-escape): of the moves of its parts
   Json json;
   std::string maker;
   std::vector<std::string> options;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "engine/analysis/object_landing.h"
@@ -191,6 +192,7 @@ constexpr Quantity kQuantities[] = {
 template <typename Items, typename NameOfItem>
 std::vector<std::string> NamesOf(const Items& items, NameOfItem name_of) {
   std::vector<std::string> names;
+  names.reserve(std::size(items));
   for (const auto& item : items) names.push_back(name_of(item));
   return names;
 }

@@ -206,9 +206,10 @@ class AddressedField {
 
   template <typename Values, typename Fields>
   Wrong EnterItem(const Field& field, Values& values, Fields fields) {
-    if (!Item())
+    if (!Item()) {
       return MakeWrong("\"" + std::string(field.name) +
                        "\" is a list: name an item of it, in brackets");
+    }
     const std::optional<size_t> found = IndexOf(values, *Item());
     if (found) return EnterBy(step_ + 2, values[*found], fields);
     const std::vector<std::string> names = ItemNames(values);
