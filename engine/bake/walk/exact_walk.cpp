@@ -44,6 +44,7 @@ Result<int> ExactWalk::Advance(int frame) {
   int end = frame + 1;
   while (!context_.schedule.ChangesAt(end)) ++end;
   for (double from = frame; from < end;) {
+    if (auto error = context_.CheckCancelled()) return *error;
     const bool fits_holds = driver_ && !context_.poses.holds().empty();
     const Result<double> to = curves_.Take(from, end, fits_holds);
     if (!to.ok()) return to.error();
