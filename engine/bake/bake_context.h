@@ -1,12 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "engine/bake/bake.h"
 #include "engine/bake/change_schedule.h"
+#include "engine/bake/handover/region_start.h"
 #include "engine/bake/pose/limits.h"
 #include "engine/bake/pose/pose_evaluator.h"
 #include "engine/bake/recorder.h"
@@ -52,6 +54,7 @@ struct BakeContext {
   ChangeSchedule schedule;
   Recorder recorder;
   PoseEvaluator poses;
+  std::map<int, RegionStart> starts;  // of the regions that have begun, by index
   FigureMotion now;
   MotionLimit before;  // from the left at now.frame
 };

@@ -8,9 +8,9 @@
 namespace hazumi {
 namespace {
 
-bool IsMuted(const DynamicsRegion& region) { return region.is_muted; }
+bool MovesNothing(const DynamicsRegion& region) { return region.moves_nothing(); }
 template <typename Span>
-bool IsMuted(const Span&) {
+bool MovesNothing(const Span&) {
   return false;
 }
 
@@ -33,7 +33,7 @@ void ChangeSchedule::FindEdges() {
   };
   const auto mark_ends = [&](const auto& spans, ItemsByFrame* from, ItemsByFrame* until) {
     for (size_t i = 0; i < spans.size(); ++i) {
-      if (IsMuted(spans[i])) continue;
+      if (MovesNothing(spans[i])) continue;
       mark(spans[i].first_frame);
       mark(spans[i].last_frame);
       if (from) from->Add(spans[i].first_frame, i);

@@ -29,6 +29,13 @@ std::shared_ptr<const DrivenMotion> CurvesOf(const RegionModel& model, const Dri
     curves.angles.push_back(driven.angles[hinge.coordinate]);
   });
   if (model.coupling == RootCoupling::kPrescribed) curves.root_position = driven.root_position;
+  if (driven.drives.empty()) return std::make_shared<const DrivenMotion>(std::move(curves));
+  for (const ModelNode& node : model.nodes) {
+    if (node.role != Role::kFree) continue;
+    for (int h = 0; h < node.num_hinges; ++h) {
+      curves.drives.push_back(driven.drives[node.hinges[h].coordinate]);
+    }
+  }
   return std::make_shared<const DrivenMotion>(std::move(curves));
 }
 

@@ -15,10 +15,13 @@ namespace hazumi {
 struct DrivenMotion {
   std::vector<DrivenCurve> angles;
   std::array<DrivenCurve, 3> root_position;  // read where the root's position is prescribed
+  // What drives of free hinges read: torques [N m], or the angles that springs pull to [rad]. None
+  // if there are no drives.
+  std::vector<DrivenCurve> drives = {};
 };
 inline auto MembersOf(const DrivenMotion& driven) {
-  const auto& [angles, root_position] = driven;
-  return std::tie(angles, root_position);
+  const auto& [angles, root_position, drives] = driven;
+  return std::tie(angles, root_position, drives);
 }
 
 // One node at one instant. World axes.

@@ -33,10 +33,14 @@ PaperStepStatus PaperStep::Advance(const PaperStepInput& input, double dt, VecX*
   return PaperStepStatus::kOk;
 }
 
-// Steps (2), (5) and (11): no torques but those that hold the corrected joints.
+// Steps (2), (5) and (11): the torques given, and those that hold the corrected joints.
 bool PaperStep::Solve(const PaperStepInput& input) {
   ++solves_;
-  tau_.setZero();
+  if (input.torques.size() == 0) {
+    tau_.setZero();
+  } else {
+    tau_ = input.torques;
+  }
   failed_joint_ =
       SolveMixed(*input.M, *input.b, corrected_, scratch_matrix_, scratch_vector_, qdd_, tau_);
   return failed_joint_ < 0;

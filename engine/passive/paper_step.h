@@ -15,6 +15,7 @@ struct PaperStepInput {
   const VecX* b = nullptr;
   VecX friction;      // factor for this step, in [0, 1]
   VecX lower, upper;  // [rad]
+  VecX torques = {};  // that act on the joints [N m]; empty: none
 };
 
 // Friction is a factor per 1/30 s: a step of h seconds multiplies by f^(30 h).

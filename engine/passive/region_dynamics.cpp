@@ -86,7 +86,7 @@ void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
 
 RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,
                                     const double* velocities) const {
-  return {t, model_, layout, kinematics_, positions, velocities, places_};
+  return {t, model_, layout, *driven_, kinematics_, positions, velocities, places_};
 }
 
 std::shared_ptr<const MovingBase> RegionDynamics::FitMovingBase(double start, double end) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/figure/figure_builder.h"
 #include "engine/project/checks/compile_checks.h"
@@ -162,6 +163,7 @@ class Compiler {
     if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kDegree;
     region.root = DrivesRoot(source, *figure_);
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
+    AddDrives(source, &region);
     const std::vector<double> factors = FrictionFactors(source.friction);
     for (JointIndex j : region.joints) region.friction.push_back(factors[j.value()]);
     if (source.mute) Mute(&region);
@@ -173,6 +175,36 @@ class Compiler {
     region->root = false;
     region->joints.clear();
     region->friction.clear();
+    region->drives.clear();
+    region->keyed.clear();
+  }
+
+  // A joint that is driven by its keys is none of the region's.
+  void AddDrives(const ProjectRegion& source, DynamicsRegion* region) const {
+    for (const ProjectDrive& drive : source.drives) {
+      const std::vector<bool> meant = JointsOf(drive.joints, *figure_);
+      const auto is_meant = [&](JointIndex j) { return meant[j.value()]; };
+      if (drive.kind == DriveKind::kKeys) {
+        std::copy_if(region->joints.begin(), region->joints.end(),
+                     std::back_inserter(region->keyed), is_meant);
+        std::erase_if(region->joints, is_meant);
+        continue;
+      }
+      Drive own;
+      own.kind = drive.kind;
+      std::copy_if(region->joints.begin(), region->joints.end(), std::back_inserter(own.joints),
+                   is_meant);
+      if (own.joints.empty()) continue;
+      if (drive.kind == DriveKind::kTorque) own.torque = ToKeys(drive.torque, 1.0);
+      if (drive.kind == DriveKind::kSpring) {
+        own.target = drive.to;
+        own.frequency = drive.frequency_hz;
+        own.damping_ratio = drive.damping_ratio;
+        own.max_torque = drive.max_torque_n_m;
+      }
+      region->drives.push_back(std::move(own));
+    }
+    std::sort(region->keyed.begin(), region->keyed.end());
   }
 
   std::vector<JointIndex> FreeJoints(const ProjectRegion& region, const std::string& place) {

@@ -74,6 +74,23 @@ struct EnumNames<ReferenceView> {
 };
 
 template <>
+struct EnumNames<DriveKind> {
+  static constexpr const char* kWhat = "drive";
+  static constexpr EnumName<DriveKind> kNames[] = {{DriveKind::kSpring, NameOf(DriveKind::kSpring)},
+                                                   {DriveKind::kTorque, NameOf(DriveKind::kTorque)},
+                                                   {DriveKind::kKeys, NameOf(DriveKind::kKeys)}};
+};
+
+template <>
+struct EnumNames<SpringTarget> {
+  static constexpr const char* kWhat = "spring's target";
+  static constexpr EnumName<SpringTarget> kNames[] = {
+      {SpringTarget::kKeys, NameOf(SpringTarget::kKeys)},
+      {SpringTarget::kStart, NameOf(SpringTarget::kStart)},
+      {SpringTarget::kRest, NameOf(SpringTarget::kRest)}};
+};
+
+template <>
 struct EnumNames<PlacementKind> {
   static constexpr const char* kWhat = "placement kind";
   static constexpr EnumName<PlacementKind> kNames[] = {

@@ -76,6 +76,21 @@ struct ProjectFriction {
   bool operator==(const ProjectFriction&) const = default;
 };
 
+// What moves joints of a region that are not limp.
+struct ProjectDrive {
+  DriveKind kind = DriveKind::kSpring;
+  std::vector<JointRef> joints;
+  // kTorque
+  ProjectCurve torque;  // [N m]
+  // kSpring
+  SpringTarget to = SpringTarget::kKeys;
+  double frequency_hz = 2.0, damping_ratio = 1.0;
+  std::optional<double> max_torque_n_m;
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectDrive&) const = default;
+};
+
 struct ProjectRegion {
   std::string name;
   int first_frame = 0, last_frame = 0;  // half open
@@ -87,6 +102,7 @@ struct ProjectRegion {
   bool limit_tangents = false;
   int blend_frames = 0;
   bool mute = false;
+  std::vector<ProjectDrive> drives;  // no joint has two
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectRegion&) const = default;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/figure/indices.h"
+#include "engine/timeline/drive.h"
 
 namespace hazumi {
 
@@ -40,9 +41,15 @@ struct DynamicsRegion {
   // The curves after the region run to their first key at least this far behind it and pass over
   // those between.
   int blend_frames = 0;
-  // It stays in the list, where it is counted, and moves nothing: `joints` is empty, `root` false.
+  std::vector<Drive> drives;  // of its joints; the others are limp
+  // Joints that are said to be in it but go on along their keys: none of `joints`, ascending.
+  std::vector<JointIndex> keyed;
+  // It stays in the list, where it is counted, and moves nothing: `joints` and `drives` are empty,
+  // `root` is false.
   bool is_muted = false;
   bool operator==(const DynamicsRegion&) const = default;
+
+  bool moves_nothing() const { return joints.empty() && !root; }
 };
 
 }  // namespace hazumi

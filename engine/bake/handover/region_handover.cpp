@@ -32,6 +32,7 @@ void WarnIfItStopsDead(int frame, JointIndex j, const std::string& place, BakeCo
 void RegionHandover::Reset() {
   active_.clear();
   begun_.clear();
+  context_.starts.clear();
 }
 
 std::vector<int> RegionHandover::ActiveFrom(int frame) const {
@@ -49,6 +50,8 @@ bool RegionHandover::Begin(int frame, const RegionWalk& walk) {
     active_.insert(r);
     begun_.push_back(r);
     context_.recorder.ClearReport(r);
+    context_.starts[r] =
+        StartOf(region, context_.poses.figure(), context_.now, &context_.poses.workspace());
     if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) BeginJoint(j, frame, walk.moves(j));
   }

@@ -6,13 +6,19 @@ namespace hazumi {
 
 namespace {
 
-// Of the regions that move a joint.
+bool Has(const std::vector<JointIndex>& joints, JointIndex j) {
+  return std::binary_search(joints.begin(), joints.end(), j);
+}
+
+// Of the regions that move a joint, unless they go on along its keys.
 std::vector<double> RegionStarts(const Animation& animation, JointIndex j) {
   std::vector<double> starts;
   for (const DynamicsRegion& region : animation.regions) {
-    if (std::binary_search(region.joints.begin(), region.joints.end(), j)) {
-      starts.push_back(region.first_frame);
-    }
+    const bool follows_keys =
+        std::any_of(region.drives.begin(), region.drives.end(), [j](const Drive& drive) {
+          return FollowsKeys(drive) && Has(drive.joints, j);
+        });
+    if (Has(region.joints, j) && !follows_keys) starts.push_back(region.first_frame);
   }
   return starts;
 }

@@ -63,8 +63,14 @@ DrivenCurve PolynomialThrough(const Points& s, Points d, double middle) {
 
 }  // namespace
 
-DrivenCurves::DrivenCurves(BakeContext* context) : context_(*context) {
+DrivenCurves::DrivenCurves(BakeContext* context) : context_(*context), drives_(context) {
   motion_.angles.resize(context->poses.figure().num_joints() + kRootAngles);
+}
+
+void DrivenCurves::SetRegions(const std::vector<int>& regions) {
+  drives_.SetRegions(regions);
+  motion_.drives.clear();
+  if (!drives_.entries().empty()) motion_.drives.resize(motion_.angles.size());
 }
 
 Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
@@ -88,6 +94,14 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   for (int i = 0; i < kRootAngles; ++i) {
     if (!poses.free_root()) take(poses.curves().root(kRootAngleZ + i), &motion_.angles[n + i]);
     take(poses.curves().root(kRootX + i), &motion_.root_position[i]);
+  }
+  for (DriveCurves::Entry& entry : drives_.entries()) {
+    DrivenCurve* curve = &motion_.drives[entry.joint.value()];
+    if (CurveTrack* track = drives_.TrackOf(&entry)) {
+      take(*track, curve);
+    } else {
+      *curve = DrivenCurve::Constant(*entry.constant);
+    }
   }
   if (!with_holds) return to;
   to = std::min(to, std::floor(from + kSameFrame) + 1.0);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/bake/bake_context.h"
+#include "engine/bake/walk/drive_curves.h"
 #include "engine/passive/node_motion.h"
 
 namespace hazumi {
@@ -9,6 +12,9 @@ namespace hazumi {
 class DrivenCurves {
  public:
   explicit DrivenCurves(BakeContext* context);
+
+  // From here on these regions are active, and their drives are told of.
+  void SetRegions(const std::vector<int>& regions);
 
   // Takes the curves of what no region drives from a frame on; returns up to which frame, `end` at
   // the latest, they are one polynomial each. With holds the joints that they move are fitted,
@@ -25,6 +31,7 @@ class DrivenCurves {
   std::optional<Error> FitHolds(double from, double to);
 
   BakeContext& context_;
+  DriveCurves drives_;
   DrivenMotion motion_;
 };
 

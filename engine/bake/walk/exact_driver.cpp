@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/bake/walk/spring_of.h"
 
 namespace hazumi {
 
@@ -47,7 +48,8 @@ std::string CauseOf(ExactFailure::Cause cause) {
 }  // namespace
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-                         double sharpness, const KnownLogs* known, ThreadPool* pool)
+                         const std::map<int, RegionStart>& starts, double sharpness,
+                         const KnownLogs* known, ThreadPool* pool)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
@@ -62,6 +64,15 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
     for (size_t i = 0; i < region.joints.size(); ++i) {
       region_of_[region.joints[i].value()] = static_cast<int>(a);
       friction_[region.joints[i].value()] = region.friction[i];
+    }
+    for (const hazumi::Drive& drive : region.drives) {
+      drives_.resize(region_of_.size(), nullptr);
+      springs_.resize(region_of_.size());
+      for (const JointIndex j : drive.joints) {
+        drives_[j.value()] = &drive;
+        if (drive.kind != DriveKind::kSpring) continue;
+        springs_[j.value()] = SpringOf(drive, j, region, starts.at(active_[a]));
+      }
     }
     if (!region.root) continue;
     for (int i = 0; i < kRootAngles; ++i) {
@@ -109,7 +120,29 @@ IslandTask ExactDriver::TaskFor(RegionModel model) const {
     ++i;
   });
   if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
+  if (!drives_.empty()) AddDrives(&task);
   return task;
+}
+
+void ExactDriver::AddDrives(IslandTask* task) const {
+  const int k = task->model.num_free;
+  TorqueSpec torques{std::vector<char>(k, 0), VecX::Zero(k)};
+  SpringSpec springs{std::vector<Spring>(k)};
+  bool has_torques = false, has_springs = false;
+  int i = 0;
+  ForEachFreeHinge(task->model, [&](Coordinate c) {
+    const hazumi::Drive* drive = drives_[c];
+    const bool is_torque = drive && drive->kind == DriveKind::kTorque;
+    torques.is_driven[i] = is_torque;
+    const double middle = 0.5 * (task->lower[i] + task->upper[i]);
+    torques.side[i] = std::isfinite(middle) ? middle : 0.0;
+    if (drive && !is_torque) springs.springs[i] = springs_[c];
+    has_torques |= is_torque;
+    has_springs |= drive && !is_torque;
+    ++i;
+  });
+  if (has_torques) task->forces.emplace_back(std::move(torques));
+  if (has_springs) task->forces.emplace_back(std::move(springs));
 }
 
 double ExactDriver::StepToleranceFor(const RegionModel& model) const {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/bake/handover/region_start.h"
 #include "engine/bake/island_solution.h"
 #include "engine/bake/motion.h"
 #include "engine/bake/moving_base_cache.h"
@@ -21,11 +23,12 @@ namespace hazumi {
 // a coarser tolerance: how far the two get apart tells how far the solution may be off.
 class ExactDriver {
  public:
-  // `active`: indices of Animation::regions. `figure`, `pool` and `known`, the logs of earlier
-  // bakes, must outlive the driver; `known` null: no logs are kept. `sharpness`: divides the
-  // tolerances of single steps.
+  // `active`: indices of Animation::regions, `starts`: of those with springs. `figure`, `pool` and
+  // `known`, the logs of earlier bakes, must outlive the driver; `known` null: no logs are kept.
+  // `sharpness`: divides the tolerances of single steps.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              double sharpness, const KnownLogs* known, ThreadPool* pool);
+              const std::map<int, RegionStart>& starts, double sharpness, const KnownLogs* known,
+              ThreadPool* pool);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -103,6 +106,7 @@ class ExactDriver {
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
   IslandTask TaskFor(RegionModel model) const;
+  void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();
   void AppendLogs(IslandLogs* logs) const;
@@ -120,7 +124,10 @@ class ExactDriver {
   MovingBaseCache moving_bases_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
-  ModelRequest request_;          // of the islands as they are
+  // By Coordinate, if there are any drives: what drives a joint.
+  std::vector<const hazumi::Drive*> drives_;
+  std::vector<Spring> springs_;
+  ModelRequest request_;  // of the islands as they are
   std::vector<Island> islands_;
   std::vector<double> estimates_;
   EnergyAccount energy_;

@@ -22,19 +22,23 @@ ExactWalk::ExactWalk(BakeContext* context, const Refinements* refinements, Threa
 
 void ExactWalk::Reset() {
   driver_.reset();
+  curves_.SetRegions({});
   has_begun_ = false;
   std::fill(has_control_.begin(), has_control_.end(), 0);
 }
 
 void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
+  curves_.SetRegions(regions);
   driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
-                                          refinements_.SharpnessOf(regions), known_, pool_);
+                                          context_.starts, refinements_.SharpnessOf(regions),
+                                          known_, pool_);
   has_begun_ = false;
 }
 
 void ExactWalk::End() {
   if (driver_) WriteReports();
   driver_.reset();
+  curves_.SetRegions({});
   if (!context_.now.fall) return;
   context_.now.fall.reset();
   context_.poses.placement().RenewFlight(context_.Seconds(context_.now.frame), context_.now);

@@ -62,12 +62,15 @@ bool PaperDriver::is_free(JointIndex j) const {
 }
 
 std::optional<PaperDriver::Failure> PaperDriver::Advance(const FigureMotion& from,
-                                                         const RootHold& hold, double dt,
-                                                         DynamicsWorkspace* ws, VecX* q, VecX* qd,
+                                                         const RootHold& hold, const VecX* torques,
+                                                         double dt, DynamicsWorkspace* ws, VecX* q,
+                                                         VecX* qd,
                                                          std::vector<JointIndex>* limits) {
   system_.Evaluate({from.X_WR, from.root, from.q, from.qd, from.qdd}, hold.coupling, hold.pin,
                    animation_.gravity, ws);
+  input_.torques.resize(torques ? system_.size() : 0);
   for (int i = 0; i < system_.size(); ++i) {
+    if (torques) input_.torques[i] = (*torques)[system_.free()[i].value()];
     input_.friction[i] = FrictionOfStep(factors_[i], dt);
     y_[i] = from.q[system_.free()[i].value()];
     yd_[i] = from.qd[system_.free()[i].value()];

@@ -29,10 +29,10 @@ class PaperDriver {
     std::string cause;
   };
   // From the state `from` advances the free joints' entries of q and qd by dt seconds. A joint that
-  // reaches a limit in this step is added to `limits`.
-  std::optional<Failure> Advance(const FigureMotion& from, const RootHold& hold, double dt,
-                                 DynamicsWorkspace* ws, VecX* q, VecX* qd,
-                                 std::vector<JointIndex>* limits);
+  // reaches a limit in this step is added to `limits`. `torques`: by JointIndex [N m]; null: none.
+  std::optional<Failure> Advance(const FigureMotion& from, const RootHold& hold,
+                                 const VecX* torques, double dt, DynamicsWorkspace* ws, VecX* q,
+                                 VecX* qd, std::vector<JointIndex>* limits);
 
   // The kick of a landing on the free joints' rates: `from.root.v` is the velocity just before.
   bool ApplyLanding(const FigureMotion& from, JointIndex pin, DynamicsWorkspace* ws, VecX* qd);

@@ -20,6 +20,7 @@ namespace hazumi {
 
 void PaperWalk::Begin(const std::vector<int>& regions, int frame) {
   driver_ = std::make_unique<PaperDriver>(context_.animation, context_.poses.figure(), regions);
+  drives_.SetRegions(regions);
   for (const int r : regions) ReportStep(r, frame);
 }
 
@@ -68,8 +69,11 @@ std::optional<Error> PaperWalk::StepRegions(double seconds, FigureMotion* next) 
   const FigureMotion& now = context_.now;
   const auto start = std::chrono::steady_clock::now();
   std::vector<JointIndex> limits;
-  const auto failure = driver_->Advance(now, context_.poses.placement().hold(), seconds,
-                                        &context_.poses.workspace(), &next->q, &next->qd, &limits);
+  VecX torques;
+  if (!drives_.empty()) torques = drives_.TorquesAt(now);
+  const auto failure =
+      driver_->Advance(now, context_.poses.placement().hold(), drives_.empty() ? nullptr : &torques,
+                       seconds, &context_.poses.workspace(), &next->q, &next->qd, &limits);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) return CannotGoOnAfter(now.frame, failure->joint, failure->cause);
   for (const int r : driver_->active()) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/bake/walk/paper_driver.h"
+#include "engine/bake/walk/paper_drives.h"
 #include "engine/bake/walk/region_walk.h"
 
 namespace hazumi {
@@ -11,11 +12,14 @@ namespace hazumi {
 // From frame to frame in the paper's steps.
 class PaperWalk : public RegionWalk {
  public:
-  explicit PaperWalk(BakeContext* context) : RegionWalk(context) {}
+  explicit PaperWalk(BakeContext* context) : RegionWalk(context), drives_(context) {}
 
   void Reset() override { End(); }
   void Begin(const std::vector<int>& regions, int frame) override;
-  void End() override { driver_.reset(); }
+  void End() override {
+    driver_.reset();
+    drives_.SetRegions({});
+  }
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j); }
 
@@ -31,6 +35,7 @@ class PaperWalk : public RegionWalk {
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
 
   std::unique_ptr<PaperDriver> driver_;  // null: no region is active
+  PaperDrives drives_;
 };
 
 }  // namespace hazumi

@@ -19,6 +19,7 @@ struct RegionState {
   double t;  // [s]
   const RegionModel& model;
   const RegionLayout& layout;
+  const DrivenMotion& driven;        // read for what drives are told
   const NodeKinematics& kinematics;  // where the nodes are, and how they turn
   const double* positions;           // of the free joints, as in the layout
   const double* velocities;

@@ -12,6 +12,12 @@ namespace {
 std::shared_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
   return std::make_shared<Retention>(spec);
 }
+std::shared_ptr<const ForceLaw> MakeLaw(const TorqueSpec& spec) {
+  return std::make_shared<TorqueDrive>(spec);
+}
+std::shared_ptr<const ForceLaw> MakeLaw(const SpringSpec& spec) {
+  return std::make_shared<SpringDrive>(spec);
+}
 
 }  // namespace
 

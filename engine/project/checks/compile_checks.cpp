@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/hold_checks.h"
 
 // What may not be at the same time is looked up in sets of the frames that those before take. Where
@@ -88,8 +89,9 @@ class AnimationChecker {
   void CheckRegion(size_t i) {
     const DynamicsRegion& region = animation_.regions[i];
     if (region.is_muted) return;
-    errors_->Require(region.root || !region.joints.empty(), Check::kRegionAllFixed,
+    errors_->Require(!region.moves_nothing() || !region.keyed.empty(), Check::kRegionAllFixed,
                      At("regions", i) + ".joints", {Quoted(region.name)});
+    CheckDrives(animation_, i, errors_);
     const bool is_in_way =
         driven_.Clashes(region) || OtherThan(region.method).Overlaps(SpanOf(region));
     for (size_t k = 0; k < i && is_in_way && errors_->ok(); ++k) CheckRegions(i, k);

@@ -44,12 +44,15 @@ void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& sit
   }
 }
 
-void CheckCurve(const ProjectCurve& curve, const std::string& name, const Site& site) {
+void CheckKeysOrder(const ProjectCurve& curve, const Site& site) {
   for (size_t i = 1; i < curve.keys.size() && site.errors->ok(); ++i) {
     if (curve.keys[i - 1].frame < curve.keys[i].frame) continue;
-    CheckOrder(curve.keys[i - 1], curve.keys[i],
-               site.Field(name).Field("keys").Item(i).Field("frame"));
+    CheckOrder(curve.keys[i - 1], curve.keys[i], site.Field("keys").Item(i).Field("frame"));
   }
+}
+
+void CheckCurve(const ProjectCurve& curve, const std::string& name, const Site& site) {
+  CheckKeysOrder(curve, site.Field(name));
 }
 
 // Each holder begins when the one before it has let go. The first has it from the start.
@@ -102,6 +105,12 @@ void CheckSpan(const Item& item, const Site& site) {
 void CheckRegion(const ProjectRegion& region, const Site& site) {
   CheckSpan(region, site);
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
+  for (size_t i = 0; i < region.drives.size(); ++i) {
+    const ProjectDrive& drive = region.drives[i];
+    const Site place = site.Field("drives").Item(i);
+    if (drive.joints.empty()) place.Field("joints").Report(Check::kDriveEmpty);
+    CheckKeysOrder(drive.torque, place);
+  }
 }
 
 void CheckSet(const ProjectSelectionSet& set, const Site& site) {

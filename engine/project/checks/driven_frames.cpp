@@ -9,6 +9,7 @@ namespace hazumi {
 JointSet JointsOf(const DynamicsRegion& region, const Figure& figure) {
   JointSet set(figure.joints().size());
   for (const JointIndex joint : region.joints) set[joint.value()] = true;
+  for (const JointIndex joint : region.keyed) set[joint.value()] = true;
   return set;
 }
 
@@ -25,16 +26,20 @@ std::optional<JointIndex> FirstOf(const JointSet& set) {
 }
 
 DrivenFrames::DrivenFrames(const Animation& animation)
-    : animation_(animation), joints_(animation.figure->joints().size()) {}
+    : animation_(animation), joints_(animation.figure->joints().size()), keyed_(joints_.size()) {}
 
 void DrivenFrames::Add(const DynamicsRegion& region) {
   for (const JointIndex j : region.joints) joints_[j.value()].Add(SpanOf(region));
+  for (const JointIndex j : region.keyed) keyed_[j.value()].Add(SpanOf(region));
   if (region.root) root_.Add(SpanOf(region));
 }
 
 bool DrivenFrames::Clashes(const DynamicsRegion& region) const {
   const auto is_driven = [&](JointIndex j) { return joint(j).Overlaps(SpanOf(region)); };
+  const auto is_keyed = [&](JointIndex j) { return keyed_[j.value()].Overlaps(SpanOf(region)); };
   return (region.root && root_.Overlaps(SpanOf(region))) ||
+         std::any_of(region.joints.begin(), region.joints.end(), is_keyed) ||
+         std::any_of(region.keyed.begin(), region.keyed.end(), is_driven) ||
          std::any_of(region.joints.begin(), region.joints.end(), is_driven);
 }
 

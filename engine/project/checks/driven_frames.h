@@ -38,7 +38,7 @@ class DrivenFrames {
 
  private:
   const Animation& animation_;
-  std::vector<SpanSet> joints_;
+  std::vector<SpanSet> joints_, keyed_;
   SpanSet root_;
 };
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/project/checks/drive_checks.h"
 #include "engine/project/json/did_you_mean.h"
-#include "engine/project/json/site.h"
 
 namespace hazumi {
 
@@ -15,16 +15,6 @@ std::vector<std::string> AllNames(const Figure& figure) {
   for (const JointGroup& group : figure.groups()) names.push_back(group.name);
   for (const Joint& joint : figure.joints()) names.push_back(joint.name);
   return names;
-}
-
-bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site) {
-  if (FindJoints(figure, name)) return true;
-  if (MeansRoot(name, figure)) {
-    site.Report(Check::kRootNotAJoint, {Quoted(name)});
-  } else {
-    site.Report(Check::kUnknownJoint, {Quoted(name), Suggestion(name, AllNames(figure))});
-  }
-  return false;
 }
 
 void CheckKeyed(const std::string& name, const Figure& figure, const Site& site) {
@@ -65,6 +55,7 @@ void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& 
     CheckInRegion(factor.name, figure, joints,
                   site.Field("friction").Field("joints").Field(factor.name));
   }
+  CheckDriveNames(region, figure, site);
 }
 
 void CheckSetNames(const ProjectSelectionSet& set, const Figure& figure, const Site& site) {
@@ -86,6 +77,16 @@ void CheckPlacementNames(const ProjectPlacement& placement, const Figure& figure
 }
 
 }  // namespace
+
+bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site) {
+  if (FindJoints(figure, name)) return true;
+  if (MeansRoot(name, figure)) {
+    site.Report(Check::kRootNotAJoint, {Quoted(name)});
+  } else {
+    site.Report(Check::kUnknownJoint, {Quoted(name), Suggestion(name, AllNames(figure))});
+  }
+  return false;
+}
 
 std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& name) {
   if (const auto g = figure.FindGroup(name)) {

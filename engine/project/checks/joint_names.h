@@ -8,6 +8,7 @@
 
 #include "engine/figure/figure.h"
 #include "engine/project/checks/checks.h"
+#include "engine/project/json/site.h"
 #include "engine/project/project.h"
 
 namespace hazumi {
@@ -33,6 +34,9 @@ bool DrivesRoot(const ProjectRegion& region, const Figure& figure);
 // out.
 std::vector<bool> JointsOf(const std::vector<JointRef>& refs, const Figure& figure);
 std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure);
+
+// False, and reported, if there is no such joint.
+bool ExpectJoint(const std::string& name, const Figure& figure, const Site& site);
 
 // Reports the first name in the project that the figure does not know, or that does not fit where
 // it stands.

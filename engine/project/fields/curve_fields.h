@@ -38,6 +38,9 @@ inline constexpr KeyFields kAngleKey = {KeyValue("angle_deg", "°"), KeyRate("ra
                                         KeyRateIn("rate_in_deg_s", "°/s")};
 inline constexpr KeyFields kPositionKey = {KeyValue("position_m", "m"), KeyRate("rate_m_s", "m/s"),
                                            KeyRateIn("rate_in_m_s", "m/s")};
+inline constexpr KeyFields kTorqueKey = {KeyValue("torque_n_m", "N m"),
+                                         KeyRate("rate_n_m_s", "N m/s"),
+                                         KeyRateIn("rate_in_n_m_s", "N m/s")};
 inline constexpr NumberRange kTangentLength = {0.05, 0.9};
 
 template <typename Ar>

@@ -45,7 +45,8 @@ inline int FormatVersionOf(const Project& project) {
       std::any_of(objects.begin(), objects.end(), ChangesHands) ||
       std::any_of(objects.begin(), objects.end(),
                   [](const auto& object) { return object.rotation_deg != Vec3::Zero(); }) ||
-      std::any_of(regions.begin(), regions.end(), [](const auto& region) { return region.mute; }) ||
+      std::any_of(regions.begin(), regions.end(),
+                  [](const auto& region) { return region.mute || !region.drives.empty(); }) ||
       HasNewKeys(project.root.curves) ||
       std::any_of(objects.begin(), objects.end(),
                   [](const auto& object) { return HasNewKeys(object.position.curves); }) ||
@@ -144,6 +145,70 @@ void Describe(Ar& ar, Ref<Ar, ProjectFriction> friction) {
 }
 
 template <>
+inline constexpr StructInfo kStructInfo<ProjectDrive> = {
+    "drive",
+    "Muscle of some of a region's joints; the others are limp. A joint has one drive at most, and "
+    "the hinges of a ball joint share a spring."};
+template <typename Ar>
+void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
+  ar.Required({.name = "joints",
+               .label = "Joints",
+               .help = "joints of the region, with + behind the name all beyond too",
+               .details = "Of those that are meant only the region's are driven.",
+               .thing = Thing::kJoint,
+               .is_filled = true},
+              drive.joints);
+  ar.Required({.name = "kind",
+               .label = "Kind",
+               .help = "spring, torque or keys",
+               .details = "Torque: a curve over time. Spring: towards an angle. Keys: the joint "
+                          "moves by its keys, and the others feel it."},
+              drive.kind);
+  if (drive.kind == DriveKind::kTorque) {
+    static constexpr Field kKeys = {
+        .name = "keys",
+        .details =
+            "In order of frames, no two on one frame. Positive accelerates the angle "
+            "positively; before the first key and after the last one it is constant."};
+    ar.List(kKeys, drive.torque.keys,
+            [](auto& item, auto& key) { DescribeKey(item, key, kTorqueKey); });
+  }
+  if (drive.kind == DriveKind::kSpring) {
+    ar.Optional({.name = "to",
+                 .label = "Pulls to",
+                 .help = "keys, start or rest: the angle it pulls to",
+                 .details = "That of the joint's keys at the time; that on the region's first "
+                            "frame; the figure's rest angle."},
+                drive.to, SpringTarget::kKeys);
+    ar.Required({.name = "frequency_hz",
+                 .parameter = "frequency",
+                 .label = "Frequency",
+                 .help = "how often a second it would swing, undamped; the higher, the stiffer",
+                 .details = "If nothing moved but what lies beyond the joint, as it is on the "
+                            "region's first frame. A stiffer joint is one of kind keys.",
+                 .unit = "Hz",
+                 .range = {0.0, 30.0, true},
+                 .step = 0.02},
+                drive.frequency_hz);
+    ar.Optional({.name = "damping_ratio",
+                 .parameter = "damping",
+                 .label = "Damping",
+                 .help = "1 comes to rest without overshooting, 0 swings for ever",
+                 .range = {0.0, 20.0}},
+                drive.damping_ratio, 1.0);
+    ar.Optional({.name = "max_torque_n_m",
+                 .parameter = "max_torque",
+                 .label = "Max. torque",
+                 .help = "it never pulls harder; of a ball joint about any axis",
+                 .details = "Default: as hard as it takes.",
+                 .unit = "N m",
+                 .range = kNotNegative,
+                 .step = 0.2},
+                drive.max_torque_n_m);
+  }
+}
+
+template <>
 inline constexpr StructInfo kStructInfo<ProjectRegion> = {
     "region",
     "Frames x joints in which the joints swing by their own inertia. The joints' keys inside it "
@@ -191,6 +256,9 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
                .help = "its joints follow their keys, as if it were not there",
                .details = "Needs version 2."},
               region.mute);
+  ar.Optional({.name = "drives",
+               .details = "What moves its joints besides their inertia; needs version 2."},
+              region.drives);
 }
 
 // One member is the pin of both kinds that have one.

@@ -132,12 +132,30 @@ ForceLaws With(const Push& push, bool is_outer = false) {
   return {std::make_shared<PushLaw>(push, is_outer)};
 }
 
+// Some hinges are driven; a joint of three is as a whole.
+ForceLaws AnyTorques(const RandomIsland& island, Random* random) {
+  TorqueSpec spec{std::vector<char>(island.q.size(), 0), island.q};
+  for (char& is_driven : spec.is_driven) is_driven = random->Chance(0.7);
+  return MakeLaws({spec});
+}
+
+ForceLaws AnySprings(const RandomIsland& island, Random* random) {
+  SpringSpec spec{std::vector<Spring>(island.q.size())};
+  const Vec3 moments(0.3, 0.2, 0.4);
+  const RegionLayout layout(island.model, /*balls=*/false);
+  for (int i = 0; i < layout.num_hinges(); ++i) {
+    if (layout.hinges()[i].node == 0) continue;  // the root has no muscles
+    spec.springs[i] = {random->Uniform(1.0, 20.0), random->Uniform(0.0, 1.5),
+                       random->Uniform(1.0, 50.0), random->Uniform(0.1, 1.0), moments.asDiagonal()};
+  }
+  return MakeLaws({spec});
+}
+
 // Each law by itself. A new one is to be added here.
 std::vector<ForceLaws> EachLaw(const RandomIsland& island, Random* random) {
-  return {With(AnyPush(island, random)),
-          With(AnyPush(island, random), /*is_outer=*/true),
-          {std::make_shared<DragLaw>()},
-          FrictionAlone(VecX::Constant(island.q.size(), 2.0))};
+  return {With(AnyPush(island, random)), With(AnyPush(island, random), /*is_outer=*/true),
+          {std::make_shared<DragLaw>()}, FrictionAlone(VecX::Constant(island.q.size(), 2.0)),
+          AnyTorques(island, random),    AnySprings(island, random)};
 }
 
 // Where the pin or the CoM is, and how fast it moves.

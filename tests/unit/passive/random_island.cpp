@@ -55,6 +55,11 @@ std::unique_ptr<RandomIsland> RandomIsland::Of(uint64_t seed, RootCoupling coupl
   if (models.empty()) return nullptr;
   island->model = std::move(
       models[static_cast<size_t>(random.Integer(0, static_cast<int>(models.size()) - 1))]);
+  Random of_drives(seed);
+  for (int i = 0; i < island->model.num_free; ++i) {
+    island->driven.drives.push_back(
+        CurveFrom(of_drives.Uniform(-1.0, 1.0), of_drives.Uniform(-1.0, 1.0), &of_drives));
+  }
   const RegionLayout layout(island->model, /*balls=*/false);
   island->q.resize(layout.num_hinges());
   island->qd.resize(layout.num_hinges());

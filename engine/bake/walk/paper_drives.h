@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "engine/bake/walk/drive_curves.h"
+#include "engine/passive/ball_axes.h"
+#include "engine/passive/forces/spring_drive.h"
+
+namespace hazumi {
+
+// The torques T that drives give the hinges of active regions at the start of a step
+// [Arai 2.1 (2)].
+class PaperDrives {
+ public:
+  explicit PaperDrives(BakeContext* context) : context_(*context), curves_(context) {}
+
+  void SetRegions(const std::vector<int>& regions);
+  bool empty() const { return springs_.empty(); }
+  // By JointIndex [N m], of a figure in that motion.
+  VecX TorquesAt(const FigureMotion& motion);
+
+ private:
+  struct Ball {
+    BallAxes axes;
+    Spring spring;
+  };
+
+  BakeContext& context_;
+  DriveCurves curves_;
+  std::vector<Spring> springs_;       // by entry of the curves
+  std::map<JointIndex, Ball> balls_;  // by first hinge: with a spring
+};
+
+}  // namespace hazumi

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/bake/handover/region_start.h"
+#include "engine/passive/forces/spring_drive.h"
+
+namespace hazumi {
+
+// The spring that `drive` is to a joint of a region that began so.
+Spring SpringOf(const Drive& drive, JointIndex joint, const DynamicsRegion& region,
+                const RegionStart& start);
+
+}  // namespace hazumi

@@ -1,0 +1,94 @@
+// Of a hinge, with I the inertia about it of what lies beyond when the region begins, w = 2 pi f:
+//   tau = clamp(I (w^2 (q_ref - q) + 2 zeta w (q_ref' - q')), -most, most).
+// Of a ball joint, with I the same about its centre, in the ball's frame, and E = R_ref^T R, the
+// quaternion (eta, e), W the angular velocity relative to the reference:
+//   U = 2 w^2 e.I e,   M = -2 w^2 (eta I e + (I e) x e) - 2 zeta w I W,
+// which is -dU of any turn less the damper, and smooth through half a turn; scaled down to `most`.
+
+#include "engine/passive/forces/spring_drive.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "engine/passive/ball_axes.h"
+#include "engine/passive/forces/hinge_moment.h"
+
+namespace hazumi {
+
+using small::V3;
+
+double TorqueOf(const Spring& spring, double ahead, double ahead_rate) {
+  const double w = spring.rate;
+  const double pull = -spring.inertia * w * (w * ahead + 2.0 * spring.damping_ratio * ahead_rate);
+  return std::clamp(pull, -spring.most, spring.most);
+}
+
+Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w) {
+  const Eigen::Quaterniond turn(E);
+  const Vec3 e = turn.vec(), Ie = spring.of_ball * e;
+  const double rate = spring.rate;
+  const Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
+                      2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
+  const double size = moment.norm();
+  return size > spring.most ? Vec3(spring.most / size * moment) : moment;
+}
+
+double SpringDrive::FastestRate() const {
+  double fastest = 0.0;
+  for (const Spring& spring : springs_) {
+    fastest = std::max(fastest, spring.rate * std::max(1.0, 2.0 * spring.damping_ratio));
+  }
+  return fastest;
+}
+
+// Where it is turned to is told by how it lies beside its parent, whatever the layout.
+V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
+  const auto& hinges = state.model.nodes[node].hinges;
+  const int first = state.layout.node(node).first_hinge;
+  const NodeMotion& own = state.kinematics.motion()[node];
+  const NodeMotion& parent = state.kinematics.motion()[state.model.nodes[node].parent];
+  const Mat3 R_NB = BallFrame(hinges[0].axis, hinges[1].axis);
+  const Mat3 R_WB = own.R.eigen() * R_NB;
+  const HingeTriple triple(Vec3::UnitX(), Vec3::UnitY(), R_NB.transpose() * hinges[2].axis);
+  Vec3 q, qd;
+  for (int k = 0; k < 3; ++k) {
+    const Jet reference = state.driven.drives[first + k].At(state.t);
+    q[k] = reference.v;
+    qd[k] = reference.d;
+  }
+  const Mat3 R = R_NB.transpose() * parent.R.eigen().transpose() * R_WB;
+  const Mat3 E = triple.Rotation(q).transpose() * R;
+  const Vec3 w = R_WB.transpose() * (own.w - parent.w).eigen();
+  const Vec3 w_ref = E.transpose() * (triple.AxesInBody(q) * qd);
+  return V3(Vec3(R_WB * MomentOf(springs_[first], E, w - w_ref)));
+}
+
+V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
+  const RegionLayout::Node& own = state.layout.node(node);
+  double torques[3] = {};
+  for (int h = 0, free = 0; free < own.num_dofs; ++h) {
+    if (own.locked[h]) continue;
+    const int hinge = own.first_hinge + h;
+    if (springs_[hinge].rate > 0.0) {
+      const Jet reference = state.driven.drives[hinge].At(state.t);
+      torques[free] = TorqueOf(springs_[hinge], state.positions[own.position + free] - reference.v,
+                               state.velocities[own.dof + free] - reference.d);
+    }
+    ++free;
+  }
+  return MomentOfHinges(state.kinematics.motion()[node], own.num_dofs, torques);
+}
+
+void SpringDrive::AddForces(const RegionState& state, NodeKinematics* kinematics) const {
+  const auto& nodes = state.layout.nodes();
+  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+    if (nodes[i].num_dofs == 0) continue;
+    const auto first = springs_.begin() + nodes[i].first_hinge;
+    const auto pulls = [](const Spring& spring) { return spring.rate > 0.0; };
+    if (std::none_of(first, first + state.model.nodes[i].num_hinges, pulls)) continue;
+    kinematics->AddJointMoment(
+        i, state.model.nodes[i].is_ball ? MomentOnBall(i, state) : MomentOnHinges(i, state));
+  }
+}
+
+}  // namespace hazumi

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/passive/forces/force_law.h"
+
+namespace hazumi {
+
+// A spring and its damper, beside the angle that it pulls to.
+struct Spring {
+  double rate = 0.0;           // 2 pi times the frequency [rad/s]; 0: none
+  double damping_ratio = 0.0;  // 1: does not overshoot
+  double most = std::numeric_limits<double>::infinity();  // torque or moment, at most [N m]
+  double inertia = 0.0;                                   // of a hinge: about its axis [kg m^2]
+  Mat3 of_ball = Mat3::Zero();  // of a ball joint: about its centre, in the ball's frame
+};
+inline auto MembersOf(const Spring& spring) {
+  const auto& [rate, damping_ratio, most, inertia, of_ball] = spring;
+  return std::tie(rate, damping_ratio, most, inertia, of_ball);
+}
+
+// Torque of a hinge that is `ahead` of what the spring pulls it to, angle and rate [rad, rad/s].
+double TorqueOf(const Spring& spring, double ahead, double ahead_rate);
+// Moment of a ball joint turned by E from what the spring pulls it to, with w the angular velocity
+// relative to that; all in the ball's frame (BallAxes).
+Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w);
+
+struct SpringSpec {
+  static constexpr bool kIsOuter = false;
+  std::vector<Spring> springs;  // by free hinge; that of a ball joint is its first hinge's
+};
+inline auto MembersOf(const SpringSpec& spec) {
+  const auto& [springs] = spec;
+  return std::tie(springs);
+}
+
+// Springs to angles over time, DrivenMotion::drives.
+class SpringDrive : public ForceLaw {
+ public:
+  explicit SpringDrive(SpringSpec spec) : springs_(std::move(spec.springs)) {}
+
+  std::string_view name() const override { return "spring"; }
+  void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
+  double FastestRate() const override;
+
+ private:
+  small::V3 MomentOnBall(int node, const RegionState& state) const;
+  small::V3 MomentOnHinges(int node, const RegionState& state) const;
+
+  std::vector<Spring> springs_;
+};
+
+}  // namespace hazumi

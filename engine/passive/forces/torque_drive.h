@@ -1,0 +1,36 @@
+#pragma once
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/passive/forces/force_law.h"
+
+namespace hazumi {
+
+struct TorqueSpec {
+  static constexpr bool kIsOuter = false;
+  std::vector<char> is_driven;  // by free hinge
+  // By free hinge [rad]: angles on that side of the poles of a ball joint on which its hinges are.
+  VecX side;
+};
+inline auto MembersOf(const TorqueSpec& spec) {
+  const auto& [is_driven, side] = spec;
+  return std::tie(is_driven, side);
+}
+
+// Torques of hinges over time, DrivenMotion::drives.
+class TorqueDrive : public ForceLaw {
+ public:
+  explicit TorqueDrive(TorqueSpec spec) : spec_(std::move(spec)) {}
+
+  std::string_view name() const override { return "torque"; }
+  void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
+
+ private:
+  small::V3 MomentOn(int node, const RegionState& state) const;
+
+  TorqueSpec spec_;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,63 @@
+#include "engine/project/checks/drive_checks.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/project/checks/hold_checks.h"
+
+namespace hazumi {
+
+void CheckDriveNames(const ProjectRegion& region, const Figure& figure, const Site& region_site) {
+  const std::vector<bool> in_region = JointsOf(region, figure);
+  std::map<int, size_t> driver;  // by joint
+  for (size_t d = 0; d < region.drives.size(); ++d) {
+    const Site joints = region_site.Field("drives").Item(d).Field("joints");
+    for (size_t i = 0; i < region.drives[d].joints.size(); ++i) {
+      const JointRef& ref = region.drives[d].joints[i];
+      const Site place = joints.Item(i);
+      if (MeansRoot(ref.name, figure)) return place.Report(Check::kDriveOnRoot, {Quoted(ref.name)});
+      if (!ExpectJoint(ref.name, figure, place)) return;
+      const std::vector<bool> meant = JointsOf({ref}, figure);
+      bool any = false;
+      for (size_t j = 0; j < meant.size(); ++j) {
+        if (!meant[j] || !in_region[j]) continue;
+        any = true;
+        const auto [other, is_first] = driver.try_emplace(static_cast<int>(j), d);
+        if (is_first || other->second == d) continue;
+        return place.Report(Check::kDrivenTwice, {Quoted(figure.joints()[j].name),
+                                                  "drives[" + std::to_string(other->second) + "]"});
+      }
+      if (!any) return place.Report(Check::kDriveNotInRegion, {Quoted(ref.name)});
+    }
+  }
+}
+
+void CheckDrives(const Animation& animation, size_t region, FirstError* errors) {
+  const DynamicsRegion& own = animation.regions[region];
+  const Figure& figure = *animation.figure;
+  const std::string place = At("regions", region) + ".drives";
+  for (const Drive& drive : own.drives) {
+    for (const JointIndex j : drive.joints) {
+      const auto at = std::lower_bound(own.joints.begin(), own.joints.end(), j);
+      if (own.friction[static_cast<size_t>(at - own.joints.begin())] == 0.0) {
+        return errors->Report(Check::kDriveFrozen, place, {Quoted(figure.joint(j).name)});
+      }
+      if (drive.kind != DriveKind::kSpring) continue;
+      const JointGroup& group = figure.group(figure.joint(j).group);
+      const auto has = [](const std::vector<JointIndex>& joints, int hinge) {
+        return std::binary_search(joints.begin(), joints.end(), JointIndex(hinge));
+      };
+      int free = 0, driven = 0;
+      for (int hinge = group.first.value(); hinge <= group.last().value(); ++hinge) {
+        free += has(own.joints, hinge);
+        driven += has(drive.joints, hinge);
+      }
+      if (free == 3 && driven < 3) {
+        return errors->Report(Check::kDriveSplitsBall, place,
+                              {Quoted(figure.joint(j).name), Quoted(group.name)});
+      }
+    }
+  }
+}
+
+}  // namespace hazumi
