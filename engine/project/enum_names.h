@@ -76,9 +76,10 @@ struct EnumNames<ReferenceView> {
 template <>
 struct EnumNames<DriveKind> {
   static constexpr const char* kWhat = "drive";
-  static constexpr EnumName<DriveKind> kNames[] = {{DriveKind::kSpring, NameOf(DriveKind::kSpring)},
-                                                   {DriveKind::kTorque, NameOf(DriveKind::kTorque)},
-                                                   {DriveKind::kKeys, NameOf(DriveKind::kKeys)}};
+  static constexpr EnumName<DriveKind> kNames[] = {
+      {DriveKind::kTorque, NameOf(DriveKind::kTorque)},
+      {DriveKind::kKeys, NameOf(DriveKind::kKeys)},
+      {DriveKind::kSpring, NameOf(DriveKind::kSpring)}};
 };
 
 template <>

@@ -59,6 +59,7 @@ ProjectSceneObject ObjectOf(Shape shape) {
 
 TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllAreSet(ProjectRegion(), "region");
+  ExpectAllAreSet(ProjectDrive(), "drive");
   ExpectAllAreSet(ProjectHold(), "hold");
   ExpectAllAreSet(ProjectMarker(), "marker");
   ExpectAllAreSet(ProjectSolver(), "solver");

@@ -89,6 +89,21 @@ TEST(RoundTrip, WhatChangesHandsIsOfVersionTwo) {
   EXPECT_EQ(Json::parse(WriteProject(ParseGood(SampleProject())))["version"], 1);
 }
 
+TEST(RoundTrip, MuscleIsOfVersionTwo) {
+  const Json before = Changed(
+      SampleProject(),
+      {{"/regions/0/drives",
+        R"([{"joints": [{"beyond": "r_wrist"}], "kind": "torque",
+             "keys": [{"frame": 5, "torque_n_m": 1.5, "rate_n_m_s": 2},
+                      {"frame": 7.5, "torque_n_m": -1, "interpolation": "hold"}]},
+            {"joints": ["r_elbow"], "kind": "spring", "to": "rest", "frequency_hz": 2.5,
+             "damping_ratio": 0.7, "max_torque_n_m": 30},
+            {"joints": ["l_wrist"], "kind": "keys"}])"}});
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["regions"][0]["drives"], before["regions"][0]["drives"]);
+}
+
 TEST(RoundTrip, ATurnInAHandIsOfVersionTwo) {
   const Json before =
       Changed(SampleProject(), {{"/held_objects/1/rotation_deg", "[90, 20.5, -10]"}});

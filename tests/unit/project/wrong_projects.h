@@ -25,6 +25,9 @@ bool Instantiates(std::string_view message, Check check);
 // The part of them that is well formed: values, names and contradictions.
 std::vector<WrongProject> WrongDocuments();
 
+// Those of drives.
+std::vector<WrongProject> WrongDrives();
+
 // Those of a skin.
 std::vector<WrongProject> WrongSkins();
 

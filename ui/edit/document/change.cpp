@@ -31,9 +31,16 @@ size_t BytesOf(const ProjectFigure& figure) {
   return sizeof figure + figure.embedded_json.capacity() +
          figure.spec.joints.capacity() * sizeof(JointSpec);
 }
+size_t BytesOfDrives(const std::vector<ProjectDrive>& drives) {
+  size_t sum = 0;
+  for (const ProjectDrive& drive : drives) {
+    sum += sizeof drive + drive.joints.capacity() * sizeof(JointRef) + BytesOf(drive.torque);
+  }
+  return sum;
+}
 size_t BytesOf(const ProjectRegion& region) {
   return sizeof region + region.joints.capacity() * sizeof(JointRef) +
-         region.friction.joints.capacity() * sizeof(Named<double>);
+         region.friction.joints.capacity() * sizeof(Named<double>) + BytesOfDrives(region.drives);
 }
 // Shared with the project.
 size_t BytesOf(const ProjectSkin& skin) { return sizeof skin; }

@@ -12,6 +12,7 @@ void ForEachIdentity(Project* project, Action&& action) {
     for (auto& item : *items) action(&item.identity.id);
   };
   all(&project->regions);
+  for (ProjectRegion& region : project->regions) all(&region.drives);
   all(&project->placements);
   all(&project->holds);
   all(&project->held_objects);

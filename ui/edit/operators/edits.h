@@ -16,6 +16,7 @@
 namespace hazumi::edit {
 
 // Each gives the operators of one file.
+std::vector<Operator> DriveOperators();
 std::vector<Operator> FieldOperators();
 std::vector<Operator> MediaOperators();
 std::vector<Operator> ExportOperators();

@@ -7,14 +7,13 @@
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/start_keys.h"
 #include "ui/edit/operators/placement/root_curves.h"
+#include "ui/edit/operators/regions.h"
 
 namespace hazumi::edit {
 
 namespace {
 
 using enum ParameterKind;
-
-const ParameterInfo kRegion = {"region", kText, true, "the region's name", Thing::kRegion};
 
 const ParameterInfo kKeyStart = {"key_start", kYesNo, false,
                                  "true: its joints get keys on its first frame, where their curves "
@@ -48,20 +47,6 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
         return Done();
       },
       merge);
-}
-
-// Runs on one region by its name.
-template <typename Action>
-Result<Done> ChangeRegion(Session* session, const Parameters& p, const char* label, Action action) {
-  return session->Edit(
-      label,
-      [&](Project* project) -> Result<Done> {
-        const Result<ProjectRegion*> region =
-            EntryNamed(p.text("region"), "region", &project->regions);
-        if (!region.ok()) return region.error();
-        return action(project, region.value());
-      },
-      p.text("drag"));
 }
 
 Result<Done> SetRegion(Session* session, const Parameters& p) {
@@ -192,7 +177,7 @@ std::vector<Operator> RegionOperators() {
        Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kKeyStart, kDrag}}),
        AddRegion},
       {"region.set", "Change region", "Changes what is given of a region.",
-       Joined({{kRegion},
+       Joined({{kOfRegion},
                FieldsOf<ProjectRegion>(),
                {{"as_project", kYesNo, false,
                  "true: method, step and tolerance are the project's again"},
@@ -201,7 +186,7 @@ std::vector<Operator> RegionOperators() {
       {"region.friction",
        "Change friction",
        "Sets the factor of speed that is left after 1/30 s.",
-       {kRegion,
+       {kOfRegion,
         {"factor",
          kNumber,
          false,
@@ -217,13 +202,13 @@ std::vector<Operator> RegionOperators() {
       {"region.split",
        "Split region",
        "Makes two regions of one.",
-       {kRegion, {"frame", kInteger, true, "where the second one begins"}},
+       {kOfRegion, {"frame", kInteger, true, "where the second one begins"}},
        SplitRegion},
-      {"region.remove", "Remove region", "Takes a region away.", {kRegion}, RemoveRegion},
+      {"region.remove", "Remove region", "Takes a region away.", {kOfRegion}, RemoveRegion},
       {"region.to_keys",
        "Bake region to keys",
        "Makes a key of each frame of a region and takes the region away.",
-       {kRegion},
+       {kOfRegion},
        BakeRegionToKeys}};
 }
 

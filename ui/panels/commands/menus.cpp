@@ -192,20 +192,25 @@ MenuEntry KeyMenu() {
 }
 
 MenuEntry RegionMenu() {
-  return Submenu("Region", {{"sheet.mark_region"},
-                            {"region.add"},
-                            {"region.set"},
-                            {"region.friction"},
-                            {"region.start_rate"},
-                            {"sheet.mute"},
-                            {"region.split"},
-                            {"region.remove"},
-                            {"region.to_keys"},
-                            Line(),
-                            {"motion.stop"},
-                            {"motion.compute"},
-                            Line(),
-                            {"solver.set"}});
+  return Submenu(
+      "Region",
+      {{"sheet.mark_region"},
+       {"region.add"},
+       {"region.set"},
+       {"region.friction"},
+       {"region.start_rate"},
+       Submenu(
+           "Muscle",
+           {{"drive.add"}, {"drive.set"}, {"drive.key"}, {"drive.remove_key"}, {"drive.remove"}}),
+       {"sheet.mute"},
+       {"region.split"},
+       {"region.remove"},
+       {"region.to_keys"},
+       Line(),
+       {"motion.stop"},
+       {"motion.compute"},
+       Line(),
+       {"solver.set"}});
 }
 
 MenuEntry SceneMenu() {
@@ -252,7 +257,9 @@ void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat
   }
 }
 
-bool NeedsRegion(const std::string& id) { return id.starts_with("region.") && id != "region.add"; }
+bool NeedsRegion(const std::string& id) {
+  return (id.starts_with("region.") && id != "region.add") || id.starts_with("drive.");
+}
 
 bool NeedsSelectedKeys(const std::string& id) {
   for (const char* tool : {"sheet.move", "sheet.scale", "sheet.duplicate"}) {

@@ -6,6 +6,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/degrees.h"
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/properties/drives_draw.h"
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
@@ -215,6 +216,7 @@ void DrawRegionSection(Editor* editor) {
   DrawFields(editor, region);
   DrawJoints(editor, region);
   DrawFriction(editor, region);
+  DrawDrives(editor, region);
   DrawMethod(editor, region);
   const bool is_there = session.animation() && *index < session.animation()->regions.size();
   if (is_there) DrawStartRates(editor, region, *index);

@@ -39,6 +39,17 @@ class Carrier {
     if (*frame < first_ || *frame > last_) return;
     *frame = static_cast<int>(std::lround(to_(*frame)));
   }
+  void CarryKeys(ProjectCurve* curve) const {
+    for (ProjectKey& key : curve->keys) {
+      if (key.frame >= first_ && key.frame <= last_) key.frame = to_(key.frame);
+    }
+    std::sort(curve->keys.begin(), curve->keys.end(),
+              [](const ProjectKey& a, const ProjectKey& b) { return a.frame < b.frame; });
+    curve->keys.erase(
+        std::unique(curve->keys.begin(), curve->keys.end(),
+                    [](const ProjectKey& a, const ProjectKey& b) { return a.frame == b.frame; }),
+        curve->keys.end());
+  }
   // However short, it stays a bar.
   template <typename Bar>
   void CarryEnds(Bar* bar) const {
@@ -79,7 +90,9 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
   const Carrier carrier(selected, to, *project);
   if (carrier.is_one_frame()) return;
   for (ProjectRegion& region : project->regions) {
-    if (carrier.has_all() || carrier.HasAllOf(CurvesOf(region, figure))) carrier.CarryEnds(&region);
+    if (!carrier.has_all() && !carrier.HasAllOf(CurvesOf(region, figure))) continue;
+    carrier.CarryEnds(&region);
+    for (ProjectDrive& drive : region.drives) carrier.CarryKeys(&drive.torque);
   }
   if (!carrier.has_all()) return;
   for (ProjectPlacement& placement : project->placements) carrier.CarryEnds(&placement);

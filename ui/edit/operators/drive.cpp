@@ -1,0 +1,147 @@
+// Drives of regions: with how much muscle their joints move.
+
+#include <algorithm>
+
+#include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/regions.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+const ParameterInfo kNumberOf = {"number", kInteger, true, "of its drives, from 0"};
+const ParameterInfo kFrame = {"frame", kNumber, false, "not given: the current one"};
+
+template <typename Action>
+Result<Done> ChangeDrive(Session* session, const Parameters& p, const char* label, Action action) {
+  return ChangeRegion(session, p, label, [&](Project*, ProjectRegion* region) -> Result<Done> {
+    const int number = p.integer("number"), count = static_cast<int>(region->drives.size());
+    if (number < 0 || number >= count) {
+      return Refusal("number", "\"" + region->name + "\" has " + std::to_string(count) +
+                                   " drives, counted from 0");
+    }
+    return action(region, number);
+  });
+}
+
+// Joints have one drive: those that the others name alike go over to this one, and a drive that has
+// none left goes.
+void TakeOver(size_t number, ProjectRegion* region) {
+  const std::vector<JointRef> taken = region->drives[number].joints;
+  for (size_t d = 0; d < region->drives.size(); ++d) {
+    if (d == number) continue;
+    std::erase_if(region->drives[d].joints, [&](const JointRef& ref) {
+      return std::any_of(taken.begin(), taken.end(),
+                         [&](const JointRef& own) { return NameOf(own) == NameOf(ref); });
+    });
+  }
+  std::erase_if(region->drives, [](const ProjectDrive& drive) { return drive.joints.empty(); });
+}
+
+Result<Done> AddDrive(Session* session, const Parameters& p) {
+  return ChangeRegion(session, p, "Add drive",
+                      [&](Project*, ProjectRegion* region) -> Result<Done> {
+                        ProjectDrive drive;
+                        for (const std::string& name : session->selected_joints()) {
+                          drive.joints.push_back(RefFrom(name));
+                        }
+                        if (drive.joints.empty()) drive.joints = region->joints;
+                        if (Result<Done> set = SetFields(p, &drive); !set.ok()) return set.error();
+                        region->drives.push_back(std::move(drive));
+                        TakeOver(region->drives.size() - 1, region);
+                        return Done();
+                      });
+}
+
+Result<Done> SetDrive(Session* session, const Parameters& p) {
+  return ChangeDrive(session, p, "Change drive", [&](ProjectRegion* region, int number) {
+    ProjectDrive& drive = region->drives[number];
+    if (p.yes("unlimited")) drive.max_torque_n_m.reset();
+    Result<Done> set = SetFields(p, &drive);
+    if (drive.kind != DriveKind::kTorque) drive.torque = {};
+    if (p.has("joints")) TakeOver(static_cast<size_t>(number), region);
+    return set;
+  });
+}
+
+Result<Done> RemoveDrive(Session* session, const Parameters& p) {
+  return ChangeDrive(session, p, "Remove drive", [](ProjectRegion* region, int number) {
+    region->drives.erase(region->drives.begin() + number);
+    return Result<Done>(Done());
+  });
+}
+
+Result<Done> ExpectTorque(const ProjectDrive& drive) {
+  if (drive.kind == DriveKind::kTorque) return Done();
+  return Refusal("number", std::string("it is of kind ") + NameOf(drive.kind) +
+                               "; only torque has keys of its own");
+}
+
+Result<Done> KeyTorque(Session* session, const Parameters& p) {
+  return ChangeDrive(session, p, "Key torque",
+                     [&](ProjectRegion* region, int number) -> Result<Done> {
+                       ProjectDrive& drive = region->drives[number];
+                       if (Result<Done> good = ExpectTorque(drive); !good.ok()) return good;
+                       const double frame = p.number("frame", session->frame());
+                       const ProjectKey* there = KeyOn(frame, drive.torque);
+                       ProjectKey key = there ? *there : ProjectKey();
+                       key.frame = frame;
+                       key.value = p.number("torque");
+                       if (Result<Done> set = SetFields(p, &key); !set.ok()) return set.error();
+                       PutKey(key, &drive.torque);
+                       return Done();
+                     });
+}
+
+Result<Done> RemoveTorqueKey(Session* session, const Parameters& p) {
+  return ChangeDrive(
+      session, p, "Remove torque key", [&](ProjectRegion* region, int number) -> Result<Done> {
+        ProjectDrive& drive = region->drives[number];
+        if (Result<Done> good = ExpectTorque(drive); !good.ok()) return good;
+        const double frame = p.number("frame", session->frame());
+        const size_t gone = std::erase_if(
+            drive.torque.keys, [frame](const ProjectKey& key) { return key.frame == frame; });
+        if (gone == 0) return Refusal("frame", "there is no key of its torque");
+        return Done();
+      });
+}
+
+}  // namespace
+
+std::vector<Operator> DriveOperators() {
+  const ParameterInfos fields = FieldsOf<ProjectDrive>();
+  return {
+      {"drive.add", "Add drive",
+       "Gives joints of a region muscle. Not given: a spring to the keys, of the selected joints, "
+       "else of all.",
+       Joined({{kOfRegion}, fields, {kDrag}}), AddDrive},
+      {"drive.set", "Change drive", "Changes what is given of a drive.",
+       Joined({{kOfRegion, kNumberOf},
+               fields,
+               {{"unlimited", kYesNo, false, "true: it pulls as hard as it takes"}, kDrag}}),
+       SetDrive},
+      {"drive.remove",
+       "Remove drive",
+       "Takes a drive away: its joints are limp.",
+       {kOfRegion, kNumberOf},
+       RemoveDrive},
+      {"drive.key", "Key torque", "Sets a key of a torque, or makes one.",
+       Joined(
+           {{kOfRegion,
+             kNumberOf,
+             kFrame,
+             {"torque", kNumber, true, "positive accelerates the angle positively", {}, "", "N m"}},
+            Only({"rate", "interpolation", "easing", "rate_in", "length_in", "length_out", "type"},
+                 FieldsOf<ProjectKey>()),
+            {kDrag}}),
+       KeyTorque},
+      {"drive.remove_key",
+       "Remove torque key",
+       "Takes the key of a torque on a frame away.",
+       {kOfRegion, kNumberOf, kFrame},
+       RemoveTorqueKey}};
+}
+
+}  // namespace hazumi::edit

@@ -1,0 +1,26 @@
+#pragma once
+
+// Internal: what the operators of regions share.
+
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+inline const ParameterInfo kOfRegion = {"region", ParameterKind::kText, true, "the region's name",
+                                        Thing::kRegion};
+
+// One undo step on the region of the parameter "region": action(project, region).
+template <typename Action>
+Result<Done> ChangeRegion(Session* session, const Parameters& p, const char* label, Action action) {
+  return session->Edit(
+      label,
+      [&](Project* project) -> Result<Done> {
+        const Result<ProjectRegion*> region =
+            EntryNamed(p.text("region"), "region", &project->regions);
+        if (!region.ok()) return region.error();
+        return action(project, region.value());
+      },
+      p.text("drag"));
+}
+
+}  // namespace hazumi::edit
