@@ -140,7 +140,7 @@ TEST_F(Properties, ARegionTakesAStepOfItsOwnWhereItsMethodHasSteps) {
   // Up the panel from below its fields: above the step there is a list, which a click opens.
   const Rect content = Content(kTall);
   bool found = false;
-  for (float y = content.y + 340.0f; y > content.y && !found; y -= 8.0f) {
+  for (float y = content.y + 440.0f; y > content.y && !found; y -= 8.0f) {
     found = DragAt(content.x + 0.7f * content.w, y, -24.0f, [&] { return step().has_value(); });
     Button(false);
     if (!found && WriteProject(editor_.session().project()) != before) {

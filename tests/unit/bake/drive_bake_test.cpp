@@ -183,6 +183,23 @@ TEST(SpringDrive, SwingsAsADampedOscillator) {
   }
 }
 
+// By the paper's steps one of more than 1 / (pi h) Hz, undamped, swings ever wider: 9.55 Hz here.
+TEST(SpringDrive, IsUnstableInThePapersStepsAboveAFrequency) {
+  const auto widest = [](double frequency) {
+    Animation animation = Rod();
+    animation.solver.method = animation.regions[0].method = Method::kPaper;
+    KeysOf(&animation, animation.figure->joints()[0].name.c_str()) = {{0, 0.01, 0.0}};
+    AddSpring(&animation, SpringTarget::kRest, frequency, 0.0);
+    double most = 0.0;
+    for (const MotionFrame& frame : BakeOrFail(animation).frames) {
+      most = std::max(most, std::abs(frame.q[0]));
+    }
+    return most;
+  };
+  EXPECT_LT(widest(9.0), 0.05);
+  EXPECT_GT(widest(10.0), 1.0);
+}
+
 // While it pulls as hard as it may: a parabola, q = q_0 - most t^2 / (2 I).
 TEST(SpringDrive, PullsNoHarderThanItMay) {
   Animation animation = Rod();

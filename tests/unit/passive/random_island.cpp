@@ -56,7 +56,7 @@ std::unique_ptr<RandomIsland> RandomIsland::Of(uint64_t seed, RootCoupling coupl
   island->model = std::move(
       models[static_cast<size_t>(random.Integer(0, static_cast<int>(models.size()) - 1))]);
   Random of_drives(seed);
-  for (int i = 0; i < island->model.num_free; ++i) {
+  for (size_t i = 0; i < island->driven.angles.size(); ++i) {  // as many as any island reads
     island->driven.drives.push_back(
         CurveFrom(of_drives.Uniform(-1.0, 1.0), of_drives.Uniform(-1.0, 1.0), &of_drives));
   }

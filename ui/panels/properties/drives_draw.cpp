@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include <cmath>
+#include <cctype>
 
 #include "engine/timeline/curve_track.h"
 #include "ui/panels/properties/field_rows.h"
@@ -99,7 +99,9 @@ void DrawDrives(Editor* editor, const ProjectRegion& region) {
   for (const auto& kind : EnumNames<DriveKind>::kNames) {
     if (!is_first) ImGui::SameLine();
     is_first = false;
-    const std::string label = std::string("+ ") + Tr(kind.name);
+    std::string word = kind.name;
+    word[0] = static_cast<char>(std::toupper(word[0]));
+    const std::string label = std::string("+ ") + Tr(word.c_str());
     if (!DrawButton(label.c_str(), Tr("Gives the selected joints, else all, muscle of this kind."),
                     3)) {
       continue;

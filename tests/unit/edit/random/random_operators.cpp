@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "tests/unit/edit/random/drives_of_regions.h"
 #include "tests/unit/edit/random/held_by_hands.h"
 #include "tests/unit/edit/random/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
@@ -310,7 +311,11 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
   if (id.starts_with("region.")) KeepInRegion(session, random, &parameters);
   if (id == "file.export") KeepToFormat(&parameters);
   if (id == "object.set") KeepToItem(session.project().scene.objects, infos, &parameters);
-  if (parameters.contains("number")) KeepToHolder(session, random, &parameters);
+  if (id.starts_with("drive.")) {
+    KeepToDrive(id, session, random, &parameters);
+  } else if (parameters.contains("number")) {
+    KeepToHolder(session, random, &parameters);
+  }
   if (id == "held.throw_onto" && !Thrown(session).empty()) {
     parameters["object"] = OneOf(Thrown(session), random).name;
   }
@@ -337,10 +342,11 @@ static bool IsBetweenKeys(const Session& session) {
 }
 
 bool IsSeldomPossible(const std::string& id) {
-  static const char* const kIds[] = {"audio.remove",    "held.pass",        "held.set_frames",
-                                     "held.set_holder", "held.throw_onto",  "jump.aim",
-                                     "keys.paste",      "pose.breakdown",   "pose.push",
-                                     "pose.relax",      "reference.remove", "throw.add"};
+  static const char* const kIds[] = {
+      "audio.remove",     "drive.key",  "drive.remove",    "drive.remove_key", "drive.set",
+      "figure.embed",     "held.pass",  "held.set_frames", "held.set_holder",  "held.throw_onto",
+      "jump.aim",         "keys.paste", "pose.breakdown",  "pose.push",        "pose.relax",
+      "reference.remove", "throw.add"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
@@ -359,6 +365,8 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "pose.breakdown" || id == "pose.relax" || id == "pose.push") {
     return IsBetweenKeys(session);
   }
+  const bool is_of_drive = id.starts_with("drive.") && id != "drive.add";
+  if (is_of_drive && DrivesFor(id, session).empty()) return false;
   if (is_of_selected && session.selected_keys().empty()) return false;
   const bool is_of_holder = id.starts_with("held.") &&
                             std::any_of(infos.begin(), infos.end(), [](const ParameterInfo& info) {

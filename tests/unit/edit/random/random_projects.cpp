@@ -116,6 +116,10 @@ void AddExample(const std::string& name, RandomFiles* files) {
   Do(&session, "file.open", {{"path", HAZUMI_SOURCE_DIR "/assets/examples/" + name + ".kfa"}});
   if (name == "throw") {
     Do(&session, "figure.embed");
+    Do(&session, "drive.add",
+       {{"region", "arms"}, {"joints", {"r_elbow_flexion"}}, {"kind", "torque"}});
+    Do(&session, "drive.key", {{"region", "arms"}, {"number", 0}, {"frame", 8}, {"torque", 2}});
+    Do(&session, "drive.add", {{"region", "arms"}, {"joints", {"l_elbow+"}}});
     const std::string& ball = session.project().held_objects[0].name;
     for (const int frame : {4, 20}) {
       const char* joint = frame == 4 ? "l_wrist" : "r_wrist";

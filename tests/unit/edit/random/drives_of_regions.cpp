@@ -1,0 +1,43 @@
+#include "tests/unit/edit/random/drives_of_regions.h"
+
+namespace hazumi::test {
+
+std::vector<DriveOfRegion> DrivesFor(const std::string& id, const edit::Session& session) {
+  std::vector<DriveOfRegion> found;
+  for (const ProjectRegion& region : session.project().regions) {
+    for (size_t i = 0; i < region.drives.size(); ++i) {
+      const ProjectDrive& drive = region.drives[i];
+      if (id == "drive.key" && drive.kind != DriveKind::kTorque) continue;
+      if (id == "drive.remove_key" && drive.torque.keys.empty()) continue;
+      found.push_back({region.name, static_cast<int>(i), drive});
+    }
+  }
+  return found;
+}
+
+void KeepToDrive(const std::string& id, const edit::Session& session, Random* random,
+                 edit::Json* parameters) {
+  const auto any = [random](const auto& list) {
+    return list[random->Integer(0, static_cast<int>(list.size()) - 1)];
+  };
+  const std::vector<ProjectRegion>& regions = session.project().regions;
+  if (regions.empty()) return;
+  ProjectRegion region = any(regions);
+  if (parameters->contains("number")) {
+    const std::vector<DriveOfRegion> drives = DrivesFor(id, session);
+    if (drives.empty()) return;
+    const DriveOfRegion own = any(drives);
+    (*parameters)["number"] = own.number;
+    for (const ProjectRegion& each : regions) {
+      if (each.name == own.region) region = each;
+    }
+    const auto& keys = own.drive.torque.keys;
+    if (id == "drive.remove_key" && !keys.empty()) (*parameters)["frame"] = any(keys).frame;
+  }
+  (*parameters)["region"] = region.name;
+  if (!parameters->contains("joints") || region.joints.empty()) return;
+  const JointRef ref = any(region.joints);
+  (*parameters)["joints"] = {ref.name + (ref.beyond ? "+" : "")};
+}
+
+}  // namespace hazumi::test
