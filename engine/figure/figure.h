@@ -57,6 +57,7 @@ class Figure {
   const Joint& joint(JointIndex j) const { return joints_[j.value()]; }
   const std::vector<JointGroup>& groups() const { return groups_; }
   const JointGroup& group(GroupIndex g) const { return groups_[g.value()]; }
+  // The root's first, then joint by joint.
   const std::vector<Link>& links() const { return links_; }
 
   // The body moved by joint j, in its frame J; of the root, in the root's frame.

@@ -13,6 +13,7 @@
 #include "engine/project/project_skin.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"
+#include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
 
 namespace hazumi {
@@ -87,6 +88,15 @@ struct EnumNames<HoldReach> {
   static constexpr const char* kWhat = "reach";
   static constexpr EnumName<HoldReach> kNames[] = {{HoldReach::kLimb, NameOf(HoldReach::kLimb)},
                                                    {HoldReach::kBody, NameOf(HoldReach::kBody)}};
+};
+
+template <>
+struct EnumNames<ForceKind> {
+  static constexpr const char* kWhat = "force kind";
+  static constexpr EnumName<ForceKind> kNames[] = {
+      {ForceKind::kWind, NameOf(ForceKind::kWind)},
+      {ForceKind::kAttract, NameOf(ForceKind::kAttract)},
+      {ForceKind::kPush, NameOf(ForceKind::kPush)}};
 };
 
 template <>

@@ -12,6 +12,12 @@ namespace {
 std::shared_ptr<const ForceLaw> MakeLaw(const RetentionSpec& spec) {
   return std::make_shared<Retention>(spec);
 }
+std::shared_ptr<const ForceLaw> MakeLaw(const WindSpec& spec) {
+  return std::make_shared<Wind>(spec);
+}
+std::shared_ptr<const ForceLaw> MakeLaw(const AttractionSpec& spec) {
+  return std::make_shared<Attraction>(spec);
+}
 
 }  // namespace
 

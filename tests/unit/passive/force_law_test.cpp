@@ -132,12 +132,28 @@ ForceLaws With(const Push& push, bool is_outer = false) {
   return {std::make_shared<PushLaw>(push, is_outer)};
 }
 
+// Cylinders on some nodes, in wind.
+ForceLaws Windy(const RandomIsland& island, Random* random) {
+  WindSpec wind{random->Vector(3, 5.0), 1.225, {}};
+  for (size_t i = 0; i < island.model.nodes.size(); ++i) {
+    if (!island.model.nodes[i].is_dynamic || island.model.nodes[i].body.is_massless()) continue;
+    wind.cylinders.push_back({static_cast<int>(i), random->Vector(3, 0.3), random->Vector(3, 0.3),
+                              random->Uniform(0.02, 0.2)});
+  }
+  return MakeLaws({wind});
+}
+
+ForceLaws Attracted(const RandomIsland& island, Random* random) {
+  const Push at = AnyPush(island, random);
+  return MakeLaws({AttractionSpec{at.node, random->Vector(3, 0.2), random->Vector(3, 0.5),
+                                  random->Uniform(1.0, 20.0), random->Uniform(0.2, 2.0)}});
+}
+
 // Each law by itself. A new one is to be added here.
 std::vector<ForceLaws> EachLaw(const RandomIsland& island, Random* random) {
-  return {With(AnyPush(island, random)),
-          With(AnyPush(island, random), /*is_outer=*/true),
-          {std::make_shared<DragLaw>()},
-          FrictionAlone(VecX::Constant(island.q.size(), 2.0))};
+  return {With(AnyPush(island, random)), With(AnyPush(island, random), /*is_outer=*/true),
+          {std::make_shared<DragLaw>()}, Windy(island, random),
+          Attracted(island, random),     FrictionAlone(VecX::Constant(island.q.size(), 2.0))};
 }
 
 // Where the pin or the CoM is, and how fast it moves.

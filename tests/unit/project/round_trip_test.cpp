@@ -99,6 +99,32 @@ TEST(RoundTrip, ATurnInAHandIsOfVersionTwo) {
   EXPECT_EQ(WriteProject(ParseGood(unturned)), WriteProject(ParseGood(SampleProject())));
 }
 
+TEST(RoundTrip, ForcesAreOfVersionTwo) {
+  const Json before = Changed(SampleProject(), {{"/forces", R"([
+      {"name": "breeze", "kind": "wind", "velocity_m_s": [2, 0, -0.5], "density_kg_m3": 1.1,
+       "first_frame": 0, "last_frame": 30},
+      {"name": "magnet", "kind": "attract", "joint": "r_wrist", "offset_m": [0, 0, 0.1],
+       "to_m": [1, 0, 1.2], "force_n": 40, "radius_m": 0.5, "first_frame": 5, "last_frame": 9},
+      {"name": "blow", "kind": "push", "joint": "pelvis", "impulse_n_s": [70, 0, 0], "frame": 12,
+       "note": "kept"}])"}});
+  const std::string text = WriteProject(ParseGood(before));
+  const Json after = Json::parse(text);
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["forces"], before["forces"]);
+  EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  const Json calm = Changed(SampleProject(), {{"/forces", "[]"}});
+  EXPECT_EQ(WriteProject(ParseGood(calm)), WriteProject(ParseGood(SampleProject())));
+}
+
+TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
+  const Json before = Changed(SampleProject(), {{"/forces", R"([
+      {"name": "calm", "kind": "wind", "velocity_m_s": [0, 0, 0], "first_frame": 0,
+       "last_frame": 30}])"}});
+  const Project project = ParseGood(before);
+  EXPECT_EQ(project.forces[0].density_kg_m3, 1.225);
+  EXPECT_EQ(Json::parse(WriteProject(project))["forces"], before["forces"]);
+}
+
 TEST(RoundTrip, ANewDocumentIsExact) {
   const Json saved = Json::parse(WriteProject(Project()));
   EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":1})");

@@ -28,4 +28,7 @@ std::vector<WrongProject> WrongDocuments();
 // Those of a skin.
 std::vector<WrongProject> WrongSkins();
 
+// Those of forces from outside.
+std::vector<WrongProject> WrongForces();
+
 }  // namespace hazumi::testing
