@@ -44,6 +44,8 @@ struct Link {
   JointIndex joint;  // invalid: the root body
   Capsule capsule;   // in the frame of the joint
   std::vector<Look> looks;
+  std::optional<LinkSurface> surface =
+      {};  // in the frame of the joint; none: air flows round the capsule
 };
 
 // A tree of hinges with rigid bodies: immutable once built. Joints are numbered depth first, so a

@@ -112,6 +112,14 @@ struct EnumNames<Look::Shape> {
       {Look::Shape::kTaperedCapsule, "tapered_capsule"}, {Look::Shape::kEllipsoid, "ellipsoid"}};
 };
 
+// Tables have none: they are written out.
+template <>
+struct EnumNames<LinkSurface::Kind> {
+  static constexpr const char* kWhat = "coefficients";
+  static constexpr EnumName<LinkSurface::Kind> kNames[] = {{LinkSurface::Kind::kPlate, "plate"},
+                                                           {LinkSurface::Kind::kWing, "wing"}};
+};
+
 template <typename Enum>
 concept FileEnum = requires {
   EnumNames<Enum>::kNames;

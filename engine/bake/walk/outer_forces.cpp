@@ -12,6 +12,8 @@
 #include <span>
 #include <utility>
 
+#include "engine/passive/region_dynamics.h"
+
 namespace hazumi {
 
 namespace {
@@ -35,18 +37,27 @@ std::span<const Link> LinksOf(JointIndex joint, const Figure& figure) {
 
 // In the frame of the node.
 Vec3 OnNode(const NodeJoint& seat, const Vec3& p_J) { return seat.p_N + seat.R_NJ * p_J; }
+LinkSurface OnNode(const NodeJoint& seat, LinkSurface surface) {
+  surface.center = OnNode(seat, surface.center);
+  surface.normal = seat.R_NJ * surface.normal;
+  return surface;
+}
 
 void AddForce(const WindForce& wind, const Figure& figure, const RegionModel& model,
               std::vector<ForceSpec>* forces) {
-  WindSpec spec{wind.velocity, wind.density, {}};
+  WindSpec spec{wind.velocity, wind.density, {}, {}};
   for (const NodeJoint& seat : model.joints) {
     for (const Link& link : LinksOf(seat.joint, figure)) {
+      if (link.surface) {
+        spec.surfaces.push_back({seat.node, OnNode(seat, *link.surface)});
+        continue;
+      }
       const Capsule& capsule = link.capsule;
       spec.cylinders.push_back(
           {seat.node, OnNode(seat, capsule.a), OnNode(seat, capsule.b), 2.0 * capsule.radius});
     }
   }
-  if (!spec.cylinders.empty()) forces->emplace_back(std::move(spec));
+  if (!spec.cylinders.empty() || !spec.surfaces.empty()) forces->emplace_back(std::move(spec));
 }
 
 void AddForce(const AttractForce& pull, const Figure& figure, const RegionModel& model,

@@ -16,7 +16,7 @@ void AddOuterForces(const Animation& animation, const Figure& figure, double t,
 
 // An impulse changes the rates of the free joints of a figure whose joints do as `request` says,
 // and the velocity of its centre of mass in flight: `state`, by Coordinate. False if no free joint
-// carries the point, and nothing flies. [METHOD 2.7]
+// carries the point, and nothing flies. [METHOD 9.3]
 bool Push(const PushForce& push, const Figure& figure, ModelRequest request, RotationState* state);
 
 }  // namespace hazumi

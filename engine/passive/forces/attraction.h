@@ -19,7 +19,7 @@ inline auto MembersOf(const AttractionSpec& spec) {
   return std::tie(node, point, to, force, radius);
 }
 
-// A pull towards a place in the world. [METHOD 2.7]
+// A pull towards a place in the world. [METHOD 9.2]
 class Attraction : public ForceLaw {
  public:
   explicit Attraction(const AttractionSpec& spec) : spec_(spec) {}

@@ -1,11 +1,13 @@
 // Cylinders. With u the air's velocity relative to a point of the axis, u_n what of it is across
 // the axis, each length ds of the axis feels
 //   dF = rho C_D d |u_n| u_n ds / 2,   C_D = 1.1,
-// summed over Gauss's points. Their ends are left out.
+// summed over Gauss's points. Their ends are left out. Surfaces: air_on_surface.h.
 
 #include "engine/passive/forces/wind.h"
 
 #include <cmath>
+
+#include "engine/passive/forces/air_on_surface.h"
 
 namespace hazumi {
 
@@ -13,7 +15,7 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// Across a cylinder of any length, for the speeds of limbs [Hoerner].
+// Across a cylinder of any length, for the speeds of limbs [Hoerner 1965].
 constexpr double kCrossFlowDrag = 1.1;
 
 // Gauss's formula of order 12, on either side of the middle; weights of an interval of length 1.
@@ -25,6 +27,13 @@ constexpr double kWeight[kPairs] = {0.2339569672863455, 0.1803807865240693, 0.08
 
 void Wind::AddForces(const RegionState& state, NodeKinematics* kinematics) const {
   for (const AirCylinder& cylinder : spec_.cylinders) AddDrag(cylinder, state, kinematics);
+  for (const auto& [node, surface] : spec_.surfaces) {
+    const M3& R = kinematics->motion()[node].R;
+    const V3 r = R * V3(surface.center);
+    const Vec3 n = (R * V3(surface.normal)).eigen();
+    const Vec3 u = spec_.velocity - state.VelocityAt(node, r).eigen();
+    kinematics->AddForce(node, r, V3(AirOnSurface(surface, spec_.density, n, u)));
+  }
 }
 
 void Wind::AddDrag(const AirCylinder& cylinder, const RegionState& state,

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/figure/link_surface.h"
 #include "engine/passive/forces/force_law.h"
 
 namespace hazumi {
@@ -19,18 +20,28 @@ inline auto MembersOf(const AirCylinder& cylinder) {
   return std::tie(node, a, b, diameter);
 }
 
+struct AirSurface {
+  int node = 0;
+  LinkSurface surface;  // in the node's frame
+};
+inline auto MembersOf(const AirSurface& on) {
+  const auto& [node, surface] = on;
+  return std::tie(node, surface);
+}
+
 struct WindSpec {
   static constexpr bool kIsOuter = true;  // as its law says
   Vec3 velocity = Vec3::Zero();           // of the air, in the world [m/s]
   double density = 0.0;                   // [kg/m^3]
   std::vector<AirCylinder> cylinders;
+  std::vector<AirSurface> surfaces;
 };
 inline auto MembersOf(const WindSpec& spec) {
-  const auto& [velocity, density, cylinders] = spec;
-  return std::tie(velocity, density, cylinders);
+  const auto& [velocity, density, cylinders, surfaces] = spec;
+  return std::tie(velocity, density, cylinders, surfaces);
 }
 
-// What air does to bodies that it flows past. [METHOD 2.7]
+// What air does to bodies that it flows past. [METHOD 9.1]
 class Wind : public ForceLaw {
  public:
   explicit Wind(WindSpec spec) : spec_(std::move(spec)) {}

@@ -3,96 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <variant>
 
+#include "engine/bake/incremental_bake.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/figure/figure_builder.h"
-#include "engine/spatial/degrees.h"
-#include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
 #include "tests/support/momentum.h"
+#include "tests/unit/bake/force_cases.h"
 
 namespace hazumi::test {
 namespace {
-
-constexpr double kMass = 1.3, kLength = 0.8, kThickness = 0.05;  // of rods [kg, m]
-constexpr double kAir = 1.225, kCrossFlow = 1.1;
-constexpr Interpolation kHold = Interpolation::kHold;
-
-LinkSpec Rod(const char* name, const Vec3& from, const Vec3& to) {
-  LinkSpec link;
-  link.name = name;
-  link.from = from;
-  link.to = to;
-  link.radius = 0.5 * kThickness;
-  link.mass = kMass;
-  return link;
-}
-
-// A rod about whose middle, along x, the root sits.
-Figure FreeRod() {
-  FigureSpec spec;
-  spec.name = "rod";
-  spec.root_name = "rod";
-  spec.root_links = {Rod("rod", -0.5 * kLength * Vec3::UnitX(), 0.5 * kLength * Vec3::UnitX())};
-  JointSpec tip;  // gravity needs something to pin where it lands
-  tip.name = "tip";
-  tip.parent = "rod";
-  tip.hinges = {{"", Vec3::UnitY(), 0.0, 0.0, 0.0}};
-  spec.joints = {tip};
-  return BuildFigure(spec).value();
-}
-
-// A rod along x that turns about z at its end, on a root that stays.
-Figure TurningRod() {
-  FigureSpec spec;
-  spec.name = "arm";
-  spec.root_name = "base";
-  spec.root_links = {Rod("base", Vec3::Zero(), Vec3::Zero())};
-  spec.root_links[0].radius = 0.1;
-  JointSpec joint;
-  joint.name = "pivot";
-  joint.parent = "base";
-  joint.hinges = {{"", Vec3::UnitZ(), -1e3, 1e3, 0.0}};
-  joint.links = {Rod("rod", Vec3::Zero(), kLength * Vec3::UnitX())};
-  spec.joints = {joint};
-  return BuildFigure(spec).value();
-}
-
-Animation Exact(Figure figure, double gravity) {
-  Animation animation = Still(std::move(figure));
-  animation.solver.method = Method::kExact;
-  animation.solver.tolerance = 1e-9 * kDegree;
-  animation.gravity = gravity;
-  return animation;
-}
-
-// The root's orientation swings too.
-void FreeAll(Animation* animation, const std::vector<const char*>& joints = {}, int first = 0) {
-  DynamicsRegion& region = AddRegion(animation, "free", first, 30, joints);
-  region.method = Method::kExact;
-  region.root = true;
-}
-
-// In flight from the first frame on.
-Animation Flying(Figure figure, double gravity) {
-  Animation animation = Exact(std::move(figure), gravity);
-  AddGravity(&animation, 0, 30);
-  FreeAll(&animation);
-  return animation;
-}
-
-void AddForce(Animation* animation, int first, int last,
-              std::variant<WindForce, AttractForce, PushForce> action) {
-  animation->forces.push_back({"force", std::move(action), first, last});
-}
-
-void SetRoot(Animation* animation, RootCurve curve, double value, double rate) {
-  animation->root_keys[curve] = {{0, value, rate, kHold}};
-}
-
-// ---- Air
 
 // I w' = -rho C_D d L^4 w^2 / 8:  w = w0 / (1 + k w0 t),  k = rho C_D d L^4 / (8 I)
 TEST(ForceBake, AirBrakesARodThatTurnsAboutItsEnd) {
@@ -143,7 +63,40 @@ TEST(ForceBake, AFigureThatDriftsWithTheWindFeelsNone) {
   EXPECT_LT((a.X_WR.R - b.X_WR.R).norm(), 1e-9);
 }
 
-// ---- Attraction
+// v = v_end tanh(g t / v_end),  v_end = sqrt(2 m g / (rho A C_D)) = 3.0423 m/s
+TEST(ForceBake, APlateThatFallsFlatReachesItsLastSpeed) {
+  FigureSpec spec;
+  spec.name = "plate";
+  spec.root_name = "plate";
+  spec.root_links = {Rod("plate", -0.1 * Vec3::UnitX(), 0.1 * Vec3::UnitX())};
+  spec.root_links[0].mass = 0.1;
+  LinkSurface surface;
+  surface.area = 0.05;
+  surface.normal = Vec3::UnitZ();
+  surface.kind = LinkSurface::Kind::kTable;
+  surface.lift = {0.0};
+  surface.drag = {3.461};
+  spec.root_links[0].surface = surface;
+  JointSpec tip;
+  tip.name = "tip";
+  tip.parent = "plate";
+  tip.hinges = {{"", Vec3::UnitY(), 0.0, 0.0, 0.0}};
+  spec.joints = {tip};
+  Animation animation = Exact(BuildFigure(spec).value(), kG);
+  animation.last_frame = 90;
+  AddGravity(&animation, 0, 90);
+  FreeAll(&animation);
+  animation.regions[0].last_frame = 90;
+  AddForce(&animation, 0, 90, WindForce{Vec3::Zero(), kAir});
+  const Motion motion = BakeOrFail(animation);
+  const double end = std::sqrt(2.0 * 0.1 * kG / (kAir * surface.area * 3.461));
+  for (const MotionFrame& frame : motion.frames) {
+    const double expected = -end * std::tanh(kG * frame.frame / 30.0 / end);
+    EXPECT_NEAR(frame.before.root_v.z(), expected, 1e-8) << frame.frame;
+  }
+  EXPECT_NEAR(motion.frames[90].before.root_v.z(), -3.0423, 0.001 * 3.0423);
+  RecordProperty("last_speed", std::to_string(-motion.frames[90].before.root_v.z()));
+}
 
 // At the centre of a body inside the radius: x'' = -f x / (r m).
 TEST(ForceBake, APullInsideItsRadiusSwingsABodyAsASpringDoes) {
@@ -218,126 +171,38 @@ TEST(ForceBake, ActsInItsFramesAlone) {
   }
 }
 
-// ---- Pushes
-
-TEST(ForceBake, APushGivesAFreeRodVelocityAndSpin) {
-  Animation animation = Flying(FreeRod(), 0.0);
-  SetRoot(&animation, kRootAngleZ, 0.7, 0.0);
-  SetRoot(&animation, kRootAngleY, -0.4, 0.0);
-  SetRoot(&animation, kRootX, 0.1, 0.3);
-  const PushForce push = {{{}, Vec3(0.3, 0.01, -0.02)}, Vec3(0.4, -1.1, 0.8)};
-  AddForce(&animation, 12, 13, push);
-  const Motion motion = BakeOrFail(animation);
-  const MotionFrame& hit = motion.frames[12];
-  const Mat3 I = hit.X_WR.R * animation.figure->root_body().I_com * hit.X_WR.R.transpose();
-  const Vec3 w = I.inverse() * (hit.X_WR.R * push.at.offset).cross(push.impulse);
-  const Vec3 v = Vec3(0.3, 0.0, 0.0) + push.impulse / kMass;
-  EXPECT_LT(hit.before.root_w.norm(), 1e-12);
-  EXPECT_LT((hit.after.root_w - w).norm(), 1e-9);
-  EXPECT_LT((hit.after.root_v - v).norm(), 1e-9);
-  EXPECT_GT(w.norm(), 1.0);
-  const MotionFrame& last = motion.frames[30];
-  EXPECT_LT((last.X_WR.p - hit.X_WR.p - 0.6 * v).norm(), 1e-9);
-}
-
-// A human whose arms swing: what comes in is the impulse, and its moment about the centre of mass.
-TEST(ForceBake, APushInFlightChangesMomentumByTheImpulseAndItsMoment) {
+// Forces of all kinds, edited and baked on: the same bits as baked anew.
+TEST(ForceBake, AfterAnEditIsTheSameBits) {
   Animation animation = Exact(Human37(), kG);
-  AddGravity(&animation, 0, 30);
-  FreeAll(&animation, {"r_shoulder", "l_shoulder"});
-  SetRoot(&animation, kRootZ, 5.0, 3.0);
-  SetRoot(&animation, kRootAngleY, 0.2, 3.0);
-  double rate = 1.0;
-  for (const JointIndex j : animation.regions[0].joints) {
-    animation.joint_keys[j.value()] = {{0, 0.1 * rate, rate, kHold}};
-    rate = std::fmod(2.7 * rate + 0.9, 3.0) - 1.0;
-  }
-  const PushForce push = {{GroupOf(animation, "r_elbow"), Vec3(0.0, 0.02, -0.2)},
-                          Vec3(1.0, -2.0, 4.0)};
-  AddForce(&animation, 9, 10, push);
-  const Motion motion = BakeOrFail(animation);
-  const MotionFrame& hit = motion.frames[9];
-  const Momentum before = MomentumOf(*animation.figure, hit.before);
-  const Momentum after = MomentumOf(*animation.figure, hit.after);
-  DynamicsWorkspace ws(*animation.figure);
-  ComputePositions(*animation.figure, hit.X_WR, hit.q, &ws);
-  const BodyScratch& body = ws.body(animation.figure->group(*push.at.joint).last());
-  const Vec3 arm = body.p + body.R * push.at.offset - before.com;
-  EXPECT_LT((after.mass * (after.com_v - before.com_v) - push.impulse).norm(), 1e-9);
-  EXPECT_LT((after.L - before.L - arm.cross(push.impulse)).norm(), 1e-9);
-  const Momentum end = MomentumOf(*animation.figure, motion.frames[30].before);
-  EXPECT_LT((end.L - after.L).norm(), 1e-7 * after.L.norm());
-  const Vec3 fallen = after.com + 0.7 * after.com_v - 0.5 * kG * 0.49 * Vec3::UnitZ();
-  EXPECT_LT((end.com - fallen).norm(), 1e-9);
-}
-
-// On links that hang on what stays: the energy that comes in is impulse times mean velocity.
-TEST(ForceBake, TheWorkOfAPushIsItsImpulseTimesTheMeanVelocityOfItsPoint) {
-  Animation animation = Exact(Human37(), kG);
-  AddRegion(&animation, "arm", 0, 30, {"r_shoulder"}, 0.95).method = Method::kExact;
-  const PushForce push = {{GroupOf(animation, "r_elbow"), Vec3(0.0, 0.02, -0.2)},
-                          Vec3(1.0, -0.5, 0.3)};
-  AddForce(&animation, 11, 12, push);
-  const Motion motion = BakeOrFail(animation, {{}, nullptr, true});
-  const MotionFrame& hit = motion.frames[11];
-  Vec3 sum = Vec3::Zero();
-  DynamicsWorkspace ws(*animation.figure);
-  ComputePositions(*animation.figure, hit.X_WR, hit.q, &ws);
-  for (const MotionLimit* side : {&hit.before, &hit.after}) {
-    ComputeVelocities(*animation.figure, Vec3::Zero(), Vec3::Zero(), side->qd, &ws);
-    const BodyScratch& body = ws.body(animation.figure->group(*push.at.joint).last());
-    sum += body.v + body.w.cross(body.R * push.at.offset);
-  }
-  const double work = 0.5 * push.impulse.dot(sum);
-  const EnergyBalance energy = motion.regions[0].energy.value();
-  EXPECT_NEAR(energy.WorkOf("push"), work, 1e-8);
-  EXPECT_GT(work, 0.1);
-  EXPECT_LT(std::abs(energy.residual()), 1e-6);
-}
-
-// A knee on its limit is pushed against it: it stays, and the leg turns as one body.
-TEST(ForceBake, APushDoesNotGoThroughALimit) {
-  FigureSpec spec;
-  spec.name = "leg";
-  spec.root_name = "base";
-  spec.root_links = {Rod("base", Vec3::Zero(), Vec3::Zero())};
-  spec.root_links[0].radius = 0.1;
-  JointSpec hip, knee;
-  hip.name = "hip";
-  hip.parent = "base";
-  hip.hinges = {{"", Vec3::UnitZ(), -10.0, 10.0, 0.0}};
-  hip.links = {Rod("thigh", Vec3::Zero(), kLength * Vec3::UnitX())};
-  knee = hip;
-  knee.name = "knee";
-  knee.parent = "hip";
-  knee.offset = kLength * Vec3::UnitX();
-  knee.hinges = {{"", Vec3::UnitZ(), 0.0, 2.0, 0.0}};
-  knee.links[0].name = "shank";
-  spec.joints = {hip, knee};
-  Animation animation = Exact(BuildFigure(spec).value(), 0.0);
-  AddRegion(&animation, "leg", 0, 30, {"hip"}).method = Method::kExact;
-  const double impulse = 0.7;
-  AddForce(
-      &animation, 10, 11,
-      PushForce{{GroupOf(animation, "knee"), kLength * Vec3::UnitX()}, -impulse * Vec3::UnitY()});
-  const Motion motion = BakeOrFail(animation);
-  const double I_com = animation.figure->body(JointIndex(0)).I_com(2, 2);
-  const double I = 2.0 * I_com + kMass * kLength * kLength * (0.25 + 2.25);
-  const double w = -impulse * 2.0 * kLength / I;
-  for (int frame = 11; frame < 30; ++frame) {
-    EXPECT_NEAR(motion.frames[frame].q[1], 0.0, 1e-12);
-    EXPECT_NEAR(motion.frames[frame].after.qd[0], w, 1e-9);
-  }
-}
-
-TEST(ForceBake, APushOnWhatNoRegionMovesIsRefused) {
-  Animation animation = Exact(Human37(), kG);
-  AddRegion(&animation, "arm", 0, 30, {"r_shoulder"}).method = Method::kExact;
-  AddForce(&animation, 11, 12,
-           PushForce{{GroupOf(animation, "l_elbow"), Vec3::Zero()}, Vec3::UnitX()});
-  const Error error = BakeError(animation);
-  EXPECT_EQ(error.place, "forces[0]");
-  EXPECT_NE(error.message.find("no region moves \"l_elbow\" in frame 11"), std::string::npos);
+  animation.solver.tolerance = 0.01 * kDegree;
+  AddGravity(&animation, 2, 28);
+  DynamicsRegion& region = AddRegion(&animation, "arm", 4, 24, {"r_shoulder"}, 0.9);
+  region.method = Method::kExact;
+  SetRoot(&animation, kRootZ, 5.0, 0.0);
+  KeysOf(&animation, "r_knee") = {{0, 0.1, {}}, {12, 0.5, {}}, {30, 0.2, {}}};
+  AttractForce pull;
+  pull.at.joint = GroupOf(animation, "r_elbow");
+  pull.force = 5.0;
+  AddForce(&animation, 3, 20, WindForce{Vec3(9.0, 1.0, 0.0), kAir});
+  AddForce(&animation, 6, 30, pull);
+  AddForce(&animation, 10, 11, PushForce{{pull.at.joint, Vec3::Zero()}, Vec3(2.0, 1.0, 0.0)});
+  IncrementalBake bake(animation);
+  const auto expect_same = [&] {
+    ASSERT_FALSE(bake.Finish());
+    const Motion whole = BakeOrFail(animation);
+    for (size_t i = 0; i < whole.frames.size(); ++i) {
+      ASSERT_TRUE(IsSame(bake.motion().frames[i], whole.frames[i])) << "frame " << i;
+    }
+  };
+  expect_same();
+  KeysOf(&animation, "r_knee")[1].value = 0.6;
+  animation.regions[0].friction[0] = 0.7;
+  bake.Update(animation);
+  expect_same();
+  animation.forces[0].last_frame = 15;
+  std::get<PushForce>(animation.forces[2].action).impulse.x() = 3.0;
+  bake.Update(animation);
+  expect_same();
 }
 
 }  // namespace

@@ -132,13 +132,21 @@ ForceLaws With(const Push& push, bool is_outer = false) {
   return {std::make_shared<PushLaw>(push, is_outer)};
 }
 
-// Cylinders on some nodes, in wind.
+// Cylinders and surfaces on all bodies, in wind.
 ForceLaws Windy(const RandomIsland& island, Random* random) {
-  WindSpec wind{random->Vector(3, 5.0), 1.225, {}};
+  WindSpec wind{random->Vector(3, 5.0), 1.225, {}, {}};
   for (size_t i = 0; i < island.model.nodes.size(); ++i) {
     if (!island.model.nodes[i].is_dynamic || island.model.nodes[i].body.is_massless()) continue;
     wind.cylinders.push_back({static_cast<int>(i), random->Vector(3, 0.3), random->Vector(3, 0.3),
                               random->Uniform(0.02, 0.2)});
+    const Vec3 normal = random->Vector3(1.0);
+    wind.surfaces.push_back({static_cast<int>(i),
+                             {random->Uniform(0.01, 0.1),
+                              normal.normalized(),
+                              random->Vector3(0.3),
+                              i % 2 == 0 ? LinkSurface::Kind::kWing : LinkSurface::Kind::kPlate,
+                              {},
+                              {}}});
   }
   return MakeLaws({wind});
 }

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
+#include "engine/figure/figure_builder.h"
+#include "engine/project/figure_reader.h"
+#include "engine/project/figure_writer.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/sample.h"
@@ -25,6 +29,11 @@ int AddUnknownFields(Json* json, bool is_map = false) {
   (*json)["x_unknown"] = Json::parse(R"({"deep": [1, -2.5, "\"\n\u00e9", null], "at": )" +
                                      std::to_string(count) + "}");
   return count + 1;
+}
+
+const Link& LinkOf(const Figure& figure, const std::string& name) {
+  return *std::find_if(figure.links().begin(), figure.links().end(),
+                       [&](const Link& link) { return link.name == name; });
 }
 
 int CountUnknownFields(const Json& json) {
@@ -123,6 +132,25 @@ TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
   const Project project = ParseGood(before);
   EXPECT_EQ(project.forces[0].density_kg_m3, 1.225);
   EXPECT_EQ(Json::parse(WriteProject(project))["forces"], before["forces"]);
+}
+
+// And its twin has it too, reflected.
+TEST(RoundTrip, ASurfaceIsReadAndWritten) {
+  for (const char* coefficients : {R"("plate")", R"("wing")", R"({"lift": [0, 1], "drag": [2]})"}) {
+    const std::string surface = std::string(R"({"area_m2": 0.02, "normal": [0, 0.6, 0.8],
+                                                "center_m": [0, 0.1, -0.1], "coefficients": )") +
+                                coefficients + "}";
+    const Json document = Changed(SampleProject(), {{"/figure/joints/3/links/0/surface", surface}});
+    const FigureSpec spec = ParseGood(document).figure.spec;
+    const Json written = Json::parse(FigureText(spec));
+    EXPECT_EQ(written["joints"][3]["links"][0]["surface"], Json::parse(surface));
+    EXPECT_TRUE(ParseFigure(written.dump(), "again.json").ok());
+    const Figure figure = BuildFigure(spec).value();
+    const Link &right = LinkOf(figure, "r_hand"), &left = LinkOf(figure, "l_hand");
+    EXPECT_LT((right.surface->normal - Vec3(0.0, 0.6, 0.8)).norm(), 1e-15);
+    EXPECT_LT((left.surface->normal - Vec3(0.0, -0.6, 0.8)).norm(), 1e-15);
+    EXPECT_EQ(left.surface->center, Vec3(0.0, -0.1, -0.1));
+  }
 }
 
 TEST(RoundTrip, ANewDocumentIsExact) {

@@ -82,6 +82,31 @@ std::vector<WrongProject> Contradictions() {
   };
 }
 
+// Of a figure's link.
+std::vector<WrongProject> WrongSurfaces() {
+  const auto with = [](const std::string& surface) {
+    return Figure("/joints/3/links/0/surface", surface);
+  };
+  const std::string place = "joints[3].links[0].surface";
+  return {
+      {Check::kMissingField, with(R"({"normal": [1, 0, 0], "center_m": [0, 0, 0]})"),
+       place + ": the field \"area_m2\" is missing; add it"},
+      {Check::kNotPositive, with(R"({"area_m2": 0, "normal": [1, 0, 0], "center_m": [0, 0, 0]})"),
+       place + ".area_m2: must be greater than 0, is 0"},
+      {Check::kNotUnit, with(R"({"area_m2": 1, "normal": [2, 0, 0], "center_m": [0, 0, 0]})"),
+       place + ".normal: must have length 1, has 2; write [1, 0, 0]"},
+      {Check::kUnknownChoice,
+       with(R"({"area_m2": 1, "normal": [1, 0, 0], "center_m": [0, 0, 0], "coefficients": "wng"})"),
+       place + ".coefficients: there is no coefficients \"wng\"; did you mean \"wing\"?"},
+      {Check::kNegative, with(R"({"area_m2": 1, "normal": [1, 0, 0], "center_m": [0, 0, 0],
+                "coefficients": {"lift": [0], "drag": [1, -1]}})"),
+       place + ".coefficients.drag[1]: must not be negative, is -1"},
+      {Check::kEmptyName, with(R"({"area_m2": 1, "normal": [1, 0, 0], "center_m": [0, 0, 0],
+                "coefficients": {"lift": [], "drag": [1]}})"),
+       place + ".coefficients.lift: must not be empty"},
+  };
+}
+
 std::vector<WrongProject> Warnings() {
   return {
       {Check::kForceFeltByNone, Warn(With(kMagnet, {{"/forces/0/joint", "\"l_knee\""}})),
@@ -98,7 +123,7 @@ std::vector<WrongProject> Warnings() {
 
 std::vector<WrongProject> WrongForces() {
   std::vector<WrongProject> all = WrongValues();
-  for (const auto& list : {Contradictions(), Warnings()}) {
+  for (const auto& list : {Contradictions(), WrongSurfaces(), Warnings()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;
