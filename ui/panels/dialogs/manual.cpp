@@ -12,7 +12,10 @@ const std::vector<ManualPart>& ManualParts() {
         "up again where it is, as fast as it is. Nothing jumps, and all other joints do what their "
         "keys say.",
         "Friction slows a joint down: the factor is what is left of its speed after 1/30 s. 1 is "
-        "no friction, 0.8 is like a relaxed arm, 0 is frozen. Joints stop at their limits."}},
+        "no friction, 0.8 is like a relaxed arm, 0 is frozen. Joints stop at their limits.",
+        "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
+        "instant. Joints in regions give way to them, and so does a figure that flies while it "
+        "has a region; what keys move does not."}},
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "
