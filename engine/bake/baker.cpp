@@ -124,10 +124,12 @@ std::optional<Error> Baker::CrossFrame(int frame) {
   const bool is_moved_otherwise = regions_ended || holds_ended || regions_begun || holds_begun;
   const bool is_placed_otherwise = unplaced || placed;
   if (is_moved_otherwise) ChooseWalk(frame);
-  if (is_placed_otherwise || released) walk_->Interrupt();
-  const bool changes = is_moved_otherwise || is_placed_otherwise || released;
+  const bool is_forced_otherwise = ChangeForces(frame);
+  if (is_placed_otherwise || released || is_forced_otherwise) walk_->Interrupt();
+  const bool changes = is_moved_otherwise || is_placed_otherwise || released || is_forced_otherwise;
   if (!changes && !context_.schedule.HasKeyAt(frame)) return std::nullopt;
   if (auto error = context_.poses.Evaluate(frame, Side::kAfter, &context_.now)) return error;
+  if (auto error = Push(frame)) return error;
   if (is_placed_otherwise && !has_landed) placement_.WarnOfVelocityJump(frame);
   return std::nullopt;
 }
@@ -178,6 +180,35 @@ bool Baker::HandOverObjects(int frame) {
   for (size_t i = 0; i < changes.size(); ++i) WarnOfJump(frame, changes[i], jumps[i]);
   context_.now.fall.reset();  // of what it was with them
   return true;
+}
+
+// Other forces act from outside from here on: a fall that they bent begins anew.
+bool Baker::ChangeForces(int frame) {
+  if (!context_.schedule.ForcesChangeAt(frame)) return false;
+  FigureMotion& now = context_.now;
+  if (now.fall) {
+    now.fall.reset();
+    context_.poses.placement().RenewFlight(context_.Seconds(frame), now);
+  }
+  return true;
+}
+
+std::optional<Error> Baker::Push(int frame) {
+  bool any = false;
+  for (const auto& [first_frame, i] : context_.schedule.ForcesFrom(frame)) {
+    const auto* push = std::get_if<PushForce>(&animation_.forces[i].action);
+    if (!push) continue;
+    any = true;
+    if (walk_->Push(*push)) continue;
+    const std::string joint =
+        push->at.joint ? context_.NameOf(*push->at.joint) : context_.poses.figure().root_name();
+    return Error{ErrorCode::kSemantics, "", "forces[" + std::to_string(i) + "]",
+                 "no region moves \"" + joint + "\" in frame " + std::to_string(frame) +
+                     ", so that nothing can give way to the push; begin a region there that has it "
+                     "or a joint between it and what holds it, or move the push"};
+  }
+  if (!any) return std::nullopt;
+  return context_.poses.Evaluate(frame, Side::kAfter, &context_.now);
 }
 
 void Baker::WarnOfJump(int frame, const ObjectChange& change, double jump) {

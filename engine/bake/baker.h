@@ -44,6 +44,8 @@ class Baker {
   bool EndHolds(int frame);
   bool BeginHolds(int frame);
   bool HandOverObjects(int frame);
+  bool ChangeForces(int frame);
+  std::optional<Error> Push(int frame);
   void WarnOfJump(int frame, const ObjectChange& change, double jump);
   void ChooseWalk(int frame);
   RegionWalk& WalkOf(Method method);

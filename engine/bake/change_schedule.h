@@ -33,6 +33,13 @@ class ChangeSchedule {
     return regions_until_.At(frame);
   }
   std::span<const ItemsByFrame::Entry> HoldsFrom(int frame) const { return holds_from_.At(frame); }
+  std::span<const ItemsByFrame::Entry> ForcesFrom(int frame) const {
+    return forces_from_.At(frame);
+  }
+  // Whether a force from outside begins or ends at the frame.
+  bool ForcesChangeAt(int frame) const {
+    return !forces_from_.At(frame).empty() || !forces_until_.At(frame).empty();
+  }
   // Held objects that are let go of or go over to a holder.
   std::span<const ItemsByFrame::Entry> HandOvers(int frame) const { return hand_overs_.At(frame); }
   // Whether a region that begins at the frame moves the joint.
@@ -53,6 +60,7 @@ class ChangeSchedule {
   std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
   std::vector<int> num_keys_;  // by Index(frame)
   ItemsByFrame regions_from_, regions_until_, holds_from_, hand_overs_;
+  ItemsByFrame forces_from_, forces_until_;
 };
 
 }  // namespace hazumi

@@ -44,6 +44,8 @@ struct Link {
   JointIndex joint;  // invalid: the root body
   Capsule capsule;   // in the frame of the joint
   std::vector<Look> looks;
+  std::optional<LinkSurface> surface =
+      {};  // in the frame of the joint; none: air flows round the capsule
 };
 
 // A tree of hinges with rigid bodies: immutable once built. Joints are numbered depth first, so a
@@ -57,6 +59,7 @@ class Figure {
   const Joint& joint(JointIndex j) const { return joints_[j.value()]; }
   const std::vector<JointGroup>& groups() const { return groups_; }
   const JointGroup& group(GroupIndex g) const { return groups_[g.value()]; }
+  // The root's first, then joint by joint.
   const std::vector<Link>& links() const { return links_; }
 
   // The body moved by joint j, in its frame J; of the root, in the root's frame.

@@ -228,7 +228,8 @@ class FigureAssembler {
   RigidInertia AddLinks(const std::vector<LinkSpec>& links, JointIndex joint) {
     RigidInertia body;
     for (const LinkSpec& link : links) {
-      figure_.links_.push_back({link.name, joint, {link.from, link.to, link.radius}, link.looks});
+      figure_.links_.push_back(
+          {link.name, joint, {link.from, link.to, link.radius}, link.looks, link.surface});
       body = Combine(body, InertiaOf(link));
     }
     return body;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/figure/link_surface.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -32,6 +33,7 @@ struct LinkSpec {
   std::optional<Vec3> com;                      // default: the middle of the capsule
   std::optional<Mat3> inertia;                  // about the CoM [kg m^2]; default: solid cylinder
   std::vector<Look> looks;                      // default: the capsule itself
+  std::optional<LinkSurface> surface;           // in the joint's frame; default: air flows round it
 };
 
 struct HingeSpec {

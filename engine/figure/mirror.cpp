@@ -31,6 +31,10 @@ LinkSpec Twin(LinkSpec link, const MirrorSpec& mirror) {
   if (link.com) link.com = Reflect(*link.com);
   if (link.inertia) link.inertia = Reflect(*link.inertia);
   for (Look& look : link.looks) look = Twin(look);
+  if (link.surface) {
+    link.surface->normal = Reflect(link.surface->normal);
+    link.surface->center = Reflect(link.surface->center);
+  }
   return link;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/figure/figure_builder.h"
 #include "engine/project/checks/compile_checks.h"
 #include "engine/project/checks/document_checks.h"
+#include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
@@ -55,10 +56,12 @@ class Compiler {
     for (size_t i = 0; i < project_.regions.size() && !is_cancelled(); ++i) AddRegion(i);
     for (const ProjectPlacement& placement : project_.placements) AddPlacement(placement);
     for (const ProjectHold& hold : project_.holds) AddHold(hold);
+    for (const ProjectForce& force : project_.forces) animation_.forces.push_back(ToForce(force));
     CheckAnimation(animation_, cancel_, &errors);
     if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     if (!errors.ok()) return *errors.error();
     WarnAboutPlacements(animation_, &warnings_);
+    WarnAboutForces(animation_, &warnings_);
     std::sort(animation_.placements.begin(), animation_.placements.end(),
               [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
     return Compiled{std::move(animation_), std::move(warnings_)};
@@ -248,6 +251,20 @@ class Compiler {
   void AddHold(const ProjectHold& source) {
     animation_.holds.push_back({*GroupOf(source.joint), source.first_frame, source.last_frame,
                                 source.orientation, source.reach});
+  }
+
+  OuterForce ToForce(const ProjectForce& source) const {
+    OuterForce force{source.name, {}, source.first_frame, source.last_frame};
+    const ForcePoint at = {GroupOf(source.joint), source.offset_m};
+    if (source.kind == ForceKind::kWind) {
+      force.action = WindForce{source.velocity_m_s, source.density_kg_m3};
+    } else if (source.kind == ForceKind::kAttract) {
+      force.action = AttractForce{at, source.to_m, source.force_n, source.radius_m};
+    } else {
+      force.action = PushForce{at, source.impulse_n_s};
+      force.last_frame = source.first_frame + 1;
+    }
+    return force;
   }
 
   const Project& project_;

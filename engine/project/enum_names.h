@@ -13,6 +13,7 @@
 #include "engine/project/project_skin.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"
+#include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
 
 namespace hazumi {
@@ -108,6 +109,15 @@ struct EnumNames<HoldReach> {
 };
 
 template <>
+struct EnumNames<ForceKind> {
+  static constexpr const char* kWhat = "force kind";
+  static constexpr EnumName<ForceKind> kNames[] = {
+      {ForceKind::kWind, NameOf(ForceKind::kWind)},
+      {ForceKind::kAttract, NameOf(ForceKind::kAttract)},
+      {ForceKind::kPush, NameOf(ForceKind::kPush)}};
+};
+
+template <>
 struct EnumNames<ShippedSkin> {
   static constexpr const char* kWhat = "skin";
   static constexpr EnumName<ShippedSkin> kNames[] = {{ShippedSkin::kHuman, "human"}};
@@ -118,6 +128,14 @@ struct EnumNames<Look::Shape> {
   static constexpr const char* kWhat = "shape";
   static constexpr EnumName<Look::Shape> kNames[] = {
       {Look::Shape::kTaperedCapsule, "tapered_capsule"}, {Look::Shape::kEllipsoid, "ellipsoid"}};
+};
+
+// Tables have none: they are written out.
+template <>
+struct EnumNames<LinkSurface::Kind> {
+  static constexpr const char* kWhat = "coefficients";
+  static constexpr EnumName<LinkSurface::Kind> kNames[] = {{LinkSurface::Kind::kPlate, "plate"},
+                                                           {LinkSurface::Kind::kWing, "wing"}};
 };
 
 template <typename Enum>

@@ -99,6 +99,32 @@ static void Describe(FieldReader& in, Look& look) {
   if (!look.mirror_color.empty()) CheckColor(look.mirror_color, in.At("mirror_color"));
 }
 
+// "plate", "wing" or {"lift": [...], "drag": [...]}.
+static void ReadCoefficients(FieldReader& in, LinkSurface& surface) {
+  const Json* json = in.Find("coefficients");
+  if (!json) return;
+  const Site site = in.At("coefficients");
+  if (!json->is_object()) return ReadValue(*json, site, surface.kind);
+  surface.kind = LinkSurface::Kind::kTable;
+  FieldReader table(*json, site);
+  for (auto [name, values] : {std::pair("lift", &surface.lift), std::pair("drag", &surface.drag)}) {
+    table.Required({name}, *values);
+    if (values->empty()) CheckNotEmpty("", table.At(name));
+  }
+  for (size_t i = 0; i < surface.drag.size(); ++i) {
+    CheckNotNegative(surface.drag[i], table.At("drag").Item(i));
+  }
+}
+
+static void Describe(FieldReader& in, LinkSurface& surface) {
+  ReadPositive(in, "area_m2", surface.area);
+  in.Required({"normal"}, surface.normal);
+  CheckUnitVector(surface.normal, in.At("normal"));
+  if (surface.normal.norm() > 0.0) surface.normal.normalize();
+  in.Required({"center_m"}, surface.center);
+  ReadCoefficients(in, surface);
+}
+
 static void Describe(FieldReader& in, LinkSpec& link) {
   in.Required({"name"}, link.name);
   in.Required({"from_m"}, link.from);
@@ -114,6 +140,7 @@ static void Describe(FieldReader& in, LinkSpec& link) {
   in.Optional({"inertia_kg_m2"}, inertia);
   if (inertia) link.inertia = SymmetricMatrix(*inertia);
   in.Optional({"look"}, link.looks);
+  in.Optional({"surface"}, link.surface);
 }
 
 static void Describe(FieldReader& in, HingeSpec& hinge) {

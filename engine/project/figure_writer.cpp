@@ -38,6 +38,18 @@ Json ToJson(const Look& look) {
   return json;
 }
 
+Json ToJson(const LinkSurface& surface) {
+  Json json = {{"area_m2", surface.area},
+               {"normal", hazumi::ToJson(surface.normal)},
+               {"center_m", hazumi::ToJson(surface.center)}};
+  if (surface.kind == LinkSurface::Kind::kTable) {
+    json["coefficients"] = {{"lift", surface.lift}, {"drag", surface.drag}};
+  } else {
+    json["coefficients"] = NameOf(surface.kind);
+  }
+  return json;
+}
+
 Json ToJson(const LinkSpec& link) {
   Json json = {{"name", link.name},
                {"from_m", hazumi::ToJson(link.from)},
@@ -51,6 +63,7 @@ Json ToJson(const LinkSpec& link) {
     json["inertia_kg_m2"] = Json::array({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
   }
   for (const Look& look : link.looks) json["look"].push_back(ToJson(look));
+  if (link.surface) json["surface"] = ToJson(*link.surface);
   return json;
 }
 

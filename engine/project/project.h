@@ -35,6 +35,9 @@ struct ProjectFrames {
 inline constexpr double kDefaultStep = 1.0 / 30.0;  // [s]
 inline constexpr double kDefaultToleranceDeg = 0.01;
 
+// At sea level and 15 degrees [kg/m^3].
+inline constexpr double kDensityOfAir = 1.225;
+
 // Both numbers are kept whatever the method, so that trying the other one loses nothing.
 struct ProjectSolver {
   Method method = Method::kExact;
@@ -128,6 +131,24 @@ struct ProjectHold {
   bool operator==(const ProjectHold&) const = default;
 };
 
+// What acts from outside. Each kind has members of its own; the others are kept as they were.
+struct ProjectForce {
+  std::string name;
+  ForceKind kind = ForceKind::kWind;
+  Vec3 velocity_m_s = Vec3::Zero();      // kWind
+  double density_kg_m3 = kDensityOfAir;  // kWind
+  std::string joint;                     // kAttract, kPush
+  Vec3 offset_m = Vec3::Zero();          // kAttract, kPush: in the joint's frame
+  Vec3 to_m = Vec3::Zero();              // kAttract
+  double force_n = 0.0;                  // kAttract
+  double radius_m = 1.0;                 // kAttract
+  Vec3 impulse_n_s = Vec3::Zero();       // kPush
+  int first_frame = 0, last_frame = 0;   // half open; of a push the first one alone counts
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectForce&) const = default;
+};
+
 // A frame with a name, for people.
 struct ProjectMarker {
   int frame = 0;
@@ -172,6 +193,7 @@ struct Project {
   std::vector<ProjectMarker> markers;    // in any order
   std::optional<ProjectFrames> preview;  // the part that is played; not given: all
   std::vector<ProjectSelectionSet> selection_sets;
+  std::vector<ProjectForce> forces;
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;

@@ -8,6 +8,7 @@
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/frame_time.h"
 #include "engine/timeline/keyframe.h"
+#include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
 #include "engine/timeline/scene_object.h"
 
@@ -43,6 +44,7 @@ struct Animation {
   std::vector<IkHold> holds;
   std::vector<HeldObject> held_objects;
   std::vector<SceneObject> scene;
+  std::vector<OuterForce> forces;
 };
 
 }  // namespace hazumi

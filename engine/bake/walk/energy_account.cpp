@@ -19,6 +19,10 @@ void EnergyAccount::SetCoupling(RootCoupling coupling) {
   coupling_ = coupling;
 }
 
+void EnergyAccount::JumpByPush() {
+  for (Island& island : islands_) island.is_pushed = true;
+}
+
 void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   Island& island = islands_[index];
   const double start = std::max(island.until, solution->step_start());
@@ -29,11 +33,13 @@ void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   balance_.kinetic_end += last.kinetic - (island.is_accounted ? island.kinetic : 0.0);
   balance_.potential_end +=
       last.potential - (island.is_accounted ? island.stored - island.kinetic : 0.0);
-  island = {t, last.kinetic + last.potential, last.kinetic, true};
+  island = {t, last.kinetic + last.potential, last.kinetic, true, false};
 }
 
 void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island) {
-  if (island.is_accounted) {
+  if (island.is_accounted && island.is_pushed) {
+    balance_.AddWork("push", first.kinetic + first.potential - island.stored);
+  } else if (island.is_accounted) {
     balance_.limits += first.kinetic + first.potential - island.stored;
   } else {
     balance_.kinetic_start += first.kinetic;

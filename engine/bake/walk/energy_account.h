@@ -15,6 +15,8 @@ class EnergyAccount {
   void Restart(size_t num_islands);
   // The root is coupled so in the steps that follow.
   void SetCoupling(RootCoupling coupling);
+  // Whatever energies jump by before the next step, a push brought.
+  void JumpByPush();
   // An island's step, up to t [s].
   void AddStep(size_t island, double t, IslandSolution* solution);
   // None if there was no step, or if the root's coupling changed on the way: kinetic energy is not
@@ -26,6 +28,7 @@ class EnergyAccount {
     double until = 0.0;                  // accounted up to this time [s]
     double stored = 0.0, kinetic = 0.0;  // energy there [J]
     bool is_accounted = false;
+    bool is_pushed = false;  // since then
   };
 
   void AddStart(const EnergyFlow& first, const Island& island);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/bake/walk/outer_forces.h"
 #include "engine/bake/walk/spring_of.h"
 
 namespace hazumi {
@@ -106,7 +107,7 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-IslandTask ExactDriver::TaskFor(RegionModel model) const {
+IslandTask ExactDriver::TaskFor(RegionModel model, double t) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
   IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
@@ -121,6 +122,7 @@ IslandTask ExactDriver::TaskFor(RegionModel model) const {
   });
   if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
   if (!drives_.empty()) AddDrives(&task);
+  AddOuterForces(animation_, figure_, t, task.model, &task.forces);
   return task;
 }
 
@@ -166,12 +168,14 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                         const DrivenMotion& driven) {
   FinishIslands();
   request_ = RequestFor(state, hold, driven);
+  request_.lists_joints = !animation_.forces.empty();
   islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
   islands_.reserve(models.size());
   for (RegionModel& model : models) {
     const double tolerance = StepToleranceFor(model);
-    const auto shared = std::make_shared<const SharedIsland>(TaskFor(std::move(model)));
+    const auto shared =
+        std::make_shared<const SharedIsland>(TaskFor(std::move(model), 0.5 * (t + end)));
     const auto curves = CurvesOf(shared->task.model, driven);
     Island& island =
         islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
@@ -213,6 +217,13 @@ void ExactDriver::ForEachSolution(Action&& action) {
 
 void ExactDriver::FeelPin(const Vec3& v_pin) {
   ForEachSolution([&](IslandSolution& solution) { solution.FeelPin(v_pin); });
+}
+
+bool ExactDriver::Push(const PushForce& push, const RootHold& hold, RotationState* state) {
+  DrivenMotion still;
+  still.angles.resize(region_of_.size());
+  energy_.JumpByPush();
+  return hazumi::Push(push, figure_, RequestFor(*state, hold, still), state);
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {

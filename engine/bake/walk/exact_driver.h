@@ -41,6 +41,9 @@ class ExactDriver {
              const RootHold& hold, const DrivenMotion& driven);
   // Goes on with new curves.
   void Drive(double end, const RotationState& state, const DrivenMotion& driven);
+  // An impulse acts on the figure, which is at `state`, before it begins: `state` changes. False if
+  // no free joint carries the point where it acts.
+  bool Push(const PushForce& push, const RootHold& hold, RotationState* state);
   // A pin that moved with v_pin was stopped at the time where the driver began.
   void FeelPin(const Vec3& v_pin);
 
@@ -105,7 +108,8 @@ class ExactDriver {
 
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
-  IslandTask TaskFor(RegionModel model) const;
+  // Of an island that begins with a stretch whose middle is at `t` [s].
+  IslandTask TaskFor(RegionModel model, double t) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+#include "engine/placement/root_placement.h"
+
 namespace hazumi {
 
 ExactWalk::ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool)
@@ -42,6 +44,26 @@ void ExactWalk::End() {
   if (!context_.now.fall) return;
   context_.now.fall.reset();
   context_.poses.placement().RenewFlight(context_.Seconds(context_.now.frame), context_.now);
+}
+
+// Control solutions begin anew with it.
+bool ExactWalk::Push(const PushForce& push) {
+  PoseEvaluator& poses = context_.poses;
+  FigureMotion& now = context_.now;
+  RotationState state = poses.StateAt(now);
+  const RootHold hold = poses.placement().hold();
+  if (!driver_ || !driver_->Push(push, hold, &state)) return false;
+  std::fill(has_control_.begin(), has_control_.end(), 0);
+  has_begun_ = false;
+  for (Eigen::Index j = 0; j < now.qd.size(); ++j) {
+    if (poses.free()[j]) now.qd[j] = state.qd[j];
+  }
+  poses.TurnFreeRoot(state);
+  poses.TurnRoot(now.frame, Side::kAfter, &now);
+  if (hold.coupling != RootCoupling::kFlight) return true;
+  PlaceCenterOfMass(poses.figure(), state.anchor.p, state.anchor.v, &poses.workspace(), &now);
+  poses.placement().RenewFlight(context_.Seconds(now.frame), now);
+  return true;
 }
 
 Result<int> ExactWalk::Advance(int frame) {

@@ -25,6 +25,7 @@ class ExactWalk : public RegionWalk {
   void Begin(const std::vector<int>& regions, int frame) override;
   void End() override;
   void Interrupt() override { has_begun_ = false; }
+  bool Push(const PushForce& push) override;
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
 

@@ -23,6 +23,10 @@ class RegionWalk {
   // Placement or masses are not what they were.
   virtual void Interrupt() {}
 
+  // An impulse acts on the figure, which is evaluated at the context's `now`: that changes, but for
+  // what the placement follows with. False if no region moves what it acts on.
+  virtual bool Push(const PushForce&) { return false; }
+
   // From the context's `now`, which is at the frame, on to a frame that is returned.
   virtual Result<int> Advance(int frame) = 0;
 

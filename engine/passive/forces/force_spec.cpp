@@ -18,6 +18,12 @@ std::shared_ptr<const ForceLaw> MakeLaw(const TorqueSpec& spec) {
 std::shared_ptr<const ForceLaw> MakeLaw(const SpringSpec& spec) {
   return std::make_shared<SpringDrive>(spec);
 }
+std::shared_ptr<const ForceLaw> MakeLaw(const WindSpec& spec) {
+  return std::make_shared<Wind>(spec);
+}
+std::shared_ptr<const ForceLaw> MakeLaw(const AttractionSpec& spec) {
+  return std::make_shared<Attraction>(spec);
+}
 
 }  // namespace
 

@@ -146,6 +146,14 @@ constexpr CheckText kTexts[] = {
     {Check::kRootInHold, kSemantics,
      "region {} swings the root, which the hold of {} ({}) needs in frames {} to {}; end the hold "
      "before the region begins, or leave the root out of the region"},
+    {Check::kWindsOverlap, kSemantics,
+     "winds {} and {} both blow in frames {} to {}; end one where the other begins"},
+    {Check::kForceInPaper, kSemantics,
+     "{} acts in frames {} to {}, in which region {} has method \"paper\", which knows no forces "
+     "from outside; choose method \"exact\" for it, or end one where the other begins"},
+    {Check::kPushFeltByNone, kSemantics,
+     "no region moves {} in frame {}, so that nothing can give way to {}; begin a region there "
+     "that has it or a joint between it and the root, or move the push to a frame inside one"},
 
     {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
@@ -153,6 +161,8 @@ constexpr CheckText kTexts[] = {
      "gravity without objects in the scene: there is nothing to land on"},
     {Check::kKeyOutsideLimits, kSemantics,
      "{} is outside the limits {} to {} of {}, and is kept; keys outside: {}"},
+    {Check::kForceFeltByNone, kSemantics,
+     "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the force"},
 
     {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
     {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},

@@ -99,11 +99,15 @@ enum class Check {
   kLoopWithPin,
   kRegionInHold,
   kRootInHold,
+  kWindsOverlap,
+  kForceInPaper,
+  kPushFeltByNone,
   // Warnings
   kUnknownField,
   kFixedLeftOut,
   kNothingToLandOn,
   kKeyOutsideLimits,
+  kForceFeltByNone,
   // Writing
   kCannotWrite,
   kCannotReplace,

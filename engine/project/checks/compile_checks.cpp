@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/project/checks/drive_checks.h"
+#include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/hold_checks.h"
 
 // What may not be at the same time is looked up in sets of the frames that those before take. Where
@@ -29,6 +30,7 @@ class AnimationChecker {
     for (size_t i = 0; i < animation_.placements.size() && GoesOn(); ++i) CheckPlacement(i);
     for (size_t i = 0; i < animation_.regions.size() && GoesOn(); ++i) CheckRegion(i);
     if (GoesOn()) CheckHolds(animation_, driven_, gravity_, cancel_, errors_);
+    if (GoesOn()) CheckForces(animation_, errors_);
   }
 
  private:

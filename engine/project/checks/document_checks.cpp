@@ -159,6 +159,10 @@ void CheckDocument(const Project& project, FirstError* errors) {
   ForEach(project.regions, site.Field("regions"), CheckRegion);
   ForEach(project.placements, site.Field("placements"), check_span);
   ForEach(project.holds, site.Field("holds"), check_span);
+  CheckNamesUnique(project.forces, site.Field("forces"));
+  ForEach(project.forces, site.Field("forces"), [](const ProjectForce& force, const Site& place) {
+    if (force.kind != ForceKind::kPush) CheckSpan(force, place);
+  });
 }
 
 }  // namespace hazumi

@@ -152,6 +152,11 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
       ExpectJoint(object.holders[k].joint, figure, place.Field("holders").Item(k).Field("joint"));
     }
   }
+  for (size_t i = 0; i < project.forces.size(); ++i) {
+    const ProjectForce& force = project.forces[i];
+    if (force.kind == ForceKind::kWind || MeansRoot(force.joint, figure)) continue;
+    ExpectJoint(force.joint, figure, site.Field("forces").Item(i).Field("joint"));
+  }
   for (size_t i = 0; i < project.selection_sets.size(); ++i) {
     CheckSetNames(project.selection_sets[i], figure, site.Field("selection_sets").Item(i));
   }

@@ -35,6 +35,7 @@ enum class Thing {
   kPlacement,  // a span of it
   kHold,
   kSelectionSet,
+  kForce,
   kColor,  // "#rrggbb"
 };
 

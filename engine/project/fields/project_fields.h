@@ -15,6 +15,7 @@
 
 #include "engine/project/enum_names.h"
 #include "engine/project/fields/field.h"
+#include "engine/project/fields/force_fields.h"
 #include "engine/project/fields/scene_fields.h"
 #include "engine/project/project.h"
 
@@ -42,7 +43,7 @@ inline int FormatVersionOf(const Project& project) {
   const auto& regions = project.regions;
   const auto& joints = project.joints;
   const bool is_new =
-      std::any_of(objects.begin(), objects.end(), ChangesHands) ||
+      !project.forces.empty() || std::any_of(objects.begin(), objects.end(), ChangesHands) ||
       std::any_of(objects.begin(), objects.end(),
                   [](const auto& object) { return object.rotation_deg != Vec3::Zero(); }) ||
       std::any_of(regions.begin(), regions.end(),
@@ -380,6 +381,7 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
               project.preview);
   ar.Optional({.name = "selection_sets", .details = "Joints that are selected together."},
               project.selection_sets);
+  ar.Optional({.name = "forces", .details = "What acts from outside."}, project.forces);
 }
 
 }  // namespace hazumi

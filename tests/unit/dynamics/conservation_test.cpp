@@ -130,7 +130,7 @@ FigureSpec WithHingesApart(const FigureSpec& spec, double mass) {
         single.offset.setZero();
         single.orientation.setIdentity();
       }
-      if (!last) single.links = {{"", {}, {}, 0.0, mass, {}, {}, {}, {}}};
+      if (!last) single.links = {{"", {}, {}, 0.0, mass, {}, {}, {}, {}, {}}};
       apart.joints.push_back(single);
     }
   }

@@ -75,7 +75,7 @@ FigureSpec LongChain(int joints) {
     joint.parent = i == 0 ? "root" : "j" + std::to_string(i - 1);
     joint.offset = i == 0 ? Vec3::Zero() : Vec3(1e-3, 0.0, 0.0);
     joint.hinges = {{"", Vec3::UnitZ(), -1.0, 1.0}};
-    joint.links = {{"", Vec3::Zero(), {1e-3, 0.0, 0.0}, 1e-3, 1e-3, {}, {}, {}, {}}};
+    joint.links = {{"", Vec3::Zero(), {1e-3, 0.0, 0.0}, 1e-3, 1e-3, {}, {}, {}, {}, {}}};
     spec.joints.push_back(joint);
   }
   return spec;

@@ -34,20 +34,24 @@ Json SomethingFor(const ParameterInfo& info) {
   return Json();
 }
 
-// Sets every field of an item, one after the other, and reads it back.
+// Sets a field of an item and reads it back.
+template <typename T>
+void ExpectIsSet(const ParameterInfo& info, T* item, const char* what) {
+  const Json wanted = SomethingFor(info);
+  const auto given = edit::Parameters::Check({info}, {{info.name, wanted}});
+  ASSERT_TRUE(given.ok()) << given.error().ToString();
+  ASSERT_TRUE(edit::SetFields(given.value(), item).ok()) << what << " " << info.name;
+  EXPECT_EQ(edit::FieldValue(*item, info.name), wanted) << what << " " << info.name;
+  EXPECT_STRNE(info.help, "") << what << " " << info.name;
+  EXPECT_STRNE(info.label, "") << what << " " << info.name;
+}
+
+// Every one, one after the other.
 template <typename T>
 void ExpectAllAreSet(T item, const char* what) {
   const ParameterInfos infos = edit::FieldsOf(item);
   EXPECT_FALSE(infos.empty()) << what;
-  for (const ParameterInfo& info : infos) {
-    const Json wanted = SomethingFor(info);
-    const auto given = edit::Parameters::Check(infos, {{info.name, wanted}});
-    ASSERT_TRUE(given.ok()) << given.error().ToString();
-    ASSERT_TRUE(edit::SetFields(given.value(), &item).ok()) << what << " " << info.name;
-    EXPECT_EQ(edit::FieldValue(item, info.name), wanted) << what << " " << info.name;
-    EXPECT_STRNE(info.help, "") << what << " " << info.name;
-    EXPECT_STRNE(info.label, "") << what << " " << info.name;
-  }
+  for (const ParameterInfo& info : infos) ExpectIsSet(info, &item, what);
 }
 
 template <typename Shape>
@@ -62,6 +66,13 @@ TEST(ItemFields, AreSetAndReadBack) {
   ExpectAllAreSet(ProjectDrive(), "drive");
   ExpectAllAreSet(ProjectHold(), "hold");
   ExpectAllAreSet(ProjectMarker(), "marker");
+  for (const ForceKind kind : {ForceKind::kWind, ForceKind::kAttract, ForceKind::kPush}) {
+    ProjectForce force;
+    force.kind = kind;
+    for (const ParameterInfo& info : edit::FieldsOf(force)) {
+      if (std::string(info.name) != "kind") ExpectIsSet(info, &force, "force");
+    }
+  }
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
   ExpectAllAreSet(ProjectAudio(), "audio");
@@ -116,6 +127,7 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectPlacement>(), {"placement.set", "placement.edit"});
   expect(edit::FieldsOf<ProjectHold>(), {"hold.add", "hold.set"});
   expect(edit::FieldsOf<ProjectMarker>(), {"marker.add"});
+  expect(edit::FieldsOf<ProjectForce>(), {"force.add", "force.set"});
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
   expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});

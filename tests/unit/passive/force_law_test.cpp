@@ -151,11 +151,37 @@ ForceLaws AnySprings(const RandomIsland& island, Random* random) {
   return MakeLaws({spec});
 }
 
+// Cylinders and surfaces on all bodies, in wind.
+ForceLaws Windy(const RandomIsland& island, Random* random) {
+  WindSpec wind{random->Vector(3, 5.0), 1.225, {}, {}};
+  for (size_t i = 0; i < island.model.nodes.size(); ++i) {
+    if (!island.model.nodes[i].is_dynamic || island.model.nodes[i].body.is_massless()) continue;
+    wind.cylinders.push_back({static_cast<int>(i), random->Vector(3, 0.3), random->Vector(3, 0.3),
+                              random->Uniform(0.02, 0.2)});
+    const Vec3 normal = random->Vector3(1.0);
+    wind.surfaces.push_back({static_cast<int>(i),
+                             {random->Uniform(0.01, 0.1),
+                              normal.normalized(),
+                              random->Vector3(0.3),
+                              i % 2 == 0 ? LinkSurface::Kind::kWing : LinkSurface::Kind::kPlate,
+                              {},
+                              {}}});
+  }
+  return MakeLaws({wind});
+}
+
+ForceLaws Attracted(const RandomIsland& island, Random* random) {
+  const Push at = AnyPush(island, random);
+  return MakeLaws({AttractionSpec{at.node, random->Vector(3, 0.2), random->Vector(3, 0.5),
+                                  random->Uniform(1.0, 20.0), random->Uniform(0.2, 2.0)}});
+}
+
 // Each law by itself. A new one is to be added here.
 std::vector<ForceLaws> EachLaw(const RandomIsland& island, Random* random) {
   return {With(AnyPush(island, random)), With(AnyPush(island, random), /*is_outer=*/true),
           {std::make_shared<DragLaw>()}, FrictionAlone(VecX::Constant(island.q.size(), 2.0)),
-          AnyTorques(island, random),    AnySprings(island, random)};
+          AnyTorques(island, random),    AnySprings(island, random),
+          Windy(island, random),         Attracted(island, random)};
 }
 
 // Where the pin or the CoM is, and how fast it moves.

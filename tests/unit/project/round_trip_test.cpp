@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
+#include "engine/figure/figure_builder.h"
+#include "engine/project/figure_reader.h"
+#include "engine/project/figure_writer.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "tests/unit/project/sample.h"
@@ -25,6 +29,11 @@ int AddUnknownFields(Json* json, bool is_map = false) {
   (*json)["x_unknown"] = Json::parse(R"({"deep": [1, -2.5, "\"\n\u00e9", null], "at": )" +
                                      std::to_string(count) + "}");
   return count + 1;
+}
+
+const Link& LinkOf(const Figure& figure, const std::string& name) {
+  return *std::find_if(figure.links().begin(), figure.links().end(),
+                       [&](const Link& link) { return link.name == name; });
 }
 
 int CountUnknownFields(const Json& json) {
@@ -112,6 +121,51 @@ TEST(RoundTrip, ATurnInAHandIsOfVersionTwo) {
   EXPECT_EQ(after["held_objects"][1]["rotation_deg"], before["held_objects"][1]["rotation_deg"]);
   const Json unturned = Changed(SampleProject(), {{"/held_objects/1/rotation_deg", "[0, 0, 0]"}});
   EXPECT_EQ(WriteProject(ParseGood(unturned)), WriteProject(ParseGood(SampleProject())));
+}
+
+TEST(RoundTrip, ForcesAreOfVersionTwo) {
+  const Json before = Changed(SampleProject(), {{"/forces", R"([
+      {"name": "breeze", "kind": "wind", "velocity_m_s": [2, 0, -0.5], "density_kg_m3": 1.1,
+       "first_frame": 0, "last_frame": 30},
+      {"name": "magnet", "kind": "attract", "joint": "r_wrist", "offset_m": [0, 0, 0.1],
+       "to_m": [1, 0, 1.2], "force_n": 40, "radius_m": 0.5, "first_frame": 5, "last_frame": 9},
+      {"name": "blow", "kind": "push", "joint": "pelvis", "impulse_n_s": [70, 0, 0], "frame": 12,
+       "note": "kept"}])"}});
+  const std::string text = WriteProject(ParseGood(before));
+  const Json after = Json::parse(text);
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["forces"], before["forces"]);
+  EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  const Json calm = Changed(SampleProject(), {{"/forces", "[]"}});
+  EXPECT_EQ(WriteProject(ParseGood(calm)), WriteProject(ParseGood(SampleProject())));
+}
+
+TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
+  const Json before = Changed(SampleProject(), {{"/forces", R"([
+      {"name": "calm", "kind": "wind", "velocity_m_s": [0, 0, 0], "first_frame": 0,
+       "last_frame": 30}])"}});
+  const Project project = ParseGood(before);
+  EXPECT_EQ(project.forces[0].density_kg_m3, 1.225);
+  EXPECT_EQ(Json::parse(WriteProject(project))["forces"], before["forces"]);
+}
+
+// And its twin has it too, reflected.
+TEST(RoundTrip, ASurfaceIsReadAndWritten) {
+  for (const char* coefficients : {R"("plate")", R"("wing")", R"({"lift": [0, 1], "drag": [2]})"}) {
+    const std::string surface = std::string(R"({"area_m2": 0.02, "normal": [0, 0.6, 0.8],
+                                                "center_m": [0, 0.1, -0.1], "coefficients": )") +
+                                coefficients + "}";
+    const Json document = Changed(SampleProject(), {{"/figure/joints/3/links/0/surface", surface}});
+    const FigureSpec spec = ParseGood(document).figure.spec;
+    const Json written = Json::parse(FigureText(spec));
+    EXPECT_EQ(written["joints"][3]["links"][0]["surface"], Json::parse(surface));
+    EXPECT_TRUE(ParseFigure(written.dump(), "again.json").ok());
+    const Figure figure = BuildFigure(spec).value();
+    const Link &right = LinkOf(figure, "r_hand"), &left = LinkOf(figure, "l_hand");
+    EXPECT_LT((right.surface->normal - Vec3(0.0, 0.6, 0.8)).norm(), 1e-15);
+    EXPECT_LT((left.surface->normal - Vec3(0.0, -0.6, 0.8)).norm(), 1e-15);
+    EXPECT_EQ(left.surface->center, Vec3(0.0, -0.1, -0.1));
+  }
 }
 
 TEST(RoundTrip, ANewDocumentIsExact) {

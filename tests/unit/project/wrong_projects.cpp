@@ -277,7 +277,8 @@ bool Instantiates(std::string_view message, Check check) {
 
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();
-  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins(), WrongDrives()}) {
+  for (const auto& list :
+       {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins(), WrongDrives(), WrongForces()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

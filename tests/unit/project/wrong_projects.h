@@ -31,4 +31,7 @@ std::vector<WrongProject> WrongDrives();
 // Those of a skin.
 std::vector<WrongProject> WrongSkins();
 
+// Those of forces from outside.
+std::vector<WrongProject> WrongForces();
+
 }  // namespace hazumi::testing

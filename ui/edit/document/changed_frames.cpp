@@ -21,6 +21,12 @@ FrameSpan SpanOf(const ProjectHolder& holder) {
   return {static_cast<double>(holder.first_frame), static_cast<double>(last)};
 }
 
+FrameSpan SpanOf(const ProjectForce& force) {
+  const bool is_push = force.kind == ForceKind::kPush;
+  const int last = is_push ? force.first_frame : force.last_frame;
+  return {static_cast<double>(force.first_frame), static_cast<double>(last)};
+}
+
 void AddFrame(double frame, Spans* spans) { spans->push_back({frame, frame}); }
 
 void AddWhole(const ProjectMarker& marker, Spans* spans) { AddFrame(marker.frame, spans); }
@@ -120,6 +126,7 @@ std::vector<FrameSpan> ChangedFrames(const Project& before, const Project& after
   Compare(before.holds, after.holds, &spans);
   Compare(before.held_objects, after.held_objects, &spans);
   Compare(before.markers, after.markers, &spans);
+  Compare(before.forces, after.forces, &spans);
   return spans;
 }
 

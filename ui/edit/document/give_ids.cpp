@@ -19,6 +19,7 @@ void ForEachIdentity(Project* project, Action&& action) {
   for (ProjectHeldObject& object : project->held_objects) all(&object.holders);
   all(&project->scene.objects);
   all(&project->markers);
+  all(&project->forces);
 }
 
 }  // namespace

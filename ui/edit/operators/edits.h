@@ -22,6 +22,7 @@ std::vector<Operator> MediaOperators();
 std::vector<Operator> ExportOperators();
 std::vector<Operator> FigureOperators();
 std::vector<Operator> FlightOperators();
+std::vector<Operator> ForceOperators();
 std::vector<Operator> HeldObjectOperators();
 std::vector<Operator> HolderOperators();
 std::vector<Operator> JumpOperators();

@@ -13,10 +13,14 @@ const std::vector<ManualPart>& ManualParts() {
         "keys say.",
         "Friction slows a joint down: the factor is what is left of its speed after 1/30 s. 1 is "
         "no friction, 0.8 is like a relaxed arm, 0 is frozen. Joints stop at their limits.",
-        "A joint is limp unless it has muscle, which is among the region's properties. A spring pulls "
+        "A joint is limp unless it has muscle, which is among the region's properties. A spring "
+        "pulls "
         "it to its keys, the stiffer the higher its frequency: a loose wrist has 1 Hz, a held arm "
         "4 Hz. A torque pushes as its keys say. Driven by its keys the joint moves as if it were "
-        "not in the region, and the limp ones feel it."}},
+        "not in the region, and the limp ones feel it.",
+        "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
+        "instant. Joints in regions give way to them, and so does a figure that flies while it "
+        "has a region; what keys move does not."}},
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "

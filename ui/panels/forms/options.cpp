@@ -108,6 +108,8 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return Spans(project, BarKind::kHold, project.holds.size());
     case Thing::kSelectionSet:
       return NamesIn(project.selection_sets);
+    case Thing::kForce:
+      return NamesIn(project.forces);
     case Thing::kColor:
     case Thing::kAny:
       break;

@@ -125,6 +125,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kPlacement:
     case Thing::kHold:
       return OptionsOf(info, *session).empty() ? Json() : Json(0);
+    case Thing::kForce:
+      return project.forces.empty() ? Json() : Json(project.forces.back().name);
     case Thing::kColor:
     case Thing::kAny:
       break;
@@ -163,6 +165,7 @@ Json Present(const FormState& form, const std::string& name, const Project& proj
   if (form.id == "object.set") return of(project.scene.objects);
   if (form.id == "held.set") return of(project.held_objects);
   if (form.id == "placement.edit") return of(project.placements);
+  if (form.id == "force.set") return of(project.forces);
   return form.id == "hold.set" ? of(project.holds) : Json();
 }
 

@@ -165,6 +165,34 @@ void DrawHeldObjects(Editor* editor) {
   ImGui::PopID();
 }
 
+void DrawForce(Editor* editor, const ProjectForce& force) {
+  ImGui::PushID(force.name.c_str());
+  if (ObjectNode(editor, force.name, force.identity.id)) {
+    DrawFieldRows(editor, force, {}, SetBy(editor, "force.set", {{"force", force.name}}));
+    if (DrawButton(Tr("Remove"), HelpOf("force.remove"))) {
+      editor->Do("force.remove", {{"force", force.name}});
+    }
+  }
+  ImGui::PopID();
+}
+
+void DrawForces(Editor* editor) {
+  // A copy: what is done below changes the list.
+  const std::vector<ProjectForce> forces = editor->session().project().forces;
+  if (!DrawHeading(Tr("Forces"), !forces.empty())) return;
+  ImGui::PushID("forces");
+  for (const ProjectForce& force : forces) DrawForce(editor, force);
+  const auto add = [&](const char* label, const char* kind) {
+    if (DrawButton(label, HelpOf("force.add"), 3)) editor->Do("force.add", {{"kind", kind}});
+  };
+  add(Tr("Add wind"), "wind");
+  ImGui::SameLine();
+  add(Tr("Add pull"), "attract");
+  ImGui::SameLine();
+  add(Tr("Add push"), "push");
+  ImGui::PopID();
+}
+
 void DrawCamera(Editor* editor) {
   if (!DrawHeading(Tr("Camera"), false)) return;
   const std::optional<ProjectCamera> camera = editor->session().project().camera;
@@ -208,6 +236,7 @@ void DrawSceneSection(Editor* editor) {
   DrawHolds(editor);
   DrawObjects(editor);
   DrawHeldObjects(editor);
+  DrawForces(editor);
   DrawCamera(editor);
   DrawSound(editor);
   DrawReference(editor);

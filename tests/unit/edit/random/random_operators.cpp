@@ -83,6 +83,8 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       return NamesOf(project.held_objects);
     case Thing::kLink:
       return NamesOf(figure.links());
+    case Thing::kForce:
+      return NamesOf(project.forces);
     case Thing::kSelectionSet:
       return NamesOf(project.selection_sets);
     default:
@@ -99,7 +101,8 @@ std::optional<size_t> CountOf(Thing thing, const Project& project) {
 }
 
 bool IsNamed(Thing thing) {
-  return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet;
+  return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet ||
+         thing == Thing::kForce;
 }
 
 bool HasAny(Thing thing, const Session& session) {

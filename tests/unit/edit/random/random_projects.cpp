@@ -140,9 +140,10 @@ void AddThrown(RandomFiles* files) {
   Save(&session, files->folder + "/thrown.kfa", files);
 }
 
-// With a jump that can be aimed.
+// With a jump that can be aimed, and forces that the regions to come may feel.
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
+  for (const char* kind : {"wind", "attract"}) Do(&session, "force.add", {{"kind", kind}});
   Do(&session, "jump.add", {{"x", 0.6}, {"y", 0.0}});
   Project project = session.project();
   project.skin = {.skin = std::make_shared<const Skin>(testing::SampleSkin())};

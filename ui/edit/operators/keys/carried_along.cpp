@@ -97,6 +97,10 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
   if (!carrier.has_all()) return;
   for (ProjectPlacement& placement : project->placements) carrier.CarryEnds(&placement);
   for (ProjectHold& hold : project->holds) carrier.CarryEnds(&hold);
+  for (ProjectForce& force : project->forces) {
+    if (force.kind != ForceKind::kPush) carrier.CarryEnds(&force);
+    if (force.kind == ForceKind::kPush) carrier.Carry(&force.first_frame);
+  }
   for (ProjectMarker& marker : project->markers) carrier.Carry(&marker.frame);
   for (ProjectHeldObject& object : project->held_objects) {
     if (object.release_frame) carrier.Carry(&*object.release_frame);

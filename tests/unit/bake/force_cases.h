@@ -1,0 +1,91 @@
+#pragma once
+
+// Figures and forces for tests of forces from outside. Metres, kilograms.
+
+#include <variant>
+#include <vector>
+
+#include "engine/figure/figure_builder.h"
+#include "engine/spatial/degrees.h"
+#include "tests/support/animations.h"
+
+namespace hazumi::test {
+
+inline constexpr double kMass = 1.3, kLength = 0.8, kThickness = 0.05;  // of rods [kg, m]
+inline constexpr double kAir = 1.225, kCrossFlow = 1.1;
+inline constexpr Interpolation kHold = Interpolation::kHold;
+
+inline LinkSpec Rod(const char* name, const Vec3& from, const Vec3& to) {
+  LinkSpec link;
+  link.name = name;
+  link.from = from;
+  link.to = to;
+  link.radius = 0.5 * kThickness;
+  link.mass = kMass;
+  return link;
+}
+
+// A rod about whose middle, along x, the root sits.
+inline Figure FreeRod() {
+  FigureSpec spec;
+  spec.name = "rod";
+  spec.root_name = "rod";
+  spec.root_links = {Rod("rod", -0.5 * kLength * Vec3::UnitX(), 0.5 * kLength * Vec3::UnitX())};
+  JointSpec tip;  // gravity needs something to pin where it lands
+  tip.name = "tip";
+  tip.parent = "rod";
+  tip.hinges = {{"", Vec3::UnitY(), 0.0, 0.0, 0.0}};
+  spec.joints = {tip};
+  return BuildFigure(spec).value();
+}
+
+// A rod along x that turns about z at its end, on a root that stays.
+inline Figure TurningRod() {
+  FigureSpec spec;
+  spec.name = "arm";
+  spec.root_name = "base";
+  spec.root_links = {Rod("base", Vec3::Zero(), Vec3::Zero())};
+  spec.root_links[0].radius = 0.1;
+  JointSpec joint;
+  joint.name = "pivot";
+  joint.parent = "base";
+  joint.hinges = {{"", Vec3::UnitZ(), -1e3, 1e3, 0.0}};
+  joint.links = {Rod("rod", Vec3::Zero(), kLength * Vec3::UnitX())};
+  spec.joints = {joint};
+  return BuildFigure(spec).value();
+}
+
+inline Animation Exact(Figure figure, double gravity) {
+  Animation animation = Still(std::move(figure));
+  animation.solver.method = Method::kExact;
+  animation.solver.tolerance = 1e-9 * kDegree;
+  animation.gravity = gravity;
+  return animation;
+}
+
+// The root's orientation swings too.
+inline void FreeAll(Animation* animation, const std::vector<const char*>& joints = {},
+                    int first = 0) {
+  DynamicsRegion& region = AddRegion(animation, "free", first, 30, joints);
+  region.method = Method::kExact;
+  region.root = true;
+}
+
+// In flight from the first frame on.
+inline Animation Flying(Figure figure, double gravity) {
+  Animation animation = Exact(std::move(figure), gravity);
+  AddGravity(&animation, 0, 30);
+  FreeAll(&animation);
+  return animation;
+}
+
+inline void AddForce(Animation* animation, int first, int last,
+                     std::variant<WindForce, AttractForce, PushForce> action) {
+  animation->forces.push_back({"force", std::move(action), first, last});
+}
+
+inline void SetRoot(Animation* animation, RootCurve curve, double value, double rate) {
+  animation->root_keys[curve] = {{0, value, rate, kHold}};
+}
+
+}  // namespace hazumi::test

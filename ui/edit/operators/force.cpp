@@ -1,0 +1,103 @@
+// Forces from outside.
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/edits.h"
+
+namespace hazumi::edit {
+
+namespace {
+
+using enum ParameterKind;
+
+const ParameterInfo kForce = {"force", kText, true, "the force's name", Thing::kForce};
+
+// The joint of the first selected hinge, else the first one there is.
+std::string LikelyJoint(const Session& session) {
+  const Figure& figure = session.figure();
+  for (const Joint& hinge : figure.joints()) {
+    if (session.selected_joints().contains(hinge.name)) return figure.group(hinge.group).name;
+  }
+  return figure.groups().empty() ? figure.root_name() : figure.groups().front().name;
+}
+
+// A breeze; a pull to a place one metre ahead; a push from behind.
+ProjectForce NewForce(const Session& session) {
+  ProjectForce force;
+  force.velocity_m_s = Vec3(3.0, 0.0, 0.0);
+  force.to_m = Vec3(1.0, 0.0, 1.0);
+  force.force_n = 40.0;
+  force.radius_m = 0.5;
+  force.impulse_n_s = Vec3(5.0, 0.0, 0.0);
+  force.first_frame = session.project().frames.first;
+  force.last_frame = session.project().frames.last;
+  return force;
+}
+
+// What is given of it, and what its kind cannot do without.
+Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectForce* force) {
+  if (Result<Done> set = SetFields(p, force); !set.ok()) return set;
+  if (force->kind != ForceKind::kWind && force->joint.empty()) force->joint = LikelyJoint(session);
+  const ProjectFrames& all = session.project().frames;
+  if (force->kind != ForceKind::kPush && !p.has("last") && !p.has("first") &&
+      force->last_frame <= force->first_frame) {
+    force->last_frame = std::max(all.last, force->first_frame + 1);
+  }
+  return ExpectOwn(FieldsOf(*force), FieldsOf<ProjectForce>(), p, "forces of its kind have none");
+}
+
+Result<Done> AddForce(Session* session, const Parameters& p) {
+  return session->Edit("Add force", [&](Project* project) -> Result<Done> {
+    ProjectForce force = NewForce(*session);
+    if (p.text("kind") == NameOf(ForceKind::kPush)) {
+      force.first_frame = static_cast<int>(std::lround(session->frame()));
+    }
+    if (Result<Done> set = SetOwnFields(*session, p, &force); !set.ok()) return set;
+    if (!p.has("name")) force.name = NameOf(force.kind);
+    force.name = FreeName(force.name, project->forces);
+    project->forces.push_back(std::move(force));
+    return Done();
+  });
+}
+
+Result<Done> SetForce(Session* session, const Parameters& p) {
+  return session->Edit(
+      "Change force",
+      [&](Project* project) -> Result<Done> {
+        const Result<ProjectForce*> force = EntryNamed(p.text("force"), "force", &project->forces);
+        if (!force.ok()) return force.error();
+        if (Result<Done> set = SetOwnFields(*session, p, force.value()); !set.ok()) return set;
+        if (p.has("name")) {
+          force.value()->name = FreeName(force.value()->name, project->forces, force.value());
+        }
+        return Done();
+      },
+      p.text("drag"));
+}
+
+Result<Done> RemoveForce(Session* session, const Parameters& p) {
+  return session->Edit("Remove force", [&](Project* project) -> Result<Done> {
+    auto& forces = project->forces;
+    const Result<ProjectForce*> force = EntryNamed(p.text("force"), "force", &forces);
+    if (!force.ok()) return force.error();
+    forces.erase(forces.begin() + (force.value() - forces.data()));
+    return Done();
+  });
+}
+
+}  // namespace
+
+std::vector<Operator> ForceOperators() {
+  return {{"force.add", "Add force",
+           "Adds wind, a pull towards a place, or a push, which regions of method exact feel. Not "
+           "given: all frames, of a push the current one; the first selected joint.",
+           Requiring({"kind"}, FieldsOf<ProjectForce>()), AddForce},
+          {"force.set", "Change force",
+           "Changes what is given of a force; what another kind needs is made up.",
+           Joined({{kForce}, FieldsOf<ProjectForce>(), {kDrag}}), SetForce},
+          {"force.remove", "Remove force", "Takes a force away.", {kForce}, RemoveForce}};
+}
+
+}  // namespace hazumi::edit
