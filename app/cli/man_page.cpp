@@ -186,7 +186,7 @@ std::string Entries(const Named (&entries)[kSize]) {
 
 template <size_t kSize>
 std::string PagePart(const char* title, const Named (&entries)[kSize]) {
-  return std::string(".SH ") + title + "\n" + Entries(entries);
+  return std::string(".SH ").append(title).append("\n").append(Entries(entries));
 }
 
 std::string PageFiles() {
