@@ -252,7 +252,9 @@ void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat
   }
 }
 
-bool NeedsRegion(const std::string& id) { return id.starts_with("region.") && id != "region.add"; }
+bool NeedsRegion(const std::string& id) {
+  return (id.starts_with("region.") && id != "region.add") || id == "sheet.mute";
+}
 
 bool NeedsSelectedKeys(const std::string& id) {
   for (const char* tool : {"sheet.move", "sheet.scale", "sheet.duplicate"}) {
