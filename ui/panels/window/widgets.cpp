@@ -47,8 +47,16 @@ Rect WindowAround() {
   return {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
 }
 
+double ScaleNow() { return ImGui::GetFontSize() / 15.0; }
+
+// Panels may have none of their own.
+ImVec2 TooltipPadding() {
+  const auto scale = static_cast<float>(ScaleNow());
+  return {8.0f * scale, 6.0f * scale};
+}
+
 Point SizeOf(const std::string& text, const std::string& key) {
-  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const ImVec2 padding = TooltipPadding();
   const float width = kTooltipWidth * ImGui::GetFontSize() - padding.x;
   const ImVec2 all = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
   Point size = {all.x, all.y};
@@ -70,16 +78,17 @@ void Tooltip(const std::string& text, const std::string& key, bool even_disabled
 
 void TooltipOf(const Rect& item, const std::string& text, const std::string& key) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const double scale = ImGui::GetFontSize() / 15.0;
   const Point at = TooltipPlace(item, WindowAround(), FromIm(ImGui::GetIO().MousePos),
-                                SizeOf(text, key), {0.0f, 0.0f, screen.x, screen.y}, scale);
+                                SizeOf(text, key), {0.0f, 0.0f, screen.x, screen.y}, ScaleNow());
   ImGui::SetNextWindowPos(ToIm(at));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, TooltipPadding());
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidth);
   ImGui::TextUnformatted(text.c_str());
   if (!key.empty()) ImGui::TextDisabled("%s", key.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 std::vector<Chord> PressedKeys(bool with_repeats) {
