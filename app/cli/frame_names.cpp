@@ -33,7 +33,10 @@ bool IsOnePicture(const std::string& output) {
 Result<FrameNames> FrameNames::Create(const std::string& output) {
   FrameNames names;
   const size_t last = LastMark(output);
-  if (last == std::string::npos) {
+  if (IsOnePicture(output)) {
+    names.before_ = output;
+    names.is_one_ = true;
+  } else if (last == std::string::npos) {
     names.before_ = (fs::path(output) / "frame_").string();
     names.after_ = ".png";
   } else {
@@ -54,6 +57,7 @@ Result<FrameNames> FrameNames::Create(const std::string& output) {
 }
 
 std::string FrameNames::Of(int frame) const {
+  if (is_one_) return before_;
   std::string number = std::to_string(std::abs(frame));
   if (static_cast<int>(number.size()) < digits_) number.insert(0, digits_ - number.size(), '0');
   return before_ + (frame < 0 ? "-" : "") + number + after_;

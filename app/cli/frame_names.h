@@ -10,7 +10,7 @@ namespace hazumi {
 bool IsOnePicture(const std::string& output);
 
 // Names of the pictures of a sequence: in a folder (frame_0000.png), or a pattern in whose last run
-// of #### the frame number stands.
+// of #### the frame number stands; or the name of the only one.
 class FrameNames {
  public:
   // Makes the folder if it is not there. Error: kCannotWrite.
@@ -20,6 +20,7 @@ class FrameNames {
  private:
   std::string before_, after_;
   int digits_ = 4;
+  bool is_one_ = false;
 };
 
 }  // namespace hazumi

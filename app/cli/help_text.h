@@ -27,7 +27,8 @@ std::span<const CallExample> CallExamples();
 inline constexpr const char* kSummary =
     "keyframe animation with regions that swing by their own inertia";
 inline constexpr const char* kWhatFilesAre =
-    "FILE is a project (.kfa); --render, --bake, --export, --info and --flight read BVH, FBX, "
+    "FILE is a project (.kfa); --render, --bake, --export, --check, --info and --flight read BVH, "
+    "FBX, "
     "glTF, GLB and Collada as well.";
 inline constexpr const char* kStreams =
     "Results go to standard output, progress and complaints to standard error.";

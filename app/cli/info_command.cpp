@@ -8,6 +8,7 @@
 #include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"
 #include "engine/exchange/units.h"
+#include "engine/project/shown_name.h"
 
 namespace hazumi {
 
@@ -81,10 +82,10 @@ Json EventsAsJson(const Motion& motion) {
   return list;
 }
 
-Json InfoAsJson(const BakedProject& baked) {
+Json InfoAsJson(const BakedProject& baked, const std::string& name) {
   const Animation& animation = baked.animation;
   const Figure& figure = *animation.figure;
-  return {{"name", baked.project.name},
+  return {{"name", name},
           {"frames", {animation.first_frame, animation.last_frame}},
           {"fps", animation.rate.frames_per_second()},
           {"solver", SolverAsJson(animation.solver)},
@@ -139,10 +140,10 @@ void PrintEvents(const Motion& motion) {
   }
 }
 
-void Print(const BakedProject& baked) {
+void Print(const BakedProject& baked, const std::string& name) {
   const Animation& animation = baked.animation;
   const Figure& figure = *animation.figure;
-  PrintLine(stdout, "%s", baked.project.name.c_str());
+  PrintLine(stdout, "%s", name.c_str());
   PrintLine(stdout, "frames     F%d-F%d at %g fps", animation.first_frame, animation.last_frame,
             animation.rate.frames_per_second());
   PrintLine(stdout, "figure     %s: %d joints, %zu links, %g kg", figure.name().c_str(),
@@ -160,13 +161,15 @@ void Print(const BakedProject& baked) {
 int RunInfo(const Options& options) {
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
+  const std::string name = ShownName(baked.value().project.name, options.files[0]);
   if (options.json) {
-    const auto text = InfoAsJson(baked.value()).dump(2, ' ', false, Json::error_handler_t::replace);
+    const auto text =
+        InfoAsJson(baked.value(), name).dump(2, ' ', false, Json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
     return kExitOk;
   }
   PrintWarnings(options.files[0], baked.value().warnings);
-  Print(baked.value());
+  Print(baked.value(), name);
   return kExitOk;
 }
 

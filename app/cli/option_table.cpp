@@ -37,10 +37,13 @@ bool ReadMethod(const std::string& text, Options* options) {
   return options->method.has_value();
 }
 
+constexpr const char* kPictureNames =
+    "put #### where the frame number goes, or name a folder; one picture is a .png with --frames N";
+
 bool ReadPictures(const std::string& text, Options* options) {
   options->task = Task::kRender;
   options->output = text;
-  return !text.empty() && !IsOnePicture(text);
+  return !text.empty() && (!IsOnePicture(text) || text.ends_with(".png"));
 }
 
 bool ReadMotionFile(const std::string& text, Options* options) {
@@ -128,10 +131,10 @@ constexpr OptionRule kTasks[] = {
      .tasks = kRender,
      .value = "OUT",
      .help = "draw frames as PNG pictures; OUT is a folder, or a name with #### where the frame "
-             "number goes",
+             "number goes, or with --frames N the name of one picture",
      .call = "OUT [options] FILE",
      .files = "/",
-     .remedy = "put #### where the frame number goes, or name a folder",
+     .remedy = kPictureNames,
      .read = ReadPictures},
     {.name = "--bake",
      .tasks = kBake,
@@ -152,7 +155,9 @@ constexpr OptionRule kTasks[] = {
      .read = ReadExport},
     {.name = "--check",
      .tasks = kCheck,
-     .help = "say of each file whether it can be animated, and if not, why",
+     .help =
+         "say of each file, a project or one of another program, whether it can be animated, and "
+         "if not, why",
      .call = "[options] FILE...",
      .read = Choose<Task::kCheck>},
     {.name = "--info",
@@ -180,10 +185,11 @@ constexpr OptionRule kTasks[] = {
      .tasks = kRun,
      .value = "SCRIPT",
      .help = "edit the project, or a new one: SCRIPT is a JSON list of operators, such as\n"
-             "{\"op\": \"key.set\", \"curve\": \"r_knee\", \"frame\": 5, \"value\": 1}\n"
-             "nothing is saved unless it says \"file.save\";\n"
-             "{\"op\": \"capture\", \"path\": \"editor.png\"} draws the editor, without a "
-             "display, --size wide and high (1280x800)",
+             "[{\"op\": \"key.set\", \"curve\": \"r_knee\",\n"
+             "\"frame\": 5, \"value\": 1},\n"
+             "{\"op\": \"file.save\", \"path\": \"my.kfa\"}]\n"
+             "nothing is saved unless it says \"file.save\"; with \"capture\" and a \"path\" the "
+             "editor is drawn, without a display, --size wide and high (1280x800)",
      .call = "SCRIPT [--size WxH] [FILE]",
      .files = "json",
      .remedy = "name a script, a JSON list of operators",

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/frame_names.h"
 #include "app/cli/help_text.h"
 #include "app/cli/option_table.h"
 #include "app/cli/option_values.h"
@@ -96,6 +97,13 @@ const OptionRule& ReadTask(const CLI::App& app, Options* options) {
   return *chosen;
 }
 
+// A name in which no frame number has a place is that of one picture.
+void CheckPictureName(const OptionRule& task, const Options& options) {
+  if (!IsOnePicture(options.output)) return;
+  if (options.frames && options.frames->first == options.frames->last) return;
+  throw UsageError(std::string(task.name) + " " + options.output + ": " + task.remedy);
+}
+
 void CheckSweep(const CLI::App& app, const Options& options) {
   if (options.output.empty() && !options.count) throw UsageError("--sweep wants --out FOLDER");
   if ((app.count("--tasks") == 0) != (app.count("--task") == 0)) {
@@ -126,6 +134,7 @@ void ReadOptions(const CLI::App& app, Options* options) {
     if (options->rate) options->import.fps = options->rate->FrameAt(1.0);
     return;
   }
+  if (task.tasks & kRender) CheckPictureName(task, *options);
   if (task.tasks & kSweep) CheckSweep(app, *options);
   if (!(task.tasks & kProjects)) {
     if (!options->files.empty()) throw UsageError(std::string(task.name) + " takes no FILE");

@@ -9,6 +9,7 @@
 #include "engine/base/text.h"
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
+#include "engine/project/shown_name.h"
 #include "render/image/halve.h"
 #include "render/image/png.h"
 #include "render/sheet/contact_sheet.h"
@@ -59,8 +60,7 @@ class SheetMaker {
   Sheet Make(std::vector<std::optional<Image>> pictures) {
     pictures_ = std::move(pictures);
     Sheet sheet;
-    const Project& project = sweep_.project();
-    sheet.title = project.name.empty() ? sweep_.plan().project : project.name;
+    sheet.title = ShownName(sweep_.project().name, sweep_.project_file());
     sheet.title += ": " + std::to_string(rows_.size() - 1) + " cells";
     sheet.note = Note();
     if (sweep_.plan().combine == SweepCombine::kGrid) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/base/atomic_file.h"
+#include "engine/project/json/json.h"
 #include "engine/project/json/text_file.h"
 
 namespace hazumi {
@@ -29,6 +30,31 @@ std::optional<Error> MakeFolder(const std::string& folder) {
   return Error{ErrorCode::kCannotWrite, folder, "", "cannot be made: " + failed.message()};
 }
 
+// In which parts of what Sweep::Identity has two texts differ, in words.
+std::string Differences(const std::string& there, const std::string& wanted) {
+  constexpr std::pair<const char*, const char*> kParts[] = {{"sweep", "the sweep"},
+                                                            {"project", "the project"},
+                                                            {"figure", "the project's figure"},
+                                                            {"program", "the program"}};
+  FirstError errors;
+  const std::optional<Json> before = ParseJson(there, &errors), now = ParseJson(wanted, &errors);
+  std::vector<std::string> parts;
+  for (const auto& [name, words] : kParts) {
+    if (!before || !now || !before->is_object() || !now->is_object()) break;
+    const auto old = before->find(name), is = now->find(name);
+    if (old != before->end() && is != now->end() && *old == *is) continue;
+    parts.push_back(words);
+    const bool is_told = name == std::string("program") && old != before->end() && old->is_string();
+    if (is_told) parts.back() += " (there: " + old->get<std::string>() + ")";
+  }
+  if (parts.empty()) return "how it is written";
+  std::string text = parts.front();
+  for (size_t i = 1; i < parts.size(); ++i) {
+    text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  }
+  return text;
+}
+
 }  // namespace
 
 SweepStore::SweepStore(std::string folder, long cells)
@@ -51,10 +77,10 @@ Result<SweepStore> SweepStore::Open(const std::string& folder, long cells,
   const Result<std::string> there = ReadTextFile(plan);
   if (!there.ok()) return there.error();
   if (there.value() == identity) return SweepStore(folder, cells);
-  return Error{
-      ErrorCode::kSemantics, folder, "",
-      "holds another sweep: its plan.json differs in the sweep, the project, its figure or "
-      "the program; name another folder, or remove this one"};
+  return Error{ErrorCode::kSemantics, folder, "",
+               "holds another sweep: its plan.json differs in " +
+                   Differences(there.value(), identity) +
+                   "; name another folder, or remove this one"};
 }
 
 long SweepStore::EndCell(long block) const {

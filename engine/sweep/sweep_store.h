@@ -20,7 +20,8 @@ namespace hazumi {
 class SweepStore {
  public:
   // Makes the folder, or goes on in it. `identity`: text that differs if anything does that makes
-  // the rows. Errors: kSemantics, if another sweep is there; kCannotWrite.
+  // the rows, as Sweep::Identity makes it. Errors: kSemantics, if another sweep is there, with the
+  // parts in which it differs; kCannotWrite.
   static Result<SweepStore> Open(const std::string& folder, long cells,
                                  const std::string& identity);
 

@@ -93,6 +93,33 @@ class CommandLine(InFolder):
             self.assertEqual(done.returncode, 2, wrong)
             self.assertIn(message, done.stderr.splitlines()[0])
 
+    def test_one_frame_is_drawn_into_the_picture_that_is_named(self):
+        picture = self.folder / "new" / "one.png"
+        small = ["--size", "32x24", "--samples", "1"]
+        done = run("--render", picture, "--frames", "3", *small, THROW)
+        self.assertEqual((done.returncode, self.files()), (0, ["one.png"]), done.stderr)
+        self.assertEqual(run("--render", self.folder / "all", "--frames", "3", *small, THROW).returncode, 0)
+        self.assertEqual(picture.read_bytes(), (self.folder / "all" / "frame_0003.png").read_bytes())
+        for frames in ([], ["--frames", "3..4"]):
+            done = run("--render", self.folder / "two.png", *frames, *small, THROW)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("one picture is a .png with --frames N", done.stderr)
+
+    def test_the_script_of_the_help_runs(self):
+        lines = run("--help").stdout.splitlines()
+        begin = next(i for i, line in enumerate(lines) if line.lstrip().startswith("[{"))
+        end = next(i for i in range(begin, len(lines)) if lines[i].endswith("}]"))
+        script = self.folder / "script.json"
+        script.write_text(" ".join(line.strip() for line in lines[begin:end + 1]))
+        done = run("--run", script, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.files(), ["my.kfa", "script.json"])
+        # Nobody gave it a name, so it is called as its file is.
+        self.assertEqual(run("--info", self.folder / "my.kfa").stdout.splitlines()[0], "my")
+        info = json.loads(run("--info", "--json", self.folder / "my.kfa").stdout)
+        self.assertEqual(info["name"], "my")
+        self.assertEqual(json.loads((self.folder / "my.kfa").read_text())["name"], "Untitled")
+
     def test_help_fits_a_terminal_and_names_every_option(self):
         lines = run("--help").stdout.splitlines()
         self.assertLessEqual(max(map(len, lines)), 80)

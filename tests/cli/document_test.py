@@ -3,6 +3,7 @@
 
 Shells and readers of manual pages that are not installed are passed over."""
 
+import json
 import os
 import pty
 import select
@@ -39,6 +40,20 @@ class ManPage(InFolder):
         for line in run("--help").stdout.splitlines():
             if line.startswith("  --"):
                 self.assertIn("\n\\fB" + line.split()[0].replace("-", "\\-"), text)
+
+    def test_its_sweep_is_one(self):
+        text = self.page.read_text()
+        example = text.partition(".SH SWEEP FILES")[2].partition(".nf\n")[2].partition("\n.fi")[0]
+        (self.folder / "sweep.json").write_text(example.replace("\\-", "-"))
+        project = self.project()
+        (self.folder / "throw.kfa").write_text(json.dumps(project))
+        done = run("--sweep", self.folder / "sweep.json", "--count")
+        self.assertEqual((done.returncode, done.stdout), (0, "12\n"), done.stderr)
+
+    def test_it_says_where_files_are(self):
+        text = self.page.read_text().replace("\\-", "-")
+        for place in ("examples", "schema"):
+            self.assertRegex(text, rf"\n\\fB/[^\n]*/share/hazumi/{place}\\fR\n")
 
     @needs("man")
     def test_man_has_no_warnings(self):

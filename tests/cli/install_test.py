@@ -16,6 +16,7 @@ CMAKE = sys.argv.pop(2)
 from command_line import HAZUMI, ROOT  # noqa: E402
 
 BUILD = pathlib.Path(HAZUMI).parent
+LINK = re.compile(r"\]\(([^)#:]+)\)")  # of a page, to a file
 IS_SANITIZED = os.environ.get("HAZUMI_SANITIZE", "") != ""
 
 
@@ -53,12 +54,14 @@ class Installed(unittest.TestCase):
     def test_everything_is_where_it_is_looked_for(self):
         names = {str(path.relative_to(self.prefix)) for path in self.files()}
         icons = {name for name in names if name.endswith("apps/hazumi.png")}
+        pictures = {name for name in names if name.startswith("share/doc/hazumi/pictures/")}
         self.assertEqual(len(icons), 9 if shutil.which("rsvg-convert") else 0)
         self.assertEqual(
-            {re.sub(r"\.gz$", "", name) for name in names - icons}, {
+            {re.sub(r"\.gz$", "", name) for name in names - icons - pictures}, {
                 "bin/hazumi", "libexec/hazumi/hazumi-reader",
                 "share/applications/hazumi.desktop", "share/bash-completion/completions/hazumi",
-                "share/doc/hazumi/copyright", "share/fish/vendor_completions.d/hazumi.fish",
+                "share/doc/hazumi/copyright", "share/doc/hazumi/README.md",
+                "share/doc/hazumi/examples/README.md", "share/doc/hazumi/sweeps.md", "share/fish/vendor_completions.d/hazumi.fish",
                 "share/hazumi/examples/jump.kfa", "share/hazumi/examples/throw.kfa",
                 "share/hazumi/examples/throw_sweep.json",
                 "share/hazumi/figures/README.md", "share/hazumi/figures/human.json",
@@ -75,6 +78,29 @@ class Installed(unittest.TestCase):
         self.run_installed("--render", self.folder / "out", "--frames", "9", "--size", "64x48",
                            self.throw)
         self.assertTrue((self.folder / "out" / "frame_0009.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_copy_of_an_example_is_drawn_elsewhere(self):
+        copy = shutil.copy(self.throw, self.folder / "copy.kfa")
+        self.run_installed("--render", self.folder / "copied", "--frames", "9", "--size", "64x48", copy)
+        self.assertTrue((self.folder / "copied" / "frame_0009.png").exists())
+        for name in ("throw", "jump"):
+            own = self.share / "hazumi" / "examples" / f"{name}.kfa"
+            of_tree = ROOT / "assets" / "examples" / f"{name}.kfa"
+            self.assertEqual(self.run_installed("--bake", "-", own),
+                             self.run_installed("--bake", "-", of_tree))
+
+    def test_links_of_pages_lead_to_what_is_installed(self):
+        pages = sorted((self.share / "doc" / "hazumi").rglob("*.md"))
+        links = [(page, link) for page in pages for link in LINK.findall(page.read_text())]
+        self.assertGreater(len(links), 10)
+        for page, link in links:
+            self.assertTrue((page.parent / link).is_file(), (page, link))
+        shown = {(page.parent / link).resolve() for page, link in links if "pictures/" in link}
+        pictures = set((self.share / "doc" / "hazumi" / "pictures").resolve().iterdir())
+        self.assertEqual(pictures, shown)
+        self.assertLess(sum(picture.stat().st_size for picture in pictures), 2e6)
+        for page in pages:
+            self.assertNotRegex(page.read_text(), r"scripts/|assets/|tests/|engine/", page)
 
     def test_the_reader_is_found(self):
         walk, own = self.folder / "walk.bvh", self.folder / "own.kfa"

@@ -85,12 +85,12 @@ class Refusals(InSweep):
         self.sweep()
         before = self.contents()
         self.write([RELEASE])
-        self.refused(65, f"{self.out}: holds another sweep: its plan.json differs")
+        self.refused(65, f"{self.out}: holds another sweep: its plan.json differs in the sweep; name")
         self.write([GRAVITY])
         project = self.project()
         project["name"] = "another throw"
         self.write_project(project)
-        self.refused(65, f"{self.out}: holds another sweep: its plan.json differs")
+        self.refused(65, f"{self.out}: holds another sweep: its plan.json differs in the project; name")
         self.assertEqual(self.contents(), before)
 
     def test_a_full_disk_is_said_and_leaves_no_part_of_a_file(self):

@@ -114,6 +114,7 @@ std::optional<Error> ReadAll(const Json& json, Settings* settings) {
   if (auto error = ReadWord(json, "theme", "dark", "light", &settings->dark)) return error;
   if (auto error = ReadWord(json, "language", "ja", "en", &is_japanese)) return error;
   settings->language = is_japanese ? Language::kJapanese : Language::kEnglish;
+  settings->has_chosen_language = json.contains("language");
   if (auto error = ReadNumber(json, "scale", 0.75, 3.0, &settings->scale)) return error;
   if (auto error = ReadShares(json, &settings->shares)) return error;
   if (auto error = ReadFiles(json, &settings->recent_files)) return error;
@@ -132,17 +133,19 @@ std::string SettingsPath() { return (SettingsFolder() / "settings.json").string(
 std::string PosesPath() { return (SettingsFolder() / "poses.json").string(); }
 
 std::string WriteSettings(const Settings& settings) {
-  const Json json = {{"version", 1},
-                     {"theme", settings.dark ? "dark" : "light"},
-                     {"language", settings.language == Language::kJapanese ? "ja" : "en"},
-                     {"scale", settings.scale},
-                     {"shares",
-                      {{"side", settings.shares.side},
-                       {"bottom", settings.shares.bottom},
-                       {"outliner", settings.shares.outliner}}},
-                     {"recent_files", settings.recent_files},
-                     {"has_seen_first_steps", settings.has_seen_first_steps},
-                     {"keymap", JsonOf(settings.keymap)}};
+  Json json = {{"version", 1},
+               {"theme", settings.dark ? "dark" : "light"},
+               {"scale", settings.scale},
+               {"shares",
+                {{"side", settings.shares.side},
+                 {"bottom", settings.shares.bottom},
+                 {"outliner", settings.shares.outliner}}},
+               {"recent_files", settings.recent_files},
+               {"has_seen_first_steps", settings.has_seen_first_steps},
+               {"keymap", JsonOf(settings.keymap)}};
+  if (settings.has_chosen_language) {
+    json["language"] = settings.language == Language::kJapanese ? "ja" : "en";
+  }
   // A path that is no UTF-8 would otherwise throw.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -157,9 +160,10 @@ Result<Settings> ReadSettings(const std::string& text, const Settings& otherwise
 
 void SettingsFile::Load(Editor* editor) {
   std::error_code unknown;
+  editor->settings.language = SystemLanguage();
   if (!fs::exists(path_, unknown)) {
-    editor->settings.language = SystemLanguage();
     last_ = {};
+    last_.language = editor->settings.language;
     return;
   }
   const std::vector<std::string> opened = editor->settings.recent_files;

@@ -21,8 +21,8 @@ class SettingsFile {
  public:
   explicit SettingsFile(std::string path) : path_(std::move(path)) {}
 
-  // Reads it; a file that is not there is the first run: the language is then that of the system. A
-  // damaged one is kept aside as "settings.json.damaged", which the status bar says.
+  // Reads it; where it names no language, that is the system's, as it is without a file. A damaged
+  // one is kept aside as "settings.json.damaged", which the status bar says.
   void Load(Editor* editor);
   // Writes it if they differ from what was read or written last. What goes wrong is said once.
   void SaveIfChanged(Editor* editor);

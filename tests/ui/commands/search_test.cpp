@@ -56,6 +56,13 @@ TEST(Menus, UndoSaysWhatAndIsGreyWhereThereIsNothing) {
   EXPECT_EQ(LabelOf(undo, editor), "Undo: Rotate joint");
 }
 
+TEST(Menus, NothingIsMutedWhereThereIsNoRegion) {
+  Editor editor;
+  EXPECT_FALSE(CanDo(editor, "sheet.mute"));
+  ASSERT_TRUE(editor.Do("region.add", {{"first", 2}, {"last", 9}, {"joints", {"r_elbow"}}}));
+  EXPECT_TRUE(CanDo(editor, "sheet.mute"));
+}
+
 TEST(ParameterForm, AsksForWhatIsMissingAndSuggestsTheFrame) {
   edit::Session session;
   session.set_frame(7.0);

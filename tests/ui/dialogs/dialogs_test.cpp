@@ -54,7 +54,7 @@ TEST_F(Dialogs, TabAndArrowsLeadToRecentFilesAndEnterOpensThem) {
   }
   Press({'O', true});
   Press({kTab, false, true});  // back to the places, whose first one it is
-  const size_t places = Shelves(HomeFolder(), editor_.settings.recent_files).size();
+  const size_t places = Shelves(HomeFolder(), editor_.settings.recent_files, "").size();
   for (size_t i = 0; i < places + 1; ++i) Press({kDown});
   Press({kEnter});
   EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
@@ -90,6 +90,45 @@ TEST_F(Dialogs, EnterPressesTheButtonThatTabHasLedTo) {
   Press({kEnter});
   EXPECT_EQ(modal(), Modal::kNone);
   EXPECT_TRUE(editor_.wants_to_quit);  // "Don't save"
+}
+
+TEST_F(Dialogs, TheManualIsScrolledByKeys) {
+  Press({kF1});
+  ASSERT_EQ(modal(), Modal::kManual);
+  Frames(30);  // what is behind it has grown dark
+  const auto seen = [&] { return shell_->picture().rgba; };
+  const auto beginning = seen();
+  Press({kPageDown});
+  const auto page = seen();
+  EXPECT_TRUE(page != beginning);
+  Press({kDown});
+  EXPECT_TRUE(seen() != page);
+  Press({kUp});
+  EXPECT_TRUE(seen() == page);
+  Press({kEnd});
+  const auto end = seen();
+  EXPECT_TRUE(end != page);
+  Press({kPageDown});
+  EXPECT_TRUE(seen() == end);
+  Press({kHome});
+  EXPECT_TRUE(seen() == beginning);
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+// What it does is said by its label: no tooltip lies over the buttons beside it.
+TEST_F(Dialogs, AButtonWhoseLabelSaysItHasNoTooltip) {
+  Change();
+  Press({'Q', true});
+  ASSERT_EQ(modal(), Modal::kUnsaved);
+  Frames(30);  // what is behind it has grown dark
+  for (float x = 180.0f; x < 560.0f; x += 40.0f) {
+    shell_->MoveMouse(x, 262.0f);
+    Frames(2);
+    const auto before = shell_->picture().rgba;
+    for (int i = 0; i < 12; ++i) shell_->Frame(0.1);
+    EXPECT_TRUE(shell_->picture().rgba == before) << x;
+  }
 }
 
 TEST_F(Dialogs, AFileThatIsNoProjectIsSaidInTheDialog) {

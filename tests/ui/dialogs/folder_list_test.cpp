@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -69,6 +70,22 @@ TEST(FolderList, TypingFindsTheFirstThatBeginsSo) {
   EXPECT_EQ(FirstBeginningWith(entries, "th"), 1);
   EXPECT_EQ(FirstBeginningWith(entries, "x"), -1);
   EXPECT_EQ(FirstBeginningWith(entries, ""), -1);
+}
+
+TEST(FolderList, TheInstalledExamplesAreAPlace) {
+  const fs::path prefix = fs::path(testing::TempDir()) / "hazumi_shelves";
+  fs::remove_all(prefix);
+  const std::string examples = ExamplesBeside((prefix / "bin" / "hazumi").string());
+  const auto has_them = [&] {
+    const std::vector<Shelf> shelves = Shelves("/", {}, examples);
+    return std::any_of(shelves.begin(), shelves.end(), [&](const Shelf& shelf) {
+      return shelf.label == "Examples" && shelf.path == examples;
+    });
+  };
+  EXPECT_FALSE(has_them());
+  fs::create_directories(prefix / "share" / "hazumi" / "examples");
+  EXPECT_TRUE(has_them());
+  fs::remove_all(prefix);
 }
 
 TEST(FolderList, AFolderIsListedAndOneThatIsNotThereIsAnError) {

@@ -34,7 +34,7 @@ TEST_F(SettingsFileTest, WhatWasChosenIsThereTheNextTime) {
   SettingsFile file(path());
   file.Load(&editor);
   editor.settings.dark = false;
-  editor.settings.language = Language::kJapanese;
+  ASSERT_TRUE(editor.Do("view.language", {{"language", "ja"}}));
   editor.settings.scale = 1.5;
   editor.settings.shares.side = 0.3;
   editor.settings.recent_files = {"/a/投げる.kfa"};
@@ -68,6 +68,38 @@ TEST_F(SettingsFileTest, NothingIsWrittenWhereNothingChanged) {
   std::ostringstream text;
   text << std::ifstream(path()).rdbuf();
   EXPECT_EQ(text.str(), "{\"theme\": \"light\"}");
+}
+
+TEST_F(SettingsFileTest, ALanguageThatNobodyChoseStaysThatOfTheSystem) {
+  const auto starts_in = [&](const char* language) {
+    setenv("LC_ALL", language, 1);
+    Editor editor;
+    SettingsFile file(path());
+    file.Load(&editor);
+    editor.settings.dark = !editor.settings.dark;
+    file.SaveIfChanged(&editor);
+    return editor.settings.language;
+  };
+  const char* before = std::getenv("LC_ALL");
+  const std::string kept = before ? before : "";
+  EXPECT_EQ(starts_in("en_GB.UTF-8"), Language::kEnglish);
+  EXPECT_EQ(starts_in("ja_JP.UTF-8"), Language::kJapanese);
+  EXPECT_EQ(starts_in("C"), Language::kEnglish);
+  Editor chosen;
+  SettingsFile file(path());
+  file.Load(&chosen);
+  ASSERT_TRUE(chosen.Do("view.language", {{"language", "ja"}}));
+  file.SaveIfChanged(&chosen);
+  EXPECT_EQ(starts_in("C"), Language::kJapanese);
+  before ? setenv("LC_ALL", kept.c_str(), 1) : unsetenv("LC_ALL");
+}
+
+TEST_F(SettingsFileTest, TheFirstStartChoosesNothingAndWritesNothing) {
+  Editor editor;
+  SettingsFile file(path());
+  file.Load(&editor);
+  file.SaveIfChanged(&editor);
+  EXPECT_FALSE(fs::exists(path()));
 }
 
 TEST(Settings, OutOfRangeIsRefusedWithItsPlace) {

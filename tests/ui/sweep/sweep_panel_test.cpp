@@ -10,6 +10,7 @@
 #include "engine/sweep/sweep_store.h"
 #include "render/image/png.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/panels/sweep/actions.h"
 #include "ui/panels/sweep/picture.h"
 #include "ui/shell/offscreen_shell.h"
 
@@ -73,9 +74,9 @@ TEST_F(SweepPanel, ACellGivesTheProjectAllItsValues) {
 
 TEST_F(SweepPanel, ItsPictureIsReadWhenItIsLookedAt) {
   EXPECT_EQ(PictureOfCell(&editor_), 0u);
+  EXPECT_EQ(editor_.sweep.aspect, 2.0);  // its place is kept
   Do("sweep.preview", {{"cell", 3}});
   EXPECT_NE(PictureOfCell(&editor_), 0u);
-  EXPECT_EQ(editor_.sweep.aspect, 2.0);
 }
 
 TEST_F(SweepPanel, LookingAtManyAndKeepingOneIsOneStep) {
@@ -88,6 +89,50 @@ TEST_F(SweepPanel, LookingAtManyAndKeepingOneIsOneStep) {
   EXPECT_EQ(Value(kFriction), "0.8");
   EXPECT_EQ(Value("held_objects[ball].release_frame"), "7");
   EXPECT_FALSE(editor_.session().document().undo_label());
+}
+
+TEST_F(SweepPanel, WhatIsKeptIsSaidAndMarkedAsLongAsItHolds) {
+  Do("sweep.preview", {{"cell", 3}});
+  EXPECT_FALSE(HasKeptCell(editor_));
+  Do("sweep.adopt");
+  EXPECT_EQ(editor_.message.text,
+            "Cell 3 is kept: friction.default = 0.7, release_frame = 12. Undo takes it back.");
+  EXPECT_EQ(editor_.sweep.kept, 3u);
+  EXPECT_TRUE(HasKeptCell(editor_));
+  Do("scene.gravity", {{"gravity", 1.6}});
+  EXPECT_TRUE(HasKeptCell(editor_));
+  Do("sweep.preview", {{"cell", 0}});
+  EXPECT_TRUE(HasKeptCell(editor_));
+  Do("edit.cancel_drag");
+  Do("edit.undo");
+  Do("edit.undo");
+  EXPECT_FALSE(HasKeptCell(editor_));
+}
+
+TEST_F(SweepPanel, ItIsClosedWithItsProject) {
+  Do("sweep.preview", {{"cell", 3}});
+  Do("file.new");
+  EXPECT_EQ(editor_.sweep.swept, nullptr);
+  EXPECT_NE(editor_.message.text.find("is closed"), std::string::npos) << editor_.message.text;
+  EXPECT_FALSE(editor_.Do("sweep.preview", {{"cell", 0}}));
+}
+
+// The table stays under the mouse as a first cell is clicked.
+TEST_F(SweepPanel, TheFirstClickMovesNoCell) {
+  const auto click_at = [&](float y) {
+    shell_->MoveMouse(800.0f, y);
+    shell_->PressButton(0, true);
+    shell_->Frame();
+    shell_->PressButton(0, false);
+    shell_->Frame();
+    shell_->Frame();
+    return editor_.sweep.cell;
+  };
+  float y = 690.0f;
+  while (y > 300.0f && !click_at(y)) y -= 12.0f;
+  ASSERT_TRUE(editor_.sweep.cell);
+  const size_t first = *editor_.sweep.cell;
+  EXPECT_EQ(click_at(y), first);
 }
 
 TEST_F(SweepPanel, ClosedWithoutKeepingTheProjectIsAsItWas) {

@@ -106,6 +106,7 @@ TEST(Catalogue, HasTheTextsOfTheFileDialog) {
          {purpose->title, purpose->nothing, purpose->button, purpose->button_help}) {
       ExpectHas(text, purpose->title);
     }
+    if (*purpose->advice) ExpectHas(purpose->advice, purpose->title);
   }
 }
 

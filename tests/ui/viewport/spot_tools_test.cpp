@@ -1,6 +1,7 @@
 // A jump and a throw onto the spot under the mouse.
 
 #include "tests/ui/viewport/objects.h"
+#include "ui/panels/forms/parameter_form.h"
 #include "ui/panels/problems/problems.h"
 
 namespace hazumi::test {
@@ -117,7 +118,28 @@ TEST_F(Objects, NothingToThrowIsSaid) {
   user.MoveTo(InWindow(Vec3(0.6, 0.0, 0.0)));
   user.Press('T');
   EXPECT_FALSE(user.editor().has_tool());
-  EXPECT_NE(user.editor().message.text.find("put a ball into a hand"), std::string::npos);
+  EXPECT_NE(user.editor().message.text.find("click a wrist, then Scene > Add ball"),
+            std::string::npos);
+}
+
+TEST_F(Objects, WhatLiesOnTheFloorIsGivenToAHandFirst) {
+  Do("held.add_ball", edit::Json::object());
+  const Vec3 spot(0.9, 0.5, 0.0);
+  user.MoveTo(InWindow(spot));
+  user.Press('T');
+  EXPECT_FALSE(user.editor().has_tool());
+  EXPECT_NE(user.editor().message.text.find("click a wrist, then Scene > Pass on"),
+            std::string::npos)
+      << user.editor().message.text;
+  // As it says.
+  Do("select.joints", {{"joints", {"r_wrist"}}});
+  const ui::FormState form = ui::MakeForm("held.pass", ui::Json::object(), &user.session());
+  Do("held.pass", ui::ValuesOf(form).value());
+  user.Press('T');
+  EXPECT_TRUE(user.editor().has_tool()) << user.editor().message.text;
+  user.MoveTo(InWindow(spot));
+  user.Click(InWindow(spot));
+  EXPECT_EQ(user.project().regions.size(), 1u);
 }
 
 TEST_F(Objects, JAimsTheJumpThereIsAgain) {

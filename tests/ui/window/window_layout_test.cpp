@@ -66,5 +66,30 @@ TEST(WindowLayout, NoSplitterMakesAPanelVanish) {
   }
 }
 
+// Rows of a panel at the right, of a menu, of a dialog, a button above the viewport, all of a
+// sheet.
+TEST(TooltipPlace, CoversNeitherItsItemNorWhatIsAroundIt) {
+  const Rect screen = {0, 0, 1280, 800}, side = {960, 24, 320, 700}, menu = {200, 24, 220, 400};
+  const Rect dialog = {440, 300, 400, 120}, viewport = {0, 24, 956, 500};
+  const Point size = {300, 60};
+  const auto placed = [&](const Rect& item, const Rect& window) {
+    const Point at = TooltipPlace(item, window, {item.x + 3.0f, item.y + 3.0f}, size, screen, 1.0);
+    const Rect tip = {at.x, at.y, size.x, size.y};
+    EXPECT_TRUE(at.x >= 0.0f && tip.right() <= 1280.0f && at.y >= 0.0f && tip.bottom() <= 800.0f);
+    EXPECT_FALSE(Overlap(tip, item));
+    return tip;
+  };
+  EXPECT_FALSE(Overlap(placed({970, 300, 300, 20}, side), side));
+  EXPECT_FALSE(Overlap(placed({970, 700, 300, 20}, side), side));
+  EXPECT_FALSE(Overlap(placed({204, 100, 210, 20}, menu), menu));
+  EXPECT_FALSE(Overlap(placed({740, 390, 90, 20}, dialog), dialog));
+  EXPECT_GE(placed({400, 30, 60, 20}, viewport).y, 50.0f);
+  EXPECT_LE(placed({400, 780, 60, 20}, {0, 776, 1280, 24}).bottom(), 780.0f);
+  const Rect sheet = {0, 560, 956, 220};
+  const Point mouse = {500, 600};
+  const Point at = TooltipPlace(sheet, sheet, mouse, size, screen, 1.0);
+  EXPECT_TRUE(at.y > mouse.y && at.y < mouse.y + 40.0f);
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -3,6 +3,7 @@
 #include "engine/base/utf8.h"
 #include "engine/project/json/did_you_mean.h"
 #include "engine/project/json/json.h"
+#include "engine/project/shown_name.h"
 
 namespace hazumi {
 namespace {
@@ -25,6 +26,13 @@ TEST(NearestField, AlsoTakesANameWithoutItsUnit) {
   EXPECT_EQ(NearestField("regoins", {"root", "regions"}), "regions");
   EXPECT_EQ(NearestField("grav", {"objects", "gravity_m_s2"}), std::nullopt);
   EXPECT_EQ(NearestField("", {"_s"}), std::nullopt);
+}
+
+TEST(ShownName, IsThatOfTheFileWhereNobodyGaveOne) {
+  EXPECT_EQ(ShownName("Throw", "a/b.kfa"), "Throw");
+  EXPECT_EQ(ShownName("Untitled", "a/b.kfa"), "b");
+  EXPECT_EQ(ShownName("", "b.c.kfa"), "b.c");
+  EXPECT_EQ(ShownName("Untitled", ""), "Untitled");
 }
 
 TEST(Utf8, RefusesOverlongSurrogateAndTooHigh) {

@@ -12,8 +12,13 @@ namespace {
 
 using test::TemporaryFolder;
 
+constexpr const char* kIdentity =
+    R"({"program": "Hazumi 1", "sweep": {}, "project": {"name": "a"}, "figure": {}})";
+constexpr const char* kOther =
+    R"({"program": "Hazumi 2", "sweep": {}, "project": {"name": "b"}, "figure": {}})";
+
 SweepStore Opened(const TemporaryFolder& folder, long cells) {
-  return SweepStore::Open(folder / "out", cells, "identity").value();
+  return SweepStore::Open(folder / "out", cells, kIdentity).value();
 }
 
 TEST(SweepStore, SharesAllCellsOutAmongBlocks) {
@@ -60,14 +65,14 @@ TEST(SweepStore, GoesOnInAFolderOfTheSameSweep) {
 TEST(SweepStore, RefusesAFolderOfAnotherSweepAndLeavesIt) {
   const TemporaryFolder folder;
   (void)Opened(folder, 30);
-  const auto other = SweepStore::Open(folder / "out", 30, "another");
+  const auto other = SweepStore::Open(folder / "out", 30, kOther);
   ASSERT_FALSE(other.ok());
   EXPECT_EQ(other.error().code, ErrorCode::kSemantics);
   EXPECT_EQ(other.error().ToString(),
             folder / "out" +
-                ": holds another sweep: its plan.json differs in the sweep, the project, its "
-                "figure or the program; name another folder, or remove this one");
-  EXPECT_EQ(ReadTextFile(folder / "out/plan.json").value(), "identity");
+                ": holds another sweep: its plan.json differs in the project and the program "
+                "(there: Hazumi 1); name another folder, or remove this one");
+  EXPECT_EQ(ReadTextFile(folder / "out/plan.json").value(), kIdentity);
 }
 
 TEST(SweepStore, SaysWhatCannotBeMade) {

@@ -111,6 +111,7 @@ Result<Done> ChooseLanguage(Editor* editor, const Parameters& p) {
     return Error{ErrorCode::kSchema, "", "language", "\"" + name + "\" is none of en, ja"};
   }
   editor->settings.language = name == "ja" ? Language::kJapanese : Language::kEnglish;
+  editor->settings.has_chosen_language = true;
   return Done();
 }
 

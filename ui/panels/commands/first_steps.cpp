@@ -63,14 +63,15 @@ FirstSteps After(FirstSteps steps, const ExecutedCommand& deed) {
 const StepText& TextOfStep(int step) {
   static const StepText texts[kNumFirstSteps] = {
       {"Pose the figure",
-       "Click a shoulder in the viewport, press R, turn it back as before a throw, and click. That "
-       "makes a key."},
+       "Click the right shoulder in the viewport, press R, turn it back as before a throw, and "
+       "click. That makes a key."},
       {"Two more poses",
        "Click on frame 30 in the timeline and turn the shoulder to where it shall end; then on "
        "frame 5, and turn it forwards: the arm now swings by keys."},
-      {"Let the arms go",
-       "Select the joints of an arm and choose Region > Add dynamics region, from frame 5 to 15. "
-       "There no key moves them: they go on with the speed they have."},
+      {"Let the arm go",
+       "Click on frame 30, then on \"Right arm\" in the dope sheet, which selects all of it, and "
+       "press I: so it has keys to come back to. Now choose Region > Add dynamics region, from "
+       "frame 5 to 15. There no key moves the arm: it goes on with the speed it has."},
       {"Put a foot on the ground",
        "Choose Scene > Place figure: pinned, frames 0 to 30, pinned joint l_toe. The figure now "
        "stands on that foot."},

@@ -74,9 +74,7 @@ void DrawAction(Editor* editor, const MenuEntry& entry) {
   if (ImGui::MenuItem(label.c_str(), key.empty() ? nullptr : key.c_str(), is_on, can_do)) {
     RunOrAsk(editor, entry.id, entry.parameters).ok();  // what is refused, the status bar says
   }
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-    ImGui::SetTooltip("%s", HelpOf(entry.id));
-  }
+  Tooltip(HelpOf(entry.id), "", /*even_disabled=*/true);
 }
 
 void DrawEntries(Editor* editor, const std::vector<MenuEntry>& entries);

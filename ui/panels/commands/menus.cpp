@@ -265,7 +265,8 @@ void Flatten(const std::vector<MenuEntry>& entries, std::vector<MenuEntry>* flat
 }
 
 bool NeedsRegion(const std::string& id) {
-  return (id.starts_with("region.") && id != "region.add") || id.starts_with("drive.");
+  return (id.starts_with("region.") && id != "region.add") || id.starts_with("drive.") ||
+         id == "sheet.mute";
 }
 
 bool NeedsSelectedKeys(const std::string& id) {

@@ -52,9 +52,7 @@ void DrawUnsaved(Editor* editor) {
   ImGui::TextWrapped(Tr("\"%s\" has changes that are not saved."), name.c_str());
   ImGui::Spacing();
   const int clicked =
-      DrawButtons(*editor, {{Tr("Save"), Tr("Saves the project, then goes on.")},
-                            {Tr("Don't save (D)"), Tr("Goes on; the changes are lost.")},
-                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+      DrawButtons(*editor, {{Tr("Save"), ""}, {Tr("Don't save (D)"), ""}, {Tr("Cancel"), ""}});
   if (clicked == 0) AnswerSave(editor);
   if (clicked == 1 || ImGui::IsKeyPressed('D', false)) AnswerDiscard(editor);
   if (clicked == 2 || IsEscapePressed(*editor)) AnswerCancel(editor);
@@ -68,7 +66,7 @@ void DrawChangedElsewhere(Editor* editor) {
       *editor, {{Tr("Save as"), Tr("Saves yours under another name. Both are kept.")},
                 {Tr("Keep mine (K)"), Tr("Saves yours; what the file holds is lost.")},
                 {Tr("Take theirs (T)"), Tr("Opens the file again; what is not saved is lost.")},
-                {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+                {Tr("Cancel"), ""}});
   if (clicked == 0) AnswerSaveAs(editor);
   if (clicked == 1 || ImGui::IsKeyPressed('K', false)) AnswerKeepMine(editor);
   if (clicked == 2 || ImGui::IsKeyPressed('T', false)) AnswerTakeTheirs(editor);

@@ -243,8 +243,8 @@ void DrawPreview(Editor* editor, float bottom) {
 void DrawOverwrite(Editor* editor) {
   ExportState& state = editor->dialogs.exporting;
   DrawError(NameIn(ExportPath(state)) + ": " + Tr("this file exists already."), editor->theme());
-  const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Writes in its place.")},
-                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked =
+      DrawButtons(*editor, {{Tr("Overwrite"), Tr("Writes in its place.")}, {Tr("Cancel"), ""}});
   if (clicked == 0) ConfirmExport(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) state.asks_overwrite = false;
 }
@@ -264,8 +264,8 @@ void DrawBottom(Editor* editor) {
   if (state.asks_overwrite) return DrawOverwrite(editor);
   if (state.wants_write || state.write) return DrawWriting(editor);
   DrawError(state.error, editor->theme());
-  const int clicked = DrawButtons(*editor, {{Tr("Export"), Tr("Writes the file.")},
-                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked =
+      DrawButtons(*editor, {{Tr("Export"), Tr("Writes the file.")}, {Tr("Cancel"), ""}});
   if (clicked == 0) StartExport(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) CloseExport(editor);
 }

@@ -35,7 +35,10 @@ bool DrawShelf(int number, const std::string& label, bool is_here, const std::st
 void DrawShelves(Editor* editor) {
   ImGui::TextDisabled("%s", Tr("Places"));
   int i = 0;
-  for (const Shelf& shelf : Shelves(HomeFolder(), editor->settings.recent_files)) {
+  // Nothing is saved among the examples.
+  const bool writes = editor->dialogs.files.purpose->writes;
+  const std::string examples = writes ? "" : ExamplesBeside(ProgramPath());
+  for (const Shelf& shelf : Shelves(HomeFolder(), editor->settings.recent_files, examples)) {
     const bool is_here = shelf.path == editor->dialogs.files.folder;
     if (DrawShelf(i++, Tr(shelf.label.c_str()), is_here, shelf.path, editor)) {
       GoToFolder(shelf.path, editor);
@@ -190,8 +193,7 @@ std::string Trouble(const FileDialogState& files) {
 
 void DrawOverwrite(Editor* editor) {
   DrawError(Trouble(editor->dialogs.files), editor->theme());
-  const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), Tr("Saves in its place.")},
-                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), ""}, {Tr("Cancel"), ""}});
   if (clicked == 0) editor->dialogs.files.purpose->take(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) editor->dialogs.files.asks_overwrite = false;
 }
@@ -202,8 +204,7 @@ void DrawBottom(Editor* editor) {
   DrawError(Trouble(files), editor->theme());
   const FilePurpose& purpose = *files.purpose;
   const ButtonText choose = {Tr(purpose.button), Tr(purpose.button_help)};
-  const int clicked =
-      DrawButtons(*editor, {choose, {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked = DrawButtons(*editor, {choose, {Tr("Cancel"), ""}});
   if (clicked == 0) purpose.wanted ? ChooseFile(editor) : purpose.take(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) LeaveFileDialog(editor);
 }
@@ -212,6 +213,7 @@ void DrawBottom(Editor* editor) {
 
 void DrawFileDialog(Editor* editor) {
   const FileDialogState& files = editor->dialogs.files;
+  if (*files.purpose->advice) ImGui::TextDisabled("%s", Tr(files.purpose->advice));
   DrawTop(editor);
   const float bottom = ImGui::GetFrameHeightWithSpacing() * 2.0f + HeightOfError(Trouble(files)) +
                        ImGui::GetStyle().ItemSpacing.y;

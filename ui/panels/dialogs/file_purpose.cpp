@@ -131,7 +131,10 @@ const FilePurpose kChooseSweep = {.title = "Open sweep",
                                   .button = "Open",
                                   .button_help = "Shows the cells of the sweep.",
                                   .wanted = IsSweep,
-                                  .take = TakeSweep};
+                                  .take = TakeSweep,
+                                  .advice =
+                                      "Choose sweep.csv in the folder that hazumi --sweep "
+                                      "has filled."};
 const FilePurpose kChooseFolder = {.title = "Choose folder",
                                    .nothing = "There is no folder in here.",
                                    .button = "Choose",

@@ -19,6 +19,7 @@ struct FilePurpose {
   void (*take)(Editor* editor);             // what is named
   bool writes = false;                      // what is named may be new
   Modal back = Modal::kNone;                // the dialog that it was opened from
+  const char* advice = "";                  // what to choose, where the title does not tell
 };
 
 extern const FilePurpose kOpenProject, kSaveProject, kImportCharacter, kChooseSound,

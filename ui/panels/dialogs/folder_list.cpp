@@ -160,11 +160,22 @@ std::string HomeFolder() {
   return home && *home ? home : "/";
 }
 
-std::vector<Shelf> Shelves(const std::string& home, const std::vector<std::string>& recent_files) {
+std::string ProgramPath() {
+  std::error_code unknown;
+  return fs::read_symlink("/proc/self/exe", unknown).string();
+}
+
+std::string ExamplesBeside(const std::string& program) {
+  return (fs::path(program).parent_path().parent_path() / "share" / "hazumi" / "examples").string();
+}
+
+std::vector<Shelf> Shelves(const std::string& home, const std::vector<std::string>& recent_files,
+                           const std::string& examples) {
   std::vector<Shelf> shelves = {{"Home", home},
                                 {"Desktop", home + "/Desktop"},
                                 {"Documents", home + "/Documents"},
                                 {"Computer", "/"}};
+  if (!examples.empty()) shelves.push_back({"Examples", examples});
   for (const std::string& file : recent_files) {
     const std::string folder = ParentOf(file);
     const bool is_known = std::any_of(shelves.begin(), shelves.end(),

@@ -59,6 +59,11 @@ struct Shelf {
   std::string label;  // English, or a name
   std::string path;
 };
-std::vector<Shelf> Shelves(const std::string& home, const std::vector<std::string>& recent_files);
+// `examples` may be empty: none.
+std::vector<Shelf> Shelves(const std::string& home, const std::vector<std::string>& recent_files,
+                           const std::string& examples);
+// The shipped examples, as they are installed beside a program (this one: ProgramPath()).
+std::string ExamplesBeside(const std::string& program);
+std::string ProgramPath();
 
 }  // namespace hazumi::ui

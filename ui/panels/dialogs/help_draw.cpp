@@ -78,6 +78,23 @@ void DrawStep(int step, bool is_done, bool is_next, const Theme& theme) {
   ImGui::Unindent(size + ImGui::GetStyle().ItemSpacing.x);
 }
 
+// Of a child window in which there is nothing but text.
+void ScrollByKeys() {
+  const float line = 2.0f * ImGui::GetTextLineHeightWithSpacing();
+  const float page = std::max(line, ImGui::GetWindowHeight() - line);
+  const float last = ImGui::GetScrollMaxY();
+  float y = ImGui::GetScrollY();
+  const auto on = [&](int key, float by) { y += ImGui::IsKeyPressed(key) ? by : 0.0f; };
+  on(kDown, line);
+  on(kUp, -line);
+  on(kPageDown, page);
+  on(kPageUp, -page);
+  on(kEnd, last);
+  on(kHome, -last);
+  y = std::clamp(y, 0.0f, last);
+  if (y != ImGui::GetScrollY()) ImGui::SetScrollY(y);
+}
+
 // The first one that is not done is told at length.
 void DrawSteps(const Editor& editor) {
   const auto ticks = editor.dialogs.first_steps.ticks();
@@ -88,15 +105,18 @@ void DrawSteps(const Editor& editor) {
     ImGui::TextWrapped("%s", Tr("That was a throw. Help > Manual tells more."));
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(editor.theme().faint_text));
-  ImGui::TextWrapped("%s", Tr("Or at once: Scene > Add ball, then T throws it onto the spot under "
-                              "the mouse. J jumps there."));
+  ImGui::TextWrapped("%s", Tr("Or at once: click a wrist, then Scene > Add ball puts a ball into "
+                              "that hand, and T throws it onto the spot under the mouse. J jumps "
+                              "there."));
   ImGui::PopStyleColor();
 }
 
 }  // namespace
 
 void DrawManual(Editor* editor) {
+  editor->dialogs.takes_arrows = true;
   ImGui::BeginChild("##manual", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
+  ScrollByKeys();
   for (const ManualPart& part : ManualParts()) {
     DrawHeading(Tr(part.title), editor->theme());
     for (const char* paragraph : part.paragraphs) {

@@ -113,7 +113,7 @@ void DrawReport(const Editor& editor, const Result<Imported>& imported) {
 
 void DrawReading(Editor* editor) {
   ImGui::TextDisabled("%s", Tr("Reading..."));
-  const int clicked = DrawButtons(*editor, {{Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked = DrawButtons(*editor, {{Tr("Cancel"), ""}});
   if (clicked < 0 && !IsEscapePressed(*editor)) return;
   editor->dialogs.import = {};
   Close(editor);
@@ -135,8 +135,8 @@ void DrawImport(Editor* editor) {
   const bool can_import = state.imported->ok();
   int clicked = -1;
   if (can_import) {
-    clicked = DrawButtons(*editor, {{Tr("Import"), Tr("Makes a new project of it.")},
-                                    {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+    clicked = DrawButtons(*editor,
+                          {{Tr("Import"), Tr("Makes a new project of it.")}, {Tr("Cancel"), ""}});
   } else if (DrawButtons(*editor, {{Tr("Close"), ""}}) == 0) {
     clicked = 1;
   }

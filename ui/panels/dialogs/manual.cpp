@@ -66,6 +66,15 @@ const std::vector<ManualPart>& ManualParts() {
         "motion is computed with and that touch things. It is drawing only.",
         "Where something is wrong with the motion the warning sign beside the properties turns "
         "orange. Its list leads there, and most of it is put right by a button."}},
+      {"Many variations",
+       {"A sweep makes many variations of a project, without a window: a sweep file names fields "
+        "of "
+        "the project and the values that each takes, and hazumi --sweep SWEEP.json --out FOLDER "
+        "computes every combination, measures it and draws it, into the table sweep.csv and the "
+        "sheet sheet.png. hazumi --fields lists the fields of a project; man hazumi describes the "
+        "file, with an example.",
+        "To choose among them open the project, then File > Open sweep and its sweep.csv: click a "
+        "cell to see the project with its values, and Keep this cell keeps them."}},
       {"To other programs",
        {"File > Export writes the motion as BVH, glTF, a table, JSON or a video, and shows before "
         "it does what will be in the file and what will not. For Blender, Unreal and Unity glTF "

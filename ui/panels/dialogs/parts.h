@@ -59,7 +59,7 @@ float HeightOfError(const std::string& error);
 
 struct ButtonText {
   const char* label;  // in the interface's language
-  const char* help;
+  const char* help;   // empty: the label says it
 };
 // A row of buttons at the right; the first one is what Enter does. Which was clicked; -1: none.
 int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons);

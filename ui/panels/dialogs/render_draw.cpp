@@ -155,8 +155,8 @@ void DrawRenderDialog(Editor* editor) {
   DrawSummary(editor);
   DrawError(render.error, editor->theme());
   ImGui::Spacing();
-  const int clicked = DrawButtons(*editor, {{Tr("Render"), Tr("Draws the pictures.")},
-                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked =
+      DrawButtons(*editor, {{Tr("Render"), Tr("Draws the pictures.")}, {Tr("Cancel"), ""}});
   if (clicked == 0) StartRender(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) Close(editor);
 }

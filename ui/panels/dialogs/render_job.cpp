@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "engine/base/memory.h"
+#include "engine/project/shown_name.h"
 #include "ui/edit/media_files.h"
-#include "ui/edit/new_project.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/scene.h"
@@ -62,11 +62,7 @@ std::string FileNameFrom(std::string name) {
 
 std::string ProjectNameOf(const Editor& editor) {
   const edit::Session& session = editor.session();
-  const std::string& path = session.document().path();
-  static const std::string unnamed = edit::NewProject().name;
-  const bool is_named = session.project().name != unnamed;
-  return is_named || path.empty() ? session.project().name
-                                  : std::filesystem::path(path).stem().string();
+  return ShownName(session.project().name, session.document().path());
 }
 
 std::string SizeTrouble(int width, int height) {

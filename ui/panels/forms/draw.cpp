@@ -291,8 +291,8 @@ void DrawForm(Editor* editor) {
   DrawScrolledRows(&form, editor);
   DrawError(form.error, editor->theme());
   ImGui::Spacing();
-  const int clicked = DrawButtons(*editor, {{LabelOf(form.id), HelpOf(form.id)},
-                                            {Tr("Cancel"), Tr("Leaves everything as it is.")}});
+  const int clicked =
+      DrawButtons(*editor, {{LabelOf(form.id), HelpOf(form.id)}, {Tr("Cancel"), ""}});
   if (clicked == 0) SubmitForm(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) Close(editor);
 }

@@ -123,7 +123,7 @@ void DrawSwitches(Editor* editor, const OutlinerRow& row, size_t index,
     const bool is_under = rect.Contains(mouse) && ImGui::IsWindowHovered();
     const ImU32 color = ToIm(is_on || is_under ? theme.text : theme.faint_text);
     sign(Point{rect.x + 0.5f * rect.w, rect.y + 0.5f * rect.h}, radius, color, is_on);
-    if (is_under) ImGui::SetTooltip("%s", help);
+    if (is_under) TooltipOf(rect, help);
   };
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw(

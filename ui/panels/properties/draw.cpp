@@ -104,7 +104,7 @@ void DrawTabs(Editor* editor, const PropertiesLayout& layout) {
     DrawIcon(section, {tab.x + 0.5f * tab.w + 1.0f, tab.y + 0.5f * tab.h}, 0.26f * tab.h,
              ToIm(sign));
   }
-  if (hovered) ImGui::SetTooltip("%s", Tr(NameOf(*hovered)));
+  if (hovered) TooltipOf(layout.tabs[static_cast<size_t>(*hovered)], Tr(NameOf(*hovered)));
 }
 
 void DrawSection(Editor* editor) {

@@ -1,9 +1,13 @@
 #include "ui/panels/sweep/actions.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "engine/project/address/field_address.h"
+#include "ui/panels/dialogs/folder_list.h"
 #include "ui/panels/sweep/picture.h"
+#include "ui/panels/text/filled.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -26,6 +30,8 @@ Result<Done> OpenSweep(Editor* editor, const edit::Parameters& p) {
   if (!swept.ok()) return swept.error();
   CloseSweep(editor);
   editor->sweep.swept = std::make_shared<const SweptFolder>(std::move(swept).value());
+  editor->sweep.document = editor->session().document_number();
+  editor->sweep.aspect = AspectOfPictures(*editor->sweep.swept);
   editor->side.section = Section::kSweep;
   return Done();
 }
@@ -65,11 +71,24 @@ Result<Done> Step(Editor* editor, const edit::Parameters& p) {
   return ShowCell(static_cast<size_t>(cell), editor);
 }
 
+// "friction.default = 0.7, release_frame = 12"
+std::string ValuesInWords(const SweepPlan& plan, size_t cell) {
+  const std::vector<std::string> values = ValuesOf(plan, static_cast<long>(cell));
+  std::string text;
+  for (size_t i = 0; i < plan.vary.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + ShortName(plan.vary[i].field) + " = " + values[i];
+  }
+  return text;
+}
+
 Result<Done> Adopt(Editor* editor, const edit::Parameters&) {
-  if (!editor->sweep.cell) return Refused("choose a cell first");
+  SweepState& state = editor->sweep;
+  if (!state.cell) return Refused("choose a cell first");
   Result<Done> kept = editor->Invoke("edit.end_drag");
   if (!kept.ok()) return kept;
-  editor->sweep.cell.reset();
+  state.kept = std::exchange(state.cell, std::nullopt);
+  editor->Say(Filled(Tr("Cell %d is kept: %s. Undo takes it back."), static_cast<int>(*state.kept),
+                     ValuesInWords(state.swept->plan, *state.kept).c_str()));
   return Done();
 }
 
@@ -87,6 +106,37 @@ Result<Done> Leave(Editor* editor, const edit::Parameters&) {
 }
 
 }  // namespace
+
+std::string ShortName(const std::string& name) {
+  const size_t item = name.find("].");
+  return item == name.npos ? name : name.substr(item + 2);
+}
+
+void CloseSweepOfOther(Editor* editor) {
+  const SweepState& state = editor->sweep;
+  if (!state.swept || state.document == editor->session().document_number()) return;
+  const std::string folder = NameIn(state.swept->folder);
+  CloseSweep(editor);
+  editor->Say(Filled(Tr("The sweep %s is closed: it belongs to another project."), folder.c_str()));
+}
+
+bool HasKeptCell(const Editor& editor) {
+  const SweepState& state = editor.sweep;
+  if (!state.kept) return false;
+  const SweepPlan& plan = state.swept->plan;
+  const std::vector<std::string> values = ValuesOf(plan, static_cast<long>(*state.kept));
+  // Looking at another one takes nothing back.
+  const edit::Session& session = editor.session();
+  const edit::Document::State* before = session.document().drag_start(kDragName);
+  const Project& project = before ? before->project : session.project();
+  for (size_t i = 0; i < plan.vary.size(); ++i) {
+    const auto address = ParseAddress(plan.vary[i].field);
+    if (!address.ok()) return false;
+    const auto now = GetField(address.value(), project);
+    if (!now.ok() || now.value() != values[i]) return false;
+  }
+  return true;
+}
 
 std::vector<Action> SweepActions() {
   return {

@@ -6,6 +6,7 @@
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/sections.h"
+#include "ui/panels/sweep/actions.h"
 #include "ui/panels/sweep/picture.h"
 
 namespace hazumi::ui {
@@ -14,32 +15,42 @@ namespace {
 
 constexpr int kMostColumns = 60;  // ImGui has 64 at most
 
-// "friction.default" of "regions[arms].friction.default": what tells columns apart.
-std::string ShortName(const std::string& name) {
-  const size_t item = name.find("].");
-  return item == name.npos ? name : name.substr(item + 2);
-}
-
 // Those of fields and measures; the error is said in words.
 int ColumnsOf(const SweptFolder& swept) {
   return std::min(static_cast<int>(swept.names.size()) - 1, kMostColumns);
 }
 
+// Its place is there whether it is or not, so that the table below stays where the mouse is.
 void DrawPicture(Editor* editor) {
+  const SweepState& state = editor->sweep;
   const unsigned picture = PictureOfCell(editor);
-  if (picture == 0) return;
+  if (state.aspect <= 0.0) return;
   const float width = ImGui::GetContentRegionAvail().x;
-  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
-  ImGui::Image(texture, {width, width / static_cast<float>(editor->sweep.aspect)});
+  const ImVec2 size = {width, width / static_cast<float>(state.aspect)};
+  if (picture != 0) {
+    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
+    return ImGui::Image(texture, size);
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const char* text =
+      state.cell ? Tr("This cell has no picture.") : Tr("Click on a cell to see its picture.");
+  ImGui::GetWindowDrawList()->AddText(nullptr, 0.0f, at, ToIm(editor->theme().faint_text), text,
+                                      nullptr, width);
+  ImGui::Dummy(size);
 }
 
-void DrawRow(Editor* editor, const SweptFolder& swept, size_t cell, std::optional<size_t>* chosen) {
+void DrawRow(Editor* editor, const SweptFolder& swept, size_t cell, bool is_kept,
+             std::optional<size_t>* chosen) {
   ImGui::TableNextRow();
+  if (is_kept) {
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, ToIm(colors::kInterpolated, 0.4f));
+  }
   const std::vector<std::string>& row = swept.rows[cell];
   const bool failed = !swept.ErrorOf(cell).empty();
   for (int column = 0; column < ColumnsOf(swept); ++column) {
     ImGui::TableSetColumnIndex(column);
-    const std::string& text = row[static_cast<size_t>(column)];
+    std::string text = row[static_cast<size_t>(column)];
+    if (is_kept && column == 0) text += std::string("  ") + Tr("kept");
     if (column > 0) {
       ImGui::TextUnformatted(text.c_str());
       continue;
@@ -76,12 +87,14 @@ void DrawTable(Editor* editor, const SweptFolder& swept) {
   const float height = std::max(least, ImGui::GetContentRegionAvail().y);
   if (!ImGui::BeginTable("##cells", ColumnsOf(swept), kFlags, {0.0f, height})) return;
   DrawHead(swept);
+  const size_t kept = HasKeptCell(*editor) ? *editor->sweep.kept : swept.rows.size();
   std::optional<size_t> chosen;
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(swept.rows.size()));
   while (clipper.Step()) {
     for (int cell = clipper.DisplayStart; cell < clipper.DisplayEnd; ++cell) {
-      DrawRow(editor, swept, static_cast<size_t>(cell), &chosen);
+      const bool is_kept = kept == static_cast<size_t>(cell);
+      DrawRow(editor, swept, static_cast<size_t>(cell), is_kept, &chosen);
     }
   }
   ImGui::EndTable();
@@ -108,7 +121,8 @@ void DrawSweepSection(Editor* editor) {
   const std::shared_ptr<const SweptFolder> swept = editor->sweep.swept;
   if (!swept) {
     DrawNote(
-        Tr("Variations of a project, made with hazumi --sweep, are looked at and one is kept."));
+        Tr("Variations of the open project, made with hazumi --sweep, are looked at and one is "
+           "kept."));
     if (DrawButton(Tr("Open sweep..."), HelpOf("file.sweep_dialog")))
       editor->Do("file.sweep_dialog");
     return;

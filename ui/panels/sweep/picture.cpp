@@ -1,5 +1,7 @@
 #include "ui/panels/sweep/picture.h"
 
+#include <filesystem>
+
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
 
@@ -30,8 +32,18 @@ unsigned PictureOfCell(Editor* editor) {
     editor->Say(image.error().ToString(), true);
     return 0;
   }
-  state.aspect = static_cast<double>(image.value().width) / image.value().height;
   return state.texture = editor->pictures.add(image.value());
+}
+
+double AspectOfPictures(const SweptFolder& swept) {
+  for (size_t cell = 0; cell < swept.rows.size(); ++cell) {
+    const std::string path = swept.PictureOf(cell);
+    std::error_code unknown;
+    if (path.empty() || !std::filesystem::exists(path, unknown)) continue;
+    const Result<Image> image = ReadPicture(path);
+    return image.ok() ? static_cast<double>(image.value().width) / image.value().height : 0.0;
+  }
+  return 0.0;
 }
 
 void DropPicture(Editor* editor) {

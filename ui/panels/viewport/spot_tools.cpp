@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/edit/operators/held/holders.h"
 #include "ui/edit/operators/held/throws.h"
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/text/filled.h"
@@ -229,6 +230,11 @@ class ThrowTool : public SpotTool {
   ItemId id_;
 };
 
+bool HasHolder(const ProjectHeldObject& object, const edit::Session& session) {
+  const auto holders = edit::HoldersOf(object, session.project().frames);
+  return edit::HolderAt(static_cast<int>(session.frame()), holders) != nullptr;
+}
+
 }  // namespace
 
 Result<Done> TakeJumpTool(Editor* editor) {
@@ -244,11 +250,17 @@ Result<Done> TakeThrowTool(Editor* editor) {
   if (!thrown && all.size() == 1) thrown = &all[0];
   if (!thrown) {
     return Error{ErrorCode::kSchema, "", "",
-                 all.empty() ? "there is nothing to throw: put a ball into a hand first"
-                             : "click on what is to be thrown"};
+                 all.empty() ? Tr("there is nothing to throw: click a wrist, then Scene > Add ball")
+                             : Tr("click on what is to be thrown")};
   }
   const int object = static_cast<int>(thrown - all.data());
   const bool is_made = edit::HasThrow(object, &editor->session());
+  if (!is_made && !HasHolder(*thrown, editor->session())) {
+    return Error{ErrorCode::kSchema, "", "",
+                 Filled(Tr("no hand has \"%s\" in this frame: click a wrist, then Scene > Pass on "
+                           "gives it to that hand"),
+                        thrown->name.c_str())};
+  }
   editor->Take(std::make_unique<ThrowTool>(editor, *thrown, is_made));
   return Done();
 }

@@ -12,6 +12,7 @@
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/poses/thumbnails.h"
+#include "ui/panels/sweep/actions.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/object_actions.h"
@@ -141,6 +142,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   SelectAdded(this, id);
   SayIfSwung(id, parameters);
   FrameNewDocument(this);
+  CloseSweepOfOther(this);
   if (id == "time.range" && !parameters.contains("drag")) Do("sheet.frame_all");
   if (id == "file.open" || id == "file.save") AddRecent(session_.document().path(), &settings);
 }

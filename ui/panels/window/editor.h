@@ -37,7 +37,8 @@ using edit::Json;
 struct Settings {
   bool dark = true;
   Language language = Language::kEnglish;
-  double scale = 1.0;  // of the interface
+  bool has_chosen_language = false;  // else it is that of the system, each time anew
+  double scale = 1.0;                // of the interface
   Shares shares;
   std::vector<std::string> recent_files;  // the latest first
   bool has_seen_first_steps = false;

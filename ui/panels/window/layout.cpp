@@ -55,6 +55,28 @@ std::optional<Splitter> SplitterAt(const WindowLayout& layout, Point p, double s
   return std::nullopt;
 }
 
+Point TooltipPlace(const Rect& item, const Rect& window, Point mouse, Point size,
+                   const Rect& screen, double scale) {
+  const float gap = Whole(6.0 * scale), far = Whole(320.0 * scale), high = Whole(80.0 * scale);
+  const auto within = [&](Point p) -> Point {
+    return {std::clamp(p.x, screen.x, std::max(screen.x, screen.right() - size.x)),
+            std::clamp(p.y, screen.y, std::max(screen.y, screen.bottom() - size.y))};
+  };
+  if (item.h <= high) {
+    const bool fits_right = window.right() + gap + size.x <= screen.right();
+    if (fits_right && window.right() - item.right() <= far) {
+      return within({window.right() + gap, item.y});
+    }
+    const bool fits_left = window.x - gap - size.x >= screen.x;
+    if (fits_left && item.x - window.x <= far) return within({window.x - gap - size.x, item.y});
+  }
+  const float left = std::max(item.x, mouse.x - 0.5f * size.x);
+  const Rect from = item.h <= high ? Rect{left, item.y, 0.0f, item.h}
+                                   : Rect{mouse.x + 2.0f * gap, mouse.y, 0.0f, 3.0f * gap};
+  const bool fits_below = from.bottom() + gap + size.y <= screen.bottom();
+  return within({from.x, fits_below ? from.bottom() + gap : from.y - gap - size.y});
+}
+
 Shares DragSplitter(const Rect& size, const Shares& shares, Splitter splitter, Point to,
                     double scale) {
   Shares next = shares;

@@ -34,4 +34,11 @@ std::optional<Splitter> SplitterAt(const WindowLayout& layout, Point p, double s
 Shares DragSplitter(const Rect& size, const Shares& shares, Splitter splitter, Point to,
                     double scale);
 
+// Where a tooltip of this size goes: beside the window that the item is in (a panel at the side, a
+// menu, a dialog), so that it covers none of its other rows, if the item is not far from its edge
+// and there is room; else below the item, or above it. Of an item as high as a panel, below the
+// mouse.
+Point TooltipPlace(const Rect& item, const Rect& window, Point mouse, Point size,
+                   const Rect& screen, double scale);
+
 }  // namespace hazumi::ui

@@ -2,6 +2,9 @@
 
 #include <imgui_internal.h>
 
+#include <algorithm>
+
+#include "ui/panels/window/layout.h"
 #include "ui/panels/window/panels.h"
 
 namespace hazumi::ui {
@@ -30,14 +33,62 @@ void EndPanel() {
   ImGui::PopStyleColor();
 }
 
-void Tooltip(const std::string& text, const std::string& key) {
-  if (text.empty() || !ImGui::IsItemHovered() || SecondsToTooltip() > 0.0) return;
+namespace {
+
+constexpr float kTooltipWidth = 24.0f;  // at most [sizes of the font]
+
+// The panel, menu or dialog that is drawn on, with all that lies in it.
+Rect WindowAround() {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  while ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0 &&
+         (window->Flags & ImGuiWindowFlags_Popup) == 0 && window->ParentWindow) {
+    window = window->ParentWindow;
+  }
+  return {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
+}
+
+double ScaleNow() { return ImGui::GetFontSize() / 15.0; }
+
+// Panels may have none of their own.
+ImVec2 TooltipPadding() {
+  const auto scale = static_cast<float>(ScaleNow());
+  return {8.0f * scale, 6.0f * scale};
+}
+
+Point SizeOf(const std::string& text, const std::string& key) {
+  const ImVec2 padding = TooltipPadding();
+  const float width = kTooltipWidth * ImGui::GetFontSize() - padding.x;
+  const ImVec2 all = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  Point size = {all.x, all.y};
+  if (!key.empty()) {
+    const ImVec2 below = ImGui::CalcTextSize(key.c_str(), nullptr, false, width);
+    size = {std::max(size.x, below.x), size.y + ImGui::GetStyle().ItemSpacing.y + below.y};
+  }
+  return {size.x + 2.0f * padding.x, size.y + 2.0f * padding.y};
+}
+
+}  // namespace
+
+void Tooltip(const std::string& text, const std::string& key, bool even_disabled) {
+  const ImGuiHoveredFlags flags = even_disabled ? ImGuiHoveredFlags_AllowWhenDisabled : 0;
+  if (text.empty() || !ImGui::IsItemHovered(flags) || SecondsToTooltip() > 0.0) return;
+  const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  TooltipOf({min.x, min.y, size.x, size.y}, text, key);
+}
+
+void TooltipOf(const Rect& item, const std::string& text, const std::string& key) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Point at = TooltipPlace(item, WindowAround(), FromIm(ImGui::GetIO().MousePos),
+                                SizeOf(text, key), {0.0f, 0.0f, screen.x, screen.y}, ScaleNow());
+  ImGui::SetNextWindowPos(ToIm(at));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, TooltipPadding());
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidth);
   ImGui::TextUnformatted(text.c_str());
   if (!key.empty()) ImGui::TextDisabled("%s", key.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 std::vector<Chord> PressedKeys(bool with_repeats) {

@@ -24,8 +24,11 @@ inline ImU32 ToIm(const SrgbColor& c, float alpha = 1.0f) {
 bool BeginPanel(const char* name, const Rect& rect, const SrgbColor& background);
 void EndPanel();
 
-// Shows what the last item does, with its key, when the mouse rests on it.
-void Tooltip(const std::string& text, const std::string& key = "");
+// Shows what the last item does, with its key, when the mouse rests on it; with `even_disabled`
+// also where it cannot be done. It covers neither the item nor its neighbours (TooltipPlace).
+void Tooltip(const std::string& text, const std::string& key = "", bool even_disabled = false);
+// The same at once, of what is no item: `item` is where it is.
+void TooltipOf(const Rect& item, const std::string& text, const std::string& key = "");
 
 // Keys that were pressed since the last frame, with the modifiers that are held. Letters do not
 // repeat: they choose.

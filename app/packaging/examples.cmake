@@ -1,0 +1,21 @@
+# The examples as they are installed: each with its figure inside, so that a copy of one opens wherever
+# it is put. In assets/examples they name the figure's file instead.
+set(assets ${PROJECT_SOURCE_DIR}/assets)
+set(link "{\"file\": \"../figures/human.json\"}")
+file(READ ${assets}/figures/human.json figure)
+string(STRIP "${figure}" figure)
+string(REPLACE "\n" "\n  " figure "${figure}")  # it stands in an object
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${assets}/figures/human.json)
+foreach(name throw jump)
+  set(source ${assets}/examples/${name}.kfa)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+  file(READ ${source} project)
+  string(FIND "${project}" "${link}" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "${source} does not name its figure as ${link}")
+  endif()
+  string(REPLACE "${link}" "${figure}" project "${project}")
+  file(WRITE ${made}/examples/${name}.kfa "${project}")
+  install(FILES ${made}/examples/${name}.kfa DESTINATION ${share}/examples)
+endforeach()
+install(FILES ${assets}/examples/throw_sweep.json DESTINATION ${share}/examples)
