@@ -102,6 +102,15 @@ struct EnumNames<Look::Shape> {
       {Look::Shape::kTaperedCapsule, "tapered_capsule"}, {Look::Shape::kEllipsoid, "ellipsoid"}};
 };
 
+template <>
+struct EnumNames<StrengthCurve::Form> {
+  static constexpr const char* kWhat = "curve";
+  static constexpr EnumName<StrengthCurve::Form> kNames[] = {
+      {StrengthCurve::Form::kConstant, "constant"},
+      {StrengthCurve::Form::kCosine, "cosine"},
+      {StrengthCurve::Form::kBell, "bell"}};
+};
+
 template <typename Enum>
 concept FileEnum = requires {
   EnumNames<Enum>::kNames;
