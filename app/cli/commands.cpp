@@ -68,9 +68,9 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
-// Of --check and --info nobody sees the frames.
+// Of --check and --info nobody sees the frames, but effort is of them.
 bool KeepsFrames(const Options& options) {
-  return options.task != Task::kCheck && options.task != Task::kInfo;
+  return options.task != Task::kCheck && (options.task != Task::kInfo || options.effort);
 }
 
 // What is made of a frame besides the frame itself, about [bytes].
@@ -137,6 +137,8 @@ static BakeOptions BakeOptionsOf(const Options& options) {
   baking.cancel = &Interrupted();
   baking.energy = options.task == Task::kInfo || options.task == Task::kBake ||
                   (options.task == Task::kExport && options.output.ends_with(".json"));
+  baking.seams = baking.energy;
+  baking.accelerations = options.effort;
   baking.keep_frames = KeepsFrames(options);
   return baking;
 }

@@ -53,7 +53,8 @@ struct BakeContext {
   Recorder recorder;
   PoseEvaluator poses;
   FigureMotion now;
-  MotionLimit before;  // from the left at now.frame
+  MotionLimit before;        // from the left at now.frame
+  bool wants_start = false;  // the accelerations with which a walk sets out
 };
 
 }  // namespace hazumi
