@@ -77,7 +77,8 @@ bool KeepsFrames(const Options& options) {
 double BytesOfOneFrame(const Animation& animation, const Options& options) {
   const double joints = animation.figure->num_joints();
   const bool is_motion_file = options.task == Task::kBake || options.task == Task::kExport;
-  return is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0;
+  const double effort = options.effort ? 100.0 * joints + 2000.0 : 0.0;
+  return effort + (is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0);
 }
 
 // A project has a million frames at most, and so has what is made of it.

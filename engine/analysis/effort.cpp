@@ -112,6 +112,9 @@ class EffortWalk {
       return point.joint == pinned ||
              (point.joint.is_valid() && animation_.figure->IsBeyond(point.joint, pinned));
     });
+    // The sole carries what a sole can; the pin what pulls, or slides.
+    constexpr double kHelp = 1e-3;
+    if (pin.has_moment) pin.weight = kHelp;
     points_.push_back(pin);
   }
 
@@ -149,9 +152,9 @@ class EffortWalk {
 TouchLimits LimitsFor(bool is_capture) {
   TouchLimits limits;
   if (!is_capture) return limits;
-  limits.clearance = 0.025;
+  limits.clearance = 0.05;
   limits.drift = 0.1;
-  limits.fastest = 1.0;
+  limits.fastest = 0.6;
   return limits;
 }
 
@@ -175,7 +178,7 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   Effort effort;
   if (motion.frames.empty()) return effort;
   const bool is_capture = IsCapture(animation);
-  SmoothMotion smooth(motion);
+  SmoothMotion smooth(motion, animation.rate.SecondsAt(animation.last_frame));
   if (is_capture) effort.is_filtered = smooth.Filter(options.cutoff);
   if (effort.is_filtered) effort.cutoff = options.cutoff;
   EffortWalk walk(animation, options, LimitsFor(is_capture));

@@ -81,11 +81,14 @@ bool SmoothMotion::Filter(double cutoff) {
 MovedFrame SmoothMotion::At(size_t frame) {
   if (!limits_.empty()) return {&limits_[frame], &accelerations_[frame]};
   const MotionFrame& own = motion_.frames[frame];
-  const bool is_last = frame + 1 == motion_.frames.size();
-  const MotionLimit* limit = is_last ? &own.before : &own.after;
-  if (own.acceleration) return {limit, &*own.acceleration};
+  if (own.acceleration) {
+    constexpr double kSame = 1e-9;  // [s]
+    const bool is_end = motion_.rate.SecondsAt(own.frame) >= end_ - kSame;
+    return {is_end ? &own.before : &own.after, &*own.acceleration};
+  }
   found_ = AccelerationAt(motion_, frame);
-  return {limit, &found_};
+  const bool is_last = frame + 1 == motion_.frames.size();
+  return {is_last ? &own.before : &own.after, &found_};
 }
 
 }  // namespace hazumi

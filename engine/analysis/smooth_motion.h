@@ -16,8 +16,9 @@ struct MovedFrame {
 // of it below a cutoff.
 class SmoothMotion {
  public:
-  // The motion must outlive it.
-  explicit SmoothMotion(const Motion& motion) : motion_(motion) {}
+  // The motion must outlive it. At `end`, where the animation ends, all that is known comes from
+  // the left [s].
+  SmoothMotion(const Motion& motion, double end) : motion_(motion), end_(end) {}
 
   // Takes what is faster than the cutoff [Hz] out of angles and root, and differentiates what is
   // left. False, and nothing done, where frames are too few or too far apart for that.
@@ -28,6 +29,7 @@ class SmoothMotion {
 
  private:
   const Motion& motion_;
+  double end_;
   std::vector<MotionLimit> limits_;                // filtered
   std::vector<MotionAcceleration> accelerations_;  // of these
   MotionAcceleration found_;

@@ -62,13 +62,13 @@ void SeamFinder::FindBorders(int frame) {
     }
     borders_.push_back(std::move(border));
   }
-  for (size_t i = 0; i < animation.placements.size(); ++i) {
-    const PlacementSpan& span = animation.placements[i];
-    for (const bool begins : {false, true}) {
-      if ((begins ? span.first_frame : span.last_frame) != frame) continue;
-      borders_.push_back({SeamOf::kPlacement, static_cast<int>(i), begins, {}});
-    }
-  }
+  const auto add_placement = [&](const PlacementSpan* span, bool begins) {
+    const auto index = static_cast<int>(span - animation.placements.data());
+    borders_.push_back({SeamOf::kPlacement, index, begins, {}});
+  };
+  const PlacementSpan* span = context_.poses.span();
+  if (span && span->last_frame == frame) add_placement(span, false);
+  if (const PlacementSpan* next = context_.schedule.PlacementFrom(frame)) add_placement(next, true);
 }
 
 void SeamFinder::Cross() {

@@ -74,6 +74,16 @@ TEST(Effort, OfStandingOnTwoFeetIsHalfTheWeightOnEach) {
   EXPECT_FALSE(found.effort.is_filtered);
 }
 
+TEST(Effort, OfStandingWithAPinOnOneFootIsHalfTheWeightOnEachToo) {
+  Animation animation = Standing();
+  AddPin(&animation, 0, 30, "r_ankle");
+  const Found found = EffortIn(animation);
+  const double weight = animation.figure->total_mass() * kG;
+  const FrameEffort& frame = found.effort.frames[10];
+  EXPECT_NEAR(LegForce(animation, frame, "l_").z(), 0.5 * weight, 1e-3 * weight);
+  EXPECT_NEAR(LegForce(animation, frame, "r_").z(), 0.5 * weight, 1e-3 * weight);
+}
+
 TEST(Effort, IsAShareOfTheStrengthOfItsDirection) {
   Animation animation = Standing();
   for (const char* arm : {"l_shoulder_flexion", "r_shoulder_flexion"}) {
