@@ -74,6 +74,7 @@ std::vector<std::string> SeamReport(const Animation& animation, const std::vecto
                                     size_t most) {
   if (seams.empty()) return {};
   std::vector<const Seam*> sorted;
+  sorted.reserve(seams.size());
   for (const Seam& seam : seams) sorted.push_back(&seam);
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Seam* a, const Seam* b) { return SizeOf(*a) > SizeOf(*b); });
