@@ -17,6 +17,7 @@ from human_body import (BODY_MASS, HINGES, SIZE, SOLE_RADIUS, SPINE, STATURE, sp
 from human_shapes import (abdomen_links, chest_links, foot_links, forearm_links, hand_links,
                           head_links, pelvis_links, shank_links, thigh_links, toe_links,
                           upper_arm_links)
+from human_strength import STRENGTH
 
 OUTPUT = Path(__file__).resolve().parent.parent / "assets" / "figures" / "human.json"
 
@@ -25,7 +26,8 @@ OUTPUT = Path(__file__).resolve().parent.parent / "assets" / "figures" / "human.
 
 def joint(name, parent, offset, links):
     hinges = [({"name": hinge.name} if hinge.name else {}) |
-              {"axis": hinge.axis, "limits_deg": [hinge.lower, hinge.upper], "rest_deg": 0}
+              {"axis": hinge.axis, "limits_deg": [hinge.lower, hinge.upper], "rest_deg": 0} |
+              ({"strength": STRENGTH[name, hinge.name]} if (name, hinge.name) in STRENGTH else {})
               for hinge in HINGES[name]]
     return {"name": name, "parent": parent, "offset_m": offset, "hinges": hinges, "links": links}
 
@@ -57,6 +59,8 @@ def notes():
         f"Lengths: as a share of stature; trunk and head times {spine_factor():.5f}, because the "
         "shares add up to 1.017 statures.",
         "Limits: AAOS, Merck Manual, Kurz, ISRN 2012/751768, exrx.net, MuJoCo's humanoid.",
+        "Strength: hip, knee, ankle Anderson, Madigan, Nussbaum 2007; the others 0.65 (ours) of a "
+        "gymnast's in rbdl's muscle add-on.",
         "Ours: the split of foot and toes, of the trunk's bending, the toe's limits, all shapes.",
         "Signs: flexion forward (knee: heel to buttock; ankle, toe: up), abduction and limb "
         "rotation outward, pronation, radial deviation, inversion, bend right, turn left.",

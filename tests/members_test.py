@@ -25,7 +25,7 @@ STRUCTS = {
         "engine/spatial/point_motion.h": ["PointMotion"],
         "engine/bake/island_request.h": ["IslandTask", "BeginIsland", "DriveIsland", "StopPin",
                                         "AdvanceIsland", "SolveIsland", "SampleIsland",
-                                        "MeasureIsland"],
+                                        "MeasureIsland", "AccelerateIsland"],
         "engine/bake/moving_base_cache.h": ["Carrier"],
     },
     "engine/bake/baker.cpp": {

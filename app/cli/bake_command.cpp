@@ -39,9 +39,11 @@ int RunBake(const Options& options) {
   const auto& [project, animation, motion, warnings] = baked.value();
   PrintWarnings(options.files[0], warnings);
   const std::string text =
-      IsCsv(out) ? MotionToCsv(animation, motion, options.torques)
-                 : MotionToJson(animation, motion,
-                                {options.timings, options.torques, {MadeByText(), options.given}});
+      IsCsv(out)
+          ? MotionToCsv(animation, motion, options.torques, options.effort)
+          : MotionToJson(
+                animation, motion,
+                {options.timings, options.torques, {MadeByText(), options.given}, options.effort});
   if (Interrupted()) return Complain(InterruptedError());
   if (out != "-") {
     const Result<Done> written = WriteFileAtomically(out, text, WriteMode::kDurable);

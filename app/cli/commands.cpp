@@ -68,16 +68,17 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
-// Of --check and --info nobody sees the frames.
+// Of --check and --info nobody sees the frames, but effort is of them.
 bool KeepsFrames(const Options& options) {
-  return options.task != Task::kCheck && options.task != Task::kInfo;
+  return options.task != Task::kCheck && (options.task != Task::kInfo || options.effort);
 }
 
 // What is made of a frame besides the frame itself, about [bytes].
 double BytesOfOneFrame(const Animation& animation, const Options& options) {
   const double joints = animation.figure->num_joints();
   const bool is_motion_file = options.task == Task::kBake || options.task == Task::kExport;
-  return is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0;
+  const double effort = options.effort ? 100.0 * joints + 2000.0 : 0.0;
+  return effort + (is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0);
 }
 
 // A project has a million frames at most, and so has what is made of it.
@@ -137,6 +138,8 @@ static BakeOptions BakeOptionsOf(const Options& options) {
   baking.cancel = &Interrupted();
   baking.energy = options.task == Task::kInfo || options.task == Task::kBake ||
                   (options.task == Task::kExport && options.output.ends_with(".json"));
+  baking.seams = baking.energy;
+  baking.accelerations = options.effort;
   baking.keep_frames = KeepsFrames(options);
   return baking;
 }

@@ -41,6 +41,7 @@ int ExportFile(const BakedProject& baked, const FrameRange& frames, const Option
   settings.skin = baked.project.skin ? baked.project.skin.meshes().get() : &capsules;
   settings.timings = options.timings;
   settings.torques = options.torques;
+  settings.effort = options.effort;
   settings.made_by = {MadeByText(), GivenOf(options)};
   PrintWarnings(options.files[0], LeftOutOf(baked.animation, settings.format));
   // Without --frames also what happens between the last output frame and the motion's end.

@@ -5,8 +5,11 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
+#include "engine/analysis/effort_report.h"
+#include "engine/analysis/seam_report.h"
 #include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"
+#include "engine/exchange/seam_json.h"
 #include "engine/exchange/units.h"
 #include "engine/project/shown_name.h"
 
@@ -82,6 +85,14 @@ Json EventsAsJson(const Motion& motion) {
   return list;
 }
 
+Json SeamsAsJson(const BakedProject& baked) {
+  Json list = Json::array();
+  for (const Seam& seam : baked.motion.seams) {
+    list.push_back(Json::parse(SeamToJson(baked.animation, seam)));
+  }
+  return list;
+}
+
 Json InfoAsJson(const BakedProject& baked, const std::string& name) {
   const Animation& animation = baked.animation;
   const Figure& figure = *animation.figure;
@@ -95,7 +106,8 @@ Json InfoAsJson(const BakedProject& baked, const std::string& name) {
             {"links", figure.links().size()},
             {"mass_kg", figure.total_mass()}}},
           {"regions", RegionsAsJson(baked)},
-          {"events", EventsAsJson(baked.motion)}};
+          {"events", EventsAsJson(baked.motion)},
+          {"seams", SeamsAsJson(baked)}};
 }
 
 void PrintRegions(const BakedProject& baked) {
@@ -154,22 +166,36 @@ void Print(const BakedProject& baked, const std::string& name) {
   PrintRegions(baked);
   PrintPlacements(animation);
   PrintEvents(baked.motion);
+  for (const std::string& line : SeamReport(animation, baked.motion.seams)) {
+    PrintLine(stdout, "seam       %s", line.c_str());
+  }
 }
 
 }  // namespace
+
+// An empty list where that was not asked for.
+static std::vector<std::string> EffortLines(const BakedProject& baked, const Options& options) {
+  if (!options.effort) return {};
+  const Effort effort = EffortOf(baked.animation, baked.motion);
+  return EffortReport(baked.animation, baked.motion, effort);
+}
 
 int RunInfo(const Options& options) {
   const Result<BakedProject> baked = LoadAndBake(options.files[0], options);
   if (!baked.ok()) return Complain(baked.error());
   const std::string name = ShownName(baked.value().project.name, options.files[0]);
   if (options.json) {
-    const auto text =
-        InfoAsJson(baked.value(), name).dump(2, ' ', false, Json::error_handler_t::replace);
+    Json info = InfoAsJson(baked.value(), name);
+    if (options.effort) info["effort"] = EffortLines(baked.value(), options);
+    const auto text = info.dump(2, ' ', false, Json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
     return kExitOk;
   }
   PrintWarnings(options.files[0], baked.value().warnings);
   Print(baked.value(), name);
+  for (const std::string& line : EffortLines(baked.value(), options)) {
+    PrintLine(stdout, "effort     %s", line.c_str());
+  }
   return kExitOk;
 }
 

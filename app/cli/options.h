@@ -81,6 +81,7 @@ struct Options {
   bool in_metres = false;  // of BVH; else in centimetres
   bool timings = false;
   bool torques = false;
+  bool effort = false;
   bool trace = false;  // of the window
   bool json = false;
 

@@ -132,6 +132,11 @@ Accelerations AtFrame(const Motion& motion, size_t i) {
 
 }  // namespace
 
+MotionAcceleration AccelerationAt(const Motion& motion, size_t frame) {
+  const Accelerations found = AtFrame(motion, frame);
+  return {found.qdd, found.root.alpha, found.root.a};
+}
+
 std::vector<JointTorques> TorquesOf(const Animation& animation, const Motion& motion) {
   std::vector<JointTorques> found;
   found.reserve(motion.frames.size());

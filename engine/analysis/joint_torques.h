@@ -19,6 +19,9 @@ struct JointTorques {
   Wrench unsupported;
 };
 
+// Accelerations after a frame, of the last one those before it, as TorquesOf has them.
+MotionAcceleration AccelerationAt(const Motion& motion, size_t frame);
+
 // One entry a frame of the motion; what is held counts as part of its holder's body. Accelerations
 // are those after a frame, of the last one those before, of cubics through angles and rates of two
 // frames: exact where keys make the motion and each frame is a frame of the project, else with an

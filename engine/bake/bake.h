@@ -23,6 +23,10 @@ struct BakeOptions {
   // False: the motion has no frames, only events, reports and warnings. It takes no memory then
   // that grows with the frames.
   bool keep_frames = true;
+  // Say what jumps where regions, placements and holds begin and end: Motion::seams.
+  bool seams = false;
+  // Say each frame's accelerations: MotionFrame::acceleration.
+  bool accelerations = false;
   // Solve exact regions again, with finer steps, where their error estimates miss their tolerances.
   bool refine = true;
 };

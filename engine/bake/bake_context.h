@@ -56,7 +56,8 @@ struct BakeContext {
   PoseEvaluator poses;
   std::map<int, RegionStart> starts;  // of the regions that have begun, by index
   FigureMotion now;
-  MotionLimit before;  // from the left at now.frame
+  MotionLimit before;        // from the left at now.frame
+  bool wants_start = false;  // the accelerations with which a walk sets out
 };
 
 }  // namespace hazumi

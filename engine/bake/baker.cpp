@@ -19,6 +19,7 @@ Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* mot
       context_(animation, options, motion),
       regions_(&context_),
       placement_(&context_),
+      seams_(&context_),
       refinements_(animation.regions.size()),
       exact_(&context_, &refinements_, pool),
       paper_(&context_),
@@ -95,17 +96,37 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Str
 
 // Up to a frame where something changes while no region is active, or beyond the last frame.
 Result<int> Baker::AdvanceToCheckpoint(int frame) {
+  const bool accelerations = context_.options.accelerations;
   for (;;) {
+    const bool is_last = frame == animation_.last_frame;
+    std::optional<MotionAcceleration> last;
+    if (is_last && accelerations) last = walk_->ArrivedWith();
+    seams_.Open(frame, walk_);
     if (auto error = CrossFrame(frame)) return *error;
     context_.RecordNow();
-    if (frame == animation_.last_frame) break;
+    if (last) SetAcceleration(frame, *last);
+    if (is_last) break;
+    seams_.Cross();
+    context_.wants_start = accelerations || seams_.is_open();
     const Result<int> next = walk_->Advance(frame);
     if (!next.ok()) return next.error();
+    TellStart(frame);
     frame = next.value();
     if (!walk_->has_regions() && context_.schedule.ChangesAt(frame)) return frame;
   }
   walk_->End();
   return animation_.last_frame + 1;
+}
+
+// What is known only now: with which accelerations the figure set out at the frame.
+void Baker::TellStart(int frame) {
+  if (context_.options.accelerations) SetAcceleration(frame, walk_->began_with());
+  seams_.Close(walk_->began_with_rates(), walk_->began_with());
+}
+
+void Baker::SetAcceleration(int frame, const MotionAcceleration& acceleration) {
+  const auto output = context_.recorder.OutputAt(frame);
+  if (output) context_.recorder.SetAcceleration(*output, acceleration);
 }
 
 // At the animation's last frame nothing takes over: regions, holds and pins are what they were.

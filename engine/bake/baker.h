@@ -6,6 +6,7 @@
 #include "engine/bake/bake_context.h"
 #include "engine/bake/handover/placement_handover.h"
 #include "engine/bake/handover/region_handover.h"
+#include "engine/bake/handover/seam_finder.h"
 #include "engine/bake/stretch.h"
 #include "engine/bake/walk/exact_walk.h"
 #include "engine/bake/walk/paper_walk.h"
@@ -41,6 +42,8 @@ class Baker {
 
   // At a frame.
   std::optional<Error> CrossFrame(int frame);
+  void TellStart(int frame);
+  void SetAcceleration(int frame, const MotionAcceleration& acceleration);
   bool EndHolds(int frame);
   bool BeginHolds(int frame);
   bool HandOverObjects(int frame);
@@ -54,6 +57,7 @@ class Baker {
   BakeContext context_;
   RegionHandover regions_;
   PlacementHandover placement_;
+  SeamFinder seams_;
   Refinements refinements_;
   ExactWalk exact_;
   PaperWalk paper_;

@@ -227,6 +227,7 @@ void IncrementalBake::State::CollectEvents() {
   motion_.events.clear();
   motion_.warnings.clear();
   motion_.placement_jumps.clear();
+  motion_.seams.clear();
   for (const auto& [frame, part] : parts_) part.stretch.AppendTo(&motion_);
   TellFlights(animation_, &motion_);
   DropRepeated(&motion_.warnings);

@@ -100,8 +100,18 @@ inline auto MembersOf(const MeasureIsland& request) {
   return std::tie(t);
 }
 
+// Accelerations at t, which lies in the step that it is in; at the step's end those with which the
+// next one begins.
+struct AccelerateIsland {
+  double t = 0.0;
+};
+inline auto MembersOf(const AccelerateIsland& request) {
+  const auto& [t] = request;
+  return std::tie(t);
+}
+
 using IslandRequest = std::variant<BeginIsland, DriveIsland, StopPin, AdvanceIsland, SolveIsland,
-                                   SampleIsland, MeasureIsland>;
+                                   SampleIsland, MeasureIsland, AccelerateIsland>;
 
 // How far it got, what it hit on the way, and why it cannot go on, if so.
 struct IslandProgress {
@@ -120,11 +130,13 @@ struct IslandSamples {
 };
 
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
-// MeasureIsland the energy.
+// MeasureIsland the energy, to AccelerateIsland the accelerations.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
   EnergyFlow energy;
+  VecX rates = {}, accelerations = {};  // by free hinge [rad/s, rad/s^2]
+  Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
 };
 
 struct IslandCall {

@@ -108,6 +108,12 @@ IslandResult IslandRun::Do(const MeasureIsland& request) {
   return result;
 }
 
+IslandResult IslandRun::Do(const AccelerateIsland& request) {
+  IslandResult result;
+  result.fall = solver_.Accelerations(request.t, &result.rates, &result.accelerations);
+  return result;
+}
+
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
   return {solver_.time(), solver_.step_start(), failure, 0.0, solver_.TakeHits()};
 }

@@ -29,6 +29,7 @@ class IslandRun {
   IslandResult Do(const SolveIsland& request);
   IslandResult Do(const SampleIsland& request);
   IslandResult Do(const MeasureIsland& request);
+  IslandResult Do(const AccelerateIsland& request);
 
   // The model is moved by these curves, which are smooth from t to `end`.
   void Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end);

@@ -116,6 +116,15 @@ VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) c
   return distances;
 }
 
+Vec3 IslandSolution::Accelerations(double t, VecX* rates, VecX* accelerations) {
+  const IslandResult& result = answers_.Ask(AccelerateIsland{t});
+  for (size_t i = 0; i < hinges().size(); ++i) {
+    (*rates)[hinges()[i]] = result.rates[static_cast<Eigen::Index>(i)];
+    (*accelerations)[hinges()[i]] = result.accelerations[static_cast<Eigen::Index>(i)];
+  }
+  return result.fall;
+}
+
 EnergyFlow IslandSolution::Energy(double t) { return answers_.Ask(MeasureIsland{t}).energy; }
 
 }  // namespace hazumi

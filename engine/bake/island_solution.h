@@ -64,6 +64,9 @@ class IslandSolution {
   // By free hinge: how far two states are apart [rad].
   VecX Distances(const RotationState& a, const RotationState& b) const;
   EnergyFlow Energy(double t);
+  // And rates, by Coordinate, of its free hinges alone; returns that of the centre of mass, as
+  // ExactStep.
+  Vec3 Accelerations(double t, VecX* rates, VecX* accelerations);
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
 

@@ -22,6 +22,14 @@ struct MotionLimit {
   bool operator==(const MotionLimit&) const = default;
 };
 
+// And its accelerations there.
+struct MotionAcceleration {
+  VecX qdd;                        // by JointIndex [rad/s^2]
+  Vec3 root_alpha = Vec3::Zero();  // of the root, world axes [rad/s^2]
+  Vec3 root_a = Vec3::Zero();      // of the root's origin [m/s^2]
+  bool operator==(const MotionAcceleration&) const = default;
+};
+
 // Where a held object is.
 struct ObjectPose {
   Pose X_WO;
@@ -38,6 +46,8 @@ struct MotionFrame {
   std::optional<GroupIndex> pinned;
   std::vector<ObjectPose> objects;  // by index of Animation::held_objects
   std::vector<char> in_region;      // by JointIndex
+  // As in `after`, of the last frame as in `before`: if BakeOptions::accelerations asks for them.
+  std::optional<MotionAcceleration> acceleration = {};
 };
 
 enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease };
@@ -114,6 +124,35 @@ struct PlacementJump {
   double seconds = 0.0;   // that it has for this, up to its next key
 };
 
+// What a border is of, and what would take a seam away (engine/bake/handover/seam_finder.cpp).
+enum class SeamOf { kRegion, kPlacement, kHold };
+const char* NameOf(SeamOf border);
+enum class SeamMend {
+  kNothing,   // no position or rate jumps
+  kKeyRate,   // a key states the rate from here on
+  kFriction,  // friction 0 stops the joint
+  kLimits,    // it is driven against its limit
+  kKeyAfter,  // it moves but has no key after it
+  kTangents,  // the region's limit_tangents
+  kCurve,     // its curve goes on with a rate of its own
+  kRest,      // it moves where it is to stand still
+};
+
+// Where a region, a placement or a hold begins or ends: by how much a hinge or the root does not go
+// on as it came, the limit from the right less the one from the left. All zero: it does.
+struct Seam {
+  SeamOf of = SeamOf::kRegion;
+  int index = 0;        // of Animation::regions, placements or holds
+  bool begins = false;  // else it ends
+  int frame = 0;        // of the animation
+  JointIndex joint;     // invalid: the root
+  // Of a hinge, with their signs; of the root lengths: of its turn.
+  double angle = 0.0, rate = 0.0, acceleration = 0.0;  // [rad, rad/s, rad/s^2]
+  // Of the root's origin, lengths.
+  double distance = 0.0, speed = 0.0, push = 0.0;  // [m, m/s, m/s^2]
+  SeamMend mend = SeamMend::kNothing;
+};
+
 // Puts events in order of time; events at one time stay as they are.
 void SortByTime(std::vector<MotionEvent>* events);
 // Of warnings that say the same of the same place, the first stays.
@@ -127,6 +166,7 @@ struct Motion {
   std::vector<RegionReport> regions;
   std::vector<Warning> warnings;
   std::vector<PlacementJump> placement_jumps;  // in order of frames; each is a warning as well
+  std::vector<Seam> seams = {};  // in order of frames, if BakeOptions::seams asks for them
 };
 
 }  // namespace hazumi

@@ -13,6 +13,18 @@ namespace hazumi {
 
 namespace {}  // namespace
 
+const char* NameOf(SeamOf border) {
+  switch (border) {
+    case SeamOf::kRegion:
+      return "region";
+    case SeamOf::kPlacement:
+      return "placement";
+    case SeamOf::kHold:
+      return "hold";
+  }
+  return "";
+}
+
 const char* NameOf(EventKind kind) {
   switch (kind) {
     case EventKind::kTakeOff:
@@ -59,6 +71,7 @@ void Recorder::BeginStretch(Stretch* stretch) {
   stretch->events.clear();
   stretch->warnings.clear();
   stretch->placement_jumps.clear();
+  stretch->seams.clear();
   stretch->logs.clear();
   last_limit_.assign(animation_.figure->num_joints(), std::nullopt);
 }
@@ -121,6 +134,11 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
     frame.objects.push_back(poses->objects().At(i, motion.frame, ws));
   }
   frame.in_region = poses->free();
+  frame.acceleration.reset();
+}
+
+void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {
+  if (keep_frames_) motion_->frames[output - first_output_].acceleration = std::move(acceleration);
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {

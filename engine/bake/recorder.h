@@ -34,6 +34,8 @@ class Recorder {
   // The figure at `motion`, as the evaluator has it loaded; its workspace is filled.
   void Record(int output, const FigureMotion& motion, const MotionLimit& before,
               std::optional<GroupIndex> pinned, PoseEvaluator* poses);
+  // Of a frame that is recorded.
+  void SetAcceleration(int output, MotionAcceleration acceleration);
 
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);
@@ -43,6 +45,7 @@ class Recorder {
   }
   void AddWarning(Warning warning);
   void AddJump(PlacementJump jump, const std::string& message);
+  void AddSeam(const Seam& seam) { stretch_->seams.push_back(seam); }
   IslandLogs& logs() { return stretch_->logs; }
 
   RegionReport& report(int region) { return motion_->regions[region]; }

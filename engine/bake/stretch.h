@@ -33,6 +33,7 @@ struct Stretch {
   std::vector<MotionEvent> events;
   std::vector<Warning> warnings;
   std::vector<PlacementJump> placement_jumps;
+  std::vector<Seam> seams;
   IslandLogs logs;  // of the exact regions in it
 
   void AppendTo(Motion* motion) const {
@@ -40,6 +41,7 @@ struct Stretch {
     motion->warnings.insert(motion->warnings.end(), warnings.begin(), warnings.end());
     motion->placement_jumps.insert(motion->placement_jumps.end(), placement_jumps.begin(),
                                    placement_jumps.end());
+    motion->seams.insert(motion->seams.end(), seams.begin(), seams.end());
   }
 };
 

@@ -106,4 +106,16 @@ Vec3 CenterOfMassVelocity(const Figure& figure, const DynamicsWorkspace& ws) {
   return momentum / figure.total_mass();
 }
 
+Vec3 CenterOfMassAcceleration(const Figure& figure, const DynamicsWorkspace& ws) {
+  const auto of_body = [](const BodyScratch& body) -> Vec3 {
+    return body.a + body.alpha.cross(body.c) + body.w.cross(body.w.cross(body.c));
+  };
+  Vec3 sum = figure.root_body().mass * of_body(ws.bodies[0]);
+  for (int i = 0; i < figure.num_joints(); ++i) {
+    if (figure.joints()[i].massless) continue;
+    sum += figure.body(JointIndex(i)).mass * of_body(ws.bodies[i + 1]);
+  }
+  return sum / figure.total_mass();
+}
+
 }  // namespace hazumi

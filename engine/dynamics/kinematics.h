@@ -35,6 +35,8 @@ void ComputeMotionTo(JointIndex tip, const Figure& figure, const Pose& X_WR, con
 Vec3 CenterOfMass(const Figure& figure, const DynamicsWorkspace& ws);
 // Its velocity [m/s]; needs ComputeVelocities or ComputeMotion.
 Vec3 CenterOfMassVelocity(const Figure& figure, const DynamicsWorkspace& ws);
+// Its acceleration [m/s^2]; needs ComputeMotion.
+Vec3 CenterOfMassAcceleration(const Figure& figure, const DynamicsWorkspace& ws);
 
 // Velocity of the origin of joint j for a unit rate of joint i [m/rad]: zero unless i lies between
 // the root and j. Needs ComputePositions.

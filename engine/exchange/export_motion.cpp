@@ -73,15 +73,17 @@ Result<std::string> ExportMotion(const Animation& animation, const Motion& motio
     case MotionFormat::kGlb:
       return ExportGltf(animation, motion, options);
     case MotionFormat::kCsv:
-      return MotionToCsv(animation, motion, options.torques);
+      return MotionToCsv(animation, motion, options.torques, options.effort);
     case MotionFormat::kJson:
-      return MotionToJson(animation, motion, {options.timings, options.torques, options.made_by});
+      return MotionToJson(animation, motion,
+                          {options.timings, options.torques, options.made_by, options.effort});
   }
   return Error{ErrorCode::kFailed, "", "", "unknown format"};
 }
 
 Motion PartOf(const Motion& motion, int first, int last) {
-  Motion part{motion.rate, {}, {}, motion.regions, motion.warnings, motion.placement_jumps};
+  Motion part{motion.rate, {}, {}, motion.regions, motion.warnings, motion.placement_jumps,
+              motion.seams};
   std::copy_if(motion.frames.begin(), motion.frames.end(), std::back_inserter(part.frames),
                [&](const MotionFrame& f) { return f.frame >= first && f.frame <= last; });
   const double start = motion.rate.SecondsAt(first), end = motion.rate.SecondsAt(last);

@@ -37,6 +37,7 @@ struct MotionExportOptions {
   bool timings = false;                   // of JSON
   bool torques = false;                   // of JSON and CSV
   MotionJsonOptions::Maker made_by = {};  // of JSON
+  bool effort = false;                    // of JSON and CSV
 };
 
 // What a file of this format cannot hold of a motion, each by name.

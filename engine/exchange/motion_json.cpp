@@ -6,9 +6,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "engine/analysis/effort.h"
 #include "engine/analysis/joint_torques.h"
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
+#include "engine/exchange/seam_json.h"
 #include "engine/exchange/units.h"
 #include "engine/placement/contact.h"
 
@@ -65,14 +67,37 @@ std::string TorqueText(const JointTorques& torques) {
          ", \"moment_n_m\": " + Numbers(root.moment) + "}";
 }
 
+std::string WrenchText(const Wrench& wrench) {
+  return "{\"force_n\": " + Numbers(wrench.force) + ", \"moment_n_m\": " + Numbers(wrench.moment) +
+         "}";
+}
+
+std::string EffortText(const Figure& figure, const FrameEffort& effort) {
+  const auto contact = [&](const EffortContact& from) {
+    const std::string name =
+        from.joint.is_valid() ? figure.joint(from.joint).name : figure.root_name();
+    return "{\"joint\": " + Quote(name) + ", \"pin\": " + (from.is_pin ? "true" : "false") +
+           ", \"position_m\": " + Numbers(from.p) + ", \"force_n\": " + Numbers(from.force) +
+           ", \"moment_n_m\": " + Numbers(from.moment) + "}";
+  };
+  const auto share = [](double x) { return x < 0.0 ? "null" : FormatNumber(x); };
+  const auto name = [&](JointIndex j) { return Quote(figure.joint(j).name); };
+  return ", \"effort\": {\"torques_n_m\": " + Numbers(effort.tau) +
+         ", \"share\": " + List(effort.share, share) +
+         ", \"least_strength\": " + List(effort.least, name) +
+         ", \"contacts\": " + List(effort.contacts, contact) +
+         ", \"from_nowhere\": " + WrenchText(effort.from_nowhere) + "}";
+}
+
 // Writes the frames of one motion in order.
 class FrameWriter {
  public:
   explicit FrameWriter(const Animation& animation)
       : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
 
-  // `torques` may be null.
-  std::string Write(const MotionFrame& frame, const JointTorques* torques) {
+  // `torques` and `effort` may be null.
+  std::string Write(const MotionFrame& frame, const JointTorques* torques,
+                    const FrameEffort* effort) {
     ComputePositions(figure_, frame.X_WR, frame.q, &ws_);
     turn_ = NearQuaternion(frame.X_WR.R, turn_);
     std::string text = "{\"frame\": " + std::to_string(frame.frame);
@@ -86,6 +111,7 @@ class FrameWriter {
     text += ", \"clearance_m\": " + Clearance();
     text += ", \"free\": " + FreeJoints(frame);
     if (torques) text += TorqueText(*torques);
+    if (effort) text += EffortText(figure_, *effort);
     return text + ", \"objects\": " + Objects(frame) + "}";
   }
 
@@ -234,9 +260,18 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
   FrameWriter writer(animation);
   std::vector<JointTorques> torques;
   if (options.torques) torques = TorquesOf(animation, motion);
+  Effort effort;
+  if (options.effort) {
+    effort = EffortOf(animation, motion);
+    text += ",\n  \"effort\": {\"filtered_hz\": " +
+            (effort.is_filtered ? FormatNumber(effort.cutoff) : "null") +
+            ", \"friction\": " + FormatNumber(kGroundFriction) + "}";
+  }
   size_t written = 0;
   text += ",\n  \"frames\": " + Lines(motion.frames, [&](const MotionFrame& frame) {
-            return writer.Write(frame, torques.empty() ? nullptr : &torques[written++]);
+            const size_t i = written++;
+            return writer.Write(frame, torques.empty() ? nullptr : &torques[i],
+                                effort.frames.empty() ? nullptr : &effort.frames[i]);
           });
   text += ",\n  \"events\": " + Lines(motion.events, EventText);
   text += ",\n  \"regions\": " + Lines(motion.regions, [&](const RegionReport& region) {
@@ -245,6 +280,10 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
   text += ",\n  \"warnings\": " + Lines(motion.warnings, WarningText);
   if (!motion.placement_jumps.empty()) {
     text += ",\n  \"placement_jumps\": " + Lines(motion.placement_jumps, JumpText);
+  }
+  if (!motion.seams.empty()) {
+    text += ",\n  \"seams\": " +
+            Lines(motion.seams, [&](const Seam& seam) { return SeamToJson(animation, seam); });
   }
   return text + "\n}\n";
 }

@@ -21,6 +21,7 @@ struct MotionJsonOptions {
     std::vector<std::string> options;  // that change what comes out, as on the command line
   };
   Maker made_by = {};
+  bool effort = false;  // also what it asks of muscles and ground: analysis/effort.h
 };
 
 // A motion as JSON, one line a frame: metres, degrees, seconds, world axes (z up), quaternions

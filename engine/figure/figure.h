@@ -27,6 +27,7 @@ struct Joint {
   JointIndex subtree_end;      // joints [this, subtree_end) are this one and everything beyond
   bool parallel_frame = true;  // X_PJ.R is the identity
   bool massless = false;       // the body between two hinges of one group
+  std::optional<JointStrength> strength;  // none: not known
 
   bool is_fixed() const { return lower == upper; }
 };

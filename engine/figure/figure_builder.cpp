@@ -221,6 +221,7 @@ class FigureAssembler {
     joint.rest = hinge.lower == hinge.upper ? hinge.lower : hinge.rest;  // fixed hinges stay put
     joint.parallel_frame = X_PJ.R.isIdentity(0.0);
     joint.massless = true;
+    joint.strength = hinge.strength;
     figure_.joints_.push_back(joint);
     figure_.bodies_.push_back({});
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/figure/link_surface.h"
+#include "engine/figure/strength.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -41,6 +42,7 @@ struct HingeSpec {
   Vec3 axis = Vec3::UnitY();
   double lower = 0.0, upper = 0.0;  // [rad]; equal limits: the hinge is fixed there
   double rest = 0.0;                // [rad]
+  std::optional<JointStrength> strength = {};
 };
 
 // One to three concentric hinges. The first is next to the parent; the links hang on the last.

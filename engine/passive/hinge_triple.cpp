@@ -97,6 +97,15 @@ Vec3 HingeTriple::Rates(const Vec3& q, const Vec3& w) const {
   return Vec3(w.dot(a2.cross(a3)), w.dot(a3.cross(a1)), w.dot(a1.cross(a2))) / det;
 }
 
+// w = A qd, so qdd = A^-1 (w' - A' qd), of the columns of A as AxesInBody has them.
+Vec3 HingeTriple::Accelerations(const Vec3& q, const Vec3& qd, const Vec3& w_rate) const {
+  const double s = std::sin(q[2]), c = std::cos(q[2]), g = q[1] + beta_;
+  const Vec3 first = qd[1] * (-std::sin(g) * a3_ + std::cos(g) * (c * b3_ + s * a2_)) +
+                     qd[2] * std::sin(g) * (c * a2_ - s * b3_);
+  const Vec3 second = -qd[2] * (s * a2_ + c * b3_);
+  return Rates(q, w_rate - qd[0] * first - qd[1] * second);
+}
+
 double HingeTriple::FromPole(double q2) const { return std::asin(std::abs(std::sin(q2 + beta_))); }
 
 }  // namespace hazumi

@@ -37,6 +37,9 @@ class HingeTriple {
   // that no hinge can follow is left out.
   Vec3 Rates(const Vec3& q, const Vec3& w) const;
 
+  // Accelerations of the hinges for rates qd and w', the rate of w in the body's frame [rad/s^2].
+  Vec3 Accelerations(const Vec3& q, const Vec3& qd, const Vec3& w_rate) const;
+
   // How far the middle hinge is from the nearer pole [rad], from 0 to pi/2.
   double FromPole(double q2) const;
 

@@ -145,6 +145,10 @@ void RegionDynamics::PackAnchor(double* y) const {
 
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   ++evaluations_;
+  Look(t, y, dy);
+}
+
+void RegionDynamics::Look(double t, const double* y, double* dy) {
   SetAnchorOf(y);
   const double* velocities = y + layout_.num_positions();
   double* x = dy + layout_.num_positions();

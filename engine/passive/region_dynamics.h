@@ -84,6 +84,9 @@ class RegionDynamics {
   // dy/dt at time t [s]. Counts as one evaluation.
   void Derivative(double t, const double* y, double* dy);
 
+  // The same for reports, not counted.
+  void Look(double t, const double* y, double* dy);
+
   // M (k x k) and b (k) with the rates of all free hinges, locked or not, as velocities: what
   // limits press and what impacts do. Counts as one evaluation.
   void AssembleHinges(double t, const VecX& q, const VecX& qd);

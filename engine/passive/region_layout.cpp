@@ -124,6 +124,23 @@ void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, cons
   }
 }
 
+void RegionLayout::UnpackAccelerations(const double* x, const VecX& q, const VecX& qd,
+                                       VecX* qdd) const {
+  qdd->resize(num_hinges());
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const int first = nodes_[i].first_hinge;
+    const double* own = x + nodes_[i].dof;
+    if (const HingeTriple* ball = triple(static_cast<int>(i))) {
+      qdd->segment<3>(first) = ball->Accelerations(q.segment<3>(first), qd.segment<3>(first),
+                                                   Eigen::Map<const Vec3>(own));
+      continue;
+    }
+    for (int h = 0; h < num_hinges_of_[i]; ++h) {
+      (*qdd)[first + h] = nodes_[i].locked[h] ? 0.0 : *own++;
+    }
+  }
+}
+
 int RegionLayout::HingeOf(int component) const {
   int hinge = 0;
   const bool is_position = component < num_positions_;

@@ -61,6 +61,9 @@ class RegionLayout {
   // The same of one node's hinges alone.
   void UnpackNode(int node, const double* y, const VecX& lower, const VecX& upper, VecX* q,
                   VecX* qd) const;
+  // Accelerations of the free hinges at q and qd for those of the velocities, `x` by dof; 0 of
+  // locked ones.
+  void UnpackAccelerations(const double* x, const VecX& q, const VecX& qd, VecX* qdd) const;
   // The first free hinge of the node that a component of the state belongs to.
   int HingeOf(int component) const;
 

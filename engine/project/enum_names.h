@@ -138,6 +138,15 @@ struct EnumNames<LinkSurface::Kind> {
                                                            {LinkSurface::Kind::kWing, "wing"}};
 };
 
+template <>
+struct EnumNames<StrengthCurve::Form> {
+  static constexpr const char* kWhat = "curve";
+  static constexpr EnumName<StrengthCurve::Form> kNames[] = {
+      {StrengthCurve::Form::kConstant, "constant"},
+      {StrengthCurve::Form::kCosine, "cosine"},
+      {StrengthCurve::Form::kBell, "bell"}};
+};
+
 template <typename Enum>
 concept FileEnum = requires {
   EnumNames<Enum>::kNames;

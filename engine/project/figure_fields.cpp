@@ -143,6 +143,47 @@ static void Describe(FieldReader& in, LinkSpec& link) {
   in.Optional({"surface"}, link.surface);
 }
 
+static void Describe(FieldReader& in, StrengthCurve& curve) {
+  double angle_deg = 0.0, width_deg = 1.0;
+  const auto read_rate = [&](const char* name, double* rate) {
+    double rate_deg = *rate / kDegree;
+    ReadPositive(in, name, rate_deg);
+    *rate = rate_deg * kDegree;
+  };
+  in.Required({"curve"}, curve.form);
+  ReadPositive(in, "torque_n_m", curve.torque);
+  if (curve.form == StrengthCurve::Form::kConstant) return;
+  in.Required({"best_angle_deg"}, angle_deg);
+  ReadPositive(in, "width_deg", width_deg);
+  curve.best_angle = angle_deg * kDegree;
+  curve.width = width_deg * kDegree;
+  if (curve.form == StrengthCurve::Form::kBell) return read_rate("fastest_deg_s", &curve.fastest);
+  read_rate("rate_75_deg_s", &curve.rate_75);
+  read_rate("rate_50_deg_s", &curve.rate_50);
+  in.Optional({"lengthening_s"}, curve.lengthening);
+  CheckNotNegative(curve.lengthening, in.At("lengthening_s"));
+  if (curve.rate_50 > curve.rate_75) return;
+  in.At("rate_50_deg_s")
+      .Report(Check::kRange, {NumberText(curve.rate_75 / kDegree), NumberText(kLargestNumber),
+                              NumberText(curve.rate_50 / kDegree)});
+}
+
+// A number, or a curve.
+static void ReadStrengthOfASide(FieldReader& in, const char* number, const char* curve,
+                                StrengthCurve* side) {
+  const bool has_number = in.Find(number) != nullptr, has_curve = in.Find(curve) != nullptr;
+  if (has_number == has_curve) {
+    return in.site().Report(Check::kNotOneOf, {Quoted(number) + " and " + Quoted(curve)});
+  }
+  if (has_curve) return in.Required({curve}, *side);
+  ReadPositive(in, number, side->torque);
+}
+
+static void Describe(FieldReader& in, JointStrength& strength) {
+  ReadStrengthOfASide(in, "positive_n_m", "positive", &strength.positive);
+  ReadStrengthOfASide(in, "negative_n_m", "negative", &strength.negative);
+}
+
 static void Describe(FieldReader& in, HingeSpec& hinge) {
   std::array<double, 2> limits_deg{0.0, 0.0};
   double rest_deg = 0.0;
@@ -150,6 +191,7 @@ static void Describe(FieldReader& in, HingeSpec& hinge) {
   ReadAxis(in, hinge.axis);
   in.Required({"limits_deg"}, limits_deg);
   in.Stated({"rest_deg"}, rest_deg);
+  in.Optional({"strength"}, hinge.strength);
   hinge.lower = limits_deg[0] * kDegree;
   hinge.upper = limits_deg[1] * kDegree;
   hinge.rest = rest_deg * kDegree;

@@ -73,12 +73,42 @@ Json ToJson(const std::vector<LinkSpec>& links) {
   return list;
 }
 
+Json ToJson(const StrengthCurve& curve) {
+  Json json = {{"curve", NameOf(curve.form)},
+               {"torque_n_m", curve.torque},
+               {"best_angle_deg", ShortestDegrees(curve.best_angle)},
+               {"width_deg", ShortestDegrees(curve.width)}};
+  if (curve.form == StrengthCurve::Form::kBell) {
+    json["fastest_deg_s"] = ShortestDegrees(curve.fastest);
+    return json;
+  }
+  json["rate_75_deg_s"] = ShortestDegrees(curve.rate_75);
+  json["rate_50_deg_s"] = ShortestDegrees(curve.rate_50);
+  json["lengthening_s"] = curve.lengthening;
+  return json;
+}
+
+Json ToJson(const JointStrength& strength) {
+  Json json = Json::object();
+  const auto put = [&](const std::string& name, const StrengthCurve& side) {
+    if (side.form == StrengthCurve::Form::kConstant) {
+      json[name + "_n_m"] = side.torque;
+    } else {
+      json[name] = ToJson(side);
+    }
+  };
+  put("positive", strength.positive);
+  put("negative", strength.negative);
+  return json;
+}
+
 Json ToJson(const HingeSpec& hinge) {
   Json json = Json::object();
   if (!hinge.name.empty()) json["name"] = hinge.name;
   json["axis"] = hazumi::ToJson(hinge.axis);
   json["limits_deg"] = Json::array({ShortestDegrees(hinge.lower), ShortestDegrees(hinge.upper)});
   json["rest_deg"] = ShortestDegrees(hinge.rest);
+  if (hinge.strength) json["strength"] = ToJson(*hinge.strength);
   return json;
 }
 

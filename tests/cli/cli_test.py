@@ -4,6 +4,7 @@
 import csv
 import json
 import os
+import re
 import stat
 import subprocess
 import time
@@ -126,7 +127,7 @@ class CommandLine(InFolder):
         for option in ("render", "bake", "export", "bvh-up", "bvh-unit",
                        "check", "info", "flight", "run", "operators", "frames", "size", "samples",
                        "camera", "threads", "body", "ghosts", "paths", "marks", "tint", "frame-number",
-                       "no-shadow", "method", "tolerance", "step", "fps", "timings", "torques", "json", "trace"):
+                       "no-shadow", "method", "tolerance", "step", "fps", "timings", "torques", "effort", "json", "trace"):
             self.assertTrue(any(line.startswith(f"  --{option}") for line in lines), option)
 
     def test_method_and_step_go_before_what_the_file_says(self):
@@ -269,6 +270,54 @@ class CommandLine(InFolder):
             self.assertEqual(torques, frame["torques_n_m"])
             self.assertEqual(float(row["unsupported_z_n"]), frame["unsupported"]["force_n"][2])
         self.assertNotIn("torques_n_m", run("--bake", "-", THROW).stdout)
+
+    def test_effort_is_the_same_in_json_and_csv_and_the_largest_is_told(self):
+        for name in ("m.json", "m.csv"):
+            done = run("--bake", self.folder / name, "--effort", JUMP)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        motion = json.loads((self.folder / "m.json").read_text())
+        self.assertEqual(motion["effort"], {"filtered_hz": None, "friction": 0.8})
+        rows = list(csv.DictReader((self.folder / "m.csv").read_text().splitlines()))
+        largest = 0.0
+        for row, frame in zip(rows, motion["frames"]):
+            effort = frame["effort"]
+            for i, joint in enumerate(motion["joints"]):
+                self.assertEqual(float(row[f"{joint}_effort_n_m"]), effort["torques_n_m"][i])
+                share = row[f"{joint}_effort"]
+                self.assertEqual(float(share) if share else None, effort["share"][i])
+                largest = max(largest, abs(effort["torques_n_m"][i]))
+            self.assertEqual(float(row["from_nowhere_z_n"]), effort["from_nowhere"]["force_n"][2])
+        self.assertTrue(any(contact["pin"] for contact in motion["frames"][2]["effort"]["contacts"]))
+        info = run("--info", "--effort", JUMP).stdout
+        told = re.search(r"effort +largest torque: \S+ (-?\d+) N m at F\d+, \d+ % of its strength", info)
+        self.assertAlmostEqual(abs(float(told.group(1))), largest, delta=1.0)
+        self.assertNotIn("effort", run("--info", JUMP).stdout)
+        self.assertNotIn("effort", run("--bake", "-", JUMP).stdout)
+
+    def test_seams_are_told_where_regions_begin_and_end(self):
+        project = self.project()
+        motion = json.loads(run("--bake", "-", THROW).stdout)
+        borders = {(seam["frame"], seam["of"], seam["begins"]) for seam in motion["seams"]}
+        self.assertIn((5, "region", True), borders)
+        self.assertIn((15, "region", False), borders)
+        roots = [seam for seam in motion["seams"] if seam["joint"] is None]
+        self.assertTrue(all("velocity_m_s" in seam for seam in roots))
+        name = "r_elbow_flexion"
+        keys = project["joints"][name]["keys"]
+        at_border = next(key for key in keys if key["frame"] == project["regions"][0]["first_frame"])
+        at_border["rate_in_deg_s"] = at_border.get("rate_deg_s", 0.0) - 100.0
+        at_border.setdefault("rate_deg_s", 0.0)
+        file = self.folder / "seam.kfa"
+        file.write_text(json.dumps(project))
+        info = json.loads(run("--info", "--json", file).stdout)
+        seam = next(seam for seam in info["seams"]
+                    if seam["joint"] == name and seam["frame"] == at_border["frame"])
+        self.assertAlmostEqual(seam["rate_deg_s"], 100.0, places=9)
+        self.assertIn("states a rate", seam["mend"])
+        line = next(line for line in run("--info", file).stdout.splitlines()
+                    if line.startswith("seam"))
+        self.assertIn(f"F{at_border['frame']} {name}", line)
+        self.assertIn("rate by 100 deg/s", line)
 
     def test_a_script_edits_a_project(self):
         script = self.folder / "script.json"

@@ -42,16 +42,22 @@ class Motions(InFolder):
             self.assertRegex(done.stdout, r"^the same: \d{4,} values of 31 frames\n$")
             self.assertEqual(done.stderr, "")
 
+    def test_a_motion_of_an_older_build_without_seams_is_the_same(self):
+        motion = self.bake()
+        del motion["seams"]
+        self.made.write_text(json.dumps(motion))
+        self.assertIn("the same: ", self.verify(0).stdout)
+
     def test_options_are_taken_from_the_file(self):
         for options in (["--fps", "60"], ["--fps", "7"], ["--tolerance", "0.5"], ["--torques"],
-                        ["--timings"], ["--method", "paper", "--step", "0.01"],
+                        ["--effort"], ["--timings"], ["--method", "paper", "--step", "0.01"],
                         ["--fps", "24", "--tolerance", "0.001", "--torques", "--timings"]):
             self.bake(*options)
             self.assertIn("the same: ", self.verify(0).stdout, options)
 
     def test_what_export_wrote_is_the_same_too(self):
         for options in ([], ["--frames", "3..9"], ["--frames", "25..99"],
-                        ["--fps", "7", "--torques"], ["--frames", "4..10", "--fps", "60"]):
+                        ["--fps", "7", "--torques"], ["--effort", "--frames", "3..9"], ["--frames", "4..10", "--fps", "60"]):
             done = run("--export", self.made, *options, JUMP)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("the same: ", self.verify(0, JUMP).stdout, options)

@@ -279,6 +279,15 @@ void ExactDriver::SampleControl(double t, RotationState* state) {
   for (Island& island : islands_) island.control.Sample(t, state);
 }
 
+std::optional<Vec3> ExactDriver::Accelerations(double t, VecX* rates, VecX* accelerations) {
+  std::optional<Vec3> fall;
+  for (Island& island : islands_) {
+    const Vec3 of_island = island.solution.Accelerations(t, rates, accelerations);
+    if (island.solution.solves_fall()) fall = of_island;
+  }
+  return fall;
+}
+
 void ExactDriver::Account(double t, bool is_cut) {
   energy_.SetCoupling(request_.coupling);
   for (size_t g = 0; g < islands_.size(); ++g) {

@@ -68,6 +68,11 @@ class ExactDriver {
   // The control solutions' at time().
   void SampleControl(double t, RotationState* state);
 
+  // Of all free coordinates at a time that they can be sampled at, or with which they begin next,
+  // by Coordinate [rad/s, rad/s^2]; others are left. Returns that of the centre of mass where it is
+  // solved along.
+  std::optional<Vec3> Accelerations(double t, VecX* rates, VecX* accelerations);
+
   // Adds up energies and work to t, which all islands have reached; an account is kept from the
   // first call on. `is_cut`: the driver begins anew at t.
   void Account(double t, bool is_cut);

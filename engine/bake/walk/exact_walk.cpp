@@ -75,6 +75,7 @@ Result<int> ExactWalk::Advance(int frame) {
     const Result<double> to = curves_.Take(from, end, fits_holds);
     if (!to.ok()) return to.error();
     Drive(from, to.value(), Vec3::Zero());
+    if (from == frame && context_.wants_start) TellStart();
     if (auto error = AdvancePiece(from, to.value(), end)) return *error;
     if (auto error = Arrive(to.value())) return *error;
     from = to.value();
@@ -129,7 +130,8 @@ void ExactWalk::KeepControl(double frame) {
 std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
-  if (driver_ && !falls && !accounts) return AdvanceUndisturbed(from, to, end);
+  const bool looks_on = falls || accounts || context_.options.accelerations;
+  if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);
   for (double t = context_.Seconds(from); t < last;) {
     if (auto error = context_.CheckCancelled()) return error;
@@ -243,6 +245,24 @@ void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, Figure
   context_.poses.TurnRoot(frame, side, motion);
 }
 
+// What regions drive moves as the islands do, which are at its time.
+MotionAcceleration ExactWalk::AccelerationOf(const FigureMotion& motion) {
+  free_rates_.setZero(sample_.q.size());
+  VecX free = VecX::Zero(sample_.q.size());
+  std::optional<Vec3> fall;
+  if (driver_) fall = driver_->Accelerations(context_.Seconds(motion.frame), &free_rates_, &free);
+  return Completed(motion, free, fall);
+}
+
+// An impact on limits, where the regions begin, has happened.
+void ExactWalk::TellStart() {
+  began_with_ = AccelerationOf(context_.now);
+  began_with_rates_ = context_.now.qd;
+  for (int j = 0; j < static_cast<int>(began_with_rates_.size()); ++j) {
+    if (driver_ && context_.poses.free()[j]) began_with_rates_[j] = free_rates_[j];
+  }
+}
+
 // The frame of an instant between two others, which are exact.
 double ExactWalk::FrameOf(double seconds, double from, double to) const {
   if (seconds >= context_.Seconds(to)) return to;
@@ -259,6 +279,9 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (driver_) driver_->Estimate(context_.Seconds(frame));
     context_.Record(output, motion, LimitOf(motion));
+    if (context_.options.accelerations) {
+      context_.recorder.SetAcceleration(output, AccelerationOf(motion));
+    }
   }
   return std::nullopt;
 }

@@ -28,6 +28,7 @@ class ExactWalk : public RegionWalk {
   bool Push(const PushForce& push) override;
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
+  MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
 
  private:
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
@@ -45,6 +46,9 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> AdvanceRegions(double t, double last);
   std::optional<Error> Arrive(double frame);
   void AddHits(double until);
+
+  MotionAcceleration AccelerationOf(const FigureMotion& motion);
+  void TellStart();
 
   // What the placement does by itself.
   std::optional<GravityEvent> FirstEvent(double t, double next, double to);
@@ -64,6 +68,7 @@ class ExactWalk : public RegionWalk {
   RotationState control_;                // of the control solutions, by Coordinate
   std::vector<char> has_control_;        // by Coordinate: there was one before
   RotationState sample_;                 // scratch
+  VecX free_rates_;                      // scratch, by Coordinate
 };
 
 }  // namespace hazumi

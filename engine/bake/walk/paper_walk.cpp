@@ -55,6 +55,7 @@ std::optional<Error> PaperWalk::Step(double frame_from, double frame_to, bool to
   FigureMotion next = context_.now;
   next.frame = frame_to;
   if (auto error = StepRegions(seconds, &next)) return error;
+  TellAccelerations(seconds, next);
   const Side side = to_boundary ? Side::kBefore : Side::kAfter;
   context_.poses.SetJoints(frame_to, side, &next);
   context_.poses.TurnRoot(frame_to, side, &next);
@@ -86,6 +87,25 @@ std::optional<Error> PaperWalk::StepRegions(double seconds, FigureMotion* next) 
   const double end = context_.Seconds(next->frame);
   for (const JointIndex j : limits) context_.recorder.AddLimit(j, end, end, 1);
   return std::nullopt;
+}
+
+// A step changes rates by so much, in its time: what the joints did, friction and limits included.
+void PaperWalk::TellAccelerations(double seconds, const FigureMotion& next) {
+  if (!context_.wants_start && !context_.options.accelerations) return;
+  const FigureMotion& now = context_.now;
+  step_rate_.setZero();
+  for (int j = 0; j < now.q.size(); ++j) {
+    if (moves(JointIndex(j))) step_rate_[j] = (next.qd[j] - now.qd[j]) / seconds;
+  }
+  const MotionAcceleration at_start = Completed(now, step_rate_);
+  if (now.frame == std::floor(now.frame)) {
+    began_with_ = at_start;
+    began_with_rates_ = now.qd;
+  }
+  if (!context_.options.accelerations) return;
+  if (const auto output = context_.recorder.OutputAt(now.frame)) {
+    context_.recorder.SetAcceleration(*output, at_start);
+  }
 }
 
 std::optional<Error> PaperWalk::StepRoot(double frame_from, double seconds, Side side,
@@ -121,6 +141,9 @@ void PaperWalk::RecordBetween(const FigureMotion& from, const FigureMotion& to) 
     SetBetween(from, to, &between);
     const auto pinned = placement.has_landed() ? std::nullopt : placement.pin();
     context_.recorder.Record(output, between, LimitOf(between), pinned, &context_.poses);
+    if (context_.options.accelerations) {
+      context_.recorder.SetAcceleration(output, Completed(between, step_rate_));
+    }
   }
 }
 

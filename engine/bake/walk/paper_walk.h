@@ -12,16 +12,21 @@ namespace hazumi {
 // From frame to frame in the paper's steps.
 class PaperWalk : public RegionWalk {
  public:
-  explicit PaperWalk(BakeContext* context) : RegionWalk(context), drives_(context) {}
+  explicit PaperWalk(BakeContext* context)
+      : RegionWalk(context),
+        drives_(context),
+        step_rate_(VecX::Zero(context->poses.figure().num_joints() + kRootAngles)) {}
 
   void Reset() override { End(); }
   void Begin(const std::vector<int>& regions, int frame) override;
   void End() override {
     driver_.reset();
     drives_.SetRegions({});
+    step_rate_.setZero();
   }
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j); }
+  MotionAcceleration ArrivedWith() override { return Completed(context_.now, step_rate_); }
 
  private:
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
@@ -34,8 +39,11 @@ class PaperWalk : public RegionWalk {
   void RecordBetween(const FigureMotion& from, const FigureMotion& to);
   void SetBetween(const FigureMotion& from, const FigureMotion& to, FigureMotion* between);
 
+  void TellAccelerations(double seconds, const FigureMotion& next);
+
   std::unique_ptr<PaperDriver> driver_;  // null: no region is active
   PaperDrives drives_;
+  VecX step_rate_;                       // of free joints in the last step [rad/s^2], by Coordinate
 };
 
 }  // namespace hazumi

@@ -30,6 +30,13 @@ class RegionWalk {
   // From the context's `now`, which is at the frame, on to a frame that is returned.
   virtual Result<int> Advance(int frame) = 0;
 
+  // Accelerations with which the figure came to where it is now, and those with which the last
+  // Advance set out, if the context wants them.
+  virtual MotionAcceleration ArrivedWith() = 0;
+  const MotionAcceleration& began_with() const { return began_with_; }
+  // And rates, which are not those before where something stops joints dead.
+  const VecX& began_with_rates() const { return began_with_rates_; }
+
   bool has_regions() const { return active() != nullptr; }
   virtual bool moves(JointIndex j) const = 0;
 
@@ -45,7 +52,14 @@ class RegionWalk {
   // Something that the placement did.
   void AddEvent(EventKind kind, double frame, std::optional<GroupIndex> joint);
 
+  // Of `motion`, placed, with those of the joints and angles that regions drive, by Coordinate, and
+  // of the centre of mass where the regions' forces move it.
+  MotionAcceleration Completed(const FigureMotion& motion, const VecX& free,
+                               const std::optional<Vec3>& fall = {});
+
   BakeContext& context_;
+  MotionAcceleration began_with_;
+  VecX began_with_rates_;  // by JointIndex [rad/s]
 };
 
 }  // namespace hazumi

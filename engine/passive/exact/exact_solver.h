@@ -50,6 +50,8 @@ class ExactSolver {
   const VecX& qd() const { return step_.now().qd; }
   // Energy and powers at t in [step_start, time], from the left.
   EnergyFlow Energy(double t) { return step_.Energy(t); }
+  // As ExactStep has them; what limits hold has none.
+  Vec3 Accelerations(double t, VecX* qd, VecX* qdd) { return step_.Accelerations(t, qd, qdd); }
 
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return hits_.Take(); }

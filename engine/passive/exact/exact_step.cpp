@@ -139,6 +139,24 @@ void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState*
   }
 }
 
+Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
+  if (t >= time_) {
+    inside_ = now_;
+    dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
+    dynamics_->SetAnchor(anchor_);
+    dynamics_->PackAnchor(y_.data());
+  } else {
+    Sample(t, &inside_);
+    step_.At(t, y_.data());
+  }
+  *qd = inside_.qd;
+  const RegionLayout& layout = dynamics_->layout();
+  VecX dy(dynamics_->state_size());
+  dynamics_->Look(t, y_.data(), dy.data());
+  layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
+  return dynamics_->is_pushed_in_flight() ? Vec3(dy.tail<3>()) : Vec3(Vec3::Zero());
+}
+
 EnergyFlow ExactStep::Energy(double t) {
   MakeDense();
   step_.At(t, y_.data());

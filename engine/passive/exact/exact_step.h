@@ -59,6 +59,10 @@ class ExactStep {
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();
   EnergyFlow Energy(double t);
+  // And rates, of the free hinges at t in [start_time, time]; at `time` itself those of now(), with
+  // which the next step begins. The centre of mass's, if the fall is solved along, else zero
+  // [m/s^2].
+  Vec3 Accelerations(double t, VecX* qd, VecX* qdd);
 
  private:
   auto Field() {

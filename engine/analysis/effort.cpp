@@ -1,0 +1,194 @@
+// Of each frame, all in world axes:
+//   tau, F, N   inverse dynamics of the whole figure with what it holds, hung on its root: the
+//               torques of the hinges, and force and moment that the root, at p_R, would need.
+//   f_k, n_k    forces at the points p_k that touch, and at the pin with its moment: those of least
+//               sum that supply F, N (contact_forces.cpp). A pin has a moment only where a sole,
+//               that is, something of its own or beyond it, touches.
+//   tau_i      -= axis_i . (n_k + (p_k - p_i) x f_k)   for each hinge i between the root and k
+//                (principle of virtual work).
+// What is left of F, N comes from nowhere.
+
+#include "engine/analysis/effort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/analysis/joint_torques.h"
+#include "engine/analysis/smooth_motion.h"
+#include "engine/analysis/touching.h"
+#include "engine/bake/pose/held_objects.h"
+#include "engine/dynamics/kinematics.h"
+
+namespace hazumi {
+
+namespace {
+
+using HeldBy = std::vector<int>;  // of each object its holder
+
+HeldBy HeldAt(const MotionFrame& frame) {
+  HeldBy held;
+  for (const ObjectPose& object : frame.objects) held.push_back(object.holder);
+  return held;
+}
+
+// A figure with what it holds.
+struct Loaded {
+  Loaded(const Animation& animation, HeldBy by)
+      : held(std::move(by)),
+        figure(With(animation, held)),
+        dynamics(figure),
+        scratch(dynamics.MakeScratch()) {}
+
+  static Figure With(const Animation& animation, const HeldBy& held) {
+    Figure figure = *animation.figure;
+    for (size_t i = 0; i < held.size(); ++i) {
+      if (held[i] >= 0) figure = WithObject(figure, animation.held_objects[i], held[i]);
+    }
+    return figure;
+  }
+
+  HeldBy held;
+  Figure figure;
+  FigureDynamics dynamics;
+  FigureScratch scratch;
+};
+
+class EffortWalk {
+ public:
+  EffortWalk(const Animation& animation, const EffortOptions& options, const TouchLimits& limits)
+      : animation_(animation),
+        options_(options),
+        touching_(animation, limits),
+        ws_(*animation.figure) {}
+
+  void Touch(const MovedFrame& at) {
+    ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
+    touching_.Add(ws_);
+  }
+  void EndTouch(double frame_time) { touching_.Finish(frame_time); }
+
+  FrameEffort At(size_t index, const MotionFrame& frame, const MovedFrame& at) {
+    FrameEffort found;
+    const Wrench needed = Demand(frame, at, &found.tau);
+    ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
+    points_.clear();
+    touching_.PointsAt(index, ws_, &points_);
+    if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
+    found.from_nowhere =
+        solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
+    for (size_t i = 0; i < points_.size(); ++i) {
+      Relieve(points_[i], forces_[i], &found.tau);
+      found.contacts.push_back(
+          {points_[i].joint, points_[i].is_pin, points_[i].p, forces_[i].force, forces_[i].moment});
+    }
+    SetShares(*at.limit, &found);
+    return found;
+  }
+
+ private:
+  Wrench Demand(const MotionFrame& frame, const MovedFrame& at, VecX* tau) {
+    HeldBy held = HeldAt(frame);
+    if (!loaded_ || loaded_->held != held) loaded_.emplace(animation_, std::move(held));
+    RootMotion root;
+    root.w = at.limit->root_w;
+    root.v = at.limit->root_v;
+    root.alpha = at.acceleration->root_alpha;
+    root.a = at.acceleration->root_a;
+    root.a.z() += animation_.gravity;
+    tau->resize(animation_.figure->num_joints());
+    loaded_->dynamics.InverseDynamics(at.limit->X_WR, root, at.limit->q, at.limit->qd,
+                                      at.acceleration->qdd, nullptr, &loaded_->scratch, tau);
+    return loaded_->dynamics.RootWrench(at.limit->X_WR, root, loaded_->scratch);
+  }
+
+  // The body beyond the joint is what stands there.
+  void AddPin(JointIndex pinned) {
+    ContactPoint pin;
+    pin.joint = pinned;
+    pin.p = ws_.body(pinned).p;
+    pin.is_pin = true;
+    pin.has_moment = std::any_of(points_.begin(), points_.end(), [&](const ContactPoint& point) {
+      return point.joint == pinned ||
+             (point.joint.is_valid() && animation_.figure->IsBeyond(point.joint, pinned));
+    });
+    // The sole carries what a sole can; the pin what pulls, or slides.
+    constexpr double kHelp = 1e-3;
+    if (pin.has_moment) pin.weight = kHelp;
+    points_.push_back(pin);
+  }
+
+  void Relieve(const ContactPoint& point, const ContactForce& force, VecX* tau) {
+    for (JointIndex j = point.joint; j.is_valid(); j = animation_.figure->joint(j).parent) {
+      const BodyScratch& body = ws_.body(j);
+      (*tau)[j.value()] -= body.axis.dot(force.moment + (point.p - body.p).cross(force.force));
+    }
+  }
+
+  void SetShares(const MotionLimit& limit, FrameEffort* found) {
+    const auto& joints = animation_.figure->joints();
+    found->share.setConstant(found->tau.size(), -1.0);
+    for (int j = 0; j < found->tau.size(); ++j) {
+      if (!joints[j].strength) continue;
+      const double tau = found->tau[j];
+      const StrengthLimits limits = joints[j].strength->At(limit.q[j], limit.qd[j]);
+      const Strength& strength = tau >= 0.0 ? limits.positive : limits.negative;
+      found->share[j] = std::abs(tau) / strength.torque;
+      if (strength.is_at_least) found->least.emplace_back(j);
+    }
+  }
+
+  const Animation& animation_;
+  EffortOptions options_;
+  Touching touching_;
+  DynamicsWorkspace ws_;
+  std::optional<Loaded> loaded_;
+  ContactForceSolver solver_;
+  std::vector<ContactPoint> points_;
+  std::vector<ContactForce> forces_;
+};
+
+// A capture's feet shake, and swing by low.
+TouchLimits LimitsFor(bool is_capture) {
+  TouchLimits limits;
+  if (!is_capture) return limits;
+  limits.clearance = 0.05;
+  limits.drift = 0.1;
+  limits.fastest = 0.6;
+  return limits;
+}
+
+}  // namespace
+
+bool IsCapture(const Animation& animation) {
+  constexpr double kNearlyEvery = 0.8, kFewest = 8.0;  // share of the frames; frames
+  const double frames = animation.last_frame - animation.first_frame + 1;
+  if (frames < kFewest) return false;
+  int keyed = 0, dense = 0;
+  const auto count = [&](const Keys& keys) {
+    keyed += keys.size() > 1;
+    dense += static_cast<double>(keys.size()) >= kNearlyEvery * frames;
+  };
+  for (const Keys& keys : animation.joint_keys) count(keys);
+  for (const Keys& keys : animation.root_keys) count(keys);
+  return dense > 0 && 2 * dense >= keyed;
+}
+
+Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOptions& options) {
+  Effort effort;
+  if (motion.frames.empty()) return effort;
+  const bool is_capture = IsCapture(animation);
+  SmoothMotion smooth(motion, animation.rate.SecondsAt(animation.last_frame));
+  if (is_capture) effort.is_filtered = smooth.Filter(options.cutoff);
+  if (effort.is_filtered) effort.cutoff = options.cutoff;
+  EffortWalk walk(animation, options, LimitsFor(is_capture));
+  for (size_t i = 0; i < motion.frames.size(); ++i) walk.Touch(smooth.At(i));
+  walk.EndTouch(motion.rate.seconds_per_frame());
+  effort.frames.reserve(motion.frames.size());
+  for (size_t i = 0; i < motion.frames.size(); ++i) {
+    effort.frames.push_back(walk.At(i, motion.frames[i], smooth.At(i)));
+  }
+  return effort;
+}
+
+}  // namespace hazumi
