@@ -71,12 +71,15 @@ Result<Done> Step(Editor* editor, const edit::Parameters& p) {
   return ShowCell(static_cast<size_t>(cell), editor);
 }
 
-// "friction.default = 0.7, release_frame = 12"
+// "friction.default = 0.7, release_frame = 12", as many as a line of the status bar has room for.
 std::string ValuesInWords(const SweepPlan& plan, size_t cell) {
+  constexpr size_t kMost = 150;
   const std::vector<std::string> values = ValuesOf(plan, static_cast<long>(cell));
   std::string text;
   for (size_t i = 0; i < plan.vary.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + ShortName(plan.vary[i].field) + " = " + values[i];
+    const std::string part = ShortName(plan.vary[i].field) + " = " + values[i];
+    if (text.size() + part.size() > kMost) return text + (i == 0 ? "..." : ", ...");
+    text += (i == 0 ? "" : ", ") + part;
   }
   return text;
 }
