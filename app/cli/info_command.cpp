@@ -138,6 +138,10 @@ void PrintPlacements(const Animation& animation) {
     PrintLine(stdout, "hold       F%d-F%d: %s", hold.first_frame, hold.last_frame,
               animation.figure->group(hold.joint).name.c_str());
   }
+  for (const OuterForce& force : animation.forces) {
+    PrintLine(stdout, "force      %s: %s, F%d-F%d", force.name.c_str(), NameOf(force.kind()),
+              force.first_frame, force.last_frame);
+  }
 }
 
 std::string AgainText(const MotionEvent& event) {
