@@ -2,6 +2,8 @@
 
 // How strong a joint is: the torques that its muscles can give at an angle and a rate.
 
+#include <tuple>
+
 namespace hazumi {
 
 // Of muscles that turn a hinge in one direction: the largest torque [N m] at an angle [rad] of the
@@ -23,6 +25,10 @@ struct StrengthCurve {
   double fastest = 1.0;  // kBell: the rate at which nothing is left [rad/s], > 0
   bool operator==(const StrengthCurve&) const = default;
 };
+inline auto MembersOf(const StrengthCurve& curve) {
+  const auto& [form, torque, best_angle, width, rate_75, rate_50, lengthening, fastest] = curve;
+  return std::tie(form, torque, best_angle, width, rate_75, rate_50, lengthening, fastest);
+}
 
 // A strength is never less than this share of `torque`, or a joint that moves fast could do nothing
 // and any effort would be without bound.
@@ -44,6 +50,10 @@ struct JointStrength {
   StrengthLimits At(double angle, double rate) const;
   bool operator==(const JointStrength&) const = default;
 };
+inline auto MembersOf(const JointStrength& strength) {
+  const auto& [positive, negative] = strength;
+  return std::tie(positive, negative);
+}
 
 Strength StrengthAt(const StrengthCurve& curve, double angle, double shortening_rate);
 

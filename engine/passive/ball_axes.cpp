@@ -14,7 +14,9 @@ std::optional<BallAxes> BallAxesOf(const Figure& figure, const JointGroup& group
   if (!HingeTriple::Fits(axes[0], axes[1], axes[2])) return std::nullopt;
   const Mat3 R_PB = BallFrame(axes[0], axes[1]);
   const auto in_ball = [&](const Vec3& axis) -> Vec3 { return R_PB.transpose() * axis; };
-  return BallAxes{{in_ball(axes[0]), in_ball(axes[1]), in_ball(axes[2])}, R_PJ.transpose() * R_PB};
+  return BallAxes{{in_ball(axes[0]), in_ball(axes[1]), in_ball(axes[2])},
+                  R_PJ.transpose() * R_PB,
+                  axes[2].dot(R_PB.col(2)) < 0.0};
 }
 
 }  // namespace hazumi

@@ -19,8 +19,9 @@ inline Mat3 BallFrame(const Vec3& first, const Vec3& second) {
 
 // A joint of a figure whose three hinges are a ball's.
 struct BallAxes {
-  HingeTriple triple;  // all in the ball's frame
-  Mat3 R_JB;           // that frame, in the frame of the last hinge
+  HingeTriple triple;             // all in the ball's frame
+  Mat3 R_JB;                      // that frame, in the frame of the last hinge
+  bool is_third_against = false;  // the last hinge's axis is against the frame's third one
 };
 std::optional<BallAxes> BallAxesOf(const Figure& figure, const JointGroup& group);
 

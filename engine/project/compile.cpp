@@ -204,6 +204,7 @@ class Compiler {
         own.frequency = drive.frequency_hz;
         own.damping_ratio = drive.damping_ratio;
         own.max_torque = drive.max_torque_n_m;
+        own.strength = drive.strength;
       }
       region->drives.push_back(std::move(own));
     }

@@ -88,7 +88,7 @@ struct ProjectDrive {
   // kSpring
   SpringTarget to = SpringTarget::kKeys;
   double frequency_hz = 2.0, damping_ratio = 1.0;
-  std::optional<double> max_torque_n_m;
+  std::optional<double> max_torque_n_m, strength;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectDrive&) const = default;

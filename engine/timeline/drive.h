@@ -54,6 +54,7 @@ struct Drive {
   SpringTarget target = SpringTarget::kKeys;
   double frequency = 0.0, damping_ratio = 0.0;
   std::optional<double> max_torque;  // [N m]; of a ball joint the moment
+  std::optional<double> strength;    // share of what the muscles of hinges can give, where known
   bool operator==(const Drive&) const = default;
 };
 

@@ -72,7 +72,7 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
       for (const JointIndex j : drive.joints) {
         drives_[j.value()] = &drive;
         if (drive.kind != DriveKind::kSpring) continue;
-        springs_[j.value()] = SpringOf(drive, j, region, starts.at(active_[a]));
+        springs_[j.value()] = SpringOf(drive, j, region, figure, starts.at(active_[a]));
       }
     }
     if (!region.root) continue;

@@ -13,7 +13,8 @@ void PaperDrives::SetRegions(const std::vector<int>& regions) {
     springs_.emplace_back();
     if (entry.drive->kind != DriveKind::kSpring) continue;
     const DynamicsRegion& region = context_.animation.regions[entry.region];
-    springs_.back() = SpringOf(*entry.drive, entry.joint, region, context_.starts.at(entry.region));
+    springs_.back() =
+        SpringOf(*entry.drive, entry.joint, region, figure, context_.starts.at(entry.region));
     const JointGroup& group = figure.group(figure.joint(entry.joint).group);
     if (entry.joint != group.first) continue;
     const auto axes = BallAxesOf(figure, group);
@@ -34,7 +35,7 @@ VecX PaperDrives::TorquesAt(const FigureMotion& motion) {
     ref_rate[j] = now.rate;
     torques[j] = entry.drive->kind == DriveKind::kTorque
                      ? now.value
-                     : TorqueOf(springs_[i], motion.q[j] - ref[j], motion.qd[j] - ref_rate[j]);
+                     : TorqueOf(springs_[i], {motion.q[j], motion.qd[j]}, {ref[j], ref_rate[j]});
   }
   // Of a ball joint hinge i gets a_i . M.
   for (const auto& [first, ball] : balls_) {

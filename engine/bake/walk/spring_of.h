@@ -7,6 +7,6 @@ namespace hazumi {
 
 // The spring that `drive` is to a joint of a region that began so.
 Spring SpringOf(const Drive& drive, JointIndex joint, const DynamicsRegion& region,
-                const RegionStart& start);
+                const Figure& figure, const RegionStart& start);
 
 }  // namespace hazumi

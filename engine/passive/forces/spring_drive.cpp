@@ -3,12 +3,15 @@
 // Of a ball joint, with I the same about its centre, in the ball's frame, and E = R_ref^T R, the
 // quaternion (eta, e), W the angular velocity relative to the reference:
 //   U = 2 w^2 e.I e,   M = -2 w^2 (eta I e + (I e) x e) - 2 zeta w I W,
-// which is -dU of any turn less the damper, and smooth through half a turn; scaled down to `most`.
+// which is -dU of any turn less the damper, and smooth through half a turn; scaled down to `most`,
+// and into the ellipsoid whose half axes, along the ball's and by their sides, are what its muscles
+// can give. Muscles of a hinge: -s S_-(q, q') <= tau <= s S_+(q, q').
 
 #include "engine/passive/forces/spring_drive.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "engine/passive/ball_axes.h"
 #include "engine/passive/forces/hinge_moment.h"
@@ -17,10 +20,16 @@ namespace hazumi {
 
 using small::V3;
 
-double TorqueOf(const Spring& spring, double ahead, double ahead_rate) {
+double TorqueOf(const Spring& spring, const HingeMotion& hinge, const HingeMotion& reference) {
   const double w = spring.rate;
-  const double pull = -spring.inertia * w * (w * ahead + 2.0 * spring.damping_ratio * ahead_rate);
-  return std::clamp(pull, -spring.most, spring.most);
+  const double pull = spring.inertia * w *
+                      (w * (reference.angle - hinge.angle) +
+                       2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
+  const double torque = std::clamp(pull, -spring.most, spring.most);
+  if (!spring.muscles) return torque;
+  const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
+  return std::clamp(torque, -spring.share * limits.negative.torque,
+                    spring.share * limits.positive.torque);
 }
 
 Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w) {
@@ -29,8 +38,14 @@ Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w) {
   const double rate = spring.rate;
   const Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
                       2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
-  const double size = moment.norm();
-  return size > spring.most ? Vec3(spring.most / size * moment) : moment;
+  // How many times too large.
+  double over = moment.norm() / spring.most, sum = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double most = moment[i] >= 0.0 ? spring.most_forward[i] : spring.most_backward[i];
+    sum += moment[i] == 0.0 ? 0.0 : (moment[i] / most) * (moment[i] / most);
+  }
+  over = std::max(over, std::sqrt(sum));
+  return over > 1.0 ? Vec3(moment / over) : moment;
 }
 
 double SpringDrive::FastestRate() const {
@@ -71,8 +86,9 @@ V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
     const int hinge = own.first_hinge + h;
     if (springs_[hinge].rate > 0.0) {
       const Jet reference = state.driven.drives[hinge].At(state.t);
-      torques[free] = TorqueOf(springs_[hinge], state.positions[own.position + free] - reference.v,
-                               state.velocities[own.dof + free] - reference.d);
+      torques[free] = TorqueOf(
+          springs_[hinge], {state.positions[own.position + free], state.velocities[own.dof + free]},
+          {reference.v, reference.d});
     }
     ++free;
   }

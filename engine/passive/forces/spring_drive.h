@@ -1,10 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "engine/figure/strength.h"
 #include "engine/passive/forces/force_law.h"
 
 namespace hazumi {
@@ -14,16 +16,27 @@ struct Spring {
   double rate = 0.0;           // 2 pi times the frequency [rad/s]; 0: none
   double damping_ratio = 0.0;  // 1: does not overshoot
   double most = std::numeric_limits<double>::infinity();  // torque or moment, at most [N m]
-  double inertia = 0.0;                                   // of a hinge: about its axis [kg m^2]
+  // The same as a share of what muscles can give; not given: as much as it takes.
+  std::optional<JointStrength> muscles;  // of a hinge
+  double share = 0.0;
+  // Of a ball joint, along its frame's axes either way [N m].
+  Vec3 most_forward = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 most_backward = Vec3::Constant(std::numeric_limits<double>::infinity());
+  double inertia = 0.0;         // of a hinge: about its axis [kg m^2]
   Mat3 of_ball = Mat3::Zero();  // of a ball joint: about its centre, in the ball's frame
 };
 inline auto MembersOf(const Spring& spring) {
-  const auto& [rate, damping_ratio, most, inertia, of_ball] = spring;
-  return std::tie(rate, damping_ratio, most, inertia, of_ball);
+  const auto& [rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
+               of_ball] = spring;
+  return std::tie(rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
+                  of_ball);
 }
 
-// Torque of a hinge that is `ahead` of what the spring pulls it to, angle and rate [rad, rad/s].
-double TorqueOf(const Spring& spring, double ahead, double ahead_rate);
+// Of a hinge: its angle and rate, or those that the spring pulls it to [rad, rad/s].
+struct HingeMotion {
+  double angle, rate;
+};
+double TorqueOf(const Spring& spring, const HingeMotion& hinge, const HingeMotion& reference);
 // Moment of a ball joint turned by E from what the spring pulls it to, with w the angular velocity
 // relative to that; all in the ball's frame (BallAxes).
 Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w);

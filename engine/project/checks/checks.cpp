@@ -107,6 +107,9 @@ constexpr CheckText kTexts[] = {
      "{} has friction 0, which keeps it still; raise its friction or take it out of the drive"},
     {Check::kDriveSplitsBall, kSemantics,
      "{} is one of the three hinges of {}, which share a spring; drive all three"},
+    {Check::kDriveWithoutStrength, kSemantics,
+     "the figure does not say how strong {} is; give the drive a max_torque_n_m in place of "
+     "strength, or the figure's hinges a strength"},
     {Check::kRegionsOverlap, kSemantics,
      "regions {} and {} both drive {} in frames {} to {}; end one where the other begins, or take "
      "it out of one"},

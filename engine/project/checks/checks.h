@@ -85,6 +85,7 @@ enum class Check {
   kPlacedByNobody,
   kDriveFrozen,
   kDriveSplitsBall,
+  kDriveWithoutStrength,
   kRegionsOverlap,
   kMethodsDiffer,
   kMethodInGravity,

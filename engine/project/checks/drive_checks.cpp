@@ -37,6 +37,13 @@ void CheckDrives(const Animation& animation, size_t region, FirstError* errors) 
   const Figure& figure = *animation.figure;
   const std::string place = At("regions", region) + ".drives";
   for (const Drive& drive : own.drives) {
+    const bool is_known = std::any_of(drive.joints.begin(), drive.joints.end(), [&](JointIndex j) {
+      return figure.joint(j).strength.has_value();
+    });
+    if (drive.strength && !is_known) {
+      return errors->Report(Check::kDriveWithoutStrength, place,
+                            {Quoted(figure.joint(drive.joints.front()).name)});
+    }
     for (const JointIndex j : drive.joints) {
       const auto at = std::lower_bound(own.joints.begin(), own.joints.end(), j);
       if (own.friction[static_cast<size_t>(at - own.joints.begin())] == 0.0) {

@@ -206,6 +206,13 @@ void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
                  .range = kNotNegative,
                  .step = 0.2},
                 drive.max_torque_n_m);
+    ar.Optional({.name = "strength",
+                 .label = "Strength",
+                 .help = "share of what the joints' muscles can give, at their angle and rate",
+                 .details = "Of figures whose hinges have a strength; hinges without one are not "
+                            "limited by it. Of a ball joint what its hinges can give at rest.",
+                 .range = {0.0, 10.0}},
+                drive.strength);
   }
 }
 

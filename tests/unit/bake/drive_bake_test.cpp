@@ -92,6 +92,25 @@ Figure RoundBall() {
   return BuildFigure(spec).value();
 }
 
+// 1 kg, 1 m, along +x at zero from a hinge about y whose muscles give so much [N m]. At -90
+// degrees, where it rests, it points up.
+Figure StrongRod(double torque) {
+  FigureSpec spec;
+  spec.name = "strong";
+  spec.root_name = "base";
+  LinkSpec link;
+  link.name = "rod";
+  link.to = Vec3(1.0, 0.0, 0.0);
+  link.radius = 0.01;
+  link.mass = 1.0;
+  HingeSpec hinge{"hinge", Vec3::UnitY(), -kFarAway, kFarAway, -0.5 * kPi};
+  JointStrength strength;
+  strength.positive.torque = strength.negative.torque = torque;
+  hinge.strength = strength;
+  spec.joints.push_back({"hinge", "base", Vec3::Zero(), Mat3::Identity(), {hinge}, {link}});
+  return BuildFigure(spec).value();
+}
+
 Mat3 RotationFromHinges(const VecX& q) {
   return (Eigen::AngleAxisd(q[0], Vec3::UnitY()) * Eigen::AngleAxisd(q[1], Vec3::UnitX()) *
           Eigen::AngleAxisd(q[2], Vec3::UnitZ()))
@@ -209,6 +228,23 @@ TEST(SpringDrive, PullsNoHarderThanItMay) {
   for (const MotionFrame& frame : BakeOrFail(animation).frames) {
     const double t = frame.frame / 30.0;
     EXPECT_NEAR(frame.q[0], 2.0 - 0.1 * t * t / inertia, 1e-8) << frame.frame;
+  }
+}
+
+// A rod held level weighs m g l / 2 on its hinge: with muscles that give 1 % more it is lifted,
+// with 1 % less it sinks, whatever the spring would pull. Half of twice the strength is the same.
+TEST(SpringDrive, IsAsStrongAsItsMuscles) {
+  for (const double share : {1.0, 0.5}) {
+    for (const double of_weight : {0.99, 1.01}) {
+      const double weight = 1.0 * kG * 0.5;  // [N m]
+      Animation animation = Weightless(StrongRod(of_weight * weight / share), {"hinge"});
+      animation.gravity = kG;
+      animation.joint_keys[0] = {{0, 0.0, 0.0}};
+      AddSpring(&animation, SpringTarget::kRest, 20.0, 1.0).strength = share;
+      const Motion motion = BakeOrFail(animation);
+      const double moved = motion.frames[6].q[0] * (of_weight > 1.0 ? -1.0 : 1.0);
+      EXPECT_GT(moved, 1e-4) << of_weight << " " << share;
+    }
   }
 }
 

@@ -53,6 +53,11 @@ std::vector<WrongProject> WrongDrives() {
                           {{"/figure/joints/1/hinges/1/limits_deg", "[-10, 10]"}})),
        "regions[0].drives: \"l_shoulder_flexion\" is one of the three hinges of \"l_shoulder\", "
        "which share a spring; drive all three"},
+      {Check::kDriveWithoutStrength,
+       Compile(WithDrives(R"([{"joints": ["r_elbow"], "kind": "spring", "frequency_hz": 2,
+                               "strength": 0.5}])")),
+       "regions[0].drives: the figure does not say how strong \"r_elbow\" is; give the drive a "
+       "max_torque_n_m in place of strength, or the figure's hinges a strength"},
       {Check::kRegionsOverlap,
        Compile(
            WithDrives(R"([{"joints": ["r_wrist"], "kind": "keys"}])",
