@@ -73,8 +73,6 @@ TEST(ForceOperators, RefuseWhatCannotBe) {
   Do(&session, "force.add", {{"kind", "wind"}});
   EXPECT_EQ(Refused(&session, "force.set", {{"force", "breeze"}, {"density", 1}}).ToString(),
             "force.set.force: there is no \"breeze\"; there is \"wind\"");
-  EXPECT_EQ(Refused(&session, "force.set", {{"force", "wind"}, {"radius", 1}}).ToString(),
-            "force.set.radius: forces of its kind have none");
   Refused(&session, "force.set", {{"force", "wind"}, {"density", -1}});
   EXPECT_EQ(Refused(&session, "force.add", {{"kind", "wind"}}).place, "force.add.forces[1]");
   Refused(&session, "force.add", {{"kind", "attract"}, {"joint", "nose"}});
