@@ -145,8 +145,13 @@ ForceLaws AnySprings(const RandomIsland& island, Random* random) {
   const RegionLayout layout(island.model, /*balls=*/false);
   for (int i = 0; i < layout.num_hinges(); ++i) {
     if (layout.hinges()[i].node == 0) continue;  // the root has no muscles
-    spec.springs[i] = {random->Uniform(1.0, 20.0), random->Uniform(0.0, 1.5),
-                       random->Uniform(1.0, 50.0), random->Uniform(0.1, 1.0), moments.asDiagonal()};
+    Spring& spring = spec.springs[i];
+    spring.rate = random->Uniform(1.0, 20.0);
+    spring.damping_ratio = random->Uniform(0.0, 1.5);
+    spring.most = random->Uniform(1.0, 50.0);
+    spring.most_forward = Vec3(3.0, 20.0, 10.0);
+    spring.inertia = random->Uniform(0.1, 1.0);
+    spring.of_ball = moments.asDiagonal();
   }
   return MakeLaws({spec});
 }

@@ -25,7 +25,7 @@ Changes With(const std::string& forces, const Changes& more = {}) {
   return changes;
 }
 
-std::vector<WrongProject> WrongValues() {
+std::vector<WrongProject> WrongForceValues() {
   return {
       {Check::kNotPositive, Read(With(kMagnet, {{"/forces/0/radius_m", "0"}})),
        "forces[0].radius_m: must be greater than 0, is 0"},
@@ -52,7 +52,7 @@ std::vector<WrongProject> WrongValues() {
   };
 }
 
-std::vector<WrongProject> Contradictions() {
+std::vector<WrongProject> ForceContradictions() {
   return {
       {Check::kOutsideFrames, Compile(With(kBreeze, {{"/forces/0/last_frame", "31"}})),
        "forces[0]: frames 5 to 31 are not within the project's frames 0 to 30"},
@@ -107,7 +107,7 @@ std::vector<WrongProject> WrongSurfaces() {
   };
 }
 
-std::vector<WrongProject> Warnings() {
+std::vector<WrongProject> ForceWarnings() {
   return {
       {Check::kForceFeltByNone, Warn(With(kMagnet, {{"/forces/0/joint", "\"l_knee\""}})),
        "forces[0]: nothing feels \"magnet\": no region moves \"l_knee\" in frames 5 to 15; add "
@@ -122,8 +122,8 @@ std::vector<WrongProject> Warnings() {
 }  // namespace
 
 std::vector<WrongProject> WrongForces() {
-  std::vector<WrongProject> all = WrongValues();
-  for (const auto& list : {Contradictions(), WrongSurfaces(), Warnings()}) {
+  std::vector<WrongProject> all = WrongForceValues();
+  for (const auto& list : {ForceContradictions(), WrongSurfaces(), ForceWarnings()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;
