@@ -6,7 +6,7 @@ file(READ ${assets}/figures/human.json figure)
 string(STRIP "${figure}" figure)
 string(REPLACE "\n" "\n  " figure "${figure}")  # it stands in an object
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${assets}/figures/human.json)
-foreach(name throw jump)
+foreach(name throw jump curl blow)
   set(source ${assets}/examples/${name}.kfa)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
   file(READ ${source} project)

@@ -62,6 +62,7 @@ class Installed(unittest.TestCase):
                 "share/applications/hazumi.desktop", "share/bash-completion/completions/hazumi",
                 "share/doc/hazumi/copyright", "share/doc/hazumi/README.md",
                 "share/doc/hazumi/examples/README.md", "share/doc/hazumi/sweeps.md", "share/fish/vendor_completions.d/hazumi.fish",
+                "share/hazumi/examples/blow.kfa", "share/hazumi/examples/curl.kfa",
                 "share/hazumi/examples/jump.kfa", "share/hazumi/examples/throw.kfa",
                 "share/hazumi/examples/throw_sweep.json",
                 "share/hazumi/figures/README.md", "share/hazumi/figures/human.json",

@@ -7,6 +7,7 @@
 #include "engine/bake/bake.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 namespace {
@@ -98,6 +99,33 @@ TEST(Throw, OneRegionForBothArmsEqualsARegionForEach) {
   for (size_t i = 0; i < together.frames.size(); ++i) {
     EXPECT_LT((together.frames[i].after.q - apart.frames[i].after.q).cwiseAbs().maxCoeff(), 1e-9);
   }
+}
+
+double LastAngle(const Motion& motion, const Figure& figure, const char* hinge) {
+  return motion.frames.back().q[figure.FindJoint(hinge)->value()] / kDegree;
+}
+
+TEST(Curl, TheLightWeightGetsUpAndTheHeavyOneDoesNot) {
+  const Compiled compiled = Load("curl");
+  const Figure& figure = *compiled.animation.figure;
+  const Motion motion = Bake(compiled.animation).value();
+  EXPECT_GT(LastAngle(motion, figure, "r_elbow_flexion"), 115.0);  // of 125
+  EXPECT_LT(LastAngle(motion, figure, "l_elbow_flexion"), 70.0);
+}
+
+// Thrown back by the push, and back in the pose of the keys two seconds later.
+TEST(Blow, TheUpperBodyIsThrownBackAndComesBack) {
+  const Compiled compiled = Load("blow");
+  const Figure& figure = *compiled.animation.figure;
+  const Motion motion = Bake(compiled.animation).value();
+  const JointIndex chest = *figure.FindJoint("chest_flexion");
+  double least = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    least = std::min(least, frame.q[chest.value()] / kDegree);
+  }
+  EXPECT_LT(least, -5.0);
+  EXPECT_NEAR(LastAngle(motion, figure, "chest_flexion"), 0.0, 3.0);
+  EXPECT_NEAR(LastAngle(motion, figure, "r_elbow_flexion"), 25.0, 10.0);
 }
 
 }  // namespace

@@ -58,7 +58,10 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
 Result<Done> SetDrive(Session* session, const Parameters& p) {
   return ChangeDrive(session, p, "Change drive", [&](ProjectRegion* region, int number) {
     ProjectDrive& drive = region->drives[number];
-    if (p.yes("unlimited")) drive.max_torque_n_m.reset();
+    if (p.yes("unlimited")) {
+      drive.max_torque_n_m.reset();
+      drive.strength.reset();
+    }
     Result<Done> set = SetFields(p, &drive);
     if (drive.kind != DriveKind::kTorque) drive.torque = {};
     if (p.has("joints")) TakeOver(static_cast<size_t>(number), region);

@@ -50,6 +50,28 @@ void DrawTorque(Editor* editor, const ProjectDrive& drive, const Place& place) {
   }
 }
 
+// How strong a spring may be, where it says nothing of that yet. True if it was changed.
+bool DrawLimits(const ProjectDrive& drive, const SetItem& set) {
+  constexpr double kOfAnArm = 20.0;  // [N m]
+  if (drive.max_torque_n_m || drive.strength) {
+    if (!DrawButton(Tr("No limit"), Tr("true: it pulls as hard as it takes"))) return false;
+    set({{"unlimited", true}}, "");
+    return true;
+  }
+  if (DrawButton(Tr("By strength"),
+                 Tr("share of what the joints' muscles can give, at their angle and rate"), 2)) {
+    set({{"strength", 1.0}}, "");
+    return true;
+  }
+  ImGui::SameLine();
+  if (!DrawButton(Tr("By torque limit"),
+                  Tr("it never pulls harder; of a ball joint about any axis"), 2)) {
+    return false;
+  }
+  set({{"max_torque", kOfAnArm}}, "");
+  return true;
+}
+
 // True if the list has changed.
 bool DrawDrive(Editor* editor, const ProjectDrive& drive, const Place& place) {
   std::string names;
@@ -60,18 +82,7 @@ bool DrawDrive(Editor* editor, const ProjectDrive& drive, const Place& place) {
   const SetItem set = SetBy(editor, "drive.set", place.With(Json::object()));
   DrawFieldRows(editor, drive, {"joints"}, set);
   if (drive.kind == DriveKind::kTorque) DrawTorque(editor, drive, place);
-  if (drive.kind == DriveKind::kSpring && !drive.max_torque_n_m &&
-      DrawButton(Tr("Limit its torque"), Tr("it never pulls harder; of a ball joint about any "
-                                            "axis"))) {
-    constexpr double kOfAnArm = 20.0;  // [N m]
-    set({{"max_torque", kOfAnArm}}, "");
-    return true;
-  }
-  if (drive.max_torque_n_m && drive.kind == DriveKind::kSpring &&
-      DrawButton(Tr("No limit"), Tr("true: it pulls as hard as it takes"))) {
-    set({{"unlimited", true}}, "");
-    return true;
-  }
+  if (drive.kind == DriveKind::kSpring && DrawLimits(drive, set)) return true;
   const edit::Session& session = editor->session();
   if (DrawButton(Tr("Selected joints"), Tr("It drives the selected joints."), 2)) {
     set({{"joints", WithSelected({}, session.figure(), session.selected_joints())}}, "");
