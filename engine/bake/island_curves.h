@@ -10,9 +10,9 @@ namespace hazumi {
 // may be as many islands as joints, and each reads few curves.
 RegionModel WithOwnCurves(RegionModel model);
 
-// The curves that a model reads, by those numbers, and those of drives by free hinge; `driven` by the
-// Coordinates of the figure. Where the root's position is not prescribed nobody reads it, and it is
-// left out.
+// The curves that a model reads, by those numbers, and those of drives by free hinge; `driven` by
+// the Coordinates of the figure. Where the root's position is not prescribed nobody reads it, and
+// it is left out.
 std::shared_ptr<const DrivenMotion> CurvesOf(const RegionModel& model, const DrivenMotion& driven);
 
 }  // namespace hazumi

@@ -15,9 +15,8 @@ std::vector<double> RegionStarts(const Animation& animation, JointIndex j) {
   std::vector<double> starts;
   for (const DynamicsRegion& region : animation.regions) {
     const bool follows_keys =
-        std::any_of(region.drives.begin(), region.drives.end(), [j](const Drive& drive) {
-          return FollowsKeys(drive) && Has(drive.joints, j);
-        });
+        std::any_of(region.drives.begin(), region.drives.end(),
+                    [j](const Drive& drive) { return FollowsKeys(drive) && Has(drive.joints, j); });
     if (Has(region.joints, j) && !follows_keys) starts.push_back(region.first_frame);
   }
   return starts;

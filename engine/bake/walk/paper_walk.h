@@ -43,7 +43,7 @@ class PaperWalk : public RegionWalk {
 
   std::unique_ptr<PaperDriver> driver_;  // null: no region is active
   PaperDrives drives_;
-  VecX step_rate_;                       // of free joints in the last step [rad/s^2], by Coordinate
+  VecX step_rate_;  // of free joints in the last step [rad/s^2], by Coordinate
 };
 
 }  // namespace hazumi

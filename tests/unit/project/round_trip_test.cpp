@@ -99,10 +99,9 @@ TEST(RoundTrip, WhatChangesHandsIsOfVersionTwo) {
 }
 
 TEST(RoundTrip, MuscleIsOfVersionTwo) {
-  const Json before = Changed(
-      SampleProject(),
-      {{"/regions/0/drives",
-        R"([{"joints": [{"beyond": "r_wrist"}], "kind": "torque",
+  const Json before =
+      Changed(SampleProject(), {{"/regions/0/drives",
+                                 R"([{"joints": [{"beyond": "r_wrist"}], "kind": "torque",
              "keys": [{"frame": 5, "torque_n_m": 1.5, "rate_n_m_s": 2},
                       {"frame": 7.5, "torque_n_m": -1, "interpolation": "hold"}]},
             {"joints": ["r_elbow"], "kind": "spring", "to": "rest", "frequency_hz": 2.5,
