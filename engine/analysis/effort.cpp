@@ -12,47 +12,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "engine/analysis/joint_torques.h"
+#include "engine/analysis/loaded_figure.h"
 #include "engine/analysis/smooth_motion.h"
 #include "engine/analysis/touching.h"
-#include "engine/bake/pose/held_objects.h"
 #include "engine/dynamics/kinematics.h"
 
 namespace hazumi {
 
 namespace {
-
-using HeldBy = std::vector<int>;  // of each object its holder
-
-HeldBy HeldAt(const MotionFrame& frame) {
-  HeldBy held;
-  for (const ObjectPose& object : frame.objects) held.push_back(object.holder);
-  return held;
-}
-
-// A figure with what it holds.
-struct Loaded {
-  Loaded(const Animation& animation, HeldBy by)
-      : held(std::move(by)),
-        figure(With(animation, held)),
-        dynamics(figure),
-        scratch(dynamics.MakeScratch()) {}
-
-  static Figure With(const Animation& animation, const HeldBy& held) {
-    Figure figure = *animation.figure;
-    for (size_t i = 0; i < held.size(); ++i) {
-      if (held[i] >= 0) figure = WithObject(figure, animation.held_objects[i], held[i]);
-    }
-    return figure;
-  }
-
-  HeldBy held;
-  Figure figure;
-  FigureDynamics dynamics;
-  FigureScratch scratch;
-};
 
 class EffortWalk {
  public:
@@ -78,7 +46,8 @@ class EffortWalk {
     found.from_nowhere =
         solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
     for (size_t i = 0; i < points_.size(); ++i) {
-      Relieve(points_[i], forces_[i], &found.tau);
+      RelieveHinges(*animation_.figure, ws_, points_[i].joint, points_[i].p,
+                    {forces_[i].force, forces_[i].moment}, &found.tau);
       found.contacts.push_back(
           {points_[i].joint, points_[i].is_pin, points_[i].p, forces_[i].force, forces_[i].moment});
     }
@@ -88,18 +57,13 @@ class EffortWalk {
 
  private:
   Wrench Demand(const MotionFrame& frame, const MovedFrame& at, VecX* tau) {
-    HeldBy held = HeldAt(frame);
-    if (!loaded_ || loaded_->held != held) loaded_.emplace(animation_, std::move(held));
+    if (!loaded_ || !loaded_->IsThatOf(frame)) loaded_.emplace(animation_, frame);
     RootMotion root;
     root.w = at.limit->root_w;
     root.v = at.limit->root_v;
     root.alpha = at.acceleration->root_alpha;
     root.a = at.acceleration->root_a;
-    root.a.z() += animation_.gravity;
-    tau->resize(animation_.figure->num_joints());
-    loaded_->dynamics.InverseDynamics(at.limit->X_WR, root, at.limit->q, at.limit->qd,
-                                      at.acceleration->qdd, nullptr, &loaded_->scratch, tau);
-    return loaded_->dynamics.RootWrench(at.limit->X_WR, root, loaded_->scratch);
+    return loaded_->Demand(*at.limit, root, at.acceleration->qdd, animation_.gravity, tau);
   }
 
   // The body beyond the joint is what stands there.
@@ -116,13 +80,6 @@ class EffortWalk {
     constexpr double kHelp = 1e-3;
     if (pin.has_moment) pin.weight = kHelp;
     points_.push_back(pin);
-  }
-
-  void Relieve(const ContactPoint& point, const ContactForce& force, VecX* tau) {
-    for (JointIndex j = point.joint; j.is_valid(); j = animation_.figure->joint(j).parent) {
-      const BodyScratch& body = ws_.body(j);
-      (*tau)[j.value()] -= body.axis.dot(force.moment + (point.p - body.p).cross(force.force));
-    }
   }
 
   void SetShares(const MotionLimit& limit, FrameEffort* found) {
@@ -142,7 +99,7 @@ class EffortWalk {
   EffortOptions options_;
   Touching touching_;
   DynamicsWorkspace ws_;
-  std::optional<Loaded> loaded_;
+  std::optional<LoadedFigure> loaded_;
   ContactForceSolver solver_;
   std::vector<ContactPoint> points_;
   std::vector<ContactForce> forces_;

@@ -11,10 +11,11 @@
 
 #include "engine/analysis/joint_torques.h"
 
-#include <Eigen/Geometry>
+#include <optional>
 
-#include "engine/bake/pose/held_objects.h"
+#include "engine/analysis/loaded_figure.h"
 #include "engine/dynamics/kinematics.h"
+#include "engine/spatial/turn.h"
 
 namespace hazumi {
 
@@ -32,11 +33,6 @@ Vector CubicAcceleration(At at, const Vector& by, const Vector& rate_0, const Ve
 // From the world axes at the start of a turn r to the rate of r.
 Vec3 RateOfTurn(const Vec3& r, const Vec3& w) {
   return w - 0.5 * r.cross(w) + r.cross(r.cross(w)) / 12.0;
-}
-
-Vec3 TurnBetween(const Mat3& from, const Mat3& to) {
-  const Eigen::AngleAxisd turn(to * from.transpose());
-  return turn.angle() * turn.axis();
 }
 
 struct Accelerations {
@@ -61,63 +57,16 @@ Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h
   return found;
 }
 
-// A figure with what it holds at some frame.
-class LoadedFigure {
- public:
-  LoadedFigure(const Animation& animation, const MotionFrame& frame)
-      : held_(HeldAt(frame)),
-        figure_(Loaded(animation, held_)),
-        dynamics_(figure_),
-        scratch_(dynamics_.MakeScratch()),
-        ws_(figure_) {}
-
-  bool IsThatOf(const MotionFrame& frame) const { return held_ == HeldAt(frame); }
-
-  JointTorques Torques(const MotionLimit& at, const Accelerations& by, double gravity,
-                       std::optional<GroupIndex> pin) {
-    RootMotion root = by.root;
-    root.a.z() += gravity;
-    JointTorques found{VecX(figure_.num_joints()), {}};
-    dynamics_.InverseDynamics(at.X_WR, root, at.q, at.qd, by.qdd, nullptr, &scratch_, &found.tau);
-    found.unsupported = dynamics_.RootWrench(at.X_WR, root, scratch_);
-    if (pin) PutOnPin(figure_.group(*pin).last(), at, &found);
-    return found;
-  }
-
- private:
-  static std::vector<int> HeldAt(const MotionFrame& frame) {
-    std::vector<int> held;
-    for (const ObjectPose& object : frame.objects) held.push_back(object.holder);
-    return held;
-  }
-  static Figure Loaded(const Animation& animation, const std::vector<int>& held) {
-    Figure figure = *animation.figure;
-    for (size_t i = 0; i < held.size(); ++i) {
-      figure = WithObject(figure, animation.held_objects[i], held[i]);
-    }
-    return figure;
-  }
-
-  // What is beyond the pinned joint stands there: the joint's hinges carry the rest.
-  void PutOnPin(JointIndex pinned, const MotionLimit& at, JointTorques* torques) {
-    ComputePositions(figure_, at.X_WR, at.q, &ws_);
-    const Vec3 p = ws_.body(pinned).p, f = torques->unsupported.force;
-    const Vec3 n = torques->unsupported.moment - (p - at.X_WR.p).cross(f);
-    for (int i = 0; i < figure_.num_joints(); ++i) {
-      const JointIndex hinge(i);
-      if (hinge != pinned && !figure_.IsBeyond(pinned, hinge)) continue;
-      const BodyScratch& body = ws_.body(hinge);
-      torques->tau[i] -= body.axis.dot(n + (p - body.p).cross(f));
-    }
-    torques->unsupported = {};
-  }
-
-  std::vector<int> held_;
-  Figure figure_;
-  FigureDynamics dynamics_;
-  FigureScratch scratch_;
-  DynamicsWorkspace ws_;
-};
+// What is beyond the pinned joint stands there: the joint's hinges carry the rest.
+void PutOnPin(const Figure& figure, JointIndex pinned, const MotionLimit& at, DynamicsWorkspace* ws,
+              JointTorques* torques) {
+  ComputePositions(figure, at.X_WR, at.q, ws);
+  const Vec3 p = ws->body(pinned).p;
+  Wrench of_pin = torques->unsupported;
+  of_pin.moment -= (p - at.X_WR.p).cross(of_pin.force);
+  RelieveHinges(figure, *ws, pinned, p, of_pin, &torques->tau);
+  torques->unsupported = {};
+}
 
 Accelerations AtFrame(const Motion& motion, size_t i) {
   const std::vector<MotionFrame>& frames = motion.frames;
@@ -140,13 +89,18 @@ MotionAcceleration AccelerationAt(const Motion& motion, size_t frame) {
 std::vector<JointTorques> TorquesOf(const Animation& animation, const Motion& motion) {
   std::vector<JointTorques> found;
   found.reserve(motion.frames.size());
-  std::optional<LoadedFigure> figure;
+  std::optional<LoadedFigure> loaded;
+  DynamicsWorkspace ws(*animation.figure);
   for (size_t i = 0; i < motion.frames.size(); ++i) {
     const MotionFrame& frame = motion.frames[i];
-    if (!figure || !figure->IsThatOf(frame)) figure.emplace(animation, frame);
+    if (!loaded || !loaded->IsThatOf(frame)) loaded.emplace(animation, frame);
     const bool is_last = i + 1 == motion.frames.size();
-    found.push_back(figure->Torques(is_last ? frame.before : frame.after, AtFrame(motion, i),
-                                    animation.gravity, frame.pinned));
+    const MotionLimit& at = is_last ? frame.before : frame.after;
+    const Accelerations by = AtFrame(motion, i);
+    JointTorques& torques = found.emplace_back();
+    torques.unsupported = loaded->Demand(at, by.root, by.qdd, animation.gravity, &torques.tau);
+    if (!frame.pinned) continue;
+    PutOnPin(*animation.figure, animation.figure->group(*frame.pinned).last(), at, &ws, &torques);
   }
   return found;
 }

@@ -14,15 +14,11 @@
 #include "engine/analysis/joint_torques.h"
 #include "engine/analysis/low_pass.h"
 #include "engine/spatial/degrees.h"
+#include "engine/spatial/turn.h"
 
 namespace hazumi {
 
 namespace {
-
-Vec3 TurnBetween(const Mat3& from, const Mat3& to) {
-  const Eigen::AngleAxisd turn(Eigen::Quaterniond(to * from.transpose()).normalized());
-  return turn.angle() * turn.axis();
-}
 
 // By frame: angles, position, quaternion.
 MatX SeriesOf(const Motion& motion) {

@@ -69,7 +69,7 @@ std::optional<Error> CheckSteps(const Animation& animation) {
   }
   for (size_t r = 0; r < animation.regions.size(); ++r) {
     const DynamicsRegion& region = animation.regions[r];
-    if (region.is_muted || region.method != Method::kPaper) continue;
+    if (region.moves_nothing() || region.method != Method::kPaper) continue;
     const double steps = NumSteps(animation, region.step.value_or(animation.solver.step),
                                   static_cast<double>(region.last_frame) - region.first_frame);
     if (auto error = CheckSteps(steps, "regions[" + std::to_string(r) + "].step_s")) return error;

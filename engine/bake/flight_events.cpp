@@ -12,13 +12,8 @@ namespace hazumi {
 
 namespace {
 
-constexpr int kOnTheWay = 3;           // frames from a pin that may be keyed
 constexpr double kAsItEnds = 1e-3;     // of a flight [s]
 constexpr double kSameInstant = 1e-9;  // [s], [frames]
-
-bool IsPinned(const PlacementSpan& span) {
-  return span.kind == PlacementKind::kPinned && span.pin.has_value();
-}
 
 // From one time to another, both included [s].
 bool HasEvent(EventKind kind, double from, double to, const Motion& motion) {
@@ -56,12 +51,10 @@ void DropTakeOffsAsItEnds(const Animation& animation, const PlacementSpan& fligh
 void TellFlights(const Animation& animation, Motion* motion) {
   const std::vector<PlacementSpan>& spans = animation.placements;
   for (size_t i = 0; i < spans.size(); ++i) {
-    if (spans[i].kind != PlacementKind::kGravity) continue;
     const PlacementSpan* before = i > 0 ? &spans[i - 1] : nullptr;
     const PlacementSpan* after = i + 1 < spans.size() ? &spans[i + 1] : nullptr;
-    const bool leaves =
-        before && IsPinned(*before) && spans[i].first_frame <= before->last_frame + kOnTheWay;
-    const bool stays = after && IsPinned(*after) && after->first_frame == spans[i].last_frame;
+    const bool leaves = before && LeavesPin(*before, spans[i]);
+    const bool stays = after && EndsOnPin(spans[i], *after);
     if (stays) DropTakeOffsAsItEnds(animation, spans[i], motion);
     if (leaves) AddTakeOff(animation, *before, spans[i], motion);
   }

@@ -16,10 +16,6 @@ struct Seat {
   int num_hinges = 0;
 };
 
-RigidInertia Moved(const RigidInertia& body, const Pose& X) {
-  return {body.mass, X * body.com, X.R * body.I_com * X.R.transpose()};
-}
-
 NodeHinge HingeAbout(const Vec3& axis, Coordinate coordinate) {
   for (int i = 0; i < 3; ++i) {
     for (const double sign : {1.0, -1.0}) {

@@ -8,6 +8,10 @@ Mat3 PointInertia(double mass, const Vec3& c) {
   return mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
 }
 
+RigidInertia Moved(const RigidInertia& body, const Pose& X) {
+  return {body.mass, X * body.com, X.R * body.I_com * X.R.transpose()};
+}
+
 RigidInertia Combine(const RigidInertia& a, const RigidInertia& b) {
   if (a.is_massless()) return b;
   if (b.is_massless()) return a;

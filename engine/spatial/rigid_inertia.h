@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "engine/spatial/pose.h"
 #include "engine/spatial/types.h"
 
 namespace hazumi {
@@ -19,6 +20,9 @@ inline auto MembersOf(const RigidInertia& body) {
   const auto& [mass, com, I_com] = body;
   return std::tie(mass, com, I_com);
 }
+
+// The same in the frame that X leads to from the body's.
+RigidInertia Moved(const RigidInertia& body, const Pose& X);
 
 // The inertia of both bodies fixed together. Both in the same frame.
 RigidInertia Combine(const RigidInertia& a, const RigidInertia& b);

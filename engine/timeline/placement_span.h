@@ -38,6 +38,22 @@ struct PlacementSpan {
   bool operator==(const PlacementSpan&) const = default;
 };
 
+// Of two spans that follow each other, these or a document's: a flight by gravity leaves a pin, at
+// once or after a few frames that are keyed, until the figure is off the ground; and it ends on
+// one.
+template <typename Span>
+bool LeavesPin(const Span& before, const Span& flight) {
+  constexpr int kOnTheWay = 3;  // frames
+  return before.kind == PlacementKind::kPinned && flight.kind == PlacementKind::kGravity &&
+         flight.first_frame >= before.last_frame &&
+         flight.first_frame <= before.last_frame + kOnTheWay;
+}
+template <typename Span>
+bool EndsOnPin(const Span& flight, const Span& after) {
+  return flight.kind == PlacementKind::kGravity && after.kind == PlacementKind::kPinned &&
+         after.first_frame == flight.last_frame;
+}
+
 // Which joints inverse kinematics moves to hold one.
 enum class HoldReach {
   kLimb,  // its limb, which ends before a joint that carries others too (ChainOf)

@@ -23,18 +23,6 @@ void SetLimits(const VecX& lower, const VecX& upper, FigureSpec* spec) {
 
 HingeSpec HingeAboutY(double lower, double upper) { return {"", Vec3::UnitY(), lower, upper, 0.0}; }
 
-// A body with a given CoM and moment of inertia about y.
-LinkSpec Lump(const std::string& name, double mass, const Vec3& com, double moment) {
-  LinkSpec link;
-  link.name = name;
-  link.from = link.to = com;
-  link.radius = 0.01;
-  link.mass = mass;
-  link.com = com;
-  link.inertia = moment * Mat3::Identity();
-  return link;
-}
-
 LinkSpec Rod(const std::string& name, double mass, const Vec3& to, double radius) {
   LinkSpec link;
   link.name = name;
@@ -63,6 +51,17 @@ FigureSpec FreeArm7Spec() {
 }
 
 }  // namespace
+
+LinkSpec Lump(const std::string& name, double mass, const Vec3& com, double moment) {
+  LinkSpec link;
+  link.name = name;
+  link.from = link.to = com;
+  link.radius = 0.01;
+  link.mass = mass;
+  link.com = com;
+  link.inertia = moment * Mat3::Identity();
+  return link;
+}
 
 VecX BentArm() {
   VecX q(7);
@@ -127,6 +126,27 @@ Figure ThinRod(double length) {
                                  {"x", Vec3::UnitX(), -kFar, kFar, 0.0},
                                  {"z", Vec3::UnitZ(), -kFar, kFar, 0.0}},
                                 rod));
+  return Build(spec);
+}
+
+Figure RoundBall() {
+  FigureSpec spec = OnBase("round");
+  spec.joints.push_back(JointOn("ball", "base", Vec3::Zero(),
+                                {{"y", Vec3::UnitY(), -kFar, kFar, 0.0},
+                                 {"x", Vec3::UnitX(), -kFar, kFar, 0.0},
+                                 {"z", Vec3::UnitZ(), -kFar, kFar, 0.0}},
+                                Lump("body", 1.0, Vec3::Zero(), 0.05)));
+  return Build(spec);
+}
+
+Figure StrongRod(double torque) {
+  FigureSpec spec = OnBase("strong");
+  HingeSpec hinge = HingeAboutY(-kFar, kFar);
+  hinge.rest = -0.5 * std::numbers::pi;
+  hinge.strength.emplace();
+  hinge.strength->positive.torque = hinge.strength->negative.torque = torque;
+  spec.joints.push_back(
+      JointOn("hinge", "base", Vec3::Zero(), {hinge}, Rod("rod", 1.0, Vec3::UnitX(), 0.01)));
   return Build(spec);
 }
 

@@ -2,6 +2,8 @@
 
 // Figures on which methods fail. z up, x forward; all frames parallel at angle zero.
 
+#include <string>
+
 #include "engine/figure/figure.h"
 
 namespace hazumi::test {
@@ -29,6 +31,17 @@ Figure RodsOnAStop();
 // A rod of `length` without thickness, 1 kg, on three hinges y x z; hanging down at zero, so that
 // the z hinge turns it about itself.
 Figure ThinRod(double length);
+
+// One body of 1 kg whose moment of inertia about its joint "ball", on three hinges y x z, is the
+// same about every axis.
+Figure RoundBall();
+
+// A rod of 1 kg and 1 m that points along +x at zero, on a hinge about y ("hinge") whose muscles
+// give so much either way [N m]. It rests at -90 degrees, pointing up.
+Figure StrongRod(double torque);
+
+// A body with a given CoM and moment of inertia about any axis.
+LinkSpec Lump(const std::string& name, double mass, const Vec3& com, double moment);
 
 // Two bodies hinged about y one after the other, balanced so that, with the first pressed on its
 // upper limit and the second on its lower one, stopping one throws the other off. Both limits at 0,

@@ -1,5 +1,6 @@
-// Beyond a joint with its origin at o lie bodies of mass m, inertia I about their centre of mass c:
-//   J = sum I + m (|c - o|^2 1 - (c - o)(c - o)^T),    about a hinge's axis a   a . J a.
+// J about a joint's origin o of all bodies that lie beyond it, of mass m, with their centre of mass
+// at c and the inertia I about it:
+//   J = I + m (|c - o|^2 1 - (c - o)(c - o)^T),    about a hinge's axis a   a . J a.
 
 #include "engine/bake/handover/region_start.h"
 
@@ -12,18 +13,17 @@ namespace hazumi {
 
 namespace {
 
-// World axes. Needs ComputePositions.
-Mat3 InertiaBeyond(const Figure& figure, JointIndex joint, const DynamicsWorkspace& ws) {
-  const Vec3 origin = ws.body(joint).p;
-  Mat3 sum = Mat3::Zero();
-  for (int j = joint.value(); j < figure.joint(joint).subtree_end.value(); ++j) {
-    const RigidInertia& body = figure.body(JointIndex(j));
-    if (body.is_massless()) continue;
+// By joint, of all that lies beyond it, in the world. Needs ComputePositions.
+std::vector<RigidInertia> BodiesBeyond(const Figure& figure, const DynamicsWorkspace& ws) {
+  std::vector<RigidInertia> beyond(figure.joints().size());
+  for (int j = figure.num_joints() - 1; j >= 0; --j) {
     const BodyScratch& at = ws.body(JointIndex(j));
-    sum += at.R * body.I_com * at.R.transpose() +
-           PointInertia(body.mass, at.p + at.R * body.com - origin);
+    beyond[j] = Combine(Moved(figure.body(JointIndex(j)), {at.R, at.p}), beyond[j]);
+    const JointIndex parent = figure.joints()[j].parent;
+    if (!parent.is_valid()) continue;
+    beyond[parent.value()] = Combine(beyond[parent.value()], beyond[j]);
   }
-  return sum;
+  return beyond;
 }
 
 bool IsSpring(const Drive& drive) { return drive.kind == DriveKind::kSpring; }
@@ -35,8 +35,10 @@ RegionStart StartOf(const DynamicsRegion& region, const Figure& figure, const Fi
   RegionStart start;
   if (std::none_of(region.drives.begin(), region.drives.end(), IsSpring)) return start;
   ComputePositions(figure, motion.X_WR, motion.q, ws);
+  const std::vector<RigidInertia> beyond = BodiesBeyond(figure, *ws);
   for (const JointIndex j : region.joints) {
-    const Mat3 inertia = InertiaBeyond(figure, j, *ws);
+    const RigidInertia& bodies = beyond[j.value()];
+    const Mat3 inertia = bodies.I_com + PointInertia(bodies.mass, bodies.com - ws->body(j).p);
     const BodyScratch& at = ws->body(j);
     const JointGroup& group = figure.group(figure.joint(j).group);
     const auto ball = BallAxesOf(figure, group);

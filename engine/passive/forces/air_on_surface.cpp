@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "engine/spatial/degrees.h"
+#include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
 
@@ -24,8 +25,7 @@ constexpr double kFade = 5.0 * kDegree;
 constexpr double kPlateDrag = 1.17;
 
 double Fade(double angle) {
-  const double s = std::clamp(std::min(angle, kRightAngle - angle) / kFade, 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+  return SmoothStep(std::clamp(std::min(angle, kRightAngle - angle) / kFade, 0.0, 1.0));
 }
 
 // Straight lines between the values.

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "engine/spatial/degrees.h"
+#include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
 
@@ -23,22 +24,23 @@ double Damping(const small::V3& outer, const small::V3& inner) {
   const small::V3 cross = Cross(outer, inner);
   const double sine = std::sqrt(Dot(cross, cross));
   if (sine >= kMostDamping) return 0.0;
-  const double s = 1.0 - std::asin(sine) / kNear;
-  return kMostDamping * s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+  return kMostDamping * SmoothStep(1.0 - std::asin(sine) / kNear);
 }
 
 }  // namespace
 
 small::V3 MomentOfHinges(const small::V3* axes, int num_axes, const double* torques) {
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> A(3, num_axes);
-  for (int k = 0; k < num_axes; ++k) A.col(k) = axes[k].eigen();
-  const Eigen::Map<const VecX> tau(torques, num_axes);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram = A.transpose() * A;
-  if (num_axes == 3) {
-    const double damping = Damping(axes[0], axes[2]);
-    if (damping > 0.0) gram.diagonal().array() += damping * damping;
+  if (num_axes == 1) return torques[0] * axes[0];
+  if (num_axes == 2) {
+    const double c = Dot(axes[0], axes[1]), square = 1.0 - c * c;
+    return ((torques[0] - c * torques[1]) / square) * axes[0] +
+           ((torques[1] - c * torques[0]) / square) * axes[1];
   }
-  return small::V3(Vec3(A * gram.partialPivLu().solve(tau)));
+  Mat3 A;
+  A << axes[0].eigen(), axes[1].eigen(), axes[2].eigen();
+  const double damping = Damping(axes[0], axes[2]);
+  const Mat3 gram = A.transpose() * A + damping * damping * Mat3::Identity();
+  return small::V3(Vec3(A * (gram.inverse() * Eigen::Map<const Vec3>(torques))));
 }
 
 small::V3 MomentOfHinges(const NodeMotion& node, int num_dofs, const double* torques) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "engine/spatial/degrees.h"
+#include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
 
@@ -45,7 +46,7 @@ void Retention::AddOfBall(const RegionState& state, int node, double* x) const {
     const Mat3 R = RotationOfQuaternion(state.positions + own.position);
     const Vec3 q = triple.Angles(R, Vec3::Zero(), false);
     const double s = std::min(1.0, triple.FromPole(q[1]) / kFar);
-    const double weight = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+    const double weight = SmoothStep(s);
     if (weight != 0.0) {
       const Vec3 rates = triple.Rates(q, w_B);
       sum -= weight * (triple.AxesInBody(q) * Vec3((c.array() - mean) * rates.array()));

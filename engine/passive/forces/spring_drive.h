@@ -50,7 +50,7 @@ inline auto MembersOf(const SpringSpec& spec) {
   return std::tie(springs);
 }
 
-// Springs to angles over time, DrivenMotion::drives.
+// Springs to angles over time, DrivenMotion::drives. [METHOD 2.6]
 class SpringDrive : public ForceLaw {
  public:
   explicit SpringDrive(SpringSpec spec) : springs_(std::move(spec.springs)) {}

@@ -19,7 +19,7 @@ inline auto MembersOf(const TorqueSpec& spec) {
   return std::tie(is_driven, side);
 }
 
-// Torques of hinges over time, DrivenMotion::drives.
+// Torques of hinges over time, DrivenMotion::drives. [METHOD 2.6]
 class TorqueDrive : public ForceLaw {
  public:
   explicit TorqueDrive(TorqueSpec spec) : spec_(std::move(spec)) {}

@@ -37,7 +37,7 @@ bool MayMoveRoot(const DynamicsRegion& region, const Animation& animation) {
 
 // Whether a region may move what a force acts on.
 bool MayMove(const DynamicsRegion& region, const OuterForce& force, const Animation& animation) {
-  if (region.is_muted || Common(SpanOf(region), SpanOf(force)).is_empty()) return false;
+  if (region.moves_nothing() || Common(SpanOf(region), SpanOf(force)).is_empty()) return false;
   const ForcePoint* point = PointOf(force);
   if (!point || region.root) return true;
   const Figure& figure = *animation.figure;
@@ -73,7 +73,7 @@ void CheckMethods(const OuterForce& force, const std::string& place, const Anima
                   FirstError* errors) {
   for (const DynamicsRegion& region : animation.regions) {
     const Span both = Common(SpanOf(region), SpanOf(force));
-    if (region.method == Method::kExact || region.is_muted || both.is_empty()) continue;
+    if (region.method == Method::kExact || region.moves_nothing() || both.is_empty()) continue;
     errors->Report(Check::kForceInPaper, place,
                    {Quoted(force.name), Text(both.first), Text(both.last), Quoted(region.name)});
   }

@@ -16,6 +16,7 @@
 #include "engine/project/project_reader.h"
 #include "tests/support/animations.h"
 #include "tests/support/figures.h"
+#include "tests/support/odd_figures.h"
 #include "tests/support/random.h"
 
 namespace hazumi::test {
@@ -188,22 +189,11 @@ TEST(Effort, DoesNotJumpWhereAFootTouchesDown) {
 constexpr double kL[2] = {0.43, 0.41}, kM[3] = {3.5, 8.0, 40.0}, kD[3] = {0.25, 0.23, 0.3},
                  kI[3] = {0.05, 0.12, 1.6};
 
-LinkSpec Part(const char* name, double mass, const Vec3& com, double inertia) {
-  LinkSpec link;
-  link.name = name;
-  link.from = link.to = com;
-  link.radius = 0.01;
-  link.mass = mass;
-  link.com = com;
-  link.inertia = Mat3(inertia * Mat3::Identity());
-  return link;
-}
-
 Figure PlanarLeg() {
   FigureSpec spec;
   spec.name = "leg";
   spec.root_name = "trunk";
-  spec.root_links = {Part("trunk", kM[2], {0, 0, kD[2]}, kI[2])};
+  spec.root_links = {Lump("trunk", kM[2], {0, 0, kD[2]}, kI[2])};
   const auto joint = [&](const char* name, const char* parent, const Vec3& offset, LinkSpec link) {
     JointSpec spec_of;
     spec_of.name = name;
@@ -213,9 +203,9 @@ Figure PlanarLeg() {
     spec_of.links = {std::move(link)};
     spec.joints.push_back(spec_of);
   };
-  joint("hip", "trunk", Vec3::Zero(), Part("thigh", kM[1], {0, 0, kD[1] - kL[1]}, kI[1]));
-  joint("knee", "hip", {0, 0, -kL[1]}, Part("shank", kM[0], {0, 0, kD[0] - kL[0]}, kI[0]));
-  LinkSpec foot = Part("foot", 1.0, {0.05, 0, -0.05}, 0.003);
+  joint("hip", "trunk", Vec3::Zero(), Lump("thigh", kM[1], {0, 0, kD[1] - kL[1]}, kI[1]));
+  joint("knee", "hip", {0, 0, -kL[1]}, Lump("shank", kM[0], {0, 0, kD[0] - kL[0]}, kI[0]));
+  LinkSpec foot = Lump("foot", 1.0, {0.05, 0, -0.05}, 0.003);
   foot.from = {-0.06, 0, -0.05};
   foot.to = {0.16, 0, -0.05};
   foot.radius = 0.03;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/figure/figure_builder.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
@@ -67,48 +66,6 @@ Drive& AddSpring(Animation* animation, SpringTarget target, double frequency, do
   drive.frequency = frequency;
   drive.damping_ratio = damping;
   return drive;
-}
-
-// One body whose moment of inertia about its joint, a ball, is the same about every axis.
-Figure RoundBall() {
-  FigureSpec spec;
-  spec.name = "round";
-  spec.root_name = "base";
-  LinkSpec link;
-  link.name = "body";
-  link.from = link.to = Vec3::Zero();
-  link.radius = 0.1;
-  link.mass = 1.0;
-  link.com = Vec3::Zero();
-  link.inertia = 0.05 * Mat3::Identity();
-  spec.joints.push_back({"ball",
-                         "base",
-                         Vec3::Zero(),
-                         Mat3::Identity(),
-                         {{"y", Vec3::UnitY(), -kFarAway, kFarAway, 0.0},
-                          {"x", Vec3::UnitX(), -kFarAway, kFarAway, 0.0},
-                          {"z", Vec3::UnitZ(), -kFarAway, kFarAway, 0.0}},
-                         {link}});
-  return BuildFigure(spec).value();
-}
-
-// 1 kg, 1 m, along +x at zero from a hinge about y whose muscles give so much [N m]. At -90
-// degrees, where it rests, it points up.
-Figure StrongRod(double torque) {
-  FigureSpec spec;
-  spec.name = "strong";
-  spec.root_name = "base";
-  LinkSpec link;
-  link.name = "rod";
-  link.to = Vec3(1.0, 0.0, 0.0);
-  link.radius = 0.01;
-  link.mass = 1.0;
-  HingeSpec hinge{"hinge", Vec3::UnitY(), -kFarAway, kFarAway, -0.5 * kPi};
-  JointStrength strength;
-  strength.positive.torque = strength.negative.torque = torque;
-  hinge.strength = strength;
-  spec.joints.push_back({"hinge", "base", Vec3::Zero(), Mat3::Identity(), {hinge}, {link}});
-  return BuildFigure(spec).value();
 }
 
 Mat3 RotationFromHinges(const VecX& q) {

@@ -96,6 +96,11 @@ void EditRegion(Animation* animation, Random* random) {
   if (random->Chance(0.3)) region.last_frame -= region.last_frame - region.first_frame > 4;
   if (random->Chance(0.2)) region.limit_tangents = !region.limit_tangents;
   if (random->Chance(0.2)) region.blend_frames = random->Integer(0, 9);
+  for (Drive& drive : region.drives) {
+    if (!random->Chance(0.3)) continue;
+    if (drive.kind == DriveKind::kSpring) drive.frequency = random->Uniform(0.5, 5.0);
+    if (drive.kind == DriveKind::kTorque) drive.torque[1].value = random->Uniform(-5.0, 5.0);
+  }
 }
 
 // Its joints keyed on every frame, as they move without dynamics, and its regions with a blend.
@@ -159,6 +164,26 @@ TEST(IncrementalBake, OfTheThrowByThePapersMethodIsSameAsBakingAnew) {
   animation.solver.method = Method::kPaper;
   for (DynamicsRegion& region : animation.regions) region.method = Method::kPaper;
   ExpectEditsAreSame(animation, 100, 3);
+}
+
+// One arm is pulled to its keys, so that those inside the region count too, the other is pushed.
+TEST(IncrementalBake, OfArmsWithMuscleIsSameAsBakingAnew) {
+  Animation animation = Example("throw");
+  DynamicsRegion& region = animation.regions[0];
+  Drive spring, torque;
+  spring.kind = DriveKind::kSpring;
+  spring.frequency = 2.0;
+  spring.damping_ratio = 0.7;
+  torque.torque = {{5, 2.0, {}}, {9, -3.0, {}}, {12.5, 1.0, {}, Interpolation::kHold}};
+  const JointIndex left = JointOf(animation, "l_shoulder");
+  for (const JointIndex j : region.joints) {
+    const bool is_left = animation.figure->IsBeyond(j, left);
+    (is_left ? torque : spring).joints.push_back(j);
+  }
+  ASSERT_FALSE(spring.joints.empty());
+  ASSERT_FALSE(torque.joints.empty());
+  region.drives = {spring, torque};
+  ExpectEditsAreSame(animation, 100, 8);
 }
 
 TEST(IncrementalBake, OfARecordingWithBlendsIsSameAsBakingAnew) {

@@ -56,6 +56,41 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
   EXPECT_EQ(compiled.warnings[0].place, "regions[0].joints");
 }
 
+// Joints that their keys drive are none of the region's; the others keep their friction.
+TEST(CompileAnimation, ResolvesTheDrivesOfARegion) {
+  const Animation animation = CompileGood({{"/regions/0/drives",
+                                            R"([{"joints": ["r_wrist"], "kind": "keys"},
+                        {"joints": [{"beyond": "l_elbow"}], "kind": "spring", "frequency_hz": 3,
+                         "damping_ratio": 0.5, "to": "start", "max_torque_n_m": 7},
+                        {"joints": ["r_elbow"], "kind": "torque",
+                         "keys": [{"frame": 5, "torque_n_m": 1.5}]}])"}})
+                                  .animation;
+  const DynamicsRegion& arm = animation.regions[0];
+  EXPECT_EQ(JointNames(animation, arm),
+            (std::vector<std::string>{"r_elbow", "l_shoulder_flexion", "l_shoulder_abduction",
+                                      "l_elbow", "l_wrist_flexion", "l_wrist_deviation"}));
+  EXPECT_EQ(arm.friction, std::vector<double>(6, 0.8));
+  ASSERT_EQ(arm.keyed.size(), 2u);
+  EXPECT_EQ(animation.figure->joint(arm.keyed[0]).name, "r_wrist_flexion");
+  ASSERT_EQ(arm.drives.size(), 2u);
+  const Drive &spring = arm.drives[0], &torque = arm.drives[1];
+  EXPECT_EQ(spring.joints.size(), 3u);
+  EXPECT_EQ(spring.target, SpringTarget::kStart);
+  EXPECT_EQ(spring.frequency, 3.0);
+  EXPECT_EQ(spring.damping_ratio, 0.5);
+  EXPECT_EQ(spring.max_torque, 7.0);
+  ASSERT_EQ(torque.torque.size(), 1u);
+  EXPECT_EQ(torque.torque[0].value, 1.5);
+}
+
+// A region of nothing else moves nothing, and is none that was forgotten to be filled.
+TEST(CompileAnimation, ARegionMayBeKeyedAsAWhole) {
+  const Animation animation =
+      CompileGood({{"/regions/1/drives", R"([{"joints": ["r_knee"], "kind": "keys"}])"}}).animation;
+  EXPECT_TRUE(animation.regions[1].moves_nothing());
+  EXPECT_FALSE(animation.regions[1].is_muted);
+}
+
 TEST(CompileAnimation, TakesStepAndToleranceFromTheRegionElseTheSolverElseTheDefault) {
   const Animation stated = CompileGood({{"/solver/tolerance_deg", "0.2"}}).animation;
   EXPECT_DOUBLE_EQ(stated.solver.tolerance, 0.2 * kDegree);

@@ -72,6 +72,9 @@ std::vector<std::string> CurvesOf(const std::set<std::string>& joints, const Fig
 // this name.
 Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figure& figure);
 
+// The joint of the first selected hinge; empty: none is.
+std::string FirstSelectedJoint(const Session& session);
+
 // Joints and hinges that name these hinges: a joint of which all are meant by its own name.
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure);
 

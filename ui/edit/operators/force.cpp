@@ -14,12 +14,10 @@ using enum ParameterKind;
 
 const ParameterInfo kForce = {"force", kText, true, "the force's name", Thing::kForce};
 
-// The joint of the first selected hinge, else the first one there is.
+// The first selected joint, else the first one there is.
 std::string LikelyJoint(const Session& session) {
   const Figure& figure = session.figure();
-  for (const Joint& hinge : figure.joints()) {
-    if (session.selected_joints().contains(hinge.name)) return figure.group(hinge.group).name;
-  }
+  if (std::string selected = FirstSelectedJoint(session); !selected.empty()) return selected;
   return figure.groups().empty() ? figure.root_name() : figure.groups().front().name;
 }
 

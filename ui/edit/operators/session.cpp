@@ -226,6 +226,14 @@ Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figu
   return hinges;
 }
 
+std::string FirstSelectedJoint(const Session& session) {
+  const Figure& figure = session.figure();
+  for (const Joint& hinge : figure.joints()) {
+    if (session.selected_joints().contains(hinge.name)) return figure.group(hinge.group).name;
+  }
+  return "";
+}
+
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure) {
   std::vector<std::string> names;
   for (const JointGroup& joint : figure.groups()) {

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kMost = 30.0;   // [m/s^2]
 constexpr double kBeside = 0.2;  // of the contact [s]
-constexpr int kOnTheWay = 3;     // frames from a pin to where gravity takes over
 
 // The hardest in frames first..last, if it is too hard.
 void AddHardest(int first, int last, bool is_landing, const Animation& animation,
@@ -42,12 +41,7 @@ std::vector<ContactJerk> ContactJerks(const Animation& animation, const Motion& 
   const int beside = std::max(2, static_cast<int>(animation.rate.FrameAt(kBeside)));
   for (size_t i = 1; i + 1 < spans.size(); ++i) {
     const PlacementSpan &before = spans[i - 1], &flight = spans[i], &after = spans[i + 1];
-    const bool is_flight = before.kind == PlacementKind::kPinned &&
-                           flight.kind == PlacementKind::kGravity &&
-                           after.kind == PlacementKind::kPinned &&
-                           flight.first_frame <= before.last_frame + kOnTheWay &&
-                           after.first_frame == flight.last_frame;
-    if (!is_flight) continue;
+    if (!LeavesPin(before, flight) || !EndsOnPin(flight, after)) continue;
     const int left = before.last_frame, down = flight.last_frame;
     AddHardest(std::max(before.first_frame, left - beside), left, false, animation, motion, &jerks);
     AddHardest(down, std::min(after.last_frame, down + beside), true, animation, motion, &jerks);

@@ -84,15 +84,21 @@ bool ObjectNode(Editor* editor, const std::string& name, ItemId id) {
                                              (is_selected ? ImGuiTreeNodeFlags_Selected : 0));
 }
 
-void DrawObject(Editor* editor, const ProjectSceneObject& object) {
-  ImGui::PushID(object.name.c_str());
-  if (ObjectNode(editor, object.name, object.identity.id)) {
-    DrawFieldRows(editor, object, {}, SetBy(editor, "object.set", {{"object", object.name}}));
-    if (DrawButton(Tr("Remove"), HelpOf("object.remove"))) {
-      editor->Do("object.remove", {{"object", object.name}});
-    }
+// One of a list whose items have names. `key`: the operators' parameter for its name.
+template <typename Item>
+void DrawItem(Editor* editor, const Item& item, const char* key, const char* set,
+              const char* remove) {
+  const Json named = {{key, item.name}};
+  ImGui::PushID(item.name.c_str());
+  if (ObjectNode(editor, item.name, item.identity.id)) {
+    DrawFieldRows(editor, item, {}, SetBy(editor, set, named));
+    if (DrawButton(Tr("Remove"), HelpOf(remove))) editor->Do(remove, named);
   }
   ImGui::PopID();
+}
+
+void DrawObject(Editor* editor, const ProjectSceneObject& object) {
+  DrawItem(editor, object, "object", "object.set", "object.remove");
 }
 
 void DrawObjects(Editor* editor) {
@@ -166,14 +172,7 @@ void DrawHeldObjects(Editor* editor) {
 }
 
 void DrawForce(Editor* editor, const ProjectForce& force) {
-  ImGui::PushID(force.name.c_str());
-  if (ObjectNode(editor, force.name, force.identity.id)) {
-    DrawFieldRows(editor, force, {}, SetBy(editor, "force.set", {{"force", force.name}}));
-    if (DrawButton(Tr("Remove"), HelpOf("force.remove"))) {
-      editor->Do("force.remove", {{"force", force.name}});
-    }
-  }
-  ImGui::PopID();
+  DrawItem(editor, force, "force", "force.set", "force.remove");
 }
 
 void DrawForces(Editor* editor) {

@@ -43,15 +43,6 @@ double RadiusOf(const ProjectBoxShape& box, const Mat3& R) {
   return 0.5 * R.row(1).cwiseAbs().dot(box.size_m);
 }
 
-// The joint of the first selected hinge; empty: none is.
-std::string SelectedHolder(const Session& session) {
-  const Figure& figure = session.figure();
-  for (const Joint& hinge : figure.joints()) {
-    if (session.selected_joints().contains(hinge.name)) return figure.group(hinge.group).name;
-  }
-  return "";
-}
-
 bool IsOffsetGiven(const Parameters& p) {
   return p.has("offset_x") || p.has("offset_y") || p.has("offset_z");
 }
@@ -67,7 +58,7 @@ Vec3 BeforeTheFigure(const ProjectHeldObject& object) {
 
 // In a hand, or, if none is named or selected, on the ground.
 Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject object) {
-  const bool is_held = p.has("joint") || !SelectedHolder(*session).empty();
+  const bool is_held = p.has("joint") || !FirstSelectedJoint(*session).empty();
   const Result<GroupIndex> holder = is_held ? HolderGiven(*session, p) : GroupIndex();
   if (!holder.ok()) return holder.error();
   return session->Edit("Add held object", [&](Project* project) -> Result<Done> {
@@ -155,7 +146,7 @@ Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject&
 }
 
 Result<GroupIndex> HolderGiven(const Session& session, const Parameters& p) {
-  const std::string name = p.has("joint") ? p.text("joint") : SelectedHolder(session);
+  const std::string name = p.has("joint") ? p.text("joint") : FirstSelectedJoint(session);
   if (name.empty()) return Refusal("joint", "is missing, and no joint is selected");
   const auto group = session.figure().FindGroup(name);
   if (!group) return Refusal("joint", "there is no joint \"" + name + "\"");

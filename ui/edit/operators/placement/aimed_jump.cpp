@@ -20,8 +20,6 @@ namespace hazumi::edit {
 
 namespace {
 
-constexpr int kOnTheWay = 3;  // frames from the ground that a flight may key
-
 // First frame, phases, last frame.
 std::vector<int> AllFrames(int start, const JumpFrames& phases, int end) {
   std::vector<int> all = {start};
@@ -234,18 +232,13 @@ std::optional<JumpSpans> JumpAt(double frame, const Project& project) {
   const auto& all = project.placements;
   for (size_t i = 0; i + 2 < all.size(); ++i) {
     const ProjectPlacement &before = all[i], &flight = all[i + 1], &after = all[i + 2];
-    const bool is_flight = before.kind == PlacementKind::kPinned &&
-                           flight.kind == PlacementKind::kGravity &&
-                           after.kind == PlacementKind::kPinned;
-    const bool is_whole = flight.first_frame >= before.last_frame &&
-                          flight.first_frame <= before.last_frame + kOnTheWay &&
-                          after.first_frame == flight.last_frame;
     // Room for each phase to have a frame of its own.
     const bool is_long = before.last_frame - before.first_frame >= 2 &&
                          flight.last_frame - before.last_frame >= 3 &&
                          after.last_frame - after.first_frame >= 2;
     const bool is_here = frame >= before.first_frame && frame < after.last_frame;
-    if (is_flight && is_whole && is_long && is_here) return JumpSpans{i, i + 1, i + 2};
+    const bool is_flight = LeavesPin(before, flight) && EndsOnPin(flight, after);
+    if (is_flight && is_long && is_here) return JumpSpans{i, i + 1, i + 2};
   }
   return std::nullopt;
 }
