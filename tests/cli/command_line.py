@@ -1,5 +1,6 @@
 """What the tests of the command line share. Each is called with the path of hazumi."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -67,6 +68,21 @@ class InFolder(unittest.TestCase):
             missing = f"no data: {data_folder.path(folder) / pattern}"
             self.fail(missing) if data_folder.is_promised() else self.skipTest(missing)
         return found
+
+    @contextlib.contextmanager
+    def small_disk(self, size):
+        """A folder on a disk of its own, "64k" large, as long as it is used. Skipped where none can
+        be mounted."""
+        disk = self.folder / "disk"
+        disk.mkdir()
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", disk],
+                                 capture_output=True, check=False)
+        if mounted.returncode != 0:
+            self.skipTest("no right to mount a small disk")
+        try:
+            yield disk
+        finally:
+            subprocess.run(["umount", disk], check=True)
 
     def files(self):
         return sorted(p.name for p in self.folder.rglob("*") if p.is_file())

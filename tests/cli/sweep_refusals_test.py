@@ -3,7 +3,6 @@
 usage: sweep_refusals_test.py HAZUMI"""
 
 import os
-import subprocess
 import unittest
 
 from command_line import THROW, run
@@ -94,20 +93,12 @@ class Refusals(InSweep):
         self.assertEqual(self.contents(), before)
 
     def test_a_full_disk_is_said_and_leaves_no_part_of_a_file(self):
-        disk = self.folder / "disk"
-        disk.mkdir()
-        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk],
-                                 capture_output=True, check=False)
-        if mounted.returncode != 0:
-            self.skipTest("no file system can be mounted here")
-        try:
+        with self.small_disk("64k") as disk:
             self.out = disk / "out"
             self.write([GRAVITY, RELEASE], picture={"frames": [1, 2, 3],
                                                     "options": ["--size", "320x240"]})
             self.refused(73, "No space left on device")
             self.assertFalse((self.out / "sweep.csv").exists())
-        finally:
-            subprocess.run(["umount", disk], check=True)
 
     def test_calls_that_make_no_sense_are_usage_errors(self):
         self.write([GRAVITY])

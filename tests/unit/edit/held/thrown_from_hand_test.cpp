@@ -8,7 +8,7 @@
 #include "engine/project/project_skin.h"
 #include "render/mesh/linear_blend.h"
 #include "render/motion/figure_skin.h"
-#include "tests/unit/edit/sessions.h"
+#include "tests/unit/edit/held/throws.h"
 
 namespace hazumi::test {
 namespace {
@@ -16,12 +16,6 @@ namespace {
 using edit::Session;
 using render::FigureSkin;
 using render::SkinnedVertex;
-
-const Motion& MotionOf(Session* session) {
-  const Result<const Motion*> motion = session->WholeMotion();
-  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
-  return *motion.value();
-}
 
 FigureSkin SkinOf(const Figure& figure) {
   const auto model = render::MakeSkinModel(MeshesOf(ShippedSkin::kHuman));
@@ -57,7 +51,7 @@ TEST(AddThrow, TheBallDoesNotGoThroughTheHand) {
       Do(&session, "throw.add",
          {{"object", "ball"}, {"x", spot.x()}, {"y", spot.y()}, {"z", spot.z()}});
       const FigureSkin skin = SkinOf(session.figure());
-      const Motion& motion = MotionOf(&session);
+      const Motion& motion = ThrowMotion(&session);
       const auto let_go = std::find_if(motion.frames.begin(), motion.frames.end(),
                                        [](const auto& f) { return !f.objects[0].is_held(); });
       ASSERT_LT(let_go + 5, motion.frames.end());

@@ -1,20 +1,13 @@
 // A throw of what a hand holds, from how the figure stands onto a spot, as ordinary keys and a
 // dynamics region: the arm swings back, then forward as fast as the region starts, lets go in it,
 // swings on by itself and comes back to how it hung. The trunk turns to the spot and with the arm.
-//
-// An arm of length L, swung at w, gives the speed L w; swung by an angle a from where it hangs
-// down, the direction that rises at a. It swings to the region's start in t at a constant
-// acceleration, over the angle w t / 2. What w and a are comes from the throw's path
-// (throw_path.cpp), as if it began at the shoulder; ThrowTo finds it exactly.
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/kinematics.h"
 #include "ui/edit/operators/held/held_objects.h"
-#include "ui/edit/operators/held/holders.h"
-#include "ui/edit/operators/held/throw_poses.h"
+#include "ui/edit/operators/held/throw_plan.h"
 #include "ui/edit/operators/held/throws.h"
 #include "ui/edit/operators/keys/keyed_moves.h"
 
@@ -22,79 +15,14 @@ namespace hazumi::edit {
 
 namespace {
 
-constexpr double kBackSeconds = 0.5, kForwardSeconds = 0.15, kFreeSeconds = 0.42,
-                 kHomeSeconds = 0.8;
-constexpr double kLeastSwing = 60.0 * kDegree, kMostSwing = 900.0 * kDegree;  // [rad/s]
-
-// Of the shoulder as the region starts.
-struct Swing {
-  double speed = 0.0;  // [rad/s]
-  double rise = 0.0;   // of the path as it is let go, from the horizontal [rad]
-};
-
-// Which frame is what, and from where to where.
-struct ThrowPlan {
-  HolderSpan holder;
-  std::string side;  // "r_" or "l_"
-  int start = 0, back = 0, region_first = 0, region_last = 0, end = 0;
-  double bearing = 0.0;  // of the spot, to the left of where the figure faces [rad]
-  Swing swing;
-  double forward = 0.0;     // from the backswing to the region's start [s]
-  bool moves_legs = false;  // nothing else places the figure then
-};
-
-struct NamedHinge {
-  std::string name;
-  const ThrowHinge* hinge;
-};
-
-std::vector<NamedHinge> HingesOfThrow(const std::string& side) {
-  const std::string other = side == "r_" ? "l_" : "r_";
-  std::vector<NamedHinge> all;
-  for (const ThrowHinge& hinge : kThrowHinges) {
-    const std::string name = hinge.name;
-    if (hinge.limb == ThrowLimb::kTrunk) all.push_back({name, &hinge});
-    const bool throws = hinge.limb == ThrowLimb::kShoulder || hinge.limb == ThrowLimb::kThrowingArm;
-    if (throws) all.push_back({side + name, &hinge});
-    if (hinge.limb == ThrowLimb::kOtherArm) all.push_back({other + name, &hinge});
-    if (hinge.limb != ThrowLimb::kLegs) continue;
-    for (const std::string& leg : {side, other}) all.push_back({leg + name, &hinge});
-  }
-  return all;
-}
-
 // The trunk is turned to the spot as far as its hinges go.
-double AngleIn(ThrowPhase phase, const NamedHinge& of, const ThrowPlan& plan,
+double AngleIn(ThrowPhase phase, const NamedThrowHinge& of, const ThrowPlan& plan,
                const Figure& figure) {
   double angle = of.hinge->angles[phase];
   if (of.hinge->is_mirrored && plan.side == "l_") angle = -angle;
   angle += of.hinge->turns * plan.bearing / kDegree;
   const Joint& joint = figure.joint(*figure.FindJoint(of.name));
   return std::clamp(angle, joint.lower / kDegree, joint.upper / kDegree);
-}
-
-Result<HolderSpan> ThrowerOf(const ProjectHeldObject& object, int frame,
-                             const ProjectFrames& frames) {
-  const std::vector<HolderSpan> spans = HoldersOf(object, frames);
-  const HolderSpan* holder = HolderAt(frame, spans);
-  if (!holder) {
-    return Refusal("object",
-                   "nobody has \"" + object.name + "\" in frame " + std::to_string(frame) +
-                       ": select a wrist and pass it on, or go to a frame in which a hand "
-                       "has it");
-  }
-  const std::string& joint = holder->joint;
-  if (joint == "r_wrist" || joint == "l_wrist") return *holder;
-  return Refusal("object", "\"" + joint + "\" has \"" + object.name +
-                               "\" in this frame: a throw is made of what a hand has "
-                               "(r_wrist or l_wrist)");
-}
-
-// Of a spot, from where the figure faces, counter-clockwise from above [rad].
-double BearingOf(const Vec3& spot, const Vec3& from, const hazumi::Pose& X_WR) {
-  const Vec3 ahead = X_WR.R * Vec3::UnitX(), away = spot - from;
-  return std::remainder(std::atan2(away.y(), away.x()) - std::atan2(ahead.y(), ahead.x()),
-                        2.0 * EIGEN_PI);
 }
 
 bool StandsAllTheTime(const Project& project) {
@@ -124,90 +52,9 @@ void TurnTo(const Vec3& spot, MotionFrame* now, Project* project) {
   }
 }
 
-bool MovesLegs(const ThrowPlan& plan, const Project& project) {
-  for (const ProjectPlacement& span : project.placements) {
-    if (span.first_frame < plan.end && span.last_frame > plan.start) return false;
-  }
-  for (const ProjectCurve& curve : project.root.curves) {
-    for (const ProjectKey& key : curve.keys) {
-      if (key.frame > plan.start && key.frame <= plan.end) return false;
-    }
-  }
-  return std::none_of(project.holds.begin(), project.holds.end(), [&](const ProjectHold& hold) {
-    return hold.first_frame < plan.end && hold.last_frame > plan.start;
-  });
-}
-
-// Of an arm so long [m].
-Swing SwingFor(const ThrowTarget& target, const Vec3& shoulder, double arm, double gravity) {
-  const Vec3& spot = target.ground;
-  const double high =
-      std::max({0.0, spot.z() - shoulder.z(),
-                target.height.value_or(HeightOfSlowestThrow(shoulder, spot, gravity))});
-  const Vec3 velocity = ThrowOver(shoulder, spot, high, gravity).velocity;
-  const double speed =
-      arm > 0.0 ? std::clamp(velocity.norm() / arm, kLeastSwing, kMostSwing) : kLeastSwing;
-  return {speed, std::atan2(velocity.z(), velocity.head<2>().norm())};
-}
-
-// How far the arm swings from where it is back until the region starts [rad].
-double SwungBy(const Swing& swing, double forward) { return 0.5 * swing.speed * forward; }
-
-// When the arm, `back` as it begins to swing [rad], has come so far that what it holds flies off as
-// its path rises.
-int LikelyRelease(const Swing& swing, double back, double forward, const ProjectRegion& region,
-                  const Animation& animation) {
-  const double from = back + SwungBy(swing, forward);
-  const int frames = FramesOf((swing.rise - from) / swing.speed, 1, animation);
-  return std::min(region.first_frame + frames, region.last_frame);
-}
-
-Vec3 ShoulderIn(const MotionFrame& frame, const std::string& side, const Figure& figure) {
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, frame.X_WR, frame.q, &ws);
-  return ws.body(*figure.FindJoint(side + "shoulder_flexion")).p;
-}
-
-void SetTimes(const Animation& animation, ThrowPlan* plan) {
-  plan->back = plan->start + FramesOf(kBackSeconds, 3, animation);
-  plan->region_first = plan->back + FramesOf(kForwardSeconds, 2, animation);
-  plan->forward = animation.rate.SecondsAt(plan->region_first - plan->back);
-  plan->region_last = plan->region_first + FramesOf(kFreeSeconds, 4, animation);
-  plan->end = plan->region_last + FramesOf(kHomeSeconds, 4, animation);
-}
-
-Result<ThrowPlan> PlanThrow(const Animation& animation, const MotionFrame& now,
-                            const ThrowTarget& target, int object, const Project& project) {
-  const Vec3& spot = target.ground;
-  ThrowPlan plan;
-  plan.start = now.frame;
-  const Result<HolderSpan> holder =
-      ThrowerOf(project.held_objects[object], now.frame, project.frames);
-  if (!holder.ok()) return holder.error();
-  plan.holder = holder.value();
-  plan.side = plan.holder.joint.substr(0, 2);
-  const Figure& figure = *animation.figure;
-  std::vector<std::string> names;
-  for (const NamedHinge& of : HingesOfThrow(plan.side)) names.push_back(of.name);
-  if (const auto error = CheckHinges(names, "throw", figure)) return *error;
-  const Vec3 shoulder = ShoulderIn(now, plan.side, figure);
-  plan.bearing = BearingOf(spot, shoulder, now.X_WR);
-  if (std::abs(plan.bearing) > kWidestThrow) {
-    return Refusal("x",
-                   "the spot is " + std::to_string(std::lround(std::abs(plan.bearing) / kDegree)) +
-                       " degrees to the side of where the figure faces; turn the figure to it");
-  }
-  const double arm = (now.objects[object].X_WO.p - shoulder).norm();
-  if (!(animation.gravity > 0.0)) return Refusal("object", "without gravity nothing comes down");
-  plan.swing = SwingFor(target, shoulder, arm, animation.gravity);
-  SetTimes(animation, &plan);
-  plan.moves_legs = MovesLegs(plan, project);
-  return plan;
-}
-
 // Of a hinge of the shoulder, `back` as the arm begins to swing [degrees].
-void KeyStart(int frame, const ThrowHinge& hinge, double back, const Swing& swing, double forward,
-              ProjectCurve* curve) {
+void KeyStart(int frame, const ThrowHinge& hinge, double back, const ThrowSwing& swing,
+              double forward, ProjectCurve* curve) {
   const bool swings = std::string_view(hinge.name) == "shoulder_flexion";
   KeyMove(frame, back + (swings ? SwungBy(swing, forward) / kDegree : 0.0),
           swings ? swing.speed / kDegree : 0.0, curve);
@@ -231,8 +78,8 @@ void KeyLeg(const ThrowPlan& plan, const std::array<double, kNumThrowPhases>& an
           curve);
 }
 
-void KeyHinge(const ThrowPlan& plan, const NamedHinge& of, double standing, const Figure& figure,
-              ProjectCurve* curve) {
+void KeyHinge(const ThrowPlan& plan, const NamedThrowHinge& of, double standing,
+              const Figure& figure, ProjectCurve* curve) {
   const auto angle = [&](ThrowPhase phase) { return AngleIn(phase, of, plan, figure); };
   RemoveKeysIn(plan.start, plan.end, curve);
   KeyMove(plan.start, standing, 0.0, curve);
@@ -265,7 +112,7 @@ Result<Done> KeyThrow(const ThrowPlan& plan, const MotionFrame& now, const Figur
     return *error;
   }
   project->frames.last = std::max(project->frames.last, plan.end);
-  for (const NamedHinge& of : HingesOfThrow(plan.side)) {
+  for (const NamedThrowHinge& of : HingesOfThrow(plan.side)) {
     if (of.hinge->limb == ThrowLimb::kLegs && !plan.moves_legs) continue;
     const Result<ProjectCurve*> curve = CurveNamed(of.name, figure, project);
     if (!curve.ok()) return curve.error();
@@ -371,7 +218,8 @@ void SwingAnew(const ThrowTarget& target, const Animation& animation, const Moti
       motion.frames[static_cast<size_t>(backswing->start - animation.first_frame)];
   const Vec3 shoulder = ShoulderIn(standing, side, figure);
   const Vec3& in_hand = standing.objects[static_cast<size_t>(of->object)].X_WO.p;
-  const Swing swing = SwingFor(target, shoulder, (in_hand - shoulder).norm(), animation.gravity);
+  const ThrowSwing swing =
+      SwingFor(target, shoulder, (in_hand - shoulder).norm(), animation.gravity);
   const double forward = animation.rate.SecondsAt(region.first_frame - backswing->back);
   double arm_back = 0.0;
   for (const ThrowHinge& hinge : kThrowHinges) {

@@ -1,0 +1,83 @@
+// What is written, and in which units and frames.
+
+#include "app/cli/option_values.h"
+#include "app/cli/table/read.h"
+#include "app/cli/table/sections.h"
+
+namespace hazumi {
+
+namespace {
+
+bool ReadBvhUp(const std::string& text, Options* options) {
+  options->z_up = text == "z";
+  return text == "y" || text == "z";
+}
+
+bool ReadBvhUnit(const std::string& text, Options* options) {
+  options->in_metres = text == "m";
+  return text == "m" || text == "cm";
+}
+
+constexpr OptionRule kOutputRules[] = {
+    {.name = "--fps",
+     .tasks = kRender | kBake | kInfo | kFlight | kImport | kExport,
+     .section = Section::kOutput,
+     .value = "N",
+     .help = "output frames a second, 0.1 to 10000, such as 60, 29.97 or 30000/1001; the motion "
+             "is the same",
+     .fallback = "the file's",
+     .more = "with --render, --bake, --export, --info, --flight",
+     .remedy = "give 0.1 to 10000 frames a second, such as 60, 29.97 or 30000/1001",
+     .read = [](const std::string& text, Options* o) { return Keep(ReadRate(text), &o->rate); }},
+    {.name = "--bvh-up",
+     .tasks = kBvh,
+     .section = Section::kOutput,
+     .value = "y|z",
+     .help = "of --export to .bvh: the axis that is up",
+     .fallback = "y",
+     .choices = "y z",
+     .remedy = "give y or z",
+     .read = ReadBvhUp},
+    {.name = "--bvh-unit",
+     .tasks = kBvh,
+     .section = Section::kOutput,
+     .value = "m|cm",
+     .help = "of --export to .bvh: its unit of length",
+     .fallback = "cm",
+     .choices = "m cm",
+     .remedy = "give m or cm",
+     .read = ReadBvhUnit},
+    {.name = "--timings",
+     .tasks = kBake | kJson,
+     .section = Section::kOutput,
+     .help = "with --bake and --export to .json: reports carry microseconds, off by default so "
+             "that two are equal bytes",
+     .is_silent = true,
+     .read = Set<&Options::timings>},
+    {.name = "--torques",
+     .tasks = kBake | kJson | kCsv,
+     .section = Section::kOutput,
+     .help = "with --bake and --export to .json and .csv: also the torque that every joint needs, "
+             "by inverse dynamics, and the force that nothing supplies",
+     .read = Set<&Options::torques>},
+    {.name = "--effort",
+     .tasks = kBake | kJson | kCsv | kInfo,
+     .section = Section::kOutput,
+     .help =
+         "with --bake and --export to .json and .csv: also the torque that muscles give in every "
+         "joint, as a share of its strength too, and what ground and pin carry; with --info: "
+         "the largest of them",
+     .read = Set<&Options::effort>},
+    {.name = "--json",
+     .tasks = kCheck | kInfo | kFlight,
+     .section = Section::kOutput,
+     .help = "with --check, --info, --flight: answer in JSON",
+     .is_silent = true,
+     .read = Set<&Options::json>},
+};
+
+}  // namespace
+
+std::span<const OptionRule> OutputRules() { return kOutputRules; }
+
+}  // namespace hazumi

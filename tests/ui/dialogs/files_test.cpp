@@ -1,0 +1,110 @@
+// Projects opened and saved: names, folders, what cannot be read.
+
+#include <fstream>
+
+#include "tests/ui/dialogs/fixture.h"
+
+namespace hazumi::ui {
+namespace {
+
+TEST_F(Dialogs, ANewProjectIsSavedUnderTheNameThatIsTyped) {
+  Change();
+  Press({'S', true});
+  ASSERT_EQ(modal(), Modal::kFiles);
+  Type(File("投げる"));
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  EXPECT_TRUE(fs::exists(File("投げる.kfa")));
+  EXPECT_TRUE(is_saved());
+  EXPECT_EQ(editor_.settings.recent_files, (std::vector<std::string>{File("投げる.kfa")}));
+}
+
+TEST_F(Dialogs, AnotherFileIsOverwrittenAfterAQuestionOnly) {
+  std::ofstream(File("a.kfa")) << "mine";
+  Press({'S', true, true});
+  Type(File("a"));
+  Press({kEnter});
+  EXPECT_TRUE(editor_.dialogs.files.asks_overwrite);
+  EXPECT_EQ(fs::file_size(File("a.kfa")), 4u);
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_GT(fs::file_size(File("a.kfa")), 100u);
+}
+
+TEST_F(Dialogs, ArrowsAndEnterOpenFoldersAndProjects) {
+  fs::create_directories(folder_ / "takes");
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("takes/one.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("two.kfa")}}));
+  Press({'O', true});
+  ASSERT_EQ(modal(), Modal::kFiles);
+  EXPECT_EQ(editor_.dialogs.files.folder, folder_.string());
+  Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(editor_.dialogs.files.folder, File("takes"));
+  Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone);
+  EXPECT_EQ(editor_.session().document().path(), File("takes/one.kfa"));
+}
+
+TEST_F(Dialogs, TabAndArrowsLeadToRecentFilesAndEnterOpensThem) {
+  fs::create_directories(folder_ / "takes");
+  for (const char* name : {"takes/one.kfa", "takes/two.kfa", "three.kfa"}) {
+    ASSERT_TRUE(editor_.Do("file.save", {{"path", File(name)}}));
+  }
+  Press({'O', true});
+  Press({kTab, false, true});  // back to the places, whose first one it is
+  const size_t places = Shelves(HomeFolder(), editor_.settings.recent_files, "").size();
+  for (size_t i = 0; i < places + 1; ++i) Press({kDown});
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
+  EXPECT_EQ(editor_.session().document().path(), File("takes/two.kfa"));
+}
+
+TEST_F(Dialogs, ALongNameLeavesTheButtonsInTheDialog) {
+  std::string name;
+  while (name.size() < 240) name += "投げる";
+  std::ofstream(File(name.substr(0, 180) + ".kfa")) << "mine";
+  Press({'S', true, true});
+  Type(File(name.substr(0, 180)));
+  Press({kEnter});
+  ASSERT_TRUE(editor_.dialogs.files.asks_overwrite);
+  Click(645.0f, 433.0f);  // the last button, in the dialog's lower right corner
+  EXPECT_FALSE(editor_.dialogs.files.asks_overwrite);
+  EXPECT_EQ(modal(), Modal::kFiles);
+}
+
+TEST_F(Dialogs, AFileThatIsNoProjectIsSaidInTheDialog) {
+  std::ofstream(File("broken.kfa")) << "{";
+  Press({'O', true});
+  Type(File("broken.kfa"));
+  Press({kEnter});
+  EXPECT_EQ(modal(), Modal::kFiles);
+  EXPECT_NE(editor_.dialogs.files.error.find("broken.kfa"), std::string::npos);
+  Press({kEscape});
+  EXPECT_EQ(modal(), Modal::kNone);
+}
+
+TEST_F(Dialogs, FilesAreLookedForWhereTheProjectIsElseWhereTheLastOneWas) {
+  fs::create_directories(folder_ / "a");
+  fs::create_directories(folder_ / "b");
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("b/one.kfa")}}));
+  ASSERT_TRUE(editor_.Do("file.save", {{"path", File("a/one.kfa")}}));
+  OpenFileDialog(&editor_, kOpenProject);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
+  ASSERT_TRUE(editor_.Do("file.new"));
+  OpenFileDialog(&editor_, kOpenProject);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("a"));
+  fs::remove_all(folder_ / "a");
+  OpenFileDialog(&editor_, kSaveProject);
+  EXPECT_EQ(editor_.dialogs.files.folder, File("b"));
+}
+
+TEST_F(Dialogs, ErrorsInFilesSayFileAndLine) {
+  std::ofstream(File("throw.kfa")) << "{\n  bad";
+  EXPECT_FALSE(editor_.Do("file.open", {{"path", File("throw.kfa")}}));
+  EXPECT_EQ(editor_.message.text.rfind("throw.kfa, line 2", 0), 0u) << editor_.message.text;
+}
+
+}  // namespace
+}  // namespace hazumi::ui
