@@ -41,14 +41,15 @@ void ChangeSchedule::FindEdges() {
     }
   };
   is_edge_.assign(Index(animation_.last_frame) + 1, 0);
-  const auto lists = {&regions_from_, &regions_until_, &holds_from_,
-                      &hand_overs_,   &forces_from_,   &forces_until_};
+  const auto lists = {&regions_from_, &regions_until_, &holds_from_,       &hand_overs_,
+                      &forces_from_,  &forces_until_,  &constraints_from_, &constraints_until_};
   for (ItemsByFrame* list : lists) *list = ItemsByFrame();
   mark(animation_.last_frame);
   mark_ends(animation_.regions, &regions_from_, &regions_until_);
   mark_ends(animation_.placements, nullptr, nullptr);
   mark_ends(animation_.holds, &holds_from_, nullptr);
   mark_ends(animation_.forces, &forces_from_, &forces_until_);
+  mark_ends(animation_.constraints, &constraints_from_, &constraints_until_);
   for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
     std::optional<int> last;
     const auto add = [&](int frame) {

@@ -36,9 +36,13 @@ class ChangeSchedule {
   std::span<const ItemsByFrame::Entry> ForcesFrom(int frame) const {
     return forces_from_.At(frame);
   }
-  // Whether a force from outside begins or ends at the frame.
+  // Whether a force from outside or a constraint begins or ends at the frame.
   bool ForcesChangeAt(int frame) const {
-    return !forces_from_.At(frame).empty() || !forces_until_.At(frame).empty();
+    return !forces_from_.At(frame).empty() || !forces_until_.At(frame).empty() ||
+           !constraints_from_.At(frame).empty() || !constraints_until_.At(frame).empty();
+  }
+  std::span<const ItemsByFrame::Entry> ConstraintsFrom(int frame) const {
+    return constraints_from_.At(frame);
   }
   // Held objects that are let go of or go over to a holder.
   std::span<const ItemsByFrame::Entry> HandOvers(int frame) const { return hand_overs_.At(frame); }
@@ -60,7 +64,7 @@ class ChangeSchedule {
   std::vector<char> is_edge_;  // by Index(frame): something begins or ends there
   std::vector<int> num_keys_;  // by Index(frame)
   ItemsByFrame regions_from_, regions_until_, holds_from_, hand_overs_;
-  ItemsByFrame forces_from_, forces_until_;
+  ItemsByFrame forces_from_, forces_until_, constraints_from_, constraints_until_;
 };
 
 }  // namespace hazumi

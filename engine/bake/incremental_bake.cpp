@@ -22,9 +22,9 @@ namespace {
 // member is named, so that one that is added is not forgotten here.
 auto FixedPartsOf(const Animation& animation) {
   const auto& [figure, rate, first_frame, last_frame, solver, gravity, root_keys, joint_keys,
-               regions, placements, holds, held_objects, scene, forces] = animation;
+               regions, placements, holds, held_objects, scene, forces, constraints] = animation;
   return std::tuple_cat(std::tie(figure, rate, first_frame, last_frame, solver, gravity, placements,
-                                 holds, held_objects, scene, forces),
+                                 holds, held_objects, scene, forces, constraints),
                         std::make_tuple(regions.size()));
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/figure/figure.h"
+#include "engine/timeline/constraint.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/frame_time.h"
 #include "engine/timeline/keyframe.h"
@@ -45,6 +46,7 @@ struct Animation {
   std::vector<HeldObject> held_objects;
   std::vector<SceneObject> scene;
   std::vector<OuterForce> forces;
+  std::vector<Constraint> constraints;
 };
 
 }  // namespace hazumi

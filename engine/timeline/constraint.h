@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/figure/indices.h"
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+enum class ConstraintKind {
+  kPoint,     // two points stay together
+  kWeld,      // two frames stay together, turned alike
+  kDistance,  // two points keep a distance
+};
+constexpr const char* NameOf(ConstraintKind kind) {
+  switch (kind) {
+    case ConstraintKind::kPoint:
+      return "point";
+    case ConstraintKind::kWeld:
+      return "weld";
+    case ConstraintKind::kDistance:
+      return "distance";
+  }
+  return "";
+}
+
+// A frame that a constraint holds on to, fixed to a joint's body or in the world.
+struct ConstraintEnd {
+  bool is_in_world = false;
+  std::optional<GroupIndex> joint;   // none: the root, unless it is in the world
+  Vec3 offset = Vec3::Zero();        // of its origin in the joint's frame, or the world's [m]
+  Mat3 rotation = Mat3::Identity();  // of its axes there; read by welds
+  bool operator==(const ConstraintEnd&) const = default;
+};
+
+// What keeps two ends together while regions of method exact move at least one of them.
+struct Constraint {
+  std::string name;
+  ConstraintKind kind = ConstraintKind::kPoint;
+  ConstraintEnd a, b;
+  double length = 0.0;                  // kDistance [m], positive
+  int first_frame = 0, last_frame = 0;  // half open
+  // A gap closes to 1 % in so many frames, without an impulse; 0: there is none to close.
+  int arrive_frames = 0;
+  // It breaks under more, and is gone from then on.
+  std::optional<double> break_force;    // [N]
+  std::optional<double> break_impulse;  // [N s]
+  bool operator==(const Constraint&) const = default;
+};
+
+}  // namespace hazumi
