@@ -20,10 +20,13 @@ struct IslandTask {
   VecX lower, upper;  // limits, by free hinge [rad]
   std::vector<ForceSpec> forces;
   double gravity = 0.0;  // along -z [m/s^2]
+  std::vector<ConstraintSpec> constraints = {};
+  // Whether anything holds it from outside, so that it matters where it is in the world.
+  bool is_placed() const { return ActsFromOutside(forces) || !constraints.empty(); }
 };
 inline auto MembersOf(const IslandTask& task) {
-  const auto& [model, lower, upper, forces, gravity] = task;
-  return std::tie(model, lower, upper, forces, gravity);
+  const auto& [model, lower, upper, forces, gravity, constraints] = task;
+  return std::tie(model, lower, upper, forces, gravity, constraints);
 }
 
 // What an island is asked to do, one after the other; its answers depend on nothing else. Times
@@ -119,6 +122,7 @@ struct IslandProgress {
   std::optional<ExactFailure> failure;
   double microseconds = 0.0;  // that it took
   std::vector<LimitHit> hits;
+  std::vector<ConstraintBreak> breaks = {};  // by index of the task's constraints
 };
 
 // Fewer times than asked for where it could not go on.
@@ -130,12 +134,13 @@ struct IslandSamples {
 };
 
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
-// MeasureIsland the energy, to AccelerateIsland the accelerations.
+// MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints give.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
   EnergyFlow energy;
   VecX rates = {}, accelerations = {};  // by free hinge [rad/s, rad/s^2]
+  VecX constraint_forces = {};          // by index of the task's [N]
   Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
 };
 

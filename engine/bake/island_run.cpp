@@ -25,7 +25,7 @@ double MicrosecondsSince(Clock::time_point start) {
 IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
     : gravity_(task.gravity),
       moving_bases_(moving_bases),
-      dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity),
+      dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints),
       solver_(&dynamics_, task.lower, task.upper) {
   if (const double rate = dynamics_.FastestRate(); rate > 0.0) {
     solver_.SetLongestStep(kMostDecay / rate);
@@ -111,11 +111,15 @@ IslandResult IslandRun::Do(const MeasureIsland& request) {
 IslandResult IslandRun::Do(const AccelerateIsland& request) {
   IslandResult result;
   result.fall = solver_.Accelerations(request.t, &result.rates, &result.accelerations);
+  if (!dynamics_.constraints().specs().empty()) {
+    result.constraint_forces = solver_.ConstraintForces(request.t);
+  }
   return result;
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
-  return {solver_.time(), solver_.step_start(), failure, 0.0, solver_.TakeHits()};
+  return {solver_.time(),     solver_.step_start(), failure, 0.0,
+          solver_.TakeHits(), solver_.TakeBreaks()};
 }
 
 void IslandRun::Sample(double t, IslandSamples* samples) {

@@ -29,7 +29,7 @@ void IslandSolution::Begin(double t, double end, const RotationState& state,
   const auto k = static_cast<Eigen::Index>(hinges().size());
   const IslandTask& task = island_->task;
   BeginIsland request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {island_, &task}};
-  if (ActsFromOutside(task.forces)) request.anchor = state.anchor;
+  if (task.is_placed()) request.anchor = state.anchor;
   for (Eigen::Index i = 0; i < k; ++i) {
     request.q[i] = state.q[hinges()[i]];
     request.qd[i] = state.qd[hinges()[i]];
@@ -70,6 +70,7 @@ void IslandSolution::TakeProgress(const IslandProgress& progress) {
   step_start_ = progress.step_start;
   microseconds_ += progress.microseconds;
   hits_.insert(hits_.end(), progress.hits.begin(), progress.hits.end());
+  breaks_.insert(breaks_.end(), progress.breaks.begin(), progress.breaks.end());
   if (progress.failure) failure_ = progress.failure;
 }
 

@@ -29,7 +29,7 @@ class IslandSolution {
 
   // Whether the fall of the centre of mass is solved along, and sampled as the state's anchor.
   bool solves_fall() const {
-    return model().coupling == RootCoupling::kFlight && ActsFromOutside(island_->task.forces);
+    return model().coupling == RootCoupling::kFlight && island_->task.is_placed();
   }
   const RegionModel& model() const { return island_->task.model; }
   const std::vector<Coordinate>& hinges() const { return island_->hinges; }
@@ -67,6 +67,10 @@ class IslandSolution {
   // And rates, by Coordinate, of its free hinges alone; returns that of the centre of mass, as
   // ExactStep.
   Vec3 Accelerations(double t, VecX* rates, VecX* accelerations);
+  // Sizes of its constraints' forces there, by index of the task's [N].
+  VecX ConstraintForces(double t) { return answers_.Ask(AccelerateIsland{t}).constraint_forces; }
+  // Breaks since the last call.
+  std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
 
@@ -88,6 +92,7 @@ class IslandSolution {
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::vector<LimitHit> hits_;
+  std::vector<ConstraintBreak> breaks_;
   // What was looked ahead to, null if nothing was, and the samples there.
   double ahead_end_ = 0.0;
   std::shared_ptr<const std::vector<double>> times_;

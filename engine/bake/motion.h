@@ -48,16 +48,19 @@ struct MotionFrame {
   std::vector<char> in_region;      // by JointIndex
   // As in `after`, of the last frame as in `before`: if BakeOptions::accelerations asks for them.
   std::optional<MotionAcceleration> acceleration = {};
+  // By index of Animation::constraints: how strong each is from here on [N]; 0 where it acts on
+  // nothing. None if there are no constraints.
+  std::vector<double> constraint_forces = {};
 };
 
-enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease };
+enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease, kBreak };
 const char* NameOf(EventKind kind);
 
 struct MotionEvent {
   EventKind kind;
   double time = 0.0;  // since frame 0 [s]
   int frame = 0;      // the nearest for an apex, else the first at or after `time`
-  std::string joint;  // pinned, stopped or letting go; empty if none
+  std::string joint;  // pinned, stopped or letting go; empty if none; a constraint that breaks
   // A limit that is hit again and again, less than kChatterGap between two hits, is one event: so
   // many hits, the last one at last_time.
   long count = 1;

@@ -39,6 +39,8 @@ const char* NameOf(EventKind kind) {
       return "stop";
     case EventKind::kRelease:
       return "release";
+    case EventKind::kBreak:
+      return "break";
   }
   return "";
 }
@@ -139,6 +141,10 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {
   if (keep_frames_) motion_->frames[output - first_output_].acceleration = std::move(acceleration);
+}
+
+void Recorder::SetConstraintForces(int output, std::vector<double> forces) {
+  if (keep_frames_) motion_->frames[output - first_output_].constraint_forces = std::move(forces);
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {

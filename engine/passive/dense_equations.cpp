@@ -133,6 +133,35 @@ void DenseEquations::Solve(const RegionLayout& layout, double* x) {
   SolveSemidefinite(L_.topLeftCorner(k, k), solution);
 }
 
+void DenseEquations::SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) const {
+  const int k = layout.num_dofs();
+  SolveSemidefinite(L_.topLeftCorner(k, k), x);
+}
+
+void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                              int node, const V3& p, const V3& n, bool turns,
+                              Eigen::Ref<VecX> row) const {
+  for (int i = node; i >= 0; i = nodes_[i].parent) {
+    const RegionLayout::Node& where = layout.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) {
+      const V3& axis = motion[i].axis[k];
+      row[where.dof + k] += turns ? Dot(axis, n) : Dot(Cross(axis, p - motion[i].p), n);
+    }
+  }
+  if (!root_answers_ || turns) return;
+  const Vec3 along = n.eigen();
+  const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
+  const Eigen::Matrix3Xd& root = is_pinned_ ? J_ : F_;
+  for (int j = 0; j < layout.num_dofs(); ++j) row[j] -= share * root.col(j).dot(along);
+}
+
+Vec3 DenseEquations::RootAcceleration(const RegionLayout& layout,
+                                      const std::vector<NodeMotion>& motion,
+                                      const double* x) const {
+  const Eigen::Map<const VecX> accelerations(x, layout.num_dofs());
+  return -(F_.leftCols(layout.num_dofs()) * accelerations + motion[0].f.eigen()) / mass_;
+}
+
 // With Du = -v_pin - J Dy for the root:  H Dy + F^T Du = 0 along what keeps the pin still.
 void DenseEquations::PinImpulse(const Vec3& v_pin, VecX* impulse) const {
   for (int i = 0; i < num_free_; ++i) {

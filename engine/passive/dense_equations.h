@@ -24,6 +24,18 @@ class DenseEquations {
   const IslandEquations& equations() const { return equations_; }
   // After it: x = -M^-1 b. A direction that moves no mass gets 0.
   void Solve(const RegionLayout& layout, double* x);
+  // After Solve: x := M^-1 x.
+  void SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) const;
+
+  // After Assemble: adds to `row` (by dof) what x does to the acceleration along n of a point p of
+  // a node, from the root's origin; or, where it `turns`, to its angular acceleration about n. What
+  // the root answers is in it.
+  void AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
+                const small::V3& p, const small::V3& n, bool turns, Eigen::Ref<VecX> row) const;
+  // In flight, after Assemble: the root's acceleration, less gravity's, where x is that of the
+  // dofs.
+  Vec3 RootAcceleration(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                        const double* x) const;
 
   // After Assemble: the impulse on the dofs [N m s] when the root's velocity jumps so that a pin,
   // which moved with v_pin [m/s], stands still. [METHOD 5.7]

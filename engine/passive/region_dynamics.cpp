@@ -7,7 +7,8 @@ namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
-RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity)
+RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity,
+                               std::vector<ConstraintSpec> constraints)
     : model_(std::move(model)),
       layout_(model_, /*balls=*/true),
       hinge_layout_(model_, /*balls=*/false),
@@ -15,12 +16,15 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       dense_(model_),
       tree_(model_),
       laws_(std::move(laws)),
+      rows_(std::move(constraints)),
+      has_rows_(rows_.any()),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
   for (const auto& law : laws_) {
     (law->is_rule() ? has_rules_ : has_forces_) = true;
     has_outer_ |= law->is_outer();
   }
+  has_outer_ |= has_rows_;
   if (has_outer_) {
     places_.resize(model_.nodes.size());
     velocities_.resize(model_.nodes.size());
@@ -29,7 +33,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
 }
 
 double RegionDynamics::FastestRate() const {
-  double rate = 0.0;
+  double rate = rows_.FastestRate();
   for (const auto& law : laws_) rate = std::max(rate, law->FastestRate());
   return rate;
 }
@@ -37,7 +41,7 @@ double RegionDynamics::FastestRate() const {
 void RegionDynamics::SetCurves(const DrivenMotion* driven, double start) {
   driven_ = driven;
   if (first_moved_ == 0) return;
-  is_carrier_still_ = IsCarrierStill();
+  is_carrier_still_ = !has_rows_ && IsCarrierStill();
   if (is_carrier_still_) PlaceStillCarrier(start);
 }
 
@@ -61,6 +65,7 @@ bool RegionDynamics::IsCarrierStill() const {
 // A pinned root that answers couples every joint with the pin, which is solved the dense way unless
 // that takes too long. Only the dense way is written for rules that the root has to answer.
 bool RegionDynamics::UsesArticulatedBodies() const {
+  if (has_rows_) return false;
   if (!model_.root_answers) return true;
   if (has_rules_ && model_.nodes[0].role == Role::kFree) return false;
   return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
@@ -69,6 +74,10 @@ bool RegionDynamics::UsesArticulatedBodies() const {
 void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
                           const double* velocities) {
   const int count = kinematics_.size();
+  if (has_rows_) {  // which may hang on more carriers than one
+    kinematics_.Move(layout, *driven_, t, positions, velocities, 0, count);
+    return AskForForces(BaseAcceleration(t), StateAt(t, layout, positions, velocities));
+  }
   if (first_moved_ > 0 && !is_carrier_still_) MoveCarrier(t);
   kinematics_.Move(layout, *driven_, t, positions, velocities, first_moved_, count);
   AskForForces(first_moved_ > 0 ? V3() : BaseAcceleration(t),
@@ -77,11 +86,11 @@ void RegionDynamics::Move(double t, const RegionLayout& layout, const double* po
 
 // What the nodes ask for, accelerated by `base` on top, what the laws give them taken off.
 void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
-  if (has_forces_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
+  if (has_forces_ || has_rows_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
   kinematics_.SetOwnForces(base);
   if (has_outer_) PlaceNodes(state.t);
-  if (!has_forces_) return;
   for (const auto& law : laws_) law->AddForces(state, &kinematics_);
+  if (adds_rows_) AddRowForces();
 }
 
 RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,
@@ -126,7 +135,8 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
 
 // c'' = g + sum F / m
 void RegionDynamics::Fall(double* dy) const {
-  const Vec3 push = kinematics_.added_force().eigen() / model_.mass;
+  Vec3 push = kinematics_.added_force().eigen() / model_.mass;
+  if (has_rows_) push += KickOf(row_forces_);
   Eigen::Map<Vec3>(dy + layout_.state_size()) = anchor_.v;
   Eigen::Map<Vec3>(dy + layout_.state_size() + 3) = push - gravity_ * Vec3::UnitZ();
 }
@@ -152,6 +162,7 @@ void RegionDynamics::Look(double t, const double* y, double* dy) {
   SetAnchorOf(y);
   const double* velocities = y + layout_.num_positions();
   double* x = dy + layout_.num_positions();
+  if (has_rows_ && rows_.any_yielding() && is_any_locked()) YieldAsIfFree(t, y);
   Move(t, layout_, y, velocities);
   if (UsesArticulatedBodies()) {
     tree_.Solve(layout_, kinematics_.motion(), x);
@@ -159,7 +170,11 @@ void RegionDynamics::Look(double t, const double* y, double* dy) {
     dense_.Assemble(layout_, &kinematics_.motion());
     dense_.Solve(layout_, x);
   }
-  if (has_rules_) AddRules(t, y, x);
+  if (has_rules_ || has_rows_) {
+    const RegionState state = StateAt(t, layout_, y, velocities);
+    AddRules(state, x);
+    if (has_rows_) KeepTogether(state, x);
+  }
   if (is_pushed_in_flight()) Fall(dy);
   for (const RegionLayout::Node& own : layout_.nodes()) {
     if (own.kind == RegionLayout::NodeKind::kHinges) {
@@ -177,12 +192,11 @@ void RegionDynamics::Look(double t, const double* y, double* dy) {
   }
 }
 
-void RegionDynamics::AddRules(double t, const double* y, double* x) {
-  const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
+void RegionDynamics::AddRules(const RegionState& state, double* x) {
   for (const auto& law : laws_) {
     if (!law->is_rule()) continue;
     AddRule(*law, state);
-    for (int i = 0; i < layout_.num_dofs(); ++i) x[i] += added_[i];
+    for (int i = 0; i < state.layout.num_dofs(); ++i) x[i] += added_[i];
   }
 }
 
@@ -190,15 +204,15 @@ void RegionDynamics::AddRules(double t, const double* y, double* x) {
 void RegionDynamics::AddRule(const ForceLaw& rule, const RegionState& state) {
   added_.setConstant(-0.0);  // which leaves the sign of any zero that is added
   rule.AddAccelerations(state, added_.data());
-  if (model_.root_answers && model_.nodes[0].role == Role::kFree) AnswerRule();
+  if (model_.root_answers && model_.nodes[0].role == Role::kFree) AnswerRule(state.layout);
 }
 
 // What a rule does inside the figure leaves its angular momentum alone: the root is solved again.
-void RegionDynamics::AnswerRule() {
-  if (layout_.node(0).num_dofs == 0) return;
+void RegionDynamics::AnswerRule(const RegionLayout& layout) {
+  if (layout.node(0).num_dofs == 0) return;
   const MatX& M = dense_.equations().M;
   Vec3 answer = Vec3::Zero();
-  for (int j = 3; j < layout_.num_dofs(); ++j) answer -= M.block<3, 1>(0, j) * added_[j];
+  for (int j = 3; j < layout.num_dofs(); ++j) answer -= M.block<3, 1>(0, j) * added_[j];
   const Mat3 M_rr = M.topLeftCorner<3, 3>();
   added_.head<3>() = M_rr.ldlt().solve(answer);
 }
@@ -209,6 +223,7 @@ void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {
   Move(t, hinge_layout_, q.data(), qd.data());
   dense_.Assemble(hinge_layout_, &kinematics_.motion());
   assembled_some_ = false;
+  if (has_rows_) AssembleHingeRows(StateAt(t, hinge_layout_, q.data(), qd.data()));
 }
 
 void RegionDynamics::AssembleSome(const std::vector<int>& hinges, double t, const VecX& q,

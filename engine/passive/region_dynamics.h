@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/passive/constraints/constraint_rows.h"
+#include "engine/passive/constraints/row_forces.h"
 #include "engine/passive/dense_equations.h"
+#include "engine/passive/exact/limit_rows.h"
 #include "engine/passive/forces/force_law.h"
 #include "engine/passive/moving_base.h"
 #include "engine/passive/node_motion.h"
@@ -37,7 +40,8 @@ struct EnergyFlow {
 class RegionDynamics {
  public:
   // `gravity`: along -z [m/s^2].
-  RegionDynamics(RegionModel model, ForceLaws laws, double gravity);
+  RegionDynamics(RegionModel model, ForceLaws laws, double gravity,
+                 std::vector<ConstraintSpec> constraints = {});
 
   const RegionModel& model() const { return model_; }
   const RegionLayout& layout() const { return layout_; }
@@ -61,8 +65,8 @@ class RegionDynamics {
   void UseMovingBase(std::shared_ptr<const MovingBase> moving_base) {
     moving_base_ = std::move(moving_base);
   }
-  // In flight, with laws that act from outside, the fall is solved along: the state ends with the
-  // centre of mass and its velocity. Else it is the layout's.
+  // In flight, with laws that act from outside, or constraints, the fall is solved along: the state
+  // ends with the centre of mass and its velocity. Else it is the layout's.
   bool is_pushed_in_flight() const {
     return has_outer_ && model_.coupling == RootCoupling::kFlight;
   }
@@ -105,6 +109,20 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
+  // Constraints keep their ends together, however large the island is, the dense way.
+  ConstraintRows& constraints() { return rows_; }
+  const ConstraintRows& constraints() const { return rows_; }
+  // Forces of their rows in the state that was looked at last [N, N m].
+  const VecX& row_forces() const { return row_forces_; }
+  // After AssembleHinges: what limits need of the rows; null if there are none.
+  const LimitRows* RowsOfForces() const { return rows_.any() ? &hinge_rows_ : nullptr; }
+  const LimitRows* RowsOfImpulses() const { return rows_.any() ? &hinge_row_rates_ : nullptr; }
+  // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].
+  Vec3 KickOf(const VecX& impulses) const;
+  // Moves a state to where the rows that have no gap to close have none, and none opens: the least
+  // way, as masses count. Returns what is left [m, rad]. Counts as two evaluations.
+  double CloseGaps(double t, double* y);
+
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
 
@@ -134,10 +152,22 @@ class RegionDynamics {
   void AskForForces(const small::V3& base, const RegionState& state);
   RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
                       const double* velocities) const;
-  void AddRules(double t, const double* y, double* x);
+  void AddRules(const RegionState& state, double* x);
+  void AssembleRows(const RegionLayout& layout);
+  VecX RowErrors(double t, const RegionLayout& layout, const double* x);
+  small::V3 AccelerationAt(int node, const small::V3& r, const small::V3& root) const;
+  void KeepTogether(const RegionState& state, double* x);
+  bool is_any_locked() const { return layout_.num_dofs() < num_hinges(); }
+  void YieldAsIfFree(double t, const double* y);
+  void Yield(const RegionLayout& layout);
+  VecX LeaveClosedRows();
+  void AssembleHingeRows(const RegionState& state);
+  void AddRowForces();
+  double PowerOnNodes(const std::vector<small::V3>& v) const;
+  double PowerOfRows(const std::vector<small::V3>& v);
   void Fall(double* dy) const;
   void AddRule(const ForceLaw& rule, const RegionState& state);
-  void AnswerRule();
+  void AnswerRule(const RegionLayout& layout);
   void Accelerate(const RegionState& state, const VecX& x);
   small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
   small::V3 RootPosition(double t) const;
@@ -161,6 +191,13 @@ class RegionDynamics {
   ForceLaws laws_;
   // Laws that give forces, that act from outside, that are rules.
   bool has_forces_ = false, has_outer_ = false, has_rules_ = false;
+  // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
+  ConstraintRows rows_;
+  bool has_rows_ = false, adds_rows_ = false;
+  MatX J_, J_answer_, G_;  // of rows; M^-1 J^T
+  RowYield yield_;
+  VecX row_forces_;
+  LimitRows hinge_rows_, hinge_row_rates_;
   PointMotion anchor_;
   std::vector<NodePlace> places_;
   std::vector<small::V3> velocities_;  // of the nodes' origins, relative to the root

@@ -85,6 +85,10 @@ double RegionDynamics::PowerOf(const ForceLaw& law, const RegionState& state,
                                const std::vector<V3>& v) {
   kinematics_.ClearForces();
   law.AddForces(state, &kinematics_);
+  return PowerOnNodes(v);
+}
+
+double RegionDynamics::PowerOnNodes(const std::vector<V3>& v) const {
   double power = 0.0;
   for (int i = 0; i < kinematics_.size(); ++i) {
     const NodeMotion& own = kinematics_.motion()[i];
@@ -107,7 +111,8 @@ double RegionDynamics::PowerInJoints(const std::vector<V3>& v, double* keyed) {
   double free = 0.0;
   for (int i = 0; i < kinematics_.size(); ++i) {
     if (!model_.nodes[i].is_dynamic) {  // the keys answer what laws do to it
-      if (has_forces_) *keyed += Dot(motion[i].f, v[i]) + Dot(motion[i].n, motion[i].w);
+      if (has_forces_ || has_rows_)
+        *keyed += Dot(motion[i].f, v[i]) + Dot(motion[i].n, motion[i].w);
       continue;
     }
     const int parent = model_.nodes[i].parent;
@@ -158,6 +163,7 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   Derivative(t, y, dy.data());
   const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
   kinematics_.Move(layout_, *driven_, t, state.positions, state.velocities, 0, kinematics_.size());
+  adds_rows_ = has_rows_;
   Accelerate(state, dy.segment(layout_.num_positions(), layout_.num_dofs()));
   std::vector<V3> v(kinematics_.size());
   const V3 v_root = RootVelocity(t, &v);
@@ -170,6 +176,8 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
         law->is_rule() ? in_joints - PowerWithout(*law, state, v) : PowerOf(*law, state, v);
     flow.laws.push_back({std::string(law->name()), power});
   }
+  if (has_rows_) flow.laws.push_back({"constraints", PowerOfRows(v)});
+  adds_rows_ = false;
   if (first_moved_ > 0 && is_carrier_still_) PlaceStillCarrier(t);
   return flow;
 }

@@ -77,6 +77,24 @@ void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles
   }
 }
 
+void RegionLayout::Turn(const VecX& change, double* y) const {
+  for (const Node& own : nodes_) {
+    double* q = y + own.position;
+    const double* turn = change.data() + own.dof;
+    if (own.kind == NodeKind::kHinges) {
+      for (int k = 0; k < own.num_dofs; ++k) q[k] += turn[k];
+    }
+    if (own.kind != NodeKind::kBall) continue;
+    // q := q (1, turn / 2)
+    const std::array<double, 4> from = {q[0], q[1], q[2], q[3]};
+    const double x = 0.5 * turn[0], y_half = 0.5 * turn[1], z = 0.5 * turn[2];
+    q[0] += -from[1] * x - from[2] * y_half - from[3] * z;
+    q[1] += from[0] * x + from[2] * z - from[3] * y_half;
+    q[2] += from[0] * y_half + from[3] * x - from[1] * z;
+    q[3] += from[0] * z + from[1] * y_half - from[2] * x;
+  }
+}
+
 void RegionLayout::Pack(const VecX& q, const VecX& qd, double* y) const {
   for (size_t i = 0; i < nodes_.size(); ++i) {
     const Node& own = nodes_[i];

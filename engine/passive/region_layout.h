@@ -52,6 +52,8 @@ class RegionLayout {
   const std::vector<int>& angles() const { return angles_; }
   bool is_quaternion(int position) const { return is_quaternion_[position]; }
 
+  // Turns the free joints of a state on by small angles, by dof.
+  void Turn(const VecX& change, double* y) const;
   // Angles and rates of the free hinges as a state.
   void Pack(const VecX& q, const VecX& qd, double* y) const;
   // And back. `q` on entry: angles nearby, which pick branch and turn of ball joints. `lower`,

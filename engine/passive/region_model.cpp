@@ -149,19 +149,22 @@ class Extraction {
     header_.joints.clear();
   }
 
-  // The nodes at or beyond `top` as a model of their own, after the chains that move them.
-  RegionModel Take(int top) {
-    const std::vector<int> carriers = Carriers(top);
+  // The nodes at or beyond each of `tops`, which ascend, as a model of their own, after the chains
+  // that move them, and those that move what `ends` are on.
+  RegionModel Take(const std::vector<int>& tops, const std::vector<NodeJoint>& ends) {
+    const std::vector<int> carriers = Carriers(tops, ends);
     part_ = header_;
-    part_.nodes.reserve(carriers.size() + static_cast<size_t>(EndOf(top) - top));
+    part_.nodes.reserve(carriers.size() + static_cast<size_t>(EndOf(tops.front()) - tops.front()));
     for (const int i : carriers) Add(i, /*of_island=*/false);
-    for (int i = top; i < EndOf(top); ++i) Add(i, /*of_island=*/true);
+    for (const int top : tops) {
+      for (int i = top; i < EndOf(top); ++i) Add(i, /*of_island=*/true);
+    }
     if (whole_.pin_node >= 0) part_.pin_node = renamed_[whole_.pin_node];
-    AddJoints(top);
+    for (const NodeJoint& end : ends) AddJoint(end);
+    for (const int top : tops) AddJoints(top);
     return std::move(part_);
   }
 
- private:
   // The nodes at or beyond another come right after it, as the joints of a figure do.
   int EndOf(int top) const {
     int end = top + 1;
@@ -169,15 +172,23 @@ class Extraction {
     return end;
   }
 
-  // Of node and pin, from the root on.
-  std::vector<int> Carriers(int top) const {
+ private:
+  // Of nodes, ends and pin, from the root on.
+  std::vector<int> Carriers(const std::vector<int>& tops,
+                            const std::vector<NodeJoint>& ends) const {
     std::vector<int> carriers = {0};
-    for (int i = whole_.nodes[top].parent; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
-    for (int i = whole_.pin_node; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
+    const auto add_from = [&](int node) {
+      for (int i = node; i > 0; i = whole_.nodes[i].parent) carriers.push_back(i);
+    };
+    for (const int top : tops) add_from(whole_.nodes[top].parent);
+    for (const NodeJoint& end : ends) add_from(end.node);
+    add_from(whole_.pin_node);
     std::sort(carriers.begin(), carriers.end());
     carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
-    const auto is_of_island = [&](int i) { return top <= i && i < EndOf(top); };
-    std::erase_if(carriers, is_of_island);
+    for (const int top : tops) {
+      const int end = EndOf(top);
+      std::erase_if(carriers, [&](int i) { return top <= i && i < end; });
+    }
     return carriers;
   }
 
@@ -190,13 +201,16 @@ class Extraction {
     if (!of_island) node.body = RigidInertia();
   }
 
+  void AddJoint(NodeJoint seat) {
+    seat.node = renamed_[seat.node];
+    part_.joints.push_back(seat);
+  }
   void AddJoints(int top) {
     const auto is_before = [](const NodeJoint& seat, int node) { return seat.node < node; };
     const auto& all = whole_.joints;
     const auto first = std::lower_bound(all.begin(), all.end(), top, is_before);
     const auto last = std::lower_bound(first, all.end(), EndOf(top), is_before);
-    part_.joints.assign(first, last);
-    for (NodeJoint& seat : part_.joints) seat.node = renamed_[seat.node];
+    std::for_each(first, last, [&](const NodeJoint& seat) { AddJoint(seat); });
   }
 
   const RegionModel& whole_;
@@ -217,6 +231,45 @@ std::vector<int> FirstFree(const RegionModel& model) {
   return first;
 }
 
+// First free nodes whose islands are one, and what ties hold on to outside of it.
+struct Group {
+  std::vector<int> tops;        // ascending
+  std::vector<NodeJoint> ends;  // on nodes of the whole model that no free node carries
+};
+
+// In order of their first nodes.
+std::vector<Group> GroupsOf(const RegionModel& whole, const std::vector<ModelRequest::Tie>& ties,
+                            const Extraction& extraction) {
+  const std::vector<int> tops = FirstFree(whole);
+  std::vector<Group> groups;
+  groups.reserve(tops.size());
+  for (const int top : tops) groups.push_back({{top}, {}});
+  // Where it is in `groups`; -1: no free node carries it.
+  const auto group_of = [&](const NodeJoint* seat) {
+    for (size_t g = 0; g < groups.size() && seat; ++g) {
+      for (const int top : groups[g].tops) {
+        if (top <= seat->node && seat->node < extraction.EndOf(top)) return static_cast<int>(g);
+      }
+    }
+    return -1;
+  };
+  for (const ModelRequest::Tie& tie : ties) {
+    const NodeJoint* a = tie.a ? whole.SeatOf(*tie.a) : nullptr;
+    const NodeJoint* b = tie.b ? whole.SeatOf(*tie.b) : nullptr;
+    const int of_a = group_of(a), of_b = group_of(b);
+    if (of_a >= 0 && of_b < 0 && b) groups[of_a].ends.push_back(*b);
+    if (of_b >= 0 && of_a < 0 && a) groups[of_b].ends.push_back(*a);
+    if (of_a < 0 || of_b < 0 || of_a == of_b) continue;
+    Group& into = groups[std::min(of_a, of_b)];
+    Group& from = groups[std::max(of_a, of_b)];
+    into.tops.insert(into.tops.end(), from.tops.begin(), from.tops.end());
+    into.ends.insert(into.ends.end(), from.ends.begin(), from.ends.end());
+    std::sort(into.tops.begin(), into.tops.end());
+    groups.erase(groups.begin() + std::max(of_a, of_b));
+  }
+  return groups;
+}
+
 void Count(RegionModel* model) {
   model->mass = 0.0;
   model->num_free = model->num_bodies = 0;
@@ -230,6 +283,12 @@ void Count(RegionModel* model) {
 
 }  // namespace
 
+const NodeJoint* RegionModel::SeatOf(JointIndex joint) const {
+  const auto seat = std::find_if(joints.begin(), joints.end(),
+                                 [&](const NodeJoint& own) { return own.joint == joint; });
+  return seat == joints.end() ? nullptr : &*seat;
+}
+
 std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRequest& request) {
   RegionModel whole = ModelCompiler(figure, request).Compile();
   whole.root_answers = RootAnswers(whole);
@@ -239,9 +298,9 @@ std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRe
     models.push_back(std::move(whole));
   } else {
     Extraction extraction(whole);
-    const std::vector<int> first = FirstFree(whole);
-    models.reserve(first.size());
-    for (const int top : first) models.push_back(extraction.Take(top));
+    const std::vector<Group> groups = GroupsOf(whole, request.ties, extraction);
+    models.reserve(groups.size());
+    for (const Group& group : groups) models.push_back(extraction.Take(group.tops, group.ends));
   }
   for (RegionModel& model : models) Count(&model);
   return models;

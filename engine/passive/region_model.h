@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct ModelRequest {
   RootCoupling coupling = RootCoupling::kPrescribed;
   JointIndex pin;             // kPinned: the joint whose origin stays
   bool lists_joints = false;  // in RegionModel::joints, for laws that act on links
+  // Joints whose bodies constraints tie to each other; an invalid one is the root, none the world.
+  // Asks for lists_joints.
+  struct Tie {
+    std::optional<JointIndex> a, b;
+  };
+  std::vector<Tie> ties = {};
 };
 
 // One of the concentric hinges of a node.
@@ -70,6 +77,8 @@ inline auto MembersOf(const NodeJoint& seat) {
   return std::tie(joint, node, p_N, R_NJ);
 }
 
+inline Vec3 OnNode(const NodeJoint& seat, const Vec3& p_J) { return seat.p_N + seat.R_NJ * p_J; }
+
 // The least model of one island of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the moving base.
@@ -84,8 +93,12 @@ struct RegionModel {
   double mass = 0.0;   // of all dynamic nodes [kg]
   int num_free = 0;    // free hinges
   int num_bodies = 0;  // dynamic nodes with mass
-  // On dynamic nodes, by node, but for those that turn within one; none unless asked for.
+  // On dynamic nodes, by node, but for those that turn within one; none unless asked for. And those
+  // that ties hold on to on others.
   std::vector<NodeJoint> joints;
+
+  // Null: there is none of that joint, or of the root.
+  const NodeJoint* SeatOf(JointIndex joint) const;
 };
 inline auto MembersOf(const RegionModel& model) {
   const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies,
@@ -95,7 +108,8 @@ inline auto MembersOf(const RegionModel& model) {
 }
 
 // One model for each island, in order of their first joint. The root is prescribed where no free
-// joint lies between it and the pin; else, and in flight, all free joints are one island.
+// joint lies between it and the pin; else, and in flight, all free joints are one island. Where
+// nothing else holds islands together, ties do.
 std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRequest& request);
 
 }  // namespace hazumi

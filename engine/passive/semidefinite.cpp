@@ -1,5 +1,6 @@
 #include "engine/passive/semidefinite.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +54,27 @@ void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
     for (Eigen::Index i = k + 1; i < n; ++i) sum -= column[i] * x[i];
     x[k] = sum / column[k];
   }
+}
+
+VecX LeastNorm(const MatX& A, const VecX& b) {
+  if (b.size() == 0) return b;
+  constexpr double kSaidTwice = 1e-9;  // of an eigenvalue, against 1
+  const VecX unit = A.diagonal().unaryExpr(
+      [](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
+  const MatX scaled = unit.asDiagonal() * A * unit.asDiagonal();
+  MatX L = scaled;
+  VecX x = unit.cwiseProduct(b);
+  if (FactorSemidefinite(L) == 0 && L.diagonal().minCoeff() > std::sqrt(kSaidTwice)) {
+    SolveSemidefinite(L, x);
+    return unit.cwiseProduct(x);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatX> eigen(scaled);
+  VecX parts = eigen.eigenvectors().transpose() * x;
+  for (Eigen::Index k = 0; k < parts.size(); ++k) {
+    const double value = eigen.eigenvalues()[k];
+    parts[k] = value > kSaidTwice ? parts[k] / value : 0.0;
+  }
+  return unit.cwiseProduct(eigen.eigenvectors() * parts);
 }
 
 }  // namespace hazumi

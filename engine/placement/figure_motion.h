@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/spatial/point_motion.h"
@@ -15,6 +16,7 @@ struct FigureMotion {
   RootMotion root;
   // Where forces from outside push a figure in flight off its parabola: its centre of mass.
   std::optional<PointMotion> fall;
+  std::vector<int> broken;  // constraints that gave way, by index of the animation's
   bool operator==(const FigureMotion&) const = default;
 };
 

@@ -13,6 +13,7 @@
 #include "engine/bake/island_curves.h"
 #include "engine/bake/walk/outer_forces.h"
 #include "engine/bake/walk/spring_of.h"
+#include "engine/base/text.h"
 
 namespace hazumi {
 
@@ -38,8 +39,12 @@ void ForEachFreeHinge(const RegionModel& model, Action&& action) {
   }
 }
 
-std::string CauseOf(ExactFailure::Cause cause) {
-  if (cause == ExactFailure::Cause::kTooManyEvaluations) {
+std::string CauseOf(const ExactFailure& failure) {
+  if (failure.cause == ExactFailure::Cause::kEndsApart) {
+    return "constraints cannot all be kept: what they hold stays " + FormatShort(failure.gap) +
+           " m or rad apart; take one away, or free more joints";
+  }
+  if (failure.cause == ExactFailure::Cause::kTooManyEvaluations) {
     return "it takes too many evaluations; ask for less accuracy";
   }
   return "its motion changes faster than any step can follow; ask for less accuracy, more friction "
@@ -50,7 +55,7 @@ std::string CauseOf(ExactFailure::Cause cause) {
 
 ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
                          const std::map<int, RegionStart>& starts, double sharpness,
-                         const KnownLogs* known, ThreadPool* pool)
+                         std::vector<int> broken, const KnownLogs* known, ThreadPool* pool)
     : animation_(animation),
       figure_(figure),
       active_(std::move(active)),
@@ -59,6 +64,7 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
       pool_(pool),
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
+      broken_(std::move(broken)),
       estimates_(active_.size(), 0.0) {
   for (size_t a = 0; a < active_.size(); ++a) {
     const DynamicsRegion& region = animation.regions[active_[a]];
@@ -107,7 +113,7 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-IslandTask ExactDriver::TaskFor(RegionModel model, double t) const {
+IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* constraints) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
   IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
@@ -123,6 +129,11 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t) const {
   if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
   if (!drives_.empty()) AddDrives(&task);
   AddOuterForces(animation_, figure_, t, task.model, &task.forces);
+  if (!request_.ties.empty()) {
+    const std::vector<int> active = ActiveConstraints(animation_, t, broken_);
+    *constraints = ConstraintsOf(task.model, animation_, active);
+    task.constraints = constraints->specs;
+  }
   return task;
 }
 
@@ -168,18 +179,22 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                         const DrivenMotion& driven) {
   FinishIslands();
   request_ = RequestFor(state, hold, driven);
-  request_.lists_joints = !animation_.forces.empty();
+  const double middle = 0.5 * (t + end);
+  request_.ties = TiesOf(animation_, ActiveConstraints(animation_, middle, broken_));
+  request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty();
   islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
   islands_.reserve(models.size());
   for (RegionModel& model : models) {
     const double tolerance = StepToleranceFor(model);
+    IslandConstraints constraints;
     const auto shared =
-        std::make_shared<const SharedIsland>(TaskFor(std::move(model), 0.5 * (t + end)));
+        std::make_shared<const SharedIsland>(TaskFor(std::move(model), middle, &constraints));
     const auto curves = CurvesOf(shared->task.model, driven);
     Island& island =
         islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
-                                     {shared, tolerance * kControlCoarseness, &moving_bases_}});
+                                     {shared, tolerance * kControlCoarseness, &moving_bases_},
+                                     std::move(constraints.indices)});
     island.solution.Begin(t, end, state, curves, known_);
     island.control.Begin(t, end, control, curves, known_);
   }
@@ -254,7 +269,7 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   if (!first) return std::nullopt;
   const Coordinate c = first->hinges()[first->failure()->hinge];
   const bool is_joint = c < figure_.num_joints();
-  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(first->failure()->cause),
+  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*first->failure()),
                  first->time()};
 }
 
@@ -295,6 +310,37 @@ void ExactDriver::Account(double t, bool is_cut) {
     IslandSolution& solution = islands_[g].solution;
     if (is_cut || solution.time() <= t) energy_.AddStep(g, t, &solution);
   }
+}
+
+std::vector<int> ExactDriver::constraints() const {
+  std::vector<int> all;
+  for (const Island& island : islands_) {
+    all.insert(all.end(), island.constraints.begin(), island.constraints.end());
+  }
+  return all;
+}
+
+std::vector<double> ExactDriver::ConstraintForces(double t) {
+  std::vector<double> forces(animation_.constraints.size(), 0.0);
+  for (Island& island : islands_) {
+    if (island.constraints.empty()) continue;
+    const VecX of_island = island.solution.ConstraintForces(t);
+    for (size_t i = 0; i < island.constraints.size(); ++i) {
+      forces[island.constraints[i]] = of_island[static_cast<Eigen::Index>(i)];
+    }
+  }
+  return forces;
+}
+
+std::vector<ConstraintBreak> ExactDriver::TakeBreaks() {
+  std::vector<ConstraintBreak> breaks;
+  for (Island& island : islands_) {
+    for (const ConstraintBreak& of : island.solution.TakeBreaks()) {
+      breaks.push_back({island.constraints[of.constraint], of.time});
+      broken_.push_back(breaks.back().constraint);
+    }
+  }
+  return breaks;
 }
 
 std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {

@@ -14,6 +14,7 @@
 #include "engine/bake/pose/root_placement.h"
 #include "engine/bake/thread_pool.h"
 #include "engine/bake/walk/energy_account.h"
+#include "engine/bake/walk/held_together.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -25,10 +26,11 @@ class ExactDriver {
  public:
   // `active`: indices of Animation::regions, `starts`: of those with springs. `figure`, `pool` and
   // `known`, the logs of earlier bakes, must outlive the driver; `known` null: no logs are kept.
-  // `sharpness`: divides the tolerances of single steps.
+  // `sharpness`: divides the tolerances of single steps. `broken`: constraints that do not act, by
+  // index of the animation's.
   ExactDriver(const Animation& animation, const Figure& figure, std::vector<int> active,
-              const std::map<int, RegionStart>& starts, double sharpness, const KnownLogs* known,
-              ThreadPool* pool);
+              const std::map<int, RegionStart>& starts, double sharpness, std::vector<int> broken,
+              const KnownLogs* known, ThreadPool* pool);
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
@@ -86,6 +88,13 @@ class ExactDriver {
   };
   std::vector<Hit> TakeHits();
 
+  // Constraints that act, by index of the animation's.
+  std::vector<int> constraints() const;
+  // How strong each is [N], by index of the animation's, at a time that islands can be sampled at.
+  std::vector<double> ConstraintForces(double t);
+  // Those that broke since the last call: they do not act any more.
+  std::vector<ConstraintBreak> TakeBreaks();
+
   // Compares with the control solutions at time t and keeps the largest estimate of each active
   // region.
   void Estimate(double t);
@@ -103,6 +112,7 @@ class ExactDriver {
  private:
   struct Island {
     IslandSolution solution, control;
+    std::vector<int> constraints;  // of the task, by index of the animation's
   };
   // Of islands that are no more.
   struct Finished {
@@ -114,7 +124,7 @@ class ExactDriver {
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
   // Of an island that begins with a stretch whose middle is at `t` [s].
-  IslandTask TaskFor(RegionModel model, double t) const;
+  IslandTask TaskFor(RegionModel model, double t, IslandConstraints* constraints) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();
@@ -136,6 +146,7 @@ class ExactDriver {
   // By Coordinate, if there are any drives: what drives a joint.
   std::vector<const hazumi::Drive*> drives_;
   std::vector<Spring> springs_;
+  std::vector<int> broken_;
   ModelRequest request_;  // of the islands as they are
   std::vector<Island> islands_;
   std::vector<double> estimates_;

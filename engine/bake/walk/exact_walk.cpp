@@ -11,7 +11,9 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/placement/root_placement.h"
+#include "engine/spatial/degrees.h"
 
 namespace hazumi {
 
@@ -33,7 +35,7 @@ void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
   curves_.SetRegions(regions);
   driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
                                           context_.starts, refinements_.SharpnessOf(regions),
-                                          known_, pool_);
+                                          context_.now.broken, known_, pool_);
   has_begun_ = false;
 }
 
@@ -74,8 +76,15 @@ Result<int> ExactWalk::Advance(int frame) {
     const bool fits_holds = driver_ && !context_.poses.holds().empty();
     const Result<double> to = curves_.Take(from, end, fits_holds);
     if (!to.ok()) return to.error();
+    const bool begins = !has_begun_;
     Drive(from, to.value(), Vec3::Zero());
+    if (begins) {
+      if (auto error = CheckGaps()) return *error;
+    }
     if (from == frame && context_.wants_start) TellStart();
+    if (const auto output = context_.recorder.OutputAt(from)) {
+      RecordConstraintForces(*output, context_.Seconds(from));
+    }
     if (auto error = AdvancePiece(from, to.value(), end)) return *error;
     if (auto error = Arrive(to.value())) return *error;
     from = to.value();
@@ -130,7 +139,8 @@ void ExactWalk::KeepControl(double frame) {
 std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
-  const bool looks_on = falls || accounts || context_.options.accelerations;
+  const bool looks_on = falls || accounts || context_.options.accelerations ||
+                        !context_.animation.constraints.empty();
   if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);
   for (double t = context_.Seconds(from); t < last;) {
@@ -189,6 +199,7 @@ std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, d
 std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   const auto failure = driver_->Advance(t, last);
   AddHits(last);
+  AddBreaks();
   if (!failure) return std::nullopt;
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
 }
@@ -199,6 +210,42 @@ void ExactWalk::AddHits(double until) {
     if (hit.time > until) continue;
     context_.recorder.AddLimit(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
+}
+
+void ExactWalk::AddBreaks() {
+  for (const ConstraintBreak& of : driver_->TakeBreaks()) {
+    context_.now.broken.push_back(of.constraint);
+    context_.recorder.AddEvent(EventKind::kBreak, context_.animation.rate.FrameAt(of.time),
+                               context_.animation.constraints[of.constraint].name);
+  }
+}
+
+// Of constraints that begin to act, and have no time to close them.
+std::optional<Error> ExactWalk::CheckGaps() {
+  constexpr double kMost = 1e-4, kMostTurn = 0.1 * kDegree;  // [m], [rad]
+  if (!driver_ || context_.animation.constraints.empty()) return std::nullopt;
+  const FigureMotion& now = context_.now;
+  DynamicsWorkspace& ws = context_.poses.workspace();
+  ComputePositions(context_.poses.figure(), now.X_WR, now.q, &ws);
+  for (const int i : driver_->constraints()) {
+    const Constraint& constraint = context_.animation.constraints[i];
+    if (constraint.arrive_frames > 0) continue;
+    const ConstraintGap gap = GapOf(constraint, context_.poses.figure(), now.X_WR, ws);
+    if (gap.distance <= kMost && gap.turn <= kMostTurn) continue;
+    const bool is_turn = gap.distance <= kMost;
+    return Error{ErrorCode::kSemantics, "", "constraints[" + std::to_string(i) + "]",
+                 "the ends of \"" + constraint.name + "\" are " +
+                     (is_turn ? FormatShort(gap.turn / kDegree) + " degrees"
+                              : FormatShort(1000.0 * gap.distance) + " mm") +
+                     " apart in frame " + FormatShort(now.frame) +
+                     "; give it arrive_frames to close that, or move one of its ends"};
+  }
+  return std::nullopt;
+}
+
+void ExactWalk::RecordConstraintForces(int output, double t) {
+  if (!driver_ || context_.animation.constraints.empty()) return;
+  context_.recorder.SetConstraintForces(output, driver_->ConstraintForces(t));
 }
 
 std::optional<GravityEvent> ExactWalk::FirstEvent(double t, double next, double to) {
@@ -279,6 +326,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (driver_) driver_->Estimate(context_.Seconds(frame));
     context_.Record(output, motion, LimitOf(motion));
+    RecordConstraintForces(output, context_.Seconds(frame));
     if (context_.options.accelerations) {
       context_.recorder.SetAcceleration(output, AccelerationOf(motion));
     }

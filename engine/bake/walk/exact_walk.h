@@ -46,6 +46,9 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> AdvanceRegions(double t, double last);
   std::optional<Error> Arrive(double frame);
   void AddHits(double until);
+  void AddBreaks();
+  std::optional<Error> CheckGaps();
+  void RecordConstraintForces(int output, double t);
 
   MotionAcceleration AccelerationOf(const FigureMotion& motion);
   void TellStart();

@@ -19,10 +19,9 @@ namespace hazumi {
 namespace {
 
 // Null: the island does not carry it.
-const NodeJoint* SeatOf(JointIndex joint, const RegionModel& model) {
-  const auto seat = std::find_if(model.joints.begin(), model.joints.end(),
-                                 [&](const NodeJoint& own) { return own.joint == joint; });
-  return seat == model.joints.end() ? nullptr : &*seat;
+const NodeJoint* CarriedSeat(JointIndex joint, const RegionModel& model) {
+  const NodeJoint* seat = model.SeatOf(joint);
+  return seat && model.nodes[seat->node].is_dynamic ? seat : nullptr;
 }
 
 std::span<const Link> LinksOf(JointIndex joint, const Figure& figure) {
@@ -36,9 +35,8 @@ std::span<const Link> LinksOf(JointIndex joint, const Figure& figure) {
 }
 
 // In the frame of the node.
-Vec3 OnNode(const NodeJoint& seat, const Vec3& p_J) { return seat.p_N + seat.R_NJ * p_J; }
 LinkSurface OnNode(const NodeJoint& seat, LinkSurface surface) {
-  surface.center = OnNode(seat, surface.center);
+  surface.center = hazumi::OnNode(seat, surface.center);
   surface.normal = seat.R_NJ * surface.normal;
   return surface;
 }
@@ -47,14 +45,15 @@ void AddForce(const WindForce& wind, const Figure& figure, const RegionModel& mo
               std::vector<ForceSpec>* forces) {
   WindSpec spec{wind.velocity, wind.density, {}, {}};
   for (const NodeJoint& seat : model.joints) {
+    if (!model.nodes[seat.node].is_dynamic) continue;
     for (const Link& link : LinksOf(seat.joint, figure)) {
       if (link.surface) {
         spec.surfaces.push_back({seat.node, OnNode(seat, *link.surface)});
         continue;
       }
       const Capsule& capsule = link.capsule;
-      spec.cylinders.push_back(
-          {seat.node, OnNode(seat, capsule.a), OnNode(seat, capsule.b), 2.0 * capsule.radius});
+      spec.cylinders.push_back({seat.node, hazumi::OnNode(seat, capsule.a),
+                                hazumi::OnNode(seat, capsule.b), 2.0 * capsule.radius});
     }
   }
   if (!spec.cylinders.empty() || !spec.surfaces.empty()) forces->emplace_back(std::move(spec));
@@ -63,10 +62,10 @@ void AddForce(const WindForce& wind, const Figure& figure, const RegionModel& mo
 void AddForce(const AttractForce& pull, const Figure& figure, const RegionModel& model,
               std::vector<ForceSpec>* forces) {
   const JointIndex joint = pull.at.joint ? figure.group(*pull.at.joint).last() : JointIndex();
-  const NodeJoint* seat = SeatOf(joint, model);
+  const NodeJoint* seat = CarriedSeat(joint, model);
   if (!seat) return;
-  forces->emplace_back(
-      AttractionSpec{seat->node, OnNode(*seat, pull.at.offset), pull.to, pull.force, pull.radius});
+  forces->emplace_back(AttractionSpec{seat->node, hazumi::OnNode(*seat, pull.at.offset), pull.to,
+                                      pull.force, pull.radius});
 }
 
 // As large as an impulse.
@@ -135,9 +134,9 @@ bool Push(const PushForce& push, const Figure& figure, ModelRequest request, Rot
   request.lists_joints = true;
   bool is_felt = request.coupling == RootCoupling::kFlight;
   for (const RegionModel& model : CompileRegionModels(figure, request)) {
-    const NodeJoint* seat = SeatOf(joint, model);
+    const NodeJoint* seat = CarriedSeat(joint, model);
     if (!seat) continue;
-    const Vec3 point = OnNode(*seat, push.at.offset);
+    const Vec3 point = hazumi::OnNode(*seat, push.at.offset);
     PushIsland(model, std::make_shared<ForceAtPoint>(seat->node, point, push.impulse), state);
     is_felt = true;
   }

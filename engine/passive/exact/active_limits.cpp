@@ -14,7 +14,7 @@ constexpr int kChatter = 24;                   // events in the window before li
 }  // namespace
 
 ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
-    : limits_(limits), forces_(dynamics) {
+    : dynamics_(dynamics), limits_(limits), forces_(dynamics) {
   side_.assign(dynamics->num_hinges(), 0);
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
@@ -37,7 +37,8 @@ void ActiveLimits::CountEvent(double t) {
 
 void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                            LimitHits* hits) {
-  const bool with_impulse = !v_pin.isZero(0.0);
+  const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any();
+  kick_.setZero();
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
   Settle(t, later, state);
@@ -72,8 +73,21 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
   return moving;
 }
 
+// Constraints break before they give more than they stand.
 void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
-  forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+  ConstraintRows& constraints = dynamics_->constraints();
+  const VecX before = state->qd;
+  for (;;) {
+    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+    if (!constraints.any()) break;
+    const int broken = constraints.Overloaded(forces_.row_impulses(), /*are_impulses=*/true);
+    if (broken < 0) {
+      kick_ = dynamics_->KickOf(forces_.row_impulses());
+      break;
+    }
+    constraints.Break(broken, t);
+    state->qd = before;
+  }
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * state->qd[i] < -rest_rate()) side_[i] = 0;  // pushed off
   }

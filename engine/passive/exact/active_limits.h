@@ -34,6 +34,9 @@ class ActiveLimits {
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                LimitHits* hits);
 
+  // By how much the impacts changed the velocity of the centre of mass of a figure in flight, which
+  // constraints push [m/s].
+  const Vec3& kick() const { return kick_; }
   // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
   bool any() const { return any_; }
@@ -51,8 +54,10 @@ class ActiveLimits {
   void Collide(double t, const Vec3& v_pin, HingeState* state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
+  RegionDynamics* dynamics_;
   const LimitRange* limits_;
   LimitForces forces_;
+  Vec3 kick_ = Vec3::Zero();
   std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;

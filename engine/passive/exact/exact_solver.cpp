@@ -1,6 +1,9 @@
 #include "engine/passive/exact/exact_solver.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "engine/base/root.h"
 
 namespace hazumi {
 
@@ -34,15 +37,51 @@ void ExactSolver::Restart() { Resolve(Vec3::Zero()); }
 void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 
 // Which limits hold which hinges from now on, after the impact of those that go out and of a pin
-// that was stopped; what they hold is no part of the state.
-void ExactSolver::Resolve(const Vec3& v_pin) {
+// that was stopped; what they hold is no part of the state. Where that overloads a constraint it
+// breaks.
+void ExactSolver::Resolve(Vec3 v_pin) {
   next_ = Next::kGoOn;
   follows_event_ = true;
   dynamics_->SetAnchor(step_.anchor());
-  held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &hits_);
-  release_search_.Begin();
-  dynamics_->SetLocked(held_.held(), q());
-  step_.Begin();
+  do {
+    held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &hits_);
+    step_.Kick(held_.kick());
+    release_search_.Begin();
+    dynamics_->SetLocked(held_.held(), q());
+    step_.Begin();
+    v_pin.setZero();
+  } while (BreakOverloaded());
+}
+
+bool ExactSolver::BreakOverloaded() {
+  ConstraintRows& constraints = dynamics_->constraints();
+  if (!constraints.may_break()) return false;
+  const int overloaded = constraints.Overloaded(dynamics_->row_forces(), /*are_impulses=*/false);
+  if (overloaded >= 0) constraints.Break(overloaded, time());
+  return overloaded >= 0;
+}
+
+// Ends the step where a constraint is overloaded first, as far as it shows at its quarters.
+bool ExactSolver::FindBreak() {
+  constexpr int kLooks = 4;
+  const double start = step_.start_time(), length = time() - start;
+  const auto overload = [&](double t) { return step_.Overload(t); };
+  double before = start, f_before = overload(start);
+  for (int look = 1; look <= kLooks; ++look) {
+    const double t = look == kLooks ? time() : start + length * look / kLooks;
+    const double f = overload(t);
+    if (f > 0.0) {
+      const Bracket at = Narrow({before, std::min(f_before, 0.0), t, f}, kSameTime, overload);
+      overload(at.b);
+      breaks_next_ =
+          dynamics_->constraints().Overloaded(dynamics_->row_forces(), /*are_impulses=*/false);
+      step_.EndAt(at.b);
+      return true;
+    }
+    before = t;
+    f_before = f;
+  }
+  return false;
 }
 
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
@@ -54,18 +93,24 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   next_ = Next::kGoOn;
   if (const std::optional<ExactFailure> failure = step_.Take(end)) return failure;
   ++steps_;
-  if (!range_.any()) return std::nullopt;
-  const HitSearch::Found found = hit_search_.Find(held_.held(), follows_event_);
-  if (found == HitSearch::Found::kHit) next_ = Next::kEvent;
-  if (found == HitSearch::Found::kPole) next_ = Next::kGoOnFromCut;
-  if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
+  if (range_.any()) FindLimitEvents();
+  if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
 }
 
-// A limit was hit or lets go.
+void ExactSolver::FindLimitEvents() {
+  const HitSearch::Found found = hit_search_.Find(held_.held(), follows_event_);
+  if (found == HitSearch::Found::kHit) next_ = Next::kEvent;
+  if (found == HitSearch::Found::kPole) next_ = Next::kGoOnFromCut;
+  if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
+}
+
+// A limit was hit or lets go, or a constraint breaks.
 void ExactSolver::MakeEventHappen() {
+  if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
+  breaks_next_ = -1;
   held_.CountEvent(time());
   range_.Widen(q());
   Resolve(Vec3::Zero());

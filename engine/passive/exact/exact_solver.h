@@ -53,6 +53,11 @@ class ExactSolver {
   // As ExactStep has them; what limits hold has none.
   Vec3 Accelerations(double t, VecX* qd, VecX* qdd) { return step_.Accelerations(t, qd, qdd); }
 
+  // Sizes of the forces of constraints there [N], 0 of broken ones.
+  VecX ConstraintForces(double t) { return step_.ConstraintForces(t); }
+  // Breaks since the last call.
+  std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->constraints().TakeBreaks(); }
+
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return hits_.Take(); }
   long steps() const { return steps_; }
@@ -62,7 +67,10 @@ class ExactSolver {
   enum class Next { kGoOn, kGoOnFromCut, kEvent };
 
   void MakeEventHappen();
-  void Resolve(const Vec3& v_pin);
+  void Resolve(Vec3 v_pin);
+  bool BreakOverloaded();
+  bool FindBreak();
+  void FindLimitEvents();
 
   RegionDynamics* dynamics_;
   LimitRange range_;
@@ -72,6 +80,7 @@ class ExactSolver {
   ReleaseSearch release_search_;
   LimitHits hits_;
   Next next_ = Next::kGoOn;
+  int breaks_next_ = -1;        // a constraint that is overloaded at `time`
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]
   long steps_ = 0;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSafety = 0.9;       // of steps, so that few are rejected
+constexpr double kMostGap = 1e-7;     // of what constraints keep together [m, rad]
 
 }  // namespace
 
@@ -20,7 +21,7 @@ ExactStep::ExactStep(RegionDynamics* dynamics, const LimitRange* limits)
       inside_(dynamics->num_hinges()) {
   const int n = dynamics->num_hinges();
   // The longest state: all in balls, and a fall.
-  for (VecX* x : {&y_, &scale_}) x->resize(2 * n + n / 3 + 6);
+  for (VecX* x : {&y_, &scale_, &closed_}) x->resize(2 * n + n / 3 + 6);
 }
 
 void ExactStep::Place(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
@@ -35,6 +36,12 @@ void ExactStep::Begin() {
   dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
   dynamics_->SetAnchor(anchor_);
   dynamics_->PackAnchor(y_.data());
+  is_closed_ = false;
+  gap_ = 0.0;
+  if (closes_gaps()) {
+    gap_ = dynamics_->CloseGaps(time_, y_.data());
+    TakeState(y_.data());
+  }
   step_.Resize(dynamics_->state_size());
   SetScale();
   step_.Start(time_, y_.data(), Field());
@@ -77,6 +84,9 @@ double ExactStep::Growth(double error) const {
 }
 
 std::optional<ExactFailure> ExactStep::Take(double end) {
+  if (gap_ > kMostGap) return ExactFailure{worst_hinge(), ExactFailure::Cause::kEndsApart, gap_};
+  if (is_closed_) step_.Start(time_, closed_.data(), Field());
+  is_closed_ = false;
   start_.q = now_.q;
   start_.qd = now_.qd;
   double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
@@ -99,11 +109,22 @@ std::optional<ExactFailure> ExactStep::Take(double end) {
   }
   time_ = step_.end_time();
   if (std::abs(time_ - end) < kSameTime) time_ = end;
-  // The branch is that of the state before, which is near by.
-  dynamics_->layout().Unpack(step_.y(), limits_->lower(), limits_->upper(), &now_.q, &now_.qd);
-  dynamics_->SetAnchorOf(step_.y());
-  anchor_ = dynamics_->anchor();
+  if (!closes_gaps()) {
+    TakeState(step_.y());
+    return std::nullopt;
+  }
+  std::copy_n(step_.y(), dynamics_->state_size(), closed_.data());
+  gap_ = dynamics_->CloseGaps(time_, closed_.data());
+  is_closed_ = true;
+  TakeState(closed_.data());
   return std::nullopt;
+}
+
+// The branch is that of the state before, which is near by.
+void ExactStep::TakeState(const double* y) {
+  dynamics_->layout().Unpack(y, limits_->lower(), limits_->upper(), &now_.q, &now_.qd);
+  dynamics_->SetAnchorOf(y);
+  anchor_ = dynamics_->anchor();
 }
 
 void ExactStep::EndAt(double t) {
@@ -114,6 +135,7 @@ void ExactStep::EndAt(double t) {
 }
 
 void ExactStep::GoOn() {
+  is_closed_ = false;
   step_.At(time_, y_.data());
   step_.Start(time_, y_.data(), Field());
 }
@@ -123,6 +145,7 @@ void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 void ExactStep::Sample(double t, VecX* q, VecX* qd) {
   MakeDense();
   step_.At(t, y_.data());
+  if (closes_gaps()) dynamics_->CloseGaps(t, y_.data());
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
@@ -140,6 +163,16 @@ void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState*
 }
 
 Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
+  VecX dy;
+  LookAt(t, &dy);
+  *qd = inside_.qd;
+  const RegionLayout& layout = dynamics_->layout();
+  layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
+  return dynamics_->is_pushed_in_flight() ? Vec3(dy.tail<3>()) : Vec3(Vec3::Zero());
+}
+
+// The equations at t, where y_ and inside_ are then.
+void ExactStep::LookAt(double t, VecX* dy) {
   if (t >= time_) {
     inside_ = now_;
     dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
@@ -147,14 +180,21 @@ Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
     dynamics_->PackAnchor(y_.data());
   } else {
     Sample(t, &inside_);
-    step_.At(t, y_.data());
   }
-  *qd = inside_.qd;
-  const RegionLayout& layout = dynamics_->layout();
-  VecX dy(dynamics_->state_size());
-  dynamics_->Look(t, y_.data(), dy.data());
-  layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
-  return dynamics_->is_pushed_in_flight() ? Vec3(dy.tail<3>()) : Vec3(Vec3::Zero());
+  dy->resize(dynamics_->state_size());
+  dynamics_->Look(t, y_.data(), dy->data());
+}
+
+VecX ExactStep::ConstraintForces(double t) {
+  VecX dy;
+  LookAt(t, &dy);
+  return dynamics_->constraints().SizesOf(dynamics_->row_forces());
+}
+
+double ExactStep::Overload(double t) {
+  VecX dy;
+  LookAt(t, &dy);
+  return dynamics_->constraints().Overload(dynamics_->row_forces(), /*are_impulses=*/false);
 }
 
 EnergyFlow ExactStep::Energy(double t) {

@@ -49,6 +49,10 @@ class ExactStep {
   const HingeState& now() const { return now_; }
   HingeState& now() { return now_; }  // for events to change
   const PointMotion& anchor() const { return anchor_; }
+  // An impact changes the velocity of the centre of mass [m/s]; before Begin.
+  void Kick(const Vec3& jump) { anchor_.v += jump; }
+  // What constraints could not close where it began [m, rad].
+  double gap() const { return gap_; }
   // The one that the error is largest of.
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
@@ -59,6 +63,10 @@ class ExactStep {
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();
   EnergyFlow Energy(double t);
+  // Sizes of the forces of constraints at t, and by how much the worst is overloaded
+  // (ConstraintRows).
+  VecX ConstraintForces(double t);
+  double Overload(double t);
   // And rates, of the free hinges at t in [start_time, time]; at `time` itself those of now(), with
   // which the next step begins. The centre of mass's, if the fall is solved along, else zero
   // [m/s^2].
@@ -68,6 +76,9 @@ class ExactStep {
   auto Field() {
     return [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); };
   }
+  bool closes_gaps() const { return dynamics_->constraints().any_closed(); }
+  void TakeState(const double* y);
+  void LookAt(double t, VecX* dy);
   void SetScale();
   double FirstStep(double end) const;
   double Growth(double error) const;
@@ -83,6 +94,10 @@ class ExactStep {
   HingeState start_, now_, inside_;
   PointMotion anchor_;  // at time_
   VecX y_, scale_;
+  // Where constraints have closed what the step left, it goes on from there.
+  VecX closed_;
+  bool is_closed_ = false;
+  double gap_ = 0.0;
 };
 
 }  // namespace hazumi

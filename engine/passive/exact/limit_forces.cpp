@@ -30,7 +30,7 @@ void LimitForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, *qd);
     dynamics_->PinImpulse(v_pin, &impulse_);
-    return solver_.Impact(dynamics_->M(), impulse_, side, sticks, qd);
+    return solver_.Impact(dynamics_->M(), impulse_, side, sticks, qd, dynamics_->RowsOfImpulses());
   }
   AssembleSome(t, q, *qd, [&](int i) { return side[i] != 0; });
   if (!v_pin.isZero(0.0)) *qd += dynamics_->JumpOfPin(v_pin);
@@ -52,7 +52,8 @@ void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vecto
                        const std::vector<char>& fixed, std::vector<char>* held) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
-    return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held);
+    return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held,
+                        dynamics_->RowsOfForces());
   }
   AssembleSome(t, q, qd, [&](int i) { return side[i] != 0; });
   side_.clear();
@@ -70,7 +71,7 @@ void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vecto
 void LimitForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
-    return solver_.Solve(dynamics_->M(), dynamics_->b(), held);
+    return solver_.Solve(dynamics_->M(), dynamics_->b(), held, dynamics_->RowsOfForces());
   }
   AssembleSome(t, q, qd, [&](int i) { return held[i] != 0; });
   solver_.Solve(dynamics_->M(), dynamics_->b(), held_);

@@ -14,7 +14,8 @@ class LimitForces {
   // `dynamics` must outlive it.
   explicit LimitForces(RegionDynamics* dynamics);
 
-  // At t, with the angles q: an impact of what goes out, and of a pin that moved with v_pin [m/s].
+  // At t, with the angles q: an impact of what goes out, of a pin that moved with v_pin [m/s], and
+  // of ends of constraints that part.
   void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* qd);
   // Which hinges at rest at a limit stay there.
@@ -23,6 +24,8 @@ class LimitForces {
   // With the hinges `held` kept still.
   void Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held);
   // Then, and after Rest: what the limits give [N m].
+  // After Impact: the impulses of constraints' rows [N s, N m s].
+  const VecX& row_impulses() const { return solver_.l(); }
   const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
 
  private:

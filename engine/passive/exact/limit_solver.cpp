@@ -16,7 +16,7 @@ void LimitSolver::Resize(int size) {
 }
 
 void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
-                             const std::vector<char>& held) {
+                             const std::vector<char>& held, const LimitRows* rows) {
   const int n = static_cast<int>(b.size());
   if (A_.cols() != n) A_.resize(n, n);
   free_.clear();
@@ -35,16 +35,42 @@ void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
   }
   FactorSemidefinite(A_.topLeftCorner(k, k));
   SolveSemidefinite(A_.topLeftCorner(k, k), right_.head(k));
+  if (rows) KeepRows(*rows, given, held);
   x_ = given;
   for (int r = 0; r < k; ++r) x_[free_[r]] = right_[r];
   for (int i = 0; i < n; ++i) {
     T_[i] = held[i] ? b[i] + M.row(i).dot(x_) : 0.0;
     size_[i] = held[i] ? std::abs(b[i]) + M.row(i).cwiseAbs().dot(x_.cwiseAbs()) : 0.0;
+    if (rows && held[i]) T_[i] -= rows->J.col(i).dot(l_);
   }
 }
 
-void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held) {
-  SolveMixed(M, b, zero_, held);
+// right_ := what the hinges that are not held do with the rows' forces l_:
+//   (J_f M_ff^-1 J_f^T + G) l = -(J_f x_f + J_h x_h + c)
+void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
+                           const std::vector<char>& held) {
+  const auto k = static_cast<Eigen::Index>(free_.size());
+  MatX J(k, rows.J.rows());
+  VecX errors = rows.c;
+  for (Eigen::Index r = 0; r < k; ++r) {
+    J.row(r) = rows.J.col(free_[r]);
+    errors += rows.J.col(free_[r]) * right_[r];
+  }
+  for (size_t i = 0; i < held.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (held[i]) errors += rows.J.col(at) * given[at];
+  }
+  MatX answer = J;
+  for (Eigen::Index row = 0; row < J.cols(); ++row) {
+    SolveSemidefinite(A_.topLeftCorner(k, k), answer.col(row));
+  }
+  l_ = -LeastNorm(J.transpose() * answer + rows.G, errors);
+  right_.head(k) += answer * l_;
+}
+
+void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held,
+                        const LimitRows* rows) {
+  SolveMixed(M, b, zero_, held, rows);
 }
 
 // The first hinge at a limit that is held but would have to be pulled, or is not held and goes out.
@@ -64,13 +90,13 @@ int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
 }
 
 void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
-                         const std::vector<char>& sticks, VecX* v) {
+                         const std::vector<char>& sticks, VecX* v, const LimitRows* rows) {
   const int n = static_cast<int>(v->size());
   against_ = -impulse;
   given_ = -*v;
   for (int i = 0; i < n; ++i) held_[i] = side[i] != 0 && (sticks[i] || side[i] * (*v)[i] >= 0.0);
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
-    SolveMixed(M, against_, given_, held_);
+    SolveMixed(M, against_, given_, held_, rows);
     // A hinge that is not held takes what the others give it.
     reached_ = *v + x_;
     const int wrong = FirstWrong(side, reached_, sticks, held_);
@@ -81,11 +107,12 @@ void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<i
 }
 
 void LimitSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
-                       const std::vector<char>& fixed, std::vector<char>* held) {
+                       const std::vector<char>& fixed, std::vector<char>* held,
+                       const LimitRows* rows) {
   const int n = static_cast<int>(b.size());
   for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {
-    SolveMixed(M, b, zero_, *held);
+    SolveMixed(M, b, zero_, *held, rows);
     const int wrong = FirstWrong(side, x_, fixed, *held);
     if (wrong < 0) break;
     (*held)[wrong] = !(*held)[wrong];

@@ -38,6 +38,7 @@ void DrawEvent(ImDrawList* list, const EventMark& mark, float r, ImU32 color) {
       return list->AddRectFilled({c.x - 1.0f, c.y - r}, {c.x + 1.0f, c.y + r}, color);
     case EventKind::kPinChange:
     case EventKind::kRelease:
+    case EventKind::kBreak:
       return list->AddCircleFilled(c, 0.8f * r, color, 12);
   }
 }
@@ -67,6 +68,8 @@ const char* Describe(EventKind kind) {
       return "Joint hits its limit";
     case EventKind::kRelease:
       return "Object is let go";
+    case EventKind::kBreak:
+      return "Constraint breaks";
   }
   return "";
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/dynamics/workspace.h"
+#include "engine/passive/constraints/constraint_spec.h"
+#include "engine/passive/region_model.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// Which of the animation's constraints act at time t [s]; `broken` are left out. By index,
+// ascending.
+std::vector<int> ActiveConstraints(const Animation& animation, double t,
+                                   const std::vector<int>& broken);
+// What they tie.
+std::vector<ModelRequest::Tie> TiesOf(const Animation& animation,
+                                      const std::vector<int>& constraints);
+
+// Those of `constraints` that hold a node of an island that a region moves, and their indices.
+struct IslandConstraints {
+  std::vector<ConstraintSpec> specs;
+  std::vector<int> indices;
+};
+IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& animation,
+                                const std::vector<int>& constraints);
+
+// How far the ends of a constraint are apart, of a figure whose positions are computed: the gap of
+// its points [m], or of their distance, and for welds the turn between them [rad].
+struct ConstraintGap {
+  double distance = 0.0, turn = 0.0;
+};
+ConstraintGap GapOf(const Constraint& constraint, const Figure& figure, const Pose& X_WR,
+                    const DynamicsWorkspace& ws);
+
+}  // namespace hazumi

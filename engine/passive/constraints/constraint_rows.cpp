@@ -1,0 +1,207 @@
+// With a, b the points of the ends, w_b the angular velocity of b, and everything as b sees it:
+//   point      e = a - b,  along b's axes:  e' = a' - b' - w_b x e,
+//              e'' = a'' - (the acceleration of b's body at a) - 2 w_b x e'
+//   distance   e = |d| - L,  d = a - b,  n = d / |d|,  e'' = n d'' + (d'^2 - (n d')^2) / |d|
+//   weld       a point, and phi, the turn from b's axes to a's, with phi' = w_a - w_b where it is 0
+// A point's force acts where a is, on both: so that what ties two links of a figure changes neither
+// of its momenta while the gap is open. A gap closes as a swing damped until it does not overshoot,
+//   e'' = -2 w e' - w^2 e,   e(t) = (e_0 + (v_0 + w e_0) t) exp(-w t)
+
+#include "engine/passive/constraints/constraint_rows.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+namespace {
+
+struct EndMotion {
+  V3 p, v;  // in the world
+  V3 r;     // from the node's origin
+};
+
+EndMotion MotionOf(const ConstraintSeat& seat, const RegionState& state) {
+  if (seat.node == ConstraintSeat::kWorld) return {V3(seat.p), V3(), V3()};
+  const V3 r = state.kinematics.motion()[seat.node].R * V3(seat.p);
+  return {state.PositionAt(seat.node, r), state.VelocityAt(seat.node, r), r};
+}
+
+V3 AngularVelocityOf(const ConstraintSeat& seat, const RegionState& state) {
+  return seat.node == ConstraintSeat::kWorld ? V3() : state.kinematics.motion()[seat.node].w;
+}
+
+Mat3 RotationOf(const ConstraintSeat& seat, const RegionState& state) {
+  if (seat.node == ConstraintSeat::kWorld) return seat.R;
+  return state.kinematics.motion()[seat.node].R.eigen() * seat.R;
+}
+
+double Closing(const ConstraintRow& row, double rate) {
+  return -rate * (2.0 * row.rate + rate * row.gap);
+}
+
+}  // namespace
+
+ConstraintRows::ConstraintRows(std::vector<ConstraintSpec> specs)
+    : specs_(std::move(specs)),
+      is_broken_(specs_.size(), 0),
+      num_whole_(static_cast<int>(specs_.size())) {
+  rows_.reserve(6 * specs_.size());
+}
+
+bool ConstraintRows::any_closed() const {
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    if (!is_broken_[i] && specs_[i].closing_rate == 0.0) return true;
+  }
+  return false;
+}
+
+bool ConstraintRows::any_yielding() const {
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    if (!is_broken_[i] && specs_[i].closing_rate > 0.0) return true;
+  }
+  return false;
+}
+
+bool ConstraintRows::may_break() const {
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    if (!is_broken_[i] && specs_[i].break_force) return true;
+  }
+  return false;
+}
+
+double ConstraintRows::FastestRate() const {
+  double rate = 0.0;
+  for (const ConstraintSpec& spec : specs_) rate = std::max(rate, spec.closing_rate);
+  return rate;
+}
+
+void ConstraintRows::Measure(const RegionState& state) {
+  rows_.clear();
+  for (int i = 0; i < static_cast<int>(specs_.size()); ++i) {
+    if (is_broken_[i]) continue;
+    if (specs_[i].kind == ConstraintKind::kDistance) {
+      AddDistance(i, state);
+      continue;
+    }
+    AddPoint(i, state);
+    if (specs_[i].kind == ConstraintKind::kWeld) AddTurn(i, state);
+  }
+}
+
+ConstraintRow ConstraintRows::RowOf(int i, const RegionState& state) const {
+  const ConstraintSpec& spec = specs_[i];
+  ConstraintRow row;
+  row.constraint = i;
+  row.is_closed = spec.closing_rate == 0.0;
+  row.a = spec.a.node;
+  row.b = spec.b.node;
+  row.r_a = MotionOf(spec.a, state).r;
+  row.r_b = MotionOf(spec.b, state).r;
+  return row;
+}
+
+void ConstraintRows::AddPoint(int i, const RegionState& state) {
+  const ConstraintSpec& spec = specs_[i];
+  const EndMotion a = MotionOf(spec.a, state), b = MotionOf(spec.b, state);
+  const V3 e = a.p - b.p, w_b = AngularVelocityOf(spec.b, state);
+  const V3 rate = a.v - b.v - Cross(w_b, e), bend = -2.0 * Cross(w_b, rate);
+  const Mat3 axes = RotationOf(spec.b, state);
+  ConstraintRow row = RowOf(i, state);
+  row.r_b = row.r_b + e;
+  for (int axis = 0; axis < 3; ++axis) {
+    row.n = V3(Vec3(axes.col(axis)));
+    row.gap = Dot(row.n, e);
+    row.rate = Dot(row.n, rate);
+    row.bend = Dot(row.n, bend);
+    row.wanted = Closing(row, spec.closing_rate);
+    rows_.push_back(row);
+  }
+}
+
+void ConstraintRows::AddTurn(int i, const RegionState& state) {
+  const ConstraintSpec& spec = specs_[i];
+  const Mat3 turn = RotationOf(spec.a, state) * RotationOf(spec.b, state).transpose();
+  const Eigen::AngleAxisd phi(turn);
+  const V3 w_b = AngularVelocityOf(spec.b, state);
+  const V3 w = AngularVelocityOf(spec.a, state) - w_b;
+  ConstraintRow row = RowOf(i, state);
+  row.turns = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    row.n = V3(Vec3::Unit(axis));
+    row.gap = phi.angle() * phi.axis()[axis];
+    row.rate = Dot(row.n, w);
+    row.wanted = Closing(row, spec.closing_rate) + Dot(row.n, Cross(w_b, w));
+    rows_.push_back(row);
+  }
+}
+
+void ConstraintRows::AddDistance(int i, const RegionState& state) {
+  constexpr double kNoDirection = 1e-9;  // [m]
+  const ConstraintSpec& spec = specs_[i];
+  const EndMotion a = MotionOf(spec.a, state), b = MotionOf(spec.b, state);
+  const V3 d = a.p - b.p, v = a.v - b.v;
+  const double length = std::sqrt(Dot(d, d));
+  ConstraintRow row = RowOf(i, state);
+  row.n = length > kNoDirection ? (1.0 / length) * d : V3(1.0, 0.0, 0.0);
+  row.gap = length - spec.length;
+  row.rate = Dot(row.n, v);
+  if (length > kNoDirection) row.bend = (Dot(v, v) - row.rate * row.rate) / length;
+  row.wanted = Closing(row, spec.closing_rate);
+  rows_.push_back(row);
+}
+
+VecX ConstraintRows::Damping() const {
+  VecX damping(static_cast<Eigen::Index>(rows_.size()));
+  for (size_t k = 0; k < rows_.size(); ++k) {
+    damping[static_cast<Eigen::Index>(k)] =
+        2.0 * specs_[rows_[k].constraint].closing_rate * rows_[k].rate;
+  }
+  return damping;
+}
+
+VecX ConstraintRows::SizesOf(const VecX& forces) const {
+  VecX sizes = VecX::Zero(static_cast<Eigen::Index>(specs_.size()));
+  for (size_t k = 0; k < rows_.size(); ++k) {
+    if (rows_[k].turns) continue;
+    double& size = sizes[rows_[k].constraint];
+    size = std::hypot(size, forces[static_cast<Eigen::Index>(k)]);
+  }
+  return sizes;
+}
+
+double ConstraintRows::Overload(const VecX& forces, bool are_impulses) const {
+  const VecX sizes = SizesOf(forces);
+  double most = -1.0;
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    const std::optional<double>& stands =
+        are_impulses ? specs_[i].break_impulse : specs_[i].break_force;
+    if (is_broken_[i] || !stands) continue;
+    most = std::max(most, sizes[static_cast<Eigen::Index>(i)] / *stands - 1.0);
+  }
+  return most;
+}
+
+int ConstraintRows::Overloaded(const VecX& forces, bool are_impulses) const {
+  const double most = Overload(forces, are_impulses);
+  if (most <= 0.0) return -1;
+  const VecX sizes = SizesOf(forces);
+  for (int i = 0; i < static_cast<int>(specs_.size()); ++i) {
+    const std::optional<double>& stands =
+        are_impulses ? specs_[i].break_impulse : specs_[i].break_force;
+    if (!is_broken_[i] && stands && sizes[i] / *stands - 1.0 >= most) return i;
+  }
+  return -1;
+}
+
+void ConstraintRows::Break(int constraint, double t) {
+  is_broken_[constraint] = 1;
+  --num_whole_;
+  breaks_.push_back({constraint, t});
+}
+
+}  // namespace hazumi
