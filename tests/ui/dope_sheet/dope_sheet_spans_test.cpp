@@ -151,7 +151,8 @@ TEST_F(DopeSheetSpans, AConstraintIsOnTheRowsOfItsJointsAndIsDraggedThere) {
                                       {"a_joint", "r_wrist"},
                                       {"b_joint", "l_toe"},
                                       {"first", 10},
-                                      {"last", 14}});
+                                      {"last", 14},
+                                      {"arrive", 2}});
   user.editor().Do("edit.end_drag");
   user.Wait(1);
   ASSERT_EQ(user.project().constraints.size(), 1u) << user.editor().message.text;

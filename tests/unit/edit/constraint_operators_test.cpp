@@ -83,8 +83,8 @@ TEST(ConstraintOperators, AHandTakesHoldOfTheNearestPointOfABox) {
   AddSwing(&session);
   Do(&session, "object.add_box",
      {{"name", "bar"},
-      {"x", 1},
-      {"z", 1.5},
+      {"x", 0.4},
+      {"z", 1.3},
       {"size_x", 0.1},
       {"size_y", 2},
       {"size_z", 0.1},
@@ -129,7 +129,7 @@ TEST(ConstraintOperators, AnEndThatIsFixedToSomethingElseStaysWhereItIs) {
 TEST(ConstraintOperators, AnotherKindGetsWhatItNeeds) {
   Session session;
   AddSwing(&session);
-  Select(&session, {"r_wrist", "l_wrist"});
+  Select(&session, {"r_wrist", "chest"});
   Do(&session, "constraint.add", {{"kind", "point"}, {"arrive", 6}});
   Do(&session, "constraint.set", {{"constraint", "point"}, {"kind", "distance"}, {"no_gap", true}});
   EXPECT_NEAR(Last(session).length_m, Gap(&session), 1e-8);
@@ -161,11 +161,15 @@ TEST(ConstraintOperators, BreakUnderWhatTheyAreTold) {
 TEST(ConstraintOperators, ObjectsAreRenamedInThemAndStayWhileTheyAreNeeded) {
   Session session;
   AddSwing(&session);
-  Do(&session, "object.add_box", {{"name", "bar"}, {"x", 1}});
+  Do(&session, "object.add_box", {{"name", "bar"}, {"x", 0.8}, {"z", 1.2}});
   Do(&session, "held.add_box", {{"joint", "l_wrist"}, {"name", "bar"}});
   EXPECT_EQ(session.project().held_objects[0].name, "bar 2");
   Do(&session, "constraint.add",
-     {{"kind", "point"}, {"a_joint", "r_wrist"}, {"b_object", "bar"}, {"arrive", 5}});
+     {{"kind", "point"},
+      {"a_joint", "r_wrist"},
+      {"b_object", "bar"},
+      {"b_offset_x", -0.5},
+      {"arrive", 5}});
   Do(&session, "constraint.add",
      {{"kind", "point"}, {"a_joint", "r_elbow"}, {"b_object", "bar 2"}, {"arrive", 5}});
   Do(&session, "object.set", {{"object", "bar"}, {"name", "beam"}});
