@@ -142,6 +142,10 @@ void PrintPlacements(const Animation& animation) {
     PrintLine(stdout, "force      %s: %s, F%d-F%d", force.name.c_str(), NameOf(force.kind()),
               force.first_frame, force.last_frame);
   }
+  for (const Constraint& constraint : animation.constraints) {
+    PrintLine(stdout, "constraint %s: %s, F%d-F%d", constraint.name.c_str(),
+              NameOf(constraint.kind), constraint.first_frame, constraint.last_frame);
+  }
 }
 
 std::string AgainText(const MotionEvent& event) {

@@ -6,9 +6,11 @@
 
 #include "engine/figure/figure_builder.h"
 #include "engine/project/checks/compile_checks.h"
+#include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/document_checks.h"
 #include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/compile_constraints.h"
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/figure_fields.h"
 #include "engine/spatial/degrees.h"
@@ -57,11 +59,13 @@ class Compiler {
     for (const ProjectPlacement& placement : project_.placements) AddPlacement(placement);
     for (const ProjectHold& hold : project_.holds) AddHold(hold);
     for (const ProjectForce& force : project_.forces) animation_.forces.push_back(ToForce(force));
+    AddConstraints(project_, &animation_, &errors);
     CheckAnimation(animation_, cancel_, &errors);
     if (is_cancelled()) return Error{ErrorCode::kInterrupted, "", "", "interrupted"};
     if (!errors.ok()) return *errors.error();
     WarnAboutPlacements(animation_, &warnings_);
     WarnAboutForces(animation_, &warnings_);
+    WarnAboutConstraints(animation_, &warnings_);
     std::sort(animation_.placements.begin(), animation_.placements.end(),
               [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
     return Compiled{std::move(animation_), std::move(warnings_)};

@@ -11,6 +11,7 @@
 #include "engine/project/project_curve.h"
 #include "engine/project/project_scene.h"
 #include "engine/project/project_skin.h"
+#include "engine/timeline/constraint.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/keyframe.h"
 #include "engine/timeline/outer_force.h"
@@ -115,6 +116,15 @@ struct EnumNames<ForceKind> {
       {ForceKind::kWind, NameOf(ForceKind::kWind)},
       {ForceKind::kAttract, NameOf(ForceKind::kAttract)},
       {ForceKind::kPush, NameOf(ForceKind::kPush)}};
+};
+
+template <>
+struct EnumNames<ConstraintKind> {
+  static constexpr const char* kWhat = "constraint kind";
+  static constexpr EnumName<ConstraintKind> kNames[] = {
+      {ConstraintKind::kPoint, NameOf(ConstraintKind::kPoint)},
+      {ConstraintKind::kWeld, NameOf(ConstraintKind::kWeld)},
+      {ConstraintKind::kDistance, NameOf(ConstraintKind::kDistance)}};
 };
 
 template <>

@@ -149,6 +149,29 @@ struct ProjectForce {
   bool operator==(const ProjectForce&) const = default;
 };
 
+// What a constraint is fixed to: a joint's body, an object, or, with neither, the world.
+struct ProjectConstraintEnd {
+  std::string joint;
+  std::string object;                // of the scene, or held; not if there is a joint
+  Vec3 offset_m = Vec3::Zero();      // in the joint's frame, along the object's axes, in the world
+  Vec3 rotation_deg = Vec3::Zero();  // kWeld: of its axes there, angles z, y, x of R = Rz Ry Rx
+  ExtraFields extra;
+  bool operator==(const ProjectConstraintEnd&) const = default;
+};
+
+struct ProjectConstraint {
+  std::string name;
+  ConstraintKind kind = ConstraintKind::kPoint;
+  ProjectConstraintEnd a, b;
+  double length_m = 0.0;                // kDistance
+  int first_frame = 0, last_frame = 0;  // half open
+  std::optional<int> arrive_frames;
+  std::optional<double> break_force_n, break_impulse_n_s;
+  ExtraFields extra;
+  Identity identity = {};
+  bool operator==(const ProjectConstraint&) const = default;
+};
+
 // A frame with a name, for people.
 struct ProjectMarker {
   int frame = 0;
@@ -194,6 +217,7 @@ struct Project {
   std::optional<ProjectFrames> preview;  // the part that is played; not given: all
   std::vector<ProjectSelectionSet> selection_sets;
   std::vector<ProjectForce> forces;
+  std::vector<ProjectConstraint> constraints;
   ExtraFields extra;
   ReadReport read;
   bool operator==(const Project&) const = default;

@@ -26,7 +26,8 @@ std::vector<Operator> Collect() {
                       SelectedKeyOperators(),  SelectionSetOperators(), ImportOperators(),
                       ExportOperators(),       SessionOperators(),      StartRateOperators(),
                       SwivelOperators(),       ThrowOperators(),        MadeThrowOperators(),
-                      TimeOperators(),         DriveOperators(),        ForceOperators()}) {
+                      TimeOperators(),         DriveOperators(),        ForceOperators(),
+                      ConstraintOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -48,7 +49,11 @@ const char* Describe(Thing thing) {
                                             "number of a span of placement",
                                             "number of a hold",
                                             "names a selection set",
+                                            "names a force",
+                                            "names an object, of the scene or held",
+                                            "names a constraint",
                                             "a colour"};
+  static_assert(std::size(kThings) == static_cast<size_t>(Thing::kColor) + 1);
   return kThings[static_cast<int>(thing)];
 }
 

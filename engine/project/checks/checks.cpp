@@ -97,6 +97,10 @@ constexpr CheckText kTexts[] = {
     {Check::kDriveNotInRegion, kSchema,
      "{} is not in this region; add it to the region's joints or take it out of the drive"},
     {Check::kDrivenTwice, kSchema, "{} has {} already; a joint has one drive"},
+    {Check::kUnknownObject, kSchema, "no object {}, neither in the scene nor held; {}"},
+    {Check::kAmbiguousObject, kSchema,
+     "the scene and what is held both have {}; give one of them another name"},
+    {Check::kJointAndObject, kSchema, "is fixed to {} and to {}; keep one of them"},
 
     {Check::kOutsideFrames, kSemantics,
      "frames {} to {} are not within the project's frames {} to {}"},
@@ -157,6 +161,21 @@ constexpr CheckText kTexts[] = {
     {Check::kPushFeltByNone, kSemantics,
      "no region moves {} in frame {}, so that nothing can give way to {}; begin a region there "
      "that has it or a joint between it and the root, or move the push to a frame inside one"},
+    {Check::kObjectNotHeld, kSemantics,
+     "nobody has {} in frames {} to {}, and what flies or lies by itself cannot be constrained; "
+     "let a joint have it all that time, or name an object of the scene"},
+    {Check::kObjectChangesHands, kSemantics,
+     "{} is not in one hand in all of the frames {} to {}: {}; end the constraint where it is let "
+     "go, or name a joint"},
+    {Check::kConstraintOnOneBody, kSemantics,
+     "both ends are fixed to {}, so that neither can move against the other; fix one to something "
+     "else"},
+    {Check::kConstraintInWorld, kSemantics,
+     "both ends are fixed in the world, so that neither can move; fix one to a joint or to what a "
+     "joint holds"},
+    {Check::kConstraintInPaper, kSemantics,
+     "{} holds in frames {} to {}, in which region {} has method \"paper\", which knows no "
+     "constraints; choose method \"exact\" for it, or end one where the other begins"},
 
     {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
@@ -166,6 +185,8 @@ constexpr CheckText kTexts[] = {
      "{} is outside the limits {} to {} of {}, and is kept; keys outside: {}"},
     {Check::kForceFeltByNone, kSemantics,
      "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the force"},
+    {Check::kConstraintFeltByNone, kSemantics,
+     "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the constraint"},
 
     {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
     {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},

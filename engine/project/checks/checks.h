@@ -79,6 +79,9 @@ enum class Check {
   kDriveOnRoot,
   kDriveNotInRegion,
   kDrivenTwice,
+  kUnknownObject,
+  kAmbiguousObject,
+  kJointAndObject,
   // What spans several parts
   kOutsideFrames,
   kReleaseOutside,
@@ -103,12 +106,18 @@ enum class Check {
   kWindsOverlap,
   kForceInPaper,
   kPushFeltByNone,
+  kObjectNotHeld,
+  kObjectChangesHands,
+  kConstraintOnOneBody,
+  kConstraintInWorld,
+  kConstraintInPaper,
   // Warnings
   kUnknownField,
   kFixedLeftOut,
   kNothingToLandOn,
   kKeyOutsideLimits,
   kForceFeltByNone,
+  kConstraintFeltByNone,
   // Writing
   kCannotWrite,
   kCannotReplace,

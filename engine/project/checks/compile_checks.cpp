@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/hold_checks.h"
@@ -31,6 +32,7 @@ class AnimationChecker {
     for (size_t i = 0; i < animation_.regions.size() && GoesOn(); ++i) CheckRegion(i);
     if (GoesOn()) CheckHolds(animation_, driven_, gravity_, cancel_, errors_);
     if (GoesOn()) CheckForces(animation_, errors_);
+    if (GoesOn()) CheckConstraints(animation_, errors_);
   }
 
  private:

@@ -163,6 +163,8 @@ void CheckDocument(const Project& project, FirstError* errors) {
   ForEach(project.forces, site.Field("forces"), [](const ProjectForce& force, const Site& place) {
     if (force.kind != ForceKind::kPush) CheckSpan(force, place);
   });
+  CheckNamesUnique(project.constraints, site.Field("constraints"));
+  ForEach(project.constraints, site.Field("constraints"), check_span);
 }
 
 }  // namespace hazumi

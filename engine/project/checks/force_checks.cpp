@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/project/checks/hold_checks.h"
+#include "engine/project/checks/moved_points.h"
 #include "engine/project/checks/spans.h"
 
 namespace hazumi {
@@ -18,31 +19,12 @@ const ForcePoint* PointOf(const OuterForce& force) {
   return nullptr;
 }
 
-bool IsBeyondAny(JointIndex j, const DynamicsRegion& region, const Figure& figure) {
-  return std::any_of(region.joints.begin(), region.joints.end(),
-                     [&](JointIndex moved) { return figure.IsBeyond(j, moved); });
-}
-
-// Whether the root's place may answer what the region's joints do.
-bool MayMoveRoot(const DynamicsRegion& region, const Animation& animation) {
-  const Figure& figure = *animation.figure;
-  return std::any_of(animation.placements.begin(), animation.placements.end(),
-                     [&](const PlacementSpan& span) {
-                       if (Common(SpanOf(span), SpanOf(region)).is_empty()) return false;
-                       if (span.kind == PlacementKind::kGravity) return true;
-                       return span.kind == PlacementKind::kPinned && span.pin &&
-                              IsBeyondAny(figure.group(*span.pin).first, region, figure);
-                     });
-}
-
 // Whether a region may move what a force acts on.
 bool MayMove(const DynamicsRegion& region, const OuterForce& force, const Animation& animation) {
-  if (region.moves_nothing() || Common(SpanOf(region), SpanOf(force)).is_empty()) return false;
-  const ForcePoint* point = PointOf(force);
-  if (!point || region.root) return true;
-  const Figure& figure = *animation.figure;
-  if (point->joint && IsBeyondAny(figure.group(*point->joint).last(), region, figure)) return true;
-  return MayMoveRoot(region, animation);
+  if (const ForcePoint* point = PointOf(force)) {
+    return MayMove(region, point->joint, SpanOf(force), animation);
+  }
+  return !region.moves_nothing() && !Common(SpanOf(region), SpanOf(force)).is_empty();
 }
 
 bool IsFelt(const OuterForce& force, const Animation& animation) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/drive_checks.h"
 #include "engine/project/json/did_you_mean.h"
 
@@ -157,6 +158,7 @@ void CheckNames(const Project& project, const Figure& figure, FirstError* errors
     if (force.kind == ForceKind::kWind || MeansRoot(force.joint, figure)) continue;
     ExpectJoint(force.joint, figure, site.Field("forces").Item(i).Field("joint"));
   }
+  CheckConstraintNames(project, figure, site.Field("constraints"));
   for (size_t i = 0; i < project.selection_sets.size(); ++i) {
     CheckSetNames(project.selection_sets[i], figure, site.Field("selection_sets").Item(i));
   }

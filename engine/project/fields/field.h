@@ -36,6 +36,8 @@ enum class Thing {
   kHold,
   kSelectionSet,
   kForce,
+  kSceneOrHeldObject,
+  kConstraint,
   kColor,  // "#rrggbb"
 };
 
@@ -51,6 +53,7 @@ struct Field {
   const char* axes = "xyz";    // of vectors, in the file's order
   Thing thing = Thing::kAny;   // of texts
   bool is_filled = false;      // of texts and lists: never empty
+  bool may_be_none = false;    // of texts that name a thing: empty says something, too
 };
 
 constexpr const char* ParameterOf(const Field& field) {

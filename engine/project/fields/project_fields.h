@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "engine/project/enum_names.h"
+#include "engine/project/fields/constraint_fields.h"
 #include "engine/project/fields/field.h"
 #include "engine/project/fields/force_fields.h"
 #include "engine/project/fields/scene_fields.h"
@@ -43,7 +44,8 @@ inline int FormatVersionOf(const Project& project) {
   const auto& regions = project.regions;
   const auto& joints = project.joints;
   const bool is_new =
-      !project.forces.empty() || std::any_of(objects.begin(), objects.end(), ChangesHands) ||
+      !project.forces.empty() || !project.constraints.empty() ||
+      std::any_of(objects.begin(), objects.end(), ChangesHands) ||
       std::any_of(objects.begin(), objects.end(),
                   [](const auto& object) { return object.rotation_deg != Vec3::Zero(); }) ||
       std::any_of(regions.begin(), regions.end(),
@@ -389,6 +391,9 @@ void Describe(Ar& ar, Ref<Ar, Project> project) {
   ar.Optional({.name = "selection_sets", .details = "Joints that are selected together."},
               project.selection_sets);
   ar.Optional({.name = "forces", .details = "What acts from outside."}, project.forces);
+  ar.Optional(
+      {.name = "constraints", .details = "What keeps things together while dynamics moves them."},
+      project.constraints);
 }
 
 }  // namespace hazumi

@@ -146,6 +146,34 @@ TEST_F(DopeSheetSpans, ADragOfAFieldThatIsGivenUpLeavesItsSpanChosen) {
   EXPECT_EQ(Chosen(), (BarRef{BarKind::kPlacement, 1}));
 }
 
+TEST_F(DopeSheetSpans, AConstraintIsOnTheRowsOfItsJointsAndIsDraggedThere) {
+  user.editor().Do("constraint.add", {{"kind", "distance"},
+                                      {"a_joint", "r_wrist"},
+                                      {"b_joint", "l_toe"},
+                                      {"first", 10},
+                                      {"last", 14},
+                                      {"arrive", 2}});
+  user.editor().Do("edit.end_drag");
+  user.Wait(1);
+  ASSERT_EQ(user.project().constraints.size(), 1u) << user.editor().message.text;
+  EXPECT_GT(Bar("limb l_hip", BarKind::kConstraint).w, 0.0f);
+  const auto bar = [&] { return Bar("limb r_shoulder", BarKind::kConstraint); };
+  const ProjectConstraint& rod = user.project().constraints[0];
+  Point middle = MiddleOf(bar());
+  user.Drag(middle, {middle.x + X(2) - X(0), middle.y});
+  EXPECT_EQ(rod.first_frame, 12);
+  EXPECT_EQ(rod.last_frame, 16);
+  EXPECT_EQ(Chosen(), (BarRef{BarKind::kConstraint, 0}));
+  EXPECT_EQ(ui::TitleOf(user.project(), *Chosen()), "distance");
+  EXPECT_EQ(ui::DetailsOf(user.project(), *Chosen()), "distance: r_wrist - l_toe");
+  const Point end = EndOf(bar());
+  user.Drag(end, {end.x + X(3) - X(0), end.y});
+  EXPECT_EQ(rod.first_frame, 12);
+  EXPECT_EQ(rod.last_frame, 19);
+  user.editor().Do("sheet.delete");
+  EXPECT_TRUE(user.project().constraints.empty());
+}
+
 TEST_F(DopeSheetSpans, ASelectedJointIsHeldFromTheCurrentFrameToWhereItIsInTheWay) {
   user.editor().Do("time.frame", {{"frame", 2}});
   user.editor().Do("select.joints", {{"joints", {"l_toe"}}});

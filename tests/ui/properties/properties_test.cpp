@@ -90,6 +90,23 @@ TEST_F(Properties, TheChosenRegionStaysItWhenItIsRenamed) {
   EXPECT_EQ(names(), std::pair(std::string("arm 2"), std::string("arm 2")));
 }
 
+// Of each kind, with and without what may be left out.
+TEST_F(Properties, ConstraintsHaveARowForEachField) {
+  editor_.side.section = Section::kScene;
+  Do("time.frame", {{"frame", 10}});
+  for (const char* kind : {"point", "weld", "distance"}) {
+    Do("constraint.add", {{"kind", kind}, {"a_joint", "r_wrist"}});
+  }
+  Do("constraint.set", {{"constraint", "weld"}, {"arrive", 3}, {"break_force", 10}});
+  ASSERT_EQ(editor_.session().project().constraints.size(), 3u);
+  for (const ProjectConstraint& constraint : editor_.session().project().constraints) {
+    editor_.viewport.selected_object = constraint.identity.id;
+    shell_->Frame();
+    shell_->Frame();
+    EXPECT_EQ(editor_.side.shown_object, constraint.identity.id);
+  }
+}
+
 TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
   editor_.side.section = Section::kRegion;
   shell_->Frame();

@@ -73,6 +73,13 @@ TEST(ItemFields, AreSetAndReadBack) {
       if (std::string(info.name) != "kind") ExpectIsSet(info, &force, "force");
     }
   }
+  for (const auto& kind : EnumNames<ConstraintKind>::kNames) {
+    ProjectConstraint constraint;
+    constraint.kind = kind.value;
+    for (const ParameterInfo& info : edit::FieldsOf(constraint)) {
+      if (std::string(info.name) != "kind") ExpectIsSet(info, &constraint, "constraint");
+    }
+  }
   ExpectAllAreSet(ProjectSolver(), "solver");
   ExpectAllAreSet(ProjectCamera(), "camera");
   ExpectAllAreSet(ProjectAudio(), "audio");
@@ -128,6 +135,7 @@ TEST(ItemFields, AreParametersOfTheirOperators) {
   expect(edit::FieldsOf<ProjectHold>(), {"hold.add", "hold.set"});
   expect(edit::FieldsOf<ProjectMarker>(), {"marker.add"});
   expect(edit::FieldsOf<ProjectForce>(), {"force.add", "force.set"});
+  expect(edit::FieldsOf<ProjectConstraint>(), {"constraint.add", "constraint.set"});
   expect(edit::FieldsOf<ProjectSolver>(), {"solver.set"});
   expect(edit::FieldsOf(ProjectHeldObject()), {"held.add_ball", "held.set"});
   expect(edit::FieldsOf<ProjectCamera>(), {"camera.set"});

@@ -163,6 +163,45 @@ TEST(CompileAnimation, HalvesSizesAndTurnsBoxes) {
   EXPECT_EQ(animation.held_objects[0].holders[0].joint, animation.figure->FindGroup("r_wrist"));
 }
 
+// A scene's object stays where it is; a held one goes with its holder's body, in whose frame its
+// centre is and its axes are turned.
+TEST(CompileAnimation, EndsOfConstraintsAreFixedToBodiesOrInTheWorld) {
+  const Animation animation = CompileGood({{"/solver/method", "\"exact\""},
+                                           {"/regions/0/method", "\"exact\""},
+                                           {"/held_objects/1/offset_m", "[0, 0, -0.1]"},
+                                           {"/held_objects/1/rotation_deg", "[0, 90, 0]"},
+                                           {"/constraints", R"([
+      {"name": "grip", "kind": "point", "a": {"joint": "r_wrist_flexion", "offset_m": [1, 2, 3]},
+       "b": {"object": "platform", "offset_m": [0, 0.2, 0]}, "first_frame": 5, "last_frame": 15,
+       "arrive_frames": 4, "break_force_n": 900},
+      {"name": "glue", "kind": "weld", "a": {"object": "brick", "offset_m": [0, 0, 0.5]},
+       "b": {"joint": "root", "rotation_deg": [90, 0, 0]}, "first_frame": 5, "last_frame": 15},
+      {"name": "rope", "kind": "distance", "a": {"joint": "l_elbow"}, "b": {"object": "ground",
+       "offset_m": [0, 0, 2]}, "length_m": 0.3, "first_frame": 5, "last_frame": 15}])"}})
+                                  .animation;
+  ASSERT_EQ(animation.constraints.size(), 3u);
+  const auto group = [&](const char* name) { return animation.figure->FindGroup(name); };
+  const Constraint& grip = animation.constraints[0];
+  EXPECT_EQ(grip.a, (ConstraintEnd{false, group("r_wrist"), Vec3(1, 2, 3), Mat3::Identity()}));
+  EXPECT_TRUE(grip.b.is_in_world);
+  EXPECT_TRUE(grip.b.offset.isApprox(Vec3(-0.2, 0, 0.1), 1e-12));
+  EXPECT_EQ(grip.arrive_frames, 4);
+  EXPECT_EQ(grip.break_force, 900.0);
+  EXPECT_EQ(grip.break_impulse, std::nullopt);
+  const Constraint& glue = animation.constraints[1];
+  const auto turned = [](const Vec3& axis) {
+    return Eigen::AngleAxisd(90 * kDegree, axis).toRotationMatrix();
+  };
+  EXPECT_EQ(glue.a.joint, group("l_wrist"));
+  EXPECT_TRUE(glue.a.offset.isApprox(Vec3(0.5, 0, -0.1), 1e-12));
+  EXPECT_TRUE(glue.a.rotation.isApprox(turned(Vec3::UnitY()), 1e-12));
+  EXPECT_EQ(glue.b.joint, std::nullopt);
+  EXPECT_FALSE(glue.b.is_in_world);
+  EXPECT_TRUE(glue.b.rotation.isApprox(turned(Vec3::UnitZ()), 1e-12));
+  EXPECT_EQ(animation.constraints[2].b.offset, Vec3(0, 0, 2));
+  EXPECT_EQ(animation.constraints[2].length, 0.3);
+}
+
 TEST(CompileAnimation, SpansMayTouch) {
   const Changes changes = {{"/regions/1/joints", R"(["r_elbow"])"}};
   EXPECT_EQ(CompileGood(changes).animation.regions[1].joints.size(), 1u);

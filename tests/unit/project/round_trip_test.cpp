@@ -139,6 +139,28 @@ TEST(RoundTrip, ForcesAreOfVersionTwo) {
   EXPECT_EQ(WriteProject(ParseGood(calm)), WriteProject(ParseGood(SampleProject())));
 }
 
+TEST(RoundTrip, ConstraintsAreOfVersionTwo) {
+  const Json before = Changed(SampleProject(), {{"/constraints", R"([
+      {"name": "grip", "kind": "point", "a": {"joint": "r_wrist", "offset_m": [0, 0, -0.09]},
+       "b": {"object": "platform", "note": "kept"}, "first_frame": 5, "last_frame": 9,
+       "arrive_frames": 5, "break_force_n": 900, "break_impulse_n_s": 20},
+      {"name": "glue", "kind": "weld", "a": {"object": "brick", "rotation_deg": [90, 0, 0]},
+       "b": {"joint": "waist", "rotation_deg": [0, 20.5, -10]}, "first_frame": 0,
+       "last_frame": 30},
+      {"name": "rope", "kind": "distance", "a": {"joint": "l_wrist"},
+       "b": {"offset_m": [0, 0, 2]}, "length_m": 0.3, "first_frame": 5, "last_frame": 15,
+       "note": "kept"},
+      {"name": "origin", "kind": "point", "a": {"joint": "pelvis"}, "first_frame": 5,
+       "last_frame": 15}])"}});
+  const std::string text = WriteProject(ParseGood(before));
+  const Json after = Json::parse(text);
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["constraints"], before["constraints"]);
+  EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  const Json free = Changed(SampleProject(), {{"/constraints", "[]"}});
+  EXPECT_EQ(WriteProject(ParseGood(free)), WriteProject(ParseGood(SampleProject())));
+}
+
 TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
   const Json before = Changed(SampleProject(), {{"/forces", R"([
       {"name": "calm", "kind": "wind", "velocity_m_s": [0, 0, 0], "first_frame": 0,

@@ -277,8 +277,8 @@ bool Instantiates(std::string_view message, Check check) {
 
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();
-  for (const auto& list :
-       {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins(), WrongDrives(), WrongForces()}) {
+  for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins(), WrongDrives(),
+                           WrongForces(), WrongConstraints()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

@@ -34,4 +34,7 @@ std::vector<WrongProject> WrongSkins();
 // Those of forces from outside.
 std::vector<WrongProject> WrongForces();
 
+// Those of constraints.
+std::vector<WrongProject> WrongConstraints();
+
 }  // namespace hazumi::testing

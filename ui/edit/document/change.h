@@ -17,10 +17,10 @@ template <typename AnyProject>
 auto PartsOfProject(AnyProject& project) {
   auto& [name, fps, frames, solver, figure, skin, size_is_guessed, scene, root, joints, regions,
          placements, holds, held_objects, camera, audio, reference, markers, preview,
-         selection_sets, forces, extra, read] = project;
+         selection_sets, forces, constraints, extra, read] = project;
   return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, scene,
                   root.extra, regions, placements, holds, held_objects, camera, audio, reference,
-                  markers, preview, selection_sets, forces, extra);
+                  markers, preview, selection_sets, forces, constraints, extra);
 }
 
 // What an edit did to a project: the parts that differ, before and after.

@@ -127,6 +127,7 @@ std::vector<FrameSpan> ChangedFrames(const Project& before, const Project& after
   Compare(before.held_objects, after.held_objects, &spans);
   Compare(before.markers, after.markers, &spans);
   Compare(before.forces, after.forces, &spans);
+  Compare(before.constraints, after.constraints, &spans);
   return spans;
 }
 

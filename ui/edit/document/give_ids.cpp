@@ -20,6 +20,7 @@ void ForEachIdentity(Project* project, Action&& action) {
   all(&project->scene.objects);
   all(&project->markers);
   all(&project->forces);
+  all(&project->constraints);
 }
 
 }  // namespace

@@ -99,7 +99,9 @@ class ItemFields {
     std::visit([&](auto& item) { Describe(*this, item); }, value);
   }
   template <typename T, typename Fields>
-  void Nested(const Field&, T&, Fields) {}
+  void Nested(const Field&, T& value, Fields fields) {
+    fields(*this, value);
+  }
   template <typename T, typename Fields>
   void List(const Field&, T&, Fields) {}
   template <typename T, typename Fields>

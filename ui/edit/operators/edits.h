@@ -16,6 +16,7 @@
 namespace hazumi::edit {
 
 // Each gives the operators of one file.
+std::vector<Operator> ConstraintOperators();
 std::vector<Operator> DriveOperators();
 std::vector<Operator> FieldOperators();
 std::vector<Operator> MediaOperators();
@@ -74,6 +75,8 @@ Result<std::vector<std::string>> HingesNamed(const std::string& name, const Figu
 
 // The joint of the first selected hinge; empty: none is.
 std::string FirstSelectedJoint(const Session& session);
+// The same; none is: the first one that there is.
+std::string LikelyJoint(const Session& session);
 
 // Joints and hinges that name these hinges: a joint of which all are meant by its own name.
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure);
@@ -126,6 +129,14 @@ std::string FreeName(const std::string& wanted, const std::vector<T>& list,
     name = WithoutNumber(wanted) + " " + std::to_string(i);
   }
   return name;
+}
+
+// The same for an object of the scene or a held one: constraints name both.
+inline std::string FreeObjectName(const std::string& wanted, const Project& project) {
+  std::vector<Named<bool>> objects;
+  for (const auto& object : project.scene.objects) objects.push_back({object.name});
+  for (const auto& object : project.held_objects) objects.push_back({object.name});
+  return FreeName(wanted, objects);
 }
 
 // Of an enumeration by its file name, e.g. "exact"; `all`: every value.

@@ -14,13 +14,6 @@ using enum ParameterKind;
 
 const ParameterInfo kForce = {"force", kText, true, "the force's name", Thing::kForce};
 
-// The first selected joint, else the first one there is.
-std::string LikelyJoint(const Session& session) {
-  const Figure& figure = session.figure();
-  if (std::string selected = FirstSelectedJoint(session); !selected.empty()) return selected;
-  return figure.groups().empty() ? figure.root_name() : figure.groups().front().name;
-}
-
 // A breeze; a pull to a place one metre ahead; a push from behind.
 ProjectForce NewForce(const Session& session) {
   ProjectForce force;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/constrained_objects.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held/held_objects.h"
 
@@ -85,6 +86,7 @@ Result<Done> SetObject(Session* session, const Parameters& p) {
         KeepBase(p, HeightOf(*object.value()) - high, object.value());
         if (p.has("name")) {
           object.value()->name = FreeName(object.value()->name, objects, object.value());
+          RenameObject(p.text("object"), object.value()->name, project);
         }
         return WithUnitNormal(object.value());
       },
@@ -146,7 +148,7 @@ Result<Done> DuplicateObject(Session* session, const Parameters& p) {
         const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
         if (!object.ok()) return object.error();
         ProjectSceneObject copy = *object.value();
-        copy.name = FreeName(copy.name, objects);
+        copy.name = FreeObjectName(copy.name, *project);
         copy.identity = {};
         MoveBy(OffsetOf(p), &copy);
         objects.push_back(std::move(copy));
@@ -160,6 +162,9 @@ Result<Done> RemoveObject(Session* session, const Parameters& p) {
     auto& objects = project->scene.objects;
     const Result<ProjectSceneObject*> object = EntryNamed(p.text("object"), "object", &objects);
     if (!object.ok()) return object.error();
+    if (Result<Done> free = ExpectUnconstrained(p.text("object"), *project); !free.ok()) {
+      return free;
+    }
     objects.erase(objects.begin() + (object.value() - objects.data()));
     return Done();
   });

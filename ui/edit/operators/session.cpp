@@ -234,6 +234,12 @@ std::string FirstSelectedJoint(const Session& session) {
   return "";
 }
 
+std::string LikelyJoint(const Session& session) {
+  const Figure& figure = session.figure();
+  if (std::string selected = FirstSelectedJoint(session); !selected.empty()) return selected;
+  return figure.groups().empty() ? figure.root_name() : figure.groups().front().name;
+}
+
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure) {
   std::vector<std::string> names;
   for (const JointGroup& joint : figure.groups()) {

@@ -20,7 +20,11 @@ const std::vector<ManualPart>& ManualParts() {
         "not in the region, and the limp ones feel it.",
         "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
         "instant. Joints in regions give way to them, and so does a figure that flies while it "
-        "has a region; what keys move does not."}},
+        "has a region; what keys move does not.",
+        "Scene > Constraints keeps things together while a region moves one of them: a hand and a "
+        "bar that it holds on to, two hands, a foot on a rope. A point lets them turn, a weld does "
+        "not, and a distance is a rod between them. A gap closes in the frames that it is given, "
+        "and a constraint breaks under more than it bears."}},
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "

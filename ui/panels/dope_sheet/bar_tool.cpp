@@ -32,6 +32,8 @@ const char* HintOf(BarKind kind, bool moves) {
       return moves ? "Move placement" : "Stretch placement";
     case BarKind::kHolder:
       return "Change frames of holder";
+    case BarKind::kConstraint:
+      return moves ? "Move constraint" : "Stretch constraint";
     case BarKind::kHold:
       break;
   }

@@ -27,6 +27,8 @@ int IndexOf(const Project& project, const BarId& bar) {
       return hazumi::IndexOf(bar.id, project.placements);
     case BarKind::kHolder:
       return IndexOfHolder(project, bar.id);
+    case BarKind::kConstraint:
+      return hazumi::IndexOf(bar.id, project.constraints);
     case BarKind::kHold:
       break;
   }
@@ -63,6 +65,11 @@ std::string TitleOf(const ProjectPlacement& span) {
   return span.kind == PlacementKind::kPinned ? kind + ": " + span.pin : kind;
 }
 
+std::string NameOfEnd(const ProjectConstraintEnd& end) {
+  if (!end.joint.empty()) return end.joint;
+  return end.object.empty() ? Tr("the world") : end.object;
+}
+
 }  // namespace
 
 ProjectFrames FramesOf(const Project& project, const BarRef& bar) {
@@ -78,6 +85,8 @@ ProjectFrames FramesOf(const Project& project, const BarRef& bar) {
       const edit::HolderSpan span = edit::AllHolders(project)[bar.index].second;
       return {span.first, span.last, {}};
     }
+    case BarKind::kConstraint:
+      return frames(project.constraints[bar.index]);
     case BarKind::kHold:
       break;
   }
@@ -92,6 +101,8 @@ std::string TitleOf(const Project& project, const BarRef& bar) {
       return TitleOf(project.placements[bar.index]);
     case BarKind::kHolder:
       return edit::AllHolders(project)[bar.index].second.joint;
+    case BarKind::kConstraint:
+      return project.constraints[bar.index].name;
     case BarKind::kHold:
       break;
   }
@@ -105,6 +116,11 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
                   : "Inverse kinematics keeps it in its place.");
   }
   if (bar.kind == BarKind::kHolder) return Tr("This joint holds it; then it flies.");
+  if (bar.kind == BarKind::kConstraint) {
+    const ProjectConstraint& constraint = project.constraints[bar.index];
+    return std::string(Tr(hazumi::NameOf(constraint.kind))) + ": " + NameOfEnd(constraint.a) +
+           " - " + NameOfEnd(constraint.b);
+  }
   if (bar.kind == BarKind::kRegion) {
     return project.regions[bar.index].mute ? Tr("Muted: its joints follow their keys.") : "";
   }
@@ -130,6 +146,8 @@ BarId IdOf(const Project& project, const BarRef& bar) {
       return {bar.kind, project.placements[bar.index].identity.id};
     case BarKind::kHolder:
       return {bar.kind, edit::AllHolders(project)[bar.index].second.id};
+    case BarKind::kConstraint:
+      return {bar.kind, project.constraints[bar.index].identity.id};
     case BarKind::kHold:
       break;
   }
@@ -155,6 +173,9 @@ Result<Done> EditChosenBar(Editor* editor, Json change) {
       return EditPlacement(editor, *editor->sheet.bar, std::move(change));
     case BarKind::kHolder:
       return EditHolder(editor, bar->index, std::move(change));
+    case BarKind::kConstraint:
+      change["constraint"] = project.constraints[bar->index].name;
+      return editor->Invoke("constraint.set", change);
     case BarKind::kHold:
       break;
   }
@@ -178,6 +199,9 @@ Result<Done> RemoveChosenBar(Editor* editor) {
       if (span.number < 0) return editor->Invoke("held.set", {{"object", name}, {"joint", ""}});
       return editor->Invoke("held.remove_holder", {{"object", name}, {"number", span.number}});
     }
+    case BarKind::kConstraint:
+      return editor->Invoke("constraint.remove",
+                            {{"constraint", project.constraints[bar->index].name}});
     case BarKind::kHold:
       break;
   }

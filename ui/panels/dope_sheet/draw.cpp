@@ -111,6 +111,7 @@ class DopeSheetPainter {
       case BarKind::kPlacement:
         return theme_.faint_text;
       case BarKind::kHolder:
+      case BarKind::kConstraint:
       case BarKind::kHold:
         break;
     }

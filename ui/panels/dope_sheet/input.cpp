@@ -67,6 +67,8 @@ SheetPopup PopupOf(BarKind kind) {
       return SheetPopup::kPlacement;
     case BarKind::kHolder:
       return SheetPopup::kHolder;
+    case BarKind::kConstraint:
+      return SheetPopup::kConstraint;
     case BarKind::kHold:
       break;
   }

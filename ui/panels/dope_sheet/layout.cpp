@@ -50,7 +50,10 @@ class BarList {
     }
     for (int i = 0; i < NumOf(project_.regions); ++i) AddRegion(row, i, &bars);
     for (int i = 0; i < NumOf(project_.holds); ++i) {
-      if (IsOn(project_.holds[i], row)) bars.push_back({0, {BarKind::kHold, i}});
+      if (IsOn(project_.holds[i].joint, row)) bars.push_back({0, {BarKind::kHold, i}});
+    }
+    for (int i = 0; i < NumOf(project_.constraints); ++i) {
+      if (IsOn(project_.constraints[i], row)) bars.push_back({0, {BarKind::kConstraint, i}});
     }
     return bars;
   }
@@ -71,11 +74,25 @@ class BarList {
   }
 
   // A joint is held as a whole: its hinges' rows show nothing of it.
-  bool IsOn(const ProjectHold& hold, const SheetRow& row) const {
+  bool IsOn(const std::string& held, const SheetRow& row) const {
     if (row.kind != RowKind::kLimb && row.kind != RowKind::kJoint) return false;
-    const std::optional<GroupIndex> joint = figure_.FindGroup(hold.joint);
-    return std::any_of(row.hinges.begin(), row.hinges.end(),
-                       [&](JointIndex j) { return joint && figure_.joint(j).group == *joint; });
+    const std::optional<MeantJoints> meant = FindJoints(figure_, held);
+    return std::any_of(row.hinges.begin(), row.hinges.end(), [&](JointIndex j) {
+      return meant && figure_.joint(j).group == meant->group;
+    });
+  }
+
+  // On the rows of both its joints, or of what holds them; the root's is that of placement.
+  bool IsOn(const ProjectConstraint& constraint, const SheetRow& row) const {
+    return IsOn(constraint.a, row) || IsOn(constraint.b, row);
+  }
+  bool IsOn(const ProjectConstraintEnd& end, const SheetRow& row) const {
+    if (row.object.is_valid()) {
+      const int held = IndexOf(row.object, project_.held_objects);
+      return held >= 0 && project_.held_objects[held].name == end.object;
+    }
+    if (end.joint.empty()) return false;
+    return row.kind == RowKind::kPlacement ? MeansRoot(end.joint, figure_) : IsOn(end.joint, row);
   }
 
   const Figure& figure_;
@@ -114,7 +131,7 @@ Rect PlaceOf(const RowBar& bar, const Project& project, int num_lanes,
     rect.y += lane * static_cast<float>(bar.lane);
     rect.h = lane - 1.0f;
   }
-  if (bar.ref.kind == BarKind::kHold) {
+  if (bar.ref.kind == BarKind::kHold || bar.ref.kind == BarKind::kConstraint) {
     rect.h = std::min(rect.h, Px(layout, is_tall ? kTallHold : kHold));
   }
   return rect;

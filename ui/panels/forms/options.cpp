@@ -110,6 +110,13 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return NamesIn(project.selection_sets);
     case Thing::kForce:
       return NamesIn(project.forces);
+    case Thing::kConstraint:
+      return NamesIn(project.constraints);
+    case Thing::kSceneOrHeldObject: {
+      std::vector<FormOption> objects = NamesIn(project.scene.objects);
+      for (FormOption& held : NamesIn(project.held_objects)) objects.push_back(std::move(held));
+      return objects;
+    }
     case Thing::kColor:
     case Thing::kAny:
       break;

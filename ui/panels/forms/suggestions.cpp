@@ -40,7 +40,7 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
   if (id == "region.add" && name == "friction") return 0.8;
   if (id.starts_with("object.add_") && name == "name")
-    return edit::FreeName(id.substr(11), project.scene.objects);
+    return edit::FreeObjectName(id.substr(11), project);
   if (id.starts_with("object.add_") && name == "color") return kDefaultObjectColor;
   if (id == "object.add_box" && name.starts_with("size_")) return 1.0;
   if (id == "object.add_box" && name.size() == 1) return name == "z" ? 0.5 : 0.0;  // on the ground
@@ -96,6 +96,9 @@ Json Joint(const ParameterInfo& info, edit::Session* session) {
     return WithSelected({}, session->figure(), session->selected_joints());
   }
   const std::vector<GroupIndex> joints = SelectedJoints(*session);
+  if (std::string(info.name) == "b_joint") {  // the other end
+    return joints.size() > 1 ? Json(session->figure().group(joints[1]).name) : Json();
+  }
   if (!joints.empty()) return session->figure().group(joints.front()).name;
   return std::string(info.name) == "pin" ? LowestFoot(session) : Json();
 }
@@ -127,6 +130,9 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       return OptionsOf(info, *session).empty() ? Json() : Json(0);
     case Thing::kForce:
       return project.forces.empty() ? Json() : Json(project.forces.back().name);
+    case Thing::kConstraint:
+      return project.constraints.empty() ? Json() : Json(project.constraints.back().name);
+    case Thing::kSceneOrHeldObject:
     case Thing::kColor:
     case Thing::kAny:
       break;
@@ -166,6 +172,7 @@ Json Present(const FormState& form, const std::string& name, const Project& proj
   if (form.id == "held.set") return of(project.held_objects);
   if (form.id == "placement.edit") return of(project.placements);
   if (form.id == "force.set") return of(project.forces);
+  if (form.id == "constraint.set") return of(project.constraints);
   return form.id == "hold.set" ? of(project.holds) : Json();
 }
 

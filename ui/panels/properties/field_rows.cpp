@@ -6,6 +6,8 @@ namespace hazumi::ui {
 
 namespace {
 
+constexpr const char* kNone = "none";
+
 // As many decimals as a step of the field needs, and its unit: "%.3f m".
 std::string FormatOf(const Field& field) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(field.step) - 1e-9)));
@@ -78,12 +80,8 @@ void FieldRows::operator()(const Field& field, const std::string& value) {
               [&](const std::string& color, const std::string& drag) {
                 set_({{ParameterOf(field), color}}, drag);
               });
-  } else if (field.thing == Thing::kJoint) {
-    std::vector<std::string> joints;
-    for (const JointGroup& joint : editor_->session().figure().groups()) {
-      joints.push_back(joint.name);
-    }
-    DrawWords(field, joints, value);
+  } else if (field.thing == Thing::kJoint || field.thing == Thing::kSceneOrHeldObject) {
+    DrawThings(field, value);
   } else {
     DrawText(editor_, ParameterOf(field), Tr(field.label), value, [&](const std::string& text) {
       set_({{ParameterOf(field), text}}, "");
@@ -108,6 +106,28 @@ void FieldRows::operator()(const Field& field, const Vec3& value) {
     });
     Tooltip(Tr(field.help));
   }
+}
+
+void FieldRows::DrawThings(const Field& field, const std::string& value) {
+  const edit::Session& session = editor_->session();
+  const Project& project = session.project();
+  std::vector<std::string> names;
+  const auto add = [&](const auto& things) {
+    for (const auto& thing : things) names.push_back(thing.name);
+  };
+  if (field.thing == Thing::kJoint) {
+    add(session.figure().groups());
+  } else {
+    add(project.scene.objects);
+    add(project.held_objects);
+  }
+  if (!field.may_be_none) return DrawWords(field, names, value);
+  if (IsLeftOut(field)) return;
+  names.insert(names.begin(), kNone);
+  DrawChoice(editor_, ParameterOf(field), Tr(field.label), names, value.empty() ? kNone : value,
+             [&](const std::string& name) {
+               set_({{ParameterOf(field), name == kNone ? "" : name}}, "");
+             });
 }
 
 void FieldRows::DrawWords(const Field& field, const std::vector<std::string>& words,

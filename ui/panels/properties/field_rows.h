@@ -54,6 +54,7 @@ class FieldRows {
  private:
   bool IsLeftOut(const Field& field) const;
   NumberField NumberFieldOf(const Field& field, double value) const;
+  void DrawThings(const Field& field, const std::string& value);
   void DrawWords(const Field& field, const std::vector<std::string>& words,
                  const std::string& value);
 

@@ -110,7 +110,8 @@ void DrawObjects(Editor* editor) {
   }
   ImGui::SameLine();
   if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {
-    editor->Do("object.add_plane", {{"name", edit::FreeName("plane", scene.objects)}});
+    editor->Do("object.add_plane",
+               {{"name", edit::FreeObjectName("plane", editor->session().project())}});
   }
   DrawFieldRows(editor, scene, {}, SetBy(editor, "scene.gravity"));
 }
@@ -192,6 +193,71 @@ void DrawForces(Editor* editor) {
   ImGui::PopID();
 }
 
+// What a constraint may leave out. True if it was changed.
+bool DrawLimits(const ProjectConstraint& constraint, const SetItem& set) {
+  const auto offer = [&](const char* label, const char* help, const Json& change, int share) {
+    const bool is_wanted = DrawButton(label, help, share);
+    if (is_wanted) set(change, "");
+    return is_wanted;
+  };
+  const bool closes = constraint.arrive_frames.has_value();
+  const bool breaks = constraint.break_force_n || constraint.break_impulse_n_s;
+  if (closes ? offer(Tr("No gap"), Tr("true: there is no gap that has to close"),
+                     {{"no_gap", true}}, 1)
+             : offer(Tr("Close gap"), Tr("a gap closes to 1 % in so many frames"), {{"arrive", 5}},
+                     1)) {
+    return true;
+  }
+  if (breaks) {
+    return offer(Tr("Unbreakable"), Tr("true: nothing breaks it"), {{"unbreakable", true}}, 1);
+  }
+  if (offer(Tr("Breaks by force"), Tr("it breaks under more, and is gone from then on"),
+            {{"break_force", 1000.0}}, 2)) {
+    return true;
+  }
+  ImGui::SameLine();
+  return offer(Tr("Breaks by impulse"),
+               Tr("it breaks under a greater one, and is gone from then on"),
+               {{"break_impulse", 20.0}}, 2);
+}
+
+// False if the list has changed.
+bool DrawConstraint(Editor* editor, const ProjectConstraint& constraint) {
+  const long revision = editor->session().document().revision();
+  const Json named = {{"constraint", constraint.name}};
+  ImGui::PushID(constraint.name.c_str());
+  if (ObjectNode(editor, constraint.name, constraint.identity.id)) {
+    const SetItem set = SetBy(editor, "constraint.set", named);
+    DrawFieldRows(editor, constraint, {}, set);
+    if (!DrawLimits(constraint, set) && DrawButton(Tr("Remove"), HelpOf("constraint.remove"))) {
+      editor->Do("constraint.remove", named);
+    }
+  }
+  ImGui::PopID();
+  return editor->session().document().revision() == revision;
+}
+
+void DrawConstraints(Editor* editor) {
+  // A copy: what is done below changes the list.
+  const std::vector<ProjectConstraint> constraints = editor->session().project().constraints;
+  if (!DrawHeading(Tr("Constraints"), !constraints.empty())) return;
+  ImGui::PushID("constraints");
+  for (const ProjectConstraint& constraint : constraints) {
+    if (!DrawConstraint(editor, constraint)) break;
+  }
+  const auto add = [&](const char* label, const char* kind) {
+    if (DrawButton(label, HelpOf("constraint.add"), 3)) {
+      editor->Do("constraint.add", {{"kind", kind}});
+    }
+  };
+  add(Tr("Add point"), "point");
+  ImGui::SameLine();
+  add(Tr("Add weld"), "weld");
+  ImGui::SameLine();
+  add(Tr("Add distance"), "distance");
+  ImGui::PopID();
+}
+
 void DrawCamera(Editor* editor) {
   if (!DrawHeading(Tr("Camera"), false)) return;
   const std::optional<ProjectCamera> camera = editor->session().project().camera;
@@ -236,6 +302,7 @@ void DrawSceneSection(Editor* editor) {
   DrawObjects(editor);
   DrawHeldObjects(editor);
   DrawForces(editor);
+  DrawConstraints(editor);
   DrawCamera(editor);
   DrawSound(editor);
   DrawReference(editor);

@@ -70,6 +70,9 @@ void DrawSpanFields(Editor* editor) {
     }
     return DrawRowsOf({"joint", "offset_?", "angle_?", "release"}, editor, object, set);
   }
+  if (bar->kind == BarKind::kConstraint) {
+    return DrawFieldRows(editor, ProjectConstraint(project.constraints[bar->index]), {}, set);
+  }
   if (bar->kind == BarKind::kPlacement) {
     const ProjectPlacement span = project.placements[bar->index];
     DrawPlacement(editor, span);

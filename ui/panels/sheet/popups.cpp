@@ -33,6 +33,8 @@ const char* IdOf(SheetPopup popup) {
       return "##hold";
     case SheetPopup::kHolder:
       return "##holder";
+    case SheetPopup::kConstraint:
+      return "##constraint";
     case SheetPopup::kKeys:
       return "##keys";
     case SheetPopup::kMarker:
@@ -158,16 +160,22 @@ void RegionItems(Editor* editor) {
   Item(editor, LabelOf("region.remove"), "region.remove", {{"region", name}});
 }
 
+struct SpanTexts {
+  BarKind kind;
+  const char *title, *remove;
+};
+SpanTexts TextsOf(SheetPopup popup) {
+  if (popup == SheetPopup::kHold) return {BarKind::kHold, "Held joint", "hold.remove"};
+  if (popup == SheetPopup::kHolder) return {BarKind::kHolder, "Holder", "held.remove_holder"};
+  if (popup == SheetPopup::kConstraint) {
+    return {BarKind::kConstraint, "Constraint", "constraint.remove"};
+  }
+  return {BarKind::kPlacement, "Placement", "placement.remove"};
+}
+
 void SpanItems(Editor* editor, SheetPopup popup) {
   const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
-  struct Texts {
-    BarKind kind;
-    const char *title, *remove;
-  };
-  const Texts texts =
-      popup == SheetPopup::kHold     ? Texts{BarKind::kHold, "Held joint", "hold.remove"}
-      : popup == SheetPopup::kHolder ? Texts{BarKind::kHolder, "Holder", "held.remove_holder"}
-                                     : Texts{BarKind::kPlacement, "Placement", "placement.remove"};
+  const SpanTexts texts = TextsOf(popup);
   if (!bar || bar->kind != texts.kind) return ImGui::CloseCurrentPopup();
   Title(Tr(texts.title));
   ImGui::Dummy({18.0f * ImGui::GetFontSize(), 0.0f});
@@ -195,6 +203,7 @@ void Items(Editor* editor, SheetPopup popup) {
     case SheetPopup::kPlacement:
     case SheetPopup::kHold:
     case SheetPopup::kHolder:
+    case SheetPopup::kConstraint:
       return SpanItems(editor, popup);
     case SheetPopup::kKeys:
       return KeyItems(editor);

@@ -23,13 +23,14 @@ enum class SheetPopup {
   kPlacement,
   kHold,
   kHolder,
+  kConstraint,
   kKeys,
   kMarker
 };
 
 // What a bar of the dope sheet stands for: a region, what places the figure, a held joint, who
-// holds an object.
-enum class BarKind { kRegion, kPlacement, kHold, kHolder };
+// holds an object, a constraint.
+enum class BarKind { kRegion, kPlacement, kHold, kHolder, kConstraint };
 // One of them, by its index in the project's list of them (of holders, in that of all objects'):
 // until something is edited.
 struct BarRef {

@@ -85,6 +85,13 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       return NamesOf(figure.links());
     case Thing::kForce:
       return NamesOf(project.forces);
+    case Thing::kConstraint:
+      return NamesOf(project.constraints);
+    case Thing::kSceneOrHeldObject: {
+      std::vector<std::string> names = NamesOf(project.scene.objects);
+      for (const std::string& held : NamesOf(project.held_objects)) names.push_back(held);
+      return names;
+    }
     case Thing::kSelectionSet:
       return NamesOf(project.selection_sets);
     default:
@@ -102,7 +109,7 @@ std::optional<size_t> CountOf(Thing thing, const Project& project) {
 
 bool IsNamed(Thing thing) {
   return (thing >= Thing::kJoint && thing <= Thing::kLink) || thing == Thing::kSelectionSet ||
-         thing == Thing::kForce;
+         (thing >= Thing::kForce && thing <= Thing::kConstraint);
 }
 
 bool HasAny(Thing thing, const Session& session) {

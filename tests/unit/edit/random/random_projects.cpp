@@ -140,6 +140,24 @@ void AddThrown(RandomFiles* files) {
   Save(&session, files->folder + "/thrown.kfa", files);
 }
 
+// A hand that holds on to a bar, and elbows that keep their distance, while the arms swing.
+void AddConstrained(RandomFiles* files) {
+  edit::Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 30}});
+  Do(&session, "region.add",
+     {{"name", "arms"}, {"first", 0}, {"last", 20}, {"joints", {"r_shoulder+", "l_shoulder+"}}});
+  Do(&session, "object.add_box", {{"name", "bar"}, {"x", 0.8}, {"z", 1.5}});
+  Do(&session, "constraint.hold_on", {{"object", "bar"}, {"joint", "r_wrist"}, {"last", 20}});
+  Do(&session, "constraint.add",
+     {{"kind", "distance"},
+      {"a_joint", "r_elbow"},
+      {"b_joint", "l_elbow"},
+      {"last", 12},
+      {"arrive", 2},
+      {"break_force", 500}});
+  Save(&session, files->folder + "/constrained.kfa", files);
+}
+
 // With a jump that can be aimed, and forces that the regions to come may feel.
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
@@ -192,6 +210,7 @@ RandomFiles WriteRandomFiles(const std::string& folder, uint64_t seed) {
   for (const char* name : {"throw", "jump"}) AddExample(name, &files);
   AddThrown(&files);
   AddSkinned(&files);
+  AddConstrained(&files);
   for (int i = 0; i < 4; ++i) {
     files.characters.push_back(folder + "/clip_" + std::to_string(i) + ".bvh");
     Write(files.characters.back(), RandomBvh(i % 2 == 0, &random));

@@ -7,6 +7,7 @@
 #include "engine/exchange/read_character.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/constrained_objects.h"
 #include "ui/edit/operators/held/held_objects.h"
 
 namespace hazumi::edit {
@@ -63,7 +64,7 @@ Result<Done> AddHeld(Session* session, const Parameters& p, ProjectHeldObject ob
   if (!holder.ok()) return holder.error();
   return session->Edit("Add held object", [&](Project* project) -> Result<Done> {
     if (Result<Done> set = SetFields(p, &object); !set.ok()) return set;
-    object.name = FreeName(object.name, project->held_objects);
+    object.name = FreeObjectName(object.name, *project);
     if (!is_held) {
       const Vec3 at = BeforeTheFigure(object);
       for (int axis = 0; axis < 3; ++axis) {
@@ -120,6 +121,9 @@ Result<Done> RemoveHeld(Session* session, const Parameters& p) {
     auto& objects = project->held_objects;
     const Result<ProjectHeldObject*> object = EntryNamed(p.text("object"), "object", &objects);
     if (!object.ok()) return object.error();
+    if (Result<Done> free = ExpectUnconstrained(p.text("object"), *project); !free.ok()) {
+      return free;
+    }
     objects.erase(objects.begin() + (object.value() - objects.data()));
     return Done();
   });
@@ -163,6 +167,7 @@ Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label
         if (!object.ok()) return object.error();
         Result<Done> done = change(object.value());
         object.value()->name = FreeName(object.value()->name, objects, object.value());
+        RenameObject(p.text("object"), object.value()->name, project);
         return done;
       },
       p.text("drag"));

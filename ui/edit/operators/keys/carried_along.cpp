@@ -101,6 +101,7 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
     if (force.kind != ForceKind::kPush) carrier.CarryEnds(&force);
     if (force.kind == ForceKind::kPush) carrier.Carry(&force.first_frame);
   }
+  for (ProjectConstraint& constraint : project->constraints) carrier.CarryEnds(&constraint);
   for (ProjectMarker& marker : project->markers) carrier.Carry(&marker.frame);
   for (ProjectHeldObject& object : project->held_objects) {
     if (object.release_frame) carrier.Carry(&*object.release_frame);

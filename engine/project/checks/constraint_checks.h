@@ -1,0 +1,30 @@
+#pragma once
+
+// Internal. What must hold between constraints, objects, and regions.
+
+#include <vector>
+
+#include "engine/figure/figure.h"
+#include "engine/project/checks/checks.h"
+#include "engine/project/checks/spans.h"
+#include "engine/project/json/site.h"
+#include "engine/project/project.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi {
+
+// Reports the first joint or object that a constraint names and that is not there, or is not the
+// only one that may be meant.
+void CheckConstraintNames(const Project& project, const Figure& figure, const Site& site);
+
+// Who has an object in all of these frames; null, and reported, if no one has.
+const Holder* HolderDuring(const HeldObject& object, Span span, const Animation& animation,
+                           const Site& site);
+
+// As CheckAnimation.
+void CheckConstraints(const Animation& animation, FirstError* errors);
+
+// Of those that hold nothing that a region moves.
+void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings);
+
+}  // namespace hazumi
