@@ -101,10 +101,15 @@ Result<int> Baker::AdvanceToCheckpoint(int frame) {
     const bool is_last = frame == animation_.last_frame;
     std::optional<MotionAcceleration> last;
     if (is_last && accelerations) last = walk_->ArrivedWith();
+    std::vector<double> forces;
+    if (is_last) forces = walk_->ConstraintForcesThere();
     seams_.Open(frame, walk_);
     if (auto error = CrossFrame(frame)) return *error;
     context_.RecordNow();
     if (last) SetAcceleration(frame, *last);
+    if (const auto output = context_.recorder.OutputAt(frame); is_last && output) {
+      context_.recorder.SetConstraintForces(*output, std::move(forces));
+    }
     if (is_last) break;
     seams_.Cross();
     context_.wants_start = accelerations || seams_.is_open();

@@ -137,6 +137,7 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   }
   frame.in_region = poses->free();
   frame.acceleration.reset();
+  frame.constraint_forces.assign(animation_.constraints.size(), 0.0);
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {

@@ -112,6 +112,7 @@ class FrameWriter {
     text += ", \"free\": " + FreeJoints(frame);
     if (torques) text += TorqueText(*torques);
     if (effort) text += EffortText(figure_, *effort);
+    text += ConstraintForces(frame);
     return text + ", \"objects\": " + Objects(frame) + "}";
   }
 
@@ -136,6 +137,12 @@ class FrameWriter {
       if (frame.in_region[j]) names.push_back(figure_.joints()[j].name);
     }
     return List(names, Quote);
+  }
+
+  // Of an animation that has constraints.
+  std::string ConstraintForces(const MotionFrame& frame) {
+    if (animation_.constraints.empty()) return "";
+    return ", \"constraint_forces_n\": " + List(frame.constraint_forces, FormatNumber);
   }
 
   std::string Objects(const MotionFrame& frame) {

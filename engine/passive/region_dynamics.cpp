@@ -89,8 +89,9 @@ void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
   if (has_forces_ || has_rows_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
   kinematics_.SetOwnForces(base);
   if (has_outer_) PlaceNodes(state.t);
-  for (const auto& law : laws_) law->AddForces(state, &kinematics_);
   if (adds_rows_) AddRowForces();
+  if (!has_forces_) return;
+  for (const auto& law : laws_) law->AddForces(state, &kinematics_);
 }
 
 RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,

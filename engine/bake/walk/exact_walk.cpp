@@ -243,6 +243,12 @@ std::optional<Error> ExactWalk::CheckGaps() {
   return std::nullopt;
 }
 
+std::vector<double> ExactWalk::ConstraintForcesThere() {
+  const size_t count = context_.animation.constraints.size();
+  if (!driver_ || count == 0) return std::vector<double>(count, 0.0);
+  return driver_->ConstraintForces(context_.Seconds(context_.now.frame));
+}
+
 void ExactWalk::RecordConstraintForces(int output, double t) {
   if (!driver_ || context_.animation.constraints.empty()) return;
   context_.recorder.SetConstraintForces(output, driver_->ConstraintForces(t));

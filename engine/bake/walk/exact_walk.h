@@ -29,6 +29,7 @@ class ExactWalk : public RegionWalk {
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
   MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
+  std::vector<double> ConstraintForcesThere() override;
 
  private:
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
