@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -154,19 +153,6 @@ std::string AgainText(const MotionEvent& event) {
   return ", " + std::to_string(event.count) + " times until " + FormatShort(event.last_time) + " s";
 }
 
-void PrintConstraintForces(const Animation& animation, const Motion& motion) {
-  for (size_t i = 0; i < animation.constraints.size(); ++i) {
-    const auto strongest = std::max_element(
-        motion.frames.begin(), motion.frames.end(), [&](const auto& a, const auto& b) {
-          return a.constraint_forces.at(i) < b.constraint_forces.at(i);
-        });
-    if (strongest == motion.frames.end()) continue;
-    PrintLine(stdout, "constraint %s: at most %s N, in frame %d",
-              animation.constraints[i].name.c_str(),
-              FormatShort(strongest->constraint_forces[i]).c_str(), strongest->frame);
-  }
-}
-
 void PrintEvents(const Motion& motion) {
   for (const MotionEvent& event : motion.events) {
     PrintLine(stdout, "%-10s  frame %4d  %10.6f s  %s%s", NameOf(event.kind), event.frame,
@@ -187,7 +173,6 @@ void Print(const BakedProject& baked, const std::string& name) {
             FinenessText(solver.method, solver.step, solver.tolerance).c_str(), solver.version);
   PrintRegions(baked);
   PrintPlacements(animation);
-  PrintConstraintForces(animation, baked.motion);
   PrintEvents(baked.motion);
   for (const std::string& line : SeamReport(animation, baked.motion.seams)) {
     PrintLine(stdout, "seam       %s", line.c_str());

@@ -36,7 +36,7 @@ bool IsMoved(const ConstraintSeat& seat, const RegionModel& model) {
 
 Pose PlaceOf(const ConstraintEnd& end, const Figure& figure, const Pose& X_WR,
              const DynamicsWorkspace& ws) {
-  const Pose own = {end.rotation, end.offset};
+  Pose own = {end.rotation, end.offset};
   if (end.is_in_world) return own;
   if (!end.joint) return X_WR * own;
   const BodyScratch& body = ws.body(JointOf(end, figure));

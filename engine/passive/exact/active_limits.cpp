@@ -73,24 +73,30 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
   return moving;
 }
 
-// Constraints break before they give more than they stand.
 void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
-  ConstraintRows& constraints = dynamics_->constraints();
-  const VecX before = state->qd;
-  for (;;) {
+  if (dynamics_->constraints().any()) {
+    CollideTied(t, v_pin, state);
+  } else {
     forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
-    if (!constraints.any()) break;
-    const int broken = constraints.Overloaded(forces_.row_impulses(), /*are_impulses=*/true);
-    if (broken < 0) {
-      kick_ = dynamics_->KickOf(forces_.row_impulses());
-      break;
-    }
-    constraints.Break(broken, t);
-    state->qd = before;
   }
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * state->qd[i] < -rest_rate()) side_[i] = 0;  // pushed off
   }
+}
+
+// Constraints break before they give more than they stand.
+void ActiveLimits::CollideTied(double t, const Vec3& v_pin, HingeState* state) {
+  ConstraintRows& constraints = dynamics_->constraints();
+  const VecX before = state->qd;
+  for (;;) {
+    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+    if (!constraints.any()) return;
+    const int broken = constraints.Overloaded(forces_.row_impulses(), /*are_impulses=*/true);
+    if (broken < 0) break;
+    constraints.Break(broken, t);
+    state->qd = before;
+  }
+  kick_ = dynamics_->KickOf(forces_.row_impulses());
 }
 
 // Holds the hinges at rest that their limits go on holding.

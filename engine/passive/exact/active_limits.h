@@ -52,6 +52,7 @@ class ActiveLimits {
   double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   int FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits);
   void Collide(double t, const Vec3& v_pin, HingeState* state);
+  void CollideTied(double t, const Vec3& v_pin, HingeState* state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
   RegionDynamics* dynamics_;
