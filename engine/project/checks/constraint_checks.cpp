@@ -27,6 +27,7 @@ void CheckObjectName(const std::string& name, const Project& project, const Site
   if (stands && is_held) return site.Report(Check::kAmbiguousObject, {Quoted(name)});
   if (stands || is_held) return;
   std::vector<std::string> names;
+  names.reserve(objects.size());
   for (const ProjectSceneObject& object : objects) names.push_back(object.name);
   for (const ProjectHeldObject& object : held) names.push_back(object.name);
   site.Report(Check::kUnknownObject,
