@@ -1,8 +1,9 @@
 #include "engine/project/compile_constraints.h"
 
-#include <algorithm>
 #include <string>
 
+#include "engine/base/named.h"
+#include "engine/collision/obstacle_frame.h"
 #include "engine/project/checks/constraint_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/figure_fields.h"
@@ -10,17 +11,6 @@
 namespace hazumi {
 
 namespace {
-
-Pose FrameOf(const Plane& plane) { return {Mat3::Identity(), plane.normal * plane.offset}; }
-Pose FrameOf(const Box& box) { return box.X_WB; }
-Pose FrameOf(const Capsule&) { return {}; }  // no scene has one
-
-template <typename Items>
-auto FindNamed(const Items& items, const std::string& name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return found == items.end() ? nullptr : &*found;
-}
 
 class EndResolver {
  public:
@@ -36,8 +26,7 @@ class EndResolver {
     }
     if (source.object.empty()) return InWorld(own);
     if (const SceneObject* object = FindNamed(animation_.scene, source.object)) {
-      return InWorld(std::visit([](const auto& shape) { return FrameOf(shape); }, object->shape) *
-                     own);
+      return InWorld(FrameOf(object->shape) * own);
     }
     const HeldObject& object = *FindNamed(animation_.held_objects, source.object);
     const Holder* holder = HolderDuring(object, span_, animation_, site_.Field(name));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/named.h"
 #include "engine/project/checks/hold_checks.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/checks/moved_points.h"
@@ -13,12 +14,6 @@
 namespace hazumi {
 
 namespace {
-
-template <typename Items>
-bool HasNamed(const Items& items, const std::string& name) {
-  return std::any_of(items.begin(), items.end(),
-                     [&](const auto& item) { return item.name == name; });
-}
 
 void CheckObjectName(const std::string& name, const Project& project, const Site& site) {
   const auto& objects = project.scene.objects;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/base/named.h"
 #include "engine/collision/distance.h"
+#include "engine/collision/obstacle_frame.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/euler_angles.h"
@@ -25,13 +27,6 @@ constexpr int kArriveFrames = 5;    // of a hand that takes hold
 const ParameterInfo kConstraint = {"constraint", kText, true, "the constraint's name",
                                    Thing::kConstraint};
 
-template <typename Items>
-auto FindNamed(const Items& items, const std::string& name) {
-  const auto found =
-      std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return found == items.end() ? nullptr : &*found;
-}
-
 // Where things are in the current frame.
 class Places {
  public:
@@ -47,9 +42,7 @@ class Places {
     if (meant) return BodyOf(figure().group(meant->group).last());
     if (!end.joint.empty()) return now_.X_WR;
     if (const SceneObject* object = FindNamed(animation_.scene, end.object)) {
-      if (const auto* box = std::get_if<Box>(&object->shape)) return box->X_WB;
-      const auto& plane = std::get<Plane>(object->shape);
-      return {Mat3::Identity(), plane.normal * plane.offset};
+      return hazumi::FrameOf(object->shape);
     }
     const HeldObject* held = FindNamed(animation_.held_objects, end.object);
     if (!held) return {};
