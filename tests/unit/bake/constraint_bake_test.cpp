@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "engine/bake/incremental_bake.h"
 #include "engine/dynamics/kinematics.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
@@ -322,24 +321,16 @@ TEST(ConstraintBake, AfterAnEditIsTheSameBits) {
   animation.constraints[0].break_force = 60.0;
   KeysOf(&animation, "neck_y") = {{0, 0.1, {}}, {12, 0.3, {}}, {30, 0.2, {}}};
   IncrementalBake bake(animation);
-  const auto expect_same = [&] {
-    ASSERT_FALSE(bake.Finish());
-    const Motion whole = BakeOrFail(animation);
-    for (size_t i = 0; i < whole.frames.size(); ++i) {
-      ASSERT_TRUE(IsSame(bake.motion().frames[i], whole.frames[i])) << "frame " << i;
-      ASSERT_EQ(bake.motion().frames[i].constraint_forces, whole.frames[i].constraint_forces);
-    }
-  };
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
   KeysOf(&animation, "neck_y")[1].value = 0.25;
   bake.Update(animation);
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
   animation.regions[0].friction[0] = 0.7;
   bake.Update(animation);
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
   animation.constraints[1].b.offset.z() += 0.02;
   bake.Update(animation);
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
 }
 
 }  // namespace

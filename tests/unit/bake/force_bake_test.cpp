@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "engine/bake/incremental_bake.h"
 #include "engine/dynamics/kinematics.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
@@ -187,22 +186,15 @@ TEST(ForceBake, AfterAnEditIsTheSameBits) {
   AddForce(&animation, 6, 30, pull);
   AddForce(&animation, 10, 11, PushForce{{pull.at.joint, Vec3::Zero()}, Vec3(2.0, 1.0, 0.0)});
   IncrementalBake bake(animation);
-  const auto expect_same = [&] {
-    ASSERT_FALSE(bake.Finish());
-    const Motion whole = BakeOrFail(animation);
-    for (size_t i = 0; i < whole.frames.size(); ++i) {
-      ASSERT_TRUE(IsSame(bake.motion().frames[i], whole.frames[i])) << "frame " << i;
-    }
-  };
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
   KeysOf(&animation, "r_knee")[1].value = 0.6;
   animation.regions[0].friction[0] = 0.7;
   bake.Update(animation);
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
   animation.forces[0].last_frame = 15;
   std::get<PushForce>(animation.forces[2].action).impulse.x() = 3.0;
   bake.Update(animation);
-  expect_same();
+  ExpectBakedAsAnew(&bake, animation);
 }
 
 }  // namespace

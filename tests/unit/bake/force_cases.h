@@ -2,9 +2,12 @@
 
 // Figures and forces for tests of forces from outside. Metres, kilograms.
 
+#include <gtest/gtest.h>
+
 #include <variant>
 #include <vector>
 
+#include "engine/bake/incremental_bake.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
@@ -86,6 +89,15 @@ inline void AddForce(Animation* animation, int first, int last,
 
 inline void SetRoot(Animation* animation, RootCurve curve, double value, double rate) {
   animation->root_keys[curve] = {{0, value, rate, kHold}};
+}
+
+// Baked on after edits: the same bits as baked anew.
+inline void ExpectBakedAsAnew(IncrementalBake* bake, const Animation& animation) {
+  ASSERT_FALSE(bake->Finish());
+  const Motion whole = BakeOrFail(animation);
+  for (size_t i = 0; i < whole.frames.size(); ++i) {
+    ASSERT_TRUE(IsSame(bake->motion().frames[i], whole.frames[i])) << "frame " << i;
+  }
 }
 
 }  // namespace hazumi::test
