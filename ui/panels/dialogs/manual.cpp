@@ -24,7 +24,8 @@ const std::vector<ManualPart>& ManualParts() {
         "Scene > Constraints keeps things together while a region moves one of them: a hand and a "
         "bar that it holds on to, two hands, a foot on a rope. A point lets them turn, a weld does "
         "not, and a distance is a rod between them. A gap closes in the frames that it is given, "
-        "and a constraint breaks under more than it bears."}},
+        "and a constraint breaks under more than it bears. In the viewport it is a line, dashed "
+        "while the gap is open; under the mouse it says how hard it pulls."}},
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "

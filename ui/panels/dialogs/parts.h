@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "ui/panels/dialogs/dialogs.h"
+#include "ui/panels/window/scaled.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
@@ -29,10 +30,6 @@ std::string LabelOf(const Shortcut& shortcut);
 // A window of its own, beside the panels.
 void DrawFirstSteps(Editor* editor, const Rect& window);
 
-// A length at the interface's scale [px].
-inline float Px(const Editor& editor, double at_scale_1) {
-  return static_cast<float>(at_scale_1 * editor.settings.scale);
-}
 // What stands before the fields of a row; these begin below each other.
 void DrawFieldLabel(const char* text, const Editor& editor);
 // Tab goes to what is drawn while this lives, or passes over it: arrows lead there, and the mouse.

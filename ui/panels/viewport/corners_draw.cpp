@@ -10,17 +10,12 @@
 #include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/overlays.h"
 #include "ui/panels/viewport/scene.h"
+#include "ui/panels/viewport/strokes.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-// Readable on any picture.
-void DrawText(const ImVec2& at, const char* text) {
-  Canvas()->AddText({at.x + 1, at.y + 1}, ToIm(colors::kShade, 0.7f), text);
-  Canvas()->AddText(at, ToIm(colors::kWhite), text);
-}
 
 std::string ViewName(const Editor& editor) {
   const ViewportState& state = editor.viewport;
@@ -101,7 +96,7 @@ void DrawCaption(const Editor& editor, const Rect& rect) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const std::string first = ViewName(editor);
   const float top = TopOfCaption(editor, rect, edge, ImGui::CalcTextSize(first.c_str()).x);
-  DrawText({rect.x + edge, top}, first.c_str());
+  DrawShadedText({rect.x + edge, top}, first.c_str());
   std::string second = std::string(Tr("Frame")) + " " + std::to_string(FrameShown(editor));
   const std::vector<GroupIndex> joints = SelectedJoints(editor.session());
   if (editor.session().is_root_selected()) {
@@ -110,7 +105,7 @@ void DrawCaption(const Editor& editor, const Rect& rect) {
     second += "   " + editor.session().figure().group(joints[0]).name;
   }
   if (joints.empty()) second += "   " + NameOfSelectedObject(editor);
-  DrawText({rect.x + edge, top + line}, second.c_str());
+  DrawShadedText({rect.x + edge, top + line}, second.c_str());
 }
 
 void DrawAxisCross(const Editor& editor, const View& view) {

@@ -1,5 +1,6 @@
 #include <cstdint>
 
+#include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/popups.h"
@@ -69,6 +70,7 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
   const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
   DrawSelectedObject(*editor, view, solids);
   DrawJointMarks(*editor, view, *figure);
+  DrawActing(editor, view, *figure);
   const auto gizmo =
       GizmoOf(view, editor->session(), *figure, state.active_hinge, state.overlays.limits, scale);
   const auto hovered = gizmo && has_mouse ? GizmoAt(view, mouse, *gizmo, scale) : std::nullopt;
@@ -77,7 +79,9 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
     DrawSwivelHandle(*editor, view, *handle);
   }
   DrawAimedSpot(*editor, view);
-  if (has_mouse && !hovered) DrawHovered(*editor, view, *figure, solids, mouse);
+  if (has_mouse && !hovered) {
+    DrawHovered(*editor, view, *figure, solids, mouse, ActingAt(editor, view, *figure, mouse));
+  }
 }
 
 void DrawBox(const std::optional<Rect>& box) {

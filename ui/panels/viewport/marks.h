@@ -8,8 +8,9 @@ namespace hazumi::ui {
 
 // Each draws something on top of the picture of the scene.
 void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& figure);
+// `more`: to be said beside its name.
 void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figure,
-                 const std::vector<Solid>& solids, Point mouse);
+                 const std::vector<Solid>& solids, Point mouse, const std::string& more);
 void DrawSelectedObject(const Editor& editor, const View& view, const std::vector<Solid>& solids);
 void DrawAimedSpot(const Editor& editor, const View& view);
 void DrawPathTicks(const Editor& editor, const View& view);

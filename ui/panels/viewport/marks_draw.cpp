@@ -7,13 +7,11 @@
 
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/marks.h"
-#include "ui/panels/window/widgets.h"
+#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-float Px(const Editor& editor, double px) { return static_cast<float>(px * editor.settings.scale); }
 
 // A diamond: pulling it moves a limb, or the root.
 void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
@@ -21,19 +19,6 @@ void DrawHandle(Point at, float size, ImU32 fill, ImU32 line) {
       {at.x, at.y - size}, {at.x + size, at.y}, {at.x, at.y + size}, {at.x - size, at.y}};
   Canvas()->AddConvexPolyFilled(p, 4, fill);
   Canvas()->AddPolyline(p, 4, line, ImDrawFlags_Closed, 1.0f);
-}
-
-// Beside a point, where there is room for it; as many lines as it takes.
-void DrawLabel(const Editor& editor, const Rect& within, Point beside, const std::string& text,
-               ImU32 color) {
-  const float pad = Px(editor, 4.0), widest = Px(editor, 360.0);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
-  const float x = std::min(beside.x + Px(editor, 14.0), within.right() - size.x - 2.0f * pad);
-  const float y = std::min(beside.y + Px(editor, 16.0), within.bottom() - size.y - 2.0f * pad);
-  Canvas()->AddRectFilled({x - pad, y - pad / 2}, {x + size.x + pad, y + size.y + pad / 2},
-                          ToIm(colors::kShade, 0.8f), pad);
-  Canvas()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, text.c_str(), nullptr,
-                    widest);
 }
 
 }  // namespace
@@ -68,12 +53,14 @@ void DrawJointMarks(const Editor& editor, const View& view, const PosedFigure& f
 }
 
 void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figure,
-                 const std::vector<Solid>& solids, Point mouse) {
+                 const std::vector<Solid>& solids, Point mouse, const std::string& more) {
   const ViewportHit hit = HitTest(view, mouse, figure, solids, editor.settings.scale);
   const Solid* solid = FindSolid(hit.object, solids);
   std::string name = solid ? solid->name : "";
   if (hit.joint) name = figure.figure().group(*hit.joint).name;
   if (hit.is_root) name = figure.figure().root_name();
+  if (!name.empty() && !more.empty()) name += "\n";
+  name += more;
   if (name.empty()) return;
   if (hit.joint) {
     const std::optional<Point> at = view.ToWindow(figure.CenterOf(*hit.joint));

@@ -23,6 +23,9 @@ const std::vector<OverlaySwitch>& OverlaySwitches() {
       {"tint", "Regions", "Joints in regions", "Colours what a dynamics region moves", &O::tint},
       {"limits", "Limits", "Joint limits",
        "How far the active hinge turns; pull the ends to change it", &O::limits},
+      {"forces", "Forces", "Constraints and forces",
+       "What keeps things together (dashed: a gap is open), and what acts from outside",
+       &O::forces},
       {"shadow", "Shadow", "Shadow", "The shadow on the ground", &O::shadow}};
   return all;
 }

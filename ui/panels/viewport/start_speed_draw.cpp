@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "engine/dynamics/inverse_dynamics.h"
@@ -13,7 +12,7 @@
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/start_speed.h"
-#include "ui/panels/window/widgets.h"
+#include "ui/panels/viewport/strokes.h"
 
 namespace hazumi::ui {
 namespace {
@@ -74,19 +73,9 @@ void DrawStartSpeeds(Editor* editor, const View& view) {
     const auto from = view.ToWindow(of.point);
     const auto to = view.ToWindow(of.point + kArrowSeconds * of.velocity);
     if (!from || !to || of.velocity.norm() < kLeastSpeed) continue;
-    const float dx = to->x - from->x, dy = to->y - from->y;
-    const float length = std::max(1.0f, std::hypot(dx, dy));
-    const float head = std::min(5.0f * width, length);
-    const float ux = dx / length, uy = dy / length;
-    const ImVec2 base = {to->x - head * ux, to->y - head * uy};
-    Canvas()->AddLine(ToIm(*from), base, color, width);
-    Canvas()->AddTriangleFilled({to->x, to->y},
-                                {base.x - 0.5f * head * uy, base.y + 0.5f * head * ux},
-                                {base.x + 0.5f * head * uy, base.y - 0.5f * head * ux}, color);
+    DrawArrow(*from, *to, color, width);
     const std::string text = Filled("%.1f m/s", of.velocity.norm());
-    Canvas()->AddText({to->x + 2.0f * width + 1.0f, to->y + 1.0f}, ToIm(colors::kShade, 0.8f),
-                      text.c_str());
-    Canvas()->AddText({to->x + 2.0f * width, to->y}, ToIm(colors::kWhite), text.c_str());
+    DrawShadedText({to->x + 2.0f * width, to->y}, text.c_str());
   }
 }
 

@@ -26,6 +26,7 @@ struct ViewportOverlays {
   bool tint = true;    // joints moved by a region
   bool limits = true;  // arcs of the selected joints
   bool shadow = true;
+  bool forces = true;  // constraints, and what acts from outside
   bool operator==(const ViewportOverlays&) const = default;
 };
 
