@@ -73,14 +73,6 @@ bool MayMove(const DynamicsRegion& region, const ConstraintEnd& end, Span span,
   return !end.is_in_world && MayMove(region, end.joint, span, animation);
 }
 
-bool IsFelt(const Constraint& constraint, const Animation& animation) {
-  return std::any_of(animation.regions.begin(), animation.regions.end(),
-                     [&](const DynamicsRegion& region) {
-                       return MayMove(region, constraint.a, SpanOf(constraint), animation) ||
-                              MayMove(region, constraint.b, SpanOf(constraint), animation);
-                     });
-}
-
 void CheckConstraint(const Constraint& constraint, const std::string& place,
                      const Animation& animation, FirstError* errors) {
   const int first = animation.first_frame, last = animation.last_frame;
@@ -131,6 +123,14 @@ void CheckConstraints(const Animation& animation, FirstError* errors) {
   for (size_t i = 0; i < animation.constraints.size() && errors->ok(); ++i) {
     CheckConstraint(animation.constraints[i], At("constraints", i), animation, errors);
   }
+}
+
+bool IsFelt(const Constraint& constraint, const Animation& animation) {
+  return std::any_of(animation.regions.begin(), animation.regions.end(),
+                     [&](const DynamicsRegion& region) {
+                       return MayMove(region, constraint.a, SpanOf(constraint), animation) ||
+                              MayMove(region, constraint.b, SpanOf(constraint), animation);
+                     });
 }
 
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings) {

@@ -25,6 +25,8 @@ const Holder* HolderDuring(const HeldObject& object, Span span, const Animation&
 void CheckConstraints(const Animation& animation, FirstError* errors);
 
 // Of those that hold nothing that a region moves.
+// Whether a region may move one of its ends.
+bool IsFelt(const Constraint& constraint, const Animation& animation);
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings);
 
 }  // namespace hazumi

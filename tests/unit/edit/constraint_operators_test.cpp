@@ -104,6 +104,36 @@ TEST(ConstraintOperators, AHandTakesHoldOfTheNearestPointOfABox) {
   EXPECT_EQ(Last(session).name, "point 2");
 }
 
+TEST(ConstraintOperators, AHandTakesHoldWhereItIsSaid) {
+  Session session;
+  AddSwing(&session);
+  Do(&session, "object.add_box",
+     {{"name", "bar"}, {"x", 0.4}, {"z", 1.3}, {"size_x", 0.1}, {"size_y", 2}, {"size_z", 0.1}});
+  Select(&session, {"r_wrist"});
+  Do(&session, "constraint.hold_on", {{"object", "bar"}, {"x", 0.4}, {"y", 0.5}, {"z", 1.5}});
+  EXPECT_LT((Last(session).b.offset_m - Vec3(0.0, 0.5, 0.05)).norm(), 1e-8);
+}
+
+// Of a ball and a box that the other hand holds.
+TEST(ConstraintOperators, AHandTakesHoldOfWhatTheOtherOneHolds) {
+  Session session;
+  AddSwing(&session);
+  Do(&session, "held.add_ball", {{"name", "ball"}, {"joint", "l_wrist"}, {"radius", 0.11}});
+  Do(&session, "held.add_box",
+     {{"name", "stick"}, {"joint", "l_wrist"}, {"size_x", 0.1}, {"size_y", 0.8}, {"size_z", 0.1}});
+  Select(&session, {"r_wrist"});
+  Do(&session, "constraint.hold_on", {{"object", "ball"}});
+  EXPECT_NEAR(Last(session).b.offset_m.norm(), 0.11, 1e-8);
+  EXPECT_GT(Gap(&session), 0.05);
+  Do(&session, "constraint.hold_on", {{"object", "stick"}});
+  const Vec3 shares = Last(session).b.offset_m.cwiseAbs().cwiseQuotient(Vec3(0.05, 0.4, 0.05));
+  EXPECT_NEAR(shares.maxCoeff(), 1.0, 1e-6);
+  // The hand that has it holds on to it already.
+  Select(&session, {"l_wrist"});
+  Refused(&session, "constraint.hold_on", {{"object", "ball"}});
+  Refused(&session, "constraint.hold_on", {{"object", "balls"}});
+}
+
 TEST(ConstraintOperators, AnEndThatIsFixedToSomethingElseStaysWhereItIs) {
   Session session;
   AddSwing(&session);

@@ -24,6 +24,7 @@ constexpr double kNoGap = 1e-4;     // [m]
 constexpr double kRodLength = 0.3;  // of a rod that hangs from nothing yet [m]
 constexpr int kArriveFrames = 5;    // of a hand that takes hold
 
+constexpr const char* kPlaces[] = {"x", "y", "z"};
 const ParameterInfo kConstraint = {"constraint", kText, true, "the constraint's name",
                                    Thing::kConstraint};
 
@@ -67,17 +68,29 @@ class Places {
     return (PoseOf(constraint.a).p - PoseOf(constraint.b).p).norm();
   }
   // The point of an object's surface that is nearest to a point.
-  Vec3 OnSurface(const std::string& object, const Vec3& p) const {
-    const SceneObject* solid = FindNamed(animation_.scene, object);
-    if (!solid) return p;
-    const Distance distance = SignedDistance(Capsule{p, p, 0.0}, solid->shape);
-    return distance.point_on_capsule - distance.value * distance.normal;
+  Vec3 NearestOn(const ProjectConstraintEnd& end, const Vec3& p) const {
+    if (const SceneObject* solid = FindNamed(animation_.scene, end.object)) {
+      return OnSurface(solid->shape, p);
+    }
+    const HeldObject* held = FindNamed(animation_.held_objects, end.object);
+    if (!held) return p;
+    const hazumi::Pose X_WO = FrameOf(end);
+    if (const auto* box = std::get_if<BoxShape>(&held->shape)) {
+      return OnSurface(Box{X_WO, box->half_size}, p);
+    }
+    const double radius = std::get<SphereShape>(held->shape).radius;
+    return X_WO.p + radius * (p - X_WO.p).stableNormalized();
   }
 
  private:
   Places(const Animation& animation, const MotionFrame& now)
       : animation_(animation), now_(now), ws_(*animation.figure) {
     ComputePositions(figure(), now.X_WR, now.q, &ws_);
+  }
+
+  static Vec3 OnSurface(const Obstacle& solid, const Vec3& p) {
+    const Distance distance = SignedDistance(Capsule{p, p, 0.0}, solid);
+    return distance.point_on_capsule - distance.value * distance.normal;
   }
 
   const Figure& figure() const { return *animation_.figure; }
@@ -244,28 +257,36 @@ Result<Done> RemoveConstraint(Session* session, const Parameters& p) {
   });
 }
 
-// By the point of its surface that is nearest to the joint.
+// Where on it is given, or else where the joint is nearest to it.
 Result<Done> HoldOn(Session* session, const Parameters& p) {
   const Result<GroupIndex> joint = HolderGiven(*session, p);
   if (!joint.ok()) return joint.error();
   const Result<Places> places = Places::Now(session);
   if (!places.ok()) return places.error();
   return session->Edit("Hold on", [&](Project* project) -> Result<Done> {
-    const Result<ProjectSceneObject*> object =
-        EntryNamed(p.text("object"), "object", &project->scene.objects);
-    if (!object.ok()) return object.error();
     ProjectConstraint constraint = NewConstraint(*session);
     if (Result<Done> set = SetFields(p, &constraint); !set.ok()) return set;
     constraint.a.joint = session->figure().group(joint.value()).name;
-    constraint.b.object = object.value()->name;
-    const Vec3 hand = places.value().PoseOf(constraint.a).p;
-    places.value().PutPlace(places.value().OnSurface(constraint.b.object, hand), &constraint.b);
+    constraint.b.object = p.text("object");
+    Vec3 near = places.value().PoseOf(constraint.a).p;
+    for (int axis = 0; axis < 3; ++axis) near[axis] = p.number(kPlaces[axis], near[axis]);
+    places.value().PutPlace(places.value().NearestOn(constraint.b, near), &constraint.b);
     if (!p.has("arrive") && places.value().Gap(constraint) >= kNoGap) {
       constraint.arrive_frames = kArriveFrames;
     }
     Put(std::move(constraint), p, project);
     return Done();
   });
+}
+
+ParameterInfo PlaceOn(int axis) {
+  return {kPlaces[axis],
+          kNumber,
+          false,
+          "where on it; not given: where the joint is nearest to it",
+          {},
+          "",
+          "m"};
 }
 
 template <typename Action>
@@ -316,10 +337,13 @@ std::vector<Operator> ConstraintOperators() {
        {kConstraint},
        RemoveConstraint},
       {"constraint.hold_on", "Hold on to object",
-       "A joint takes hold of an object of the scene, at the nearest point of its surface, from "
-       "the current frame on. Not given: the selected joint, which gets there in 5 frames.",
-       Joined({{{"object", kText, true, "the object's name", Thing::kObject},
-                {"joint", kText, false, "not given: the selected one", Thing::kJoint}},
+       "A joint takes hold of an object, of the scene or held, from the current frame on. Not "
+       "given: the selected joint, which gets there in 5 frames.",
+       Joined({{{"object", kText, true, "the object's name", Thing::kSceneOrHeldObject},
+                {"joint", kText, false, "not given: the selected one", Thing::kJoint},
+                PlaceOn(0),
+                PlaceOn(1),
+                PlaceOn(2)},
                Only({"name", "first", "last", "arrive", "break_force", "break_impulse"}, fields)}),
        HoldOn}};
 }

@@ -238,6 +238,7 @@ MenuEntry SceneMenu() {
                 Submenu("Constraints", {{"constraint.add", {{"kind", "point"}}, "Add point"},
                                         {"constraint.add", {{"kind", "weld"}}, "Add weld"},
                                         {"constraint.add", {{"kind", "distance"}}, "Add distance"},
+                                        {"tool.hold_on"},
                                         {"constraint.hold_on"},
                                         Line(),
                                         {"constraint.set"},

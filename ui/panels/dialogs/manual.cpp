@@ -25,7 +25,8 @@ const std::vector<ManualPart>& ManualParts() {
         "bar that it holds on to, two hands, a foot on a rope. A point lets them turn, a weld does "
         "not, and a distance is a rod between them. A gap closes in the frames that it is given, "
         "and a constraint breaks under more than it bears. In the viewport it is a line, dashed "
-        "while the gap is open; under the mouse it says how hard it pulls."}},
+        "while the gap is open; under the mouse it says how hard it pulls. "
+        "The right button on a wrist offers to hold on to what is clicked next."}},
       {"What holds the figure",
        {"Keyed: the root's keys say where the figure is. Pinned: a joint, such as a toe, stays "
         "where it is, and the figure turns about it. Gravity: the figure flies, lands and stands "

@@ -99,20 +99,28 @@ std::optional<double> Enter(const Ray& ray, const Ball& ball) {
   return EnterCapsule(ray, ball.center, ball.center, ball.radius, ball.radius);
 }
 
-std::optional<Vec3> MeetsScene(const Ray& ray, const std::vector<SceneObject>& scene) {
+std::optional<SceneHit> HitScene(const Ray& ray, const std::vector<SceneObject>& scene) {
   double least = std::numeric_limits<double>::infinity();
-  for (const SceneObject& object : scene) {
+  size_t nearest = 0;
+  for (size_t i = 0; i < scene.size(); ++i) {
     std::optional<double> distance;
-    if (const Box* box = std::get_if<Box>(&object.shape)) distance = Enter(ray, *box);
-    if (const Plane* plane = std::get_if<Plane>(&object.shape)) {
+    if (const Box* box = std::get_if<Box>(&scene[i].shape)) distance = Enter(ray, *box);
+    if (const Plane* plane = std::get_if<Plane>(&scene[i].shape)) {
       const double towards = -plane->normal.dot(ray.direction);
       const double above = plane->normal.dot(ray.from) - plane->offset;
       if (towards > 0.0 && above > 0.0) distance = above / towards;
     }
-    if (distance) least = std::min(least, *distance);
+    if (!distance || *distance >= least) continue;
+    least = *distance;
+    nearest = i;
   }
   if (!std::isfinite(least)) return std::nullopt;
-  return ray.from + least * ray.direction;
+  return SceneHit{nearest, ray.from + least * ray.direction};
+}
+
+std::optional<Vec3> MeetsScene(const Ray& ray, const std::vector<SceneObject>& scene) {
+  const std::optional<SceneHit> hit = HitScene(ray, scene);
+  return hit ? std::optional(hit->at) : std::nullopt;
 }
 
 ViewportHit HitTest(const View& view, Point at, const PosedFigure& figure,

@@ -15,7 +15,12 @@ std::optional<double> Enter(const Ray& ray, const hazumi::Look& look, const hazu
 std::optional<double> Enter(const Ray& ray, const Box& box);
 std::optional<double> Enter(const Ray& ray, const Ball& ball);
 
-// Where a ray meets planes and boxes first, world [m]; none if it does not.
+// What of planes and boxes a ray meets first, by index, and where, world [m]; none if it does not.
+struct SceneHit {
+  size_t object = 0;
+  Vec3 at = Vec3::Zero();
+};
+std::optional<SceneHit> HitScene(const Ray& ray, const std::vector<SceneObject>& scene);
 std::optional<Vec3> MeetsScene(const Ray& ray, const std::vector<SceneObject>& scene);
 
 // What is under a point of the window.

@@ -76,6 +76,8 @@ void DrawAimedSpot(const Editor& editor, const View& view) {
   if (!at) return;
   const ImU32 color = ToIm(aimed->is_trouble ? colors::kSinking : colors::kSelected);
   const float arm = Px(editor, 9.0), width = Px(editor, 2.0);
+  const auto from = aimed->from ? view.ToWindow(*aimed->from) : std::nullopt;
+  if (from) DrawDashedLine(*from, *at, color, width);
   Canvas()->AddLine({at->x - arm, at->y}, {at->x + arm, at->y}, color, width);
   Canvas()->AddLine({at->x, at->y - arm}, {at->x, at->y + arm}, color, width);
   Canvas()->AddCircle(ToIm(*at), 0.6f * arm, color, 24, width);

@@ -169,6 +169,12 @@ std::vector<Action> ObjectActions() {
        "a dynamics region moves the arm as it lets go, aims it. How high it rises may be typed.",
        {},
        [](Editor* editor, const edit::Parameters&) { return TakeThrowTool(editor); }},
+      {"tool.hold_on",
+       "Hold on to what is clicked",
+       "The selected joint takes hold of what is clicked, an object, the ground or another joint, "
+       "from the current frame on.",
+       {},
+       [](Editor* editor, const edit::Parameters&) { return TakeHoldOnTool(editor); }},
       {"tool.add_box",
        "Draw box",
        "Draws a box on what is under the mouse: its base is dragged out, then its height.",

@@ -39,6 +39,7 @@ Items JointItems(const edit::Session& session) {
           {{"region.add", RegionOutwards(session), "Dynamics region from here outwards"},
            {"span.hold"},
            {"span.pin"},
+           {"tool.hold_on"},
            {"held.add_ball"}},
           {{"select.mirror"}, {"joint.hide"}, {"joint.lock"}},
           {{"view.frame_selected"}, {"view.properties", {{"section", "pose"}}, "Properties"}}};

@@ -85,6 +85,7 @@ struct AimedSpot {
   Vec3 at = Vec3::Zero();  // world [m]
   std::string text;        // what comes of it, or why it cannot be
   bool is_trouble = false;
+  std::optional<Vec3> from = {};  // a line is drawn from there
 };
 
 struct ViewportState {
