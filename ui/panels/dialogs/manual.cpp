@@ -17,7 +17,9 @@ const std::vector<ManualPart>& ManualParts() {
         "pulls "
         "it to its keys, the stiffer the higher its frequency: a loose wrist has 1 Hz, a held arm "
         "4 Hz. A torque pushes as its keys say. Driven by its keys the joint moves as if it were "
-        "not in the region, and the limp ones feel it.",
+        "not in the region, and the limp ones feel it. In the dope sheet the rows of joints have a "
+        "sign of what moves them, and a region's bar is filled as high as its spring is strong: "
+        "drag that edge up or down.",
         "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
         "instant. Joints in regions give way to them, and so does a figure that flies while it "
         "has a region; what keys move does not.",

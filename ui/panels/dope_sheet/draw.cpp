@@ -1,5 +1,6 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/input.h"
+#include "ui/panels/dope_sheet/muscle_draw.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/window/panels.h"
 
@@ -131,8 +132,29 @@ class DopeSheetPainter {
     list_->AddRect(UpperLeft(rect), LowerRight(rect),
                    is_chosen ? ToIm(colors::kSelected) : ToIm(color, 0.95f), Px(3.0), 0,
                    is_chosen ? Px(1.6) : 1.0f);
+    DrawMuscle(bar);
     DrawBlend(bar);
     if (layout_.rows[bar.row].depth == 0 && rect.h >= Px(12.0)) DrawTitle(bar);
+  }
+
+  // How strong its spring is, as high as it is filled; rows of joints say what moves each.
+  void DrawMuscle(const RowBar& bar) {
+    if (bar.ref.kind != BarKind::kRegion || bar.num_held == 0 || IsMuted(bar.ref)) return;
+    if (bar.muscle.spring >= 0) {
+      const Rect strip = StripOf(bar);
+      list_->AddRectFilled(UpperLeft(strip), LowerRight(strip), ToIm(colors::kMuscle, 0.5f),
+                           Px(3.0), ImDrawFlags_RoundCornersBottom);
+      list_->AddLine(UpperLeft(strip), {strip.right(), strip.y}, ToIm(colors::kMuscle), Px(2.0));
+    }
+    const float left = std::max(bar.rect.x, layout_.frame.tracks.x) + Px(8.0);
+    const float right = std::min(bar.rect.right(), layout_.frame.tracks.right());
+    const float radius = std::min(Px(5.0), 0.5f * bar.rect.h);
+    if (layout_.rows[bar.row].depth == 0 || right - left < 3.0f * radius) return;
+    const Point center = {left + radius, bar.rect.y + 0.5f * bar.rect.h};
+    list_->AddRectFilled({left - Px(2.0), center.y - radius - 1.0f},
+                         {left + 2.0f * radius + Px(2.0), center.y + radius + 1.0f},
+                         ToIm(theme_.panel, 0.72f), Px(2.0));
+    DrawMuscleMark(list_, center, radius, bar.muscle.kind, ToIm(theme_.text));
   }
 
   // A tail that fades out to where the joints are back on their keys at the earliest.

@@ -6,6 +6,7 @@
 #include "ui/panels/dope_sheet/bar_tool.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/region_tools.h"
+#include "ui/panels/dope_sheet/strength_tool.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/key_tools.h"
@@ -81,7 +82,8 @@ void ClickBar(Editor* editor, const RowBar& bar, SheetPart part, Point mouse) {
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     editor->sheet.popup = PopupOf(bar.ref.kind);
   } else if (!ImGui::GetIO().KeyShift) {
-    editor->Take(MakeDragBar(editor, mouse, part));
+    editor->Take(part == SheetPart::kBarStrength ? MakeDragStrength(editor, mouse, bar)
+                                                 : MakeDragBar(editor, mouse, part));
   } else {
     editor->Take(MakeBoxSelect(editor, mouse, true));
   }
@@ -102,6 +104,7 @@ void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, P
     case SheetPart::kBar:
     case SheetPart::kBarStart:
     case SheetPart::kBarEnd:
+    case SheetPart::kBarStrength:
       return ClickBar(editor, layout.bars[hit.index], hit.part, mouse);
     case SheetPart::kTrack:
     case SheetPart::kNothing:
@@ -116,10 +119,13 @@ void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, P
 }
 
 bool IsEnd(SheetPart part) { return part == SheetPart::kBarStart || part == SheetPart::kBarEnd; }
+bool IsOfBar(SheetPart part) {
+  return part == SheetPart::kBar || part == SheetPart::kBarStrength || IsEnd(part);
+}
 
 // The right button opens what can be done with what is under it.
 void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
-  if (hit.part == SheetPart::kBar || IsEnd(hit.part)) {
+  if (IsOfBar(hit.part)) {
     ChooseBar(editor, layout.bars[hit.index].ref);
     editor->sheet.popup = PopupOf(layout.bars[hit.index].ref.kind);
     return;
@@ -131,13 +137,24 @@ void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& h
   RightClickSheet(editor, layout.frame, FromIm(ImGui::GetIO().MousePos));
 }
 
-void ExplainBar(const Project& project, const BarRef& bar) {
+void ExplainStrength(const RowBar& bar) {
+  ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  const std::optional<double>& strength = bar.muscle.strength;
+  Tooltip(std::string(Tr("Strength")) + ": " + (strength ? PercentText(*strength) : Tr("No limit")),
+          Tr("Drag it up or down: how strong the spring is"));
+}
+
+void ExplainBar(const Project& project, const RowBar& of) {
+  const BarRef& bar = of.ref;
   const ProjectFrames frames = FramesOf(project, bar);
   std::string text =
       TitleOf(project, bar) + "   " + Tr("frames") + " " + SpanText(frames.first, frames.last);
   const std::string details = DetailsOf(project, bar);
   if (!details.empty()) text += "\n" + details;
   const bool is_region = bar.kind == BarKind::kRegion;
+  if (is_region && of.num_held > 0 && !project.regions[bar.index].mute) {
+    text += "\n" + std::string(Tr("Muscle")) + ": " + TextOf(of.muscle);
+  }
   Tooltip(text, Tr(is_region ? "Drag it or its ends; double click for friction and more"
                              : "Drag it or its ends; double click to change it, X deletes it"));
 }
@@ -145,8 +162,9 @@ void ExplainBar(const Project& project, const BarRef& bar) {
 void ShowWhatIsUnder(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
   if (IsEnd(hit.part)) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (hit.part == SheetPart::kCorner) Tooltip(Tr("Shows the rows of the selected joints alone"));
+  if (hit.part == SheetPart::kBarStrength) return ExplainStrength(layout.bars[hit.index]);
   if (hit.part != SheetPart::kBar) return;
-  ExplainBar(editor->session().project(), layout.bars[hit.index].ref);
+  ExplainBar(editor->session().project(), layout.bars[hit.index]);
 }
 
 void ScrollRows(SheetState* sheet, const DopeSheetLayout& layout) {

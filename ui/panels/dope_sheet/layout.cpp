@@ -32,7 +32,10 @@ class BarList {
  public:
   explicit BarList(const edit::Session& session)
       : figure_(session.figure()), project_(session.project()) {
-    for (const ProjectRegion& region : project_.regions) held_.push_back(JointsOf(region, figure_));
+    for (const ProjectRegion& region : project_.regions) {
+      held_.push_back(JointsOf(region, figure_));
+      drives_.push_back(DrivesByJoint(region, figure_));
+    }
     holders_ = edit::AllHolders(project_);
   }
 
@@ -67,9 +70,12 @@ class BarList {
   void AddRegion(const SheetRow& row, int index, std::vector<RowBar>* bars) const {
     RowBar bar = {0, {BarKind::kRegion, index}};
     bar.num_hinges = NumOf(row.hinges);
-    for (const JointIndex j : row.hinges) bar.num_held += held_[index][j.value()] ? 1 : 0;
-    const bool turns_root =
-        row.kind == RowKind::kPlacement && DrivesRoot(project_.regions[index], figure_);
+    std::vector<JointIndex> held = row.hinges;
+    std::erase_if(held, [&](JointIndex j) { return !held_[index][j.value()]; });
+    bar.num_held = NumOf(held);
+    const ProjectRegion& region = project_.regions[index];
+    if (!region.mute) bar.muscle = MuscleOf(region, drives_[index], held);
+    const bool turns_root = row.kind == RowKind::kPlacement && DrivesRoot(region, figure_);
     if (bar.num_held > 0 || turns_root) bars->push_back(bar);
   }
 
@@ -97,7 +103,8 @@ class BarList {
 
   const Figure& figure_;
   const Project& project_;
-  std::vector<std::vector<bool>> held_;  // by region and joint
+  std::vector<std::vector<bool>> held_;   // by region and joint
+  std::vector<std::vector<int>> drives_;  // likewise, -1 where it is limp
   std::vector<std::pair<int, edit::HolderSpan>> holders_;
 };
 
@@ -215,6 +222,7 @@ bool Touches(Point mark, Point p, double scale) {
 // another bar is there.
 SheetHit HitBars(const DopeSheetLayout& layout, int row, Point p) {
   const auto edge = static_cast<float>(5.0 * layout.frame.scale);
+  const auto near = static_cast<float>(3.0 * layout.frame.scale);
   SheetHit beside = {SheetPart::kTrack, -1, row};
   for (size_t i = 0; i < layout.bars.size(); ++i) {
     const RowBar& bar = layout.bars[i];
@@ -223,8 +231,10 @@ SheetHit HitBars(const DopeSheetLayout& layout, int row, Point p) {
     const float from_left = p.x - bar.rect.x, from_right = p.x - bar.rect.right();
     const int index = static_cast<int>(i);
     if (from_left >= 0.0f && from_right < 0.0f) {
+      const bool is_on_strip = bar.muscle.spring >= 0 && std::abs(p.y - StripOf(bar).y) < near;
       const SheetPart part = from_right >= -within ? SheetPart::kBarEnd
                              : from_left <= within ? SheetPart::kBarStart
+                             : is_on_strip         ? SheetPart::kBarStrength
                                                    : SheetPart::kBar;
       return {part, index, row};
     }
@@ -245,6 +255,11 @@ SheetHit HitTracks(const DopeSheetLayout& layout, int row, Point p) {
 }
 
 }  // namespace
+
+Rect StripOf(const RowBar& bar) {
+  const auto height = static_cast<float>(bar.muscle.fill()) * bar.rect.h;
+  return {bar.rect.x, bar.rect.bottom() - height, bar.rect.w, height};
+}
 
 DopeSheetLayout LayOutDopeSheet(const edit::Session& session, const SheetState& state,
                                 const Rect& rect, double scale) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/dope_sheet/muscle.h"
 #include "ui/panels/sheet/frame.h"
 
 namespace hazumi::ui {
@@ -45,7 +46,10 @@ struct RowBar {
   int lane = 0;
   Rect rect = {};
   int num_held = 0, num_hinges = 0;  // regions: of the row's hinges
+  RowMuscle muscle = {};             // regions that are not muted: of those it holds
 };
+// What of it is filled with muscle, from its lower edge on.
+Rect StripOf(const RowBar& bar);
 
 struct DopeSheetLayout {
   SheetFrame frame;
@@ -69,7 +73,8 @@ enum class SheetPart {
   kKey,
   kBar,
   kBarStart,
-  kBarEnd
+  kBarEnd,
+  kBarStrength  // the upper edge of its muscle
 };
 
 // What is under a point.

@@ -14,6 +14,7 @@ inline constexpr SrgbColor kKeyed = render::FromHex(0xb3ae36);
 inline constexpr SrgbColor kInterpolated = render::FromHex(0x53992e);
 inline constexpr SrgbColor kChanged = render::FromHex(0xcc7529);
 inline constexpr SrgbColor kDynamics = render::FromHex(0x2f8fff);  // computed by a region: hatched
+inline constexpr SrgbColor kMuscle = render::FromHex(0xc4504a);    // how strong a spring is
 inline constexpr SrgbColor kHeld = render::FromHex(0xa06fd6);      // a joint, by a hold
 inline constexpr SrgbColor kOuterForce = render::FromHex(0x1fb8a6);  // wind, pulls, pushes
 inline constexpr SrgbColor kSinking = render::FromHex(0xe0364f);     // into the ground
