@@ -128,6 +128,27 @@ TEST_F(Acting, TheyAreHiddenByTheirSwitchAndSaidUnderTheMouse) {
   EXPECT_NE(user.picture(), shown);
 }
 
+TEST_F(Acting, AClickOnItsLineChoosesItsBarAndLeavesTheSelection) {
+  const std::vector<ui::ConstraintMark> marks = Marks(6);
+  Do("select.joints", {{"joints", {"l_knee"}}});
+  const std::set<std::string> selected = user.session().selected_joints();
+  user.Click(InWindow(marks[0].a + 0.6 * (marks[0].b - marks[0].a)));
+  const ItemId id = user.project().constraints[0].identity.id;
+  EXPECT_EQ(user.editor().sheet.bar, (ui::BarId{ui::BarKind::kConstraint, id}));
+  EXPECT_EQ(user.session().selected_joints(), selected);
+}
+
+TEST_F(Acting, ForcesSayTheirNameUnderTheMouse) {
+  Do("force.add", {{"kind", "wind"}, {"name", "gale"}, {"velocity_x", -20.0}});
+  const std::vector<ui::ForceMark> wind = Forces(3);
+  ASSERT_EQ(wind.size(), 1u);
+  const ui::PosedFigure figure = ui::PoseNow(&user.session()).value();
+  const ui::ViewportState& state = user.editor().viewport;
+  const ui::View view = ui::ViewOf(state, user.project(), state.rect);
+  const ui::Point middle = InWindow(0.5 * (wind[0].from + wind[0].to));
+  EXPECT_EQ(ui::ActingAt(&user.editor(), view, figure, middle), "gale: 20.0 m/s");
+}
+
 TEST_F(Acting, TheChosenOneIsHighlighted) {
   Marks(6);
   user.Wait();

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/spatial/degrees.h"
 #include "ui/panels/text/filled.h"
@@ -70,6 +71,22 @@ double DistanceTo(Point p, Point a, Point b) {
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
+// `line_of`: the two ends of a mark.
+template <typename Mark, typename LineOf>
+const Mark* NearestTo(const View& view, Point at, const std::vector<Mark>& marks, double scale,
+                      LineOf line_of) {
+  const Mark* nearest = nullptr;
+  double least = kReachPx * scale;
+  for (const Mark& mark : marks) {
+    const auto [from, to] = line_of(mark);
+    const auto a = view.ToWindow(from), b = view.ToWindow(to);
+    if (!a || !b || DistanceTo(at, *a, *b) >= least) continue;
+    least = DistanceTo(at, *a, *b);
+    nearest = &mark;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 bool ConstraintMark::is_open() const { return gap > kOpenGap || turn > kOpenTurn; }
@@ -131,15 +148,14 @@ std::string TextOf(const ForceMark& mark) {
 
 const ConstraintMark* ConstraintAt(const View& view, Point at,
                                    const std::vector<ConstraintMark>& marks, double scale) {
-  const ConstraintMark* nearest = nullptr;
-  double least = kReachPx * scale;
-  for (const ConstraintMark& mark : marks) {
-    const auto a = view.ToWindow(mark.a), b = view.ToWindow(mark.b);
-    if (!a || !b || DistanceTo(at, *a, *b) >= least) continue;
-    least = DistanceTo(at, *a, *b);
-    nearest = &mark;
-  }
-  return nearest;
+  const auto line = [](const ConstraintMark& mark) { return std::pair(mark.a, mark.b); };
+  return NearestTo(view, at, marks, scale, line);
+}
+
+const ForceMark* ForceAt(const View& view, Point at, const std::vector<ForceMark>& marks,
+                         double scale) {
+  const auto line = [](const ForceMark& mark) { return std::pair(mark.from, mark.to); };
+  return NearestTo(view, at, marks, scale, line);
 }
 
 std::string TextOf(const ConstraintMark& mark, const Project& project) {

@@ -38,15 +38,19 @@ std::vector<ForceMark> ForceMarks(const Animation& animation, const PosedFigure&
 // "8.0 m/s"
 std::string TextOf(const ForceMark& mark);
 
-// The line of a constraint within reach, or null.
+// The nearest one whose line is within reach, or null.
 const ConstraintMark* ConstraintAt(const View& view, Point at,
                                    const std::vector<ConstraintMark>& marks, double scale);
+const ForceMark* ForceAt(const View& view, Point at, const std::vector<ForceMark>& marks,
+                         double scale);
 // "grip: 120 N", "grip: 2.1 cm apart", "grip: broken".
 std::string TextOf(const ConstraintMark& mark, const Project& project);
 
 // All of them, unless they are hidden.
 void DrawActing(Editor* editor, const View& view, const PosedFigure& figure);
-// What there is to say of the constraint under the mouse; empty: none is.
+// What there is to say of the constraint under the mouse, or else of the force; empty: none is.
 std::string ActingAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse);
+// The bar of the constraint under the mouse becomes the chosen one. False if none is there.
+bool ChooseConstraintAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse);
 
 }  // namespace hazumi::ui

@@ -72,13 +72,18 @@ std::vector<ConstraintMark> MarksNow(Editor* editor, const PosedFigure& figure) 
   return ConstraintMarks(*session.animation(), *motion.value(), figure);
 }
 
+std::vector<ForceMark> ForcesNow(Editor* editor, const PosedFigure& figure) {
+  const Animation* animation = editor->session().animation();
+  if (!editor->viewport.overlays.forces || !animation) return {};
+  return ForceMarks(*animation, figure);
+}
+
 }  // namespace
 
 void DrawActing(Editor* editor, const View& view, const PosedFigure& figure) {
-  edit::Session& session = editor->session();
-  if (!editor->viewport.overlays.forces || !session.animation()) return;
-  for (const ForceMark& mark : ForceMarks(*session.animation(), figure)) Draw(*editor, view, mark);
-  const std::optional<BarRef> chosen = ChosenBar(session.project(), editor->sheet);
+  const Project& project = editor->session().project();
+  for (const ForceMark& mark : ForcesNow(editor, figure)) Draw(*editor, view, mark);
+  const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
   for (const ConstraintMark& mark : MarksNow(editor, figure)) {
     Draw(*editor, view, mark, chosen == BarRef{BarKind::kConstraint, mark.index});
   }
@@ -86,8 +91,21 @@ void DrawActing(Editor* editor, const View& view, const PosedFigure& figure) {
 
 std::string ActingAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse) {
   const std::vector<ConstraintMark> marks = MarksNow(editor, figure);
+  const double scale = editor->settings.scale;
+  const Project& project = editor->session().project();
+  if (const ConstraintMark* mark = ConstraintAt(view, mouse, marks, scale)) {
+    return TextOf(*mark, project);
+  }
+  const std::vector<ForceMark> forces = ForcesNow(editor, figure);
+  const ForceMark* force = ForceAt(view, mouse, forces, scale);
+  return force ? project.forces[force->index].name + ": " + TextOf(*force) : "";
+}
+
+bool ChooseConstraintAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse) {
+  const std::vector<ConstraintMark> marks = MarksNow(editor, figure);
   const ConstraintMark* mark = ConstraintAt(view, mouse, marks, editor->settings.scale);
-  return mark ? TextOf(*mark, editor->session().project()) : "";
+  if (mark) ChooseBar(editor, {BarKind::kConstraint, mark->index});
+  return mark != nullptr;
 }
 
 }  // namespace hazumi::ui

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/camera.h"
 #include "ui/panels/viewport/hit_test.h"
@@ -148,9 +149,11 @@ void ActOnViewport(Editor* editor, const Rect& rect) {
   }
   if (!state.press) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return Pull(editor, view, *figure);
-  const ViewportHit hit = HitTest(view, state.press->at, *figure,
-                                  SolidsOf(&editor->session(), *figure), editor->settings.scale);
+  const Point at = state.press->at;
+  const ViewportHit hit =
+      HitTest(view, at, *figure, SolidsOf(&editor->session(), *figure), editor->settings.scale);
   state.press.reset();
+  if (!hit.is_marker && ChooseConstraintAt(editor, view, *figure, at)) return;
   Click(editor, hit, ImGui::GetIO().KeyShift);
 }
 
