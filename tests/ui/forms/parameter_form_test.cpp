@@ -139,6 +139,19 @@ TEST(ParameterForm, SuggestsAHingeOfTheRegionToBeStarted) {
   EXPECT_EQ(suggested(), "r_wrist_flexion");
 }
 
+TEST(ParameterForm, SuggestsTheLastObjectToHoldOnToAndNoneToAnEnd) {
+  edit::Session session;
+  const auto suggested = [&](const char* id, const char* name) {
+    FormState form = MakeForm(id, Json::object(), &session);
+    return Find(name, &form)->text;
+  };
+  EXPECT_EQ(suggested("constraint.hold_on", "object"), "floor");
+  ASSERT_TRUE(session.Run("object.add_box", {{"name", "bar"}}).ok());
+  EXPECT_EQ(suggested("constraint.hold_on", "object"), "bar");
+  EXPECT_EQ(suggested("constraint.hold_on", "x"), "");
+  EXPECT_EQ(suggested("constraint.add", "b_object"), "");
+}
+
 TEST(ParameterForm, SuggestsABoxOnTheGroundAheadOfTheFigure) {
   edit::Session session;
   edit::Json given = ValuesOf(MakeForm("object.add_box", {{"name", "box"}}, &session)).value();

@@ -120,6 +120,11 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       return project.scene.objects.empty() ? Json() : Json(project.scene.objects.back().name);
     case Thing::kHeldObject:
       return project.held_objects.empty() ? Json() : Json(project.held_objects.back().name);
+    case Thing::kSceneOrHeldObject: {
+      if (!info.is_required) return Json();
+      if (!project.scene.objects.empty()) return project.scene.objects.back().name;
+      return project.held_objects.empty() ? Json() : Json(project.held_objects.back().name);
+    }
     case Thing::kSelectionSet:
       return project.selection_sets.empty() ? Json() : Json(project.selection_sets.back().name);
     case Thing::kLink:
@@ -132,7 +137,6 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       return project.forces.empty() ? Json() : Json(project.forces.back().name);
     case Thing::kConstraint:
       return project.constraints.empty() ? Json() : Json(project.constraints.back().name);
-    case Thing::kSceneOrHeldObject:
     case Thing::kColor:
     case Thing::kAny:
       break;

@@ -66,10 +66,11 @@ void Draw(const Editor& editor, const View& view, const ForceMark& mark) {
 // None while they are hidden, or nothing is known of the motion.
 std::vector<ConstraintMark> MarksNow(Editor* editor, const PosedFigure& figure) {
   edit::Session& session = editor->session();
-  if (!editor->viewport.overlays.forces || !session.animation()) return {};
+  const Animation* animation = session.animation();
+  if (!editor->viewport.overlays.forces || !animation || animation->constraints.empty()) return {};
   const Result<const Motion*> motion = session.ShownMotionTo(FrameShown(*editor));
   if (!motion.ok()) return {};
-  return ConstraintMarks(*session.animation(), *motion.value(), figure);
+  return ConstraintMarks(*animation, *motion.value(), figure);
 }
 
 std::vector<ForceMark> ForcesNow(Editor* editor, const PosedFigure& figure) {
