@@ -62,10 +62,10 @@ class Installed(unittest.TestCase):
                 "share/applications/hazumi.desktop", "share/bash-completion/completions/hazumi",
                 "share/doc/hazumi/copyright", "share/doc/hazumi/README.md",
                 "share/doc/hazumi/examples/README.md", "share/doc/hazumi/sweeps.md", "share/fish/vendor_completions.d/hazumi.fish",
-                "share/hazumi/examples/blow.kfa", "share/hazumi/examples/curl.kfa",
-                "share/hazumi/examples/jump.kfa", "share/hazumi/examples/throw.kfa",
+                *(f"share/hazumi/examples/{name}.kfa" for name in
+                  ("bar", "bat", "blow", "curl", "jump", "reach", "throw", "torque", "walk", "wings")),
                 "share/hazumi/examples/throw_sweep.json",
-                "share/hazumi/figures/README.md", "share/hazumi/figures/human.json",
+                "share/hazumi/figures/README.md", "share/hazumi/figures/bird.json", "share/hazumi/figures/human.json",
                 "share/hazumi/schema/figure.schema.json", "share/hazumi/schema/kfa.schema.json",
                 "share/hazumi/schema/poses.schema.json",
                 "share/hazumi/schema/sweep.schema.json",
