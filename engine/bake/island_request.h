@@ -21,12 +21,15 @@ struct IslandTask {
   std::vector<ForceSpec> forces;
   double gravity = 0.0;  // along -z [m/s^2]
   std::vector<ConstraintSpec> constraints = {};
+  ContactSpec contacts = {};
   // Whether anything holds it from outside, so that it matters where it is in the world.
-  bool is_placed() const { return ActsFromOutside(forces) || !constraints.empty(); }
+  bool is_placed() const {
+    return ActsFromOutside(forces) || !constraints.empty() || !contacts.empty();
+  }
 };
 inline auto MembersOf(const IslandTask& task) {
-  const auto& [model, lower, upper, forces, gravity, constraints] = task;
-  return std::tie(model, lower, upper, forces, gravity, constraints);
+  const auto& [model, lower, upper, forces, gravity, constraints, contacts] = task;
+  return std::tie(model, lower, upper, forces, gravity, constraints, contacts);
 }
 
 // What an island is asked to do, one after the other; its answers depend on nothing else. Times

@@ -25,7 +25,8 @@ double MicrosecondsSince(Clock::time_point start) {
 IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
     : gravity_(task.gravity),
       moving_bases_(moving_bases),
-      dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints),
+      dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints,
+                task.contacts),
       solver_(&dynamics_, task.lower, task.upper) {
   if (const double rate = dynamics_.FastestRate(); rate > 0.0) {
     solver_.SetLongestStep(kMostDecay / rate);

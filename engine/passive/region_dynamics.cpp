@@ -8,7 +8,7 @@ namespace hazumi {
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity,
-                               std::vector<ConstraintSpec> constraints)
+                               std::vector<ConstraintSpec> constraints, ContactSpec contacts)
     : model_(std::move(model)),
       layout_(model_, /*balls=*/true),
       hinge_layout_(model_, /*balls=*/false),
@@ -17,7 +17,8 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       tree_(model_),
       laws_(std::move(laws)),
       rows_(std::move(constraints)),
-      has_rows_(rows_.any()),
+      contacts_(std::move(contacts)),
+      has_rows_(rows_.any() || contacts_.is_possible()),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
   for (const auto& law : laws_) {
@@ -89,7 +90,8 @@ void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
   if (has_forces_ || has_rows_) kinematics_.ClearForces();  // of nodes that weigh nothing here too
   kinematics_.SetOwnForces(base);
   if (has_outer_) PlaceNodes(state.t);
-  if (adds_rows_) AddRowForces();
+  if (adds_rows_) AddRowForces(RowsOf::kAll);
+  frozen_.AddTo(&kinematics_);
   if (!has_forces_) return;
   for (const auto& law : laws_) law->AddForces(state, &kinematics_);
 }
@@ -152,6 +154,18 @@ void RegionDynamics::PackAnchor(double* y) const {
   if (!is_pushed_in_flight()) return;
   Eigen::Map<Vec3>(y + layout_.state_size()) = anchor_.p;
   Eigen::Map<Vec3>(y + layout_.state_size() + 3) = anchor_.v;
+}
+
+RegionState RegionDynamics::PlaceAt(double t, const double* y) {
+  SetAnchorOf(y);
+  const double* velocities = y + layout_.num_positions();
+  Move(t, layout_, y, velocities);
+  return StateAt(t, layout_, y, velocities);
+}
+
+RegionState RegionDynamics::PlaceHinges(double t, const VecX& q, const VecX& qd) {
+  Move(t, hinge_layout_, q.data(), qd.data());
+  return StateAt(t, hinge_layout_, q.data(), qd.data());
 }
 
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {

@@ -7,6 +7,8 @@
 
 #include "engine/passive/constraints/constraint_rows.h"
 #include "engine/passive/constraints/row_forces.h"
+#include "engine/passive/contact/contact_set.h"
+#include "engine/passive/contact/frozen_forces.h"
 #include "engine/passive/dense_equations.h"
 #include "engine/passive/exact/limit_rows.h"
 #include "engine/passive/forces/force_law.h"
@@ -25,8 +27,8 @@ namespace hazumi {
 // throughout; points from the root's origin.
 
 // Energy of the bodies that a model moves, and the power that flows into it. Where the root flies,
-// as seen from the centre of mass; else potential energy counts from the height of the world's
-// origin, or of the pin.
+// as seen from the centre of mass, unless it may touch things; else potential energy counts from
+// the height of the world's origin, or of the pin.
 struct EnergyFlow {
   double kinetic = 0.0, potential = 0.0;  // [J]
   double keyed = 0.0;                     // [W], by driven joints and the motion of the moving base
@@ -41,7 +43,7 @@ class RegionDynamics {
  public:
   // `gravity`: along -z [m/s^2].
   RegionDynamics(RegionModel model, ForceLaws laws, double gravity,
-                 std::vector<ConstraintSpec> constraints = {});
+                 std::vector<ConstraintSpec> constraints = {}, ContactSpec contacts = {});
 
   const RegionModel& model() const { return model_; }
   const RegionLayout& layout() const { return layout_; }
@@ -109,14 +111,34 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
-  // Constraints keep their ends together, however large the island is, the dense way.
+  // Constraints keep their ends together, and contacts apart, however large the island is, the
+  // dense way.
   ConstraintRows& constraints() { return rows_; }
   const ConstraintRows& constraints() const { return rows_; }
+  ContactSet& contacts() { return contacts_; }
+  const ContactSet& contacts() const { return contacts_; }
+  // Act on top of everything else.
+  FrozenForces& frozen() { return frozen_; }
+  // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
+  void Freeze(const VecX& torques);
+  bool closes_gaps() const { return rows_.any_closed() || contacts_.any_closed(); }
+  // Where the nodes are and how they move in state y; not counted as an evaluation.
+  RegionState PlaceAt(double t, const double* y);
+  // Again, after it with the same.
+  RegionState PlacedAt(double t, const double* y) const {
+    return StateAt(t, layout_, y, y + layout_.num_positions());
+  }
+  // The same of all hinges, locked or not.
+  RegionState PlaceHinges(double t, const VecX& q, const VecX& qd);
   // Forces of their rows in the state that was looked at last [N, N m].
   const VecX& row_forces() const { return row_forces_; }
   // After AssembleHinges: what limits need of the rows; null if there are none.
-  const LimitRows* RowsOfForces() const { return rows_.any() ? &hinge_rows_ : nullptr; }
-  const LimitRows* RowsOfImpulses() const { return rows_.any() ? &hinge_row_rates_ : nullptr; }
+  const LimitRows* RowsOfForces() const { return has_any_rows() ? &hinge_rows_ : nullptr; }
+  const LimitRows* RowsOfImpulses() const { return has_any_rows() ? &hinge_row_rates_ : nullptr; }
+  const std::vector<ConstraintRow>& rows() const { return rows_.rows(); }
+  // How far the forces of contacts are beyond what they can be, in the state that was looked at
+  // last, as a part of what they push with in all.
+  double ContactExcess() const;
   // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].
   Vec3 KickOf(const VecX& impulses) const;
   // Moves a state to where the rows that have no gap to close have none, and none opens: the least
@@ -153,7 +175,15 @@ class RegionDynamics {
   RegionState StateAt(double t, const RegionLayout& layout, const double* positions,
                       const double* velocities) const;
   void AddRules(const RegionState& state, double* x);
+  bool sees_world() const {
+    return contacts_.is_possible() && model_.coupling == RootCoupling::kFlight;
+  }
+  bool has_any_rows() const { return rows_.any() || contacts_.any_closed(); }
+  void MeasureRows(const RegionState& state);
   void AssembleRows(const RegionLayout& layout);
+  MatX AnswerRows(const RegionLayout& layout);
+  VecX Softness() const;
+  VecX SolveRows(const MatX& A, const VecX& errors) const;
   VecX RowErrors(double t, const RegionLayout& layout, const double* x);
   small::V3 AccelerationAt(int node, const small::V3& r, const small::V3& root) const;
   void KeepTogether(const RegionState& state, double* x);
@@ -161,10 +191,12 @@ class RegionDynamics {
   void YieldAsIfFree(double t, const double* y);
   void Yield(const RegionLayout& layout);
   VecX LeaveClosedRows();
+  double LowerFloors(const VecX& gaps);
   void AssembleHingeRows(const RegionState& state);
-  void AddRowForces();
+  enum class RowsOf { kAll, kConstraints, kContacts };
+  void AddRowForces(RowsOf of);
   double PowerOnNodes(const std::vector<small::V3>& v) const;
-  double PowerOfRows(const std::vector<small::V3>& v);
+  double PowerOfRows(RowsOf of, const std::vector<small::V3>& v);
   void Fall(double* dy) const;
   void AddRule(const ForceLaw& rule, const RegionState& state);
   void AnswerRule(const RegionLayout& layout);
@@ -193,8 +225,11 @@ class RegionDynamics {
   bool has_forces_ = false, has_outer_ = false, has_rules_ = false;
   // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
   ConstraintRows rows_;
+  ContactSet contacts_;
+  FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false;
-  MatX J_, J_answer_, G_;  // of rows; M^-1 J^T
+  // Of rows: what they measure and push; what the pushes do, M^-1 P^T.
+  MatX J_, P_, P_answer_, G_;
   RowYield yield_;
   VecX row_forces_;
   LimitRows hinge_rows_, hinge_row_rates_;

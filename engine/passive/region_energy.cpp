@@ -155,7 +155,9 @@ void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyF
                      0.5 * Dot(own.w, own.I * own.w);
     flow->potential += gravity_ * (own.m * (own.p.z + root_z) + own.h.z);
   }
-  if (model_.coupling == RootCoupling::kFlight) flow->potential = 0.0;
+  if (model_.coupling == RootCoupling::kFlight) {
+    flow->potential = sees_world() ? gravity_ * model_.mass * anchor_.p.z() : 0.0;
+  }
 }
 
 EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
@@ -166,7 +168,8 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   adds_rows_ = has_rows_;
   Accelerate(state, dy.segment(layout_.num_positions(), layout_.num_dofs()));
   std::vector<V3> v(kinematics_.size());
-  const V3 v_root = RootVelocity(t, &v);
+  V3 v_root = RootVelocity(t, &v);
+  if (sees_world()) v_root += V3(anchor_.v);
   for (V3& velocity : v) velocity = velocity + v_root;
   EnergyFlow flow;
   AddStoredEnergy(t, v, &flow);
@@ -176,7 +179,15 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
         law->is_rule() ? in_joints - PowerWithout(*law, state, v) : PowerOf(*law, state, v);
     flow.laws.push_back({std::string(law->name()), power});
   }
-  if (has_rows_) flow.laws.push_back({"constraints", PowerOfRows(v)});
+  if (!rows_.specs().empty()) {
+    flow.laws.push_back({"constraints", PowerOfRows(RowsOf::kConstraints, v)});
+  }
+  if (contacts_.is_possible()) {
+    const double power = PowerOfRows(RowsOf::kContacts, v);
+    kinematics_.ClearForces();
+    frozen_.AddTo(&kinematics_);
+    flow.laws.push_back({"contact", power + PowerOnNodes(v)});
+  }
   adds_rows_ = false;
   if (first_moved_ > 0 && is_carrier_still_) PlaceStillCarrier(t);
   return flow;

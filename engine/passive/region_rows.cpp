@@ -1,16 +1,19 @@
-// Constraints of an island [METHOD 11]. With x_0 what forces and rules for accelerations give
-// together, rows (J, c) of constraints that ask for J x + c = 0 get forces l:
-//   x = x_0 + M^-1 J^T l,   (J M^-1 J^T + G) l = -(J x_0 + c)
+// Constraints and contacts of an island [METHOD 11, 12]. With x_0 what forces and rules for
+// accelerations give together, rows (J, c) that ask for J x + c = 0 get forces l, which push along
+// P:
+//   x = x_0 + M^-1 P^T l,   A l = -(J x_0 + c),   A = J M^-1 P^T + G
+// P is J but for contacts that slide, whose forces lean backwards.
 // Rows that have a gap to close yield (RowYield): A + C instead of A, with C d on the right.
 // G is what else gives way: in flight the centre of mass, by n n' / m for rows that push it along n
 // and n'. Friction is in x_0, as if it were the torques M r. Rows that say the same twice share
 // their force, the least there is.
-// Gaps that a step leaves are closed by dy = -M^-1 J^T A^-1 e, rates by the same.
+// Gaps that a step leaves are closed by dy = -M^-1 J^T A^-1 e, rates by the same, with P = J.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/passive/forces/hinge_moment.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/passive/semidefinite.h"
 
@@ -20,36 +23,79 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// What a row pushes the figure as a whole with.
-V3 NetOf(const ConstraintRow& row) {
+// What x gives or takes of a row that is seen, or pushes, along n: the figure as a whole.
+V3 NetOf(const ConstraintRow& row, const V3& n) {
   if (row.turns || (row.a >= 0 && row.b >= 0)) return {};
-  return row.a >= 0 ? row.n : -row.n;
+  return row.a >= 0 ? n : -n;
 }
 
 }  // namespace
 
-// J_ and G_, for rows that are measured and equations that are assembled.
+void RegionDynamics::MeasureRows(const RegionState& state) {
+  rows_.Measure(state);
+  contacts_.AppendRows(state, rows_.mutable_rows());
+}
+
+// J_, P_ and G_, for rows that are measured and equations that are assembled.
 void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   const auto& motion = kinematics_.motion();
   const std::vector<ConstraintRow>& rows = rows_.rows();
   const auto count = static_cast<Eigen::Index>(rows.size());
   J_.setZero(layout.num_dofs(), count);  // a row a column
   G_.setZero(count, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const ConstraintRow& row = rows[k];
+  const auto add = [&](const ConstraintRow& row, const V3& n, Eigen::Ref<VecX> column) {
     if (row.a >= 0) {
-      dense_.AddToRow(layout, motion, row.a, motion[row.a].p + row.r_a, row.n, row.turns,
-                      J_.col(k));
+      dense_.AddToRow(layout, motion, row.a, motion[row.a].p + row.r_a, n, row.turns, column);
     }
     if (row.b >= 0) {
-      dense_.AddToRow(layout, motion, row.b, motion[row.b].p + row.r_b, -row.n, row.turns,
-                      J_.col(k));
+      dense_.AddToRow(layout, motion, row.b, motion[row.b].p + row.r_b, -n, row.turns, column);
     }
+  };
+  for (Eigen::Index k = 0; k < count; ++k) add(rows[k], rows[k].n, J_.col(k));
+  P_ = J_;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const ConstraintRow& row = rows[k];
+    if (row.is_contact()) add(row, row.push - row.n, P_.col(k));
     if (model_.coupling != RootCoupling::kFlight) continue;
-    for (Eigen::Index l = 0; l <= k; ++l) {
-      G_(k, l) = G_(l, k) = Dot(NetOf(row), NetOf(rows[l])) / model_.mass;
+    for (Eigen::Index l = 0; l < count; ++l) {
+      G_(l, k) = Dot(NetOf(rows[l], rows[l].n), NetOf(row, row.force())) / model_.mass;
     }
   }
+}
+
+// What the rows do to each other; P_answer_ is what they do to the joints, whose equations are
+// solved.
+MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
+  P_answer_ = P_;
+  for (Eigen::Index k = 0; k < P_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
+  return J_.transpose() * P_answer_ + G_;
+}
+
+// A l = -errors. Contacts, of which a body may have many more than it has directions to move in,
+// give way by next to nothing, which is faster than the least norm.
+VecX RegionDynamics::SolveRows(const MatX& A, const VecX& errors) const {
+  if (!contacts_.any_closed()) return -LeastNorm(A, errors);
+  return SolveGivingWay(A, -errors, Softness());
+}
+
+// Of rows across contacts: less where more pushes, so that they share a drag as their cones do.
+VecX RegionDynamics::Softness() const {
+  constexpr double kLeast = 0.01;
+  const std::vector<ConstraintRow>& rows = rows_.rows();
+  VecX softness = VecX::Ones(static_cast<Eigen::Index>(rows.size()));
+  double most = 0.0;
+  for (const ContactPair& pair : contacts_.pairs()) {
+    if (pair.mode == ContactMode::kStick) most = std::max(most, pair.load);
+  }
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (!rows[k].is_contact()) continue;
+    const ContactPair& pair = contacts_.pairs()[rows[k].contact];
+    if (pair.mode != ContactMode::kStick) continue;
+    const double share = most > 0.0 ? std::max(kLeast, pair.load / most) : 1.0;
+    softness.segment<2>(static_cast<Eigen::Index>(k) + 1).setConstant(1.0 / share);
+    k += 2;
+  }
+  return softness;
 }
 
 // In the world, of a point of a node, r from its origin, with the root's acceleration known.
@@ -86,21 +132,19 @@ VecX RegionDynamics::RowErrors(double t, const RegionLayout& layout, const doubl
 
 void RegionDynamics::KeepTogether(const RegionState& state, double* x) {
   const RegionLayout& layout = state.layout;
-  rows_.Measure(state);
+  MeasureRows(state);
   if (rows_.rows().empty()) return row_forces_.resize(0);
   VecX errors = RowErrors(state.t, layout, x);
   AssembleRows(layout);
-  J_answer_ = J_;
-  for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, J_answer_.col(k));
-  MatX A = J_.transpose() * J_answer_ + G_;
+  MatX A = AnswerRows(layout);
   if (rows_.any_yielding()) {
     if (!is_any_locked())
       yield_ = YieldOf(rows_.rows(), A, rows_.Damping(), model_.mass, /*blocked=*/false);
     A += yield_.C;
     errors -= yield_.C * yield_.d;
   }
-  row_forces_ = -LeastNorm(A, errors);
-  Eigen::Map<VecX>(x, layout.num_dofs()) += J_answer_ * row_forces_;
+  row_forces_ = SolveRows(A, errors);
+  Eigen::Map<VecX>(x, layout.num_dofs()) += P_answer_ * row_forces_;
 }
 
 // Takes those that have a gap to close, which act by no impulse, out of J_ and G_. Returns e' of
@@ -127,7 +171,7 @@ void RegionDynamics::YieldAsIfFree(double t, const double* y) {
   layout_.Unpack(y, -none, none, &q, &qd);
   Move(t, hinge_layout_, q.data(), qd.data());
   dense_.Assemble(hinge_layout_, &kinematics_.motion());
-  rows_.Measure(StateAt(t, hinge_layout_, q.data(), qd.data()));
+  MeasureRows(StateAt(t, hinge_layout_, q.data(), qd.data()));
   AssembleRows(hinge_layout_);
   Yield(hinge_layout_);
 }
@@ -136,32 +180,35 @@ void RegionDynamics::YieldAsIfFree(double t, const double* y) {
 void RegionDynamics::Yield(const RegionLayout& layout) {
   VecX unused(layout.num_dofs());
   dense_.Solve(layout, unused.data());
-  J_answer_ = J_;
-  for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, J_answer_.col(k));
-  yield_ = YieldOf(rows_.rows(), J_.transpose() * J_answer_ + G_, rows_.Damping(), model_.mass,
+  yield_ = YieldOf(rows_.rows(), AnswerRows(layout), rows_.Damping(), model_.mass,
                    /*blocked=*/true);
 }
 
 // As limits need them, at rates for impacts, with the accelerations of rules for forces.
 void RegionDynamics::AssembleHingeRows(const RegionState& state) {
-  rows_.Measure(state);
+  MeasureRows(state);
   VecX rules = VecX::Zero(num_hinges());
   AddRules(state, rules.data());
   AssembleRows(hinge_layout_);
-  hinge_rows_ = {J_.transpose(), G_, RowErrors(state.t, hinge_layout_, rules.data())};
+  hinge_rows_ = {J_.transpose(), G_, RowErrors(state.t, hinge_layout_, rules.data()), {}, {}};
+  if (contacts_.any_closed()) {
+    hinge_rows_.P = P_.transpose();
+    hinge_rows_.softness = Softness();
+  }
   if (rows_.any_yielding()) {
     Yield(hinge_layout_);
     hinge_rows_.G += yield_.C;
     hinge_rows_.c -= yield_.C * yield_.d;
   }
   const VecX rates = LeaveClosedRows();
-  hinge_row_rates_ = {J_.transpose(), G_, rates};
+  hinge_row_rates_ = {J_.transpose(), G_, rates, hinge_rows_.P, hinge_rows_.softness};
 }
 
 Vec3 RegionDynamics::KickOf(const VecX& impulses) const {
   V3 sum;
   for (Eigen::Index k = 0; k < impulses.size(); ++k) {
-    sum += impulses[k] * NetOf(rows_.rows()[static_cast<size_t>(k)]);
+    const ConstraintRow& row = rows_.rows()[static_cast<size_t>(k)];
+    sum += impulses[k] * NetOf(row, row.force());
   }
   return sum.eigen() / model_.mass;
 }
@@ -177,7 +224,8 @@ double RegionDynamics::CloseGaps(double t, double* y) {
     ++evaluations_;
     SetAnchorOf(y);
     Move(t, layout_, state.positions, state.velocities);
-    rows_.Measure(state);
+    MeasureRows(state);
+    for (ConstraintRow& row : *rows_.mutable_rows()) row.push = row.n;  // nothing slides here
     dense_.Assemble(layout_, &kinematics_.motion());
     dense_.Solve(layout_, change.data());
     AssembleRows(layout_);
@@ -188,12 +236,11 @@ double RegionDynamics::CloseGaps(double t, double* y) {
       if (row.is_closed) gaps[k] = row.gap;
     }
     left = gaps.lpNorm<Eigen::Infinity>();
-    J_answer_ = J_;
-    for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout_, J_answer_.col(k));
-    const MatX A = J_.transpose() * J_answer_ + G_;
+    P_ = J_;
+    const MatX A = AnswerRows(layout_);
     const bool is_last = left <= kNone || tries == kMostTries;
-    const VecX push = -LeastNorm(A, is_last ? rates : gaps);
-    change = J_answer_ * push;
+    const VecX push = SolveRows(A, is_last ? rates : gaps);
+    change = P_answer_ * push;
     if (is_last) {
       Eigen::Map<VecX>(y + layout_.num_positions(), dofs) += change;
     } else {
@@ -204,14 +251,58 @@ double RegionDynamics::CloseGaps(double t, double* y) {
       Eigen::Map<Vec3> moved(anchor);
       moved += KickOf(push);
     }
-    if (is_last) return left;
+    if (is_last) return LowerFloors(gaps);
   }
 }
 
-void RegionDynamics::AddRowForces() {
+// Where there is no room contacts yield: what is left of their gaps is theirs from now on. Returns
+// the largest of the others.
+double RegionDynamics::LowerFloors(const VecX& gaps) {
+  double left = 0.0;
+  for (Eigen::Index k = 0; k < gaps.size(); ++k) {
+    const ConstraintRow& row = rows_.rows()[static_cast<size_t>(k)];
+    if (!row.is_contact()) {
+      left = std::max(left, std::abs(gaps[k]));
+    } else if (gaps[k] != 0.0) {
+      contacts_.SetFloor(row.contact, contacts_.pairs()[row.contact].floor + gaps[k]);
+    }
+  }
+  return left;
+}
+
+void RegionDynamics::Freeze(const VecX& torques) {
+  const auto& motion = kinematics_.motion();
+  for (int i = 0; i < kinematics_.size(); ++i) {
+    const RegionLayout::Node& node = hinge_layout_.node(i);
+    if (node.num_dofs == 0) continue;
+    const auto own = torques.segment(node.first_hinge, node.num_dofs);
+    if (own.isZero(0.0)) continue;
+    const V3 moment = MomentOfHinges(motion[i], node.num_dofs, own.data());
+    frozen_.moments.push_back({i, TransposeTimes(motion[i].R, moment).eigen()});
+  }
+}
+
+double RegionDynamics::ContactExcess() const {
+  double pushes = 0.0, excess = 0.0;
+  const std::vector<ConstraintRow>& rows = rows_.rows();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (!rows[k].is_contact()) continue;
+    const double push = row_forces_[static_cast<Eigen::Index>(k)];
+    pushes += std::abs(push);
+    excess = std::max(excess, -push);
+    if (contacts_.pairs()[rows[k].contact].mode != ContactMode::kStick) continue;
+    const double drag = row_forces_.segment<2>(static_cast<Eigen::Index>(k) + 1).norm();
+    excess = std::max(excess, drag - contacts_.FrictionOf(rows[k].contact) * push);
+    k += 2;
+  }
+  return pushes > 0.0 ? excess / pushes : 0.0;
+}
+
+void RegionDynamics::AddRowForces(RowsOf of) {
   for (size_t k = 0; k < rows_.rows().size(); ++k) {
     const ConstraintRow& row = rows_.rows()[k];
-    const V3 force = row_forces_[static_cast<Eigen::Index>(k)] * row.n;
+    if (of != RowsOf::kAll && row.is_contact() != (of == RowsOf::kContacts)) continue;
+    const V3 force = row_forces_[static_cast<Eigen::Index>(k)] * row.force();
     if (row.turns) {
       if (row.a >= 0) kinematics_.AddTorque(row.a, force);
       if (row.b >= 0) kinematics_.AddTorque(row.b, -force);
@@ -223,9 +314,9 @@ void RegionDynamics::AddRowForces() {
 }
 
 // On nodes that move with velocities v.
-double RegionDynamics::PowerOfRows(const std::vector<V3>& v) {
+double RegionDynamics::PowerOfRows(RowsOf of, const std::vector<V3>& v) {
   kinematics_.ClearForces();
-  AddRowForces();
+  AddRowForces(of);
   return PowerOnNodes(v);
 }
 

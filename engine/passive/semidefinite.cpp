@@ -1,6 +1,7 @@
 #include "engine/passive/semidefinite.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -75,6 +76,15 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
     parts[k] = value > kSaidTwice ? parts[k] / value : 0.0;
   }
   return unit.cwiseProduct(eigen.eigenvectors() * parts);
+}
+
+VecX SolveGivingWay(MatX A, const VecX& b, const VecX& softness) {
+  constexpr double kGivesWay = 1e-9;
+  const double largest = A.diagonal().lpNorm<Eigen::Infinity>();
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    A(i, i) += kGivesWay * softness[i] * std::max(std::abs(A(i, i)), 1e-6 * largest) + 1e-300;
+  }
+  return A.partialPivLu().solve(b);
 }
 
 }  // namespace hazumi

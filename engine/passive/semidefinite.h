@@ -16,4 +16,8 @@ void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
 // rows, each in units of its own: what two rows say twice is shared between them.
 VecX LeastNorm(const MatX& A, const VecX& b);
 
+// x with A x = b where every row gives way by a billionth of what it holds, times its `softness`,
+// which shares out what rows say twice; A need not be symmetric.
+VecX SolveGivingWay(MatX A, const VecX& b, const VecX& softness);
+
 }  // namespace hazumi

@@ -57,6 +57,20 @@ void ContinuousGravity::RenewFlight(double t, const FigureMotion& motion, Dynami
   if (!state_.pin) Fly(t, motion, ws);
 }
 
+void ContinuousGravity::LeaveToContacts(double t, const FigureMotion& motion,
+                                        DynamicsWorkspace* ws) {
+  if (state_.is_left) return;
+  state_.is_left = true;
+  state_.pin.reset();
+  Fly(t, motion, ws);
+}
+
+void ContinuousGravity::TakeBack(double t, const FigureMotion& motion, DynamicsWorkspace* ws) {
+  if (!state_.is_left) return;
+  state_.is_left = false;
+  Start(t, motion, ws);
+}
+
 void ContinuousGravity::Place(double t, DynamicsWorkspace* ws, FigureMotion* motion) const {
   if (state_.pin) return PinRoot(figure_, pin_joint(), state_.pin_W, ws, motion);
   if (motion->fall) return PlaceCenterOfMass(figure_, motion->fall->p, motion->fall->v, ws, motion);
@@ -80,6 +94,7 @@ double ContinuousGravity::ClearanceAt(double t, const Pose& pose, DynamicsWorksp
 
 std::optional<GravityEvent> ContinuousGravity::FirstEvent(double t0, double t1, const Pose& pose,
                                                           DynamicsWorkspace* ws) {
+  if (state_.is_left) return std::nullopt;
   if (state_.pin) return FindTakeOff(t0, t1, pose, ws);
   const std::optional<double> apex = ApexIn(t0, t1, pose);
   const auto landing = FindLanding(t0, apex.value_or(t1), pose, ws);

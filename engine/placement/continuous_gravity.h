@@ -35,6 +35,11 @@ class ContinuousGravity {
   // taken anew.
   void RenewFlight(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
 
+  // Contacts of a region place the figure from here on: it flies, and has no events; until it is
+  // taken back, when it begins anew where it is then.
+  void LeaveToContacts(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
+  void TakeBack(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
+
   // The first event in (t0, t1], during which the poses are smooth. Apexes are for the record only.
   std::optional<GravityEvent> FirstEvent(double t0, double t1, const Pose& pose,
                                          DynamicsWorkspace* ws);
@@ -56,6 +61,7 @@ class ContinuousGravity {
     Vec3 com = Vec3::Zero(), com_v = Vec3::Zero();  // then
     std::vector<double> landings;                   // times of the last ones [s]
     double hold_until = -1e300;                     // no take-off before [s]
+    bool is_left = false;                           // to contacts
     double allowed = 0.0;  // clearance that does not count as landing, from a deep take-off [m]
     bool operator==(const State&) const = default;
   };

@@ -33,6 +33,9 @@ struct DynamicsRegion {
   std::vector<JointIndex> joints;  // ascending, no duplicates
   std::vector<double> friction;    // one for each of `joints`: factor in [0, 1] per 1/30 s
   bool root = false;               // kExact: the root's orientation too
+  // kExact: what it moves stays out of what stands in the scene; a root that it moves, and that a
+  // placement by gravity leaves to it, is placed by that.
+  bool touches_scene = false;
   Method method = Method::kPaper;
   std::optional<double> step;       // kPaper [s]; not given: the animation's
   std::optional<double> tolerance;  // kExact [rad]; not given: the animation's

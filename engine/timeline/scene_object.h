@@ -18,8 +18,10 @@ namespace hazumi {
 // Something that stands in the world and can be touched.
 struct SceneObject {
   std::string name;
-  Obstacle shape;     // world frame [m]
-  std::string color;  // "#rrggbb", sRGB
+  Obstacle shape;                           // world frame [m]
+  std::string color;                        // "#rrggbb", sRGB
+  double friction = kFriction;              // coefficient
+  static constexpr double kFriction = 0.8;  // of figures, too
   bool operator==(const SceneObject&) const = default;
 };
 

@@ -66,6 +66,12 @@ class ExactBallisticRoot : public BallisticRoot {
   void RenewFlight(double seconds, const FigureMotion& motion) override {
     gravity_.RenewFlight(seconds, motion, &ws_);
   }
+  void LeaveToContacts(double seconds, const FigureMotion& motion) override {
+    gravity_.LeaveToContacts(seconds, motion, &ws_);
+  }
+  void TakeBack(double seconds, const FigureMotion& motion) override {
+    gravity_.TakeBack(seconds, motion, &ws_);
+  }
 
   std::optional<GroupIndex> pin() const override { return gravity_.pin(); }
   void Place(double frame, Side /*side*/, FigureMotion* motion) override {

@@ -53,6 +53,10 @@ class RootPlacement {
   // The figure let go of something, or nothing pushes it any more: a flight begins anew.
   virtual void RenewFlight(double /*seconds*/, const FigureMotion& /*motion*/) {}
 
+  // Contacts of a region place the figure, from now until it is taken back.
+  virtual void LeaveToContacts(double /*seconds*/, const FigureMotion& /*motion*/) {}
+  virtual void TakeBack(double /*seconds*/, const FigureMotion& /*motion*/) {}
+
   virtual bool is_keyed() const { return false; }
   // Carries the figure's momentum on.
   virtual bool is_ballistic() const { return false; }

@@ -1,16 +1,16 @@
 // Each island takes steps with an error of tolerance / 20, divided by the sharpness; its control
-// solution with one forty times as large. A fifth of their distance is the estimate of the error
-// [METHOD 8.2]. Friction f per 1/30 s is the rate c = -30 ln f [METHOD 2.3].
+// solution with one forty times as large, for an estimate of the error [METHOD 8.2]. Friction f per
+// 1/30 s is the rate c = -30 ln f [METHOD 2.3].
 
 #include "engine/bake/walk/exact_driver.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/bake/walk/contacts_of.h"
 #include "engine/bake/walk/outer_forces.h"
 #include "engine/bake/walk/spring_of.h"
 #include "engine/base/text.h"
@@ -24,8 +24,6 @@ constexpr double kStepShare = 0.05;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
 constexpr double kControlCoarseness = 40.0;
-// Its distance is mostly its own error; the solution's is this part of it at most.
-constexpr double kEstimateShare = 0.2;
 
 // Friction is a factor per 1/30 s. [METHOD 2.3]
 double FrictionRate(double factor) { return -30.0 * std::log(factor); }
@@ -81,11 +79,18 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
         springs_[j.value()] = SpringOf(drive, j, region, figure, starts.at(active_[a]));
       }
     }
+    has_contacts_ |= region.touches_scene;
     if (!region.root) continue;
     for (int i = 0; i < kRootAngles; ++i) {
       region_of_[figure.num_joints() + i] = static_cast<int>(a);
     }
   }
+}
+
+bool ExactDriver::places_root() const {
+  return std::any_of(active_.begin(), active_.end(), [&](int a) {
+    return animation_.regions[a].root && animation_.regions[a].touches_scene;
+  });
 }
 
 // A joint whose friction is 0 is frozen [METHOD 2.4], as is one without room between its limits.
@@ -113,6 +118,14 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
+// Whether what a joint carries touches things: the nearest joint towards the root that a region
+// moves says so, or the region that moves the root.
+bool ExactDriver::Touches(JointIndex j) const {
+  while (j.is_valid() && region_of_[j.value()] < 0) j = figure_.joint(j).parent;
+  const int region = region_of_[j.is_valid() ? j.value() : figure_.num_joints()];
+  return region >= 0 && animation_.regions[active_[region]].touches_scene;
+}
+
 IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* constraints) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
@@ -133,6 +146,10 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* 
     const std::vector<int> active = ActiveConstraints(animation_, t, broken_);
     *constraints = ConstraintsOf(task.model, animation_, active);
     task.constraints = constraints->specs;
+  }
+  if (has_contacts_) {
+    const auto touches = [&](JointIndex j) { return Touches(j); };
+    task.contacts = ContactsOf(task.model, figure_, animation_.scene, touches);
   }
   return task;
 }
@@ -181,7 +198,7 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   request_ = RequestFor(state, hold, driven);
   const double middle = 0.5 * (t + end);
   request_.ties = TiesOf(animation_, ActiveConstraints(animation_, middle, broken_));
-  request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty();
+  request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty() || has_contacts_;
   islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
   islands_.reserve(models.size());
@@ -352,70 +369,6 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
     }
   }
   return hits;
-}
-
-void ExactDriver::Estimate(double t) {
-  const int n = figure_.num_joints() + kRootAngles;
-  RotationState state{VecX(n), VecX(n), {}}, control = state;
-  Sample(t, &state);
-  SampleControl(t, &control);
-  for (const Island& island : islands_) {
-    const VecX distances = island.solution.Distances(state, control);
-    const auto& hinges = island.solution.hinges();
-    for (size_t i = 0; i < hinges.size(); ++i) {
-      double& estimate = estimates_[region_of_[hinges[i]]];
-      estimate =
-          std::max({estimate, island.solution.step_tolerance(), kEstimateShare * distances[i]});
-    }
-  }
-}
-
-long ExactDriver::evaluations() const {
-  long sum = finished_.evaluations;
-  for (const Island& island : islands_)
-    sum += island.solution.evaluations() + island.control.evaluations();
-  return sum;
-}
-
-long ExactDriver::steps() const {
-  long sum = finished_.steps;
-  for (const Island& island : islands_) sum += island.solution.steps();
-  return sum;
-}
-
-double ExactDriver::microseconds() const {
-  double sum = finished_.microseconds;
-  for (const Island& island : islands_) {
-    sum += island.solution.microseconds() + island.control.microseconds();
-  }
-  return sum;
-}
-
-void ExactDriver::MoveLogsTo(IslandLogs* logs) {
-  std::move(finished_.logs.begin(), finished_.logs.end(), std::back_inserter(*logs));
-  finished_.logs.clear();
-  AppendLogs(logs);
-}
-
-// Of the islands as they are now, if they keep any.
-void ExactDriver::AppendLogs(IslandLogs* logs) const {
-  if (!known_) return;
-  for (const Island& island : islands_) {
-    logs->push_back(island.solution.log());
-    logs->push_back(island.control.log());
-  }
-}
-
-std::vector<int> ExactDriver::island_sizes() const {
-  std::vector<int> sizes;
-  for (const Island& island : islands_) sizes.push_back(island.solution.model().num_free);
-  return sizes;
-}
-
-int ExactDriver::num_bodies() const {
-  int sum = 0;
-  for (const Island& island : islands_) sum += island.solution.model().num_bodies;
-  return sum;
 }
 
 }  // namespace hazumi

@@ -37,6 +37,9 @@ class ExactDriver {
   // Free in name only: it keeps its angle.
   bool is_frozen(Coordinate c) const;
 
+  // By contacts, where a placement by gravity leaves it to them.
+  bool places_root() const;
+
   // Begins at t, or goes on there under other circumstances, from the motion at t. `driven` is
   // smooth up to `end`. Control solutions go on from `control` where a coordinate was free before.
   void Begin(double t, double end, const RotationState& state, const RotationState& control,
@@ -125,6 +128,7 @@ class ExactDriver {
                           const DrivenMotion& driven) const;
   // Of an island that begins with a stretch whose middle is at `t` [s].
   IslandTask TaskFor(RegionModel model, double t, IslandConstraints* constraints) const;
+  bool Touches(JointIndex j) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();
@@ -141,6 +145,7 @@ class ExactDriver {
   const KnownLogs* known_;
   ThreadPool* pool_;
   MovingBaseCache moving_bases_;
+  bool has_contacts_ = false;     // any of the regions
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
   // By Coordinate, if there are any drives: what drives a joint.

@@ -43,9 +43,13 @@ void ExactWalk::End() {
   if (driver_) WriteReports();
   driver_.reset();
   curves_.SetRegions({});
-  if (!context_.now.fall) return;
-  context_.now.fall.reset();
-  context_.poses.placement().RenewFlight(context_.Seconds(context_.now.frame), context_.now);
+  RootPlacement& placement = context_.poses.placement();
+  const double t = context_.Seconds(context_.now.frame);
+  if (context_.now.fall) {
+    context_.now.fall.reset();
+    placement.RenewFlight(t, context_.now);
+  }
+  placement.TakeBack(t, context_.now);
 }
 
 // Control solutions begin anew with it.
@@ -107,6 +111,9 @@ void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
   const double end = context_.Seconds(to);
   const RotationState state = context_.poses.StateAt(context_.now);
   if (has_begun_ && v_pin.isZero(0.0)) return driver_->Drive(end, state, curves_.motion());
+  if (driver_->places_root()) {
+    context_.poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
+  }
   driver_->Begin(context_.Seconds(frame), end, state, ControlStart(state),
                  context_.poses.placement().hold(), curves_.motion());
   if (!v_pin.isZero(0.0)) driver_->FeelPin(v_pin);

@@ -53,25 +53,24 @@ ConstraintRows::ConstraintRows(std::vector<ConstraintSpec> specs)
   rows_.reserve(6 * specs_.size());
 }
 
-bool ConstraintRows::any_closed() const {
+template <typename Predicate>
+bool ConstraintRows::AnyWhole(Predicate&& is_one) const {
   for (size_t i = 0; i < specs_.size(); ++i) {
-    if (!is_broken_[i] && specs_[i].closing_rate == 0.0) return true;
+    if (!is_broken_[i] && is_one(specs_[i])) return true;
   }
   return false;
+}
+
+bool ConstraintRows::any_closed() const {
+  return AnyWhole([](const ConstraintSpec& spec) { return spec.closing_rate == 0.0; });
 }
 
 bool ConstraintRows::any_yielding() const {
-  for (size_t i = 0; i < specs_.size(); ++i) {
-    if (!is_broken_[i] && specs_[i].closing_rate > 0.0) return true;
-  }
-  return false;
+  return AnyWhole([](const ConstraintSpec& spec) { return spec.closing_rate > 0.0; });
 }
 
 bool ConstraintRows::may_break() const {
-  for (size_t i = 0; i < specs_.size(); ++i) {
-    if (!is_broken_[i] && specs_[i].break_force) return true;
-  }
-  return false;
+  return AnyWhole([](const ConstraintSpec& spec) { return spec.break_force.has_value(); });
 }
 
 double ConstraintRows::FastestRate() const {
@@ -93,15 +92,15 @@ void ConstraintRows::Measure(const RegionState& state) {
   }
 }
 
-ConstraintRow ConstraintRows::RowOf(int i, const RegionState& state) const {
+ConstraintRow ConstraintRows::RowOf(int i, const V3& r_a, const V3& r_b) const {
   const ConstraintSpec& spec = specs_[i];
   ConstraintRow row;
   row.constraint = i;
   row.is_closed = spec.closing_rate == 0.0;
   row.a = spec.a.node;
   row.b = spec.b.node;
-  row.r_a = MotionOf(spec.a, state).r;
-  row.r_b = MotionOf(spec.b, state).r;
+  row.r_a = r_a;
+  row.r_b = r_b;
   return row;
 }
 
@@ -111,8 +110,7 @@ void ConstraintRows::AddPoint(int i, const RegionState& state) {
   const V3 e = a.p - b.p, w_b = AngularVelocityOf(spec.b, state);
   const V3 rate = a.v - b.v - Cross(w_b, e), bend = -2.0 * Cross(w_b, rate);
   const Mat3 axes = RotationOf(spec.b, state);
-  ConstraintRow row = RowOf(i, state);
-  row.r_b = row.r_b + e;
+  ConstraintRow row = RowOf(i, a.r, b.r + e);
   for (int axis = 0; axis < 3; ++axis) {
     row.n = V3(Vec3(axes.col(axis)));
     row.gap = Dot(row.n, e);
@@ -129,7 +127,7 @@ void ConstraintRows::AddTurn(int i, const RegionState& state) {
   const Eigen::AngleAxisd phi(turn);
   const V3 w_b = AngularVelocityOf(spec.b, state);
   const V3 w = AngularVelocityOf(spec.a, state) - w_b;
-  ConstraintRow row = RowOf(i, state);
+  ConstraintRow row = RowOf(i, MotionOf(spec.a, state).r, MotionOf(spec.b, state).r);
   row.turns = true;
   for (int axis = 0; axis < 3; ++axis) {
     row.n = V3(Vec3::Unit(axis));
@@ -146,7 +144,7 @@ void ConstraintRows::AddDistance(int i, const RegionState& state) {
   const EndMotion a = MotionOf(spec.a, state), b = MotionOf(spec.b, state);
   const V3 d = a.p - b.p, v = a.v - b.v;
   const double length = std::sqrt(Dot(d, d));
-  ConstraintRow row = RowOf(i, state);
+  ConstraintRow row = RowOf(i, a.r, b.r);
   row.n = length > kNoDirection ? (1.0 / length) * d : V3(1.0, 0.0, 0.0);
   row.gap = length - spec.length;
   row.rate = Dot(row.n, v);
@@ -156,8 +154,9 @@ void ConstraintRows::AddDistance(int i, const RegionState& state) {
 }
 
 VecX ConstraintRows::Damping() const {
-  VecX damping(static_cast<Eigen::Index>(rows_.size()));
+  VecX damping = VecX::Zero(static_cast<Eigen::Index>(rows_.size()));
   for (size_t k = 0; k < rows_.size(); ++k) {
+    if (rows_[k].is_contact()) continue;
     damping[static_cast<Eigen::Index>(k)] =
         2.0 * specs_[rows_[k].constraint].closing_rate * rows_[k].rate;
   }
@@ -167,35 +166,25 @@ VecX ConstraintRows::Damping() const {
 VecX ConstraintRows::SizesOf(const VecX& forces) const {
   VecX sizes = VecX::Zero(static_cast<Eigen::Index>(specs_.size()));
   for (size_t k = 0; k < rows_.size(); ++k) {
-    if (rows_[k].turns) continue;
+    if (rows_[k].turns || rows_[k].is_contact()) continue;
     double& size = sizes[rows_[k].constraint];
     size = std::hypot(size, forces[static_cast<Eigen::Index>(k)]);
   }
   return sizes;
 }
 
-double ConstraintRows::Overload(const VecX& forces, bool are_impulses) const {
+ConstraintRows::Overload ConstraintRows::WorstOverload(const VecX& forces,
+                                                       bool are_impulses) const {
   const VecX sizes = SizesOf(forces);
-  double most = -1.0;
-  for (size_t i = 0; i < specs_.size(); ++i) {
-    const std::optional<double>& stands =
-        are_impulses ? specs_[i].break_impulse : specs_[i].break_force;
-    if (is_broken_[i] || !stands) continue;
-    most = std::max(most, sizes[static_cast<Eigen::Index>(i)] / *stands - 1.0);
-  }
-  return most;
-}
-
-int ConstraintRows::Overloaded(const VecX& forces, bool are_impulses) const {
-  const double most = Overload(forces, are_impulses);
-  if (most <= 0.0) return -1;
-  const VecX sizes = SizesOf(forces);
+  Overload worst;
   for (int i = 0; i < static_cast<int>(specs_.size()); ++i) {
     const std::optional<double>& stands =
         are_impulses ? specs_[i].break_impulse : specs_[i].break_force;
-    if (!is_broken_[i] && stands && sizes[i] / *stands - 1.0 >= most) return i;
+    if (is_broken_[i] || !stands) continue;
+    const double excess = sizes[i] / *stands - 1.0;
+    if (worst.constraint < 0 || excess > worst.excess) worst = {i, excess};
   }
-  return -1;
+  return worst;
 }
 
 void ConstraintRows::Break(int constraint, double t) {

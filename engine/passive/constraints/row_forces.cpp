@@ -21,7 +21,7 @@ namespace {
 
 // Of the hold that a row has where nothing is straight: enough, and next to none.
 constexpr double kHold = 0.1, kNone = 1e-4;
-constexpr double kSoftest = 1e-4;
+constexpr double kSoftest = 1e-4;  // e: what bounds C where a row has no hold
 constexpr double kArm = 0.3;       // [m]
 constexpr double kBlocked = 0.01;  // that C is at least where limits hold hinges
 
@@ -64,7 +64,7 @@ RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const Ve
     if (const double n = Step(s / kNone); n > 0.0) d[k] = -(1.0 - h) * n / s * slows[k];
   }
   if (blocked) C.array() += kBlocked;
-  const VecX back = unit.unaryExpr([](double u) { return u > 0.0 ? 1.0 / u : 0.0; });
+  const VecX back = unit.cwiseInverse();
   RowYield yield = {MatX::Zero(A.rows(), A.rows()), VecX::Zero(A.rows())};
   yield.C(others, others) =
       back.asDiagonal() * U * C.asDiagonal() * U.transpose() * back.asDiagonal();

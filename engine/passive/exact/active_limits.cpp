@@ -10,11 +10,14 @@ namespace {
 
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before limits become sticky
+// Of contacts: how near is touching, how slow at rest.
+constexpr double kTouchGap = 1e-8;   // [m]
+constexpr double kRestSpeed = 1e-6;  // [m/s]
 
 }  // namespace
 
 ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
-    : dynamics_(dynamics), limits_(limits), forces_(dynamics) {
+    : dynamics_(dynamics), limits_(limits), forces_(dynamics), contact_forces_(dynamics) {
   side_.assign(dynamics->num_hinges(), 0);
   for (std::vector<char>* flags : {&held_, &sticks_, &fixed_, &held_later_}) {
     flags->assign(dynamics->num_hinges(), 0);
@@ -25,6 +28,7 @@ ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
 void ActiveLimits::Begin() {
   touch_ = kTouch;
   events_.clear();
+  dynamics_->contacts().Begin();
   std::fill(held_.begin(), held_.end(), 0);
 }
 
@@ -35,9 +39,33 @@ void ActiveLimits::CountEvent(double t) {
   touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
 }
 
+bool ActiveLimits::is_chattering(double t) {
+  if (!dynamics_->contacts().is_possible() || dynamics_->contacts().pairs().empty()) return false;
+  const auto recent = [&](double event) { return event >= t - kChatterWindow; };
+  return std::count_if(events_.begin(), events_.end(), recent) > kChatter;
+}
+
+void ActiveLimits::Freeze(double t, double h, HingeState* state, LimitHits* hits) {
+  constexpr double kNear = 1e-5;  // [m]
+  contact_forces_.SetTouch(kNear, kRestSpeed);
+  is_touching_ = contact_forces_.FindTouching(t, state->q, state->qd);
+  kick_.setZero();
+  if (limits_->any()) FindSides(t, /*with_impulse=*/true, *state, hits);
+  if (is_touching_) CollideTied(t, Vec3::Zero(), state);
+  contact_forces_.Freeze(t, state->q, state->qd, *limits_, h);
+  is_touching_ = false;
+  any_ = false;
+  for (int i = 0; i < static_cast<int>(held_.size()); ++i) held_[i] = limits_->is_fixed(i);
+}
+
 void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                            LimitHits* hits) {
-  const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any();
+  is_touching_ = false;
+  if (dynamics_->contacts().is_possible()) {
+    contact_forces_.SetTouch(kTouchGap, kRestSpeed);
+    is_touching_ = contact_forces_.FindTouching(t, state->q, state->qd);
+  }
+  const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
   kick_.setZero();
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
@@ -74,13 +102,21 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
 }
 
 void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
-  if (dynamics_->constraints().any()) {
+  if (dynamics_->constraints().any() || is_touching_) {
     CollideTied(t, v_pin, state);
   } else {
-    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+    Strike(t, v_pin, state);
   }
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * state->qd[i] < -rest_rate()) side_[i] = 0;  // pushed off
+  }
+}
+
+void ActiveLimits::Strike(double t, const Vec3& v_pin, HingeState* state) {
+  if (is_touching_) {
+    contact_forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+  } else {
+    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
   }
 }
 
@@ -89,14 +125,18 @@ void ActiveLimits::CollideTied(double t, const Vec3& v_pin, HingeState* state) {
   ConstraintRows& constraints = dynamics_->constraints();
   const VecX before = state->qd;
   for (;;) {
-    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
-    if (!constraints.any()) return;
-    const int broken = constraints.Overloaded(forces_.row_impulses(), /*are_impulses=*/true);
-    if (broken < 0) break;
-    constraints.Break(broken, t);
+    Strike(t, v_pin, state);
+    const VecX& impulses = is_touching_ ? contact_forces_.row_impulses() : forces_.row_impulses();
+    const auto worst = constraints.WorstOverload(impulses, /*are_impulses=*/true);
+    if (worst.excess <= 0.0) {
+      if (!dynamics_->RowsOfImpulses()) return;
+      kick_ = dynamics_->KickOf(impulses);
+      dynamics_->SetAnchor({dynamics_->anchor().p, dynamics_->anchor().v + kick_});
+      return;
+    }
+    constraints.Break(worst.constraint, t);
     state->qd = before;
   }
-  kick_ = dynamics_->KickOf(forces_.row_impulses());
 }
 
 // Holds the hinges at rest that their limits go on holding.
@@ -110,6 +150,11 @@ void ActiveLimits::Settle(double t, const HingeMoment* later, HingeState* state)
     state->qd[i] = 0.0;
     state->q[i] = limits_->limit(i, side_[i]);
   }
+  if (is_touching_) {
+    contact_forces_.Rest(t, state->q, state->qd, side_, fixed_, &held_);
+    any_ = std::find(held_.begin(), held_.end(), 1) != held_.end();
+    return;
+  }
   if (!any_at_limit) return;
   const HingeState& at_rest = later ? later->state : *state;
   forces_.Rest(later ? later->time : t, at_rest.q, at_rest.qd, side_, fixed_, &held_);
@@ -119,13 +164,14 @@ void ActiveLimits::Settle(double t, const HingeMoment* later, HingeState* state)
 double ActiveLimits::StrongestPull() const {
   double most = -std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < held_.size(); ++i) {
-    if (held_[i] && !fixed_[i]) most = std::max(most, side_[i] * forces_.T()[i]);
+    if (held_[i] && !fixed_[i]) most = std::max(most, side_[i] * T()[i]);
   }
   return most;
 }
 
 double ActiveLimits::PullAt(double t, const HingeState& state) {
   forces_.Hold(t, state.q, state.qd, held_);
+  is_touching_ = false;  // from here on these forces are the latest ones
   return StrongestPull();
 }
 

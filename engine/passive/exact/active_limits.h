@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/passive/exact/contact_forces.h"
 #include "engine/passive/exact/hinge_state.h"
 #include "engine/passive/exact/limit_forces.h"
 #include "engine/passive/exact/limit_hits.h"
@@ -29,6 +30,11 @@ class ActiveLimits {
   // An event at t. Where they happen again and again limits become sticky, so that joints that
   // press on their limits in turn come to rest instead of chattering. [METHOD 3.5]
   void CountEvent(double t);
+  // So many events that contacts are to be frozen from t on.
+  bool is_chattering(double t);
+  // The same as Resolve where contacts are frozen from t on, for h seconds (ContactForces): nothing
+  // else holds a hinge.
+  void Freeze(double t, double h, HingeState* state, LimitHits* hits);
   // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].
   // What rests is told from `later`, if there is one.
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
@@ -40,6 +46,8 @@ class ActiveLimits {
   // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
   bool any() const { return any_; }
+  // The latest forces are those of contacts as well.
+  bool is_touching() const { return is_touching_; }
 
   // The strongest pull that a limit would have to give to hold its hinge [N m]: after Resolve, and
   // at any time.
@@ -50,14 +58,18 @@ class ActiveLimits {
 
  private:
   double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
+  const VecX& T() const { return is_touching_ ? contact_forces_.T() : forces_.T(); }
   int FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits);
   void Collide(double t, const Vec3& v_pin, HingeState* state);
   void CollideTied(double t, const Vec3& v_pin, HingeState* state);
+  void Strike(double t, const Vec3& v_pin, HingeState* state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
   LimitForces forces_;
+  ContactForces contact_forces_;
+  bool is_touching_ = false;
   Vec3 kick_ = Vec3::Zero();
   std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;

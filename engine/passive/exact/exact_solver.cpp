@@ -21,6 +21,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       held_(dynamics, &range_),
       hit_search_(dynamics, &range_, &step_),
       release_search_(&step_, &held_),
+      contact_search_(dynamics, &step_),
       hits_(dynamics->num_hinges()) {}
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
@@ -42,6 +43,8 @@ void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 void ExactSolver::Resolve(Vec3 v_pin) {
   next_ = Next::kGoOn;
   follows_event_ = true;
+  frozen_until_.reset();
+  dynamics_->frozen().Clear();
   dynamics_->SetAnchor(step_.anchor());
   do {
     held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &hits_);
@@ -56,9 +59,9 @@ void ExactSolver::Resolve(Vec3 v_pin) {
 bool ExactSolver::BreakOverloaded() {
   ConstraintRows& constraints = dynamics_->constraints();
   if (!constraints.may_break()) return false;
-  const int overloaded = constraints.Overloaded(dynamics_->row_forces(), /*are_impulses=*/false);
-  if (overloaded >= 0) constraints.Break(overloaded, time());
-  return overloaded >= 0;
+  const auto worst = constraints.WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false);
+  if (worst.excess > 0.0) constraints.Break(worst.constraint, time());
+  return worst.excess > 0.0;
 }
 
 // Ends the step where a constraint is overloaded first, as far as it shows at its quarters.
@@ -73,8 +76,9 @@ bool ExactSolver::FindBreak() {
     if (f > 0.0) {
       const Bracket at = Narrow({before, std::min(f_before, 0.0), t, f}, kSameTime, overload);
       overload(at.b);
-      breaks_next_ =
-          dynamics_->constraints().Overloaded(dynamics_->row_forces(), /*are_impulses=*/false);
+      breaks_next_ = dynamics_->constraints()
+                         .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
+                         .constraint;
       step_.EndAt(at.b);
       return true;
     }
@@ -91,29 +95,65 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   if (next_ == Next::kEvent) MakeEventHappen();
   if (next_ == Next::kGoOnFromCut) step_.GoOn();
   next_ = Next::kGoOn;
-  if (const std::optional<ExactFailure> failure = step_.Take(end)) return failure;
+  if (frozen_until_) return AdvanceFrozen(end);
+  if (const std::optional<ExactFailure> failure = step_.Take(end)) {
+    // Contacts that slide may jam: no finite forces keep them from it, but a blow does.
+    if (!dynamics_->contacts().any_closed()) return failure;
+    Freeze();
+    return AdvanceFrozen(end);
+  }
   ++steps_;
-  if (range_.any()) FindLimitEvents();
+  if (range_.any()) FindHits();
+  if (dynamics_->contacts().is_possible() && contact_search_.Find(follows_event_)) {
+    next_ = Next::kEvent;
+  }
+  if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
 }
 
-void ExactSolver::FindLimitEvents() {
+void ExactSolver::FindHits() {
   const HitSearch::Found found = hit_search_.Find(held_.held(), follows_event_);
   if (found == HitSearch::Found::kHit) next_ = Next::kEvent;
   if (found == HitSearch::Found::kPole) next_ = Next::kGoOnFromCut;
-  if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
 }
 
-// A limit was hit or lets go, or a constraint breaks.
+// A limit was hit or lets go, a contact changes, or a constraint breaks.
 void ExactSolver::MakeEventHappen() {
   if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
   breaks_next_ = -1;
-  held_.CountEvent(time());
+  if (!frozen_until_) held_.CountEvent(time());
   range_.Widen(q());
+  if (held_.is_chattering(time())) return Freeze();
   Resolve(Vec3::Zero());
+}
+
+// Where contacts change again and again, as they do when many of them come to rest together, their
+// forces are told for a millisecond each.
+void ExactSolver::Freeze() {
+  constexpr double kWhile = 1e-3;  // [s]
+  dynamics_->SetAnchor(step_.anchor());
+  held_.Freeze(time(), kWhile, &step_.now(), &hits_);
+  step_.Kick(held_.kick());
+  dynamics_->SetLocked(held_.held(), q());
+  step_.Begin();
+  release_search_.Begin();
+  frozen_until_ = time() + kWhile;
+  follows_event_ = true;
+}
+
+std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
+  const double until = std::min(end, *frozen_until_);
+  if (const std::optional<ExactFailure> failure = step_.Take(until)) return failure;
+  ++steps_;
+  if (contact_search_.FindBlow()) {
+    next_ = Next::kEvent;
+    return std::nullopt;
+  }
+  if (time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
+  return std::nullopt;
 }
 
 }  // namespace hazumi

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/passive/exact/active_limits.h"
+#include "engine/passive/exact/contact_search.h"
 #include "engine/passive/exact/exact_step.h"
 #include "engine/passive/exact/hit_search.h"
 #include "engine/passive/exact/release_search.h"
@@ -67,10 +68,12 @@ class ExactSolver {
   enum class Next { kGoOn, kGoOnFromCut, kEvent };
 
   void MakeEventHappen();
+  void Freeze();
+  std::optional<ExactFailure> AdvanceFrozen(double end);
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
   bool FindBreak();
-  void FindLimitEvents();
+  void FindHits();
 
   RegionDynamics* dynamics_;
   LimitRange range_;
@@ -78,9 +81,12 @@ class ExactSolver {
   ActiveLimits held_;
   HitSearch hit_search_;
   ReleaseSearch release_search_;
+  ContactSearch contact_search_;
   LimitHits hits_;
   Next next_ = Next::kGoOn;
-  int breaks_next_ = -1;        // a constraint that is overloaded at `time`
+  int breaks_next_ = -1;  // a constraint that is overloaded at `time`
+  // Contacts are frozen until then [s]; none: they are not.
+  std::optional<double> frozen_until_;
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]
   long steps_ = 0;

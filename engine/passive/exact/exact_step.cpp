@@ -194,7 +194,21 @@ VecX ExactStep::ConstraintForces(double t) {
 double ExactStep::Overload(double t) {
   VecX dy;
   LookAt(t, &dy);
-  return dynamics_->constraints().Overload(dynamics_->row_forces(), /*are_impulses=*/false);
+  return dynamics_->constraints()
+      .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
+      .excess;
+}
+
+RegionState ExactStep::Glance(double t) {
+  MakeDense();
+  step_.At(t, y_.data());
+  return dynamics_->PlaceAt(t, y_.data());
+}
+
+double ExactStep::ContactExcess(double t) {
+  VecX dy;
+  LookAt(t, &dy);
+  return dynamics_->ContactExcess();
 }
 
 EnergyFlow ExactStep::Energy(double t) {

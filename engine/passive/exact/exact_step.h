@@ -51,8 +51,6 @@ class ExactStep {
   const PointMotion& anchor() const { return anchor_; }
   // An impact changes the velocity of the centre of mass [m/s]; before Begin.
   void Kick(const Vec3& jump) { anchor_.v += jump; }
-  // What constraints could not close where it began [m, rad].
-  double gap() const { return gap_; }
   // The one that the error is largest of.
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
@@ -67,6 +65,11 @@ class ExactStep {
   // (ConstraintRows).
   VecX ConstraintForces(double t);
   double Overload(double t);
+  // Where nodes are at t, whatever gaps the step leaves; and again, after it at the same t.
+  RegionState Glance(double t);
+  RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
+  // As RegionDynamics::ContactExcess.
+  double ContactExcess(double t);
   // And rates, of the free hinges at t in [start_time, time]; at `time` itself those of now(), with
   // which the next step begins. The centre of mass's, if the fall is solved along, else zero
   // [m/s^2].
@@ -76,7 +79,7 @@ class ExactStep {
   auto Field() {
     return [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); };
   }
-  bool closes_gaps() const { return dynamics_->constraints().any_closed(); }
+  bool closes_gaps() const { return dynamics_->closes_gaps(); }
   void TakeState(const double* y);
   void LookAt(double t, VecX* dy);
   void SetScale();
@@ -97,7 +100,7 @@ class ExactStep {
   // Where constraints have closed what the step left, it goes on from there.
   VecX closed_;
   bool is_closed_ = false;
-  double gap_ = 0.0;
+  double gap_ = 0.0;  // that constraints could not close [m, rad]
 };
 
 }  // namespace hazumi

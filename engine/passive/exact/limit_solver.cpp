@@ -41,12 +41,12 @@ void LimitSolver::SolveMixed(const MatX& M, const VecX& b, const VecX& given,
   for (int i = 0; i < n; ++i) {
     T_[i] = held[i] ? b[i] + M.row(i).dot(x_) : 0.0;
     size_[i] = held[i] ? std::abs(b[i]) + M.row(i).cwiseAbs().dot(x_.cwiseAbs()) : 0.0;
-    if (rows && held[i]) T_[i] -= rows->J.col(i).dot(l_);
+    if (rows && held[i]) T_[i] -= rows->push().col(i).dot(l_);
   }
 }
 
 // right_ := what the hinges that are not held do with the rows' forces l_:
-//   (J_f M_ff^-1 J_f^T + G) l = -(J_f x_f + J_h x_h + c)
+//   (J_f M_ff^-1 P_f^T + G) l = -(J_f x_f + J_h x_h + c)
 void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
                            const std::vector<char>& held) {
   const auto k = static_cast<Eigen::Index>(free_.size());
@@ -61,10 +61,14 @@ void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
     if (held[i]) errors += rows.J.col(at) * given[at];
   }
   MatX answer = J;
+  if (rows.P.size() > 0) {
+    for (Eigen::Index r = 0; r < k; ++r) answer.row(r) = rows.P.col(free_[r]);
+  }
   for (Eigen::Index row = 0; row < J.cols(); ++row) {
     SolveSemidefinite(A_.topLeftCorner(k, k), answer.col(row));
   }
-  l_ = -LeastNorm(J.transpose() * answer + rows.G, errors);
+  const MatX A = J.transpose() * answer + rows.G;
+  l_ = rows.P.size() > 0 ? SolveGivingWay(A, -errors, rows.softness) : -LeastNorm(A, errors);
   right_.head(k) += answer * l_;
 }
 

@@ -13,13 +13,19 @@ ReleaseSearch::ReleaseSearch(ExactStep* step, ActiveLimits* limits)
 
 void ReleaseSearch::Begin() {
   has_later_ = false;
+  allowed_ = 0.0;
   pull_before_ = limits_->StrongestPull();
+  if (!limits_->is_touching() || !limits_->any()) return;
+  // Limits and contacts that hold the same in more ways than one share it otherwise here.
+  const double pull = limits_->PullAt(step_->time(), step_->now());
+  if (pull > 0.0) allowed_ = 2.0 * pull;
+  pull_before_ = pull - allowed_;
 }
 
 // The strongest pull that a limit would have to give at t [N m].
 double ReleaseSearch::Pull(double t) {
   step_->Sample(t, &sample_);
-  return limits_->PullAt(t, sample_);
+  return limits_->PullAt(t, sample_) - allowed_;
 }
 
 bool ReleaseSearch::Find() {

@@ -29,6 +29,7 @@ class ReleaseSearch {
 
   ExactStep* step_;
   ActiveLimits* limits_;
+  double allowed_ = 0.0;      // pull that does not count [N m]
   double pull_before_ = 0.0;  // strongest pull at the start of the step [N m]
   HingeState sample_;
   HingeMoment later_;

@@ -1,0 +1,83 @@
+// What the driver did, for reports: a fifth of the distance from the control solutions is the
+// estimate of the error [METHOD 8.2].
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "engine/bake/walk/exact_driver.h"
+
+namespace hazumi {
+
+namespace {
+
+// Its distance is mostly its own error; the solution's is this part of it at most.
+constexpr double kEstimateShare = 0.2;
+
+}  // namespace
+
+void ExactDriver::Estimate(double t) {
+  const int n = figure_.num_joints() + kRootAngles;
+  RotationState state{VecX(n), VecX(n), {}}, control = state;
+  Sample(t, &state);
+  SampleControl(t, &control);
+  for (const Island& island : islands_) {
+    const VecX distances = island.solution.Distances(state, control);
+    const auto& hinges = island.solution.hinges();
+    for (size_t i = 0; i < hinges.size(); ++i) {
+      double& estimate = estimates_[region_of_[hinges[i]]];
+      estimate =
+          std::max({estimate, island.solution.step_tolerance(), kEstimateShare * distances[i]});
+    }
+  }
+}
+
+long ExactDriver::evaluations() const {
+  long sum = finished_.evaluations;
+  for (const Island& island : islands_)
+    sum += island.solution.evaluations() + island.control.evaluations();
+  return sum;
+}
+
+long ExactDriver::steps() const {
+  long sum = finished_.steps;
+  for (const Island& island : islands_) sum += island.solution.steps();
+  return sum;
+}
+
+double ExactDriver::microseconds() const {
+  double sum = finished_.microseconds;
+  for (const Island& island : islands_) {
+    sum += island.solution.microseconds() + island.control.microseconds();
+  }
+  return sum;
+}
+
+void ExactDriver::MoveLogsTo(IslandLogs* logs) {
+  std::move(finished_.logs.begin(), finished_.logs.end(), std::back_inserter(*logs));
+  finished_.logs.clear();
+  AppendLogs(logs);
+}
+
+// Of the islands as they are now, if they keep any.
+void ExactDriver::AppendLogs(IslandLogs* logs) const {
+  if (!known_) return;
+  for (const Island& island : islands_) {
+    logs->push_back(island.solution.log());
+    logs->push_back(island.control.log());
+  }
+}
+
+std::vector<int> ExactDriver::island_sizes() const {
+  std::vector<int> sizes;
+  for (const Island& island : islands_) sizes.push_back(island.solution.model().num_free);
+  return sizes;
+}
+
+int ExactDriver::num_bodies() const {
+  int sum = 0;
+  for (const Island& island : islands_) sum += island.solution.model().num_bodies;
+  return sum;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/spatial/types.h"
+
+namespace hazumi {
+
+// What rows do to each other: forces l make of them
+//   w = A l + b,
+// velocities or accelerations of points in contact, of hinges at limits and of gaps. A is positive
+// semidefinite but for columns of contacts that slide in a known direction.
+struct ConeProblem {
+  enum class Kind {
+    kBoth,     // one row: w = 0
+    kPush,     // one row: l >= 0, w >= 0, l w = 0
+    kContact,  // three: n as kPush, and |l_t| <= friction l_n, against w_t where it slides
+  };
+  struct Block {
+    Kind kind;
+    int row;  // its first one
+    double friction = 0.0;
+  };
+
+  MatX A;
+  VecX b;
+  std::vector<Block> blocks;
+};
+
+// False if no forces are found that fulfil all of it to 1e-6 of the largest; `forces` are then the
+// best known ones, which push only, and stay in their cones.
+bool SolveCones(const ConeProblem& problem, VecX* forces);
+
+}  // namespace hazumi

@@ -1,0 +1,194 @@
+// With p, n as TouchPoint, v = the material's velocity at p and a its acceleration, a direction x
+// fixed to the contact:
+//   gap'' = n a + n' v + n (w x (p' - v)),   (x v)' = x a + x (w x (p' - v))   where v is 0 along x
+
+#include "engine/passive/contact/contact_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+namespace {
+
+// So slow sliding is not told from rest [m/s]: the direction of what begins to slide is known
+// before.
+constexpr double kSlow = 1e-6;
+
+bool ArePairsSame(const ContactPair& a, const ContactPair& b) {
+  return a.capsule == b.capsule && a.obstacle == b.obstacle && a.pair == b.pair;
+}
+
+// Along which it slides, for a velocity v of the material across n. Where it has come to rest it
+// goes on as before, until that is found.
+V3 SlideOf(const ContactPair& pair, const TouchPoint& point) {
+  const V3 v = point.v - Dot(point.n, point.v) * point.n;
+  const V3 d = pair.direction - Dot(point.n, pair.direction) * point.n;
+  const double ahead = Dot(v, d);
+  const V3 sum = ahead > 0.0 ? v + kSlow * d : v - ahead * d + kSlow * d;
+  return (1.0 / std::sqrt(Dot(sum, sum))) * sum;
+}
+
+}  // namespace
+
+Across AcrossOf(const V3& n) {
+  const V3 x = std::abs(n.x) < 0.7 ? V3(1.0, 0.0, 0.0) : V3(0.0, 1.0, 0.0);
+  const V3 s = x - Dot(x, n) * n, unit = (1.0 / std::sqrt(Dot(s, s))) * s;
+  return {unit, Cross(n, unit)};
+}
+
+ContactSet::ContactSet(ContactSpec spec)
+    : spec_(std::move(spec)), thinnest_(std::numeric_limits<double>::infinity()) {
+  for (const ContactCapsule& own : spec_.capsules) thinnest_ = std::min(thinnest_, own.radius);
+  pairs_.reserve(64);
+  before_.reserve(64);
+}
+
+void ContactSet::Begin() {
+  pairs_.clear();
+  num_closed_ = 0;
+}
+
+MovingCapsule ContactSet::CapsuleAt(int capsule, const RegionState& state) const {
+  const ContactCapsule& own = spec_.capsules[capsule];
+  const NodeMotion& node = state.kinematics.motion()[own.node];
+  const V3 a = node.R * V3(own.a), b = node.R * V3(own.b);
+  return {state.PositionAt(own.node, a), state.PositionAt(own.node, b),
+          state.VelocityAt(own.node, a), node.w, own.radius};
+}
+
+void ContactSet::FindPairs(const RegionState& state, double reach) {
+  before_.swap(pairs_);
+  pairs_.clear();
+  for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
+    const MovingCapsule moving = CapsuleAt(c, state);
+    for (int o = 0; o < static_cast<int>(spec_.obstacles.size()); ++o) {
+      if (LeastGap(moving, spec_.obstacles[o]) <= reach) AddPairs(c, o, moving, &pairs_);
+    }
+  }
+  // Both are in the same order.
+  auto old = before_.begin();
+  for (ContactPair& pair : pairs_) {
+    const auto is_before = [](const ContactPair& a, const ContactPair& b) {
+      return std::tie(a.capsule, a.obstacle, a.pair) < std::tie(b.capsule, b.obstacle, b.pair);
+    };
+    while (old != before_.end() && is_before(*old, pair)) ++old;
+    if (old != before_.end() && ArePairsSame(*old, pair)) pair = *old;
+  }
+  num_closed_ =
+      static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [](const ContactPair& pair) {
+        return pair.mode != ContactMode::kOpen;
+      }));
+}
+
+void ContactSet::AddPairs(int capsule, int obstacle, const MovingCapsule& moving,
+                          std::vector<ContactPair>* found) const {
+  for (int i = 0; i < NumPairs(spec_.obstacles[obstacle]); ++i) {
+    ContactPair pair;
+    pair.capsule = capsule;
+    pair.obstacle = obstacle;
+    pair.pair = i;
+    const auto point = TouchPointOf(i, moving, spec_.obstacles[obstacle], false);
+    if (point) pair.floor = std::min(0.0, point->gap);
+    if (point || i >= kPlanePairs) found->push_back(pair);
+  }
+}
+
+void ContactSet::RaiseFloors(const RegionState& state) {
+  for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) {
+    if (pairs_[i].mode != ContactMode::kOpen || pairs_[i].floor == 0.0) continue;
+    const auto point = PointOf(i, state);
+    if (point) pairs_[i].floor = std::clamp(point->gap, pairs_[i].floor, 0.0);
+  }
+}
+
+double ContactSet::FastestEnd(const RegionState& state) const {
+  double square = 0.0;
+  for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
+    const MovingCapsule moving = CapsuleAt(c, state);
+    const V3 v_b = moving.v + Cross(moving.w, moving.b - moving.a);
+    square = std::max({square, Dot(moving.v, moving.v), Dot(v_b, v_b)});
+  }
+  return std::sqrt(square);
+}
+
+void ContactSet::SetMode(int pair, ContactMode mode) {
+  ContactMode& own = pairs_[pair].mode;
+  num_closed_ += (mode != ContactMode::kOpen) - (own != ContactMode::kOpen);
+  own = mode;
+}
+
+void ContactSet::Slide(int pair, const V3& direction) {
+  SetMode(pair, ContactMode::kSlide);
+  ContactPair& own = pairs_[pair];
+  own.direction = direction;
+  own.was_fast = false;
+  own.slow_steps = 0;
+}
+
+bool ContactSet::FollowSlides(const RegionState& state) {
+  constexpr int kMostSlowSteps = 8;
+  bool is_slow = false;
+  for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) {
+    ContactPair& own = pairs_[i];
+    if (own.mode != ContactMode::kSlide || FrictionOf(i) == 0.0) continue;
+    const auto point = PointOf(i, state);
+    if (!point) continue;
+    const V3 across = point->v - Dot(point->n, point->v) * point->n;
+    const double speed = std::sqrt(Dot(across, across));
+    if (speed < kSlowSlide) {
+      is_slow |= own.was_fast || ++own.slow_steps > kMostSlowSteps;
+      continue;
+    }
+    own.was_fast = true;
+    own.direction = (1.0 / speed) * across;
+  }
+  return is_slow;
+}
+
+std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state) const {
+  const ContactPair& own = pairs_[pair];
+  return TouchPointOf(own.pair, CapsuleAt(own.capsule, state), spec_.obstacles[own.obstacle],
+                      own.mode != ContactMode::kOpen);
+}
+
+void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const {
+  if (num_closed_ == 0) return;
+  for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) {
+    const ContactPair& pair = pairs_[i];
+    if (pair.mode == ContactMode::kOpen) continue;
+    const auto point = PointOf(i, state);
+    if (!point) continue;
+    ConstraintRow row;
+    row.constraint = ConstraintRow::kContact;
+    row.contact = i;
+    row.is_closed = true;
+    row.a = spec_.capsules[pair.capsule].node;
+    row.r_a = point->p - state.PositionAt(row.a, V3());
+    const V3 w = state.kinematics.motion()[row.a].w;
+    const V3 glides = Cross(w, point->p_dot - point->v);
+    row.n = row.push = point->n;
+    row.gap = point->gap - pair.floor;
+    row.rate = Dot(point->n, point->v);
+    row.bend = Dot(point->n_dot, point->v) + Dot(point->n, glides);
+    if (pair.mode == ContactMode::kSlide && FrictionOf(i) > 0.0) {
+      row.push = point->n - FrictionOf(i) * SlideOf(pair, *point);
+    }
+    rows->push_back(row);
+    if (pair.mode == ContactMode::kSlide) continue;
+    const auto [s, t] = AcrossOf(point->n);
+    for (const V3& x : {s, t}) {
+      row.n = row.push = x;
+      row.gap = 0.0;
+      row.rate = Dot(x, point->v);
+      row.bend = Dot(x, glides);
+      rows->push_back(row);
+    }
+  }
+}
+
+}  // namespace hazumi

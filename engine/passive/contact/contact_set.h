@@ -1,0 +1,87 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/passive/constraints/constraint_row.h"
+#include "engine/passive/contact/touch_point.h"
+#include "engine/passive/forces/force_law.h"
+
+namespace hazumi {
+
+enum class ContactMode : char {
+  kOpen,
+  kStick,  // the points that touch do not move against each other
+  kSlide,  // they do, against `direction`
+};
+
+// A pair of features that may touch.
+struct ContactPair {
+  int capsule = 0, obstacle = 0, pair = 0;
+  ContactMode mode = ContactMode::kOpen;
+  // So deep is it let in, since it was when it was found; and, once it is closed, at that it is
+  // kept [m].
+  double floor = 0.0;
+  small::V3 direction = {};  // unit, of sliding
+  // Of sliding: it has been fast; or for so many steps it has not.
+  bool was_fast = false;
+  int slow_steps = 0;
+  double load = 0.0;  // that pushed on it when it closed [N]
+};
+
+// Slower than this what slides counts as coming to rest [m/s]: its direction turns faster than
+// steps can follow.
+inline constexpr double kSlowSlide = 1e-4;
+
+// What an island's capsules touch. Between events the modes stay; whoever finds an event sets them
+// anew. [METHOD 12]
+class ContactSet {
+ public:
+  explicit ContactSet(ContactSpec spec);
+
+  bool is_possible() const { return !spec_.empty(); }
+  bool any_closed() const { return num_closed_ > 0; }
+
+  // Forgets everything.
+  void Begin();
+  // Lists the pairs that are nearer than `reach` [m]; keeps what is known of those that were
+  // there, and those that are closed.
+  void FindPairs(const RegionState& state, double reach);
+  // Pairs that have come out may not go in again.
+  void RaiseFloors(const RegionState& state);
+  double thinnest() const { return thinnest_; }  // radius of a capsule [m]
+  // The fastest that any capsule's end moves [m/s].
+  double FastestEnd(const RegionState& state) const;
+
+  const std::vector<ContactPair>& pairs() const { return pairs_; }
+  void SetMode(int pair, ContactMode mode);
+  void Slide(int pair, const small::V3& direction);
+  // At the end of a step: directions for the next one. True: something slides too slowly.
+  bool FollowSlides(const RegionState& state);
+  void SetLoad(int pair, double load) { pairs_[pair].load = load; }
+  void SetFloor(int pair, double floor) { pairs_[pair].floor = floor; }
+
+  std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;
+  double FrictionOf(int pair) const { return spec_.obstacles[pairs_[pair].obstacle].friction; }
+
+  // Of the closed ones: a row each along the normal, and two across of those that stick; the force
+  // of one that slides points backwards as well.
+  void AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const;
+
+ private:
+  MovingCapsule CapsuleAt(int capsule, const RegionState& state) const;
+  void AddPairs(int capsule, int obstacle, const MovingCapsule& moving,
+                std::vector<ContactPair>* found) const;
+
+  ContactSpec spec_;
+  double thinnest_;
+  std::vector<ContactPair> pairs_, before_;
+  int num_closed_ = 0;
+};
+
+// Two unit vectors across n.
+struct Across {
+  small::V3 s, t;
+};
+Across AcrossOf(const small::V3& n);
+
+}  // namespace hazumi

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "engine/collision/shapes.h"
+
+namespace hazumi {
+
+// A capsule that an island moves, as its node's frame sees it [m].
+struct ContactCapsule {
+  int node = 0;
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  double radius = 0.0;
+};
+inline auto MembersOf(const ContactCapsule& capsule) {
+  const auto& [node, a, b, radius] = capsule;
+  return std::tie(node, a, b, radius);
+}
+
+// Something that does not give way: a plane, or a box. World axes [m].
+struct ContactObstacle {
+  bool is_box = false;
+  Vec3 normal = Vec3::UnitZ();  // of a plane, whose points x have normal . x = offset
+  double offset = 0.0;
+  Vec3 p = Vec3::Zero();  // of a box: its centre, its axes, half its edges
+  Mat3 R = Mat3::Identity();
+  Vec3 half_size = Vec3::Zero();
+  double friction = 0.0;  // coefficient between it and any of the capsules
+};
+inline auto MembersOf(const ContactObstacle& obstacle) {
+  const auto& [is_box, normal, offset, p, R, half_size, friction] = obstacle;
+  return std::tie(is_box, normal, offset, p, R, half_size, friction);
+}
+
+// What may touch what, as plain values that caches compare.
+struct ContactSpec {
+  std::vector<ContactCapsule> capsules;
+  std::vector<ContactObstacle> obstacles;
+  bool empty() const { return capsules.empty() || obstacles.empty(); }
+};
+inline auto MembersOf(const ContactSpec& spec) {
+  const auto& [capsules, obstacles] = spec;
+  return std::tie(capsules, obstacles);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/passive/node_motion.h"
+
+namespace hazumi {
+
+// Forces of contacts and limits that stay what they are for a while, each with its point of the
+// body and its direction in the world; moments turn with their bodies.
+struct FrozenForces {
+  struct Push {
+    int node;
+    Vec3 p_N;    // in the node's frame [m]
+    Vec3 force;  // [N]
+  };
+  struct Moment {
+    int node;
+    Vec3 moment_N;  // against its parent, in the node's frame [N m]
+  };
+  std::vector<Push> pushes;
+  std::vector<Moment> moments;
+
+  bool any() const { return !pushes.empty() || !moments.empty(); }
+  void Clear() {
+    pushes.clear();
+    moments.clear();
+  }
+  void AddTo(NodeKinematics* kinematics) const {
+    using namespace small;  // NOLINT(google-build-using-namespace): operators
+    for (const Push& push : pushes) {
+      const V3 r = kinematics->motion()[push.node].R * V3(push.p_N);
+      kinematics->AddForce(push.node, r, V3(push.force));
+    }
+    for (const Moment& own : moments) {
+      kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * V3(own.moment_N));
+    }
+  }
+};
+
+}  // namespace hazumi

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/passive/contact/contact_spec.h"
+#include "engine/spatial/small.h"
+
+namespace hazumi {
+
+// A capsule in the world, and how it moves.
+struct MovingCapsule {
+  small::V3 a, b;  // ends of its axis [m]
+  small::V3 v, w;  // of a [m/s]; of its body [rad/s]
+  double radius = 0.0;
+};
+
+// Where one feature of a capsule is nearest to one of an obstacle: a point on the capsule, which
+// glides over it as both move.
+struct TouchPoint {
+  double gap = 0.0;        // [m], negative inside
+  small::V3 p, n;          // in the world; n unit, from the obstacle to the capsule
+  small::V3 v;             // of the capsule's material there [m/s]
+  small::V3 p_dot, n_dot;  // [m/s, 1/s]
+};
+
+// The pairs of features that can touch: both ends of the axis with an obstacle as a whole, what
+// lies between them with a box's 12 edges and 8 corners.
+inline constexpr int kPlanePairs = 2, kBoxPairs = 2 + 12 + 8;
+inline int NumPairs(const ContactObstacle& obstacle) {
+  return obstacle.is_box ? kBoxPairs : kPlanePairs;
+}
+
+// None where the pair is not the nearest one around. `is_touching`: it is in contact, and is
+// followed a little beyond where it is the nearest.
+std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
+                                       const ContactObstacle& obstacle, bool is_touching);
+
+// No feature is nearer to the obstacle than this [m].
+double LeastGap(const MovingCapsule& capsule, const ContactObstacle& obstacle);
+
+}  // namespace hazumi

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/passive/contact/cone_problem.h"
+#include "engine/passive/exact/limit_range.h"
+#include "engine/passive/region_dynamics.h"
+
+namespace hazumi {
+
+// What contacts, limits and constraints do to the free hinges of an island together: impacts, and
+// what rests, as one problem of forces in cones. `side`, `sticks`, `fixed`: by free hinge, as
+// LimitSolver has them. [METHOD 12]
+class ContactForces {
+ public:
+  // `dynamics` must outlive it.
+  explicit ContactForces(RegionDynamics* dynamics);
+
+  // How near counts as touching [m], and how slow as at rest [m/s].
+  void SetTouch(double gap, double speed) {
+    touch_ = gap;
+    rest_speed_ = speed;
+  }
+  // Pairs that touch at these angles; the others are open from now on. False: none.
+  bool FindTouching(double t, const VecX& q, const VecX& qd);
+  // An inelastic impact of everything that touches, and of a pin that moved with v_pin [m/s].
+  void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
+              const std::vector<char>& sticks, VecX* qd);
+  // Impulses of the rows [N s, N m s].
+  const VecX& row_impulses() const { return l_; }
+  // Then: which hinges at a limit stay there, and which pairs stay closed, sticking or sliding.
+  void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+            const std::vector<char>& fixed, std::vector<char>* held);
+  // Instead of both: forces of everything near that, kept for h seconds, lead to where all of it is
+  // fulfilled at their end, by rates. [Moreau 1988]
+  void Freeze(double t, const VecX& q, const VecX& qd, const LimitRange& limits, double h);
+  // What limits give then, by free hinge [N m].
+  const VecX& T() const { return T_; }
+
+ private:
+  void Close(int pair, const TouchPoint& point, bool may_slide);
+  void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,
+             const VecX& x_0);
+  bool Solve();
+  VecX Factor();
+  bool IsFelt(Eigen::Index row) const;
+  void SetModes();
+
+  RegionDynamics* dynamics_;
+  double touch_ = 0.0, rest_speed_ = 0.0;
+  std::vector<int> touching_;  // pairs
+  std::vector<int> limits_;    // hinges that have a row, after the others
+  ConeProblem problem_;
+  MatX L_, answer_;  // M = L L^T; M^-1 P^T
+  VecX forces_, l_, T_;
+};
+
+}  // namespace hazumi

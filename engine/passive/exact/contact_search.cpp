@@ -1,0 +1,123 @@
+// What must not be above zero, of a pair that is
+//   open      floor - gap           sliding   minus the speed along its direction, -push
+//   sticking  -push, |drag| - friction push
+
+#include "engine/passive/exact/contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/root.h"
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+namespace {
+
+constexpr double kDeep = 1e-9;        // what is closed is found this deep inside [m]
+constexpr double kForceSlack = 1e-8;  // of the sum of all pushes
+// What points of one body share in more ways than one may be shared otherwise in a step than where
+// its event was told: what it is beyond its cones there is allowed, and a little more.
+constexpr double kMore = 10.0, kAtMostMore = 1e-3;
+constexpr double kSameMoment = 1e-10;  // [s]
+constexpr double kMargin = 1e-3;       // [m]
+
+}  // namespace
+
+ContactSearch::ContactSearch(RegionDynamics* dynamics, ExactStep* step)
+    : dynamics_(dynamics), step_(step) {}
+
+bool ContactSearch::Find(bool follows_event) {
+  constexpr int kFewestLooks = 4, kMostLooks = 400, kFirstLooks = 4;
+  ContactSet& contacts = dynamics_->contacts();
+  const double start = step_->start_time(), end = step_->time(), h = end - start;
+  const double speed =
+      std::max(contacts.FastestEnd(step_->Glance(end)), contacts.FastestEnd(step_->Glance(start)));
+  contacts.FindPairs(step_->Glance(start), 2.0 * speed * h + kMargin);
+  if (contacts.pairs().empty()) return false;
+  allowed_ = kForceSlack;
+  if (follows_event && contacts.any_closed()) {
+    const double excess = step_->ContactExcess(start);
+    allowed_ = std::max(allowed_, std::min(kMore * excess, excess + kAtMostMore));
+  }
+  // So often that nothing gets through a capsule's surface in between.
+  const double way = 2.0 * speed * h / contacts.thinnest();
+  const int looks =
+      2 * static_cast<int>(std::ceil(0.5 * std::clamp<double>(way, kFewestLooks, kMostLooks)));
+  double before = start;
+  for (int look = follows_event ? 1 - kFirstLooks : 1; look <= looks; ++look) {
+    const double share = look > 0 ? look : std::pow(0.25, 1 - look);
+    const double t = look == looks ? end : start + h * share / looks;
+    const std::optional<double> change = FirstChange(before, t, look == looks || 2 * look == looks);
+    if (change) {
+      if (*change < end) step_->EndAt(*change);
+      return true;
+    }
+    before = t;
+  }
+  const RegionState state = step_->Glance(end);
+  contacts.RaiseFloors(state);
+  return contacts.FollowSlides(state);
+}
+
+bool ContactSearch::FindBlow() {
+  constexpr double kSeen = 5e-5;  // [m]
+  const ContactSet& contacts = dynamics_->contacts();
+  const double start = step_->start_time(), end = step_->time();
+  double first = end;
+  bool any = false;
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    const auto depth = [&](double t) {
+      const RegionState state = step_->Glance(t);
+      const auto point = contacts.PointOf(i, state);
+      return point ? contacts.pairs()[i].floor - kSeen - point->gap : -1.0;
+    };
+    const double f = depth(first);
+    if (f <= 0.0) continue;
+    const double f_start = depth(start);
+    if (f_start > 0.0) continue;  // comes out
+    first = Narrow({start, f_start, first, f}, kSameMoment, depth).b;
+    any = true;
+  }
+  if (any && first < end) step_->EndAt(first);
+  return any;
+}
+
+std::optional<double> ContactSearch::FirstChange(double before, double t, bool looks_at_forces) {
+  const ContactSet& contacts = dynamics_->contacts();
+  changed_.clear();
+  step_->Glance(t);
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    if (Change(i, t) > 0.0) changed_.push_back(i);
+  }
+  std::optional<double> first;
+  for (const int i : changed_) {
+    const auto change = [&](double at) {
+      step_->Glance(at);
+      return Change(i, at);
+    };
+    const double f = std::min(change(before), 0.0), f_t = change(t);
+    const double at = Narrow({before, f, first.value_or(t), f_t}, kSameMoment, change).b;
+    if (!first || at < *first) first = at;
+  }
+  if (!looks_at_forces || !contacts.any_closed()) return first;
+  const auto excess = [&](double at) { return step_->ContactExcess(at) - allowed_; };
+  const double last = first.value_or(t), f = excess(last);
+  if (f <= 0.0) return first;
+  return Narrow({before, std::min(excess(before), 0.0), last, f}, kSameMoment, excess).b;
+}
+
+// Where the nodes have been placed by Glance.
+double ContactSearch::Change(int pair, double t) {
+  const ContactSet& contacts = dynamics_->contacts();
+  const ContactPair& own = contacts.pairs()[pair];
+  const bool may_stop = own.mode == ContactMode::kSlide && contacts.FrictionOf(pair) > 0.0;
+  if (own.mode != ContactMode::kOpen && !may_stop) return -1.0;
+  const auto point = contacts.PointOf(pair, step_->Glanced(t));
+  if (!point) return -1.0;
+  if (own.mode == ContactMode::kOpen) return own.floor - kDeep - point->gap;
+  return -Dot(point->v, own.direction);
+}
+
+}  // namespace hazumi

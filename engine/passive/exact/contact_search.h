@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/passive/exact/exact_step.h"
+
+namespace hazumi {
+
+// Where in a step a contact closes, opens, begins to slide or comes to rest. [METHOD 12]
+class ContactSearch {
+ public:
+  // Both must outlive it.
+  ContactSearch(RegionDynamics* dynamics, ExactStep* step);
+
+  // Ends the step at the first such time. False: there is none. `follows_event`: the step begins
+  // with rates or forces that have jumped.
+  bool Find(bool follows_event);
+  // While contacts are frozen: ends the step where something new has come in a little.
+  bool FindBlow();
+
+ private:
+  std::optional<double> FirstChange(double before, double t, bool looks_at_forces);
+  double Change(int pair, double t);
+
+  RegionDynamics* dynamics_;
+  ExactStep* step_;
+  std::vector<int> changed_;  // pairs
+  double allowed_ = 0.0;      // excess of forces
+};
+
+}  // namespace hazumi
