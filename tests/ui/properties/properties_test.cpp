@@ -8,7 +8,7 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/text/number_text.h"
-#include "ui/panels/viewport/drag_tool.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
 #include "ui/panels/window/panels.h"
 #include "ui/shell/offscreen_shell.h"
 

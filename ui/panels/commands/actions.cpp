@@ -12,7 +12,7 @@
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/overlays.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

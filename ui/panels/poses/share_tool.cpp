@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/viewport/drag_tool.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
 
 namespace hazumi::ui {
 

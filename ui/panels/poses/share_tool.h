@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/tools.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {

@@ -9,7 +9,7 @@
 #include "ui/panels/viewport/object_actions.h"
 #include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/swivel_handle.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/tools.h"
 #include "ui/panels/window/widgets.h"
 
 namespace hazumi::ui {

@@ -3,8 +3,8 @@
 #include "ui/panels/viewport/object_actions.h"
 
 #include "ui/edit/operators/edits.h"
-#include "ui/panels/viewport/point_move_tool.h"
 #include "ui/panels/viewport/solids.h"
+#include "ui/panels/viewport/tools/point_move_tool.h"
 
 namespace hazumi::ui {
 

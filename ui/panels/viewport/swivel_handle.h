@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "ui/panels/viewport/drag_tool.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

@@ -2,8 +2,8 @@
 
 #include "ui/edit/operators/pose/limb_chain.h"
 #include "ui/panels/viewport/dial.h"
-#include "ui/panels/viewport/drag_tool.h"
 #include "ui/panels/viewport/swivel_handle.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
 
 namespace hazumi::ui {
 

@@ -10,10 +10,10 @@
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/text/number_text.h"
-#include "ui/panels/viewport/drag_tool.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/object_actions.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

@@ -5,7 +5,7 @@
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/hit_test.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

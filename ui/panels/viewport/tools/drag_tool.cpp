@@ -1,4 +1,4 @@
-#include "ui/panels/viewport/drag_tool.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
 
 #include <cmath>
 #include <cstdio>

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "ui/panels/viewport/dial.h"
-#include "ui/panels/viewport/drag_tool.h"
-#include "ui/panels/viewport/point_move_tool.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/drag_tool.h"
+#include "ui/panels/viewport/tools/point_move_tool.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 

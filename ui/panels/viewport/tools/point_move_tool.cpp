@@ -1,4 +1,4 @@
-#include "ui/panels/viewport/point_move_tool.h"
+#include "ui/panels/viewport/tools/point_move_tool.h"
 
 namespace hazumi::ui {
 

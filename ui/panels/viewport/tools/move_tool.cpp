@@ -5,8 +5,8 @@
 
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/pose/limb_chain.h"
-#include "ui/panels/viewport/point_move_tool.h"
-#include "ui/panels/viewport/tools.h"
+#include "ui/panels/viewport/tools/point_move_tool.h"
+#include "ui/panels/viewport/tools/tools.h"
 
 namespace hazumi::ui {
 
