@@ -228,7 +228,8 @@ class RegionDynamics {
   ContactSet contacts_;
   FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false;
-  // Of rows: what they measure and push; what the pushes do, M^-1 P^T.
+  // Of rows: what they measure, and what they push where contacts are closed, else the same; what
+  // the pushes do, M^-1 P^T.
   MatX J_, P_, P_answer_, G_;
   RowYield yield_;
   VecX row_forces_;

@@ -23,7 +23,7 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// What x gives or takes of a row that is seen, or pushes, along n: the figure as a whole.
+// How the figure as a whole moves, or is pushed, along n of a row.
 V3 NetOf(const ConstraintRow& row, const V3& n) {
   if (row.turns || (row.a >= 0 && row.b >= 0)) return {};
   return row.a >= 0 ? n : -n;
@@ -36,7 +36,8 @@ void RegionDynamics::MeasureRows(const RegionState& state) {
   contacts_.AppendRows(state, rows_.mutable_rows());
 }
 
-// J_, P_ and G_, for rows that are measured and equations that are assembled.
+// J_, G_ and, where contacts are closed, P_, for rows that are measured and equations that are
+// assembled.
 void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   const auto& motion = kinematics_.motion();
   const std::vector<ConstraintRow>& rows = rows_.rows();
@@ -52,7 +53,7 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
     }
   };
   for (Eigen::Index k = 0; k < count; ++k) add(rows[k], rows[k].n, J_.col(k));
-  P_ = J_;
+  if (contacts_.any_closed()) P_ = J_;
   for (Eigen::Index k = 0; k < count; ++k) {
     const ConstraintRow& row = rows[k];
     if (row.is_contact()) add(row, row.push - row.n, P_.col(k));
@@ -66,8 +67,8 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
 // What the rows do to each other; P_answer_ is what they do to the joints, whose equations are
 // solved.
 MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
-  P_answer_ = P_;
-  for (Eigen::Index k = 0; k < P_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
+  P_answer_ = contacts_.any_closed() ? P_ : J_;
+  for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
   return J_.transpose() * P_answer_ + G_;
 }
 
@@ -236,7 +237,7 @@ double RegionDynamics::CloseGaps(double t, double* y) {
       if (row.is_closed) gaps[k] = row.gap;
     }
     left = gaps.lpNorm<Eigen::Infinity>();
-    P_ = J_;
+    if (contacts_.any_closed()) P_ = J_;
     const MatX A = AnswerRows(layout_);
     const bool is_last = left <= kNone || tries == kMostTries;
     const VecX push = SolveRows(A, is_last ? rates : gaps);

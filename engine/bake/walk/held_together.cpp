@@ -26,7 +26,7 @@ std::optional<JointIndex> TieOf(const ConstraintEnd& end, const Figure& figure) 
 ConstraintSeat SeatOf(const ConstraintEnd& end, const Figure& figure, const RegionModel& model) {
   if (end.is_in_world) return {ConstraintSeat::kWorld, end.offset, end.rotation};
   const NodeJoint* seat = model.SeatOf(JointOf(end, figure));
-  if (!seat) return {};
+  if (!seat) return {};  // not of this island, nor is then the other end: they are tied
   return {seat->node, OnNode(*seat, end.offset), seat->R_NJ * end.rotation};
 }
 

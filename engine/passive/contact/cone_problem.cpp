@@ -22,10 +22,12 @@ using Block = ConeProblem::Block;
 
 constexpr double kFirstNearness = 1e-2, kLastNearness = 1e-8;  // rho
 constexpr int kFirstSweeps = 40, kSweeps = 4, kSteps = 12, kRounds = 8;
+// From inside: steps, what of mu is left in each, and how far each goes towards the nearest cone.
 constexpr int kMostInside = 100;
 constexpr double kCenter = 0.5, kShy = 0.8;
-constexpr double kGood = 1e-10;                       // of the largest force
-constexpr double kExact = 1e-12, kGoodEnough = 1e-6;  // of the largest force
+// What may be left, as a part of the largest force: nothing; no way from inside is worth it; it is
+// a solution.
+constexpr double kExact = 1e-12, kGood = 1e-10, kGoodEnough = 1e-6;
 
 class Solver {
  public:

@@ -44,8 +44,7 @@ void ContactForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std
                            const std::vector<char>& sticks, VecX* qd) {
   for (const int i : touching_) dynamics_->contacts().SetMode(i, ContactMode::kStick);
   dynamics_->AssembleHinges(t, q, *qd);
-  L_ = dynamics_->M();
-  FactorSemidefinite(L_);
+  Factor();
   VecX jump = VecX::Zero(qd->size());
   if (!v_pin.isZero(0.0)) {
     dynamics_->PinImpulse(v_pin, &jump);
@@ -112,13 +111,21 @@ bool ContactForces::Solve() {
   return is_solved;
 }
 
-// M = L L^T; returns x_0.
-VecX ContactForces::Factor() {
+void ContactForces::Factor() {
   L_ = dynamics_->M();
   FactorSemidefinite(L_);
-  VecX x_0 = -dynamics_->b();
-  SolveSemidefinite(L_, x_0);
-  return x_0;
+}
+
+// x_0, and the rows with what they would do under it.
+LimitRows ContactForces::Unheld(VecX* x_0) {
+  Factor();
+  *x_0 = -dynamics_->b();
+  SolveSemidefinite(L_, *x_0);
+  LimitRows rows;
+  rows.J.resize(0, x_0->size());
+  if (const LimitRows* known = dynamics_->RowsOfForces()) rows = *known;
+  if (rows.c.size() > 0) rows.c += rows.J * *x_0;
+  return rows;
 }
 
 void ContactForces::Freeze(double t, const VecX& q, const VecX& qd, const LimitRange& limits,
@@ -143,11 +150,9 @@ void ContactForces::Freeze(double t, const VecX& q, const VecX& qd, const LimitR
     if (std::min(up, down) < kReach) side[i] = up < down ? 1 : -1;
   }
   dynamics_->AssembleHinges(t, q, qd);
-  const VecX x_0 = Factor();
-  LimitRows rows;
-  if (const LimitRows* known = dynamics_->RowsOfForces()) rows = *known;
-  if (rows.J.size() == 0) rows.J.resize(0, x_0.size());
-  if (rows.c.size() > 0) rows.c = h * (rows.c + rows.J * x_0);
+  VecX x_0;
+  LimitRows rows = Unheld(&x_0);
+  rows.c *= h;
   const std::vector<ConstraintRow>& all = dynamics_->rows();
   for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
     const ConstraintRow& row = all[k];
@@ -208,11 +213,8 @@ void ContactForces::Rest(double t, const VecX& q, const VecX& qd, const std::vec
       }
     }
     dynamics_->AssembleHinges(t, q, qd);
-    const VecX x_0 = Factor();
-    LimitRows rows;
-    if (const LimitRows* known = dynamics_->RowsOfForces()) rows = *known;
-    if (rows.c.size() > 0) rows.c += rows.J * x_0;
-    if (rows.J.size() == 0) rows.J.resize(0, x_0.size());
+    VecX x_0;
+    const LimitRows rows = Unheld(&x_0);
     SetUp(side, fixed, rows, x_0);
     if (Solve()) break;
   }

@@ -42,7 +42,8 @@ class ContactForces {
   void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,
              const VecX& x_0);
   bool Solve();
-  VecX Factor();
+  void Factor();
+  LimitRows Unheld(VecX* x_0);
   bool IsFelt(Eigen::Index row) const;
   void SetModes();
 

@@ -14,13 +14,7 @@ class Acting : public Objects {
   Acting() {
     Do("key.set", {{"curve", "r_elbow_flexion"}, {"frame", 0}, {"value", 60}});
     Do("region.add", {{"name", "arm"}, {"first", 0}, {"last", 30}, {"joints", {"r_shoulder+"}}});
-    Do("object.add_box", {{"name", "bar"},
-                          {"x", 0.35},
-                          {"y", -0.2},
-                          {"z", 1.25},
-                          {"size_x", 0.05},
-                          {"size_y", 1.0},
-                          {"size_z", 0.05}});
+    AddBar(0.35);
     Do("time.frame", {{"frame", 5}});
     Do("constraint.hold_on",
        {{"joint", "r_wrist"}, {"object", "bar"}, {"name", "grip"}, {"last", 25}});

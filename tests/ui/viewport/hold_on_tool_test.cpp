@@ -10,13 +10,7 @@ namespace {
 class HoldOn : public Objects {
  protected:
   HoldOn() {
-    Do("object.add_box", {{"name", "bar"},
-                          {"x", 0.45},
-                          {"y", -0.2},
-                          {"z", 1.25},
-                          {"size_x", 0.05},
-                          {"size_y", 1.0},
-                          {"size_z", 0.05}});
+    AddBar(0.45);
     Do("time.frame", {{"frame", 5}});
     Do("select.joints", {{"joints", {"r_wrist"}}});
   }

@@ -20,6 +20,16 @@ class Objects : public testing::Test {
     ASSERT_TRUE(user.editor().Do(id, parameters)) << user.editor().message.text;
     user.Wait(1);
   }
+  // A thin bar across, before the right hand.
+  void AddBar(double x) {
+    Do("object.add_box", {{"name", "bar"},
+                          {"x", x},
+                          {"y", -0.2},
+                          {"z", 1.25},
+                          {"size_x", 0.05},
+                          {"size_y", 1.0},
+                          {"size_z", 0.05}});
+  }
   std::string Selected() { return ui::NameOfSelectedObject(user.editor()); }
 
   User user;

@@ -13,22 +13,6 @@ namespace hazumi::test {
 
 inline constexpr double kBallRadius = 0.1;
 
-// A root with a capsule along x, half of whose axis is so long; and a joint that does not turn.
-inline Figure FreeCapsule(double half, double radius) {
-  FigureSpec spec;
-  spec.name = "body";
-  spec.root_name = "body";
-  LinkSpec link = Rod("body", -half * Vec3::UnitX(), half * Vec3::UnitX());
-  link.radius = radius;
-  spec.root_links = {link};
-  JointSpec tip;  // gravity needs something to pin where it lands
-  tip.name = "tip";
-  tip.parent = "body";
-  tip.hinges = {{"", Vec3::UnitY(), 0.0, 0.0, 0.0}};
-  spec.joints = {tip};
-  return BuildFigure(spec).value();
-}
-
 // Let go at the first frame, and placed by what it touches.
 inline Animation Loose(Figure figure, int frames, const std::vector<const char*>& joints = {}) {
   Animation animation = Exact(std::move(figure), kG);

@@ -28,12 +28,14 @@ inline LinkSpec Rod(const char* name, const Vec3& from, const Vec3& to) {
   return link;
 }
 
-// A rod about whose middle, along x, the root sits.
-inline Figure FreeRod() {
+// A capsule along x, half of whose axis is so long, about whose middle the root sits; and a joint
+// that does not turn.
+inline Figure FreeCapsule(double half, double radius) {
   FigureSpec spec;
   spec.name = "rod";
   spec.root_name = "rod";
-  spec.root_links = {Rod("rod", -0.5 * kLength * Vec3::UnitX(), 0.5 * kLength * Vec3::UnitX())};
+  spec.root_links = {Rod("rod", -half * Vec3::UnitX(), half * Vec3::UnitX())};
+  spec.root_links[0].radius = radius;
   JointSpec tip;  // gravity needs something to pin where it lands
   tip.name = "tip";
   tip.parent = "rod";
@@ -41,6 +43,8 @@ inline Figure FreeRod() {
   spec.joints = {tip};
   return BuildFigure(spec).value();
 }
+
+inline Figure FreeRod() { return FreeCapsule(0.5 * kLength, 0.5 * kThickness); }
 
 // A rod along x that turns about z at its end, on a root that stays.
 inline Figure TurningRod() {
