@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/figure/indices.h"
-#include "engine/spatial/types.h"
+#include "engine/spatial/pose.h"
 
 namespace hazumi {
 
@@ -48,5 +48,12 @@ struct Constraint {
   std::optional<double> break_impulse;  // [N s]
   bool operator==(const Constraint&) const = default;
 };
+
+// How far the ends of a constraint are apart, which are at these places: the gap of its points [m],
+// or of their distance, and for welds the turn between them [rad].
+struct ConstraintGap {
+  double distance = 0.0, turn = 0.0;
+};
+ConstraintGap GapBetween(const Constraint& constraint, const Pose& a, const Pose& b);
 
 }  // namespace hazumi

@@ -3,7 +3,6 @@
 
 #include "engine/bake/walk/held_together.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -93,14 +92,8 @@ IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& anima
 
 ConstraintGap GapOf(const Constraint& constraint, const Figure& figure, const Pose& X_WR,
                     const DynamicsWorkspace& ws) {
-  const Pose a = PlaceOf(constraint.a, figure, X_WR, ws),
-             b = PlaceOf(constraint.b, figure, X_WR, ws);
-  const double apart = (a.p - b.p).norm();
-  if (constraint.kind == ConstraintKind::kDistance) {
-    return {std::abs(apart - constraint.length), 0.0};
-  }
-  if (constraint.kind == ConstraintKind::kPoint) return {apart, 0.0};
-  return {apart, Eigen::AngleAxisd(a.R * b.R.transpose()).angle()};
+  return GapBetween(constraint, PlaceOf(constraint.a, figure, X_WR, ws),
+                    PlaceOf(constraint.b, figure, X_WR, ws));
 }
 
 }  // namespace hazumi

@@ -25,11 +25,7 @@ struct IslandConstraints {
 IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& animation,
                                 const std::vector<int>& constraints);
 
-// How far the ends of a constraint are apart, of a figure whose positions are computed: the gap of
-// its points [m], or of their distance, and for welds the turn between them [rad].
-struct ConstraintGap {
-  double distance = 0.0, turn = 0.0;
-};
+// Of a figure whose positions are computed.
 ConstraintGap GapOf(const Constraint& constraint, const Figure& figure, const Pose& X_WR,
                     const DynamicsWorkspace& ws);
 

@@ -1,6 +1,5 @@
 #include "ui/panels/viewport/acting.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -103,10 +102,9 @@ std::vector<ConstraintMark> ConstraintMarks(const Animation& animation, const Mo
     mark.index = static_cast<int>(i);
     mark.a = X_WA.p;
     mark.b = X_WB.p;
-    mark.gap = std::abs((mark.a - mark.b).norm() - constraint.length);
-    if (constraint.kind == ConstraintKind::kWeld) {
-      mark.turn = Eigen::AngleAxisd(Mat3(X_WA.R.transpose() * X_WB.R)).angle();
-    }
+    const ConstraintGap gap = GapBetween(constraint, X_WA, X_WB);
+    mark.gap = gap.distance;
+    mark.turn = gap.turn;
     // The motion may be from before an edit, with others.
     if (i < now.constraint_forces.size()) mark.force = now.constraint_forces[i];
     mark.is_broken = IsBroken(constraint, motion, now.frame);
