@@ -7,6 +7,7 @@
 #include "engine/figure/figure_builder.h"
 #include "engine/project/checks/compile_checks.h"
 #include "engine/project/checks/constraint_checks.h"
+#include "engine/project/checks/contact_checks.h"
 #include "engine/project/checks/document_checks.h"
 #include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/joint_names.h"
@@ -66,6 +67,7 @@ class Compiler {
     WarnAboutPlacements(animation_, &warnings_);
     WarnAboutForces(animation_, &warnings_);
     WarnAboutConstraints(animation_, &warnings_);
+    WarnAboutContacts(animation_, &warnings_);
     std::sort(animation_.placements.begin(), animation_.placements.end(),
               [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
     return Compiled{std::move(animation_), std::move(warnings_)};
@@ -129,7 +131,7 @@ class Compiler {
     for (const ProjectSceneObject& object : project_.scene.objects) {
       const Obstacle shape =
           std::visit([](const auto& item) { return ToObstacle(item); }, object.shape);
-      animation_.scene.push_back({object.name, shape, object.color});
+      animation_.scene.push_back({object.name, shape, object.color, object.friction_coefficient});
     }
     for (const ProjectHeldObject& object : project_.held_objects) {
       animation_.held_objects.push_back(ToHeldObject(object));
@@ -169,6 +171,7 @@ class Compiler {
     region.blend_frames = source.blend_frames;
     if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kDegree;
     region.root = DrivesRoot(source, *figure_);
+    region.touches_scene = source.contacts.scene;
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
     AddDrives(source, &region);
     const std::vector<double> factors = FrictionFactors(source.friction);
@@ -180,6 +183,7 @@ class Compiler {
   static void Mute(DynamicsRegion* region) {
     region->is_muted = true;
     region->root = false;
+    region->touches_scene = false;
     region->joints.clear();
     region->friction.clear();
     region->drives.clear();

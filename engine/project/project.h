@@ -94,6 +94,16 @@ struct ProjectDrive {
   bool operator==(const ProjectDrive&) const = default;
 };
 
+// What the bodies that a region moves stay out of.
+struct ProjectContacts {
+  bool scene = false;  // its planes and boxes
+  bool self = false;   // each other; refused as yet
+  ExtraFields extra;
+  bool operator==(const ProjectContacts&) const = default;
+
+  bool is_any() const { return scene || self; }
+};
+
 struct ProjectRegion {
   std::string name;
   int first_frame = 0, last_frame = 0;  // half open
@@ -106,6 +116,7 @@ struct ProjectRegion {
   int blend_frames = 0;
   bool mute = false;
   std::vector<ProjectDrive> drives;  // no joint has two
+  ProjectContacts contacts;          // kExact
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectRegion&) const = default;

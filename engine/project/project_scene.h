@@ -14,10 +14,12 @@
 #include "engine/project/project_curve.h"
 #include "engine/project/project_skin.h"
 #include "engine/spatial/types.h"
+#include "engine/timeline/scene_object.h"
 
 namespace hazumi {
 
 inline constexpr const char* kDefaultObjectColor = "#808080";
+inline constexpr double kDefaultFrictionCoefficient = SceneObject::kFriction;
 
 // The half space where normal . x <= offset is solid.
 struct ProjectPlane {
@@ -39,6 +41,7 @@ struct ProjectSceneObject {
   std::string name;
   std::variant<ProjectPlane, ProjectBox> shape;
   std::string color = kDefaultObjectColor;
+  double friction_coefficient = kDefaultFrictionCoefficient;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectSceneObject&) const = default;

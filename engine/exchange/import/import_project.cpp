@@ -295,7 +295,9 @@ class Importer {
   void SetGround(double height) {
     ProjectPlane plane;
     plane.offset_m = height;
-    project_.scene.objects.push_back({"ground", plane, kDefaultObjectColor, {}});
+    ProjectSceneObject& ground = project_.scene.objects.emplace_back();
+    ground.name = "ground";
+    ground.shape = plane;
     if (height == 0.0) return;
     report_.facts.push_back("the ground is at z = " + FormatShort(height) +
                             " m, where the figure stands");

@@ -71,6 +71,8 @@ constexpr CheckText kTexts[] = {
     {Check::kSpanEmpty, kSchema, "first_frame {} must be before last_frame {}"},
     {Check::kRegionEmpty, kSchema, "a region needs at least one joint"},
     {Check::kDriveEmpty, kSchema, "a drive needs at least one joint"},
+    {Check::kContactsOfSelf, kSchema,
+     "bodies cannot touch each other yet; leave \"self\" out, or write false"},
     {Check::kSetEmpty, kSchema, "a selection set needs at least one joint"},
     {Check::kNameTwice, kSchema, "the name {} is already used by {}; choose another"},
     {Check::kNoView, kSchema, "eye_m and target_m are the same point; move one of them"},
@@ -176,6 +178,9 @@ constexpr CheckText kTexts[] = {
     {Check::kConstraintInPaper, kSemantics,
      "{} holds in frames {} to {}, in which region {} has method \"paper\", which knows no "
      "constraints; choose method \"exact\" for it, or end one where the other begins"},
+    {Check::kContactInPaper, kSemantics,
+     "region {} touches the scene and has method \"paper\", which knows no contacts; choose method "
+     "\"exact\" for it, or let it touch nothing"},
 
     {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},
@@ -187,6 +192,12 @@ constexpr CheckText kTexts[] = {
      "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the force"},
     {Check::kConstraintFeltByNone, kSemantics,
      "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the constraint"},
+    {Check::kNothingToTouch, kSemantics,
+     "region {} touches the scene, in which there is no plane or box; add one, or let it touch "
+     "nothing"},
+    {Check::kPinWhileTouching, kSemantics,
+     "{} is not pinned: in frames {} to {} region {} moves the root and touches the scene, so that "
+     "contact alone places the figure; leave the pin out, or the root out of the region"},
 
     {Check::kCannotWrite, kCannotWrite, "cannot be written: {}"},
     {Check::kCannotReplace, kCannotWrite, "cannot be replaced: {}"},

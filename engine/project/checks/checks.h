@@ -63,6 +63,7 @@ enum class Check {
   kSpanEmpty,
   kRegionEmpty,
   kDriveEmpty,
+  kContactsOfSelf,
   kSetEmpty,
   kNameTwice,
   kNoView,
@@ -111,6 +112,7 @@ enum class Check {
   kConstraintOnOneBody,
   kConstraintInWorld,
   kConstraintInPaper,
+  kContactInPaper,
   // Warnings
   kUnknownField,
   kFixedLeftOut,
@@ -118,6 +120,8 @@ enum class Check {
   kKeyOutsideLimits,
   kForceFeltByNone,
   kConstraintFeltByNone,
+  kNothingToTouch,
+  kPinWhileTouching,
   // Writing
   kCannotWrite,
   kCannotReplace,

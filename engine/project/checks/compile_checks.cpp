@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/project/checks/constraint_checks.h"
+#include "engine/project/checks/contact_checks.h"
 #include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/force_checks.h"
 #include "engine/project/checks/hold_checks.h"
@@ -33,6 +34,7 @@ class AnimationChecker {
     if (GoesOn()) CheckHolds(animation_, driven_, gravity_, cancel_, errors_);
     if (GoesOn()) CheckForces(animation_, errors_);
     if (GoesOn()) CheckConstraints(animation_, errors_);
+    if (GoesOn()) CheckContacts(animation_, errors_);
   }
 
  private:

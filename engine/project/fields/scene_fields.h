@@ -68,6 +68,14 @@ void Describe(Ar& ar, Ref<Ar, ProjectSceneObject> object) {
   ar.Required(kNameField, object.name);
   ar.OneOf({"plane", "box"}, object.shape);
   ar.Stated(kColorField, object.color);
+  ar.Optional(
+      {.name = "friction_coefficient",
+       .label = "Friction",
+       .help = "of its surface: the more, the less slides on it; 0: all that touches it does",
+       .details = "Of what touches it in regions with contacts: a figure has 0.8, and the "
+                  "coefficient of both is the root of the product.",
+       .range = kNotNegative},
+      object.friction_coefficient, kDefaultFrictionCoefficient);
 }
 
 template <typename Ar>

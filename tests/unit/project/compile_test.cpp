@@ -56,6 +56,23 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
   EXPECT_EQ(compiled.warnings[0].place, "regions[0].joints");
 }
 
+TEST(CompileAnimation, WhatTouchesTheSceneAndHowRoughThatIs) {
+  const Animation plain = CompileGood().animation;
+  EXPECT_FALSE(plain.regions[0].touches_scene);
+  EXPECT_EQ(plain.scene[0].friction, 0.8);
+  Changes changes = {{"/solver/method", "\"exact\""},
+                     {"/regions/0/method", "\"exact\""},
+                     {"/regions/0/contacts", R"({"scene": true})"},
+                     {"/scene/objects/1/friction_coefficient", "0"}};
+  const Animation animation = CompileGood(changes).animation;
+  EXPECT_TRUE(animation.regions[0].touches_scene);
+  EXPECT_FALSE(animation.regions[1].touches_scene);
+  EXPECT_EQ(animation.scene[0].friction, 0.8);
+  EXPECT_EQ(animation.scene[1].friction, 0.0);
+  changes.emplace_back("/regions/0/mute", "true");
+  EXPECT_FALSE(CompileGood(changes).animation.regions[0].touches_scene);
+}
+
 // Joints that their keys drive are none of the region's; the others keep their friction.
 TEST(CompileAnimation, ResolvesTheDrivesOfARegion) {
   const Animation animation = CompileGood({{"/regions/0/drives",

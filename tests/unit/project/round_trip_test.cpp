@@ -161,6 +161,40 @@ TEST(RoundTrip, ConstraintsAreOfVersionTwo) {
   EXPECT_EQ(WriteProject(ParseGood(free)), WriteProject(ParseGood(SampleProject())));
 }
 
+TEST(RoundTrip, ContactsAreOfVersionTwo) {
+  const Json before = Changed(SampleProject(), {{"/regions/0/method", "\"exact\""},
+                                                {"/regions/0/contacts", R"({"scene": true})"}});
+  const std::string text = WriteProject(ParseGood(before));
+  const Json after = Json::parse(text);
+  EXPECT_EQ(after["version"], 2);
+  EXPECT_EQ(after["regions"][0], before["regions"][0]);
+  EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  for (const char* none : {"{}", R"({"scene": false, "self": false})"}) {
+    const Json without = Changed(SampleProject(), {{"/regions/0/contacts", none}});
+    EXPECT_EQ(WriteProject(ParseGood(without)), WriteProject(ParseGood(SampleProject())));
+  }
+}
+
+TEST(RoundTrip, WhatContactsSayThatIsUnknownIsKept) {
+  const Json before = Changed(SampleProject(), {{"/regions/0/contacts", R"({"hands": [1]})"}});
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["regions"][0], before["regions"][0]);
+  EXPECT_EQ(after["version"], 1);
+}
+
+// A coefficient alone moves nothing, so that older builds may read it.
+TEST(RoundTrip, AFrictionCoefficientIsWrittenUnlessItIsThatOfFigures) {
+  const Json before = Changed(SampleProject(), {{"/scene/objects/0/friction_coefficient", "0.25"}});
+  const Project project = ParseGood(before);
+  EXPECT_EQ(project.scene.objects[0].friction_coefficient, 0.25);
+  EXPECT_EQ(project.scene.objects[1].friction_coefficient, 0.8);
+  const Json after = Json::parse(WriteProject(project));
+  EXPECT_EQ(after["scene"], before["scene"]);
+  EXPECT_EQ(after["version"], 1);
+  const Json same = Changed(SampleProject(), {{"/scene/objects/0/friction_coefficient", "0.8"}});
+  EXPECT_EQ(WriteProject(ParseGood(same)), WriteProject(ParseGood(SampleProject())));
+}
+
 TEST(RoundTrip, AirHasTheDensityThatItHasAtSeaLevel) {
   const Json before = Changed(SampleProject(), {{"/forces", R"([
       {"name": "calm", "kind": "wind", "velocity_m_s": [0, 0, 0], "first_frame": 0,

@@ -278,7 +278,7 @@ bool Instantiates(std::string_view message, Check check) {
 std::vector<WrongProject> WrongProjects() {
   std::vector<WrongProject> all = WrongDocuments();
   for (const auto& list : {WrongFiles(), WrongFields(), WrongFigures(), WrongSkins(), WrongDrives(),
-                           WrongForces(), WrongConstraints()}) {
+                           WrongForces(), WrongConstraints(), WrongContacts()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

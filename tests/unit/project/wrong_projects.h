@@ -37,4 +37,7 @@ std::vector<WrongProject> WrongForces();
 // Those of constraints.
 std::vector<WrongProject> WrongConstraints();
 
+// Those of contacts.
+std::vector<WrongProject> WrongContacts();
+
 }  // namespace hazumi::testing

@@ -1,0 +1,118 @@
+// Contacts that cannot be, and those that do nothing.
+
+#include <limits>
+
+#include "tests/unit/project/wrong_makers.h"
+#include "tests/unit/project/wrong_projects.h"
+
+namespace hazumi::testing {
+
+namespace {
+
+// The arm touches the scene.
+Changes Touching(const std::string& contacts, const Changes& more = {}) {
+  Changes changes = {{"/solver/method", "\"exact\""},
+                     {"/regions/0/method", "\"exact\""},
+                     {"/regions/0/contacts", contacts}};
+  changes.insert(changes.end(), more.begin(), more.end());
+  return changes;
+}
+const std::string kTouchesScene = R"({"scene": true})";
+
+std::vector<WrongProject> WrongContactValues() {
+  const std::string place = "regions[0].contacts";
+  const std::string self =
+      place + ".self: bodies cannot touch each other yet; leave \"self\" out, or write false";
+  return {
+      {Check::kWrongType, Read(Touching("true")),
+       place + ": expected an object, found true or false"},
+      {Check::kWrongType, Read(Touching(R"(["scene"])")),
+       place + ": expected an object, found an array"},
+      {Check::kWrongType, Read(Touching(R"({"scene": "floor"})")),
+       place + ".scene: expected true or false, found a string"},
+      {Check::kWrongType, Read(Touching(R"({"scene": true, "self": 1})")),
+       place + ".self: expected true or false, found a number"},
+      {Check::kContactsOfSelf, Read(Touching(R"({"scene": true, "self": true})")), self},
+      {Check::kContactsOfSelf, Read(Touching(R"({"self": true})")), self},
+      {Check::kContactsOfSelf, Spoilt([](Project& p) { p.regions[0].contacts.self = true; }), self},
+      {Check::kUnknownField, Doubt("/regions/0/contacts", R"({"scen": true})"),
+       place + ": unknown field \"scen\"; did you mean \"scene\"?"},
+      {Check::kNumChecks, Compile(Touching(R"({"scene": true, "self": false})")), "no complaint"},
+      {Check::kNumChecks, Compile({{"/regions/0/contacts", R"({"scene": false})"}}),
+       "no complaint"},
+  };
+}
+
+std::vector<WrongProject> WrongFrictionCoefficients() {
+  const std::string place = "scene.objects[1].friction_coefficient";
+  const std::string pointer = "/scene/objects/1/friction_coefficient";
+  return {
+      {Check::kNegative, Read(pointer, "-0.1"), place + ": must not be negative, is -0.1"},
+      {Check::kWrongType, Read(pointer, "\"ice\""), place + ": expected a number, found a string"},
+      {Check::kNumberTooLarge, Read(pointer, "1e10"),
+       place + ": 1e+10 is too large: numbers lie between -1e9 and 1e9"},
+      {Check::kNotFinite, Spoilt([](Project& p) {
+         p.scene.objects[1].friction_coefficient = std::numeric_limits<double>::infinity();
+       }),
+       place + ": must be a finite number"},
+      {Check::kUnknownField, Doubt("/scene/objects/1/friction", "0.3"),
+       "scene.objects[1]: unknown field \"friction\"; did you mean \"friction_coefficient\"?"},
+      {Check::kNumChecks, Compile({{pointer, "0"}}), "no complaint"},
+  };
+}
+
+std::vector<WrongProject> ContactContradictions() {
+  const auto in_paper = [](const std::string& name) {
+    return "region \"" + name +
+           "\" touches the scene and has method \"paper\", which knows no contacts; choose method "
+           "\"exact\" for it, or let it touch nothing";
+  };
+  return {
+      {Check::kContactInPaper, Compile({{"/regions/0/contacts", kTouchesScene}}),
+       "regions[0].contacts: " + in_paper("arm")},
+      // By the solver's method.
+      {Check::kContactInPaper, Compile({{"/regions/1/contacts", kTouchesScene}}),
+       "regions[1].contacts: " + in_paper("leg")},
+      {Check::kNumChecks,
+       Compile({{"/regions/0/contacts", kTouchesScene}, {"/regions/0/mute", "true"}}),
+       "no complaint"},
+  };
+}
+
+// Gravity places the figure in frames 15 to 30.
+std::vector<WrongProject> ContactWarnings() {
+  const auto tumble = [](const std::string& first, const std::string& last) {
+    return Touching(kTouchesScene, {{"/regions/0/joints", R"(["root"])"},
+                                    {"/regions/0/friction", R"({"default": 1})"},
+                                    {"/regions/0/first_frame", first},
+                                    {"/regions/0/last_frame", last},
+                                    {"/placements/1/last_frame", first}});
+  };
+  const auto unpinned = [](const std::string& place, const std::string& joint,
+                           const std::string& frames) {
+    return "placements[0]." + place + ": \"" + joint + "\" is not pinned: in frames " + frames +
+           " region \"arm\" moves the root and touches the scene, so that contact alone places the "
+           "figure; leave the pin out, or the root out of the region";
+  };
+  return {
+      {Check::kNothingToTouch, Warn(Touching(kTouchesScene, {{"/scene/objects", "[]"}})),
+       "regions[0].contacts: region \"arm\" touches the scene, in which there is no plane or box; "
+       "add one, or let it touch nothing"},
+      {Check::kPinWhileTouching, Warn(tumble("15", "25")), unpinned("pin", "r_ankle", "15 to 25")},
+      {Check::kPinWhileTouching, Warn(tumble("15", "30")),
+       unpinned("landing_pin", "l_ankle", "15 to 30")},
+  };
+}
+
+}  // namespace
+
+std::vector<WrongProject> WrongContacts() {
+  std::vector<WrongProject> all = WrongContactValues();
+  for (const auto& list :
+       {WrongFrictionCoefficients(), ContactContradictions(), ContactWarnings()}) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+}  // namespace hazumi::testing
