@@ -27,6 +27,7 @@ STRUCTS = {
                                         "AdvanceIsland", "SolveIsland", "SampleIsland",
                                         "MeasureIsland", "AccelerateIsland"],
         "engine/bake/moving_base_cache.h": ["Carrier"],
+        "engine/passive/contact/contact_spec.h": ["ContactCapsule", "ContactObstacle", "ContactSpec"],
     },
     "engine/bake/baker.cpp": {
         "engine/bake/stretch.h": ["Checkpoint"],

@@ -158,6 +158,22 @@ void AddConstrained(RandomFiles* files) {
   Save(&session, files->folder + "/constrained.kfa", files);
 }
 
+// An arm that comes down on a table.
+void AddTouching(RandomFiles* files) {
+  edit::Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 30}});
+  Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", 100}});
+  Do(&session, "object.add_box",
+     {{"name", "table"}, {"x", 0.5}, {"y", -0.2}, {"z", 0.5}, {"friction_coefficient", 0.4}});
+  Do(&session, "region.add",
+     {{"name", "arm"},
+      {"first", 0},
+      {"last", 20},
+      {"joints", {"r_shoulder+"}},
+      {"contacts", true}});
+  Save(&session, files->folder + "/touching.kfa", files);
+}
+
 // With a jump that can be aimed, and forces that the regions to come may feel.
 void AddSkinned(RandomFiles* files) {
   edit::Session session;
@@ -211,6 +227,7 @@ RandomFiles WriteRandomFiles(const std::string& folder, uint64_t seed) {
   AddThrown(&files);
   AddSkinned(&files);
   AddConstrained(&files);
+  AddTouching(&files);
   for (int i = 0; i < 4; ++i) {
     files.characters.push_back(folder + "/clip_" + std::to_string(i) + ".bvh");
     Write(files.characters.back(), RandomBvh(i % 2 == 0, &random));

@@ -1,0 +1,98 @@
+// Regions that touch the scene, and how rough what they touch is.
+
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Json;
+using edit::Session;
+
+// The right arm, raised to the side ahead, swings down beside a box.
+void AddArmOverBox(Session* session, const Json& more = Json::object()) {
+  Do(session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", 100}});
+  Do(session, "object.add_box",
+     {{"name", "table"}, {"x", 0.5}, {"y", -0.2}, {"z", 0.5}, {"size_x", 0.6}});
+  Json region = {{"name", "arm"}, {"joints", {"r_shoulder+"}}, {"first", 0}, {"last", 30}};
+  region.update(more);
+  Do(session, "region.add", region);
+}
+
+double AngleAt(Session* session, int frame) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
+  if (!motion.ok()) return 0.0;
+  const JointIndex j = *session->figure().FindJoint("r_shoulder_flexion");
+  return motion.value()->frames[frame].q[j.value()];
+}
+
+TEST(ContactOperators, ARegionTouchesTheSceneIfThatIsSaid) {
+  Session session;
+  AddArmOverBox(&session);
+  EXPECT_FALSE(session.project().regions[0].contacts.is_any());
+  EXPECT_TRUE(Json::parse(WriteProject(session.project()))["version"] == 1);
+  const double through = AngleAt(&session, 25);
+  Do(&session, "region.set", {{"region", "arm"}, {"contacts", true}});
+  EXPECT_TRUE(session.project().regions[0].contacts.scene);
+  EXPECT_TRUE(Json::parse(WriteProject(session.project()))["version"] == 2);
+  const double on_table = AngleAt(&session, 25);
+  EXPECT_GT(on_table, through + 0.1);
+  Do(&session, "edit.undo");
+  EXPECT_FALSE(session.project().regions[0].contacts.scene);
+  EXPECT_EQ(AngleAt(&session, 25), through);
+  Do(&session, "edit.redo");
+  EXPECT_EQ(AngleAt(&session, 25), on_table);
+}
+
+TEST(ContactOperators, TheMotionFollowsWhatIsTouched) {
+  Session session;
+  AddArmOverBox(&session, {{"contacts", true}});
+  const double before = AngleAt(&session, 25);
+  const auto changed = [&](const char* id, const Json& parameters) {
+    Do(&session, id, parameters);
+    const double after = AngleAt(&session, 25);
+    Session fresh;
+    fresh.Replace(session.project(), "");
+    EXPECT_EQ(after, AngleAt(&fresh, 25)) << id;
+    return after != before;
+  };
+  EXPECT_TRUE(changed("object.move", {{"object", "table"}, {"z", -0.1}}));
+  EXPECT_TRUE(changed("object.set", {{"object", "table"}, {"size_z", 0.8}}));
+  EXPECT_TRUE(changed("object.set", {{"object", "table"}, {"friction_coefficient", 0.0}}));
+  EXPECT_TRUE(changed("object.remove", {{"object", "table"}}));
+}
+
+TEST(ContactOperators, ByThePapersMethodNothingTouches) {
+  Session session;
+  AddArmOverBox(&session, {{"contacts", true}});
+  const Error error = Refused(&session, "region.set", {{"region", "arm"}, {"method", "paper"}});
+  EXPECT_NE(error.message.find("knows no contacts"), std::string::npos) << error.message;
+  Do(&session, "region.set", {{"region", "arm"}, {"method", "paper"}, {"contacts", false}});
+}
+
+TEST(ContactOperators, PartsOfARegionTouchWhatItTouched) {
+  Session session;
+  AddArmOverBox(&session, {{"contacts", true}});
+  Do(&session, "region.split", {{"region", "arm"}, {"frame", 12}});
+  EXPECT_TRUE(session.project().regions[0].contacts.scene);
+  EXPECT_TRUE(session.project().regions[1].contacts.scene);
+}
+
+TEST(ContactOperators, ObjectsHaveAFrictionThatIsNotNegative) {
+  Session session;
+  const auto last = [&] { return session.project().scene.objects.back().friction_coefficient; };
+  Do(&session, "object.add_plane", {{"name", "ice"}, {"friction_coefficient", 0.05}});
+  EXPECT_EQ(last(), 0.05);
+  Do(&session, "object.add_box", {{"name", "box"}});
+  EXPECT_EQ(last(), 0.8);
+  Do(&session, "object.set", {{"object", "box"}, {"friction_coefficient", 1.5}});
+  EXPECT_EQ(last(), 1.5);
+  Do(&session, "object.duplicate", {{"object", "box"}, {"x", 2}});
+  EXPECT_EQ(last(), 1.5);
+  const Error error =
+      Refused(&session, "object.set", {{"object", "box"}, {"friction_coefficient", -0.1}});
+  EXPECT_NE(error.message.find("must not be negative"), std::string::npos) << error.message;
+}
+
+}  // namespace
+}  // namespace hazumi::test
