@@ -66,8 +66,9 @@ TEST(ParameterForm, AsksForAPinOnlyWhereThereIsOne) {
 
 TEST(ParameterForm, PutsWhatMustBeGivenFirstAndAxesIntoOneRow) {
   edit::Session session;
-  EXPECT_EQ(LabelsOf(MakeForm("object.add_box", Json::object(), &session)),
-            (std::vector<std::string>{"Name", "Position", "Size", "Rotation", "Color"}));
+  EXPECT_EQ(
+      LabelsOf(MakeForm("object.add_box", Json::object(), &session)),
+      (std::vector<std::string>{"Name", "Position", "Size", "Rotation", "Color", "Friction"}));
   FormState key = MakeForm("key.set", Json::object(), &session);
   EXPECT_EQ(Find("interpolation", &key)->text, "");  // as it is
   std::vector<std::string> region = LabelsOf(MakeForm("region.add", Json::object(), &session));

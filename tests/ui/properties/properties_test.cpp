@@ -19,7 +19,7 @@ using namespace ui;
 
 class Properties : public ::testing::Test {
  protected:
-  static constexpr int kWidth = 640, kHeight = 480;
+  static constexpr int kWidth = 640, kHeight = 480, kTall = 1600;
 
   void SetUp() override {
     editor_.settings.shares.side = 0.4;
@@ -35,6 +35,14 @@ class Properties : public ::testing::Test {
 
   void Do(const std::string& id, const Json& parameters) {
     ASSERT_TRUE(editor_.Do(id, parameters)) << editor_.message.text;
+  }
+
+  // So that no panel has to be scrolled.
+  void MakeTall() {
+    shell_.reset();
+    auto shell = OffscreenShell::Create(&editor_, {kWidth, kTall});
+    ASSERT_TRUE(shell.ok()) << shell.error().ToString();
+    shell_ = std::move(shell).value();
   }
 
   // Of the panel: its middle column has the fields.
@@ -141,13 +149,56 @@ TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
   EXPECT_EQ(friction(), factor);
 }
 
+// Whatever else is clicked on the way down the panel is taken back.
+TEST_F(Properties, ARegionTouchesTheSceneByATick) {
+  MakeTall();
+  editor_.side.section = Section::kRegion;
+  shell_->Frame();
+  shell_->Frame();
+  const std::string before = WriteProject(editor_.session().project());
+  const auto touches = [&] { return editor_.session().project().regions[0].contacts.scene; };
+  const Rect content = Content(kTall);
+  for (float y = content.y + 8.0f; y < content.bottom() && !touches(); y += 10.0f) {
+    for (float x = 0.3f; x < 0.8f && !touches(); x += 0.07f) {
+      MoveTo(content.x + x * content.w, y);
+      Button(true);
+      Button(false);
+      shell_->Frame();
+      if (touches() || WriteProject(editor_.session().project()) == before) continue;
+      Do("edit.undo", Json::object());
+      editor_.side.section = Section::kRegion;
+    }
+  }
+  EXPECT_TRUE(touches());
+  EXPECT_EQ(editor_.session().document().undo_label(), "Change region");
+}
+
+TEST_F(Properties, TheFrictionOfAnObjectIsDragged) {
+  editor_.side.section = Section::kScene;
+  editor_.viewport.selected_object = editor_.session().project().scene.objects[0].identity.id;
+  MakeTall();
+  shell_->Frame();
+  shell_->Frame();
+  const std::string before = WriteProject(editor_.session().project());
+  const auto friction = [&] {
+    return editor_.session().project().scene.objects[0].friction_coefficient;
+  };
+  const Rect content = Content(kTall);
+  bool found = false;
+  for (float y = content.y + 8.0f; y < content.bottom() && !found; y += 8.0f) {
+    found = DragAt(content.x + 0.7f * content.w, y, -24.0f, [&] { return friction() < 0.8; });
+    Button(false);
+    if (found || WriteProject(editor_.session().project()) == before) continue;
+    Do("edit.undo", Json::object());
+    editor_.side.section = Section::kScene;
+  }
+  ASSERT_TRUE(found);
+  EXPECT_GE(friction(), 0.0);
+}
+
 // What a region leaves out is shown as it is used, and can be set there.
 TEST_F(Properties, ARegionTakesAStepOfItsOwnWhereItsMethodHasSteps) {
-  constexpr int kTall = 1600;
-  shell_.reset();
-  auto shell = OffscreenShell::Create(&editor_, {kWidth, kTall});
-  ASSERT_TRUE(shell.ok()) << shell.error().ToString();
-  shell_ = std::move(shell).value();
+  MakeTall();
   Do("region.set", {{"region", "arm"}, {"method", "paper"}});
   editor_.side.section = Section::kRegion;
   shell_->Frame();

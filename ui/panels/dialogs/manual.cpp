@@ -20,6 +20,11 @@ const std::vector<ManualPart>& ManualParts() {
         "not in the region, and the limp ones feel it. In the dope sheet the rows of joints have a "
         "sign of what moves them, and a region's bar is filled as high as its spring is strong: "
         "drag that edge up or down.",
+        "What a region moves touches the scene, if that is on among the region's properties: an "
+        "arm "
+        "comes to lie on a table, and a figure whose root is in the region falls and slides as the "
+        "friction of the ground says, which is among the properties of the object. A ball on a "
+        "line marks the bars of such regions in the dope sheet.",
         "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
         "instant. Joints in regions give way to them, and so does a figure that flies while it "
         "has a region; what keys move does not.",

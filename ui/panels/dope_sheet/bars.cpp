@@ -122,7 +122,10 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
            " - " + NameOfEnd(constraint.b);
   }
   if (bar.kind == BarKind::kRegion) {
-    return project.regions[bar.index].mute ? Tr("Muted: its joints follow their keys.") : "";
+    const ProjectRegion& region = project.regions[bar.index];
+    if (region.mute) return Tr("Muted: its joints follow their keys.");
+    return region.contacts.scene ? Tr("What it moves stays out of the scene's planes and boxes.")
+                                 : "";
   }
   const ProjectPlacement& span = project.placements[bar.index];
   if (span.kind == PlacementKind::kKeyed) return Tr("The root's keys place the figure.");

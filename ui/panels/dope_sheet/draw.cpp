@@ -133,6 +133,7 @@ class DopeSheetPainter {
                    is_chosen ? ToIm(colors::kSelected) : ToIm(color, 0.95f), Px(3.0), 0,
                    is_chosen ? Px(1.6) : 1.0f);
     DrawMuscle(bar);
+    if (bar.touches) DrawTouch(bar);
     DrawBlend(bar);
     if (layout_.rows[bar.row].depth == 0 && rect.h >= Px(12.0)) DrawTitle(bar);
   }
@@ -155,6 +156,22 @@ class DopeSheetPainter {
                          {left + 2.0f * radius + Px(2.0), center.y + radius + 1.0f},
                          ToIm(theme_.panel, 0.72f), Px(2.0));
     DrawMuscleMark(list_, center, radius, bar.muscle.kind, ToIm(theme_.text));
+  }
+
+  // A ball on the ground, at the end of the bar, where it covers no muscle and no title.
+  void DrawTouch(const RowBar& bar) {
+    const float right = std::min(bar.rect.right(), layout_.frame.tracks.right()) - Px(7.0);
+    const float left = std::max(bar.rect.x, layout_.frame.tracks.x) + Px(8.0);
+    const float radius = std::min(Px(4.0), 0.35f * bar.rect.h);
+    if (right - left < 7.0f * radius) return;
+    const ImVec2 c = {right - radius, bar.rect.bottom() - 2.2f * radius - 1.0f};
+    const float ground = c.y + 1.3f * radius;
+    list_->AddRectFilled({c.x - 1.6f * radius, c.y - 1.4f * radius},
+                         {c.x + 1.6f * radius, ground + 0.6f * radius}, ToIm(theme_.panel, 0.72f),
+                         Px(2.0));
+    list_->AddCircleFilled(c, radius, ToIm(theme_.text), 12);
+    list_->AddLine({c.x - 1.4f * radius, ground}, {c.x + 1.4f * radius, ground}, ToIm(theme_.text),
+                   Px(1.3));
   }
 
   // A tail that fades out to where the joints are back on their keys at the earliest.

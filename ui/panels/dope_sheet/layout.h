@@ -47,6 +47,7 @@ struct RowBar {
   Rect rect = {};
   int num_held = 0, num_hinges = 0;  // regions: of the row's hinges
   RowMuscle muscle = {};             // regions that are not muted: of those it holds
+  bool touches = false;              // regions that are not muted: the scene
 };
 // What of it is filled with muscle, from its lower edge on.
 Rect StripOf(const RowBar& bar);

@@ -40,7 +40,9 @@ class ScrubTool : public SheetDrag {
 class PaintRegionTool : public SheetDrag {
  public:
   PaintRegionTool(Editor* editor, Point start, bool by_button)
-      : SheetDrag(editor, start, by_button), is_held_(by_button) {
+      : SheetDrag(editor, start, by_button),
+        is_held_(by_button),
+        touches_(TouchesWhenMade(editor->session().project())) {
     const edit::Session& session = editor->session();
     if (session.selected_joints().empty()) return;
     const ProjectFrames frames = FramesToMark(session);
@@ -100,9 +102,11 @@ class PaintRegionTool : public SheetDrag {
   void Show(Editor* editor, const SheetState::Paint& paint, const RegionOnRows& on) {
     const bool is_one = paint.first_frame < paint.last_frame && !on.joints.empty();
     const Json region =
-        !is_one ? Json() : Json{{"name", on.name},          {"first", paint.first_frame},
-                                {"last", paint.last_frame}, {"joints", on.joints},
-                                {"key_start", true},        {"drag", drag()}};
+        !is_one
+            ? Json()
+            : Json{{"name", on.name},     {"first", paint.first_frame}, {"last", paint.last_frame},
+                   {"joints", on.joints}, {"key_start", true},          {"contacts", touches_},
+                   {"drag", drag()}};
     if (region == shown_) return;
     shown_ = region;
     const bool was_there = is_there_;
@@ -123,13 +127,15 @@ class PaintRegionTool : public SheetDrag {
       return editor->Say(Tr("No joint is selected: select some, or drag over rows and frames"));
     }
     const ProjectFrames frames = FramesToMark(editor->session());
-    if (editor->Do("region.add",
-                   {{"first", frames.first}, {"last", frames.last}, {"key_start", true}})) {
+    if (editor->Do("region.add", {{"first", frames.first},
+                                  {"last", frames.last},
+                                  {"key_start", true},
+                                  {"contacts", TouchesWhenMade(editor->session().project())}})) {
       ChooseLast(editor);
     }
   }
 
-  bool is_held_;
+  bool is_held_, touches_;
   bool has_clicked_ = false;
   Point where_;
   std::string marks_, painted_;
@@ -211,6 +217,8 @@ std::unique_ptr<Tool> MakePaintRegion(Editor* editor, Point start) {
 std::unique_ptr<Tool> MakeMoveMarker(Editor* editor, Point start, int marker) {
   return std::make_unique<MoveMarkerTool>(editor, start, marker);
 }
+
+bool TouchesWhenMade(const Project& project) { return project.solver.method == Method::kExact; }
 
 ProjectFrames FramesToMark(const edit::Session& session) {
   const Project& project = session.project();

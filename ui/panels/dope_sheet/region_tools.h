@@ -25,4 +25,7 @@ std::unique_ptr<Tool> MakePreviewRange(Editor* editor, Point start);
 // preview range, else ten from the current one on.
 ProjectFrames FramesToMark(const edit::Session& session);
 
+// Whether a region that is made in the window touches the scene: if the project's method can.
+bool TouchesWhenMade(const Project& project);
+
 }  // namespace hazumi::ui

@@ -8,6 +8,7 @@
 #include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/forms/options.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/properties/layout.h"
@@ -39,6 +40,7 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "project.rename") return project.name;
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
   if (id == "region.add" && name == "friction") return 0.8;
+  if (id == "region.add" && name == "contacts") return TouchesWhenMade(project);
   if (id.starts_with("object.add_") && name == "name")
     return edit::FreeObjectName(id.substr(11), project);
   if (id.starts_with("object.add_") && name == "color") return kDefaultObjectColor;

@@ -6,6 +6,7 @@
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/degrees.h"
 #include "ui/panels/commands/actions.h"
+#include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/properties/drives_draw.h"
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
@@ -35,7 +36,10 @@ void DrawAdd(Editor* editor) {
   constexpr int kFrames = 10;
   const int frame = static_cast<int>(std::lround(session.frame()));
   const int last = std::min(frame + kFrames, session.project().frames.last);
-  if (editor->Do("region.add", {{"first", frame}, {"last", last}, {"key_start", true}})) {
+  if (editor->Do("region.add", {{"first", frame},
+                                {"last", last},
+                                {"key_start", true},
+                                {"contacts", TouchesWhenMade(session.project())}})) {
     editor->side.region = session.project().regions.back().identity.id;
   }
 }
@@ -46,9 +50,10 @@ void Set(Editor* editor, const std::string& region, const Json& change) {
 
 // What a region says that no section below draws.
 void DrawFields(Editor* editor, const ProjectRegion& region) {
-  DrawFieldRows(editor, region,
-                {"joints", "friction", "method", "step", "tolerance", "limit_tangents", "mute"},
-                SetBy(editor, "region.set", {{"region", region.name}}));
+  DrawFieldRows(
+      editor, region,
+      {"joints", "friction", "method", "step", "tolerance", "contacts", "limit_tangents", "mute"},
+      SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
 // A joint that a click takes out. In lines as wide as the panel.
@@ -123,8 +128,11 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
   if (!DrawHeading(Tr("Method"))) return;
   const ProjectSolver& solver = editor->session().project().solver;
   const bool is_exact = region.method.value_or(solver.method) == Method::kExact;
-  DrawRowsOf({"method", is_exact ? "tolerance" : "step", "limit_tangents", "mute"}, editor, region,
-             SetBy(editor, "region.set", {{"region", region.name}}), InsteadBy(solver));
+  std::vector<std::string> rows = {"method", is_exact ? "tolerance" : "step"};
+  if (is_exact || region.contacts.scene) rows.emplace_back("contacts");
+  rows.insert(rows.end(), {"limit_tangents", "mute"});
+  DrawRowsOf(rows, editor, region, SetBy(editor, "region.set", {{"region", region.name}}),
+             InsteadBy(solver));
   if (!region.method && !region.tolerance_deg && !region.step_s) return;
   if (DrawButton(Tr("As the project"),
                  Tr("Method, tolerance and step are those of the project again."))) {

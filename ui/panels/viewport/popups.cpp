@@ -30,7 +30,10 @@ Json RegionOutwards(const edit::Session& session) {
   Json joints = Json::array();
   for (const std::string& name : SelectedNames(session)) joints.push_back(name + "+");
   const ProjectFrames frames = FramesToMark(session);
-  return {{"first", frames.first}, {"last", frames.last}, {"joints", joints}};
+  return {{"first", frames.first},
+          {"last", frames.last},
+          {"joints", joints},
+          {"contacts", TouchesWhenMade(session.project())}};
 }
 
 Items JointItems(const edit::Session& session) {
