@@ -129,6 +129,14 @@ void AddExample(const std::string& name, RandomFiles* files) {
   Save(&session, files->folder + "/" + name + ".kfa", files);
 }
 
+// Somebody who stands with a ball that can be thrown.
+void AddStanding(RandomFiles* files) {
+  edit::Session session;
+  Do(&session, "time.range", {{"first", 0}, {"last", 40}});
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
+  Save(&session, files->folder + "/standing.kfa", files);
+}
+
 // A throw that can be aimed.
 void AddThrown(RandomFiles* files) {
   edit::Session session;
@@ -228,6 +236,7 @@ RandomFiles WriteRandomFiles(const std::string& folder, uint64_t seed) {
   AddSkinned(&files);
   AddConstrained(&files);
   AddTouching(&files);
+  AddStanding(&files);
   for (int i = 0; i < 4; ++i) {
     files.characters.push_back(folder + "/clip_" + std::to_string(i) + ".bvh");
     Write(files.characters.back(), RandomBvh(i % 2 == 0, &random));
