@@ -126,6 +126,7 @@ struct IslandProgress {
   double microseconds = 0.0;  // that it took
   std::vector<LimitHit> hits;
   std::vector<ConstraintBreak> breaks = {};  // by index of the task's constraints
+  std::optional<double> frozen_from = {};    // as ExactSolver [s]
 };
 
 // Fewer times than asked for where it could not go on.

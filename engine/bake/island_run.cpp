@@ -120,7 +120,7 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
   return {solver_.time(),     solver_.step_start(), failure, 0.0,
-          solver_.TakeHits(), solver_.TakeBreaks()};
+          solver_.TakeHits(), solver_.TakeBreaks(), solver_.frozen_from()};
 }
 
 void IslandRun::Sample(double t, IslandSamples* samples) {

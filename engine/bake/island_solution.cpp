@@ -71,6 +71,7 @@ void IslandSolution::TakeProgress(const IslandProgress& progress) {
   microseconds_ += progress.microseconds;
   hits_.insert(hits_.end(), progress.hits.begin(), progress.hits.end());
   breaks_.insert(breaks_.end(), progress.breaks.begin(), progress.breaks.end());
+  frozen_from_ = progress.frozen_from;
   if (progress.failure) failure_ = progress.failure;
 }
 

@@ -56,6 +56,8 @@ class IslandSolution {
   // How far it has got [s], and why it cannot go on from there.
   double time() const { return time_; }
   const std::optional<ExactFailure>& failure() const { return failure_; }
+  // As ExactSolver [s].
+  const std::optional<double>& frozen_from() const { return frozen_from_; }
   // Start of the step inside which it can be sampled [s].
   double step_start() const { return step_start_; }
 
@@ -91,6 +93,7 @@ class IslandSolution {
   IslandAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
+  std::optional<double> frozen_from_;
   std::vector<LimitHit> hits_;
   std::vector<ConstraintBreak> breaks_;
   // What was looked ahead to, null if nothing was, and the samples there.

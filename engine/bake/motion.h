@@ -115,6 +115,9 @@ struct RegionReport {
   std::vector<int> islands;
   int bodies = 0;
   double error_estimate = 0.0;  // of the angles, the largest at any frame [rad]
+  // It covers the frames up to there, if not all: from there on what touches tumbles, and the least
+  // difference grows.
+  std::optional<double> estimated_until;
   std::optional<EnergyBalance> energy;
 };
 

@@ -66,9 +66,10 @@ bool RegionDynamics::IsCarrierStill() const {
 // A pinned root that answers couples every joint with the pin, which is solved the dense way unless
 // that takes too long. Only the dense way is written for rules that the root has to answer.
 bool RegionDynamics::UsesArticulatedBodies() const {
-  if (has_rows_) return false;
+  if (has_any_rows()) return false;
   if (!model_.root_answers) return true;
-  if (has_rules_ && model_.nodes[0].role == Role::kFree) return false;
+  const bool answers_rules = has_rules_ && model_.nodes[0].role == Role::kFree;
+  if (answers_rules && !contacts_.is_possible()) return false;
   return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
 }
 
@@ -225,11 +226,63 @@ void RegionDynamics::AddRule(const ForceLaw& rule, const RegionState& state) {
 // What a rule does inside the figure leaves its angular momentum alone: the root is solved again.
 void RegionDynamics::AnswerRule(const RegionLayout& layout) {
   if (layout.node(0).num_dofs == 0) return;
-  const MatX& M = dense_.equations().M;
   Vec3 answer = Vec3::Zero();
+  if (UsesArticulatedBodies()) {
+    const Mat3 M_rr = AnswerOfBodies(layout, &answer);
+    added_.head<3>() = M_rr.ldlt().solve(answer);
+    return;
+  }
+  const MatX& M = dense_.equations().M;
   for (int j = 3; j < layout.num_dofs(); ++j) answer -= M.block<3, 1>(0, j) * added_[j];
   const Mat3 M_rr = M.topLeftCorner<3, 3>();
   added_.head<3>() = M_rr.ldlt().solve(answer);
+}
+
+// The same by what all bodies do together about their centre c: what their accelerations ask for,
+// and their inertia, along the root's directions. Bodies' m, h, I are their own.
+Mat3 RegionDynamics::AnswerOfBodies(const RegionLayout& layout, Vec3* answer) {
+  const auto& motion = kinematics_.motion();
+  std::vector<V3>& alpha = answer_alpha_;
+  std::vector<V3>& a = answer_a_;
+  alpha.assign(motion.size(), V3());
+  a.assign(motion.size(), V3());
+  V3 force, moment, sum;
+  S3 I;
+  for (int i = 0; i < kinematics_.size(); ++i) {
+    const NodeMotion& own = motion[i];
+    const int parent = model_.nodes[i].parent;
+    if (parent >= 0) {
+      alpha[i] = alpha[parent];
+      a[i] = a[parent] + Cross(alpha[parent], own.r);
+      const RegionLayout::Node& where = layout.node(i);
+      for (int k = 0; k < where.num_dofs; ++k) alpha[i] += added_[where.dof + k] * own.axis[k];
+    }
+    if (!model_.nodes[i].is_dynamic) continue;
+    const V3 f = own.m * a[i] + Cross(alpha[i], own.h);
+    force += f;
+    moment += own.I * alpha[i] + Cross(own.h, a[i]) + Cross(own.p, f);
+    sum += own.m * own.p + own.h;
+    const V3 g = own.h + own.m * own.p;
+    I += own.I;
+    I += Diagonal(Dot(own.p, own.h) + Dot(own.p, g));
+    I += S3{-own.p.x * own.h.x - g.x * own.p.x, -own.p.x * own.h.y - g.x * own.p.y,
+            -own.p.x * own.h.z - g.x * own.p.z, -own.p.y * own.h.y - g.y * own.p.y,
+            -own.p.y * own.h.z - g.y * own.p.z, -own.p.z * own.h.z - g.z * own.p.z};
+  }
+  if (model_.coupling == RootCoupling::kFlight) {
+    const V3 c = (1.0 / model_.mass) * sum;
+    moment = moment - Cross(c, force);
+    I += Diagonal(-Dot(c, sum));
+    I += S3{c.x * sum.x, c.x * sum.y, c.x * sum.z, c.y * sum.y, c.y * sum.z, c.z * sum.z};
+  }
+  Mat3 M_rr;
+  for (int k = 0; k < 3; ++k) {
+    const V3& axis = motion[0].axis[k];
+    (*answer)[k] = -Dot(axis, moment);
+    const V3 turned = I * axis;
+    for (int l = 0; l < 3; ++l) M_rr(l, k) = Dot(motion[0].axis[l], turned);
+  }
+  return M_rr;
 }
 
 void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {

@@ -98,7 +98,9 @@ class RegionDynamics {
   void AssembleHinges(double t, const VecX& q, const VecX& qd);
   // The same of an island that is large, and not solved the dense way: of some hinges alone, with
   // the others following freely. Counts as one evaluation.
-  bool is_large() const { return model_.num_free > most_dense_ && UsesArticulatedBodies(); }
+  bool is_large() const {
+    return !has_rows_ && model_.num_free > most_dense_ && UsesArticulatedBodies();
+  }
   void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
   // Assembled last.
   const MatX& M() const { return assembled().M; }
@@ -121,6 +123,12 @@ class RegionDynamics {
   FrozenForces& frozen() { return frozen_; }
   // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
   void Freeze(const VecX& torques);
+  // After the nodes have been placed: r of the world as a node sees it.
+  Vec3 InNode(int node, const small::V3& r) const {
+    return TransposeTimes(kinematics_.motion()[node].R, r).eigen();
+  }
+  // Others' work on this island, in evaluations.
+  void AddWork(double evaluations) { other_work_ += evaluations; }
   bool closes_gaps() const { return rows_.any_closed() || contacts_.any_closed(); }
   // Where the nodes are and how they move in state y; not counted as an evaluation.
   RegionState PlaceAt(double t, const double* y);
@@ -156,7 +164,7 @@ class RegionDynamics {
   // make of them, take about one more for each 250 entries of their matrix.
   double work() const {
     const double entries = static_cast<double>(num_hinges()) * num_hinges();
-    return static_cast<double>(evaluations_) + entries / 250.0 * num_assembled_;
+    return static_cast<double>(evaluations_) + entries / 250.0 * num_assembled_ + other_work_;
   }
 
  private:
@@ -200,6 +208,7 @@ class RegionDynamics {
   void Fall(double* dy) const;
   void AddRule(const ForceLaw& rule, const RegionState& state);
   void AnswerRule(const RegionLayout& layout);
+  Mat3 AnswerOfBodies(const RegionLayout& layout, Vec3* answer);
   void Accelerate(const RegionState& state, const VecX& x);
   small::V3 RootVelocity(double t, std::vector<small::V3>* velocity) const;
   small::V3 RootPosition(double t) const;
@@ -241,8 +250,10 @@ class RegionDynamics {
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
   VecX added_;  // by a rule, by dof
+  std::vector<small::V3> answer_alpha_, answer_a_;  // scratch, by node
   long evaluations_ = 0;
   double num_assembled_ = 0.0;  // of them by AssembleHinges
+  double other_work_ = 0.0;
 };
 
 }  // namespace hazumi

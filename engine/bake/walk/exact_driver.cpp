@@ -63,7 +63,8 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
       broken_(std::move(broken)),
-      estimates_(active_.size(), 0.0) {
+      estimates_(active_.size(), 0.0),
+      frozen_from_(active_.size(), std::numeric_limits<double>::infinity()) {
   for (size_t a = 0; a < active_.size(); ++a) {
     const DynamicsRegion& region = animation.regions[active_[a]];
     for (size_t i = 0; i < region.joints.size(); ++i) {
@@ -213,7 +214,10 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                                      {shared, tolerance * kControlCoarseness, &moving_bases_},
                                      std::move(constraints.indices)});
     island.solution.Begin(t, end, state, curves, known_);
-    island.control.Begin(t, end, control, curves, known_);
+    const auto is_frozen_before = [&](Coordinate c) { return frozen_from_[region_of_[c]] < t; };
+    const std::vector<Coordinate>& hinges = island.solution.hinges();
+    island.has_control = std::none_of(hinges.begin(), hinges.end(), is_frozen_before);
+    if (island.has_control) island.control.Begin(t, end, control, curves, known_);
   }
   energy_.Restart(islands_.size());
 }
@@ -235,7 +239,7 @@ void ExactDriver::Drive(double end, const RotationState& state, const DrivenMoti
   for (Island& island : islands_) {
     const auto curves = CurvesOf(island.solution.model(), driven);
     island.solution.Drive(t, end, curves);
-    island.control.Drive(t, end, curves);
+    if (island.has_control) island.control.Drive(t, end, curves);
   }
 }
 
@@ -243,7 +247,7 @@ template <typename Action>
 void ExactDriver::ForEachSolution(Action&& action) {
   for (Island& island : islands_) {
     action(island.solution);
-    action(island.control);
+    if (island.has_control) action(island.control);
   }
 }
 
@@ -259,8 +263,23 @@ bool ExactDriver::Push(const PushForce& push, const RootHold& hold, RotationStat
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
-  ForEachSolution([&](IslandSolution& solution) { solution.Advance(t, end); });
+  for (Island& island : islands_) {
+    island.solution.Advance(t, end);
+    if (island.has_control) island.control.Advance(t, end);
+    if (island.solution.frozen_from() || island.control.frozen_from()) LeaveControl(&island);
+  }
   return FirstFailure();
+}
+
+// Where contacts come too fast the least difference grows without bound.
+void ExactDriver::LeaveControl(Island* island) {
+  if (!island->has_control) return;
+  island->has_control = false;
+  const double t = island->solution.frozen_from().value_or(island->solution.time());
+  for (const Coordinate c : island->solution.hinges()) {
+    double& from = frozen_from_[region_of_[c]];
+    from = std::min(from, t);
+  }
 }
 
 std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<double>& times,
@@ -279,6 +298,7 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   const IslandSolution* first = nullptr;
   for (const Island& island : islands_) {
     for (const IslandSolution* solution : {&island.solution, &island.control}) {
+      if (solution == &island.control && !island.has_control) continue;
       if (!solution->failure() || (first && first->time() <= solution->time())) continue;
       first = solution;
     }
@@ -293,7 +313,8 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
 double ExactDriver::time() const {
   double time = std::numeric_limits<double>::infinity();
   for (const Island& island : islands_) {
-    time = std::min({time, island.solution.time(), island.control.time()});
+    time = std::min(time, island.solution.time());
+    if (island.has_control) time = std::min(time, island.control.time());
   }
   return time;
 }
@@ -308,7 +329,9 @@ void ExactDriver::Sample(double t, RotationState* state) {
 }
 
 void ExactDriver::SampleControl(double t, RotationState* state) {
-  for (Island& island : islands_) island.control.Sample(t, state);
+  for (Island& island : islands_) {
+    (island.has_control ? island.control : island.solution).Sample(t, state);
+  }
 }
 
 std::optional<Vec3> ExactDriver::Accelerations(double t, VecX* rates, VecX* accelerations) {

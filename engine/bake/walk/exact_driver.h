@@ -37,6 +37,7 @@ class ExactDriver {
   // Free in name only: it keeps its angle.
   bool is_frozen(Coordinate c) const;
 
+  bool has_contacts() const { return has_contacts_; }
   // By contacts, where a placement by gravity leaves it to them.
   bool places_root() const;
 
@@ -103,6 +104,9 @@ class ExactDriver {
   void Estimate(double t);
   // By index in active() [rad].
   const std::vector<double>& estimates() const { return estimates_; }
+  // By the same: from when on it is not estimated, as contacts are frozen (ExactSolver); infinity
+  // if it always is [s].
+  const std::vector<double>& frozen_from() const { return frozen_from_; }
   long evaluations() const;
   long steps() const;
   std::vector<int> island_sizes() const;
@@ -116,6 +120,8 @@ class ExactDriver {
   struct Island {
     IslandSolution solution, control;
     std::vector<int> constraints;  // of the task, by index of the animation's
+    // Its contacts have not been frozen: the control solution tells something about it, and runs.
+    bool has_control = true;
   };
   // Of islands that are no more.
   struct Finished {
@@ -134,6 +140,7 @@ class ExactDriver {
   void FinishIslands();
   void AppendLogs(IslandLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
+  void LeaveControl(Island* island);
   // Of solutions and control solutions.
   template <typename Action>
   void ForEachSolution(Action&& action);
@@ -154,7 +161,7 @@ class ExactDriver {
   std::vector<int> broken_;
   ModelRequest request_;  // of the islands as they are
   std::vector<Island> islands_;
-  std::vector<double> estimates_;
+  std::vector<double> estimates_, frozen_from_;
   EnergyAccount energy_;
   Finished finished_;
 };

@@ -22,6 +22,7 @@ void ExactDriver::Estimate(double t) {
   Sample(t, &state);
   SampleControl(t, &control);
   for (const Island& island : islands_) {
+    if (!island.has_control) continue;
     const VecX distances = island.solution.Distances(state, control);
     const auto& hinges = island.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
@@ -64,7 +65,7 @@ void ExactDriver::AppendLogs(IslandLogs* logs) const {
   if (!known_) return;
   for (const Island& island : islands_) {
     logs->push_back(island.solution.log());
-    logs->push_back(island.control.log());
+    if (auto log = island.control.log()) logs->push_back(std::move(log));
   }
 }
 

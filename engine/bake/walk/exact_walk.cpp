@@ -10,6 +10,7 @@
 #include "engine/bake/walk/exact_walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/text.h"
 #include "engine/placement/root_placement.h"
@@ -146,7 +147,7 @@ void ExactWalk::KeepControl(double frame) {
 std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
-  const bool looks_on = falls || accounts || context_.options.accelerations ||
+  const bool looks_on = falls || accounts || (driver_ && driver_->has_contacts()) || context_.options.accelerations ||
                         !context_.animation.constraints.empty();
   if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);
@@ -360,6 +361,10 @@ void ExactWalk::WriteReports() {
     report.bodies = driver_->num_bodies();
     report.energy = driver_->energy();
     report.error_estimate = std::max(report.error_estimate, driver_->estimates()[a]);
+    const double frozen_from = driver_->frozen_from()[a];
+    if (!report.estimated_until && std::isfinite(frozen_from)) {
+      report.estimated_until = context_.animation.rate.FrameAt(frozen_from);
+    }
   }
 }
 

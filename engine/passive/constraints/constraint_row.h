@@ -12,6 +12,7 @@ struct ConstraintRow {
   int constraint = 0;  // or kContact
   int contact = 0;     // of a ContactSet
   bool turns = false;
+  bool is_across = false;                                      // of a contact, not along its normal
   bool is_closed = false;                                      // there is no gap to close
   int a = ConstraintSeat::kWorld, b = ConstraintSeat::kWorld;  // nodes
   small::V3 r_a, r_b;  // of the points where it acts, from the nodes' origins [m]

@@ -106,14 +106,15 @@ void ContactSet::RaiseFloors(const RegionState& state) {
   }
 }
 
-double ContactSet::FastestEnd(const RegionState& state) const {
-  double square = 0.0;
+ContactSet::Speed ContactSet::Fastest(const RegionState& state) const {
+  double square = 0.0, turn = 0.0;
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
     const MovingCapsule moving = CapsuleAt(c, state);
     const V3 v_b = moving.v + Cross(moving.w, moving.b - moving.a);
     square = std::max({square, Dot(moving.v, moving.v), Dot(v_b, v_b)});
+    turn = std::max(turn, Dot(moving.w, moving.w));
   }
-  return std::sqrt(square);
+  return {std::sqrt(square), std::sqrt(turn)};
 }
 
 void ContactSet::SetMode(int pair, ContactMode mode) {
@@ -183,6 +184,7 @@ void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>
     const auto [s, t] = AcrossOf(point->n);
     for (const V3& x : {s, t}) {
       row.n = row.push = x;
+      row.is_across = true;
       row.gap = 0.0;
       row.rate = Dot(x, point->v);
       row.bend = Dot(x, glides);

@@ -26,6 +26,7 @@ struct ContactPair {
   bool was_fast = false;
   int slow_steps = 0;
   double load = 0.0;  // that pushed on it when it closed [N]
+  small::V3 frozen = {};  // what it gave for the latest while (FrozenContacts) [N]
 };
 
 // Slower than this what slides counts as coming to rest [m/s]: its direction turns faster than
@@ -49,8 +50,12 @@ class ContactSet {
   // Pairs that have come out may not go in again.
   void RaiseFloors(const RegionState& state);
   double thinnest() const { return thinnest_; }  // radius of a capsule [m]
-  // The fastest that any capsule's end moves [m/s].
-  double FastestEnd(const RegionState& state) const;
+  // The fastest that any capsule's end moves [m/s], or any capsule turns [rad/s].
+  struct Speed {
+    double end, turn;
+  };
+  Speed Fastest(const RegionState& state) const;
+  double FastestEnd(const RegionState& state) const { return Fastest(state).end; }
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
   void SetMode(int pair, ContactMode mode);
@@ -58,6 +63,7 @@ class ContactSet {
   // At the end of a step: directions for the next one. True: something slides too slowly.
   bool FollowSlides(const RegionState& state);
   void SetLoad(int pair, double load) { pairs_[pair].load = load; }
+  void SetFrozen(int pair, const small::V3& force) { pairs_[pair].frozen = force; }
   void SetFloor(int pair, double floor) { pairs_[pair].floor = floor; }
 
   std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before limits become sticky
+constexpr int kContactChatter = 6;             // before contacts are frozen
 // Of contacts: how near is touching, how slow at rest.
 constexpr double kTouchGap = 1e-8;   // [m]
 constexpr double kRestSpeed = 1e-6;  // [m/s]
@@ -42,19 +43,13 @@ void ActiveLimits::CountEvent(double t) {
 bool ActiveLimits::is_chattering(double t) {
   if (!dynamics_->contacts().is_possible() || dynamics_->contacts().pairs().empty()) return false;
   const auto recent = [&](double event) { return event >= t - kChatterWindow; };
-  return std::count_if(events_.begin(), events_.end(), recent) > kChatter;
+  return std::count_if(events_.begin(), events_.end(), recent) > kContactChatter;
 }
 
-void ActiveLimits::Freeze(double t, double h, HingeState* state, LimitHits* hits) {
-  constexpr double kNear = 1e-5;  // [m]
-  contact_forces_.SetTouch(kNear, kRestSpeed);
-  is_touching_ = contact_forces_.FindTouching(t, state->q, state->qd);
-  kick_.setZero();
-  if (limits_->any()) FindSides(t, /*with_impulse=*/true, *state, hits);
-  if (is_touching_) CollideTied(t, Vec3::Zero(), state);
-  contact_forces_.Freeze(t, state->q, state->qd, *limits_, h);
+void ActiveLimits::LetGo() {
   is_touching_ = false;
   any_ = false;
+  kick_.setZero();
   for (int i = 0; i < static_cast<int>(held_.size()); ++i) held_[i] = limits_->is_fixed(i);
 }
 

@@ -30,11 +30,11 @@ class ActiveLimits {
   // An event at t. Where they happen again and again limits become sticky, so that joints that
   // press on their limits in turn come to rest instead of chattering. [METHOD 3.5]
   void CountEvent(double t);
+  void ForgetEvents() { events_.clear(); }
   // So many events that contacts are to be frozen from t on.
   bool is_chattering(double t);
-  // The same as Resolve where contacts are frozen from t on, for h seconds (ContactForces): nothing
-  // else holds a hinge.
-  void Freeze(double t, double h, HingeState* state, LimitHits* hits);
+  // Nothing holds a hinge that has room.
+  void LetGo();
   // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].
   // What rests is told from `later`, if there is one.
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
@@ -48,6 +48,8 @@ class ActiveLimits {
   bool any() const { return any_; }
   // The latest forces are those of contacts as well.
   bool is_touching() const { return is_touching_; }
+  // What rests is told with what touches, and not from a moment later.
+  bool needs_later() const { return !dynamics_->contacts().any_closed(); }
 
   // The strongest pull that a limit would have to give to hold its hinge [N m]: after Resolve, and
   // at any time.

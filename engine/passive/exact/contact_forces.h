@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "engine/passive/contact/cone_problem.h"
-#include "engine/passive/exact/limit_range.h"
+#include "engine/passive/exact/contact_problem.h"
 #include "engine/passive/region_dynamics.h"
 
 namespace hazumi {
@@ -31,29 +30,20 @@ class ContactForces {
   // Then: which hinges at a limit stay there, and which pairs stay closed, sticking or sliding.
   void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);
-  // Instead of both: forces of everything near that, kept for h seconds, lead to where all of it is
-  // fulfilled at their end, by rates. [Moreau 1988]
-  void Freeze(double t, const VecX& q, const VecX& qd, const LimitRange& limits, double h);
   // What limits give then, by free hinge [N m].
   const VecX& T() const { return T_; }
 
  private:
   void Close(int pair, const TouchPoint& point, bool may_slide);
-  void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,
-             const VecX& x_0);
   bool Solve();
-  void Factor();
-  LimitRows Unheld(VecX* x_0);
   bool IsFelt(Eigen::Index row) const;
   void SetModes();
 
   RegionDynamics* dynamics_;
   double touch_ = 0.0, rest_speed_ = 0.0;
   std::vector<int> touching_;  // pairs
-  std::vector<int> limits_;    // hinges that have a row, after the others
-  ConeProblem problem_;
-  MatX L_, answer_;  // M = L L^T; M^-1 P^T
-  VecX forces_, l_, T_;
+  ContactProblem problem_;
+  VecX l_, T_;
 };
 
 }  // namespace hazumi

@@ -62,26 +62,30 @@ bool ContactSearch::Find(bool follows_event) {
 }
 
 bool ContactSearch::FindBlow() {
-  constexpr double kSeen = 5e-5;  // [m]
+  constexpr double kSeen = 2e-4;  // [m]
   const ContactSet& contacts = dynamics_->contacts();
   const double start = step_->start_time(), end = step_->time();
+  deep_.clear();
+  {
+    const RegionState state = step_->PlaceNow();
+    for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+      const auto point = contacts.PointOf(i, state);
+      if (point && point->gap < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
+    }
+  }
   double first = end;
-  bool any = false;
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+  for (const int i : deep_) {
     const auto depth = [&](double t) {
       const RegionState state = step_->Glance(t);
       const auto point = contacts.PointOf(i, state);
       return point ? contacts.pairs()[i].floor - kSeen - point->gap : -1.0;
     };
-    const double f = depth(first);
-    if (f <= 0.0) continue;
-    const double f_start = depth(start);
-    if (f_start > 0.0) continue;  // comes out
+    const double f = depth(first), f_start = depth(start);
+    if (f <= 0.0 || f_start > 0.0) continue;  // is not there yet, or comes out
     first = Narrow({start, f_start, first, f}, kSameMoment, depth).b;
-    any = true;
   }
-  if (any && first < end) step_->EndAt(first);
-  return any;
+  if (first < end) step_->EndAt(first);
+  return first < end;
 }
 
 std::optional<double> ContactSearch::FirstChange(double before, double t, bool looks_at_forces) {

@@ -25,7 +25,7 @@ class ContactSearch {
 
   RegionDynamics* dynamics_;
   ExactStep* step_;
-  std::vector<int> changed_;  // pairs
+  std::vector<int> changed_, deep_;  // pairs
   double allowed_ = 0.0;      // excess of forces
 };
 

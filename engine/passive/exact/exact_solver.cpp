@@ -22,6 +22,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       hit_search_(dynamics, &range_, &step_),
       release_search_(&step_, &held_),
       contact_search_(dynamics, &step_),
+      frozen_(dynamics, &range_),
       hits_(dynamics->num_hinges()) {}
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
@@ -29,11 +30,13 @@ void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMoti
   step_.Place(t, q, qd, anchor);
   range_.Begin(q);
   held_.Begin();
+  frozen_.Begin();
+  frozen_until_.reset();
   release_search_.Begin();
   Resolve(Vec3::Zero());
 }
 
-void ExactSolver::Restart() { Resolve(Vec3::Zero()); }
+void ExactSolver::Restart() { frozen_until_ ? Freeze() : Resolve(Vec3::Zero()); }
 
 void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 
@@ -124,35 +127,40 @@ void ExactSolver::FindHits() {
 void ExactSolver::MakeEventHappen() {
   if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
   breaks_next_ = -1;
-  if (!frozen_until_) held_.CountEvent(time());
   range_.Widen(q());
-  if (held_.is_chattering(time())) return Freeze();
-  Resolve(Vec3::Zero());
+  if (frozen_until_) return frozen_.is_calm() ? Thaw() : Freeze();
+  held_.CountEvent(time());
+  held_.is_chattering(time()) ? Freeze() : Resolve(Vec3::Zero());
 }
 
-// Where contacts change again and again, as they do when many of them come to rest together, their
-// forces are told for a millisecond each.
+// Where contacts change again and again, as they do when many of them come to rest together.
 void ExactSolver::Freeze() {
-  constexpr double kWhile = 1e-3;  // [s]
+  if (!frozen_until_) {
+    frozen_.Enter(time());
+    held_.LetGo();
+    if (!frozen_from_) frozen_from_ = time();
+  }
   dynamics_->SetAnchor(step_.anchor());
-  held_.Freeze(time(), kWhile, &step_.now(), &hits_);
-  step_.Kick(held_.kick());
+  frozen_.Set(time(), &step_.now(), &hits_);
+  step_.Kick(frozen_.kick());
   dynamics_->SetLocked(held_.held(), q());
   step_.Begin();
   release_search_.Begin();
-  frozen_until_ = time() + kWhile;
+  frozen_until_ = time() + frozen_.length();
   follows_event_ = true;
+}
+
+void ExactSolver::Thaw() {
+  frozen_.Leave(time());
+  held_.ForgetEvents();
+  Resolve(Vec3::Zero());
 }
 
 std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
   const double until = std::min(end, *frozen_until_);
   if (const std::optional<ExactFailure> failure = step_.Take(until)) return failure;
   ++steps_;
-  if (contact_search_.FindBlow()) {
-    next_ = Next::kEvent;
-    return std::nullopt;
-  }
-  if (time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
+  if (contact_search_.FindBlow() || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/passive/exact/active_limits.h"
 #include "engine/passive/exact/contact_search.h"
 #include "engine/passive/exact/exact_step.h"
+#include "engine/passive/exact/frozen_contacts.h"
 #include "engine/passive/exact/hit_search.h"
 #include "engine/passive/exact/release_search.h"
 
@@ -62,6 +63,9 @@ class ExactSolver {
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return hits_.Take(); }
   long steps() const { return steps_; }
+  // When contacts came too fast for the first time: from there on motions that begin nearly the same
+  // end differently, however well they are solved.
+  std::optional<double> frozen_from() const { return frozen_from_; }
 
  private:
   // What happens at `time`, before the next step.
@@ -69,6 +73,7 @@ class ExactSolver {
 
   void MakeEventHappen();
   void Freeze();
+  void Thaw();
   std::optional<ExactFailure> AdvanceFrozen(double end);
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
@@ -82,11 +87,12 @@ class ExactSolver {
   HitSearch hit_search_;
   ReleaseSearch release_search_;
   ContactSearch contact_search_;
+  FrozenContacts frozen_;
   LimitHits hits_;
   Next next_ = Next::kGoOn;
   int breaks_next_ = -1;  // a constraint that is overloaded at `time`
-  // Contacts are frozen until then [s]; none: they are not.
-  std::optional<double> frozen_until_;
+  // Contacts are frozen until then [s]; none: they are not. When they were the first time.
+  std::optional<double> frozen_until_, frozen_from_;
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]
   long steps_ = 0;

@@ -68,6 +68,11 @@ class ExactStep {
   // Where nodes are at t, whatever gaps the step leaves; and again, after it at the same t.
   RegionState Glance(double t);
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
+  // Where nodes are at time(), with now().
+  RegionState PlaceNow() {
+    dynamics_->SetAnchor(anchor_);
+    return dynamics_->PlaceHinges(time_, now_.q, now_.qd);
+  }
   // As RegionDynamics::ContactExcess.
   double ContactExcess(double t);
   // And rates, of the free hinges at t in [start_time, time]; at `time` itself those of now(), with

@@ -34,7 +34,7 @@ bool ReleaseSearch::Find() {
   pull_before_ = fb;
   const std::optional<double> t = FindPull(a, fa, b, fb, 4);
   if (!t) return false;
-  LookLater(*t);
+  if (limits_->needs_later()) LookLater(*t);
   step_->EndAt(*t);
   return true;
 }

@@ -1,0 +1,79 @@
+// With M x = -b + P^T l for hinges, rows w = J x + c + G l, and a row -side for each hinge at a
+// limit, all of them are
+//   w = A l + (J x_0 + c),   A = J M^-1 P^T + G,   M x_0 = -b
+// for accelerations; the same for rates, with x their jump and c the velocities before.
+
+#include "engine/passive/exact/contact_problem.h"
+
+#include <limits>
+
+#include "engine/passive/semidefinite.h"
+
+namespace hazumi {
+
+using Kind = ConeProblem::Kind;
+
+void ContactProblem::Factor() {
+  L_ = dynamics_->M();
+  FactorSemidefinite(L_);
+  // What moves no mass does not answer.
+  stiff_ = L_;
+  for (Eigen::Index k = 0; k < L_.cols(); ++k) {
+    if (L_(k, k) <= 0.0) stiff_(k, k) = std::numeric_limits<double>::infinity();
+  }
+}
+
+LimitRows ContactProblem::Unheld(VecX* x_0) const {
+  *x_0 = -dynamics_->b();
+  SolveSemidefinite(L_, *x_0);
+  LimitRows rows;
+  rows.J.resize(0, x_0->size());
+  if (const LimitRows* known = dynamics_->RowsOfForces()) rows = *known;
+  if (rows.c.size() > 0) rows.c += rows.J * *x_0;
+  return rows;
+}
+
+void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>& sticks,
+                           const LimitRows& rows, const VecX& x_0) {
+  limits_.clear();
+  for (int i = 0; i < static_cast<int>(side.size()); ++i) {
+    if (side[i] != 0) limits_.push_back(i);
+  }
+  const Eigen::Index n = x_0.size(), own = rows.c.size();
+  const Eigen::Index count = own + static_cast<Eigen::Index>(limits_.size());
+  MatX J = MatX::Zero(n, count);
+  answer_.setZero(n, count);
+  J.leftCols(own) = rows.J.transpose();
+  answer_.leftCols(own) = rows.push().transpose();
+  cones_.b.resize(count);
+  cones_.b.head(own) = rows.c;
+  for (Eigen::Index k = own; k < count; ++k) {
+    const int hinge = limits_[k - own];
+    J(hinge, k) = answer_(hinge, k) = -side[hinge];
+    cones_.b[k] = -side[hinge] * x_0[hinge];
+  }
+  stiff_.triangularView<Eigen::Lower>().solveInPlace(answer_);
+  stiff_.triangularView<Eigen::Lower>().transpose().solveInPlace(answer_);
+  cones_.A = J.transpose() * answer_;
+  cones_.A.topLeftCorner(own, own) += rows.G;
+  cones_.blocks.clear();
+  const std::vector<ConstraintRow>& all = dynamics_->rows();
+  for (int k = 0; k < static_cast<int>(own); ++k) {
+    if (!all[k].is_contact()) {
+      cones_.blocks.push_back({Kind::kBoth, k});
+      continue;
+    }
+    const bool sticks_there =
+        dynamics_->contacts().pairs()[all[k].contact].mode == ContactMode::kStick;
+    const double friction = dynamics_->contacts().FrictionOf(all[k].contact);
+    cones_.blocks.push_back({sticks_there ? Kind::kContact : Kind::kPush, k, friction});
+    if (sticks_there) k += 2;
+  }
+  for (Eigen::Index k = own; k < count; ++k) {
+    const bool both = sticks[limits_[k - own]];
+    cones_.blocks.push_back({both ? Kind::kBoth : Kind::kPush, static_cast<int>(k)});
+  }
+  dynamics_->AddWork(static_cast<double>(count * count) * static_cast<double>(n + count) * 1e-5);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/passive/contact/cone_problem.h"
+#include "engine/passive/region_dynamics.h"
+
+namespace hazumi {
+
+// What contacts, constraints and limits of an island do to each other at one instant, for equations
+// that RegionDynamics has assembled: a row for each that RegionDynamics lists, then one for each
+// hinge that is at a limit. [METHOD 12]
+class ContactProblem {
+ public:
+  // `dynamics` must outlive it.
+  explicit ContactProblem(RegionDynamics* dynamics) : dynamics_(dynamics) {}
+
+  // Of M; before the others.
+  void Factor();
+  // x_0, and the rows of forces with what they would do under it.
+  LimitRows Unheld(VecX* x_0) const;
+  // For rows that would do rows.c. A hinge at a limit, by free hinge as LimitSolver has `side` and
+  // `sticks`, would do x_0.
+  void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,
+             const VecX& x_0);
+  // As SolveCones.
+  bool Solve() { return SolveCones(cones_, &forces_); }
+  // As SweepCones, from forces that are as near as the caller knows.
+  void Sweep(VecX start) {
+    forces_ = std::move(start);
+    SweepCones(cones_, &forces_);
+  }
+
+  ConeProblem& cones() { return cones_; }
+  const ConeProblem& cones() const { return cones_; }
+  const MatX& factor() const { return L_; }  // M = L L^T
+  // Of all rows, of those that are no limits', and what they do to the hinges.
+  const VecX& forces() const { return forces_; }
+  VecX row_forces() const { return forces_.head(num_rows()); }
+  VecX Answer() const { return answer_ * forces_; }
+  // Hinges that have a row, after the others.
+  const std::vector<int>& limits() const { return limits_; }
+  Eigen::Index num_rows() const {
+    return cones_.b.size() - static_cast<Eigen::Index>(limits_.size());
+  }
+  Eigen::Index RowOfLimit(size_t k) const { return num_rows() + static_cast<Eigen::Index>(k); }
+
+ private:
+  RegionDynamics* dynamics_;
+  ConeProblem cones_;
+  MatX L_, stiff_;  // stiff_: with infinity on the diagonal instead of 0
+  MatX answer_;     // M^-1 P^T
+  VecX forces_;
+  std::vector<int> limits_;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,231 @@
+// Steps of h seconds with forces that stay [Moreau 1988]. With w = J v the velocities of what is
+// near, of which each has a gap (or a hinge its room) s >= 0:
+//   impulses p at the beginning   w+ = w + A p         w+ >= -s / h,  p >= 0, one of them 0
+//   forces l up to the end        w+ + h (J x_0 + c + A l)            the same
+// both within the cones of friction. What would be hit within the step is slowed down so that it
+// arrives at its end. What is inside (s < 0) is asked to come out slowly instead.
+
+#include "engine/passive/exact/frozen_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hazumi {
+
+using namespace small;  // NOLINT(google-build-using-namespace): operators
+
+namespace {
+
+using Kind = ConeProblem::Kind;
+
+constexpr double kNoBlow = 0.02, kNoBlowTurn = 0.1;  // is no impact [m/s, rad/s]
+constexpr double kInside = 2e-5;                   // is inside [m]
+constexpr double kNearLimit = 0.02;                   // of a hinge to its limit [rad]
+// What is inside comes out by this part of its depth in a step, but not faster than that.
+constexpr double kWayOut = 0.1, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [m/s, rad/s]
+constexpr int kCalm = 8, kCalmest = 128;                                   // steps
+// How long forces stay: until what they were found for is off by so much, as things turn.
+constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
+constexpr double kOff = 1e-4;                        // [m]
+constexpr double kSoon = 0.1;                                              // [s]
+
+}  // namespace
+
+// With which what has room s, or is so far inside, may go on at most, against the row.
+double FrozenContacts::SpeedFor(double s, double fastest_out) const {
+  const double speed = s / h_;
+  return s >= 0.0 ? speed : std::max(kWayOut * speed, -fastest_out);
+}
+
+FrozenContacts::FrozenContacts(RegionDynamics* dynamics, const LimitRange* limits)
+    : dynamics_(dynamics), limits_(limits), problem_(dynamics) {
+  side_.assign(static_cast<size_t>(dynamics->num_hinges()), 0);
+  none_.assign(static_cast<size_t>(dynamics->num_hinges()), 0);
+  torques_.setZero(dynamics->num_hinges());
+}
+
+void FrozenContacts::Begin() {
+  calm_enough_ = kCalm;
+  left_ = -HUGE_VAL;
+}
+
+void FrozenContacts::Enter(double t) {
+  calm_enough_ = t - left_ < kSoon ? std::min(2 * calm_enough_, kCalmest) : kCalm;
+  calm_steps_ = 0;
+  pushes_.clear();
+  torques_.setZero();
+}
+
+void FrozenContacts::Leave(double t) {
+  left_ = t;
+  dynamics_->frozen().Clear();
+}
+
+void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
+  dynamics_->frozen().Clear();
+  kick_.setZero();
+  ListNear(t, *state);
+  dynamics_->AssembleHinges(t, state->q, state->qd);
+  problem_.Factor();
+  const bool is_struck = Strike(t, state, hits);
+  if (is_struck) {
+    dynamics_->AssembleHinges(t, state->q, state->qd);
+    problem_.Factor();
+  }
+  Press(*state);
+  if (is_struck || is_deep_) calm_steps_ = 0;
+  ContactSet& contacts = dynamics_->contacts();
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    contacts.SetMode(i, ContactMode::kOpen);
+  }
+}
+
+void FrozenContacts::ListNear(double t, const HingeState& state) {
+  ContactSet& contacts = dynamics_->contacts();
+  const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
+  const ContactSet::Speed fastest = contacts.Fastest(places);
+  h_ = std::clamp(std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)), kShortest, kLongest);
+  const double reach = 2.0 * h_ * fastest.end + 1e-4;
+  contacts.FindPairs(places, reach);
+  is_deep_ = false;
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    const auto point = contacts.PointOf(i, places);
+    const bool is_near = point && point->gap <= reach;
+    contacts.SetMode(i, is_near ? ContactMode::kStick : ContactMode::kOpen);
+    is_deep_ |= is_near && point->gap < -kInside;
+  }
+  for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
+    side_[i] = 0;
+    if (limits_->is_fixed(i)) continue;
+    const double up = -limits_->Beyond(i, 1, state.q[i]), down = -limits_->Beyond(i, -1, state.q[i]);
+    const double near = kNearLimit + 2.0 * h_ * std::abs(state.qd[i]);
+    if (std::min(up, down) < near) side_[i] = up < down ? 1 : -1;
+  }
+}
+
+double FrozenContacts::RoomOf(int hinge, const VecX& q) const {
+  return -limits_->Beyond(hinge, side_[hinge], q[hinge]);
+}
+
+double FrozenContacts::GapOf(const ConstraintRow& row) const {
+  return row.gap + dynamics_->contacts().pairs()[row.contact].floor;
+}
+
+bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
+  LimitRows rows;
+  rows.J.resize(0, state->q.size());
+  if (const LimitRows* known = dynamics_->RowsOfImpulses()) rows = *known;
+  bool any = false;
+  for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
+    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
+    if (!row.is_contact() || row.is_across) continue;
+    rows.c[k] += std::max(0.0, GapOf(row)) / h_;
+    any |= rows.c[k] < -kNoBlow;
+  }
+  const auto speed_left = [&](int hinge) {
+    return std::max(0.0, RoomOf(hinge, state->q)) / h_ - side_[hinge] * state->qd[hinge];
+  };
+  for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
+    any |= side_[i] != 0 && speed_left(i) < -kNoBlowTurn;
+  }
+  if (!any) return false;
+  for (;;) {
+    problem_.SetUp(side_, none_, rows, state->qd);
+    VecX& b = problem_.cones().b;
+    for (size_t k = 0; k < problem_.limits().size(); ++k) {
+      b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
+    }
+    problem_.Sweep(VecX::Zero(b.size()));
+    ConstraintRows& constraints = dynamics_->constraints();
+    const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
+    if (worst.excess <= 0.0) break;
+    constraints.Break(worst.constraint, t);
+    dynamics_->AssembleHinges(t, state->q, state->qd);
+    problem_.Factor();
+    return Strike(t, state, hits);
+  }
+  for (size_t k = 0; k < problem_.limits().size(); ++k) {
+    const int hinge = problem_.limits()[k];
+    if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 && speed_left(hinge) < -kNoBlowTurn) {
+      hits->Add(hinge, t);
+    }
+  }
+  state->qd += problem_.Answer();
+  kick_ = dynamics_->KickOf(problem_.row_forces());
+  dynamics_->SetAnchor({dynamics_->anchor().p, dynamics_->anchor().v + kick_});
+  return true;
+}
+
+// For rates after impacts.
+void FrozenContacts::Press(const HingeState& state) {
+  VecX x_0;
+  LimitRows rows = problem_.Unheld(&x_0);
+  rows.c *= h_;
+  for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
+    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
+    if (!row.is_contact()) continue;
+    rows.c[k] += row.rate;
+    if (!row.is_across) rows.c[k] += SpeedFor(GapOf(row), kFastestOut);
+  }
+  problem_.SetUp(side_, none_, rows, state.qd + h_ * x_0);
+  for (size_t k = 0; k < problem_.limits().size(); ++k) {
+    const double room = RoomOf(problem_.limits()[k], state.q);
+    problem_.cones().b[problem_.RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
+  }
+  problem_.Sweep(h_ * LastForces());
+  Keep(problem_.forces());
+}
+
+// What was found for the while before, of what is there again.
+VecX FrozenContacts::LastForces() const {
+  VecX forces = VecX::Zero(problem_.cones().b.size());
+  const std::vector<ConstraintRow>& rows = dynamics_->rows();
+  for (Eigen::Index k = 0; k < problem_.num_rows(); ++k) {
+    const ConstraintRow& row = rows[static_cast<size_t>(k)];
+    if (row.is_contact()) {
+      forces[k] = Dot(dynamics_->contacts().pairs()[row.contact].frozen, row.n);
+    }
+  }
+  for (size_t k = 0; k < problem_.limits().size(); ++k) {
+    const int hinge = problem_.limits()[k];
+    forces[problem_.RowOfLimit(k)] = std::max(0.0, -side_[hinge] * torques_[hinge]);
+  }
+  return forces;
+}
+
+void FrozenContacts::Keep(const VecX& impulses) {
+  ContactSet& contacts = dynamics_->contacts();
+  FrozenForces& frozen = dynamics_->frozen();
+  const std::vector<ConstraintRow>& rows = dynamics_->rows();
+  const VecX w = problem_.cones().A * impulses + problem_.cones().b;
+  std::vector<int> pushes;
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) contacts.SetFrozen(i, V3());
+  for (const ConeProblem::Block& block : problem_.cones().blocks) {
+    if (block.kind != Kind::kContact || impulses[block.row] <= 0.0) continue;
+    const ConstraintRow& row = rows[static_cast<size_t>(block.row)];
+    V3 force;
+    for (int k = block.row; k < block.row + 3; ++k) {
+      force += (impulses[k] / h_) * rows[static_cast<size_t>(k)].n;
+    }
+    contacts.SetFrozen(row.contact, force);
+    frozen.pushes.push_back({row.a, dynamics_->InNode(row.a, row.r_a), force.eigen()});
+    const bool slides = w.segment<2>(block.row + 1).norm() > 1e-3;
+    const ContactPair& pair = contacts.pairs()[row.contact];
+    pushes.push_back(4 * (1000 * pair.capsule + pair.obstacle) + (slides ? 2 : 1));
+  }
+  torques_.setZero();
+  for (size_t k = 0; k < problem_.limits().size(); ++k) {
+    const int hinge = problem_.limits()[k];
+    const double impulse = impulses[problem_.RowOfLimit(k)];
+    if (impulse <= 0.0) continue;
+    torques_[hinge] = -side_[hinge] * impulse / h_;
+    pushes.push_back(-1 - hinge);
+  }
+  dynamics_->Freeze(torques_);
+  std::sort(pushes.begin(), pushes.end());
+  pushes.erase(std::unique(pushes.begin(), pushes.end()), pushes.end());
+  calm_steps_ = pushes == pushes_ ? calm_steps_ + 1 : 0;
+  pushes_.swap(pushes);
+}
+
+}  // namespace hazumi

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/passive/exact/contact_problem.h"
+#include "engine/passive/exact/hinge_state.h"
+#include "engine/passive/exact/limit_hits.h"
+#include "engine/passive/exact/limit_range.h"
+
+namespace hazumi {
+
+// Where contacts and limits change again and again, as they do when a body tumbles to rest, they
+// are not followed from event to event: what they give is found for a short while at a time, and
+// kept for as long. [METHOD 12.7]
+class FrozenContacts {
+ public:
+  // Both must outlive it.
+  FrozenContacts(RegionDynamics* dynamics, const LimitRange* limits);
+
+  // Another motion.
+  void Begin();
+  // Contacts begin to come too fast at t: sooner after they were let go the last time, they are
+  // kept for longer.
+  void Enter(double t);
+  // They are let go at t.
+  void Leave(double t);
+  // For a while from t on: rates after the impacts of all that would be hit within it, and
+  // RegionDynamics::frozen().
+  void Set(double t, HingeState* state, LimitHits* hits);
+  // Of the latest while [s].
+  double length() const { return h_; }
+  // By how much the impacts changed the velocity of the centre of mass in flight [m/s].
+  const Vec3& kick() const { return kick_; }
+  // Nothing has been hit for long enough, and the same things push: events can be followed again.
+  bool is_calm() const { return calm_steps_ >= calm_enough_; }
+
+ private:
+  void ListNear(double t, const HingeState& state);
+  bool Strike(double t, HingeState* state, LimitHits* hits);
+  void Press(const HingeState& state);
+  void Keep(const VecX& impulses);
+  VecX LastForces() const;
+  double SpeedFor(double s, double fastest_out) const;
+  double GapOf(const ConstraintRow& row) const;
+  double RoomOf(int hinge, const VecX& q) const;
+
+  RegionDynamics* dynamics_;
+  const LimitRange* limits_;
+  ContactProblem problem_;
+  std::vector<int> side_;    // by hinge: the limit that it may reach, as LimitSolver
+  std::vector<char> none_;   // by hinge
+  VecX torques_;             // of limits, by hinge, the latest [N m]
+  std::vector<int> pushes_;  // what pushes: pairs and limits, and how
+  Vec3 kick_ = Vec3::Zero();
+  bool is_deep_ = false;  // something is inside
+  int calm_steps_ = 0, calm_enough_ = 0;
+  double left_ = 0.0;  // when [s]
+  double h_ = 0.0;     // [s]
+};
+
+}  // namespace hazumi
