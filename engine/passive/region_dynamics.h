@@ -249,7 +249,7 @@ class RegionDynamics {
   int most_dense_ = 64;
   double gravity_;
   const DrivenMotion* driven_ = nullptr;
-  VecX added_;  // by a rule, by dof
+  VecX added_;                                      // by a rule, by dof
   std::vector<small::V3> answer_alpha_, answer_a_;  // scratch, by node
   long evaluations_ = 0;
   double num_assembled_ = 0.0;  // of them by AssembleHinges

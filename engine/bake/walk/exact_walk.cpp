@@ -110,11 +110,12 @@ std::optional<Error> ExactWalk::Arrive(double frame) {
 void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
   if (!driver_) return;
   const double end = context_.Seconds(to);
-  const RotationState state = context_.poses.StateAt(context_.now);
-  if (has_begun_ && v_pin.isZero(0.0)) return driver_->Drive(end, state, curves_.motion());
-  if (driver_->places_root()) {
+  const bool goes_on = has_begun_ && v_pin.isZero(0.0);
+  if (!goes_on && driver_->places_root()) {
     context_.poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
   }
+  const RotationState state = context_.poses.StateAt(context_.now);
+  if (goes_on) return driver_->Drive(end, state, curves_.motion());
   driver_->Begin(context_.Seconds(frame), end, state, ControlStart(state),
                  context_.poses.placement().hold(), curves_.motion());
   if (!v_pin.isZero(0.0)) driver_->FeelPin(v_pin);
@@ -147,8 +148,8 @@ void ExactWalk::KeepControl(double frame) {
 std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
-  const bool looks_on = falls || accounts || (driver_ && driver_->has_contacts()) || context_.options.accelerations ||
-                        !context_.animation.constraints.empty();
+  const bool looks_on = falls || accounts || (driver_ && driver_->has_contacts()) ||
+                        context_.options.accelerations || !context_.animation.constraints.empty();
   if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);
   for (double t = context_.Seconds(from); t < last;) {

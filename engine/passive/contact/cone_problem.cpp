@@ -364,13 +364,15 @@ bool SolveCones(const ConeProblem& problem, VecX* forces) {
   return is_solved;
 }
 
-void SweepCones(const ConeProblem& problem, VecX* forces) {
+bool SweepCones(const ConeProblem& problem, VecX* forces) {
   constexpr int kMostSweeps = 60;
   constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
   const MatX rows = problem.A.transpose();
   VecX& l = *forces;
-  const auto step_of = [&](double own) { return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0; };
-  double largest = 0.0;
+  const auto step_of = [&](double own) {
+    return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0;
+  };
+  double largest = 0.0, last = 0.0;
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double change = 0.0;
     for (const Block& block : problem.blocks) {
@@ -397,8 +399,10 @@ void SweepCones(const ConeProblem& problem, VecX* forces) {
       change = std::max(change, (t - l.segment<2>(i + 1)).lpNorm<Eigen::Infinity>());
       l.segment<2>(i + 1) = t;
     }
-    if (change <= kEnough * largest) return;
+    if (change <= kEnough * largest) return true;
+    last = change;
   }
+  return last <= 1e-3 * largest;
 }
 
 }  // namespace hazumi

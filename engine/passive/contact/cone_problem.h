@@ -34,6 +34,6 @@ bool SolveCones(const ConeProblem& problem, VecX* forces);
 // Goes on from forces that are near, block by block, for about 1e-6 of the largest force or as long
 // as is worth it. They push only and stay in their cones; work done by velocities that they change
 // is negative however far they come.
-void SweepCones(const ConeProblem& problem, VecX* forces);
+bool SweepCones(const ConeProblem& problem, VecX* forces);
 
 }  // namespace hazumi

@@ -151,6 +151,12 @@ bool ContactSet::FollowSlides(const RegionState& state) {
   return is_slow;
 }
 
+bool ContactSet::IsBuried(int pair, double gap) const {
+  constexpr double kMost = 0.1;  // of the axis [m]
+  const ContactPair& own = pairs_[pair];
+  return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
+}
+
 std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state) const {
   const ContactPair& own = pairs_[pair];
   return TouchPointOf(own.pair, CapsuleAt(own.capsule, state), spec_.obstacles[own.obstacle],

@@ -25,7 +25,7 @@ struct ContactPair {
   // Of sliding: it has been fast; or for so many steps it has not.
   bool was_fast = false;
   int slow_steps = 0;
-  double load = 0.0;  // that pushed on it when it closed [N]
+  double load = 0.0;      // that pushed on it when it closed [N]
   small::V3 frozen = {};  // what it gave for the latest while (FrozenContacts) [N]
 };
 
@@ -67,6 +67,8 @@ class ContactSet {
   void SetFloor(int pair, double floor) { pairs_[pair].floor = floor; }
 
   std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;
+  // So deep inside a box that there is no telling on which side it comes out: it is not felt.
+  bool IsBuried(int pair, double gap) const;
   double FrictionOf(int pair) const { return spec_.obstacles[pairs_[pair].obstacle].friction; }
 
   // Of the closed ones: a row each along the normal, and two across of those that stick; the force

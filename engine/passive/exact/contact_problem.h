@@ -25,10 +25,11 @@ class ContactProblem {
              const VecX& x_0);
   // As SolveCones.
   bool Solve() { return SolveCones(cones_, &forces_); }
-  // As SweepCones, from forces that are as near as the caller knows.
-  void Sweep(VecX start) {
+  // For less, by sweeps from forces that are as near as the caller knows; as SolveCones where these
+  // do not come near, unless that is not worth it.
+  void Sweep(VecX start, bool is_worth_it) {
     forces_ = std::move(start);
-    SweepCones(cones_, &forces_);
+    if (!SweepCones(cones_, &forces_) && is_worth_it) SolveCones(cones_, &forces_);
   }
 
   ConeProblem& cones() { return cones_; }

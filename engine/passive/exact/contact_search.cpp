@@ -62,27 +62,24 @@ bool ContactSearch::Find(bool follows_event) {
 }
 
 bool ContactSearch::FindBlow() {
-  constexpr double kSeen = 2e-4;  // [m]
+  constexpr double kSeen = 1e-4;  // [m]
   const ContactSet& contacts = dynamics_->contacts();
   const double start = step_->start_time(), end = step_->time();
+  const auto gap = [&](int pair, const RegionState& state) {
+    const auto point = contacts.PointOf(pair, state);
+    return point ? point->gap : HUGE_VAL;
+  };
   deep_.clear();
-  {
-    const RegionState state = step_->PlaceNow();
-    for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-      const auto point = contacts.PointOf(i, state);
-      if (point && point->gap < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
-    }
+  const RegionState state = step_->PlaceNow();
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    if (gap(i, state) < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
   }
   double first = end;
   for (const int i : deep_) {
-    const auto depth = [&](double t) {
-      const RegionState state = step_->Glance(t);
-      const auto point = contacts.PointOf(i, state);
-      return point ? contacts.pairs()[i].floor - kSeen - point->gap : -1.0;
-    };
-    const double f = depth(first), f_start = depth(start);
-    if (f <= 0.0 || f_start > 0.0) continue;  // is not there yet, or comes out
-    first = Narrow({start, f_start, first, f}, kSameMoment, depth).b;
+    const double at_first = std::min(contacts.pairs()[i].floor, gap(i, step_->Glance(start)));
+    const auto depth = [&](double t) { return at_first - kSeen - gap(i, step_->Glance(t)); };
+    const double f = depth(first);
+    if (f > 0.0) first = Narrow({start, -kSeen, first, f}, kSameMoment, depth).b;
   }
   if (first < end) step_->EndAt(first);
   return first < end;

@@ -26,7 +26,7 @@ class ContactSearch {
   RegionDynamics* dynamics_;
   ExactStep* step_;
   std::vector<int> changed_, deep_;  // pairs
-  double allowed_ = 0.0;      // excess of forces
+  double allowed_ = 0.0;             // excess of forces
 };
 
 }  // namespace hazumi

@@ -33,7 +33,9 @@ void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMoti
   frozen_.Begin();
   frozen_until_.reset();
   release_search_.Begin();
-  Resolve(Vec3::Zero());
+  dynamics_->SetAnchor(anchor);
+  const bool is_inside = dynamics_->contacts().is_possible() && frozen_.IsAnyInside(t, step_.now());
+  is_inside ? Freeze() : Resolve(Vec3::Zero());
 }
 
 void ExactSolver::Restart() { frozen_until_ ? Freeze() : Resolve(Vec3::Zero()); }

@@ -63,8 +63,8 @@ class ExactSolver {
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return hits_.Take(); }
   long steps() const { return steps_; }
-  // When contacts came too fast for the first time: from there on motions that begin nearly the same
-  // end differently, however well they are solved.
+  // When contacts came too fast for the first time: from there on motions that begin nearly the
+  // same end differently, however well they are solved.
   std::optional<double> frozen_from() const { return frozen_from_; }
 
  private:

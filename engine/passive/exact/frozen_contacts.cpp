@@ -19,15 +19,17 @@ namespace {
 using Kind = ConeProblem::Kind;
 
 constexpr double kNoBlow = 0.02, kNoBlowTurn = 0.1;  // is no impact [m/s, rad/s]
-constexpr double kInside = 2e-5;                   // is inside [m]
-constexpr double kNearLimit = 0.02;                   // of a hinge to its limit [rad]
+constexpr double kInside = 2e-5, kSunk = 2e-3;       // [m]
+constexpr double kNearLimit = 0.02;                  // of a hinge to its limit [rad]
 // What is inside comes out by this part of its depth in a step, but not faster than that.
 constexpr double kWayOut = 0.1, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [m/s, rad/s]
-constexpr int kCalm = 8, kCalmest = 128;                                   // steps
-// How long forces stay: until what they were found for is off by so much, as things turn.
+constexpr double kGivesWay = 1e-4;
+constexpr int kCalm = 8, kCalmest = 128;  // steps
+// How long forces stay: until what they were found for is off by so much, as things turn; and not
+// much longer than the last time.
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
 constexpr double kOff = 1e-4;                        // [m]
-constexpr double kSoon = 0.1;                                              // [s]
+constexpr double kSoon = 0.1;                        // [s]
 
 }  // namespace
 
@@ -52,6 +54,7 @@ void FrozenContacts::Begin() {
 void FrozenContacts::Enter(double t) {
   calm_enough_ = t - left_ < kSoon ? std::min(2 * calm_enough_, kCalmest) : kCalm;
   calm_steps_ = 0;
+  start_ = t;
   pushes_.clear();
   torques_.setZero();
 }
@@ -73,10 +76,33 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
     problem_.Factor();
   }
   Press(*state);
-  if (is_struck || is_deep_) calm_steps_ = 0;
+  if (is_struck || is_inside_) calm_steps_ = 0;
   ContactSet& contacts = dynamics_->contacts();
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     contacts.SetMode(i, ContactMode::kOpen);
+  }
+}
+
+bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
+  ContactSet& contacts = dynamics_->contacts();
+  const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
+  contacts.FindPairs(places, kInside);
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    const auto point = contacts.PointOf(i, places);
+    if (point && point->gap < -kInside) return true;
+  }
+  return false;
+}
+
+// Contacts give way by a share of what their own force does to them: where there is no room it stays
+// finite. Of what has been inside from the beginning, and is not deeper now, that is as much again.
+void FrozenContacts::GiveWay() {
+  ConeProblem& cones = problem_.cones();
+  for (const ConeProblem::Block& block : cones.blocks) {
+    if (block.kind != Kind::kContact) continue;
+    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
+    const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
+    cones.A(block.row, block.row) *= 1.0 + kGivesWay + sunk * sunk;
   }
 }
 
@@ -84,20 +110,25 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   ContactSet& contacts = dynamics_->contacts();
   const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
   const ContactSet::Speed fastest = contacts.Fastest(places);
-  h_ = std::clamp(std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)), kShortest, kLongest);
+  h_ = std::min(2.0 * (t - start_), std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)));
+  h_ = std::clamp(h_, kShortest, kLongest);
+  start_ = t;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
   contacts.FindPairs(places, reach);
-  is_deep_ = false;
+  is_inside_ = is_deep_ = false;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, places);
     const bool is_near = point && point->gap <= reach;
-    contacts.SetMode(i, is_near ? ContactMode::kStick : ContactMode::kOpen);
-    is_deep_ |= is_near && point->gap < -kInside;
+    const bool is_felt = is_near && !contacts.IsBuried(i, point->gap);
+    contacts.SetMode(i, is_felt ? ContactMode::kStick : ContactMode::kOpen);
+    is_inside_ |= is_near && point->gap < -kInside;
+    is_deep_ |= is_felt && point->gap < -kSunk;
   }
   for (int i = 0; i < static_cast<int>(side_.size()); ++i) {
     side_[i] = 0;
     if (limits_->is_fixed(i)) continue;
-    const double up = -limits_->Beyond(i, 1, state.q[i]), down = -limits_->Beyond(i, -1, state.q[i]);
+    const double up = -limits_->Beyond(i, 1, state.q[i]),
+                 down = -limits_->Beyond(i, -1, state.q[i]);
     const double near = kNearLimit + 2.0 * h_ * std::abs(state.qd[i]);
     if (std::min(up, down) < near) side_[i] = up < down ? 1 : -1;
   }
@@ -135,7 +166,8 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
     for (size_t k = 0; k < problem_.limits().size(); ++k) {
       b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
     }
-    problem_.Sweep(VecX::Zero(b.size()));
+    GiveWay();
+    problem_.Sweep(VecX::Zero(b.size()), !is_deep_);
     ConstraintRows& constraints = dynamics_->constraints();
     const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
     if (worst.excess <= 0.0) break;
@@ -172,7 +204,8 @@ void FrozenContacts::Press(const HingeState& state) {
     const double room = RoomOf(problem_.limits()[k], state.q);
     problem_.cones().b[problem_.RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
   }
-  problem_.Sweep(h_ * LastForces());
+  GiveWay();
+  problem_.Sweep(h_ * LastForces(), !is_deep_);
   Keep(problem_.forces());
 }
 

@@ -20,6 +20,8 @@ class FrozenContacts {
 
   // Another motion.
   void Begin();
+  // Whether anything is inside something: it is let out slowly, with contacts frozen.
+  bool IsAnyInside(double t, const HingeState& state);
   // Contacts begin to come too fast at t: sooner after they were let go the last time, they are
   // kept for longer.
   void Enter(double t);
@@ -36,6 +38,7 @@ class FrozenContacts {
   bool is_calm() const { return calm_steps_ >= calm_enough_; }
 
  private:
+  void GiveWay();
   void ListNear(double t, const HingeState& state);
   bool Strike(double t, HingeState* state, LimitHits* hits);
   void Press(const HingeState& state);
@@ -53,10 +56,10 @@ class FrozenContacts {
   VecX torques_;             // of limits, by hinge, the latest [N m]
   std::vector<int> pushes_;  // what pushes: pairs and limits, and how
   Vec3 kick_ = Vec3::Zero();
-  bool is_deep_ = false;  // something is inside
+  bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
   int calm_steps_ = 0, calm_enough_ = 0;
-  double left_ = 0.0;  // when [s]
-  double h_ = 0.0;     // [s]
+  double left_ = 0.0;             // when [s]
+  double start_ = 0.0, h_ = 0.0;  // of the latest while [s]
 };
 
 }  // namespace hazumi
