@@ -25,6 +25,7 @@ void AddExact(const RegionReport& report, Json* region) {
   (*region)["groups"] = report.islands;
   (*region)["bodies"] = report.bodies;
   (*region)["error_estimate_deg"] = Degrees(report.error_estimate);
+  if (report.estimated_until) (*region)["estimated_until_frame"] = *report.estimated_until;
 }
 
 Json EnergyAsJson(const EnergyBalance& energy) {

@@ -40,6 +40,9 @@ std::string CostText(const RegionReport& report) {
                      Count(report.evaluations, "evaluation", "evaluations");
   if (report.method == Method::kExact) {
     text += ", error estimate " + FormatShort(Degrees(report.error_estimate)) + " deg";
+    if (report.estimated_until) {
+      text += " up to frame " + FormatShort(*report.estimated_until) + ", where it tumbles";
+    }
   }
   text += ", " + std::to_string(static_cast<long>(report.microseconds + 0.5)) + " us";
   if (report.evaluations == 0) return text;

@@ -184,7 +184,10 @@ std::string FinenessText(Method method, double step, double tolerance) {
 std::string ModelText(const RegionReport& region) {
   return ", \"groups\": " + List(region.islands, [](int size) { return std::to_string(size); }) +
          ", \"bodies\": " + std::to_string(region.bodies) +
-         ", \"error_estimate_deg\": " + NumberOrNull(Degrees(region.error_estimate));
+         ", \"error_estimate_deg\": " + NumberOrNull(Degrees(region.error_estimate)) +
+         (region.estimated_until
+              ? ", \"estimated_until_frame\": " + FormatNumber(*region.estimated_until)
+              : "");
 }
 
 std::string EnergyText(const EnergyBalance& energy) {

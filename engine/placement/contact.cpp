@@ -15,9 +15,11 @@ Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift
 }
 
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
-                                      const DynamicsWorkspace& ws, const Vec3& shift) {
+                                      const DynamicsWorkspace& ws, const Vec3& shift,
+                                      const std::function<bool(const Link&)>& counts) {
   std::optional<Contact> nearest;
   for (size_t link = 0; link < figure.links().size(); ++link) {
+    if (counts && !counts(figure.links()[link])) continue;
     const Capsule capsule = InWorld(figure.links()[link], ws, shift);
     for (size_t object = 0; object < scene.size(); ++object) {
       const Distance distance = SignedDistance(capsule, scene[object].shape);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,8 +28,8 @@ Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift
 
 // No contact if the scene or the figure has no shapes.
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
-                                      const DynamicsWorkspace& ws,
-                                      const Vec3& shift = Vec3::Zero());
+                                      const DynamicsWorkspace& ws, const Vec3& shift = Vec3::Zero(),
+                                      const std::function<bool(const Link&)>& counts = {});
 
 // Its signed distance [m], infinite without one.
 double Clearance(const Figure& figure, const std::vector<SceneObject>& scene,

@@ -38,6 +38,8 @@ class ExactDriver {
   bool is_frozen(Coordinate c) const;
 
   bool has_contacts() const { return has_contacts_; }
+  // Whether what a joint carries touches things.
+  bool Touches(JointIndex j) const;
   // By contacts, where a placement by gravity leaves it to them.
   bool places_root() const;
 
@@ -134,7 +136,6 @@ class ExactDriver {
                           const DrivenMotion& driven) const;
   // Of an island that begins with a stretch whose middle is at `t` [s].
   IslandTask TaskFor(RegionModel model, double t, IslandConstraints* constraints) const;
-  bool Touches(JointIndex j) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/placement/contact.h"
 #include "engine/placement/root_placement.h"
 #include "engine/spatial/degrees.h"
 
@@ -83,7 +84,8 @@ Result<int> ExactWalk::Advance(int frame) {
     if (!to.ok()) return to.error();
     const bool begins = !has_begun_;
     Drive(from, to.value(), Vec3::Zero());
-    if (begins) {
+    if (begins && driver_) {
+      WarnOfInside();
       if (auto error = CheckGaps()) return *error;
     }
     if (from == frame && context_.wants_start) TellStart();
@@ -250,6 +252,30 @@ std::optional<Error> ExactWalk::CheckGaps() {
                      "; give it arrive_frames to close that, or move one of its ends"};
   }
   return std::nullopt;
+}
+
+// Of bodies that begin inside something that they are to stay out of.
+void ExactWalk::WarnOfInside() {
+  constexpr double kNotice = 1e-4;  // [m]
+  if (!driver_->has_contacts()) return;
+  const FigureMotion& now = context_.now;
+  const auto begins = [&](int r) { return context_.animation.regions[r].first_frame == now.frame; };
+  const std::vector<int>& active = driver_->active();
+  const auto region = std::find_if(active.begin(), active.end(), begins);
+  if (region == active.end()) return;
+  const Figure& figure = context_.poses.figure();
+  DynamicsWorkspace& ws = context_.poses.workspace();
+  ComputePositions(figure, now.X_WR, now.q, &ws);
+  const auto touches = [&](const Link& link) { return driver_->Touches(link.joint); };
+  const auto contact = NearestContact(figure, context_.animation.scene, ws, Vec3::Zero(), touches);
+  if (!contact || contact->clearance > -kNotice) return;
+  context_.recorder.AddWarning({"regions[" + std::to_string(*region) + "]",
+                                "\"" + figure.links()[contact->link].name + "\" begins " +
+                                    FormatShort(-1000.0 * contact->clearance) + " mm inside \"" +
+                                    context_.animation.scene[contact->object].name +
+                                    "\" in frame " + FormatShort(now.frame) +
+                                    ": it is pushed out slowly; move it out in that frame",
+                                static_cast<int>(std::lround(now.frame))});
 }
 
 std::vector<double> ExactWalk::ConstraintForcesThere() {

@@ -49,6 +49,7 @@ class ExactWalk : public RegionWalk {
   void AddHits(double until);
   void AddBreaks();
   std::optional<Error> CheckGaps();
+  void WarnOfInside();
   void RecordConstraintForces(int output, double t);
 
   MotionAcceleration AccelerationOf(const FigureMotion& motion);

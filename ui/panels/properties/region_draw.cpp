@@ -186,6 +186,9 @@ void DrawReport(Editor* editor, const ProjectRegion& region) {
   DrawFact(editor, Tr("Time"), Filled("%.0f µs", report->microseconds));
   if (report->method == Method::kExact) {
     DrawFact(editor, Tr("Error"), Filled("%.2g°", report->error_estimate / kDegree));
+    if (report->estimated_until) {
+      DrawFact(editor, Tr("Tumbles from"), Filled("%.1f", *report->estimated_until));
+    }
   }
   if (report->energy) DrawEnergy(editor, *report->energy);
 }
