@@ -10,6 +10,7 @@
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
 #include "engine/project/shown_name.h"
+#include "engine/sweep/short_decimal.h"
 #include "render/image/halve.h"
 #include "render/image/png.h"
 #include "render/sheet/contact_sheet.h"
@@ -115,17 +116,19 @@ class SheetMaker {
     for (int i = 0; i < panel.columns; ++i) {
       panel.column_labels.push_back(At(first + i, axes.size()));
     }
+    panel.column_labels = ShortDecimals(panel.column_labels);
     if (axes.size() > 1) {
       panel.row_axis = axes[axes.size() - 2].field;
       for (int i = 0; i < RowsOfPanel(); ++i) {
         panel.row_labels.push_back(
             At(first + i * static_cast<long>(panel.columns), axes.size() - 1));
       }
+      panel.row_labels = ShortDecimals(panel.row_labels);
     }
     for (size_t axis = 0; axis + 2 < axes.size(); ++axis) {
       if (sizes_[axis] == 1) continue;
-      panel.title +=
-          (panel.title.empty() ? "" : ", ") + axes[axis].field + " = " + At(first, axis + 1);
+      panel.title += (panel.title.empty() ? "" : ", ") + axes[axis].field + " = " +
+                     ShortDecimal(At(first, axis + 1), 4);
     }
     for (long i = 0; i < CellsInPanel(); ++i) panel.tiles.push_back(TileOf(first + i, false));
     return panel;

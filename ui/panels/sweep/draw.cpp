@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/sweep/short_decimal.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/properties/fields.h"
@@ -49,10 +50,12 @@ void DrawRow(Editor* editor, const SweptFolder& swept, size_t cell, bool is_kept
   const bool failed = !swept.ErrorOf(cell).empty();
   for (int column = 0; column < ColumnsOf(swept); ++column) {
     ImGui::TableSetColumnIndex(column);
-    std::string text = row[static_cast<size_t>(column)];
+    const std::string& whole = row[static_cast<size_t>(column)];
+    std::string text = ShortDecimal(whole, 4);
     if (is_kept && column == 0) text += std::string("  ") + Tr("kept");
     if (column > 0) {
       ImGui::TextUnformatted(text.c_str());
+      if (text != whole) Tooltip(whole);
       continue;
     }
     if (failed) ImGui::PushStyleColor(ImGuiCol_Text, ToIm4(colors::kSinking));
