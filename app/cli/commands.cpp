@@ -68,9 +68,17 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
+// --info tells the largest effort of what is not very long.
+bool FindsEffort(const Animation& animation, const Options& options) {
+  constexpr double kLong = 100e6;  // [bytes]
+  if (options.effort || options.task != Task::kInfo) return options.effort;
+  return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
+}
+
 // Of --check and --info nobody sees the frames, but effort is of them.
-bool KeepsFrames(const Options& options) {
-  return options.task != Task::kCheck && (options.task != Task::kInfo || options.effort);
+bool KeepsFrames(const Animation& animation, const Options& options) {
+  return options.task != Task::kCheck &&
+         (options.task != Task::kInfo || FindsEffort(animation, options));
 }
 
 // What is made of a frame besides the frame itself, about [bytes].
@@ -93,7 +101,7 @@ std::optional<Error> CheckLength(const Animation& animation, const Options& opti
 
 // What a task makes of a motion takes memory besides it.
 std::optional<Error> CheckMemory(const Animation& animation, const Options& options) {
-  if (!KeepsFrames(options)) return std::nullopt;
+  if (!KeepsFrames(animation, options)) return std::nullopt;
   const FrameRate rate = options.rate.value_or(animation.rate);
   const double made = BytesOfOneFrame(animation, options) * NumOutputFrames(animation, rate);
   return CheckBytes(MotionBytes(animation, rate) + made, animation, rate);
@@ -132,15 +140,15 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
 }
 
 // Energy is what --info and JSON tell.
-static BakeOptions BakeOptionsOf(const Options& options) {
+static BakeOptions BakeOptionsOf(const Animation& animation, const Options& options) {
   BakeOptions baking;
   baking.output_rate = options.rate;
   baking.cancel = &Interrupted();
   baking.energy = options.task == Task::kInfo || options.task == Task::kBake ||
                   (options.task == Task::kExport && options.output.ends_with(".json"));
   baking.seams = baking.energy;
-  baking.accelerations = options.effort;
-  baking.keep_frames = KeepsFrames(options);
+  baking.accelerations = FindsEffort(animation, options);
+  baking.keep_frames = KeepsFrames(animation, options);
   return baking;
 }
 
@@ -161,7 +169,7 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   Animation& animation = compiled.value().animation;
   if (auto error = CheckLength(animation, options)) return InFile(*error, file);
   if (auto error = CheckMemory(animation, options)) return InFile(*error, file);
-  Result<Motion> motion = Bake(animation, BakeOptionsOf(options));
+  Result<Motion> motion = Bake(animation, BakeOptionsOf(animation, options));
   if (Interrupted()) return InterruptedError();
   if (!motion.ok()) return InFile(motion.error(), file);
   std::vector<Warning> warnings =

@@ -182,11 +182,11 @@ void Print(const BakedProject& baked, const std::string& name) {
 
 }  // namespace
 
-// An empty list where that was not asked for.
+// The largest one alone unless all was asked for; none of a motion without frames.
 static std::vector<std::string> EffortLines(const BakedProject& baked, const Options& options) {
-  if (!options.effort) return {};
   const Effort effort = EffortOf(baked.animation, baked.motion);
-  return EffortReport(baked.animation, baked.motion, effort);
+  return options.effort ? EffortReport(baked.animation, baked.motion, effort)
+                        : BriefEffortReport(baked.animation, baked.motion, effort);
 }
 
 int RunInfo(const Options& options) {
@@ -195,7 +195,7 @@ int RunInfo(const Options& options) {
   const std::string name = ShownName(baked.value().project.name, options.files[0]);
   if (options.json) {
     Json info = InfoAsJson(baked.value(), name);
-    if (options.effort) info["effort"] = EffortLines(baked.value(), options);
+    info["effort"] = EffortLines(baked.value(), options);
     const auto text = info.dump(2, ' ', false, Json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
     return kExitOk;

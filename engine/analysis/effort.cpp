@@ -4,8 +4,9 @@
 //   f_k, n_k    forces at the points p_k that touch, and at the pin with its moment: those of least
 //               sum that supply F, N (contact_forces.cpp). A pin has a moment only where a sole,
 //               that is, something of its own or beyond it, touches.
+//               What constraints do at their points is known: F, N are less by it.
 //   tau_i      -= axis_i . (n_k + (p_k - p_i) x f_k)   for each hinge i between the root and k
-//                (principle of virtual work).
+//                (principle of virtual work), and for constraints' ends alike.
 // What is left of F, N comes from nowhere.
 
 #include "engine/analysis/effort.h"
@@ -21,6 +22,12 @@
 namespace hazumi {
 
 namespace {
+
+// A hinge at the end of its range is pressed against the stop there, which gives what it takes.
+bool IsGivenByStop(const Joint& hinge, double angle, double tau) {
+  constexpr double kAt = 1e-6;  // [rad]
+  return tau > 0.0 ? angle <= hinge.lower + kAt : angle >= hinge.upper - kAt;
+}
 
 class EffortWalk {
  public:
@@ -38,8 +45,9 @@ class EffortWalk {
 
   FrameEffort At(size_t index, const MotionFrame& frame, const MovedFrame& at) {
     FrameEffort found;
-    const Wrench needed = Demand(frame, at, &found.tau);
+    Wrench needed = Demand(frame, at, &found.tau);
     ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
+    TakeOffConstraints(frame, at.limit->X_WR.p, &needed, &found.tau);
     points_.clear();
     touching_.PointsAt(index, ws_, &points_);
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
@@ -66,6 +74,27 @@ class EffortWalk {
     return loaded_->Demand(*at.limit, root, at.acceleration->qdd, animation_.gravity, tau);
   }
 
+  // What holds an end is the figure's own, or from outside.
+  void TakeOffConstraints(const MotionFrame& frame, const Vec3& root, Wrench* needed, VecX* tau) {
+    for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
+      const Wrench& on_a = frame.constraint_pushes[i];
+      const Constraint& constraint = animation_.constraints[i];
+      TakeOff(constraint.a, on_a, root, needed, tau);
+      TakeOff(constraint.b, {-on_a.force, -on_a.moment}, root, needed, tau);
+    }
+  }
+
+  void TakeOff(const ConstraintEnd& end, const Wrench& push, const Vec3& root, Wrench* needed,
+               VecX* tau) {
+    if (end.is_in_world) return;
+    const JointIndex joint = end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
+    const BodyScratch& body = ws_.body(joint);
+    const Vec3 p = body.p + body.R * end.offset;
+    RelieveHinges(*animation_.figure, ws_, joint, p, push, tau);
+    needed->force -= push.force;
+    needed->moment -= push.moment + (p - root).cross(push.force);
+  }
+
   // The body beyond the joint is what stands there.
   void AddPin(JointIndex pinned) {
     ContactPoint pin;
@@ -88,6 +117,10 @@ class EffortWalk {
     for (int j = 0; j < found->tau.size(); ++j) {
       if (!joints[j].strength) continue;
       const double tau = found->tau[j];
+      if (IsGivenByStop(joints[j], limit.q[j], tau)) {
+        found->share[j] = 0.0;
+        continue;
+      }
       const StrengthLimits limits = joints[j].strength->At(limit.q[j], limit.qd[j]);
       const Strength& strength = tau >= 0.0 ? limits.positive : limits.negative;
       found->share[j] = std::abs(tau) / strength.torque;

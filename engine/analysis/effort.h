@@ -30,7 +30,7 @@ struct EffortContact {
 struct FrameEffort {
   VecX tau;  // by JointIndex, about the hinge's axis, on the body beyond it [N m]
   // By JointIndex: |tau| as a share of the hinge's strength in that direction, at its angle and
-  // rate; negative: its strength is not known.
+  // rate; negative: its strength is not known. 0 where a stop gives it.
   VecX share;
   std::vector<JointIndex> least;  // hinges whose share is of the least strength there is
   std::vector<EffortContact> contacts;

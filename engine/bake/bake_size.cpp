@@ -43,8 +43,10 @@ double NumOutputFrames(const Animation& animation, const FrameRate& rate) {
 double MotionBytes(const Animation& animation, const FrameRate& rate) {
   const double n = animation.figure->num_joints();
   const double objects = static_cast<double>(animation.held_objects.size());
+  const double held = static_cast<double>(animation.constraints.size());
   const double frame = sizeof(MotionFrame) + 5.0 * (n * sizeof(double) + kBlock) + n + kBlock +
-                       (objects > 0.0 ? objects * sizeof(ObjectPose) + kBlock : 0.0);
+                       (objects > 0.0 ? objects * sizeof(ObjectPose) + kBlock : 0.0) +
+                       (held > 0.0 ? held * (sizeof(double) + sizeof(Wrench)) + 2 * kBlock : 0.0);
   return frame * std::max(0.0, NumOutputFrames(animation, rate));
 }
 

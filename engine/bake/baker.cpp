@@ -101,14 +101,14 @@ Result<int> Baker::AdvanceToCheckpoint(int frame) {
     const bool is_last = frame == animation_.last_frame;
     std::optional<MotionAcceleration> last;
     if (is_last && accelerations) last = walk_->ArrivedWith();
-    std::vector<double> forces;
-    if (is_last) forces = walk_->ConstraintForcesThere();
+    std::vector<ConstraintPush> pushes;
+    if (is_last) pushes = walk_->ConstraintPushesThere();
     seams_.Open(frame, walk_);
     if (auto error = CrossFrame(frame)) return *error;
     context_.RecordNow();
     if (last) SetAcceleration(frame, *last);
     if (const auto output = context_.recorder.OutputAt(frame); is_last && output) {
-      context_.recorder.SetConstraintForces(*output, std::move(forces));
+      context_.recorder.SetConstraintPushes(*output, pushes);
     }
     if (is_last) break;
     seams_.Cross();

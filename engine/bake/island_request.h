@@ -11,6 +11,7 @@
 #include "engine/passive/exact/limit_hits.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
+#include "engine/spatial/wrench.h"
 
 namespace hazumi {
 
@@ -137,14 +138,20 @@ struct IslandSamples {
   std::vector<PointMotion> falls;
 };
 
+// What a constraint does to what it holds.
+struct ConstraintPush {
+  double size = 0.0;  // [N]
+  Wrench on_a;        // at the point of its end a, world axes; the opposite is on b
+};
+
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
 // MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints give.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
   EnergyFlow energy;
-  VecX rates = {}, accelerations = {};  // by free hinge [rad/s, rad/s^2]
-  VecX constraint_forces = {};          // by index of the task's [N]
+  VecX rates = {}, accelerations = {};      // by free hinge [rad/s, rad/s^2]
+  std::vector<ConstraintPush> pushes = {};  // by index of the task's constraints
   Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
 };
 

@@ -113,9 +113,26 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
   IslandResult result;
   result.fall = solver_.Accelerations(request.t, &result.rates, &result.accelerations);
   if (!dynamics_.constraints().specs().empty()) {
-    result.constraint_forces = solver_.ConstraintForces(request.t);
+    result.pushes = PushesOfConstraints(request.t);
   }
   return result;
+}
+
+// Each row pushes or turns along its n, with its force.
+std::vector<ConstraintPush> IslandRun::PushesOfConstraints(double t) {
+  const VecX sizes = solver_.ConstraintForces(t);
+  std::vector<ConstraintPush> pushes(static_cast<size_t>(sizes.size()));
+  for (size_t i = 0; i < pushes.size(); ++i) pushes[i].size = sizes[static_cast<Eigen::Index>(i)];
+  const std::vector<ConstraintRow>& rows = dynamics_.rows();
+  const VecX& forces = dynamics_.row_forces();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].is_contact()) continue;
+    Wrench& on_a = pushes[static_cast<size_t>(rows[k].constraint)].on_a;
+    const small::V3& n = rows[k].n;
+    (rows[k].turns ? on_a.moment : on_a.force) +=
+        forces[static_cast<Eigen::Index>(k)] * Vec3(n.x, n.y, n.z);
+  }
+  return pushes;
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {

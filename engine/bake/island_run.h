@@ -36,6 +36,7 @@ class IslandRun {
   bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
   IslandProgress Progress(const std::optional<ExactFailure>& failure);
   void Sample(double t, IslandSamples* samples);
+  std::vector<ConstraintPush> PushesOfConstraints(double t);
 
   double gravity_;
   MovingBaseCache* moving_bases_;

@@ -69,8 +69,10 @@ class IslandSolution {
   // And rates, by Coordinate, of its free hinges alone; returns that of the centre of mass, as
   // ExactStep.
   Vec3 Accelerations(double t, VecX* rates, VecX* accelerations);
-  // Sizes of its constraints' forces there, by index of the task's [N].
-  VecX ConstraintForces(double t) { return answers_.Ask(AccelerateIsland{t}).constraint_forces; }
+  // What its constraints do there, by index of the task's.
+  std::vector<ConstraintPush> ConstraintPushes(double t) {
+    return answers_.Ask(AccelerateIsland{t}).pushes;
+  }
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.

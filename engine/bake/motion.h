@@ -8,6 +8,7 @@
 #include "engine/base/warning.h"
 #include "engine/figure/figure.h"
 #include "engine/spatial/pose.h"
+#include "engine/spatial/wrench.h"
 #include "engine/timeline/dynamics_region.h"
 #include "engine/timeline/frame_time.h"
 
@@ -51,6 +52,9 @@ struct MotionFrame {
   // By index of Animation::constraints: how strong each is from here on [N]; 0 where it acts on
   // nothing. None if there are no constraints.
   std::vector<double> constraint_forces = {};
+  // The same with their directions, and what welds keep from turning: on the body at end a, at that
+  // end's point, world axes; the opposite is on b.
+  std::vector<Wrench> constraint_pushes = {};
 };
 
 enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease, kBreak };

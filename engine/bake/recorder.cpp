@@ -138,14 +138,22 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.in_region = poses->free();
   frame.acceleration.reset();
   frame.constraint_forces.assign(animation_.constraints.size(), 0.0);
+  frame.constraint_pushes.assign(animation_.constraints.size(), {});
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {
   if (keep_frames_) motion_->frames[output - first_output_].acceleration = std::move(acceleration);
 }
 
-void Recorder::SetConstraintForces(int output, std::vector<double> forces) {
-  if (keep_frames_) motion_->frames[output - first_output_].constraint_forces = std::move(forces);
+void Recorder::SetConstraintPushes(int output, const std::vector<ConstraintPush>& pushes) {
+  if (!keep_frames_) return;
+  MotionFrame& frame = motion_->frames[output - first_output_];
+  frame.constraint_forces.clear();
+  frame.constraint_pushes.clear();
+  for (const ConstraintPush& push : pushes) {
+    frame.constraint_forces.push_back(push.size);
+    frame.constraint_pushes.push_back(push.on_a);
+  }
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {

@@ -36,7 +36,7 @@ class Recorder {
               std::optional<GroupIndex> pinned, PoseEvaluator* poses);
   // Of a frame that is recorded.
   void SetAcceleration(int output, MotionAcceleration acceleration);
-  void SetConstraintForces(int output, std::vector<double> forces);
+  void SetConstraintPushes(int output, const std::vector<ConstraintPush>& pushes);
 
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);

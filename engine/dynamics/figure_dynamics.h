@@ -5,18 +5,13 @@
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/lane_kernels.h"
 #include "engine/dynamics/lane_plan.h"
+#include "engine/spatial/wrench.h"
 
 namespace hazumi {
 
 // Instructions to compute with. Both give the same bits.
 enum class Instructions { kBaseline, kAvx2 };
 Instructions BestInstructions();  // of this machine
-
-// A force and its moment about a point, which whoever has it names.
-struct Wrench {
-  Vec3 force = Vec3::Zero();   // [N]
-  Vec3 moment = Vec3::Zero();  // [N m]
-};
 
 // Scratch of FigureDynamics: one for each thread that evaluates. Debug builds fill it with NaN.
 struct FigureScratch {

@@ -66,7 +66,7 @@ constexpr OptionRule kOutputRules[] = {
      .help =
          "with --bake and --export to .json and .csv: also the torque that muscles give in every "
          "joint, as a share of its strength too, and what ground and pin carry; with --info: "
-         "the largest of them",
+         "more than the largest of them",
      .read = Set<&Options::effort>},
     {.name = "--json",
      .tasks = kCheck | kInfo | kFlight,

@@ -212,7 +212,7 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
     Island& island =
         islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
                                      {shared, tolerance * kControlCoarseness, &moving_bases_},
-                                     std::move(constraints.indices)});
+                                     std::move(constraints)});
     island.solution.Begin(t, end, state, curves, known_);
     const auto is_frozen_before = [&](Coordinate c) { return frozen_from_[region_of_[c]] < t; };
     const std::vector<Coordinate>& hinges = island.solution.hinges();
@@ -355,28 +355,31 @@ void ExactDriver::Account(double t, bool is_cut) {
 std::vector<int> ExactDriver::constraints() const {
   std::vector<int> all;
   for (const Island& island : islands_) {
-    all.insert(all.end(), island.constraints.begin(), island.constraints.end());
+    all.insert(all.end(), island.held.indices.begin(), island.held.indices.end());
   }
   return all;
 }
 
-std::vector<double> ExactDriver::ConstraintForces(double t) {
-  std::vector<double> forces(animation_.constraints.size(), 0.0);
+std::vector<ConstraintPush> ExactDriver::ConstraintPushes(double t) {
+  std::vector<ConstraintPush> all(animation_.constraints.size());
   for (Island& island : islands_) {
-    if (island.constraints.empty()) continue;
-    const VecX of_island = island.solution.ConstraintForces(t);
-    for (size_t i = 0; i < island.constraints.size(); ++i) {
-      forces[island.constraints[i]] = of_island[static_cast<Eigen::Index>(i)];
+    const IslandConstraints& held = island.held;
+    if (held.indices.empty()) continue;
+    const std::vector<ConstraintPush> of_island = island.solution.ConstraintPushes(t);
+    for (size_t i = 0; i < held.indices.size(); ++i) {
+      ConstraintPush& push = all[static_cast<size_t>(held.indices[i])];
+      push = of_island[i];
+      if (held.are_swapped[i]) push.on_a = {-push.on_a.force, -push.on_a.moment};
     }
   }
-  return forces;
+  return all;
 }
 
 std::vector<ConstraintBreak> ExactDriver::TakeBreaks() {
   std::vector<ConstraintBreak> breaks;
   for (Island& island : islands_) {
     for (const ConstraintBreak& of : island.solution.TakeBreaks()) {
-      breaks.push_back({island.constraints[of.constraint], of.time});
+      breaks.push_back({island.held.indices[of.constraint], of.time});
       broken_.push_back(breaks.back().constraint);
     }
   }

@@ -96,8 +96,8 @@ class ExactDriver {
 
   // Constraints that act, by index of the animation's.
   std::vector<int> constraints() const;
-  // How strong each is [N], by index of the animation's, at a time that islands can be sampled at.
-  std::vector<double> ConstraintForces(double t);
+  // What each does, by index of the animation's, at a time that islands can be sampled at.
+  std::vector<ConstraintPush> ConstraintPushes(double t);
   // Those that broke since the last call: they do not act any more.
   std::vector<ConstraintBreak> TakeBreaks();
 
@@ -121,7 +121,7 @@ class ExactDriver {
  private:
   struct Island {
     IslandSolution solution, control;
-    std::vector<int> constraints;  // of the task, by index of the animation's
+    IslandConstraints held;  // of the task
     // Its contacts have not been frozen: the control solution tells something about it, and runs.
     bool has_control = true;
   };

@@ -90,7 +90,7 @@ Result<int> ExactWalk::Advance(int frame) {
     }
     if (from == frame && context_.wants_start) TellStart();
     if (const auto output = context_.recorder.OutputAt(from)) {
-      RecordConstraintForces(*output, context_.Seconds(from));
+      RecordConstraintPushes(*output, context_.Seconds(from));
     }
     if (auto error = AdvancePiece(from, to.value(), end)) return *error;
     if (auto error = Arrive(to.value())) return *error;
@@ -278,15 +278,15 @@ void ExactWalk::WarnOfInside() {
                                 static_cast<int>(std::lround(now.frame))});
 }
 
-std::vector<double> ExactWalk::ConstraintForcesThere() {
+std::vector<ConstraintPush> ExactWalk::ConstraintPushesThere() {
   const size_t count = context_.animation.constraints.size();
-  if (!driver_ || count == 0) return std::vector<double>(count, 0.0);
-  return driver_->ConstraintForces(context_.Seconds(context_.now.frame));
+  if (!driver_ || count == 0) return std::vector<ConstraintPush>(count);
+  return driver_->ConstraintPushes(context_.Seconds(context_.now.frame));
 }
 
-void ExactWalk::RecordConstraintForces(int output, double t) {
+void ExactWalk::RecordConstraintPushes(int output, double t) {
   if (!driver_ || context_.animation.constraints.empty()) return;
-  context_.recorder.SetConstraintForces(output, driver_->ConstraintForces(t));
+  context_.recorder.SetConstraintPushes(output, driver_->ConstraintPushes(t));
 }
 
 std::optional<GravityEvent> ExactWalk::FirstEvent(double t, double next, double to) {
@@ -367,7 +367,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (driver_) driver_->Estimate(context_.Seconds(frame));
     context_.Record(output, motion, LimitOf(motion));
-    RecordConstraintForces(output, context_.Seconds(frame));
+    RecordConstraintPushes(output, context_.Seconds(frame));
     if (context_.options.accelerations) {
       context_.recorder.SetAcceleration(output, AccelerationOf(motion));
     }

@@ -29,7 +29,7 @@ class ExactWalk : public RegionWalk {
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
   MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
-  std::vector<double> ConstraintForcesThere() override;
+  std::vector<ConstraintPush> ConstraintPushesThere() override;
 
  private:
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
@@ -50,7 +50,7 @@ class ExactWalk : public RegionWalk {
   void AddBreaks();
   std::optional<Error> CheckGaps();
   void WarnOfInside();
-  void RecordConstraintForces(int output, double t);
+  void RecordConstraintPushes(int output, double t);
 
   MotionAcceleration AccelerationOf(const FigureMotion& motion);
   void TellStart();

@@ -76,7 +76,8 @@ IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& anima
     spec.kind = of.kind;
     spec.a = SeatOf(of.a, *animation.figure, model);
     spec.b = SeatOf(of.b, *animation.figure, model);
-    if (!IsMoved(spec.a, model)) std::swap(spec.a, spec.b);  // which acts where the loose one is
+    const bool is_swapped = !IsMoved(spec.a, model);
+    if (is_swapped) std::swap(spec.a, spec.b);  // which acts where the loose one is
     if (!IsMoved(spec.a, model)) continue;
     spec.length = of.length;
     if (of.arrive_frames > 0) {
@@ -86,6 +87,7 @@ IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& anima
     spec.break_impulse = of.break_impulse;
     found.specs.push_back(spec);
     found.indices.push_back(i);
+    found.are_swapped.push_back(is_swapped);
   }
   return found;
 }

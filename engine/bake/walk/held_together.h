@@ -21,6 +21,7 @@ std::vector<ModelRequest::Tie> TiesOf(const Animation& animation,
 struct IslandConstraints {
   std::vector<ConstraintSpec> specs;
   std::vector<int> indices;
+  std::vector<char> are_swapped;  // its end a is the animation's b
 };
 IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& animation,
                                 const std::vector<int>& constraints);

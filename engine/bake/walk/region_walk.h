@@ -33,8 +33,8 @@ class RegionWalk {
   // Accelerations with which the figure came to where it is now, and those with which the last
   // Advance set out, if the context wants them.
   virtual MotionAcceleration ArrivedWith() = 0;
-  // How strong constraints were when it came there [N], by index of the animation's.
-  virtual std::vector<double> ConstraintForcesThere() { return {}; }
+  // What constraints did when it came there, by index of the animation's.
+  virtual std::vector<ConstraintPush> ConstraintPushesThere() { return {}; }
   const MotionAcceleration& began_with() const { return began_with_; }
   // And rates, which are not those before where something stops joints dead.
   const VecX& began_with_rates() const { return began_with_rates_; }

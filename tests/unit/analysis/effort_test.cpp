@@ -101,6 +101,24 @@ TEST(Effort, IsAShareOfTheStrengthOfItsDirection) {
   EXPECT_LT(frame.share[toe.value()], 0.0);
 }
 
+// A straight elbow is pressed against its stop by what is before it, and pulled off it by what is
+// behind.
+TEST(Effort, WhatAStopGivesIsNobodysEffort) {
+  for (const double lean : {0.2, -0.2}) {
+    Animation animation = Standing();
+    const JointIndex elbow = JointOf(animation, "r_elbow_flexion");
+    const Joint& hinge = animation.figure->joint(elbow);
+    KeysOf(&animation, "r_elbow_flexion") = {{0, hinge.lower, 0.0, kCubic}};
+    KeysOf(&animation, "r_shoulder_flexion") = {{0, lean, 0.0, kCubic}};
+    const Found found = EffortIn(animation);
+    const FrameEffort& frame = found.effort.frames[10];
+    const bool is_pressed = frame.tau[elbow.value()] > 0.0;
+    EXPECT_GT(std::abs(frame.tau[elbow.value()]), 0.1) << lean;
+    EXPECT_EQ(frame.share[elbow.value()] == 0.0, is_pressed) << lean;
+    EXPECT_EQ(is_pressed, lean > 0.0);
+  }
+}
+
 // On the right foot, the pelvis over it, the left leg drawn up from frame 0 to `down` and then as
 // the right one.
 Animation OnOneFoot(double down) {
