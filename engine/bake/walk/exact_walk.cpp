@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/placement/contact.h"
@@ -20,7 +21,11 @@
 namespace hazumi {
 
 ExactWalk::ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool)
-    : RegionWalk(context), refinements_(*refinements), pool_(pool), curves_(context) {
+    : RegionWalk(context),
+      refinements_(*refinements),
+      pool_(pool),
+      curves_(context),
+      arrivals_(context->animation) {
   const int n = context->poses.figure().num_joints() + kRootAngles;
   has_control_.assign(n, 0);
   control_.q = control_.qd = sample_.q = sample_.qd = VecX::Zero(n);
@@ -35,6 +40,7 @@ void ExactWalk::Reset() {
 
 void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
   curves_.SetRegions(regions);
+  arrivals_.Forget();
   driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
                                           context_.starts, refinements_.SharpnessOf(regions),
                                           context_.now.broken, known_, pool_);
@@ -87,6 +93,9 @@ Result<int> ExactWalk::Advance(int frame) {
     if (begins && driver_) {
       WarnOfInside();
       if (auto error = CheckGaps()) return *error;
+      if (!context_.animation.constraints.empty()) {
+        arrivals_.Begin(driver_->constraints(), context_.now, &context_.poses.workspace());
+      }
     }
     if (from == frame && context_.wants_start) TellStart();
     if (const auto output = context_.recorder.OutputAt(from)) {
@@ -97,6 +106,7 @@ Result<int> ExactWalk::Advance(int frame) {
     from = to.value();
   }
   if (!driver_) return end;
+  LookAtArrivals(context_.now);
   driver_->Estimate(context_.Seconds(end));
   KeepControl(end);
   return end;
@@ -226,8 +236,20 @@ void ExactWalk::AddHits(double until) {
 void ExactWalk::AddBreaks() {
   for (const ConstraintBreak& of : driver_->TakeBreaks()) {
     context_.now.broken.push_back(of.constraint);
-    context_.recorder.AddEvent(EventKind::kBreak, context_.animation.rate.FrameAt(of.time),
+    const double frame = context_.animation.rate.FrameAt(of.time);
+    context_.recorder.AddEvent(EventKind::kBreak, frame,
                                context_.animation.constraints[of.constraint].name);
+    for (Warning& warning : arrivals_.Break(of.constraint, frame)) {
+      context_.recorder.AddWarning(std::move(warning));
+    }
+  }
+}
+
+void ExactWalk::LookAtArrivals(const FigureMotion& motion) {
+  if (!driver_ || context_.animation.constraints.empty()) return;
+  DynamicsWorkspace* const ws = &context_.poses.workspace();
+  for (Warning& warning : arrivals_.Look(driver_->constraints(), motion, ws)) {
+    context_.recorder.AddWarning(std::move(warning));
   }
 }
 
@@ -366,6 +388,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
     if (driver_) driver_->Estimate(context_.Seconds(frame));
+    LookAtArrivals(motion);
     context_.Record(output, motion, LimitOf(motion));
     RecordConstraintPushes(output, context_.Seconds(frame));
     if (context_.options.accelerations) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/bake/walk/arrivals.h"
 #include "engine/bake/walk/driven_curves.h"
 #include "engine/bake/walk/exact_driver.h"
 #include "engine/bake/walk/refinements.h"
@@ -50,6 +51,7 @@ class ExactWalk : public RegionWalk {
   void AddBreaks();
   std::optional<Error> CheckGaps();
   void WarnOfInside();
+  void LookAtArrivals(const FigureMotion& motion);
   void RecordConstraintPushes(int output, double t);
 
   MotionAcceleration AccelerationOf(const FigureMotion& motion);
@@ -69,11 +71,12 @@ class ExactWalk : public RegionWalk {
   const KnownLogs* known_ = nullptr;
   DrivenCurves curves_;
   std::unique_ptr<ExactDriver> driver_;  // null: no region is active
-  bool has_begun_ = false;               // the driver, under the present circumstances
-  RotationState control_;                // of the control solutions, by Coordinate
-  std::vector<char> has_control_;        // by Coordinate: there was one before
-  RotationState sample_;                 // scratch
-  VecX free_rates_;                      // scratch, by Coordinate
+  Arrivals arrivals_;
+  bool has_begun_ = false;         // the driver, under the present circumstances
+  RotationState control_;          // of the control solutions, by Coordinate
+  std::vector<char> has_control_;  // by Coordinate: there was one before
+  RotationState sample_;           // scratch
+  VecX free_rates_;                // scratch, by Coordinate
 };
 
 }  // namespace hazumi

@@ -80,9 +80,7 @@ IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& anima
     if (is_swapped) std::swap(spec.a, spec.b);  // which acts where the loose one is
     if (!IsMoved(spec.a, model)) continue;
     spec.length = of.length;
-    if (of.arrive_frames > 0) {
-      spec.closing_rate = kToOnePercent / (of.arrive_frames * animation.rate.seconds_per_frame());
-    }
+    spec.closing_rate = ClosingRate(of, animation.rate.seconds_per_frame());
     spec.break_force = of.break_force;
     spec.break_impulse = of.break_impulse;
     found.specs.push_back(spec);
@@ -90,6 +88,11 @@ IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& anima
     found.are_swapped.push_back(is_swapped);
   }
   return found;
+}
+
+double ClosingRate(const Constraint& constraint, double seconds_per_frame) {
+  if (constraint.arrive_frames <= 0) return 0.0;
+  return kToOnePercent / (constraint.arrive_frames * seconds_per_frame);
 }
 
 ConstraintGap GapOf(const Constraint& constraint, const Figure& figure, const Pose& X_WR,

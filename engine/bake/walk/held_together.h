@@ -26,6 +26,9 @@ struct IslandConstraints {
 IslandConstraints ConstraintsOf(const RegionModel& model, const Animation& animation,
                                 const std::vector<int>& constraints);
 
+// With what rate a gap closes [1/s]; 0: there is none to close.
+double ClosingRate(const Constraint& constraint, double seconds_per_frame);
+
 // Of a figure whose positions are computed.
 ConstraintGap GapOf(const Constraint& constraint, const Figure& figure, const Pose& X_WR,
                     const DynamicsWorkspace& ws);
