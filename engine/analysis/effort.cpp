@@ -50,6 +50,7 @@ class EffortWalk {
     TakeOffConstraints(frame, at.limit->X_WR.p, &needed, &found.tau);
     points_.clear();
     touching_.PointsAt(index, ws_, &points_);
+    std::erase_if(points_, [&](const ContactPoint& point) { return IsHeld(point, frame); });
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
     found.from_nowhere =
         solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
@@ -84,12 +85,40 @@ class EffortWalk {
     }
   }
 
+  // What touches the thing that it is held by, a hand that of a rail, is not pushed by it once
+  // more: what is beyond the end that is held, and near it.
+  bool IsHeld(const ContactPoint& point, const MotionFrame& frame) const {
+    constexpr double kNear = 0.15;  // [m]
+    const auto holds = [&](const ConstraintEnd& end) {
+      if (end.is_in_world) return false;
+      const JointIndex joint = JointOf(end);
+      const bool is_beyond =
+          point.joint == joint || (joint.is_valid() && point.joint.is_valid() &&
+                                   animation_.figure->IsBeyond(point.joint, joint));
+      return is_beyond || (point.p - PlaceOf(end)).norm() < kNear;
+    };
+    for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
+      const Wrench& push = frame.constraint_pushes[i];
+      if (push.force.isZero(0.0) && push.moment.isZero(0.0)) continue;
+      if (holds(animation_.constraints[i].a) || holds(animation_.constraints[i].b)) return true;
+    }
+    return false;
+  }
+
+  Vec3 PlaceOf(const ConstraintEnd& end) const {
+    const BodyScratch& body = ws_.body(JointOf(end));
+    return body.p + body.R * end.offset;
+  }
+
+  JointIndex JointOf(const ConstraintEnd& end) const {
+    return end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
+  }
+
   void TakeOff(const ConstraintEnd& end, const Wrench& push, const Vec3& root, Wrench* needed,
                VecX* tau) {
     if (end.is_in_world) return;
-    const JointIndex joint = end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
-    const BodyScratch& body = ws_.body(joint);
-    const Vec3 p = body.p + body.R * end.offset;
+    const JointIndex joint = JointOf(end);
+    const Vec3 p = PlaceOf(end);
     RelieveHinges(*animation_.figure, ws_, joint, p, push, tau);
     needed->force -= push.force;
     needed->moment -= push.moment + (p - root).cross(push.force);

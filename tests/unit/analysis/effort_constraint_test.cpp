@@ -52,6 +52,26 @@ TEST(HeldEffort, OfLimpArmsWhoseHandsAreHeldIsNone) {
   EXPECT_LT(LargestLimpTorque(found), 1e-6);
 }
 
+// What a hand holds on to does not carry it once more because it touches that.
+TEST(HeldEffort, OfALimpArmOnABarThatItTouchesIsNone) {
+  Animation animation = HandsOnBar();
+  animation.last_frame = 30;
+  AddFloor(&animation);
+  for (const Constraint& grip : animation.constraints) {
+    Box bar;
+    bar.X_WB.p = grip.b.offset - 0.02 * Vec3::UnitZ();
+    bar.half_size = Vec3(0.02, 0.3, 0.02);
+    SceneObject object;
+    object.name = "bar";
+    object.shape = bar;
+    animation.scene.push_back(object);
+  }
+  for (DynamicsRegion& region : animation.regions) {
+    std::fill(region.friction.begin(), region.friction.end(), 1.0);
+  }
+  EXPECT_LT(LargestLimpTorque(EffortOfHeld(animation)), 1e-6);
+}
+
 // Whichever end is named first.
 TEST(HeldEffort, OfAnArmThatIsLedByTheOtherOneIsTheOtherOnes) {
   for (const bool is_swapped : {false, true}) {
