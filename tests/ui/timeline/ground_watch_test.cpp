@@ -57,6 +57,15 @@ TEST(GroundWatch, GravityIsNotLookedAt) {
   EXPECT_TRUE(SinkingsFound(&session).empty());
 }
 
+TEST(GroundWatch, WhatAHandHoldsOnToIsNotLookedAt) {
+  edit::Session session = Standing({});
+  Perform(&session, "object.add_box",
+          {{"name", "rail"}, {"z", 1.0}, {"size_x", 0.2}, {"size_y", 0.2}, {"size_z", 0.2}});
+  EXPECT_FALSE(SinkingsFound(&session).empty());
+  Perform(&session, "constraint.hold_on", {{"joint", "r_wrist"}, {"object", "rail"}});
+  EXPECT_TRUE(SinkingsFound(&session).empty());
+}
+
 TEST(GroundWatch, AFewAtATimeItFindsTheSame) {
   edit::Session session = Standing({{0, 0.0}, {10, -0.05}, {20, 0.0}, {30, -0.05}});
   const std::vector<Sinking> all = SinkingsFound(&session);

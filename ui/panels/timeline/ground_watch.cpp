@@ -16,6 +16,16 @@ bool IsByGravity(const std::vector<PlacementSpan>& placements, int frame) {
   });
 }
 
+// A hand that has something is in it by as much as its fingers are drawn straight.
+bool IsHeldOnTo(const SceneObject& object, const Project& project) {
+  if (std::holds_alternative<Plane>(object.shape)) return false;
+  return std::any_of(project.constraints.begin(), project.constraints.end(),
+                     [&](const ProjectConstraint& constraint) {
+                       return constraint.a.object == object.name ||
+                              constraint.b.object == object.name;
+                     });
+}
+
 }  // namespace
 
 void GroundWatch::Look(edit::Session* session, int most) {
@@ -26,7 +36,7 @@ void GroundWatch::Look(edit::Session* session, int most) {
   if (!motion.ok()) return;  // it may be there the next time
   seen_ = now;
   const Animation& animation = *session->animation();
-  Begin(animation, motion.value()->frames.size());
+  Begin(animation, session->project(), motion.value()->frames.size());
   std::optional<DynamicsWorkspace> ws;
   for (size_t i = 0; i < known_.size(); ++i) {
     const MotionFrame& frame = motion.value()->frames[i];
@@ -40,10 +50,12 @@ void GroundWatch::Look(edit::Session* session, int most) {
   Collect(animation.placements, animation.first_frame);
 }
 
-void GroundWatch::Begin(const Animation& animation, size_t num_frames) {
-  if (figure_ != animation.figure || scene_ != animation.scene) known_.clear();
+void GroundWatch::Begin(const Animation& animation, const Project& project, size_t num_frames) {
+  std::vector<SceneObject> scene = animation.scene;
+  std::erase_if(scene, [&](const SceneObject& object) { return IsHeldOnTo(object, project); });
+  if (figure_ != animation.figure || scene_ != scene) known_.clear();
   figure_ = animation.figure;
-  scene_ = animation.scene;
+  scene_ = std::move(scene);
   known_.resize(num_frames);
 }
 

@@ -18,8 +18,9 @@ struct Sinking {
 };
 
 // Finds frames in which keys or a pin put the figure into the ground. What gravity places touches
-// by itself and is not looked at. A frame is looked at again only when the pose there is another
-// one, and few at a time, so that it costs a redraw next to nothing.
+// by itself and is not looked at, nor what a constraint holds on to. A frame is looked at again
+// only when the pose there is another one, and few at a time, so that it costs a redraw next to
+// nothing.
 class GroundWatch {
  public:
   static constexpr double kDeep = 0.01;  // less is not worth a word [m]
@@ -45,7 +46,7 @@ class GroundWatch {
     bool operator==(const Version&) const = default;
   };
   // Forgets what is known of another figure or scene.
-  void Begin(const Animation& animation, size_t num_frames);
+  void Begin(const Animation& animation, const Project& project, size_t num_frames);
   Known LookAt(const MotionFrame& frame, DynamicsWorkspace* ws) const;
   void Collect(const std::vector<PlacementSpan>& placements, int first_frame);
 
