@@ -92,7 +92,8 @@ Scene MotionScene::At(int index) {
   Scene scene;
   scene.camera = camera_;
   AddWorld(&scene);
-  AddFigure(frame, {.tints_regions = overlays_.region_tint}, &scene);
+  AddFigure(frame, {.tints_regions = overlays_.region_tint, .has_tints = !overlays_.tints.empty()},
+            &scene);
   AddHeldObjects(frame, 1.0f, &scene);
   AddGhosts(index, &scene);
   if (overlays_.keyed_ghost) AddKeyedGhost(frame, &scene);
@@ -164,12 +165,16 @@ void MotionScene::AddBones(const MotionFrame& frame, Scene* scene) {
   }
 }
 
-// The accent of a region, and over it that of what is highlighted; a ghost has its wash alone.
+// The accent of a region or a tint of its own, and over it that of what is highlighted; a ghost has
+// its wash alone.
 BoneTint MotionScene::TintOf(JointIndex body, const MotionFrame& frame, const Style& style) const {
   BoneTint over = style.wash;
   if (style.tints_regions && body.is_valid() && frame.in_region[body.value()]) {
     over = kRegionAccent;
     over.a = kRegionShare;
+  }
+  if (style.has_tints && body.is_valid() && overlays_.tints[body.value()].a > 0.0f) {
+    over = overlays_.tints[body.value()];
   }
   if (style.alpha < 1.0f || !IsHighlighted(body)) return over;
   SrgbColor highlight = kHighlight;

@@ -32,6 +32,8 @@ struct Overlays {
   bool contact_marks = false;  // a ring at the pinned joint
   bool region_tint = false;    // joints moved by a dynamics region
   bool frame_number = false;
+  // By JointIndex: colours of bodies, over which go as much as their alpha says; empty: none.
+  std::vector<BoneTint> tints = {};
   std::vector<char> highlighted = {};  // by JointIndex: bodies that stand out; empty: none
 };
 
@@ -60,6 +62,7 @@ class MotionScene {
   struct Style {
     float alpha = 1.0f;
     bool tints_regions = false;
+    bool has_tints = false;  // those of the overlays
     BoneTint wash{0.0f, 0.0f, 0.0f, 0.0f};
   };
 

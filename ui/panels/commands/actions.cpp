@@ -329,11 +329,6 @@ const std::vector<Action>& AllActions() {
        "Shows the rows of the selected joints alone, or all.",
        {},
        sheet::OnlySelected},
-      {"sheet.normalize",
-       "Normalize",
-       "Draws each curve as high as the graph, or to scale.",
-       {},
-       sheet::Normalize},
       {"span.pin",
        "Pin figure from here",
        "The selected joint stays where it is from the current frame on; the figure turns about it.",
@@ -358,8 +353,8 @@ const std::vector<Action>& AllActions() {
   };
   static const std::vector<Action> all = [] {
     std::vector<Action> together = actions;
-    for (auto&& list : {DialogActions(), KeymapActions(), ObjectActions(), PoseLibraryActions(),
-                        SweepActions()}) {
+    for (auto&& list : {DialogActions(), GraphActions(), KeymapActions(), ObjectActions(),
+                        PoseLibraryActions(), SweepActions()}) {
       together.insert(together.end(), list.begin(), list.end());
     }
     return together;

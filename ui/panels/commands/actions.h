@@ -21,6 +21,7 @@ struct Action {
 
 // Of one file, which are among all.
 std::vector<Action> KeymapActions();
+std::vector<Action> GraphActions();
 const std::vector<Action>& AllActions();
 const Action* FindAction(const std::string& id);
 

@@ -97,6 +97,7 @@ MenuEntry ViewMenu() {
                           Submenu("Sheet", {{"view.sheet"},
                                             {"sheet.only_selected"},
                                             {"sheet.normalize"},
+                                            {"sheet.torque"},
                                             {"sheet.frame_selected"},
                                             {"sheet.frame_all"}}),
                           Line(),

@@ -77,6 +77,10 @@ const std::vector<ManualPart>& ManualParts() {
         "Skin, at the top of the viewport, shows the figure in its skin or as the capsules that "
         "the "
         "motion is computed with and that touch things. It is drawing only.",
+        "Effort, at the top of the viewport, colours each joint by what the motion asks of its "
+        "muscles, from green to red; over 100 % it is ringed and says how much. Torque, in the "
+        "graph editor, draws the torque of the chosen joint below its curve, on the band of what "
+        "its muscles can give.",
         "Where something is wrong with the motion the warning sign beside the properties turns "
         "orange. Its list leads there, and most of it is put right by a button."}},
       {"Many variations",

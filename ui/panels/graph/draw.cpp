@@ -1,26 +1,15 @@
-#include <array>
 #include <cmath>
 
 #include "engine/base/text.h"
 #include "ui/panels/dope_sheet/input.h"
 #include "ui/panels/graph/input.h"
+#include "ui/panels/graph/torque_draw.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/window/panels.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-using render::FromHex;
-
-// Told apart on dark and on light ground.
-SrgbColor CurveColor(int index) {
-  static constexpr std::array<SrgbColor, 10> kColors = {
-      FromHex(0xe5484d), FromHex(0x46a758), FromHex(0x3b82f6), FromHex(0xd9922b),
-      FromHex(0xa259d9), FromHex(0x12a5a5), FromHex(0xdb5aa0), FromHex(0x8a9a2f),
-      FromHex(0x7f7fe8), FromHex(0xa87b5a)};
-  return kColors[static_cast<size_t>(index) % kColors.size()];
-}
 
 class GraphPainter {
  public:
@@ -42,8 +31,10 @@ class GraphPainter {
     DrawValues();
     if (layout_.curves.empty()) DrawNothing();
     list_->PopClipRect();
+    if (layout_.torque) DrawTorque(list_, *editor_, layout_);
     DrawNames();
     DrawRuler(list_, editor_, frame);
+    DrawCornerToggle(list_, *editor_, layout_.torque_toggle, Tr("Torque"), editor_->sheet.torque);
     DrawCornerToggle(list_, *editor_, frame.corner, Tr("Normalize"), editor_->sheet.normalize);
     if (const auto& box = editor_->sheet.box) {
       list_->AddRectFilled(UpperLeft(*box), LowerRight(*box), IM_COL32(255, 255, 255, 24));

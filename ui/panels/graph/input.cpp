@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "ui/panels/commands/actions.h"
 #include "ui/panels/sheet/drag.h"
 #include "ui/panels/sheet/drawing.h"
 #include "ui/panels/sheet/key_tools.h"
@@ -51,11 +52,15 @@ void Click(Editor* editor, const GraphLayout& layout, const GraphHit& hit, Point
       return editor->Take(
           MakeDragHandle(editor, mouse, key, hit.side, layout.curves[key.curve].name));
     }
+    case GraphPart::kTorqueToggle:
+      editor->Do("sheet.torque");
+      return;
     case GraphPart::kTrack:
       return editor->Take(MakeBoxSelect(editor, mouse, true));
     case GraphPart::kRuler:
       ClickRuler(editor, layout.frame, mouse);
       return;
+    case GraphPart::kTorque:
     case GraphPart::kNothing:
       return;
   }
@@ -82,10 +87,15 @@ void NavigateValues(SheetState* sheet, const GraphLayout& layout) {
   sheet->fits_values = false;
 }
 
-void Explain(const GraphLayout& layout, const GraphHit& hit) {
+void Explain(const Editor& editor, const GraphLayout& layout, const GraphHit& hit, Point mouse) {
   if (hit.part == GraphPart::kCorner) Tooltip(Tr("Draws each curve as high as the graph"));
   if (hit.part == GraphPart::kName) {
     Tooltip(layout.curves[hit.index].name, Tr("Click: show or hide"));
+  }
+  if (hit.part == GraphPart::kTorqueToggle) Tooltip(HelpOf("sheet.torque"));
+  if (hit.part == GraphPart::kTorque) {
+    const std::string text = TorqueTextAt(editor.effort, layout, mouse);
+    if (!text.empty()) Tooltip(text);
   }
   if (hit.part != GraphPart::kKey) return;
   const GraphKey& key = layout.keys[hit.index];
@@ -109,7 +119,7 @@ void TakeGraphInput(Editor* editor, const GraphLayout& layout) {
   } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
     RightClickSheet(editor, layout.frame, mouse);
   } else {
-    Explain(layout, hit);
+    Explain(*editor, layout, hit, mouse);
   }
 }
 

@@ -12,7 +12,7 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kNameHeight = 20.0, kHandlePx = 34.0;  // at scale 1
+constexpr double kNameHeight = 20.0, kHandlePx = 34.0, kToggle = 24.0;  // at scale 1
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
@@ -130,6 +130,12 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
                         bool fits, const Rect& rect, double scale) {
   GraphLayout layout;
   layout.frame = LayOutSheetFrame(session, state, rect, scale);
+  Rect& tracks = layout.frame.tracks;
+  if (state.torque) tracks.h = std::round((1.0f - static_cast<float>(kTorqueShare)) * tracks.h);
+  const auto toggle = static_cast<float>(kToggle * scale);
+  const Rect& names = layout.frame.names;
+  layout.torque_toggle = {names.x, state.torque ? tracks.bottom() : tracks.bottom() - toggle,
+                          names.w, toggle};
   const ProjectRate& fps = session.project().fps;
   layout.frames_per_second = static_cast<double>(fps.num) / fps.den;
   for (const std::string& name : ShownCurves(session, state)) {
@@ -150,14 +156,24 @@ GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, cons
 }
 
 GraphLayout CurrentGraph(Editor* editor, bool fits) {
-  const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
-  return LayOutGraph(editor->session(), motion.ok() ? motion.value() : nullptr, editor->sheet, fits,
-                     editor->sheet.rect, editor->settings.scale);
+  const Result<const Motion*> found = editor->session().ShownMotionTo(editor->last_frame());
+  const Motion* motion = found.ok() ? found.value() : nullptr;
+  const Rect& rect = editor->sheet.rect;
+  GraphLayout layout =
+      LayOutGraph(editor->session(), motion, editor->sheet, fits, rect, editor->settings.scale);
+  if (!editor->sheet.torque) return layout;
+  const Rect& tracks = layout.frame.tracks;
+  const Rect below = {tracks.x, tracks.bottom(), tracks.w, rect.bottom() - tracks.bottom()};
+  layout.torque = LayOutTorque(&editor->session(), motion, editor->effort, layout,
+                               editor->viewport.active_hinge, below);
+  return layout;
 }
 
 GraphHit HitGraph(const GraphLayout& layout, Point p) {
   const SheetFrame& frame = layout.frame;
   if (frame.corner.Contains(p)) return {GraphPart::kCorner};
+  if (layout.torque_toggle.Contains(p)) return {GraphPart::kTorqueToggle};
+  if (layout.torque && layout.torque->rect.Contains(p)) return {GraphPart::kTorque};
   if (frame.ruler.Contains(p) || frame.markers.Contains(p) || frame.sound.Contains(p)) {
     return {GraphPart::kRuler};
   }

@@ -7,6 +7,7 @@
 
 #include "ui/edit/operators/held/object_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
+#include "ui/panels/graph/torque.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {
@@ -49,6 +50,8 @@ struct GraphLayout {
   double frames_per_second = 30.0;
   std::vector<GraphCurve> curves;
   std::vector<GraphKey> keys;
+  Rect torque_toggle;                 // shows the torques, or hides them
+  std::optional<TorquePanel> torque;  // below the curves
 
   float YOf(double shown) const;
   double ShownAt(float y) const;
@@ -59,13 +62,24 @@ struct GraphLayout {
 // are the state's.
 GraphLayout LayOutGraph(const edit::Session& session, const Motion* motion, const SheetState& state,
                         bool fits, const Rect& rect, double scale);
-// With the values that are seen at the moment, or those that fit.
+// With the values that are seen at the moment, or those that fit, and with torques if they are
+// wanted.
 GraphLayout CurrentGraph(Editor* editor, bool fits = false);
 
 // Curves of the selected joints, else of the selected keys, else those that were shown last.
 std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state);
 
-enum class GraphPart { kNothing, kCorner, kRuler, kName, kTrack, kKey, kHandle };
+enum class GraphPart {
+  kNothing,
+  kCorner,
+  kRuler,
+  kName,
+  kTrack,
+  kKey,
+  kHandle,
+  kTorqueToggle,
+  kTorque
+};
 struct GraphHit {
   GraphPart part = GraphPart::kNothing;
   int index = -1;  // of keys or curves

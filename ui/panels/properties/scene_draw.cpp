@@ -74,14 +74,25 @@ void DrawHolds(Editor* editor) {
   if (DrawButton(Tr("Hold from here"), HelpOf("span.hold"))) editor->Do("span.hold");
 }
 
-// What was selected in the viewport opens once.
+// What was selected in the viewport opens once, and what was added.
 bool ObjectNode(Editor* editor, const std::string& name, ItemId id) {
   const bool is_selected = editor->viewport.selected_object == id;
   if (is_selected && editor->side.shown_object != id) ImGui::SetNextItemOpen(true);
   if (is_selected) editor->side.shown_object = id;
+  if (editor->side.added == id) {
+    ImGui::SetNextItemOpen(true);
+    editor->side.added = ItemId();
+  }
   return ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth |
                                              ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                              (is_selected ? ImGuiTreeNodeFlags_Selected : 0));
+}
+
+// Of a list whose heading opens where something was added to it.
+template <typename Items>
+bool DrawHeadingOf(const Editor& editor, const char* title, const Items& items) {
+  if (IndexOf(editor.side.added, items) >= 0) ImGui::SetNextItemOpen(true);
+  return DrawHeading(title, !items.empty());
 }
 
 // One of a list whose items have names. `key`: the operators' parameter for its name.
@@ -179,7 +190,7 @@ void DrawForce(Editor* editor, const ProjectForce& force) {
 void DrawForces(Editor* editor) {
   // A copy: what is done below changes the list.
   const std::vector<ProjectForce> forces = editor->session().project().forces;
-  if (!DrawHeading(Tr("Forces"), !forces.empty())) return;
+  if (!DrawHeadingOf(*editor, Tr("Forces"), forces)) return;
   ImGui::PushID("forces");
   for (const ProjectForce& force : forces) DrawForce(editor, force);
   const auto add = [&](const char* label, const char* kind) {
@@ -240,7 +251,7 @@ bool DrawConstraint(Editor* editor, const ProjectConstraint& constraint) {
 void DrawConstraints(Editor* editor) {
   // A copy: what is done below changes the list.
   const std::vector<ProjectConstraint> constraints = editor->session().project().constraints;
-  if (!DrawHeading(Tr("Constraints"), !constraints.empty())) return;
+  if (!DrawHeadingOf(*editor, Tr("Constraints"), constraints)) return;
   ImGui::PushID("constraints");
   for (const ProjectConstraint& constraint : constraints) {
     if (!DrawConstraint(editor, constraint)) break;

@@ -27,6 +27,7 @@ struct SideState {
   Section section = Section::kPose;
   ItemId region;        // that the properties show; if there is none, one at the frame
   ItemId shown_object;  // whose fields were opened last because it was selected
+  ItemId added;         // a force or a constraint that is new: its fields are yet to be opened
   int drags = 0;        // so far, so that each has a name of its own
   std::optional<TypedField> typed;
 };

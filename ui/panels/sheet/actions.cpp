@@ -130,12 +130,6 @@ Result<Done> OnlySelected(Editor* editor, const Parameters&) {
   return Done();
 }
 
-Result<Done> Normalize(Editor* editor, const Parameters&) {
-  editor->sheet.normalize = !editor->sheet.normalize;
-  editor->sheet.fits_values = true;
-  return Done();
-}
-
 Result<Done> FrameAll(Editor* editor, const Parameters&) {
   const ProjectFrames& all = editor->session().project().frames;
   Show(editor, all.first, all.last);

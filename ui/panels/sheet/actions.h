@@ -27,7 +27,6 @@ Result<Done> PreviewRange(Editor* editor, const Parameters&);
 // "popup": interpolation, handles or key_type.
 Result<Done> Open(Editor* editor, const Parameters& p);
 Result<Done> OnlySelected(Editor* editor, const Parameters&);
-Result<Done> Normalize(Editor* editor, const Parameters&);
 Result<Done> FrameAll(Editor* editor, const Parameters&);
 Result<Done> FrameSelected(Editor* editor, const Parameters&);
 

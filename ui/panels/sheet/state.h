@@ -66,6 +66,7 @@ struct SheetState {
   ValueRange values;
   bool fits_values = true;          // the range follows what is shown
   bool normalize = false;           // each curve fills the height
+  bool torque = false;              // what the motion needs, below the curves
   std::vector<std::string> curves;  // shown last
   std::set<std::string> hidden;     // curves that are not drawn
 

@@ -2,6 +2,7 @@
 
 #include "ui/panels/viewport/acting.h"
 #include "ui/panels/viewport/actions.h"
+#include "ui/panels/viewport/effort.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/popups.h"
 #include "ui/panels/viewport/scene.h"
@@ -70,6 +71,7 @@ void DrawOnFigure(Editor* editor, const View& view, bool has_mouse) {
   const std::vector<Solid> solids = SolidsOf(&editor->session(), *figure);
   DrawSelectedObject(*editor, view, solids);
   DrawJointMarks(*editor, view, *figure);
+  DrawEffort(*editor, view, *figure);
   DrawActing(editor, view, *figure);
   const auto gizmo =
       GizmoOf(view, editor->session(), *figure, state.active_hinge, state.overlays.limits, scale);

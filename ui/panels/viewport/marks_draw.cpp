@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/panels/viewport/effort.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/strokes.h"
@@ -57,7 +58,11 @@ void DrawHovered(const Editor& editor, const View& view, const PosedFigure& figu
   const ViewportHit hit = HitTest(view, mouse, figure, solids, editor.settings.scale);
   const Solid* solid = FindSolid(hit.object, solids);
   std::string name = solid ? solid->name : "";
-  if (hit.joint) name = figure.figure().group(*hit.joint).name;
+  if (hit.joint) {
+    name = figure.figure().group(*hit.joint).name;
+    const std::string effort = EffortOfJoint(editor, *hit.joint);
+    if (!effort.empty()) name += "\n" + effort;
+  }
   if (hit.is_root) name = figure.figure().root_name();
   if (!name.empty() && !more.empty()) name += "\n";
   name += more;

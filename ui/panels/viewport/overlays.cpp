@@ -26,6 +26,9 @@ const std::vector<OverlaySwitch>& OverlaySwitches() {
       {"forces", "Forces", "Constraints and forces",
        "What keeps things together (dashed: a gap is open), and what acts from outside",
        &O::forces},
+      {"effort", "Effort", "Effort colours",
+       "What each joint has to give, as a share of its strength: green to red, over 100 % marked",
+       &O::effort},
       {"shadow", "Shadow", "Shadow", "The shadow on the ground", &O::shadow}};
   return all;
 }

@@ -8,6 +8,7 @@
 #include "engine/spatial/degrees.h"
 #include "render/motion/motion_scene.h"
 #include "ui/panels/viewport/camera.h"
+#include "ui/panels/viewport/effort.h"
 #include "ui/panels/viewport/figure.h"
 #include "ui/panels/viewport/overlays.h"
 
@@ -100,6 +101,8 @@ render::Overlays OverlaysOf(const Editor& editor) {
   overlays.contact_marks = wanted.marks;
   overlays.region_tint = wanted.tint;
   overlays.highlighted = Highlighted(editor.session());
+  const FrameEffort* effort = wanted.effort ? editor.effort.At(FrameShown(editor)) : nullptr;
+  if (effort) overlays.tints = EffortTints(editor.session().figure(), *effort);
   return overlays;
 }
 
@@ -162,6 +165,7 @@ PictureKey KeyNow(const Editor& editor, render::PictureSize size) {
   key.height = size.height;
   key.selected_joints = session.selected_joints();
   key.has_film = editor.film.is_there();
+  if (key.overlays.effort) key.effort = editor.effort.number();
   key.is_being_computed = session.bake() && session.bake()->is_busy();
   return key;
 }

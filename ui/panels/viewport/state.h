@@ -26,7 +26,8 @@ struct ViewportOverlays {
   bool tint = true;    // joints moved by a region
   bool limits = true;  // arcs of the selected joints
   bool shadow = true;
-  bool forces = true;  // constraints, and what acts from outside
+  bool forces = true;   // constraints, and what acts from outside
+  bool effort = false;  // colours of what is asked of muscles
   bool operator==(const ViewportOverlays&) const = default;
 };
 
@@ -51,6 +52,7 @@ struct PictureKey {
   std::set<std::string> selected_joints;
   bool has_film = false;           // the reference has been read
   bool is_being_computed = false;  // the motion: what is seen is as it was before
+  long effort = 0;                 // number of what is known of it, if it is shown
   bool operator==(const PictureKey&) const = default;
 };
 

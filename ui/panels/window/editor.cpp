@@ -109,6 +109,15 @@ void Editor::DropObject(const std::string& id) {
   if (!is_there || is_other || selects_joints) selected = ItemId();
 }
 
+// The properties open what was added and has no other place where it is changed.
+void Editor::ShowAdded(const std::string& id) {
+  const Project& project = session_.project();
+  if (id == "force.add") side.added = project.forces.back().identity.id;
+  if (id == "constraint.add" || id == "constraint.hold_on") {
+    side.added = project.constraints.back().identity.id;
+  }
+}
+
 // A key that was made while a region moves its joint is not seen there: who wonders why is told.
 void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
   constexpr const char* kPosing[] = {"key.insert", "key.set",     "pose.clear", "pose.paste",
@@ -140,6 +149,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   dialogs.first_steps = After(std::move(dialogs.first_steps), deed);
   DropObject(id);
   SelectAdded(this, id);
+  ShowAdded(id);
   SayIfSwung(id, parameters);
   FrameNewDocument(this);
   CloseSweepOfOther(this);
@@ -159,7 +169,12 @@ void Editor::Tick(double now) {
   now_ = now;
   sound.Look(session_);
   film.Look(session_);
+  if (ShowsEffort()) effort.Look(&session_);
   if (playback.is_on()) session_.set_frame(playback.Advance(now));
+}
+
+bool Editor::ShowsEffort() const {
+  return viewport.overlays.effort || (sheet.kind == SheetKind::kGraph && sheet.torque);
 }
 
 double Editor::NextDeadline() const {
@@ -169,6 +184,7 @@ double Editor::NextDeadline() const {
   }
   if (!ground.is_done()) return 0.0;
   if ((sound.is_busy() || film.is_busy()) && !playback.is_on()) return kBakingEvery;
+  if (effort.is_busy() && !playback.is_on()) return kBakingEvery;
   if (flights.is_busy() && !playback.is_on()) return kBakingEvery;
   if (poses.thumbnails && poses.thumbnails->is_busy()) return kBakingEvery;
   constexpr double kDialogEvery = 0.1;  // its cursor blinks, its progress goes on [s]

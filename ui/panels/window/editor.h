@@ -20,6 +20,7 @@
 #include "ui/panels/sheet/state.h"
 #include "ui/panels/sweep/state.h"
 #include "ui/panels/text/catalogue.h"
+#include "ui/panels/timeline/effort_watch.h"
 #include "ui/panels/timeline/film_watch.h"
 #include "ui/panels/timeline/flight_watch.h"
 #include "ui/panels/timeline/ground_watch.h"
@@ -114,6 +115,7 @@ class Editor {
   DialogsState dialogs;
   GroundWatch ground;
   FlightWatch flights;
+  EffortWatch effort;
   SoundWatch sound;
   FilmWatch film;
   std::optional<Splitter> dragged_splitter;
@@ -127,8 +129,10 @@ class Editor {
   void Note(const std::string& id, const Json& parameters);
   void SayIfSwung(const std::string& id, const Json& parameters);
   void DropObject(const std::string& id);
+  void ShowAdded(const std::string& id);
   Json WithMirror(const std::string& id, Json parameters) const;
   double UntilNextFrame() const;  // of playback [s]
+  bool ShowsEffort() const;
 
   edit::Session session_;
   std::unique_ptr<Tool> tool_;

@@ -1,6 +1,8 @@
 // What the selected joint is to hold on to is pointed at, and clicked: a box, a held object, the
 // ground, another joint.
 
+#include <cmath>
+
 #include "engine/project/checks/constraint_checks.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/text/filled.h"
@@ -82,11 +84,12 @@ class HoldOnTool : public Tool {
                                                {"b_joint", target.name},
                                                {"arrive", kArriveFrames}});
     }
+    const auto whole = [](double metres) { return std::round(1000.0 * metres) / 1000.0; };
     return editor->Invoke("constraint.hold_on", {{"joint", name_},
                                                  {"object", target.name},
-                                                 {"x", target.at.x()},
-                                                 {"y", target.at.y()},
-                                                 {"z", target.at.z()}});
+                                                 {"x", whole(target.at.x())},
+                                                 {"y", whole(target.at.y())},
+                                                 {"z", whole(target.at.z())}});
   }
 
   // False: it is refused, and something else can be clicked.
