@@ -1,5 +1,6 @@
 """What the tour tells: a throw, in three poses with a dynamics region between them, a jump onto a
-box, and a throw over one that is made whole."""
+box, a throw over one that is made whole; and from the first throw on what muscle and a hold make of
+it: the left arm pulls towards its keys and takes hold of a rail."""
 
 # Angles of the wind-up, of the throw and of the end [degrees], by frame. Within a pose the joints
 # farther out come first: what they turn is not in the way of those that are turned after them.
@@ -21,3 +22,10 @@ BOX = {"name": "box", "x": 1.2, "y": 0, "z": 0.2, "size_x": 0.8, "size_y": 0.8, 
 SPOT = (1.21, 0.0)  # where the toes land, on the box [m]
 WALL = {"name": "box", "x": 1.0, "y": 0.3, "z": 0.3, "size_x": 0.3, "size_y": 0.8, "size_z": 0.6}
 TARGET = (1.8, 0.34, 0.0)  # where the ball comes down, behind it [m]
+LEFT_ARM = ["l_shoulder", "l_elbow", "l_wrist"]
+STRENGTH = 0.5  # of its spring
+RAIL = {"name": "rail", "x": 0.22, "y": 0.42, "z": 0.98, "size_x": 0.05, "size_y": 0.7,
+        "size_z": 0.05}
+GRIP = 16  # the frame from which the left hand goes for the rail
+GRIP_AT = (0.243, 0.335, 1.005)  # on top of it [m]
+HELD = 24  # a frame in which it has it
