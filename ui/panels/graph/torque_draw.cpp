@@ -66,7 +66,7 @@ class TorquePainter {
 
   void DrawValues() {
     const Rect& rect = panel_.rect;
-    for (const Tick& tick : ValueTicks(panel_.values.low, panel_.values.high, rect.h, Px(24.0))) {
+    for (const Tick& tick : ValueTicks(panel_.values.low, panel_.values.high, rect.h, Px(16.0))) {
       const float y = std::round(panel_.YOf(tick.value)) + 0.5f;
       const double value = std::abs(tick.value) < 1e-9 ? 0.0 : tick.value;
       list_->AddLine({rect.x, y}, {rect.right(), y}, ToIm(theme_.line, value == 0.0 ? 1.0f : 0.4f));
