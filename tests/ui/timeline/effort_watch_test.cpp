@@ -2,7 +2,8 @@
 
 #include "ui/panels/timeline/effort_watch.h"
 
-#include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "engine/bake/bake.h"
 #include "tests/ui/user.h"
@@ -46,6 +47,28 @@ TEST(EffortWatch, ForgetsADocumentThatIsNoLongerThere) {
   watch.Look(&user.session());
   ASSERT_NE(watch.At(7), nullptr);
   EXPECT_EQ(watch.At(7)->tau, EffortAnew(&user.session()).frames[7].tau);
+}
+
+// What is still at work for a motion that is no more leaves nothing behind.
+TEST(EffortWatch, GoesOnBesideWhoeverDoesNotWait) {
+  User user("throw.kfa");
+  ASSERT_TRUE(user.session().WholeMotion().ok());
+  ui::EffortWatch watch;
+  user.session().set_patience(10.0);
+  watch.Look(&user.session());
+  EXPECT_TRUE(watch.is_busy());
+  user.editor().Do("key.set", {{"curve", "r_elbow_flexion"}, {"frame", 0}, {"value", 40}});
+  ASSERT_TRUE(user.session().WholeMotion().ok());
+  const Effort expected = EffortAnew(&user.session());
+  const auto is_there = [&] {
+    watch.Look(&user.session());
+    return !watch.is_busy() && watch.At(1) && watch.At(1)->tau == expected.frames[1].tau;
+  };
+  for (int i = 0; i < 1000 && !is_there(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_NE(watch.At(1), nullptr);
+  EXPECT_EQ(watch.At(1)->tau, expected.frames[1].tau);
 }
 
 TEST(EffortWatch, IsAskedForOnlyWhileItIsSeen) {

@@ -60,8 +60,10 @@ TEST_F(EffortOverlay, ChangesThePictureAndNotTheDocument) {
   const std::string text = user.text();
   Show();
   EXPECT_NE(user.picture(), before);
-  ASSERT_EQ(Scene().skins.size(), 1u + 0u);
-  EXPECT_TRUE(std::any_of(Scene().skins[0].tints.begin(), Scene().skins[0].tints.end(), IsTinted));
+  const render::Scene scene = Scene();
+  ASSERT_FALSE(scene.skins.empty());
+  const std::vector<render::BoneTint>& tints = scene.skins[0].tints;
+  EXPECT_TRUE(std::any_of(tints.begin(), tints.end(), IsTinted));
   Show();
   EXPECT_EQ(user.picture(), before);
   EXPECT_EQ(user.text(), text);
