@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/placement/contact.h"
 #include "engine/placement/root_placement.h"
 #include "engine/spatial/degrees.h"
 
@@ -251,53 +250,6 @@ void ExactWalk::LookAtArrivals(const FigureMotion& motion) {
   for (Warning& warning : arrivals_.Look(driver_->constraints(), motion, ws)) {
     context_.recorder.AddWarning(std::move(warning));
   }
-}
-
-// Of constraints that begin to act, and have no time to close them.
-std::optional<Error> ExactWalk::CheckGaps() {
-  constexpr double kMost = 1e-4, kMostTurn = 0.1 * kDegree;  // [m], [rad]
-  if (!driver_ || context_.animation.constraints.empty()) return std::nullopt;
-  const FigureMotion& now = context_.now;
-  DynamicsWorkspace& ws = context_.poses.workspace();
-  ComputePositions(context_.poses.figure(), now.X_WR, now.q, &ws);
-  for (const int i : driver_->constraints()) {
-    const Constraint& constraint = context_.animation.constraints[i];
-    if (constraint.arrive_frames > 0) continue;
-    const ConstraintGap gap = GapOf(constraint, context_.poses.figure(), now.X_WR, ws);
-    if (gap.distance <= kMost && gap.turn <= kMostTurn) continue;
-    const bool is_turn = gap.distance <= kMost;
-    return Error{ErrorCode::kSemantics, "", "constraints[" + std::to_string(i) + "]",
-                 "the ends of \"" + constraint.name + "\" are " +
-                     (is_turn ? FormatShort(gap.turn / kDegree) + " degrees"
-                              : FormatShort(1000.0 * gap.distance) + " mm") +
-                     " apart in frame " + FormatShort(now.frame) +
-                     "; give it arrive_frames to close that, or move one of its ends"};
-  }
-  return std::nullopt;
-}
-
-// Of bodies that begin inside something that they are to stay out of.
-void ExactWalk::WarnOfInside() {
-  constexpr double kNotice = 1e-4;  // [m]
-  if (!driver_->has_contacts()) return;
-  const FigureMotion& now = context_.now;
-  const auto begins = [&](int r) { return context_.animation.regions[r].first_frame == now.frame; };
-  const std::vector<int>& active = driver_->active();
-  const auto region = std::find_if(active.begin(), active.end(), begins);
-  if (region == active.end()) return;
-  const Figure& figure = context_.poses.figure();
-  DynamicsWorkspace& ws = context_.poses.workspace();
-  ComputePositions(figure, now.X_WR, now.q, &ws);
-  const auto touches = [&](const Link& link) { return driver_->Touches(link.joint); };
-  const auto contact = NearestContact(figure, context_.animation.scene, ws, Vec3::Zero(), touches);
-  if (!contact || contact->clearance > -kNotice) return;
-  context_.recorder.AddWarning({"regions[" + std::to_string(*region) + "]",
-                                "\"" + figure.links()[contact->link].name + "\" begins " +
-                                    FormatShort(-1000.0 * contact->clearance) + " mm inside \"" +
-                                    context_.animation.scene[contact->object].name +
-                                    "\" in frame " + FormatShort(now.frame) +
-                                    ": it is pushed out slowly; move it out in that frame",
-                                static_cast<int>(std::lround(now.frame))});
 }
 
 std::vector<ConstraintPush> ExactWalk::ConstraintPushesThere() {

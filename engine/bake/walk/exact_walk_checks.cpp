@@ -1,0 +1,47 @@
+// What is told where regions begin: what cannot be, and what is not as it should be.
+
+#include "engine/bake/walk/begins_inside.h"
+#include "engine/bake/walk/exact_walk.h"
+#include "engine/base/text.h"
+#include "engine/spatial/degrees.h"
+
+namespace hazumi {
+
+// Of constraints that begin to act, and have no time to close them.
+std::optional<Error> ExactWalk::CheckGaps() {
+  constexpr double kMost = 1e-4, kMostTurn = 0.1 * kDegree;  // [m], [rad]
+  if (!driver_ || context_.animation.constraints.empty()) return std::nullopt;
+  const FigureMotion& now = context_.now;
+  DynamicsWorkspace& ws = context_.poses.workspace();
+  ComputePositions(context_.poses.figure(), now.X_WR, now.q, &ws);
+  for (const int i : driver_->constraints()) {
+    const Constraint& constraint = context_.animation.constraints[i];
+    if (constraint.arrive_frames > 0) continue;
+    const ConstraintGap gap = GapOf(constraint, context_.poses.figure(), now.X_WR, ws);
+    if (gap.distance <= kMost && gap.turn <= kMostTurn) continue;
+    const bool is_turn = gap.distance <= kMost;
+    return Error{ErrorCode::kSemantics, "", "constraints[" + std::to_string(i) + "]",
+                 "the ends of \"" + constraint.name + "\" are " +
+                     (is_turn ? FormatShort(gap.turn / kDegree) + " degrees"
+                              : FormatShort(1000.0 * gap.distance) + " mm") +
+                     " apart in frame " + FormatShort(now.frame) +
+                     "; give it arrive_frames to close that, or move one of its ends"};
+  }
+  return std::nullopt;
+}
+
+void ExactWalk::WarnOfInside() {
+  const double frame = context_.now.frame;
+  for (const int r : driver_->active()) {
+    const DynamicsRegion& region = context_.animation.regions[r];
+    if (!region.touches_scene || region.first_frame != frame) continue;
+    const auto counts = [&](const Link& link) { return driver_->Touches(link.joint); };
+    const auto inside = TellOfInside(context_.animation, context_.poses.figure(), context_.now,
+                                     counts, &context_.poses.workspace());
+    if (!inside) return;
+    const std::string place = "regions[" + std::to_string(r) + "]";
+    return context_.recorder.AddWarning({place, *inside, region.first_frame});
+  }
+}
+
+}  // namespace hazumi
