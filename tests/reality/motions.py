@@ -21,31 +21,35 @@ def import_clip(hazumi, bvh, unit_m, out):
 
 
 def curves(project):
-    """(curve, name of its value) of all joints and the root."""
-    for curve in project["joints"].values():
-        yield curve, "angle_deg"
+    """(curve, name of its value, the joint that it turns or none) of all joints and the root."""
+    for name, curve in project["joints"].items():
+        yield curve, "angle_deg", name.rpartition("_")[0]
     for name, curve in project["root"].items():
-        yield curve, "position_m" if name in "xyz" else "angle_deg"
+        yield curve, "position_m" if name in "xyz" else "angle_deg", None
 
 
-def with_keys(project, first, gap, window):
-    """Its keys at first + k gap inside the window; a curve that never moves keeps its value."""
+def with_keys(project, first, gap, window, only=None):
+    """Its keys at first + k gap inside the window, of some joints or else of all that is; what else
+    there is keeps all of its own. A curve that never moves keeps its value."""
     sparse = copy.deepcopy(project)
     sparse["frames"] = {"first": window[0], "last": window[1]}
-    for curve, _ in curves(sparse):
+    for curve, _, joint in curves(sparse):
         keys = curve["keys"]
         if len(keys) == 1:
             keys[0]["frame"] = window[0]
         else:
+            step = gap if only is None or joint in only else 1
             curve["keys"] = [k for k in keys if window[0] <= k["frame"] <= window[1]
-                             and (k["frame"] - first) % gap == 0]
+                             and (k["frame"] - first) % step == 0]
     return sparse
 
 
-def with_captured_rates(sparse, project, frame):
+def with_captured_rates(sparse, project, frame, only=None):
     """Gives the keys on a frame the rates of the capture: central differences over 2 frames."""
     result = copy.deepcopy(sparse)
-    for (curve, value), (full, _) in zip(curves(result), curves(project)):
+    for (curve, value, joint), (full, _, _) in zip(curves(result), curves(project)):
+        if only is not None and joint not in only:
+            continue
         at = {k["frame"]: k[value] for k in full["keys"]}
         rate = "rate_m_s" if value == "position_m" else "rate_deg_s"
         for key in curve["keys"]:
@@ -59,6 +63,20 @@ def with_region(sparse, joints, first, last, friction):
     result.setdefault("regions", []).append(
         {"name": "dynamics", "first_frame": first, "last_frame": last, "joints": joints,
          "friction": {"default": friction}})
+    return result
+
+
+def with_springs(sparse, joints, first, last, spring):
+    """A region in which springs pull some of its joints to their keys, and the others follow theirs."""
+    result = with_region(sparse, joints, first, last, spring["friction"])
+    pulled = joints if spring["on"] == "arm" else [j for j in joints if j.endswith("Arm")
+                                                   and not j.endswith("ForeArm")]
+    drives = [{"joints": pulled, "kind": "spring", "frequency_hz": spring["frequency_hz"],
+               "damping_ratio": spring["damping_ratio"]}]
+    if len(pulled) < len(joints):
+        drives.append({"joints": [j for j in joints if j not in pulled], "kind": "keys"})
+    result["version"] = 2
+    result["regions"][-1]["drives"] = drives
     return result
 
 
@@ -106,12 +124,16 @@ def about(axis, angle):
     return np.eye(3) + s * cross + (1.0 - c) * (cross @ cross)
 
 
+class NotBaked(SystemExit):
+    """Hazumi refused it; says why."""
+
+
 def bake(hazumi, project, out):
     path = out / "case.kfa"
     path.write_text(json.dumps(project), encoding="utf-8")
     done = subprocess.run([hazumi, "--bake", "-", path], capture_output=True, check=False)
     if done.returncode != 0:
-        raise SystemExit(f"compare_reality: {path}: {done.stderr.decode()}")
+        raise NotBaked(f"{path}: {done.stderr.decode()}")
     return Motion(project, json.loads(done.stdout))
 
 

@@ -1,6 +1,6 @@
 """The results as Markdown."""
 
-from . import cases
+from . import cases, springs
 
 
 def cell(score, other, unit):
@@ -58,6 +58,57 @@ def flights(results):
     return text + "\n"
 
 
+def loose(results):
+    text = ("Arms of walks, loose from two keys over the whole clip, the body as captured "
+            f"(cm / degrees; friction {cases.FRICTION}, and the one that was best on the other "
+            "walk):\n\n")
+    text += head(["clip", "frames", "interpolation", "loose", "interpolation, captured rates",
+                  "loose, captured rates", "friction of the other walk"])
+    for result in results:
+        scores, (first, last) = result["scores"], result["frames"]
+        other = scores[f"{result['friction']}+"]
+        text += row([result["clip"], f"{first} to {last}",
+                     *pair(scores, ["interpolated", str(cases.FRICTION)]),
+                     *pair(scores, ["interpolated+", f"{cases.FRICTION}+"]),
+                     f"{other.cm:.1f} / {other.deg:.1f} at {result['friction']}"])
+    return text + "\n"
+
+
+def told(spring):
+    on = "" if spring["on"] == "arm" else "shoulders: "
+    return (f"{on}{spring['frequency_hz']:g} Hz, {spring['damping_ratio']:g}, "
+            f"{spring['friction']:g}")
+
+
+def on_springs(results):
+    text = ("Arms on springs to their keys, with frequency, damping ratio and friction that were "
+            "the best on other frames of the clip (cm / degrees; where it says shoulders the rest "
+            "of the arm follows its keys):\n\n")
+    text += head(["clip", "keys", "interpolation", "springs", "which",
+                  *(f"{name}, body as captured" for name in ("interpolation", "springs")), "which"])
+    for result in results:
+        cells = [result["clip"], keys_of(result)]
+        for body in springs.BODIES:
+            own = result[body]
+            cells += [*pair(own, ["interpolated", "dynamic"]), told(own["spring"])]
+        text += row(cells)
+    return text + "\n"
+
+
+def springs_verdict(results):
+    """Of the rows that are counted, and of those with fewer keys."""
+    def wins(body, counted):
+        rows = [r[body] for r in results if (r["gap"] in springs.GAPS) == counted]
+        nearer = sum(r["dynamic"].cm <= springs.WIN * r["interpolated"].cm for r in rows)
+        farther = sum(r["interpolated"].cm <= springs.WIN * r["dynamic"].cm for r in rows)
+        return f"{nearer} of {len(rows)} (farther in {farther})"
+
+    alike, captured = springs.BODIES
+    return ("Springs to keys 10 to 40 frames apart are nearer (cm) by 5 % or more in "
+            f"{wins(alike, True)}, with the body as captured in {wins(captured, True)}; to keys "
+            f"80 frames apart, of walks, in {wins(alike, False)} and {wins(captured, False)}.\n\n")
+
+
 def verdict(results):
     """In how many comparisons dynamics is nearer, by cm."""
     swings_, flights_ = results["swings"], results["flights"]
@@ -74,6 +125,8 @@ def verdict(results):
                                              for r in flights_]),
         ("arms in flight", [(r["arms"]["interpolated+"], r["arms"][cases.FRICTION])
                             for r in flights_]),
+        ("loose arms of walks", [(r["scores"]["interpolated"], r["scores"][str(cases.FRICTION)])
+                                 for r in results["loose"]]),
     ]
     counts = [f"{name}: {sum(d.cm < i.cm for i, d in pairs)} of {len(pairs)}"
               for name, pairs in sets]
@@ -100,5 +153,6 @@ def landings(results):
 
 
 def markdown(results):
-    return ("\n" + verdict(results) + landings(results) + swings(results["swings"]) +
+    return ("\n" + verdict(results) + springs_verdict(results["springs"]) + landings(results) +
+            swings(results["swings"]) + on_springs(results["springs"]) + loose(results["loose"]) +
             flights(results["flights"]))
