@@ -33,7 +33,9 @@ std::shared_ptr<const DrivenMotion> CurvesOf(const RegionModel& model, const Dri
   for (const ModelNode& node : model.nodes) {
     if (node.role != Role::kFree) continue;
     for (int h = 0; h < node.num_hinges; ++h) {
-      curves.drives.push_back(driven.drives[node.hinges[h].coordinate]);
+      const Coordinate hinge = node.hinges[h].coordinate;
+      curves.drives.push_back(driven.drives[hinge]);
+      if (!driven.springs.empty()) curves.springs.push_back(driven.springs[hinge]);
     }
   }
   return std::make_shared<const DrivenMotion>(std::move(curves));

@@ -11,6 +11,19 @@
 
 namespace hazumi {
 
+// What a spring reads over time besides the angle that it pulls to, of one hinge.
+struct SpringCurves {
+  DrivenCurve frequency;  // [Hz]
+  DrivenCurve share;      // of what muscles can give
+  // What is added to its pull: about the hinge [N m], and of a ball joint along the axis of its
+  // frame that has the hinge's number.
+  DrivenCurve torque, moment;
+};
+inline auto MembersOf(const SpringCurves& curves) {
+  const auto& [frequency, share, torque, moment] = curves;
+  return std::tie(frequency, share, torque, moment);
+}
+
 // What moves from outside in one smooth stretch of time. By Coordinate: read where driven.
 struct DrivenMotion {
   std::vector<DrivenCurve> angles;
@@ -18,10 +31,11 @@ struct DrivenMotion {
   // What drives of free hinges read: torques [N m], or the angles that springs pull to [rad]. None
   // if there are no drives.
   std::vector<DrivenCurve> drives = {};
+  std::vector<SpringCurves> springs = {};  // likewise; none if no spring reads any of it
 };
 inline auto MembersOf(const DrivenMotion& driven) {
-  const auto& [angles, root_position, drives] = driven;
-  return std::tie(angles, root_position, drives);
+  const auto& [angles, root_position, drives, springs] = driven;
+  return std::tie(angles, root_position, drives, springs);
 }
 
 // One node at one instant. World axes.

@@ -213,6 +213,9 @@ class Compiler {
         own.damping_ratio = drive.damping_ratio;
         own.max_torque = drive.max_torque_n_m;
         own.strength = drive.strength;
+        own.frequency_keys = ToKeys(drive.frequency_over_time, 1.0);
+        own.strength_keys = ToKeys(drive.strength_over_time, 1.0);
+        own.feed_forward = drive.feed_forward;
       }
       region->drives.push_back(std::move(own));
     }

@@ -88,7 +88,10 @@ struct ProjectDrive {
   // kSpring
   SpringTarget to = SpringTarget::kKeys;
   double frequency_hz = 2.0, damping_ratio = 1.0;
+  ProjectCurve frequency_over_time;  // [Hz]; in place of frequency_hz, if it has keys
   std::optional<double> max_torque_n_m, strength;
+  ProjectCurve strength_over_time;  // in place of strength, if it has keys
+  bool feed_forward = false;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectDrive&) const = default;

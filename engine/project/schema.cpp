@@ -214,8 +214,12 @@ class SchemaWriter {
     Put(field, ObjectOf(value, fields));
   }
   template <typename T, typename Fields>
-  void List(const Field& field, const std::vector<T>&, Fields fields) {
+  void List(const Field& field, const std::vector<T>& values, Fields fields) {
     required_.push_back(field.name);
+    OptionalList(field, values, fields);
+  }
+  template <typename T, typename Fields>
+  void OptionalList(const Field& field, const std::vector<T>&, Fields fields) {
     Put(field, {{"type", "array"}, {"items", ObjectOf(T(), fields)}});
   }
   template <typename T, typename Fields>

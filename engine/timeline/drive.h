@@ -53,10 +53,18 @@ struct Drive {
   // the joint, as it is on the region's first frame; a damping ratio of 1 does not overshoot.
   SpringTarget target = SpringTarget::kKeys;
   double frequency = 0.0, damping_ratio = 0.0;
+  Keys frequency_keys;               // [Hz]; in place of `frequency`, if there are any
   std::optional<double> max_torque;  // [N m]; of a ball joint the moment
   std::optional<double> strength;    // share of what the muscles of hinges can give, where known
+  Keys strength_keys;                // in place of `strength`, if there are any
+  bool feed_forward = false;         // and what the motion that it pulls to asks for
   bool operator==(const Drive&) const = default;
 };
+
+// Whether it is a spring as strong as a share of what muscles can give.
+inline bool IsByStrength(const Drive& drive) {
+  return drive.strength.has_value() || !drive.strength_keys.empty();
+}
 
 // Whether what moves a joint follows its keys all the way, so that its curve arrives at the region
 // as if that were not there.

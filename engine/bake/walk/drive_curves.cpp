@@ -15,6 +15,12 @@ void DriveCurves::SetRegions(const std::vector<int>& regions) {
 
 DriveCurves::Entry DriveCurves::EntryOf(const Drive& drive, JointIndex joint, int region) const {
   Entry entry{joint, &drive, region, std::nullopt, std::nullopt};
+  const auto track = [this](const Keys& keys) -> std::optional<CurveTrack> {
+    if (keys.empty()) return std::nullopt;
+    return CurveTrack(&keys, context_.animation.rate, 0.0, {});
+  };
+  entry.frequency = track(drive.frequency_keys);
+  entry.strength = track(drive.strength_keys);
   if (drive.kind == DriveKind::kTorque) {
     entry.own.emplace(&drive.torque, context_.animation.rate, 0.0, std::vector<double>());
   } else if (drive.target == SpringTarget::kRest) {

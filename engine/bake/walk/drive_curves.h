@@ -18,6 +18,9 @@ class DriveCurves {
     int region;                      // of Animation::regions
     std::optional<CurveTrack> own;   // not given: the joint's own,
     std::optional<double> constant;  // or this all the time
+    // Of a spring, where it has keys of them.
+    std::optional<CurveTrack> frequency = {}, strength = {};
+    bool reads_curves() const { return frequency || strength || drive->feed_forward; }
   };
 
   // The context must outlive it. No region is active.
@@ -27,6 +30,7 @@ class DriveCurves {
   void SetRegions(const std::vector<int>& regions);
 
   std::vector<Entry>& entries() { return entries_; }
+  const std::vector<Entry>& entries() const { return entries_; }
   // Null: a constant.
   CurveTrack* TrackOf(Entry* entry) const {
     if (entry->constant) return nullptr;

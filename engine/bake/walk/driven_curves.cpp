@@ -70,22 +70,65 @@ DrivenCurves::DrivenCurves(BakeContext* context) : context_(*context), drives_(c
 void DrivenCurves::SetRegions(const std::vector<int>& regions) {
   drives_.SetRegions(regions);
   motion_.drives.clear();
+  motion_.springs.clear();
   if (!drives_.entries().empty()) motion_.drives.resize(motion_.angles.size());
+  const auto reads = [](const DriveCurves::Entry& entry) { return entry.reads_curves(); };
+  if (std::any_of(drives_.entries().begin(), drives_.entries().end(), reads)) {
+    motion_.springs.resize(motion_.angles.size());
+  }
+  const auto asks = [](const DriveCurves::Entry& entry) { return entry.drive->feed_forward; };
+  forward_.reset();
+  if (std::any_of(drives_.entries().begin(), drives_.entries().end(), asks)) {
+    forward_ = std::make_unique<FeedForward>(context_.animation, context_.poses.figure(), regions);
+  }
+}
+
+void DrivenCurves::TakeCurve(CurveTrack* track, const FromTo& span, DrivenCurve* curve,
+                             double* to) const {
+  const CurveTrack::Piece piece = track->PieceAt(span.from);
+  if (!piece.interval.is_polynomial()) {
+    const double until = std::min(span.end * 1.0, FitUntil(piece, span.from));
+    *curve = Fitted(piece, span.from, until);
+    *to = std::min(*to, until);
+    return;
+  }
+  *curve = ToDriven(piece, context_.animation.rate);
+  if (piece.last_frame > span.from + kSameFrame) *to = std::min(*to, piece.last_frame);
+}
+
+void DrivenCurves::TakeDrives(const FromTo& span, double* to) {
+  for (DriveCurves::Entry& entry : drives_.entries()) {
+    DrivenCurve* curve = &motion_.drives[entry.joint.value()];
+    if (CurveTrack* track = drives_.TrackOf(&entry)) {
+      TakeCurve(track, span, curve, to);
+    } else {
+      *curve = DrivenCurve::Constant(*entry.constant);
+    }
+    if (motion_.springs.empty()) continue;
+    SpringCurves* more = &motion_.springs[entry.joint.value()];
+    if (entry.frequency) TakeCurve(&*entry.frequency, span, &more->frequency, to);
+    if (entry.strength) TakeCurve(&*entry.strength, span, &more->share, to);
+  }
+}
+
+void DrivenCurves::TakeLimp(const FromTo& span, double* to) {
+  PoseEvaluator& poses = context_.poses;
+  const int n = poses.figure().num_joints();
+  limp_.resize(motion_.angles.size());
+  for (int j = 0; j < n; ++j) {
+    if (poses.free()[j]) TakeCurve(&poses.curves().joint(JointIndex(j)), span, &limp_[j], to);
+  }
+  for (int i = 0; i < kRootAngles && poses.free_root(); ++i) {
+    TakeCurve(&poses.curves().root(kRootAngleZ + i), span, &limp_[n + i], to);
+  }
 }
 
 Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   PoseEvaluator& poses = context_.poses;
+  const FromTo span = {from, end};
   double to = end;
   const auto take = [&](CurveTrack& track, DrivenCurve* curve) {
-    const CurveTrack::Piece piece = track.PieceAt(from);
-    if (!piece.interval.is_polynomial()) {
-      const double until = std::min(end * 1.0, FitUntil(piece, from));
-      *curve = Fitted(piece, from, until);
-      to = std::min(to, until);
-      return;
-    }
-    *curve = ToDriven(piece, context_.animation.rate);
-    if (piece.last_frame > from + kSameFrame) to = std::min(to, piece.last_frame);
+    TakeCurve(&track, span, curve, &to);
   };
   const int n = poses.figure().num_joints();
   for (int j = 0; j < n; ++j) {
@@ -95,17 +138,17 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
     if (!poses.free_root()) take(poses.curves().root(kRootAngleZ + i), &motion_.angles[n + i]);
     take(poses.curves().root(kRootX + i), &motion_.root_position[i]);
   }
-  for (DriveCurves::Entry& entry : drives_.entries()) {
-    DrivenCurve* curve = &motion_.drives[entry.joint.value()];
-    if (CurveTrack* track = drives_.TrackOf(&entry)) {
-      take(*track, curve);
-    } else {
-      *curve = DrivenCurve::Constant(*entry.constant);
-    }
+  TakeDrives(span, &to);
+  if (forward_) TakeLimp(span, &to);
+  if (with_holds || forward_) to = std::min(to, std::floor(from + kSameFrame) + 1.0);
+  if (with_holds) {
+    if (auto error = FitHolds(from, to)) return *error;
   }
-  if (!with_holds) return to;
-  to = std::min(to, std::floor(from + kSameFrame) + 1.0);
-  if (auto error = FitHolds(from, to)) return *error;
+  if (forward_) {
+    constexpr double kLongestFit = 0.05;  // [s]
+    to = std::min(to, from + context_.animation.rate.FrameAt(kLongestFit));
+    FitForward(from, to);
+  }
   return to;
 }
 
@@ -152,6 +195,56 @@ std::optional<Error> DrivenCurves::FitHolds(double from, double to) {
     }
   }
   return std::nullopt;
+}
+
+// By its keys, and where springs pull to something else there. The root's place does not matter.
+FigureMotion DrivenCurves::KeyedAt(double seconds) const {
+  const PoseEvaluator& poses = context_.poses;
+  const int n = poses.figure().num_joints();
+  FigureMotion motion = context_.now;
+  const auto set = [&](int j, const Jet& jet) {
+    motion.q[j] = jet.v;
+    motion.qd[j] = jet.d;
+    motion.qdd[j] = jet.dd;
+  };
+  for (int j = 0; j < n; ++j) {
+    set(j, (poses.free()[j] ? limp_ : motion_.angles)[j].At(seconds));
+  }
+  for (const DriveCurves::Entry& entry : drives_.entries()) {
+    if (entry.drive->kind != DriveKind::kSpring) continue;
+    set(entry.joint.value(), motion_.drives[entry.joint.value()].At(seconds));
+  }
+  RootAngles angles;
+  for (int i = 0; i < kRootAngles; ++i) {
+    const Jet jet = (poses.free_root() ? limp_ : motion_.angles)[n + i].At(seconds);
+    angles.angle[i] = jet.v;
+    angles.rate[i] = jet.d;
+    angles.acceleration[i] = jet.dd;
+    motion.root.a[i] = motion_.root_position[i].At(seconds).dd;
+  }
+  SetRootOrientation(angles, &motion);
+  return motion;
+}
+
+void DrivenCurves::FitForward(double from, double to) {
+  const double middle = 0.5 * context_.Seconds(from + to);
+  const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
+  std::vector<ForwardTorques> found;
+  found.reserve(kPoints);
+  for (int i = 0; i < kPoints; ++i) {
+    found.push_back(forward_->Of(KeyedAt(middle + s[i]), context_.poses.placement().hold()));
+  }
+  const auto fitted = [&](const VecX ForwardTorques::*of, int j) {
+    Points d;
+    for (int i = 0; i < kPoints; ++i) d[i] = (found[i].*of)[j];
+    return PolynomialThrough(s, d, middle);
+  };
+  for (const DriveCurves::Entry& entry : drives_.entries()) {
+    if (!entry.drive->feed_forward) continue;
+    const int j = entry.joint.value();
+    motion_.springs[j].torque = fitted(&ForwardTorques::torques, j);
+    motion_.springs[j].moment = fitted(&ForwardTorques::moments, j);
+  }
 }
 
 }  // namespace hazumi

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/bake/bake_context.h"
 #include "engine/bake/walk/drive_curves.h"
+#include "engine/bake/walk/feed_forward.h"
 #include "engine/passive/node_motion.h"
 
 namespace hazumi {
@@ -25,14 +28,27 @@ class DrivenCurves {
   const DrivenMotion& motion() const { return motion_; }
 
  private:
+  struct FromTo {
+    double from;  // [frames]
+    int end;
+  };
+  // One curve; up to `to` at the latest, or as far as it is one polynomial.
+  void TakeCurve(CurveTrack* track, const FromTo& span, DrivenCurve* curve, double* to) const;
+  void TakeDrives(const FromTo& span, double* to);
+  void TakeLimp(const FromTo& span, double* to);
   // Of what is no polynomial: up to which frame it is fitted by one, and that one.
   double FitUntil(const CurveTrack::Piece& piece, double from) const;
   DrivenCurve Fitted(const CurveTrack::Piece& piece, double from, double to) const;
   std::optional<Error> FitHolds(double from, double to);
+  // What springs add to their pull.
+  FigureMotion KeyedAt(double seconds) const;
+  void FitForward(double from, double to);
 
   BakeContext& context_;
   DriveCurves drives_;
   DrivenMotion motion_;
+  std::unique_ptr<FeedForward> forward_;  // where a spring asks for it, and then:
+  std::vector<DrivenCurve> limp_;         // by Coordinate, the keys of what regions move
 };
 
 }  // namespace hazumi

@@ -77,7 +77,8 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
       for (const JointIndex j : drive.joints) {
         drives_[j.value()] = &drive;
         if (drive.kind != DriveKind::kSpring) continue;
-        springs_[j.value()] = SpringOf(drive, j, region, figure, starts.at(active_[a]));
+        springs_[j.value()] =
+            SpringOf(drive, j, region, figure, starts.at(active_[a]), animation.rate);
       }
     }
     has_contacts_ |= region.touches_scene;

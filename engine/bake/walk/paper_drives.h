@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "engine/bake/walk/drive_curves.h"
+#include "engine/bake/walk/feed_forward.h"
 #include "engine/passive/ball_axes.h"
 #include "engine/passive/forces/spring_drive.h"
 
@@ -23,13 +25,17 @@ class PaperDrives {
  private:
   struct Ball {
     BallAxes axes;
-    Spring spring;
+    size_t entry;  // of the first hinge
   };
+  // What the springs of the entries pull to, and of what else regions move the keys.
+  FigureMotion KeyedAt(const FigureMotion& motion);
+  SpringNow Now(size_t entry, double frame);
 
   BakeContext& context_;
   DriveCurves curves_;
-  std::vector<Spring> springs_;       // by entry of the curves
-  std::map<JointIndex, Ball> balls_;  // by first hinge: with a spring
+  std::vector<Spring> springs_;           // by entry of the curves
+  std::map<JointIndex, Ball> balls_;      // by first hinge: with a spring
+  std::unique_ptr<FeedForward> forward_;  // where a spring asks for it
 };
 
 }  // namespace hazumi

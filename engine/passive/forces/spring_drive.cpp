@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/passive/ball_axes.h"
 #include "engine/passive/forces/hinge_moment.h"
@@ -20,32 +21,51 @@ namespace hazumi {
 
 using small::V3;
 
-double TorqueOf(const Spring& spring, const HingeMotion& hinge, const HingeMotion& reference) {
-  const double w = spring.rate;
-  const double pull = spring.inertia * w *
-                      (w * (reference.angle - hinge.angle) +
-                       2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
+double RateOfFrequency(double frequency) { return 2.0 * std::numbers::pi * frequency; }
+
+SpringNow NowOf(const Spring& spring, double frequency, double share) {
+  return {spring.reads_frequency ? RateOfFrequency(frequency) : spring.rate,
+          spring.reads_share ? share : spring.share};
+}
+
+double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
+                const HingeMotion& reference, double ahead) {
+  const double w = now.rate;
+  double pull = spring.inertia * w *
+                (w * (reference.angle - hinge.angle) +
+                 2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
+  if (spring.has_ahead) pull += ahead;
   const double torque = std::clamp(pull, -spring.most, spring.most);
   if (!spring.muscles) return torque;
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
-  return std::clamp(torque, -spring.share * limits.negative.torque,
-                    spring.share * limits.positive.torque);
+  return std::clamp(torque, -now.share * limits.negative.torque,
+                    now.share * limits.positive.torque);
 }
 
-Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w) {
+Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
+              const Vec3& ahead) {
   const Eigen::Quaterniond turn(E);
   const Vec3 e = turn.vec(), Ie = spring.of_ball * e;
-  const double rate = spring.rate;
-  const Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
-                      2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
+  const double rate = now.rate;
+  Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
+                2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
+  if (spring.has_ahead) moment += ahead;
   // How many times too large.
   double over = moment.norm() / spring.most, sum = 0.0;
   for (int i = 0; i < 3; ++i) {
-    const double most = moment[i] >= 0.0 ? spring.most_forward[i] : spring.most_backward[i];
+    const double whole = moment[i] >= 0.0 ? spring.most_forward[i] : spring.most_backward[i];
+    const double most = std::isfinite(whole) ? now.share * whole : whole;
     sum += moment[i] == 0.0 ? 0.0 : (moment[i] / most) * (moment[i] / most);
   }
   over = std::max(over, std::sqrt(sum));
   return over > 1.0 ? Vec3(moment / over) : moment;
+}
+
+SpringNow SpringDrive::Now(int hinge, const RegionState& state) const {
+  const Spring& spring = springs_[hinge];
+  if (!spring.reads_frequency && !spring.reads_share) return {spring.rate, spring.share};
+  const SpringCurves& curves = state.driven.springs[hinge];
+  return NowOf(spring, curves.frequency.At(state.t).v, curves.share.At(state.t).v);
 }
 
 double SpringDrive::FastestRate() const {
@@ -75,7 +95,11 @@ V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
   const Mat3 E = triple.Rotation(q).transpose() * R;
   const Vec3 w = R_WB.transpose() * (own.w - parent.w).eigen();
   const Vec3 w_ref = E.transpose() * (triple.AxesInBody(q) * qd);
-  return V3(Vec3(R_WB * MomentOf(springs_[first], E, w - w_ref)));
+  Vec3 ahead = Vec3::Zero();
+  for (int k = 0; k < 3 && springs_[first].has_ahead; ++k) {
+    ahead[k] = state.driven.springs[first + k].moment.At(state.t).v;
+  }
+  return V3(Vec3(R_WB * MomentOf(springs_[first], Now(first, state), E, w - w_ref, ahead)));
 }
 
 V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
@@ -85,10 +109,14 @@ V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
     if (own.locked[h]) continue;
     const int hinge = own.first_hinge + h;
     if (springs_[hinge].rate > 0.0) {
+      const Spring& spring = springs_[hinge];
       const Jet reference = state.driven.drives[hinge].At(state.t);
-      torques[free] = TorqueOf(
-          springs_[hinge], {state.positions[own.position + free], state.velocities[own.dof + free]},
-          {reference.v, reference.d});
+      const double ahead =
+          spring.has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
+      torques[free] =
+          TorqueOf(spring, Now(hinge, state),
+                   {state.positions[own.position + free], state.velocities[own.dof + free]},
+                   {reference.v, reference.d}, ahead);
     }
     ++free;
   }

@@ -13,33 +13,48 @@ namespace hazumi {
 
 // A spring and its damper, beside the angle that it pulls to.
 struct Spring {
-  double rate = 0.0;           // 2 pi times the frequency [rad/s]; 0: none
-  double damping_ratio = 0.0;  // 1: does not overshoot
+  double rate = 0.0;  // 2 pi times the frequency, if that changes the greatest [rad/s]; 0: none
+  double damping_ratio = 0.0;                             // 1: does not overshoot
   double most = std::numeric_limits<double>::infinity();  // torque or moment, at most [N m]
   // The same as a share of what muscles can give; not given: as much as it takes.
   std::optional<JointStrength> muscles;  // of a hinge
   double share = 0.0;
-  // Of a ball joint, along its frame's axes either way [N m].
+  // Of a ball joint, along its frame's axes either way, with all of its strength [N m].
   Vec3 most_forward = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 most_backward = Vec3::Constant(std::numeric_limits<double>::infinity());
   double inertia = 0.0;         // of a hinge: about its axis [kg m^2]
   Mat3 of_ball = Mat3::Zero();  // of a ball joint: about its centre, in the ball's frame
+  // Which of SpringCurves it reads.
+  bool reads_frequency = false, reads_share = false, has_ahead = false;
 };
 inline auto MembersOf(const Spring& spring) {
   const auto& [rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
-               of_ball] = spring;
+               of_ball, reads_frequency, reads_share, has_ahead] = spring;
   return std::tie(rate, damping_ratio, most, muscles, share, most_forward, most_backward, inertia,
-                  of_ball);
+                  of_ball, reads_frequency, reads_share, has_ahead);
 }
+
+// 2 pi times a frequency [rad/s, Hz].
+double RateOfFrequency(double frequency);
+
+// What of a spring may change over time.
+struct SpringNow {
+  double rate, share;
+};
+// `frequency`, `share`: what SpringCurves says of them, where the spring reads it.
+SpringNow NowOf(const Spring& spring, double frequency, double share);
 
 // Of a hinge: its angle and rate, or those that the spring pulls it to [rad, rad/s].
 struct HingeMotion {
   double angle, rate;
 };
-double TorqueOf(const Spring& spring, const HingeMotion& hinge, const HingeMotion& reference);
+// `ahead`: added to the pull before it is limited [N m].
+double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
+                const HingeMotion& reference, double ahead);
 // Moment of a ball joint turned by E from what the spring pulls it to, with w the angular velocity
 // relative to that; all in the ball's frame (BallAxes).
-Vec3 MomentOf(const Spring& spring, const Mat3& E, const Vec3& w);
+Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
+              const Vec3& ahead);
 
 struct SpringSpec {
   static constexpr bool kIsOuter = false;
@@ -60,6 +75,7 @@ class SpringDrive : public ForceLaw {
   double FastestRate() const override;
 
  private:
+  SpringNow Now(int hinge, const RegionState& state) const;
   small::V3 MomentOnBall(int node, const RegionState& state) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;
 

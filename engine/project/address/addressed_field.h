@@ -101,6 +101,10 @@ class AddressedField {
     if (IsNext(field.name)) error_ = EnterItem(field, values, fields);
   }
   template <typename Values, typename Fields>
+  void OptionalList(const Field& field, Values& values, Fields fields) {
+    List(field, values, fields);
+  }
+  template <typename Values, typename Fields>
   void Map(const Field& field, Values& values, Fields fields) {
     if (!IsNext(field.name)) return;
     error_ = EnterItem(field, values, [&](auto& walk, auto& item) { fields(walk, item.value); });

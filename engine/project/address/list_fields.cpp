@@ -44,6 +44,10 @@ class FieldLister {
     AddItems(At(field.name), values, fields);
   }
   template <typename T, typename Fields>
+  void OptionalList(const Field& field, const std::vector<T>& values, Fields fields) {
+    List(field, values, fields);
+  }
+  template <typename T, typename Fields>
   void Map(const Field& field, const std::vector<Named<T>>& values, Fields fields) {
     AddItems(At(field.name), values,
              [&](auto& inner, const Named<T>& item) { fields(inner, item.value); });

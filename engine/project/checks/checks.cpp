@@ -116,6 +116,9 @@ constexpr CheckText kTexts[] = {
     {Check::kDriveWithoutStrength, kSemantics,
      "the figure does not say how strong {} is; give the drive a max_torque_n_m in place of "
      "strength, or the figure's hinges a strength"},
+    {Check::kDriveCurveOutside, kSemantics,
+     "between its keys the curve reaches {} at frame {}, and must stay from {} to {}; give keys "
+     "beside that a rate, or interpolation linear"},
     {Check::kRegionsOverlap, kSemantics,
      "regions {} and {} both drive {} in frames {} to {}; end one where the other begins, or take "
      "it out of one"},

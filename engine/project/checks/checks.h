@@ -90,6 +90,7 @@ enum class Check {
   kDriveFrozen,
   kDriveSplitsBall,
   kDriveWithoutStrength,
+  kDriveCurveOutside,
   kRegionsOverlap,
   kMethodsDiffer,
   kMethodInGravity,

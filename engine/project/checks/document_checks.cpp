@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/field_checker.h"
 #include "engine/project/checks/unique_names.h"
 
@@ -44,15 +45,15 @@ void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& sit
   }
 }
 
-void CheckKeysOrder(const ProjectCurve& curve, const Site& site) {
-  for (size_t i = 1; i < curve.keys.size() && site.errors->ok(); ++i) {
-    if (curve.keys[i - 1].frame < curve.keys[i].frame) continue;
-    CheckOrder(curve.keys[i - 1], curve.keys[i], site.Field("keys").Item(i).Field("frame"));
+void CheckKeysOrder(const std::vector<ProjectKey>& keys, const char* name, const Site& site) {
+  for (size_t i = 1; i < keys.size() && site.errors->ok(); ++i) {
+    if (keys[i - 1].frame < keys[i].frame) continue;
+    CheckOrder(keys[i - 1], keys[i], site.Field(name).Item(i).Field("frame"));
   }
 }
 
 void CheckCurve(const ProjectCurve& curve, const std::string& name, const Site& site) {
-  CheckKeysOrder(curve, site.Field(name));
+  CheckKeysOrder(curve.keys, "keys", site.Field(name));
 }
 
 // Each holder begins when the one before it has let go. The first has it from the start.
@@ -102,7 +103,7 @@ void CheckSpan(const Item& item, const Site& site) {
               {std::to_string(item.first_frame), std::to_string(item.last_frame)});
 }
 
-void CheckRegion(const ProjectRegion& region, const Site& site) {
+void CheckRegion(const ProjectRegion& region, const ProjectRate& rate, const Site& site) {
   CheckSpan(region, site);
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
   if (region.contacts.self) {
@@ -112,7 +113,10 @@ void CheckRegion(const ProjectRegion& region, const Site& site) {
     const ProjectDrive& drive = region.drives[i];
     const Site place = site.Field("drives").Item(i);
     if (drive.joints.empty()) place.Field("joints").Report(Check::kDriveEmpty);
-    CheckKeysOrder(drive.torque, place);
+    CheckKeysOrder(drive.torque.keys, "keys", place);
+    CheckKeysOrder(drive.frequency_over_time.keys, "frequency_keys", place);
+    CheckKeysOrder(drive.strength_over_time.keys, "strength_keys", place);
+    CheckDriveCurves(drive, rate, place);
   }
 }
 
@@ -159,7 +163,10 @@ void CheckDocument(const Project& project, FirstError* errors) {
   CheckNamesUnique(project.selection_sets, site.Field("selection_sets"));
   ForEach(project.selection_sets, site.Field("selection_sets"), CheckSet);
   CheckNamesUnique(project.regions, site.Field("regions"));
-  ForEach(project.regions, site.Field("regions"), CheckRegion);
+  ForEach(project.regions, site.Field("regions"),
+          [&](const ProjectRegion& region, const Site& place) {
+            CheckRegion(region, project.fps, place);
+          });
   ForEach(project.placements, site.Field("placements"), check_span);
   ForEach(project.holds, site.Field("holds"), check_span);
   CheckNamesUnique(project.forces, site.Field("forces"));

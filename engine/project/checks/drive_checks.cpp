@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/base/text.h"
 #include "engine/project/checks/hold_checks.h"
+#include "engine/project/fields/curve_fields.h"
+#include "engine/timeline/curve_range.h"
 
 namespace hazumi {
 
@@ -32,6 +35,31 @@ void CheckDriveNames(const ProjectRegion& region, const Figure& figure, const Si
   }
 }
 
+namespace {
+
+void CheckStaysWithin(const ProjectCurve& curve, FrameRate rate, const NumberRange& allowed,
+                      const Site& site) {
+  constexpr double kRounding = 1e-9;
+  if (curve.keys.empty()) return;
+  const CurveRange range = RangeOf(ToKeys(curve, 1.0), rate);
+  const bool is_low = range.least < allowed.lower - kRounding;
+  if (!is_low && range.greatest <= allowed.upper + kRounding) return;
+  site.Report(Check::kDriveCurveOutside,
+              {FormatShort(is_low ? range.least : range.greatest),
+               FormatShort(is_low ? range.frame_of_least : range.frame_of_greatest),
+               NumberText(allowed.lower), NumberText(allowed.upper)});
+}
+
+}  // namespace
+
+void CheckDriveCurves(const ProjectDrive& drive, const ProjectRate& rate, const Site& site) {
+  if (!site.errors->ok()) return;  // the rate may be none
+  const FrameRate frames = {rate.num, rate.den};
+  CheckStaysWithin(drive.frequency_over_time, frames, kFrequencyRange,
+                   site.Field("frequency_keys"));
+  CheckStaysWithin(drive.strength_over_time, frames, kStrengthRange, site.Field("strength_keys"));
+}
+
 void CheckDrives(const Animation& animation, size_t region, FirstError* errors) {
   const DynamicsRegion& own = animation.regions[region];
   const Figure& figure = *animation.figure;
@@ -40,7 +68,7 @@ void CheckDrives(const Animation& animation, size_t region, FirstError* errors) 
     const bool is_known = std::any_of(drive.joints.begin(), drive.joints.end(), [&](JointIndex j) {
       return figure.joint(j).strength.has_value();
     });
-    if (drive.strength && !is_known) {
+    if (IsByStrength(drive) && !is_known) {
       return errors->Report(Check::kDriveWithoutStrength, place,
                             {Quoted(figure.joint(drive.joints.front()).name)});
     }

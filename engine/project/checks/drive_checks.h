@@ -11,6 +11,8 @@ namespace hazumi {
 
 // By themselves, and their names.
 void CheckDriveNames(const ProjectRegion& region, const Figure& figure, const Site& region_site);
+// What its curves say between their keys. Needs a frame rate that has been checked.
+void CheckDriveCurves(const ProjectDrive& drive, const ProjectRate& rate, const Site& site);
 // Beside what is known of the region's joints.
 void CheckDrives(const Animation& animation, size_t region, FirstError* errors);
 

@@ -54,6 +54,10 @@ class FieldChecker {
     ForEach(values, [&](const T& value) { fields(*this, value); });
   }
   template <typename T, typename Fields>
+  void OptionalList(const Field& field, const std::vector<T>& values, Fields fields) {
+    List(field, values, fields);
+  }
+  template <typename T, typename Fields>
   void Map(const Field& field, const std::vector<Named<T>>& values, Fields fields) {
     const Inside inside(&place_, field.name);
     for (const Named<T>& item : values) Nested({item.name.c_str()}, item.value, fields);

@@ -41,6 +41,23 @@ inline constexpr KeyFields kPositionKey = {KeyValue("position_m", "m"), KeyRate(
 inline constexpr KeyFields kTorqueKey = {KeyValue("torque_n_m", "N m"),
                                          KeyRate("rate_n_m_s", "N m/s"),
                                          KeyRateIn("rate_in_n_m_s", "N m/s")};
+// Of what springs read over time.
+inline constexpr NumberRange kFrequencyRange = {0.0, 30.0}, kStrengthRange = {0.0, 10.0};
+inline constexpr KeyFields kFrequencyKey = {{.name = "value",
+                                             .parameter = "value",
+                                             .label = "Value",
+                                             .help = "how often a second it would swing, undamped",
+                                             .unit = "Hz",
+                                             .range = kFrequencyRange},
+                                            KeyRate("rate_per_s", "Hz/s"),
+                                            KeyRateIn("rate_in_per_s", "Hz/s")};
+inline constexpr KeyFields kStrengthKey = {{.name = "value",
+                                            .parameter = "value",
+                                            .label = "Value",
+                                            .help = "share of what the joints' muscles can give",
+                                            .range = kStrengthRange},
+                                           KeyRate("rate_per_s", "1/s"),
+                                           KeyRateIn("rate_in_per_s", "1/s")};
 inline constexpr NumberRange kTangentLength = {0.05, 0.9};
 
 template <typename Ar>

@@ -96,6 +96,13 @@ void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
                  .range = {0.0, 30.0, true},
                  .step = 0.02},
                 drive.frequency_hz);
+    static constexpr Field kFrequencyKeys = {
+        .name = "frequency_keys",
+        .details =
+            "The frequency over time, in place of frequency_hz: a curve between 0, where "
+            "the joint is limp, and 30 Hz, between its keys too."};
+    ar.OptionalList(kFrequencyKeys, drive.frequency_over_time.keys,
+                    [](auto& item, auto& key) { DescribeKey(item, key, kFrequencyKey); });
     ar.Optional({.name = "damping_ratio",
                  .parameter = "damping",
                  .label = "Damping",
@@ -116,8 +123,22 @@ void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
                  .help = "share of what the joints' muscles can give, at their angle and rate",
                  .details = "Of figures whose hinges have a strength; hinges without one are not "
                             "limited by it. Of a ball joint what its hinges can give at rest.",
-                 .range = {0.0, 10.0}},
+                 .range = kStrengthRange},
                 drive.strength);
+    static constexpr Field kStrengthKeys = {
+        .name = "strength_keys",
+        .details =
+            "The same over time, in place of strength: a curve between 0 and 10, between "
+            "its keys too."};
+    ar.OptionalList(kStrengthKeys, drive.strength_over_time.keys,
+                    [](auto& item, auto& key) { DescribeKey(item, key, kStrengthKey); });
+    ar.Optional({.name = "feed_forward",
+                 .label = "Feed forward",
+                 .help = "true: it gives what the motion it pulls to asks for, too",
+                 .details = "The torques of inverse dynamics of the figure on its keys, weight and "
+                            "friction included, before the limits of max_torque_n_m and strength: "
+                            "a spring that is strong enough then stays on its keys."},
+                drive.feed_forward);
   }
 }
 

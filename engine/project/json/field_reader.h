@@ -75,6 +75,10 @@ class FieldReader {
     if (const Json* json = FindRequired(field.name))
       ReadList(*json, At(field.name), values, fields);
   }
+  template <typename T, typename Fields>
+  void OptionalList(const Field& field, std::vector<T>& values, Fields fields) {
+    if (const Json* json = Find(field.name)) ReadList(*json, At(field.name), values, fields);
+  }
   // An object whose field names are names of the document.
   template <typename T, typename Fields>
   void Map(const Field& field, std::vector<Named<T>>& values, Fields fields) {

@@ -65,6 +65,10 @@ class FieldWriter {
   template <typename T, typename Fields>
   void List(const Field& field, const std::vector<T>& values, Fields fields);
   template <typename T, typename Fields>
+  void OptionalList(const Field& field, const std::vector<T>& values, Fields fields) {
+    if (!values.empty()) List(field, values, fields);
+  }
+  template <typename T, typename Fields>
   void Map(const Field& field, const std::vector<Named<T>>& values, Fields fields);
 
   void PutExtra(const ExtraFields& extra) {

@@ -61,6 +61,33 @@ TEST(DriveOperators, TorqueIsKeyedWhereOneIs) {
   Refused(&session, "drive.remove_key", {{"region", "arms"}, {"number", 0}});
 }
 
+TEST(DriveOperators, AFrequencyAndAStrengthAreKeyedWhereOneIs) {
+  Session session;
+  AddLooseArms(&session);
+  Do(&session, "drive.add", {{"region", "arms"}, {"joints", {"r_elbow"}}});
+  const Json drive = {{"region", "arms"}, {"number", 0}};
+  const auto with = [&](Json more) {
+    more.update(drive);
+    return more;
+  };
+  Do(&session, "drive.key", with({{"frame", 5}, {"frequency", 3}, {"strength", 1}}));
+  Do(&session, "drive.key", with({{"frame", 12}, {"strength", 0.2}, {"interpolation", "hold"}}));
+  EXPECT_EQ(DrivesOf(session)[0].frequency_over_time.keys.size(), 1u);
+  ASSERT_EQ(DrivesOf(session)[0].strength_over_time.keys.size(), 2u);
+  EXPECT_EQ(DrivesOf(session)[0].strength_over_time.keys[1].value, 0.2);
+  EXPECT_TRUE(session.WholeMotion().ok());
+  Do(&session, "drive.remove_key", with({{"frame", 5}, {"of", "strength"}}));
+  EXPECT_EQ(DrivesOf(session)[0].frequency_over_time.keys.size(), 1u);
+  EXPECT_EQ(DrivesOf(session)[0].strength_over_time.keys.size(), 1u);
+  Do(&session, "drive.set", with({{"unlimited", true}, {"feed_forward", true}}));
+  EXPECT_TRUE(DrivesOf(session)[0].strength_over_time.keys.empty());
+  EXPECT_TRUE(DrivesOf(session)[0].feed_forward);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(DrivesOf(session)[0].strength_over_time.keys.size(), 1u);
+  Refused(&session, "drive.key", with({{"frequency", 31}}));
+  Refused(&session, "drive.key", with({{"frame", 3}}));
+}
+
 TEST(DriveOperators, WhatCannotBeIsRefused) {
   Session session;
   AddLooseArms(&session);

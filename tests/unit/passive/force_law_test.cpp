@@ -150,6 +150,7 @@ ForceLaws AnySprings(const RandomIsland& island, Random* random) {
     spring.damping_ratio = random->Uniform(0.0, 1.5);
     spring.most = random->Uniform(1.0, 50.0);
     spring.most_forward = Vec3(3.0, 20.0, 10.0);
+    spring.share = 1.0;
     spring.inertia = random->Uniform(0.1, 1.0);
     spring.of_ball = moments.asDiagonal();
   }

@@ -105,7 +105,10 @@ TEST(RoundTrip, MuscleIsOfVersionTwo) {
              "keys": [{"frame": 5, "torque_n_m": 1.5, "rate_n_m_s": 2},
                       {"frame": 7.5, "torque_n_m": -1, "interpolation": "hold"}]},
             {"joints": ["r_elbow"], "kind": "spring", "to": "rest", "frequency_hz": 2.5,
-             "damping_ratio": 0.7, "max_torque_n_m": 30},
+             "frequency_keys": [{"frame": 5, "value": 2, "rate_per_s": 0.5},
+                                {"frame": 7, "value": 0, "interpolation": "linear"}],
+             "damping_ratio": 0.7, "max_torque_n_m": 30,
+             "strength_keys": [{"frame": 6.5, "value": 0.25}], "feed_forward": true},
             {"joints": ["l_wrist"], "kind": "keys"}])"}});
   const Json after = Json::parse(WriteProject(ParseGood(before)));
   EXPECT_EQ(after["version"], 2);

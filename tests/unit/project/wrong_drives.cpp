@@ -16,6 +16,12 @@ std::string Spring(const std::string& joints, const std::string& frequency = "2"
   return R"([{"joints": )" + joints + R"(, "kind": "spring", "frequency_hz": )" + frequency + "}]";
 }
 
+std::string SpringOverTime(const std::string& curve, const std::string& value, double rate = 0) {
+  return R"([{"joints": ["r_elbow"], "kind": "spring", "frequency_hz": 2, ")" + curve +
+         R"(": [{"frame": 5, "value": 1}, {"frame": 15, "value": )" + value +
+         R"(, "rate_per_s": )" + std::to_string(rate) + "}]}]";
+}
+
 }  // namespace
 
 std::vector<WrongProject> WrongDrives() {
@@ -58,6 +64,18 @@ std::vector<WrongProject> WrongDrives() {
                                "strength": 0.5}])")),
        "regions[0].drives: the figure does not say how strong \"r_elbow\" is; give the drive a "
        "max_torque_n_m in place of strength, or the figure's hinges a strength"},
+      {Check::kRange, Read(WithDrives(SpringOverTime("frequency_keys", "31"))),
+       first + ".frequency_keys[1].value: must lie between 0 and 30 Hz, is 31 (how often a second "
+               "it would swing, undamped)"},
+      {Check::kKeyTwice, Read(WithDrives(R"([{"joints": ["r_elbow"], "kind": "spring",
+           "frequency_hz": 2, "strength_keys": [{"frame": 5, "value": 1}, {"frame": 5, "value": 2}]}])")),
+       first + ".strength_keys[1].frame: a second key on frame 5; keep one of them"},
+      {Check::kDriveCurveOutside, Read(WithDrives(SpringOverTime("frequency_keys", "29", -100))),
+       first + ".frequency_keys: between its keys the curve reaches 31 at frame 13.8, and must "
+               "stay from 0 to 30; give keys beside that a rate, or interpolation linear"},
+      {Check::kDriveCurveOutside, Read(WithDrives(SpringOverTime("strength_keys", "0.1", 20))),
+       first + ".strength_keys: between its keys the curve reaches -0.698 at frame 12.4, and must "
+               "stay from 0 to 10; give keys beside that a rate, or interpolation linear"},
       {Check::kRegionsOverlap,
        Compile(
            WithDrives(R"([{"joints": ["r_wrist"], "kind": "keys"}])",

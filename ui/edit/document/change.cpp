@@ -34,7 +34,8 @@ size_t BytesOf(const ProjectFigure& figure) {
 size_t BytesOfDrives(const std::vector<ProjectDrive>& drives) {
   size_t sum = 0;
   for (const ProjectDrive& drive : drives) {
-    sum += sizeof drive + drive.joints.capacity() * sizeof(JointRef) + BytesOf(drive.torque);
+    sum += sizeof drive + drive.joints.capacity() * sizeof(JointRef) + BytesOf(drive.torque) +
+           BytesOf(drive.frequency_over_time) + BytesOf(drive.strength_over_time);
   }
   return sum;
 }

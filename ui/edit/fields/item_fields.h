@@ -105,6 +105,8 @@ class ItemFields {
   template <typename T, typename Fields>
   void List(const Field&, T&, Fields) {}
   template <typename T, typename Fields>
+  void OptionalList(const Field&, T&, Fields) {}
+  template <typename T, typename Fields>
   void Map(const Field&, T&, Fields) {}
 
  private:

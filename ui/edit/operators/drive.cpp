@@ -55,15 +55,30 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
                       });
 }
 
+// A curve that a drive has, and what it is called.
+struct DriveCurve {
+  const char* parameter;
+  ProjectCurve ProjectDrive::*curve;
+  DriveKind kind;  // of drives that have it
+};
+constexpr DriveCurve kCurves[] = {
+    {"torque", &ProjectDrive::torque, DriveKind::kTorque},
+    {"frequency", &ProjectDrive::frequency_over_time, DriveKind::kSpring},
+    {"strength", &ProjectDrive::strength_over_time, DriveKind::kSpring},
+};
+
 Result<Done> SetDrive(Session* session, const Parameters& p) {
   return ChangeDrive(session, p, "Change drive", [&](ProjectRegion* region, int number) {
     ProjectDrive& drive = region->drives[number];
     if (p.yes("unlimited")) {
       drive.max_torque_n_m.reset();
       drive.strength.reset();
+      drive.strength_over_time = {};
     }
     Result<Done> set = SetFields(p, &drive);
-    if (drive.kind != DriveKind::kTorque) drive.torque = {};
+    for (const DriveCurve& what : kCurves) {
+      if (drive.kind != what.kind) drive.*what.curve = {};
+    }
     if (p.has("joints")) TakeOver(static_cast<size_t>(number), region);
     return set;
   });
@@ -76,37 +91,46 @@ Result<Done> RemoveDrive(Session* session, const Parameters& p) {
   });
 }
 
-Result<Done> ExpectTorque(const ProjectDrive& drive) {
-  if (drive.kind == DriveKind::kTorque) return Done();
-  return Refusal("number", std::string("it is of kind ") + NameOf(drive.kind) +
-                               "; only torque has keys of its own");
+Result<Done> PutKeyOf(const DriveCurve& what, const Parameters& p, double frame,
+                      ProjectDrive* drive) {
+  if (drive->kind != what.kind) {
+    return Refusal(what.parameter, std::string("it is of kind ") + NameOf(drive->kind) +
+                                       ", which has none over time");
+  }
+  ProjectCurve* curve = &(drive->*what.curve);
+  const ProjectKey* there = KeyOn(frame, *curve);
+  ProjectKey key = there ? *there : ProjectKey();
+  key.frame = frame;
+  key.value = p.number(what.parameter);
+  if (Result<Done> set = SetFields(p, &key); !set.ok()) return set;
+  PutKey(key, curve);
+  return Done();
 }
 
-Result<Done> KeyTorque(Session* session, const Parameters& p) {
-  return ChangeDrive(session, p, "Key torque",
-                     [&](ProjectRegion* region, int number) -> Result<Done> {
-                       ProjectDrive& drive = region->drives[number];
-                       if (Result<Done> good = ExpectTorque(drive); !good.ok()) return good;
-                       const double frame = p.number("frame", session->frame());
-                       const ProjectKey* there = KeyOn(frame, drive.torque);
-                       ProjectKey key = there ? *there : ProjectKey();
-                       key.frame = frame;
-                       key.value = p.number("torque");
-                       if (Result<Done> set = SetFields(p, &key); !set.ok()) return set.error();
-                       PutKey(key, &drive.torque);
-                       return Done();
-                     });
+Result<Done> KeyDrive(Session* session, const Parameters& p) {
+  return ChangeDrive(session, p, "Key drive", [&](ProjectRegion* region, int number) {
+    Result<Done> done = Refusal("torque", "give a torque, a frequency or a strength");
+    for (const DriveCurve& what : kCurves) {
+      if (!p.has(what.parameter)) continue;
+      done = PutKeyOf(what, p, p.number("frame", session->frame()), &region->drives[number]);
+      if (!done.ok()) break;
+    }
+    return done;
+  });
 }
 
-Result<Done> RemoveTorqueKey(Session* session, const Parameters& p) {
+Result<Done> RemoveDriveKey(Session* session, const Parameters& p) {
   return ChangeDrive(
-      session, p, "Remove torque key", [&](ProjectRegion* region, int number) -> Result<Done> {
-        ProjectDrive& drive = region->drives[number];
-        if (Result<Done> good = ExpectTorque(drive); !good.ok()) return good;
+      session, p, "Remove key of drive", [&](ProjectRegion* region, int number) -> Result<Done> {
         const double frame = p.number("frame", session->frame());
-        const size_t gone = std::erase_if(
-            drive.torque.keys, [frame](const ProjectKey& key) { return key.frame == frame; });
-        if (gone == 0) return Refusal("frame", "there is no key of its torque");
+        const std::string of = p.text("of");
+        size_t gone = 0;
+        for (const DriveCurve& what : kCurves) {
+          if (!of.empty() && of != what.parameter) continue;
+          gone += std::erase_if((region->drives[number].*what.curve).keys,
+                                [frame](const ProjectKey& key) { return key.frame == frame; });
+        }
+        if (gone == 0) return Refusal("frame", "there is no such key");
         return Done();
       });
 }
@@ -130,21 +154,33 @@ std::vector<Operator> DriveOperators() {
        "Takes a drive away: its joints are limp.",
        {kOfRegion, kNumberOf},
        RemoveDrive},
-      {"drive.key", "Key torque", "Sets a key of a torque, or makes one.",
+      {"drive.key", "Key drive",
+       "Sets a key of a torque, or of a spring's frequency or strength over time, or makes one.",
        Joined(
            {{kOfRegion,
              kNumberOf,
              kFrame,
-             {"torque", kNumber, true, "positive accelerates the angle positively", {}, "", "N m"}},
+             {"torque", kNumber, false, "positive accelerates the angle positively", {}, "", "N m"},
+             {"frequency",
+              kNumber,
+              false,
+              "how often a second it would swing, undamped",
+              {},
+              "",
+              "Hz"},
+             {"strength", kNumber, false, "share of what the joints' muscles can give"}},
             Only({"rate", "interpolation", "easing", "rate_in", "length_in", "length_out", "type"},
                  FieldsOf<ProjectKey>()),
             {kDrag}}),
-       KeyTorque},
+       KeyDrive},
       {"drive.remove_key",
-       "Remove torque key",
-       "Takes the key of a torque on a frame away.",
-       {kOfRegion, kNumberOf, kFrame},
-       RemoveTorqueKey}};
+       "Remove key of drive",
+       "Takes keys of a drive on a frame away.",
+       {kOfRegion,
+        kNumberOf,
+        kFrame,
+        {"of", kText, false, "torque, frequency or strength; not given: all"}},
+       RemoveDriveKey}};
 }
 
 }  // namespace hazumi::edit

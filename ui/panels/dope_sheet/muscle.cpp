@@ -50,6 +50,8 @@ RowMuscle MuscleOf(const ProjectRegion& region, const std::vector<int>& drives_b
     if (muscle.kind != kind) muscle.kind = Muscle::kMixed;
     if (kind != Muscle::kSpring || muscle.spring >= 0) continue;
     const ProjectDrive& spring = region.drives[drive];
+    // What keys say is not dragged.
+    if (!spring.strength_over_time.keys.empty()) continue;
     if (spring.max_torque_n_m && !spring.strength) continue;
     muscle.spring = drive;
     muscle.strength = spring.strength;

@@ -25,35 +25,73 @@ struct Place {
   }
 };
 
-// As it is baked, in the current frame [N m].
-double TorqueNow(const ProjectDrive& drive, const edit::Session& session) {
+// What of a drive has keys of its own.
+struct KeyedRow {
+  const char* parameter;
+  const char* label;
+  const char* format;
+  double step;
+};
+
+// As it is baked, in the current frame.
+double ValueNow(const ProjectCurve& curve, const edit::Session& session) {
   const ProjectRate rate = session.project().fps;
-  const Keys keys = ToKeys(drive.torque, 1.0);
+  const Keys keys = ToKeys(curve, 1.0);
   return CurveTrack(&keys, {rate.num, rate.den}, 0.0, {}).At(session.frame()).value;
 }
 
 // In the current frame; a change keys it there.
-void DrawTorque(Editor* editor, const ProjectDrive& drive, const Place& place) {
-  NumberField field{"torque", Tr("Torque here"), TorqueNow(drive, editor->session()), "%.2f N m",
-                    0.1};
+void DrawKeyed(Editor* editor, const KeyedRow& row, const ProjectCurve& curve, const Place& place) {
+  NumberField field{row.parameter, Tr(row.label), ValueNow(curve, editor->session()), row.format,
+                    row.step};
   DrawNumber(editor, field, [&](double value, const std::string& drag) {
-    editor->Do("drive.key", place.With({{"torque", value}, {"drag", drag}}));
+    editor->Do("drive.key", place.With({{row.parameter, value}, {"drag", drag}}));
   });
-  Tooltip(Tr("The torque in this frame; a change keys it here."));
+  Tooltip(Tr("What it is in this frame; a change keys it here."));
   const double frame = editor->session().frame();
-  for (const ProjectKey& key : drive.torque.keys) {
+  for (const ProjectKey& key : curve.keys) {
     if (key.frame != frame) continue;
-    if (DrawButton(Tr("Remove torque key"), Tr("Takes the key of a torque on a frame away."))) {
-      editor->Do("drive.remove_key", place.With({{"frame", frame}}));
+    ImGui::PushID(row.parameter);
+    if (DrawButton(Tr("Remove this key"), Tr("Takes keys of a drive on a frame away."))) {
+      editor->Do("drive.remove_key", place.With({{"frame", frame}, {"of", row.parameter}}));
     }
+    ImGui::PopID();
     return;
   }
+}
+
+// Keys of them replace the one number.
+void DrawOverTime(Editor* editor, const ProjectDrive& drive, const Place& place) {
+  constexpr KeyedRow kFrequency = {"frequency", "Frequency here", "%.2f Hz", 0.02};
+  constexpr KeyedRow kStrength = {"strength", "Strength here", "%.2f", 0.01};
+  if (!drive.frequency_over_time.keys.empty()) {
+    DrawKeyed(editor, kFrequency, drive.frequency_over_time, place);
+  } else if (DrawButton(Tr("Key frequency"), Tr("Makes it change over time, from this frame on."),
+                        2)) {
+    editor->Do("drive.key", place.With({{"frequency", drive.frequency_hz}}));
+  }
+  if (!drive.strength_over_time.keys.empty()) {
+    DrawKeyed(editor, kStrength, drive.strength_over_time, place);
+  } else if (drive.strength) {
+    if (drive.frequency_over_time.keys.empty()) ImGui::SameLine();
+    if (DrawButton(Tr("Key strength"), Tr("Makes it change over time, from this frame on."), 2)) {
+      editor->Do("drive.key", place.With({{"strength", *drive.strength}}));
+    }
+  }
+}
+
+// Those that are drawn in a way of their own.
+std::vector<std::string> KeyedFields(const ProjectDrive& drive) {
+  std::vector<std::string> names = {"joints"};
+  if (!drive.frequency_over_time.keys.empty()) names.emplace_back("frequency");
+  if (!drive.strength_over_time.keys.empty()) names.emplace_back("strength");
+  return names;
 }
 
 // How strong a spring may be, where it says nothing of that yet. True if it was changed.
 bool DrawLimits(const ProjectDrive& drive, const SetItem& set) {
   constexpr double kOfAnArm = 20.0;  // [N m]
-  if (drive.max_torque_n_m || drive.strength) {
+  if (drive.max_torque_n_m || drive.strength || !drive.strength_over_time.keys.empty()) {
     if (!DrawButton(Tr("No limit"), Tr("true: it pulls as hard as it takes"))) return false;
     set({{"unlimited", true}}, "");
     return true;
@@ -80,8 +118,11 @@ bool DrawDrive(Editor* editor, const ProjectDrive& drive, const Place& place) {
   }
   ImGui::TextWrapped("%s", names.c_str());
   const SetItem set = SetBy(editor, "drive.set", place.With(Json::object()));
-  DrawFieldRows(editor, drive, {"joints"}, set);
-  if (drive.kind == DriveKind::kTorque) DrawTorque(editor, drive, place);
+  DrawFieldRows(editor, drive, KeyedFields(drive), set);
+  if (drive.kind == DriveKind::kTorque) {
+    DrawKeyed(editor, {"torque", "Torque here", "%.2f N m", 0.1}, drive.torque, place);
+  }
+  if (drive.kind == DriveKind::kSpring) DrawOverTime(editor, drive, place);
   if (drive.kind == DriveKind::kSpring && DrawLimits(drive, set)) return true;
   const edit::Session& session = editor->session();
   if (DrawButton(Tr("Selected joints"), Tr("It drives the selected joints."), 2)) {

@@ -92,7 +92,12 @@ void CarryAlong(const KeySelection& selected, const Figure& figure, const FrameM
   for (ProjectRegion& region : project->regions) {
     if (!carrier.has_all() && !carrier.HasAllOf(CurvesOf(region, figure))) continue;
     carrier.CarryEnds(&region);
-    for (ProjectDrive& drive : region.drives) carrier.CarryKeys(&drive.torque);
+    for (ProjectDrive& drive : region.drives) {
+      for (ProjectCurve* curve :
+           {&drive.torque, &drive.frequency_over_time, &drive.strength_over_time}) {
+        carrier.CarryKeys(curve);
+      }
+    }
   }
   if (!carrier.has_all()) return;
   for (ProjectPlacement& placement : project->placements) carrier.CarryEnds(&placement);
