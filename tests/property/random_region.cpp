@@ -17,7 +17,8 @@ FigureSpec ShippedHuman() {
   return LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
 }
 
-// One figure in three is the human that is shipped, with its own limits.
+}  // namespace
+
 Figure RandomFigure(bool has_limits, Random* random) {
   const bool is_human = random->Chance(1.0 / 3.0);
   FigureSpec spec = is_human ? ShippedHuman() : RandomTreeSpec(random);
@@ -30,6 +31,8 @@ Figure RandomFigure(bool has_limits, Random* random) {
   }
   return Build(spec);
 }
+
+namespace {
 
 // One or two joints, with all beyond them or by themselves: two arms at most.
 void ChooseJoints(const Figure& figure, Random* random, DynamicsRegion* region) {

@@ -6,6 +6,9 @@
 
 namespace hazumi::test {
 
+// One in three is the human that is shipped, with its own limits.
+Figure RandomFigure(bool has_limits, Random* random);
+
 // An animation of a random figure with one exact region of 5 to 30 frames from frame 0 on, start
 // rates of at most 15 rad/s, joints outside it moving by keys, friction of all kinds, the root
 // keyed, pinned or in flight, and sometimes turning freely.

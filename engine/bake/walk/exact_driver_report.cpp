@@ -16,6 +16,17 @@ constexpr double kEstimateShare = 0.2;
 
 }  // namespace
 
+// Where contacts come too fast the least difference grows without bound.
+void ExactDriver::LeaveControl(Island* island) {
+  if (!island->has_control) return;
+  island->has_control = false;
+  const double t = island->solution.frozen_from().value_or(island->solution.time());
+  for (const Coordinate c : island->solution.hinges()) {
+    double& from = frozen_from_[region_of_[c]];
+    from = std::min(from, t);
+  }
+}
+
 void ExactDriver::Estimate(double t) {
   const int n = figure_.num_joints() + kRootAngles;
   RotationState state{VecX(n), VecX(n), {}}, control = state;

@@ -31,6 +31,8 @@ void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMoti
   range_.Begin(q);
   held_.Begin();
   frozen_.Begin();
+  crawl_start_ = t;
+  crawl_steps_ = steps_;
   frozen_until_.reset();
   release_search_.Begin();
   dynamics_->SetAnchor(anchor);
@@ -101,6 +103,10 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   if (next_ == Next::kGoOnFromCut) step_.GoOn();
   next_ = Next::kGoOn;
   if (frozen_until_) return AdvanceFrozen(end);
+  if (Crawls()) {
+    Freeze();
+    return AdvanceFrozen(end);
+  }
   if (const std::optional<ExactFailure> failure = step_.Take(end)) {
     // Contacts that slide may jam: no finite forces keep them from it, but a blow does.
     if (!dynamics_->contacts().any_closed()) return failure;
@@ -135,6 +141,18 @@ void ExactSolver::MakeEventHappen() {
   held_.is_chattering(time()) ? Freeze() : Resolve(Vec3::Zero());
 }
 
+// So many steps in so little time: what slides turns faster than steps can follow.
+bool ExactSolver::Crawls() {
+  constexpr int kMostSteps = 30;
+  constexpr double kWhile = 5e-3;  // [s]
+  if (!dynamics_->contacts().any_closed()) return false;
+  if (time() > crawl_start_ + kWhile) {
+    crawl_start_ = time();
+    crawl_steps_ = steps_;
+  }
+  return steps_ > crawl_steps_ + kMostSteps;
+}
+
 // Where contacts change again and again, as they do when many of them come to rest together.
 void ExactSolver::Freeze() {
   if (!frozen_until_) {
@@ -154,6 +172,8 @@ void ExactSolver::Freeze() {
 
 void ExactSolver::Thaw() {
   frozen_.Leave(time());
+  crawl_start_ = time();
+  crawl_steps_ = steps_;
   held_.ForgetEvents();
   Resolve(Vec3::Zero());
 }

@@ -72,6 +72,7 @@ class ExactSolver {
   enum class Next { kGoOn, kGoOnFromCut, kEvent };
 
   void MakeEventHappen();
+  bool Crawls();
   void Freeze();
   void Thaw();
   std::optional<ExactFailure> AdvanceFrozen(double end);
@@ -93,6 +94,8 @@ class ExactSolver {
   int breaks_next_ = -1;  // a constraint that is overloaded at `time`
   // Contacts are frozen until then [s]; none: they are not. When they were the first time.
   std::optional<double> frozen_until_, frozen_from_;
+  double crawl_start_ = 0.0;  // [s], and the steps up to there
+  long crawl_steps_ = 0;
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]
   long steps_ = 0;

@@ -23,7 +23,7 @@ constexpr double kInside = 2e-5, kSunk = 2e-3;       // [m]
 constexpr double kNearLimit = 0.02;                  // of a hinge to its limit [rad]
 // What is inside comes out by this part of its depth in a step, but not faster than that.
 constexpr double kWayOut = 0.1, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [m/s, rad/s]
-constexpr double kGivesWay = 1e-4;
+constexpr double kGivesWay = 1e-4, kGivesMoreWay = 0.2;
 constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not
 // much longer than the last time.
@@ -94,15 +94,15 @@ bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
   return false;
 }
 
-// Contacts give way by a share of what their own force does to them: where there is no room it stays
-// finite. Of what has been inside from the beginning, and is not deeper now, that is as much again.
+// Contacts give way by a share of what their own force does to them: where there is no room it
+// stays finite. Of what has been inside from the beginning, and is not deeper now, it is more.
 void FrozenContacts::GiveWay() {
   ConeProblem& cones = problem_.cones();
   for (const ConeProblem::Block& block : cones.blocks) {
     if (block.kind != Kind::kContact) continue;
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
     const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
-    cones.A(block.row, block.row) *= 1.0 + kGivesWay + sunk * sunk;
+    cones.A(block.row, block.row) *= 1.0 + kGivesWay + kGivesMoreWay * sunk * sunk;
   }
 }
 

@@ -12,7 +12,7 @@ namespace hazumi {
 
 // Where contacts and limits change again and again, as they do when a body tumbles to rest, they
 // are not followed from event to event: what they give is found for a short while at a time, and
-// kept for as long. [METHOD 12.7]
+// kept for as long. [METHOD 12.4]
 class FrozenContacts {
  public:
   // Both must outlive it.

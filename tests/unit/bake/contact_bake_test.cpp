@@ -10,10 +10,6 @@
 namespace hazumi::test {
 namespace {
 
-void SetRootAt(Animation* animation, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) animation->root_keys[i] = {{0, p[i], 0.0, kHold}};
-}
-
 TEST(ContactBake, ABallDropsAndLiesStill) {
   Animation animation = Loose(FreeCapsule(0.0, kBallRadius), 60);
   AddFloor(&animation);

@@ -24,6 +24,10 @@ inline Animation Loose(Figure figure, int frames, const std::vector<const char*>
   return animation;
 }
 
+inline void SetRootAt(Animation* animation, const Vec3& p) {
+  for (int i = 0; i < 3; ++i) animation->root_keys[i] = {{0, p[i], 0.0, kHold}};
+}
+
 // A plane through the origin that falls towards +x, with the coefficient that it has with a figure.
 inline Vec3 AddIncline(Animation* animation, double angle, double friction) {
   SceneObject slope;

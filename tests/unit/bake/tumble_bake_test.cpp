@@ -1,0 +1,152 @@
+// What tumbles to rest on many points, where contacts come too fast to be followed.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/project/figure_reader.h"
+#include "tests/support/figures.h"
+#include "tests/unit/bake/constraint_cases.h"
+#include "tests/unit/bake/contact_cases.h"
+
+namespace hazumi::test {
+namespace {
+
+constexpr double kMostDepth = 5e-4;  // [m]
+
+// The shipped human, all of it free from frame 0 on.
+Animation LooseHuman(int frames, double height, double tilt) {
+  Figure human = Build(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value());
+  Animation animation = Exact(std::move(human), kG);
+  animation.last_frame = frames;
+  AddGravity(&animation, 0, frames);
+  DynamicsRegion region;
+  region.name = "all";
+  region.method = Method::kExact;
+  region.last_frame = frames;
+  region.root = region.touches_scene = true;
+  for (int j = 0; j < animation.figure->num_joints(); ++j) region.joints.emplace_back(j);
+  region.friction.assign(region.joints.size(), 0.8);
+  animation.regions.push_back(region);
+  SetRootAt(&animation, Vec3(0.0, 0.0, height));
+  animation.root_keys[4] = {{0, tilt, 0.0, kHold}};
+  return animation;
+}
+
+double DeepestOf(const Animation& animation, const Motion& motion) {
+  double depth = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    depth = std::max(depth, -ClearanceOf(animation, frame));
+  }
+  return depth;
+}
+
+void ExpectAtRest(const Animation& animation, const Motion& motion) {
+  double most = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    most = std::max(most, MomentumOf(*animation.figure, frame.after).kinetic);
+  }
+  EXPECT_LT(MomentumOf(*animation.figure, motion.frames.back().after).kinetic, 1e-6 * most);
+}
+
+TEST(TumbleBake, AHumanFallsOnAPlaneAndLiesStill) {
+  Animation animation = LooseHuman(120, 1.4, 1.0);
+  AddFloor(&animation);
+  BakeOptions options;
+  options.energy = true;
+  const Motion motion = BakeOrFail(animation, options);
+  EXPECT_LT(DeepestOf(animation, motion), kMostDepth);
+  ExpectAtRest(animation, motion);
+  const EnergyBalance& energy = motion.regions[0].energy.value();
+  EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * std::abs(energy.potential_start));
+  EXPECT_LT(energy.WorkOf("contact"), 0.0);
+}
+
+// Up to the first contacts the error is known; then it is not, and the report says so.
+TEST(TumbleBake, TheReportSaysUpToWhereTheErrorIsEstimated) {
+  Animation animation = LooseHuman(60, 1.4, 1.0);
+  AddFloor(&animation);
+  const RegionReport human = BakeOrFail(animation).regions[0];
+  ASSERT_TRUE(human.estimated_until.has_value());
+  EXPECT_GT(*human.estimated_until, 5.0);
+  EXPECT_LT(*human.estimated_until, 20.0);
+  EXPECT_LE(human.error_estimate, human.tolerance);
+
+  Animation ball = Loose(FreeCapsule(0.0, kBallRadius), 60);
+  AddFloor(&ball);
+  SetRootAt(&ball, Vec3(0.0, 0.0, 1.0));
+  EXPECT_FALSE(BakeOrFail(ball).regions[0].estimated_until.has_value());
+}
+
+TEST(TumbleBake, AChainFallsAcrossABoxesEdges) {
+  for (const double x : {-0.6, -0.3, 0.0, 0.2, 0.5}) {
+    Animation animation = Loose(*Chain().figure, 150, {"one"});
+    animation.regions[0].friction.assign(animation.regions[0].joints.size(), 0.8);
+    AddFloor(&animation);
+    SceneObject box;
+    box.name = "box";
+    box.shape = Box{{Mat3::Identity(), Vec3(x, 0.05, 0.2)}, Vec3(0.3, 0.2, 0.2)};
+    animation.scene.push_back(box);
+    SetRootAt(&animation, Vec3(0.0, 0.0, 0.8));
+    const Motion motion = BakeOrFail(animation);
+    EXPECT_LT(DeepestOf(animation, motion), kMostDepth) << x;
+    ExpectAtRest(animation, motion);
+  }
+}
+
+TEST(TumbleBake, WhatBeginsInsideComesOutSlowlyAndIsWarnedOf) {
+  constexpr double kDepth = 0.005, kWayOut = 0.1;  // [m, m/s]
+  Animation animation = Loose(FreeRod(), 60);
+  AddFloor(&animation);
+  SetRootAt(&animation, Vec3(0.0, 0.0, 0.5 * kThickness - kDepth));
+  const Motion motion = BakeOrFail(animation);
+  ASSERT_EQ(motion.warnings.size(), 1u);
+  EXPECT_EQ(motion.warnings[0].place, "regions[0]");
+  EXPECT_EQ(motion.warnings[0].message,
+            "\"rod\" begins 5 mm inside \"floor\" in frame 0: it is pushed out slowly; move it out "
+            "in that frame");
+  for (const MotionFrame& frame : motion.frames) {
+    EXPECT_GT(ClearanceOf(animation, frame), -kDepth - 1e-4) << frame.frame;
+    EXPECT_LT(frame.after.root_v.norm(), kWayOut) << frame.frame;
+  }
+  EXPECT_NEAR(ClearanceOf(animation, motion.frames.back()), 0.0, 1e-4);
+}
+
+// Two boxes hold a rod from both sides: there is nowhere to go, and nothing moves much.
+TEST(TumbleBake, WhereThereIsNoRoomForcesStayFinite) {
+  Animation animation = Loose(FreeRod(), 30);
+  for (const double side : {-1.0, 1.0}) {
+    SceneObject plate;
+    plate.name = side < 0.0 ? "below" : "above";
+    plate.shape = Box{{Mat3::Identity(), Vec3(0.0, 0.0, 0.5 + side * 0.12)}, Vec3(1.0, 1.0, 0.1)};
+    animation.scene.push_back(plate);
+  }
+  SetRootAt(&animation, Vec3(0.0, 0.0, 0.5));
+  const Motion motion = BakeOrFail(animation);
+  for (const MotionFrame& frame : motion.frames) {
+    EXPECT_NEAR(frame.X_WR.p.z(), 0.5, 0.02) << frame.frame;
+    EXPECT_LT(frame.after.root_v.norm(), 0.1) << frame.frame;
+  }
+}
+
+// Ground far below changes nothing but the way it is solved.
+TEST(TumbleBake, WhatTouchesNothingMovesAsIfNothingCouldBeTouched) {
+  Animation animation = LooseHuman(15, 20.0, 0.3);
+  for (size_t j = 0; j < animation.joint_keys.size(); ++j) {
+    animation.joint_keys[j] = {{0, 0.0, 1.0 + 0.1 * static_cast<double>(j % 7), kCubic}};
+  }
+  animation.root_keys[3] = {{0, 0.0, 3.0, kCubic}};
+  animation.solver.tolerance = 1e-4 * kDegree;
+  AddFloor(&animation);
+  const Motion touching = BakeOrFail(animation);
+  animation.regions[0].touches_scene = false;
+  const Motion free = BakeOrFail(animation);
+  for (size_t f = 0; f < free.frames.size(); ++f) {
+    EXPECT_LT((touching.frames[f].q - free.frames[f].q).cwiseAbs().maxCoeff(), 1e-5) << f;
+    EXPECT_LT((touching.frames[f].X_WR.p - free.frames[f].X_WR.p).norm(), 1e-5) << f;
+  }
+}
+
+}  // namespace
+}  // namespace hazumi::test
