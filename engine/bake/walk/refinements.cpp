@@ -39,7 +39,9 @@ bool Refinements::Sharpen(const std::vector<int>& regions, Recorder* recorder) {
     const double estimate = report.error_estimate, safe = kSafely * report.tolerance;
     if (report.method != Method::kExact || estimate <= safe) continue;
     const double finer = refinement.sharpness * 3.0 * estimate / safe;
-    if (finer > kFinest || estimate > 0.3 * refinement.last_estimate) {
+    // What tumbles was that sensitive before its contacts were frozen.
+    const bool tumbles = report.estimated_until.has_value();
+    if (tumbles || finer > kFinest || estimate > 0.3 * refinement.last_estimate) {
       if (estimate > report.tolerance) WarnOfSensitivity(r, estimate, recorder);
       continue;
     }

@@ -77,6 +77,19 @@ class Solver {
     return left <= kGoodEnough && !hopeless_;
   }
 
+  // From forces that are near, by Newton's steps alone. False if they do not find it.
+  bool Polish(const VecX& start) {
+    if (hopeless_) return false;
+    l_ = start;
+    A_.diagonal() += kLastNearness * own_;
+    b_ -= kLastNearness * own_.cwiseProduct(l_);
+    for (int i = 0; i < kSteps; ++i) {
+      if (!Step()) return false;
+      if (Left(A_, b_) <= kGood) break;
+    }
+    return Left(given_.A, given_.b) <= kGoodEnough;
+  }
+
   const VecX& forces() const { return l_; }
 
  private:
@@ -362,6 +375,13 @@ bool SolveCones(const ConeProblem& problem, VecX* forces) {
   const bool is_solved = solver.Run();
   *forces = solver.forces();
   return is_solved;
+}
+
+bool SolveConesFrom(const ConeProblem& problem, VecX* forces) {
+  Solver near(problem);
+  if (!near.Polish(*forces)) return SolveCones(problem, forces);
+  *forces = near.forces();
+  return true;
 }
 
 bool SweepCones(const ConeProblem& problem, VecX* forces) {

@@ -31,6 +31,9 @@ struct ConeProblem {
 // best known ones, which push only, and stay in their cones.
 bool SolveCones(const ConeProblem& problem, VecX* forces);
 
+// The same, for less where `forces` are near already.
+bool SolveConesFrom(const ConeProblem& problem, VecX* forces);
+
 // Goes on from forces that are near, block by block, for about 1e-6 of the largest force or as long
 // as is worth it. They push only and stay in their cones; work done by velocities that they change
 // is negative however far they come.

@@ -29,7 +29,7 @@ class ContactProblem {
   // do not come near, unless that is not worth it.
   void Sweep(VecX start, bool is_worth_it) {
     forces_ = std::move(start);
-    if (!SweepCones(cones_, &forces_) && is_worth_it) SolveCones(cones_, &forces_);
+    if (!SweepCones(cones_, &forces_) && is_worth_it) SolveConesFrom(cones_, &forces_);
   }
 
   ConeProblem& cones() { return cones_; }
