@@ -138,6 +138,11 @@ void DenseEquations::SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) c
   SolveSemidefinite(L_.topLeftCorner(k, k), x);
 }
 
+void DenseEquations::SolveMany(const RegionLayout& layout, Eigen::Ref<MatX> X) const {
+  const int k = layout.num_dofs();
+  SolveSemidefiniteMany(L_.topLeftCorner(k, k), X);
+}
+
 void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                               int node, const V3& p, const V3& n, bool turns,
                               Eigen::Ref<VecX> row) const {

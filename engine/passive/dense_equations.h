@@ -26,6 +26,8 @@ class DenseEquations {
   void Solve(const RegionLayout& layout, double* x);
   // After Solve: x := M^-1 x.
   void SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) const;
+  // As SolveSemidefiniteMany.
+  void SolveMany(const RegionLayout& layout, Eigen::Ref<MatX> X) const;
 
   // After Assemble: adds to `row` (by dof) what x does to the acceleration along n of a point p of
   // a node, from the root's origin; or, where it `turns`, to its angular acceleration about n. What

@@ -67,8 +67,13 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
 // What the rows do to each other; P_answer_ is what they do to the joints, whose equations are
 // solved.
 MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
-  P_answer_ = contacts_.any_closed() ? P_ : J_;
-  for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
+  if (contacts_.any_closed()) {
+    P_answer_ = P_;
+    dense_.SolveMany(layout, P_answer_);
+  } else {
+    P_answer_ = J_;
+    for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
+  }
   return J_.transpose() * P_answer_ + G_;
 }
 

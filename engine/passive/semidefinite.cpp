@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hazumi {
 
@@ -55,6 +56,15 @@ void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
     for (Eigen::Index i = k + 1; i < n; ++i) sum -= column[i] * x[i];
     x[k] = sum / column[k];
   }
+}
+
+void SolveSemidefiniteMany(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
+  MatX stiff = L;
+  for (Eigen::Index k = 0; k < L.cols(); ++k) {
+    if (L(k, k) <= 0.0) stiff(k, k) = std::numeric_limits<double>::infinity();
+  }
+  stiff.triangularView<Eigen::Lower>().solveInPlace(X);
+  stiff.triangularView<Eigen::Lower>().transpose().solveInPlace(X);
 }
 
 VecX LeastNorm(const MatX& A, const VecX& b) {

@@ -11,8 +11,10 @@
 #include "engine/bake/incremental_bake.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
+#include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/long_timeline.h"
+#include "tests/support/loose_human.h"
 
 namespace hazumi {
 namespace {
@@ -150,6 +152,11 @@ int main(int argc, char** argv) {
     hazumi::RegisterBake(name, hazumi::Load(name));
     hazumi::RegisterLoad(name);
   }
+  // Falls from standing, two seconds: 0.1 degrees up to the first impact.
+  hazumi::Animation fall = hazumi::test::LooseHuman(60, 0.9024);
+  fall.root_keys[4][0].rate = 0.3;
+  fall.solver.tolerance = 0.1 * hazumi::kDegree;
+  hazumi::RegisterBake("fall of a human from standing", fall);
   hazumi::RegisterEdits();
   hazumi::RegisterLongEdits();
   benchmark::Initialize(&argc, argv);

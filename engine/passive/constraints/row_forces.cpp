@@ -43,6 +43,7 @@ RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const Ve
                  double mass, bool blocked) {
   std::vector<Eigen::Index> closed, others;
   for (size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].is_contact()) continue;  // which may open, as limits may let go
     (rows[k].is_closed ? closed : others).push_back(static_cast<Eigen::Index>(k));
   }
   MatX S = A(others, others);

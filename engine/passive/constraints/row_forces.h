@@ -16,8 +16,8 @@ struct RowYield {
   VecX d;
 };
 
-// For A = J M^-1 J^T + G of joints none of which is held by a limit: what a limit holds changes
-// what the rows do, and not how they yield. `damping`: what of the errors slows down. A force has
+// For A = J M^-1 J^T + G of joints none of which is held by a limit: what a limit or a contact holds
+// changes what the rows do, and not how they yield. `damping`: what of the errors slows down. A force has
 // hold as far as it moves its end as it would move `mass` [kg]; a torque as far as it would turn
 // that at an arm of 0.3 m.
 // `blocked`: limits hold hinges, or may, so that there may be no way to go at all: a little of the

@@ -5,8 +5,6 @@
 
 #include "engine/passive/exact/contact_problem.h"
 
-#include <limits>
-
 #include "engine/passive/semidefinite.h"
 
 namespace hazumi {
@@ -16,11 +14,6 @@ using Kind = ConeProblem::Kind;
 void ContactProblem::Factor() {
   L_ = dynamics_->M();
   FactorSemidefinite(L_);
-  // What moves no mass does not answer.
-  stiff_ = L_;
-  for (Eigen::Index k = 0; k < L_.cols(); ++k) {
-    if (L_(k, k) <= 0.0) stiff_(k, k) = std::numeric_limits<double>::infinity();
-  }
 }
 
 LimitRows ContactProblem::Unheld(VecX* x_0) const {
@@ -52,8 +45,7 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
     J(hinge, k) = answer_(hinge, k) = -side[hinge];
     cones_.b[k] = -side[hinge] * x_0[hinge];
   }
-  stiff_.triangularView<Eigen::Lower>().solveInPlace(answer_);
-  stiff_.triangularView<Eigen::Lower>().transpose().solveInPlace(answer_);
+  SolveSemidefiniteMany(L_, answer_);
   cones_.A = J.transpose() * answer_;
   cones_.A.topLeftCorner(own, own) += rows.G;
   cones_.blocks.clear();

@@ -49,8 +49,7 @@ class ContactProblem {
  private:
   RegionDynamics* dynamics_;
   ConeProblem cones_;
-  MatX L_, stiff_;  // stiff_: with infinity on the diagonal instead of 0
-  MatX answer_;     // M^-1 P^T
+  MatX L_, answer_;  // answer: M^-1 P^T
   VecX forces_;
   std::vector<int> limits_;
 };

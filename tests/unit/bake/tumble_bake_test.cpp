@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/project/figure_reader.h"
-#include "tests/support/figures.h"
+#include "tests/support/loose_human.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/contact_cases.h"
 
@@ -14,25 +13,6 @@ namespace hazumi::test {
 namespace {
 
 constexpr double kMostDepth = 5e-4;  // [m]
-
-// The shipped human, all of it free from frame 0 on.
-Animation LooseHuman(int frames, double height, double tilt) {
-  Figure human = Build(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value());
-  Animation animation = Exact(std::move(human), kG);
-  animation.last_frame = frames;
-  AddGravity(&animation, 0, frames);
-  DynamicsRegion region;
-  region.name = "all";
-  region.method = Method::kExact;
-  region.last_frame = frames;
-  region.root = region.touches_scene = true;
-  for (int j = 0; j < animation.figure->num_joints(); ++j) region.joints.emplace_back(j);
-  region.friction.assign(region.joints.size(), 0.8);
-  animation.regions.push_back(region);
-  SetRootAt(&animation, Vec3(0.0, 0.0, height));
-  animation.root_keys[4] = {{0, tilt, 0.0, kHold}};
-  return animation;
-}
 
 double DeepestOf(const Animation& animation, const Motion& motion) {
   double depth = 0.0;
@@ -52,7 +32,6 @@ void ExpectAtRest(const Animation& animation, const Motion& motion) {
 
 TEST(TumbleBake, AHumanFallsOnAPlaneAndLiesStill) {
   Animation animation = LooseHuman(120, 1.4, 1.0);
-  AddFloor(&animation);
   BakeOptions options;
   options.energy = true;
   const Motion motion = BakeOrFail(animation, options);
@@ -66,7 +45,6 @@ TEST(TumbleBake, AHumanFallsOnAPlaneAndLiesStill) {
 // Up to the first contacts the error is known; then it is not, and the report says so.
 TEST(TumbleBake, TheReportSaysUpToWhereTheErrorIsEstimated) {
   Animation animation = LooseHuman(60, 1.4, 1.0);
-  AddFloor(&animation);
   const RegionReport human = BakeOrFail(animation).regions[0];
   ASSERT_TRUE(human.estimated_until.has_value());
   EXPECT_GT(*human.estimated_until, 5.0);
@@ -138,7 +116,6 @@ TEST(TumbleBake, WhatTouchesNothingMovesAsIfNothingCouldBeTouched) {
   }
   animation.root_keys[3] = {{0, 0.0, 3.0, kCubic}};
   animation.solver.tolerance = 1e-4 * kDegree;
-  AddFloor(&animation);
   const Motion touching = BakeOrFail(animation);
   animation.regions[0].touches_scene = false;
   const Motion free = BakeOrFail(animation);

@@ -1,0 +1,30 @@
+#include "tests/support/loose_human.h"
+
+#include "engine/project/figure_reader.h"
+#include "tests/support/animations.h"
+#include "tests/support/figures.h"
+
+namespace hazumi::test {
+
+Animation LooseHuman(int frames, double height, double tilt) {
+  const char* path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
+  Animation animation = Still(Build(LoadFigure(path).value()));
+  animation.solver.method = Method::kExact;
+  animation.gravity = kG;
+  animation.last_frame = frames;
+  AddGravity(&animation, 0, frames);
+  AddFloor(&animation);
+  DynamicsRegion region;
+  region.name = "all";
+  region.method = Method::kExact;
+  region.last_frame = frames;
+  region.root = region.touches_scene = true;
+  for (int j = 0; j < animation.figure->num_joints(); ++j) region.joints.emplace_back(j);
+  region.friction.assign(region.joints.size(), 0.8);
+  animation.regions.push_back(region);
+  animation.root_keys[2] = {{0, height, 0.0, Interpolation::kHold}};
+  animation.root_keys[4] = {{0, tilt, 0.0, Interpolation::kHold}};
+  return animation;
+}
+
+}  // namespace hazumi::test
