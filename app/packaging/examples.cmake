@@ -7,7 +7,7 @@ foreach(of human bird)
   string(REPLACE "\n" "\n  " ${of} "${${of}}")  # it stands in an object
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${assets}/figures/${of}.json)
 endforeach()
-foreach(name throw jump curl blow torque walk wings reach bat bar)
+foreach(name throw jump curl blow torque walk wings reach bat bar stairs)
   set(of human)
   if(name STREQUAL wings)
     set(of bird)

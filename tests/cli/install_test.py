@@ -63,7 +63,7 @@ class Installed(unittest.TestCase):
                 "share/doc/hazumi/copyright", "share/doc/hazumi/README.md",
                 "share/doc/hazumi/examples/README.md", "share/doc/hazumi/sweeps.md", "share/fish/vendor_completions.d/hazumi.fish",
                 *(f"share/hazumi/examples/{name}.kfa" for name in
-                  ("bar", "bat", "blow", "curl", "jump", "reach", "throw", "torque", "walk", "wings")),
+                  ("bar", "bat", "blow", "curl", "jump", "reach", "stairs", "throw", "torque", "walk", "wings")),
                 "share/hazumi/examples/throw_sweep.json",
                 "share/hazumi/figures/README.md", "share/hazumi/figures/bird.json", "share/hazumi/figures/human.json",
                 "share/hazumi/schema/figure.schema.json", "share/hazumi/schema/kfa.schema.json",
