@@ -4,7 +4,8 @@
 //   f_k, n_k    forces at the points p_k that touch, and at the pin with its moment: those of least
 //               sum that supply F, N (contact_forces.cpp). A pin has a moment only where a sole,
 //               that is, something of its own or beyond it, touches.
-//               What constraints do at their points is known: F, N are less by it.
+//               What constraints do at their points is known, and what regions with contacts are
+//               pushed with (MotionFrame::contacts): F, N are less by it.
 //   tau_i      -= axis_i . (n_k + (p_k - p_i) x f_k)   for each hinge i between the root and k
 //                (principle of virtual work), and for constraints' ends alike.
 // What is left of F, N comes from nowhere.
@@ -48,9 +49,12 @@ class EffortWalk {
     Wrench needed = Demand(frame, at, &found.tau);
     ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
     TakeOffConstraints(frame, at.limit->X_WR.p, &needed, &found.tau);
+    TakeOffContacts(frame, at.limit->X_WR.p, &needed, &found);
     points_.clear();
     touching_.PointsAt(index, ws_, &points_);
-    std::erase_if(points_, [&](const ContactPoint& point) { return IsHeld(point, frame); });
+    std::erase_if(points_, [&](const ContactPoint& point) {
+      return IsHeld(point, frame) || IsKnown(point.joint, frame.contacts);
+    });
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
     found.from_nowhere =
         solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
@@ -101,6 +105,28 @@ class EffortWalk {
       const Wrench& push = frame.constraint_pushes[i];
       if (push.force.isZero(0.0) && push.moment.isZero(0.0)) continue;
       if (holds(animation_.constraints[i].a) || holds(animation_.constraints[i].b)) return true;
+    }
+    return false;
+  }
+
+  void TakeOffContacts(const MotionFrame& frame, const Vec3& root, Wrench* needed,
+                       FrameEffort* found) {
+    for (const ContactPush& push : frame.contacts.pushes) {
+      const JointIndex joint =
+          push.link < 0 ? JointIndex() : animation_.figure->links()[push.link].joint;
+      RelieveHinges(*animation_.figure, ws_, joint, push.p, {push.force, Vec3::Zero()},
+                    &found->tau);
+      needed->force -= push.force;
+      needed->moment -= (push.p - root).cross(push.force);
+      found->contacts.push_back({joint, false, push.p, push.force, Vec3::Zero()});
+    }
+  }
+
+  // What pushes a joint's links is known, so nothing is looked for.
+  bool IsKnown(JointIndex joint, const SceneContacts& contacts) const {
+    const auto& links = animation_.figure->links();
+    for (size_t i = 0; i < contacts.is_known.size(); ++i) {
+      if (contacts.is_known[i] && links[i].joint == joint) return true;
     }
     return false;
   }

@@ -102,13 +102,18 @@ Result<int> Baker::AdvanceToCheckpoint(int frame) {
     std::optional<MotionAcceleration> last;
     if (is_last && accelerations) last = walk_->ArrivedWith();
     std::vector<ConstraintPush> pushes;
-    if (is_last) pushes = walk_->ConstraintPushesThere();
+    SceneContacts contacts;
+    if (is_last) {
+      pushes = walk_->ConstraintPushesThere();
+      contacts = walk_->ContactsThere();
+    }
     seams_.Open(frame, walk_);
     if (auto error = CrossFrame(frame)) return *error;
     context_.RecordNow();
     if (last) SetAcceleration(frame, *last);
     if (const auto output = context_.recorder.OutputAt(frame); is_last && output) {
       context_.recorder.SetConstraintPushes(*output, pushes);
+      context_.recorder.SetContacts(*output, std::move(contacts));
     }
     if (is_last) break;
     seams_.Cross();

@@ -145,13 +145,15 @@ struct ConstraintPush {
 };
 
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
-// MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints give.
+// MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints and
+// contacts give.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
   EnergyFlow energy;
   VecX rates = {}, accelerations = {};      // by free hinge [rad/s, rad/s^2]
   std::vector<ConstraintPush> pushes = {};  // by index of the task's constraints
+  std::vector<ContactPush> contacts = {};
   Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
 };
 

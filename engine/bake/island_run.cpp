@@ -115,6 +115,7 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
   if (!dynamics_.constraints().specs().empty()) {
     result.pushes = PushesOfConstraints(request.t);
   }
+  if (dynamics_.contacts().is_possible()) result.contacts = dynamics_.ContactPushes();
   return result;
 }
 
@@ -136,8 +137,8 @@ std::vector<ConstraintPush> IslandRun::PushesOfConstraints(double t) {
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
-  return {solver_.time(),     solver_.step_start(), failure, 0.0,
-          solver_.TakeHits(), solver_.TakeBreaks(), solver_.frozen_from()};
+  return {solver_.time(),       solver_.step_start(), failure, 0.0, solver_.TakeHits(),
+          solver_.TakeBreaks(), solver_.frozen_from()};
 }
 
 void IslandRun::Sample(double t, IslandSamples* samples) {

@@ -73,6 +73,11 @@ class IslandSolution {
   std::vector<ConstraintPush> ConstraintPushes(double t) {
     return answers_.Ask(AccelerateIsland{t}).pushes;
   }
+  // What pushes it where it touches the scene; none if it never does.
+  std::vector<ContactPush> ContactPushes(double t) {
+    if (island_->task.contacts.empty()) return {};
+    return answers_.Ask(AccelerateIsland{t}).contacts;
+  }
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.

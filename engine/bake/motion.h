@@ -7,6 +7,7 @@
 
 #include "engine/base/warning.h"
 #include "engine/figure/figure.h"
+#include "engine/passive/contact/contact_push.h"
 #include "engine/spatial/pose.h"
 #include "engine/spatial/wrench.h"
 #include "engine/timeline/dynamics_region.h"
@@ -38,6 +39,13 @@ struct ObjectPose {
   bool is_held() const { return holder >= 0; }
 };
 
+// What regions that keep out of the scene are pushed with there.
+struct SceneContacts {
+  std::vector<ContactPush> pushes;  // by indices of the figure's links and Animation::scene
+  std::vector<char> is_known;       // by link: nothing else pushes it; empty: of none
+  bool operator==(const SceneContacts&) const = default;
+};
+
 struct MotionFrame {
   int frame = 0;              // in frames of Motion::rate
   VecX q;                     // by JointIndex [rad]; as in `after`
@@ -55,6 +63,8 @@ struct MotionFrame {
   // The same with their directions, and what welds keep from turning: on the body at end a, at that
   // end's point, world axes; the opposite is on b.
   std::vector<Wrench> constraint_pushes = {};
+  // From here on; of the last frame up to there.
+  SceneContacts contacts = {};
 };
 
 enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease, kBreak };

@@ -11,8 +11,6 @@
 
 namespace hazumi {
 
-namespace {}  // namespace
-
 const char* NameOf(SeamOf border) {
   switch (border) {
     case SeamOf::kRegion:
@@ -139,6 +137,7 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.acceleration.reset();
   frame.constraint_forces.assign(animation_.constraints.size(), 0.0);
   frame.constraint_pushes.assign(animation_.constraints.size(), {});
+  frame.contacts = {};
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {
@@ -154,6 +153,10 @@ void Recorder::SetConstraintPushes(int output, const std::vector<ConstraintPush>
     frame.constraint_forces.push_back(push.size);
     frame.constraint_pushes.push_back(push.on_a);
   }
+}
+
+void Recorder::SetContacts(int output, SceneContacts contacts) {
+  if (keep_frames_) motion_->frames[output - first_output_].contacts = std::move(contacts);
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {

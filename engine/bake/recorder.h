@@ -37,6 +37,7 @@ class Recorder {
   // Of a frame that is recorded.
   void SetAcceleration(int output, MotionAcceleration acceleration);
   void SetConstraintPushes(int output, const std::vector<ConstraintPush>& pushes);
+  void SetContacts(int output, SceneContacts contacts);
 
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);

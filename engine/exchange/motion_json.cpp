@@ -1,5 +1,6 @@
 #include "engine/exchange/motion_json.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -112,7 +113,7 @@ class FrameWriter {
     text += ", \"free\": " + FreeJoints(frame);
     if (torques) text += TorqueText(*torques);
     if (effort) text += EffortText(figure_, *effort);
-    text += ConstraintForces(frame);
+    text += ConstraintForces(frame) + Contacts(frame);
     return text + ", \"objects\": " + Objects(frame) + "}";
   }
 
@@ -143,6 +144,21 @@ class FrameWriter {
   std::string ConstraintForces(const MotionFrame& frame) {
     if (animation_.constraints.empty()) return "";
     return ", \"constraint_forces_n\": " + List(frame.constraint_forces, FormatNumber);
+  }
+
+  // Of an animation that has regions with contacts.
+  std::string Contacts(const MotionFrame& frame) {
+    const auto& regions = animation_.regions;
+    const auto touches = [](const DynamicsRegion& region) { return region.touches_scene; };
+    if (std::none_of(regions.begin(), regions.end(), touches)) return "";
+    const auto contact = [&](const ContactPush& push) {
+      const std::string link = push.link < 0 ? "null" : Quote(figure_.links()[push.link].name);
+      const std::string object =
+          push.object < 0 ? "null" : Quote(animation_.scene[push.object].name);
+      return "{\"link\": " + link + ", \"object\": " + object +
+             ", \"position_m\": " + Numbers(push.p) + ", \"force_n\": " + Numbers(push.force) + "}";
+    };
+    return ", \"contacts\": " + List(frame.contacts.pushes, contact);
   }
 
   std::string Objects(const MotionFrame& frame) {

@@ -7,6 +7,7 @@
 
 #include "engine/passive/constraints/constraint_rows.h"
 #include "engine/passive/constraints/row_forces.h"
+#include "engine/passive/contact/contact_push.h"
 #include "engine/passive/contact/contact_set.h"
 #include "engine/passive/contact/frozen_forces.h"
 #include "engine/passive/dense_equations.h"
@@ -147,6 +148,8 @@ class RegionDynamics {
   // How far the forces of contacts are beyond what they can be, in the state that was looked at
   // last, as a part of what they push with in all.
   double ContactExcess() const;
+  // What pushes there: where contacts are closed, and what is frozen.
+  std::vector<ContactPush> ContactPushes() const;
   // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].
   Vec3 KickOf(const VecX& impulses) const;
   // Moves a state to where the rows that have no gap to close have none, and none opens: the least

@@ -304,6 +304,33 @@ double RegionDynamics::ContactExcess() const {
   return pushes > 0.0 ? excess / pushes : 0.0;
 }
 
+std::vector<ContactPush> RegionDynamics::ContactPushes() const {
+  std::vector<ContactPush> pushes;
+  const ContactSpec& spec = contacts_.spec();
+  const auto add = [&](const ContactPair& pair, const V3& p) {
+    pushes.push_back(
+        {spec.capsules[pair.capsule].link, spec.obstacles[pair.obstacle].object, p.eigen()});
+  };
+  int last = -1;  // pair: its rows follow one another
+  for (size_t k = 0; k < rows_.rows().size(); ++k) {
+    const ConstraintRow& row = rows_.rows()[k];
+    if (!row.is_contact()) continue;
+    if (row.contact != last) add(contacts_.pairs()[row.contact], places_[row.a].p + row.r_a);
+    last = row.contact;
+    pushes.back().force += row_forces_[static_cast<Eigen::Index>(k)] * row.push.eigen();
+  }
+  for (const FrozenForces::Push& push : frozen_.pushes) {
+    const V3 p = places_[push.node].p + kinematics_.motion()[push.node].R * V3(push.p_N);
+    const auto& pairs = contacts_.pairs();
+    const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const ContactPair& own) {
+      return spec.capsules[own.capsule].node == push.node && own.frozen.eigen() == push.force;
+    });
+    pair != pairs.end() ? add(*pair, p) : pushes.push_back({-1, -1, p.eigen()});
+    pushes.back().force = push.force;
+  }
+  return pushes;
+}
+
 void RegionDynamics::AddRowForces(RowsOf of) {
   for (size_t k = 0; k < rows_.rows().size(); ++k) {
     const ConstraintRow& row = rows_.rows()[k];

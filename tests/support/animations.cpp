@@ -131,7 +131,7 @@ bool IsSame(const MotionFrame& a, const MotionFrame& b) {
   };
   return a.q == b.q && IsSame(a.X_WR, b.X_WR) && IsSame(a.before, b.before) &&
          IsSame(a.after, b.after) && a.com == b.com && a.pinned == b.pinned &&
-         a.constraint_forces == b.constraint_forces &&
+         a.constraint_forces == b.constraint_forces && a.contacts == b.contacts &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
                     same_object);
 }

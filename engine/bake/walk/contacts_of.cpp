@@ -8,8 +8,9 @@ namespace hazumi {
 
 namespace {
 
-void AddObstacle(const SceneObject& object, ContactSpec* spec) {
+void AddObstacle(const SceneObject& object, int index, ContactSpec* spec) {
   ContactObstacle obstacle;
+  obstacle.object = index;
   obstacle.friction = std::sqrt(SceneObject::kFriction * object.friction);
   if (const auto* plane = std::get_if<Plane>(&object.shape)) {
     obstacle.normal = plane->normal;
@@ -31,13 +32,15 @@ ContactSpec ContactsOf(const RegionModel& model, const Figure& figure,
                        const std::vector<SceneObject>& scene,
                        const std::function<bool(JointIndex)>& touches) {
   ContactSpec spec;
-  for (const SceneObject& object : scene) AddObstacle(object, &spec);
-  for (const Link& link : figure.links()) {
+  for (size_t i = 0; i < scene.size(); ++i) AddObstacle(scene[i], static_cast<int>(i), &spec);
+  for (size_t i = 0; i < figure.links().size(); ++i) {
+    const Link& link = figure.links()[i];
     if (!touches(link.joint)) continue;
     const NodeJoint* seat = model.SeatOf(link.joint);
     if (!seat || !model.nodes[seat->node].is_dynamic) continue;
     spec.capsules.push_back({seat->node, OnNode(*seat, link.capsule.a),
-                             OnNode(*seat, link.capsule.b), link.capsule.radius});
+                             OnNode(*seat, link.capsule.b), link.capsule.radius,
+                             static_cast<int>(i)});
   }
   return spec;
 }

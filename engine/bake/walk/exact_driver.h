@@ -98,6 +98,8 @@ class ExactDriver {
   std::vector<int> constraints() const;
   // What each does, by index of the animation's, at a time that islands can be sampled at.
   std::vector<ConstraintPush> ConstraintPushes(double t);
+  // What pushes where, at such a time.
+  SceneContacts ContactsAt(double t);
   // Those that broke since the last call: they do not act any more.
   std::vector<ConstraintBreak> TakeBreaks();
 

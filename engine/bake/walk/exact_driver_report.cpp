@@ -44,6 +44,17 @@ void ExactDriver::Estimate(double t) {
   }
 }
 
+SceneContacts ExactDriver::ContactsAt(double t) {
+  SceneContacts contacts;
+  if (!has_contacts_) return contacts;
+  for (Island& island : islands_) {
+    const std::vector<ContactPush> of_island = island.solution.ContactPushes(t);
+    contacts.pushes.insert(contacts.pushes.end(), of_island.begin(), of_island.end());
+  }
+  for (const Link& link : figure_.links()) contacts.is_known.push_back(Touches(link.joint));
+  return contacts;
+}
+
 long ExactDriver::evaluations() const {
   long sum = finished_.evaluations;
   for (const Island& island : islands_)

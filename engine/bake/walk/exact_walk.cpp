@@ -98,7 +98,7 @@ Result<int> ExactWalk::Advance(int frame) {
     }
     if (from == frame && context_.wants_start) TellStart();
     if (const auto output = context_.recorder.OutputAt(from)) {
-      RecordConstraintPushes(*output, context_.Seconds(from));
+      RecordPushes(*output, context_.Seconds(from));
     }
     if (auto error = AdvancePiece(from, to.value(), end)) return *error;
     if (auto error = Arrive(to.value())) return *error;
@@ -258,8 +258,14 @@ std::vector<ConstraintPush> ExactWalk::ConstraintPushesThere() {
   return driver_->ConstraintPushes(context_.Seconds(context_.now.frame));
 }
 
-void ExactWalk::RecordConstraintPushes(int output, double t) {
-  if (!driver_ || context_.animation.constraints.empty()) return;
+SceneContacts ExactWalk::ContactsThere() {
+  return driver_ ? driver_->ContactsAt(context_.Seconds(context_.now.frame)) : SceneContacts();
+}
+
+void ExactWalk::RecordPushes(int output, double t) {
+  if (!driver_ || !context_.recorder.keeps_frames()) return;
+  if (driver_->has_contacts()) context_.recorder.SetContacts(output, driver_->ContactsAt(t));
+  if (context_.animation.constraints.empty()) return;
   context_.recorder.SetConstraintPushes(output, driver_->ConstraintPushes(t));
 }
 
@@ -342,7 +348,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     if (driver_) driver_->Estimate(context_.Seconds(frame));
     LookAtArrivals(motion);
     context_.Record(output, motion, LimitOf(motion));
-    RecordConstraintPushes(output, context_.Seconds(frame));
+    RecordPushes(output, context_.Seconds(frame));
     if (context_.options.accelerations) {
       context_.recorder.SetAcceleration(output, AccelerationOf(motion));
     }

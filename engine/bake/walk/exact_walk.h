@@ -31,6 +31,7 @@ class ExactWalk : public RegionWalk {
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
   MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
   std::vector<ConstraintPush> ConstraintPushesThere() override;
+  SceneContacts ContactsThere() override;
 
  private:
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
@@ -52,7 +53,7 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> CheckGaps();
   void WarnOfInside();
   void LookAtArrivals(const FigureMotion& motion);
-  void RecordConstraintPushes(int output, double t);
+  void RecordPushes(int output, double t);
 
   MotionAcceleration AccelerationOf(const FigureMotion& motion);
   void TellStart();

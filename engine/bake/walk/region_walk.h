@@ -35,6 +35,8 @@ class RegionWalk {
   virtual MotionAcceleration ArrivedWith() = 0;
   // What constraints did when it came there, by index of the animation's.
   virtual std::vector<ConstraintPush> ConstraintPushesThere() { return {}; }
+  // And where regions touch the scene.
+  virtual SceneContacts ContactsThere() { return {}; }
   const MotionAcceleration& began_with() const { return began_with_; }
   // And rates, which are not those before where something stops joints dead.
   const VecX& began_with_rates() const { return began_with_rates_; }

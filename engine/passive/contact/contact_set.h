@@ -39,6 +39,7 @@ class ContactSet {
  public:
   explicit ContactSet(ContactSpec spec);
 
+  const ContactSpec& spec() const { return spec_; }
   bool is_possible() const { return !spec_.empty(); }
   bool any_closed() const { return num_closed_ > 0; }
 

@@ -12,10 +12,11 @@ struct ContactCapsule {
   int node = 0;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   double radius = 0.0;
+  int link = -1;  // of the figure, for those who are told
 };
 inline auto MembersOf(const ContactCapsule& capsule) {
-  const auto& [node, a, b, radius] = capsule;
-  return std::tie(node, a, b, radius);
+  const auto& [node, a, b, radius, link] = capsule;
+  return std::tie(node, a, b, radius, link);
 }
 
 // Something that does not give way: a plane, or a box. World axes [m].
@@ -27,10 +28,11 @@ struct ContactObstacle {
   Mat3 R = Mat3::Identity();
   Vec3 half_size = Vec3::Zero();
   double friction = 0.0;  // coefficient between it and any of the capsules
+  int object = -1;        // of the scene, for those who are told
 };
 inline auto MembersOf(const ContactObstacle& obstacle) {
-  const auto& [is_box, normal, offset, p, R, half_size, friction] = obstacle;
-  return std::tie(is_box, normal, offset, p, R, half_size, friction);
+  const auto& [is_box, normal, offset, p, R, half_size, friction, object] = obstacle;
+  return std::tie(is_box, normal, offset, p, R, half_size, friction, object);
 }
 
 // What may touch what, as plain values that caches compare.
