@@ -2,8 +2,9 @@
 
 import shutil
 
-from tour_story import GRIP, GRIP_AT, HELD, RAIL, STRENGTH
-from tour_window import RULER, SECTIONS, BoxTour, frame_x, story_by_hand
+from tour_story import END, FALL, GRIP, GRIP_AT, HELD, LIES, RAIL, STRENGTH
+from tour_window import (LAST_FRAME_FIELD, RULER, SECTIONS, VIEW, BoxTour, Tour, frame_x,
+                         story_by_hand)
 
 CLOSE_BESIDE_FILE = (944, 255)  # the same, of a project that was opened
 LEFT_ARM_ROW = (60, 715)  # its name, in the dope sheet of the throw
@@ -12,6 +13,9 @@ ADD_SPRING, BY_STRENGTH = (1220, 644), (1071, 770)
 ON_RAIL = (515, 213)
 EFFORT = (870, 43)  # among the overlays
 TORQUE = (14, 764)  # on the lower left of the graph
+FRAME_FIELD = (663, 490)
+GRAVITY_FROM_HERE = (1201, 371)
+ADD_REGION, REGION_NAME, REGION_LAST = (1135, 351), (1188, 372), (1188, 414)
 
 
 class HoldTour(BoxTour):
@@ -76,3 +80,55 @@ def hold_by_hand(hazumi, out, told, throw):
     begun = out / "begun.kfa"
     shutil.copy(throw, begun)
     story_by_hand(hazumi, out, told, HoldTour, [begun])
+
+
+class FallTour(Tour):
+    """From there: the ground and gravity have the whole figure."""
+
+    def steps(self):
+        return [("23-gravity", self.gravity), ("24-let-go", self.let_go), ("25-lies", self.lies)]
+
+    def gravity(self):
+        """Time to fall in, and what places the figure in it."""
+        user = self.user
+        user.click(*CLOSE_BESIDE_FILE)
+        user.click(*LAST_FRAME_FIELD, times=2)
+        user.replace(str(LIES))
+        user.did("time.range", last=LIES)
+        user.click(*FRAME_FIELD, times=2)
+        user.replace(str(END))
+        user.click(*SECTIONS["scene"])
+        user.click(*GRAVITY_FROM_HERE)
+        user.did("placement.set", kind="gravity", first=END, last=LIES)
+
+    def let_go(self):
+        """All of it, the root too, by the button. That it touches the scene is ticked already."""
+        user = self.user
+        user.move(*VIEW)
+        user.keys("a")
+        user.click(*SECTIONS["region"])
+        user.click(*ADD_REGION)
+        user.did("region.add", contacts=True)
+        user.looked("added")
+        user.click(*REGION_NAME)
+        user.replace(FALL)
+        user.did("region.set", name=FALL)
+        user.click(*REGION_LAST, times=2)
+        user.replace(str(LIES))
+        user.did("region.set", last=LIES)
+
+    def lies(self):
+        user = self.user
+        user.move(*VIEW)
+        user.keys("alt+a")
+        user.click(*FRAME_FIELD, times=2)
+        user.replace(str(LIES))
+        user.looked("ground")
+        self.save_as(self.project)
+
+
+def fall_by_hand(hazumi, out, told, held):
+    """`held`: the project of the hold, which it begins with."""
+    begun = out / "begun.kfa"
+    shutil.copy(held, begun)
+    story_by_hand(hazumi, out, told, FallTour, [begun])

@@ -1,6 +1,7 @@
 """What the tour tells: a throw, in three poses with a dynamics region between them, a jump onto a
 box, a throw over one that is made whole; and from the first throw on what muscle and a hold make of
-it: the left arm pulls towards its keys and takes hold of a rail."""
+it: the left arm pulls towards its keys and takes hold of a rail. In the end the whole figure is let go
+and falls on the ground."""
 
 # Angles of the wind-up, of the throw and of the end [degrees], by frame. Within a pose the joints
 # farther out come first: what they turn is not in the way of those that are turned after them.
@@ -29,3 +30,5 @@ RAIL = {"name": "rail", "x": 0.22, "y": 0.42, "z": 0.98, "size_x": 0.05, "size_y
 GRIP = 16  # the frame from which the left hand goes for the rail
 GRIP_AT = (0.243, 0.335, 1.005)  # on top of it [m]
 HELD = 24  # a frame in which it has it
+LIES = 96  # the last frame of the fall, which begins on END
+FALL = "fall"

@@ -6,13 +6,13 @@
 
 #include "engine/spatial/degrees.h"
 #include "ui/panels/text/filled.h"
+#include "ui/panels/viewport/nearest_line.h"
 
 namespace hazumi::ui {
 
 namespace {
 
 constexpr double kOpenGap = 1e-3, kOpenTurn = kDegree;  // less is not seen [m, rad]
-constexpr double kReachPx = 7.0;                        // of a line, at scale 1
 // Arrows [m]: so long for each m/s or N s, within bounds; wind ends so far from the figure's
 // middle.
 constexpr double kOfWind = 0.06, kOfPush = 0.02, kShortest = 0.2, kLongest = 0.8, kAside = 0.45;
@@ -61,29 +61,6 @@ void PlaceMark(const PushForce& push, const PosedFigure& figure, ForceMark* mark
   mark->strength = push.impulse.norm();
   mark->to = BodyOf(push.at.joint, figure) * push.at.offset;
   mark->from = mark->to - Arrow(push.impulse, kOfPush);
-}
-
-double DistanceTo(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
-  const double t = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-// `line_of`: the two ends of a mark.
-template <typename Mark, typename LineOf>
-const Mark* NearestTo(const View& view, Point at, const std::vector<Mark>& marks, double scale,
-                      LineOf line_of) {
-  const Mark* nearest = nullptr;
-  double least = kReachPx * scale;
-  for (const Mark& mark : marks) {
-    const auto [from, to] = line_of(mark);
-    const auto a = view.ToWindow(from), b = view.ToWindow(to);
-    if (!a || !b || DistanceTo(at, *a, *b) >= least) continue;
-    least = DistanceTo(at, *a, *b);
-    nearest = &mark;
-  }
-  return nearest;
 }
 
 }  // namespace
@@ -147,13 +124,12 @@ std::string TextOf(const ForceMark& mark) {
 const ConstraintMark* ConstraintAt(const View& view, Point at,
                                    const std::vector<ConstraintMark>& marks, double scale) {
   const auto line = [](const ConstraintMark& mark) { return std::pair(mark.a, mark.b); };
-  return NearestTo(view, at, marks, scale, line);
+  return NearestLine(view, at, marks, scale, line);
 }
 
 const ForceMark* ForceAt(const View& view, Point at, const std::vector<ForceMark>& marks,
                          double scale) {
-  const auto line = [](const ForceMark& mark) { return std::pair(mark.from, mark.to); };
-  return NearestTo(view, at, marks, scale, line);
+  return NearestLine(view, at, marks, scale);
 }
 
 std::string TextOf(const ConstraintMark& mark, const Project& project) {

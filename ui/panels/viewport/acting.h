@@ -48,7 +48,8 @@ std::string TextOf(const ConstraintMark& mark, const Project& project);
 
 // All of them, unless they are hidden.
 void DrawActing(Editor* editor, const View& view, const PosedFigure& figure);
-// What there is to say of the constraint under the mouse, or else of the force; empty: none is.
+// What there is to say of the constraint under the mouse, or else of the force, or of what touches
+// something; empty: none is.
 std::string ActingAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse);
 // The bar of the constraint under the mouse becomes the chosen one. False if none is there.
 bool ChooseConstraintAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse);

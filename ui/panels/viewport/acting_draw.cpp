@@ -4,6 +4,7 @@
 
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/viewport/acting.h"
+#include "ui/panels/viewport/contact_marks.h"
 #include "ui/panels/viewport/scene.h"
 #include "ui/panels/viewport/strokes.h"
 
@@ -83,6 +84,7 @@ std::vector<ForceMark> ForcesNow(Editor* editor, const PosedFigure& figure) {
 
 void DrawActing(Editor* editor, const View& view, const PosedFigure& figure) {
   const Project& project = editor->session().project();
+  DrawContacts(editor, view, figure);
   for (const ForceMark& mark : ForcesNow(editor, figure)) Draw(*editor, view, mark);
   const std::optional<BarRef> chosen = ChosenBar(project, editor->sheet);
   for (const ConstraintMark& mark : MarksNow(editor, figure)) {
@@ -99,7 +101,8 @@ std::string ActingAt(Editor* editor, const View& view, const PosedFigure& figure
   }
   const std::vector<ForceMark> forces = ForcesNow(editor, figure);
   const ForceMark* force = ForceAt(view, mouse, forces, scale);
-  return force ? project.forces[force->index].name + ": " + TextOf(*force) : "";
+  if (force) return project.forces[force->index].name + ": " + TextOf(*force);
+  return ContactAt(editor, view, figure, mouse);
 }
 
 bool ChooseConstraintAt(Editor* editor, const View& view, const PosedFigure& figure, Point mouse) {

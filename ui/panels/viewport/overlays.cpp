@@ -24,7 +24,8 @@ const std::vector<OverlaySwitch>& OverlaySwitches() {
       {"limits", "Limits", "Joint limits",
        "How far the active hinge turns; pull the ends to change it", &O::limits},
       {"forces", "Forces", "Constraints and forces",
-       "What keeps things together (dashed: a gap is open), and what acts from outside",
+       "What keeps things together (dashed: a gap is open), what acts from outside, and what "
+       "pushes where a region touches",
        &O::forces},
       {"effort", "Effort", "Effort colours",
        "What each joint has to give, as a share of its strength: green to red, over 100 % marked",
