@@ -153,8 +153,9 @@ class RegionDynamics {
   // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].
   Vec3 KickOf(const VecX& impulses) const;
   // Moves a state to where the rows that have no gap to close have none, and none opens: the least
-  // way, as masses count. Returns what is left [m, rad]. Counts as two evaluations.
-  double CloseGaps(double t, double* y);
+  // way, as masses count. Returns what is left [m, rad]. Counts as two evaluations. Where contacts
+  // have no room what is left of their gaps is theirs from now on, unless it is `only_looked_at`.
+  double CloseGaps(double t, double* y, bool only_looked_at = false);
 
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
@@ -202,7 +203,7 @@ class RegionDynamics {
   void YieldAsIfFree(double t, const double* y);
   void Yield(const RegionLayout& layout);
   VecX LeaveClosedRows();
-  double LowerFloors(const VecX& gaps);
+  double LowerFloors(const VecX& gaps, bool only_looked_at);
   void AssembleHingeRows(const RegionState& state);
   enum class RowsOf { kAll, kConstraints, kContacts };
   void AddRowForces(RowsOf of);

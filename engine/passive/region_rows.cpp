@@ -219,7 +219,7 @@ Vec3 RegionDynamics::KickOf(const VecX& impulses) const {
   return sum.eigen() / model_.mass;
 }
 
-double RegionDynamics::CloseGaps(double t, double* y) {
+double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
   constexpr double kNone = 1e-12;
   constexpr int kMostTries = 8;
   const RegionState state = StateAt(t, layout_, y, y + layout_.num_positions());
@@ -257,19 +257,19 @@ double RegionDynamics::CloseGaps(double t, double* y) {
       Eigen::Map<Vec3> moved(anchor);
       moved += KickOf(push);
     }
-    if (is_last) return LowerFloors(gaps);
+    if (is_last) return LowerFloors(gaps, only_looked_at);
   }
 }
 
 // Where there is no room contacts yield: what is left of their gaps is theirs from now on. Returns
 // the largest of the others.
-double RegionDynamics::LowerFloors(const VecX& gaps) {
+double RegionDynamics::LowerFloors(const VecX& gaps, bool only_looked_at) {
   double left = 0.0;
   for (Eigen::Index k = 0; k < gaps.size(); ++k) {
     const ConstraintRow& row = rows_.rows()[static_cast<size_t>(k)];
     if (!row.is_contact()) {
       left = std::max(left, std::abs(gaps[k]));
-    } else if (gaps[k] != 0.0) {
+    } else if (gaps[k] != 0.0 && !only_looked_at) {
       contacts_.SetFloor(row.contact, contacts_.pairs()[row.contact].floor + gaps[k]);
     }
   }

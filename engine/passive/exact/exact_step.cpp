@@ -145,7 +145,7 @@ void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 void ExactStep::Sample(double t, VecX* q, VecX* qd) {
   MakeDense();
   step_.At(t, y_.data());
-  if (closes_gaps()) dynamics_->CloseGaps(t, y_.data());
+  if (closes_gaps()) dynamics_->CloseGaps(t, y_.data(), /*only_looked_at=*/true);
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch

@@ -103,5 +103,23 @@ TEST(ContactBake, AChainFallsAndLiesStill) {
   EXPECT_LT(MomentumOf(*animation.figure, motion.frames.back().after).kinetic, 1e-6 * most);
 }
 
+// However often it is looked at, and whatever is asked there: the same bits.
+TEST(ContactBake, ToBeLookedAtChangesNothing) {
+  Animation animation = Loose(*Chain().figure, 90, {"one"});
+  animation.regions[0].friction.assign(animation.regions[0].joints.size(), 0.8);
+  AddFloor(&animation);
+  SetRootAt(&animation, Vec3(0.0, 0.0, 0.8));
+  const Motion motion = BakeOrFail(animation);
+  BakeOptions more;
+  more.accelerations = true;
+  more.output_rate = FrameRate{90, 1};
+  const Motion looked_at = BakeOrFail(animation, more);
+  for (size_t i = 0; i < motion.frames.size(); ++i) {
+    EXPECT_EQ(motion.frames[i].q, looked_at.frames[3 * i].q) << i;
+    EXPECT_EQ(motion.frames[i].X_WR.p, looked_at.frames[3 * i].X_WR.p) << i;
+    EXPECT_EQ(motion.frames[i].contacts, looked_at.frames[3 * i].contacts) << i;
+  }
+}
+
 }  // namespace
 }  // namespace hazumi::test
