@@ -9,7 +9,8 @@ from tour_window import (LAST_FRAME_FIELD, RULER, SECTIONS, VIEW, BoxTour, Tour,
 CLOSE_BESIDE_FILE = (944, 255)  # the same, of a project that was opened
 LEFT_ARM_ROW = (60, 715)  # its name, in the dope sheet of the throw
 MUSCLE_EDGE = (600, 701)  # the upper edge of its bar when it is full
-ADD_SPRING, BY_STRENGTH = (1220, 644), (1071, 770)
+TOUCHES = (1137, 769)  # the tick, while there is no muscle
+ADD_SPRING, JOINTS, BY_STRENGTH = (1220, 644), (1060, 455), (1071, 767)
 ON_RAIL = (515, 213)
 EFFORT = (870, 43)  # among the overlays
 TORQUE = (14, 764)  # on the lower left of the graph
@@ -26,18 +27,23 @@ class HoldTour(BoxTour):
                 ("20-hold", self.hold), ("21-effort", self.effort), ("22-torque", self.torque)]
 
     def muscle(self):
-        """The arm by its row, and a spring by its button."""
+        """The arm by its row, and a spring by its button. Its hand is to get at the rail."""
         user = self.user
         user.click(*CLOSE_BESIDE_FILE)
         user.click(frame_x(GRIP), RULER)
         user.click(*LEFT_ARM_ROW)
         user.click(*SECTIONS["region"])
+        user.click(*TOUCHES)
+        user.did("region.set", contacts=False)
         user.click(*ADD_SPRING)
         user.did("drive.add", kind="spring")
 
     def strength(self):
-        """All of it first, and then the edge of its bar is dragged down."""
+        """All of it first, and then the edge of its bar is dragged down. The list of joints makes
+        room for the button."""
         user = self.user
+        user.click(*JOINTS)
+        user.looked("room")
         user.click(*BY_STRENGTH)
         user.did("drive.set", strength=1.0)
         x, y = MUSCLE_EDGE

@@ -13,8 +13,8 @@ namespace hazumi::ui {
 
 namespace {
 
-// An arrow is so long for the weight of the figure, within bounds [m]; a thousandth has none.
-constexpr double kOfWeight = 0.5, kShortestArrow = 0.04, kLongestArrow = 1.0, kLeastShare = 1e-3;
+// An arrow is so long for the weight of the figure, within bounds [m]; two thousandths have none.
+constexpr double kOfWeight = 0.8, kShortestArrow = 0.08, kLongestArrow = 1.2, kLeastShare = 2e-3;
 
 // None while they are hidden.
 std::vector<ContactMark> ContactsNow(Editor* editor, const PosedFigure& figure) {
