@@ -132,12 +132,24 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.objects.clear();
   for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
     frame.objects.push_back(poses->objects().At(i, motion.frame, ws));
+    WarnIfStuck(i, motion.frame, poses->objects());
   }
   frame.in_region = poses->free();
   frame.acceleration.reset();
   frame.constraint_forces.assign(animation_.constraints.size(), 0.0);
   frame.constraint_pushes.assign(animation_.constraints.size(), {});
   frame.contacts = {};
+}
+
+void Recorder::WarnIfStuck(size_t object, double frame, const HeldObjects& objects) {
+  const std::optional<double> from = objects.StuckFrom(object);
+  if (!from || animation_.rate.SecondsAt(frame) <= *from) return;
+  const int stuck = static_cast<int>(std::floor(animation_.rate.FrameAt(*from)));
+  AddWarning({"held_objects[" + std::to_string(object) + "].contacts",
+              "\"" + animation_.held_objects[object].name + "\" cannot go on beyond frame " +
+                  std::to_string(stuck) +
+                  " with what it touches, and stays there; move what stands there",
+              stuck});
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {

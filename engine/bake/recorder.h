@@ -9,6 +9,7 @@
 
 namespace hazumi {
 
+class HeldObjects;
 class PoseEvaluator;
 
 // Writes down what a bake finds: frames and reports into the motion, events and warnings into the
@@ -55,6 +56,8 @@ class Recorder {
   void ClearReport(int region);
 
  private:
+  void WarnIfStuck(size_t object, double frame, const HeldObjects& objects);
+
   const Animation& animation_;
   bool keep_frames_;
   Motion* motion_;

@@ -47,6 +47,7 @@ class RegionDynamics {
                  std::vector<ConstraintSpec> constraints = {}, ContactSpec contacts = {});
 
   const RegionModel& model() const { return model_; }
+  double gravity() const { return gravity_; }
   const RegionLayout& layout() const { return layout_; }
   const std::vector<FreeHinge>& hinges() const { return layout_.hinges(); }
   int num_hinges() const { return layout_.num_hinges(); }

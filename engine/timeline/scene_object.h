@@ -51,10 +51,14 @@ struct Holder {
 struct HeldObject {
   std::string name;
   std::variant<SphereShape, BoxShape> shape;
-  double mass = 0.0;                      // [kg], part of the holder's body while held
-  std::vector<Holder> holders;            // ascending, disjoint
-  std::array<Keys, 3> keys;               // of its centre in the world [m]; all have keys, or none
-  std::string color;                      // "#rrggbb", sRGB
+  double mass = 0.0;            // [kg], part of the holder's body while held
+  std::vector<Holder> holders;  // ascending, disjoint
+  std::array<Keys, 3> keys;     // of its centre in the world [m]; all have keys, or none
+  std::string color;            // "#rrggbb", sRGB
+  // Let go, it stays out of planes and boxes; a sphere only.
+  bool touches_scene = false;
+  double friction = SceneObject::kFriction;  // coefficient
+  double restitution = 0.0;                  // Poisson's, 0 to 1
   std::shared_ptr<const Skin> mesh = {};  // drawn in the box around the shape; null: the shape is
   bool operator==(const HeldObject&) const = default;
 };

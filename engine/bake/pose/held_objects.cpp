@@ -1,6 +1,4 @@
-// Held by a joint whose body is at X_WB: X_WO = X_WB X_BO with X_BO = (rotation, offset). Let go at
-// t0 with v and w it flies:
-//   p = p0 + v (t - t0) - g (t - t0)^2 / 2 z,  R = exp(w (t - t0)) R0.
+// Held by a joint whose body is at X_WB: X_WO = X_WB X_BO with X_BO = (rotation, offset).
 
 #include "engine/bake/pose/held_objects.h"
 
@@ -9,14 +7,6 @@
 namespace hazumi {
 
 namespace {
-
-Pose InFlight(const ObjectState::Flight& flight, double seconds, double gravity) {
-  const double t = seconds - flight.start;
-  const Vec3 p = flight.X_WO.p + flight.v * t + Vec3(0.0, 0.0, -0.5 * gravity * t * t);
-  const double turn = flight.w.norm() * t;
-  if (turn == 0.0) return {flight.X_WO.R, p};
-  return {Eigen::AngleAxisd(turn, flight.w.normalized()).toRotationMatrix() * flight.X_WO.R, p};
-}
 
 // The holder's axes are not multiplied by 1, which would lose the sign of zeros.
 Pose InHand(const BodyScratch& body, const Holder& holder) {
@@ -41,7 +31,9 @@ Figure WithObject(const Figure& figure, const HeldObject& object, int holder) {
 }
 
 HeldObjects::HeldObjects(const Animation& animation)
-    : animation_(animation), states_(animation.held_objects.size()) {
+    : animation_(animation),
+      states_(animation.held_objects.size()),
+      flights_(animation.held_objects.size()) {
   ResetCurves();
 }
 
@@ -78,8 +70,26 @@ void HeldObjects::Release(size_t object, double seconds, const DynamicsWorkspace
   const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
   const Vec3 arm = body.R * holder.offset;
   state.flight =
-      ObjectState::Flight{seconds, InHand(body, holder), body.v + body.w.cross(arm), body.w};
+      ObjectState::Flight{seconds, {InHand(body, holder), body.v + body.w.cross(arm), body.w}};
   state.holder = -1;
+}
+
+Pose HeldObjects::InFlight(size_t object, double seconds) {
+  const HeldObject& of = animation_.held_objects[object];
+  const ObjectState::Flight& flight = *states_[object].flight;
+  if (!of.touches_scene || animation_.scene.empty()) {
+    return Falling(flight.from, seconds - flight.start, animation_.gravity).X_WO;
+  }
+  std::optional<ObjectFlight>& way = flights_[object];
+  if (!way || way->start() != flight.start || way->from() != flight.from) {
+    way.emplace(of, animation_.scene, animation_.gravity, flight.start, flight.from);
+  }
+  return way->At(seconds).X_WO;
+}
+
+std::optional<double> HeldObjects::StuckFrom(size_t object) const {
+  const bool flies = states_[object].holder < 0 && flights_[object];
+  return flies ? flights_[object]->stuck_from() : std::nullopt;
 }
 
 Figure HeldObjects::LoadedFigure() const {
@@ -106,7 +116,7 @@ ObjectPose HeldObjects::At(size_t object, double frame, const DynamicsWorkspace&
       return animation_.rate.SecondsAt(key.frame) >= state.flight->start;
     });
     const bool is_keyed = next != keys.end() && next->frame <= frame;
-    if (!is_keyed) return {InFlight(*state.flight, seconds, animation_.gravity), -1};
+    if (!is_keyed) return {InFlight(object, seconds), -1};
   }
   Pose X_WO;
   for (int axis = 0; axis < 3; ++axis) X_WO.p[axis] = curves_[object][axis].At(frame).value;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/bake/motion.h"
+#include "engine/bake/pose/object_flight.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/timeline/animation.h"
 #include "engine/timeline/curve_track.h"
@@ -24,8 +25,7 @@ Figure WithObject(const Figure& figure, const HeldObject& object, int holder);
 struct ObjectState {
   struct Flight {
     double start = 0.0;  // [s]
-    Pose X_WO;
-    Vec3 v = Vec3::Zero(), w = Vec3::Zero();
+    ObjectMotion from;
     bool operator==(const Flight&) const = default;
   };
   int holder = -1;  // by index of HeldObject::holders; -1: nobody
@@ -52,11 +52,17 @@ class HeldObjects {
   Figure LoadedFigure() const;  // the animation's, with what it holds
   // The workspace holds the figure's positions at that time.
   ObjectPose At(size_t object, double frame, const DynamicsWorkspace& ws);
+  // Where its motion could not be solved further, if it could not: from there on it stays [s].
+  std::optional<double> StuckFrom(size_t object) const;
 
  private:
+  Pose InFlight(size_t object, double seconds);
+
   const Animation& animation_;
   std::vector<std::array<CurveTrack, 3>> curves_;  // by object; of x, y, z
   std::vector<ObjectState> states_;
+  // By object: what touches the scene on the way of its latest state, as far as it was asked for.
+  std::vector<std::optional<ObjectFlight>> flights_;
 };
 
 }  // namespace hazumi

@@ -71,6 +71,7 @@ class ContactSet {
   // So deep inside a box that there is no telling on which side it comes out: it is not felt.
   bool IsBuried(int pair, double gap) const;
   double FrictionOf(int pair) const { return spec_.obstacles[pairs_[pair].obstacle].friction; }
+  double RestitutionOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].restitution; }
 
   // Of the closed ones: a row each along the normal, and two across of those that stick; the force
   // of one that slides points backwards as well.

@@ -12,11 +12,12 @@ struct ContactCapsule {
   int node = 0;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   double radius = 0.0;
-  int link = -1;  // of the figure, for those who are told
+  int link = -1;             // of the figure, for those who are told
+  double restitution = 0.0;  // Poisson's: of an impulse, so much again as it bounces; 0 to 1
 };
 inline auto MembersOf(const ContactCapsule& capsule) {
-  const auto& [node, a, b, radius, link] = capsule;
-  return std::tie(node, a, b, radius, link);
+  const auto& [node, a, b, radius, link, restitution] = capsule;
+  return std::tie(node, a, b, radius, link, restitution);
 }
 
 // Something that does not give way: a plane, or a box. World axes [m].

@@ -1,3 +1,7 @@
+// An impact is inelastic, with impulses p. Where there is a restitution e a second phase follows
+// [Poisson]: n e p_n, and across it what friction makes of it, |t| <= mu e p_n, against what still
+// slides; and, where that pushes something in elsewhere, an inelastic impact of that.
+
 #include "engine/passive/exact/contact_forces.h"
 
 #include <algorithm>
@@ -15,6 +19,9 @@ using Kind = ConeProblem::Kind;
 
 // Of the largest acceleration there would be without the forces: less is none.
 constexpr double kNone = 1e-9, kStill = 1e-4;
+// What would be back within so long does not bounce [s]: else it would do so for ever.
+constexpr double kShortHop = 6e-3;
+constexpr int kMostHalvings = 30;
 
 }  // namespace
 
@@ -51,11 +58,62 @@ void ContactForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std
   *qd += jump;
   problem_.SetUp(side, sticks, rows, *qd);
   Solve();
+  Bounce(rows.c);
   *qd += problem_.Answer();
   for (size_t k = 0; k < problem_.limits().size(); ++k) {
     const int hinge = problem_.limits()[k];
     if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 || sticks[hinge]) (*qd)[hinge] = 0.0;
   }
+}
+
+// `came`: the rows' velocities before the impact.
+void ContactForces::Bounce(const VecX& came) {
+  VecX more = ImpulsesOfBounce(came);
+  if (more.size() == 0) return;
+  const VecX first = problem_.forces();
+  const double slack = kNone * std::abs(problem_.cones().b.dot(first));
+  // Where things are wedged by friction all of it might give more than there was.
+  for (int i = 0; i < kMostHalvings; ++i, more *= 0.5) {
+    problem_.SolveBeside(first + more);
+    if (problem_.Gain() <= slack) break;
+  }
+  l_ = problem_.row_forces();
+}
+
+// Of the second phase; none: nothing bounces.
+VecX ContactForces::ImpulsesOfBounce(const VecX& came) const {
+  constexpr int kMostSweeps = 200;
+  constexpr double kEnough = 1e-14;  // of the largest
+  const ContactSet& contacts = dynamics_->contacts();
+  const ConeProblem& cones = problem_.cones();
+  const double slow = 0.5 * kShortHop * dynamics_->gravity();
+  VecX more = VecX::Zero(cones.b.size());
+  for (const ConeProblem::Block& block : cones.blocks) {
+    if (block.kind != Kind::kContact || came[block.row] > -slow) continue;
+    const double restitution = contacts.RestitutionOf(dynamics_->rows()[block.row].contact);
+    more[block.row] = restitution * problem_.forces()[block.row];
+  }
+  const double largest = more.lpNorm<Eigen::Infinity>();
+  if (largest == 0.0) return {};
+  const VecX w = cones.A * problem_.forces() + cones.b;
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double change = 0.0;
+    for (const ConeProblem::Block& block : cones.blocks) {
+      if (block.kind != Kind::kContact || more[block.row] == 0.0) continue;
+      const Eigen::Index i = block.row + 1;
+      const double answer =
+          std::max(cones.A(i, i), cones.A(i + 1, i + 1)) + std::abs(cones.A(i, i + 1));
+      const Eigen::Vector2d v = w.segment<2>(i) + cones.A.middleRows<2>(i) * more;
+      Eigen::Vector2d across = more.segment<2>(i);
+      if (answer > 0.0) across -= v / answer;
+      const double most = block.friction * more[block.row], size = across.norm();
+      if (size > most) across *= most / size;
+      change = std::max(change, (across - more.segment<2>(i)).norm());
+      more.segment<2>(i) = across;
+    }
+    if (change <= kEnough * largest) break;
+  }
+  return more;
 }
 
 bool ContactForces::Solve() {

@@ -22,7 +22,8 @@ class ContactForces {
   }
   // Pairs that touch at these angles; the others are open from now on. False: none.
   bool FindTouching(double t, const VecX& q, const VecX& qd);
-  // An inelastic impact of everything that touches, and of a pin that moved with v_pin [m/s].
+  // An impact of everything that touches, inelastic but where capsules have a restitution, and of a
+  // pin that moved with v_pin [m/s].
   void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* qd);
   // Impulses of the rows [N s, N m s].
@@ -36,6 +37,8 @@ class ContactForces {
  private:
   void Close(int pair, const TouchPoint& point, bool may_slide);
   bool Solve();
+  void Bounce(const VecX& came);
+  VecX ImpulsesOfBounce(const VecX& came) const;
   bool IsFelt(Eigen::Index row) const;
   void SetModes();
 

@@ -26,6 +26,14 @@ LimitRows ContactProblem::Unheld(VecX* x_0) const {
   return rows;
 }
 
+void ContactProblem::SolveBeside(const VecX& known) {
+  const VecX b = cones_.b;
+  cones_.b += cones_.A * known;
+  SolveCones(cones_, &forces_);
+  forces_ += known;
+  cones_.b = b;
+}
+
 void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>& sticks,
                            const LimitRows& rows, const VecX& x_0) {
   limits_.clear();

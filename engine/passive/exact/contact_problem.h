@@ -25,6 +25,10 @@ class ContactProblem {
              const VecX& x_0);
   // As SolveCones.
   bool Solve() { return SolveCones(cones_, &forces_); }
+  // `known` act, and what goes in even so is stopped; forces() are all of them.
+  void SolveBeside(const VecX& known);
+  // Of velocities that forces() change: the energy that goes into them [J].
+  double Gain() const { return forces_.dot(0.5 * (cones_.A * forces_) + cones_.b); }
   // For less, by sweeps from forces that are as near as the caller knows; as SolveCones where these
   // do not come near, unless that is not worth it.
   void Sweep(VecX start, bool is_worth_it) {

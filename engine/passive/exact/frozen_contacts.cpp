@@ -4,6 +4,7 @@
 //   forces l up to the end        w+ + h (J x_0 + c + A l)            the same
 // both within the cones of friction. What would be hit within the step is slowed down so that it
 // arrives at its end. What is inside (s < 0) is asked to come out slowly instead.
+// Nothing bounces here.
 
 #include "engine/passive/exact/frozen_contacts.h"
 

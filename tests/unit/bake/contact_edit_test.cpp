@@ -109,6 +109,34 @@ TEST(ContactEdit, WhoPlacesTheRootIsSeenAfterAnEditToo) {
   edits.Make("contact", [](Animation* a) { a->regions[0].touches_scene = true; });
 }
 
+// An arm that throws a ball onto a floor.
+Animation Thrower() {
+  Animation animation = Exact(TurningRod(), kG);
+  SetRoot(&animation, kRootZ, 1.0, 0.0);
+  KeysOf(&animation, "pivot") = {{0, 0.0, {}, kCubic}, {10, 1.5, {}, kCubic}};
+  AddFloor(&animation);
+  HeldObject ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{0.05};
+  ball.mass = 0.4;
+  ball.holders = {{GroupOf(animation, "pivot"), Vec3(kLength, 0.0, 0.0), 0, 6}};
+  ball.touches_scene = true;
+  ball.restitution = 0.6;
+  animation.held_objects = {ball};
+  return animation;
+}
+
+TEST(ContactEdit, AThrownBallFeelsWhatItTouchesAndHow) {
+  Edits edits(Thrower());
+  edits.Make("dead", [](Animation* a) { a->held_objects[0].restitution = 0.0; });
+  edits.Make("smooth", [](Animation* a) { a->held_objects[0].friction = 0.0; });
+  edits.Make("through", [](Animation* a) { a->held_objects[0].touches_scene = false; });
+  edits.Make("not through", [](Animation* a) { a->held_objects[0].touches_scene = true; });
+  edits.Make("lower", [](Animation* a) { std::get<Plane>(a->scene[0].shape).offset -= 0.1; });
+  edits.Make("thrown harder", [](Animation* a) { KeysOf(a, "pivot")[1].value = 2.0; });
+  edits.Make("later", [](Animation* a) { a->held_objects[0].holders[0].last_frame = 8; });
+}
+
 // What touches nothing keeps its motion, whatever stands elsewhere.
 TEST(ContactEdit, FrictionIsNothingToARegionThatTouchesNothing) {
   Animation animation = ArmOverTable();

@@ -1,0 +1,160 @@
+// In the air, from p0 with v and w:  p = p0 + v t - g t^2 / 2 z,  R = exp(w t) R0.
+//
+// The hinges of the ball joint that it is are those of R = R0 Rz Ry Rx, far from their pole as it
+// begins.
+
+#include "engine/bake/pose/object_flight.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "engine/bake/pose/contact_obstacles.h"
+
+namespace hazumi {
+
+namespace {
+
+constexpr int kHinges = 3;
+constexpr int kAxisOf[kHinges] = {2, 1, 0};  // z, y, x
+// One body costs next to nothing.
+constexpr double kStepTolerance = 1e-10;  // [rad], and of places [m]
+constexpr double kLongestStep = 0.1;      // so that nothing is passed by [s]
+constexpr double kNever = 1e6;            // [s]
+
+RegionModel ModelOf(double mass, double radius, const Mat3& R) {
+  RegionModel model;
+  ModelNode node;
+  node.role = Role::kFree;
+  node.num_hinges = kHinges;
+  for (int i = 0; i < kHinges; ++i) {
+    node.hinges[i] = {i, Vec3::Unit(kAxisOf[i]), kAxisOf[i], 1.0};
+  }
+  node.is_ball = node.is_dynamic = true;
+  node.body = SolidSphere(Vec3::Zero(), radius, mass);
+  model.nodes.push_back(node);
+  model.R_root = R;
+  model.coupling = RootCoupling::kFlight;
+  model.root_answers = true;
+  model.mass = mass;
+  model.num_free = kHinges;
+  model.num_bodies = 1;
+  return model;
+}
+
+VecX Infinite() { return VecX::Constant(kHinges, std::numeric_limits<double>::infinity()); }
+
+}  // namespace
+
+ObjectMotion Falling(const ObjectMotion& start, double seconds, double gravity) {
+  const double t = seconds;
+  const Vec3 fall(0.0, 0.0, -0.5 * gravity * t * t);
+  ObjectMotion now = {{start.X_WO.R, start.X_WO.p + start.v * t + fall},
+                      start.v - gravity * t * Vec3::UnitZ(),
+                      start.w};
+  const double turn = start.w.norm() * t;
+  if (turn == 0.0) return now;
+  now.X_WO.R = Eigen::AngleAxisd(turn, start.w.normalized()).toRotationMatrix() * start.X_WO.R;
+  return now;
+}
+
+ObjectFlight::Run::Run(const RegionModel& model, double gravity, const ContactSpec& contacts)
+    : dynamics(model, {}, gravity, {}, contacts), solver(&dynamics, -Infinite(), Infinite()) {
+  nothing.angles.resize(kHinges);
+  dynamics.SetCurves(&nothing, 0.0);
+  solver.SetTolerance(kStepTolerance);
+  solver.SetLongestStep(kLongestStep);
+}
+
+ObjectFlight::ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene,
+                           double gravity, double start, const ObjectMotion& from)
+    : gravity_(gravity), start_(start), from_(from) {
+  const double radius = std::get<SphereShape>(object.shape).radius;
+  model_ = ModelOf(object.mass, radius, from.X_WO.R);
+  contacts_.obstacles = ObstaclesOf(scene, object.friction);
+  contacts_.capsules = {{0, Vec3::Zero(), Vec3::Zero(), radius, -1, object.restitution}};
+  Begin();
+}
+
+void ObjectFlight::Begin() {
+  run_ = std::make_unique<Run>(model_, gravity_, contacts_);
+  stuck_from_.reset();
+  is_stopped_ = false;
+  const Vec3 w = from_.X_WO.R.transpose() * from_.w;
+  last_ = {VecX::Zero(kHinges), VecX(kHinges), {from_.X_WO.p, from_.v}};
+  for (int i = 0; i < kHinges; ++i) last_.qd[i] = w[kAxisOf[i]];
+  run_->solver.Start(start_, last_.q, last_.qd, last_.anchor);
+}
+
+ObjectMotion ObjectFlight::At(double seconds) {
+  if (seconds <= start_) return from_;
+  ExactSolver* solver = &run_->solver;
+  if (seconds < stuck_from_.value_or(solver->step_start())) {
+    Begin();
+    solver = &run_->solver;
+  }
+  while (solver->time() < seconds && !stuck_from_) Step();
+  return MotionOf(stuck_from_ ? last_ : Look(seconds));
+}
+
+// Or no step, but what jams is stopped where it is: where frozen forces [METHOD 12.3] of a ball
+// that is wedged do not find together they would make it spin.
+void ObjectFlight::Step() {
+  constexpr double kSlack = 1e-3;
+  ExactSolver& solver = run_->solver;
+  const double t = solver.time();
+  const bool has_failed = solver.Advance(start_ + kNever).has_value();
+  if (!has_failed) {
+    State now = Look(solver.time());
+    const double before = EnergyOf(last_), weight = model_.mass * gravity_ * radius();
+    const double slack = kSlack * (KineticOf(last_) + weight);
+    if (EnergyOf(now) <= before + slack) {
+      last_ = std::move(now);
+      is_stopped_ = false;
+      return;
+    }
+  }
+  last_.qd.setZero();
+  last_.anchor.v.setZero();
+  if (has_failed || is_stopped_) {
+    stuck_from_ = t;
+    return;
+  }
+  is_stopped_ = true;
+  solver.Start(t, last_.q, last_.qd, last_.anchor);
+}
+
+// Inside the present step. Who looks closes gaps there, and may lower floors: what follows must not
+// know of it.
+ObjectFlight::State ObjectFlight::Look(double seconds) {
+  const ContactSet contacts = run_->dynamics.contacts();
+  State state;
+  run_->solver.Sample(seconds, &state.q, &state.qd);
+  state.anchor = run_->solver.SampledAnchor();
+  run_->dynamics.contacts() = contacts;
+  return state;
+}
+
+ObjectMotion ObjectFlight::MotionOf(const State& state) const {
+  ObjectMotion now;
+  now.X_WO = {model_.R_root, state.anchor.p};
+  now.v = state.anchor.v;
+  for (int i = 0; i < kHinges; ++i) {
+    const Vec3 axis = Vec3::Unit(kAxisOf[i]);
+    now.w += state.qd[i] * (now.X_WO.R * axis);
+    now.X_WO.R = now.X_WO.R * Eigen::AngleAxisd(state.q[i], axis).toRotationMatrix();
+  }
+  return now;
+}
+
+double ObjectFlight::KineticOf(const State& state) const {
+  const double inertia = model_.nodes[0].body.I_com(0, 0);
+  return 0.5 * model_.mass * state.anchor.v.squaredNorm() +
+         0.5 * inertia * MotionOf(state).w.squaredNorm();
+}
+
+double ObjectFlight::EnergyOf(const State& state) const {
+  return KineticOf(state) + model_.mass * gravity_ * state.anchor.p.z();
+}
+
+}  // namespace hazumi

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/passive/driven_curve.h"
+#include "engine/passive/exact/exact_solver.h"
+#include "engine/passive/region_model.h"
+#include "engine/spatial/pose.h"
+#include "engine/timeline/scene_object.h"
+
+namespace hazumi {
+
+// An object at an instant, with the velocity of its centre [m/s] and how it turns [rad/s].
+struct ObjectMotion {
+  Pose X_WO;
+  Vec3 v = Vec3::Zero(), w = Vec3::Zero();
+  bool operator==(const ObjectMotion&) const = default;
+};
+
+// What was let go, by nothing but its inertia and gravity.
+ObjectMotion Falling(const ObjectMotion& start, double seconds, double gravity);
+
+// A ball that was let go and touches planes and boxes: one rigid body without a hand, moved by
+// ExactSolver. It knows the same motion whichever times it is asked for, and in which order.
+// [METHOD 12.4]
+class ObjectFlight {
+ public:
+  // From `start` seconds on. The shape is a sphere.
+  ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene, double gravity,
+               double start, const ObjectMotion& from);
+
+  // Later than the start. What cannot be solved further stays where it is.
+  ObjectMotion At(double seconds);
+  // From when on it stays so [s].
+  const std::optional<double>& stuck_from() const { return stuck_from_; }
+
+  double start() const { return start_; }
+  const ObjectMotion& from() const { return from_; }
+
+ private:
+  struct Run {
+    Run(const RegionModel& model, double gravity, const ContactSpec& contacts);
+    DrivenMotion nothing;
+    RegionDynamics dynamics;
+    ExactSolver solver;
+  };
+  struct State {
+    VecX q, qd;
+    PointMotion anchor;
+  };
+  void Begin();
+  void Step();
+  State Look(double seconds);
+  ObjectMotion MotionOf(const State& state) const;
+  double KineticOf(const State& state) const;
+  double EnergyOf(const State& state) const;
+  double radius() const { return contacts_.capsules[0].radius; }
+
+  RegionModel model_;
+  ContactSpec contacts_;
+  double gravity_, start_;
+  ObjectMotion from_;
+  std::unique_ptr<Run> run_;
+  State last_;               // as the solver's present step ends
+  bool is_stopped_ = false;  // where that began
+  std::optional<double> stuck_from_;
+};
+
+}  // namespace hazumi
