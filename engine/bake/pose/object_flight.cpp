@@ -106,9 +106,9 @@ void ObjectFlight::Step() {
   const bool has_failed = solver.Advance(start_ + kNever).has_value();
   if (!has_failed) {
     State now = Look(solver.time());
-    const double before = EnergyOf(last_), weight = model_.mass * gravity_ * radius();
-    const double slack = kSlack * (KineticOf(last_) + weight);
-    if (EnergyOf(now) <= before + slack) {
+    const double weight = model_.mass * gravity_ * radius();
+    const double slack = kSlack * (KineticOf(last_) + weight) + GainOfComingOut(DepthOf(last_));
+    if (EnergyOf(now) <= EnergyOf(last_) + slack) {
       last_ = std::move(now);
       is_stopped_ = false;
       return;
@@ -122,6 +122,25 @@ void ObjectFlight::Step() {
   }
   is_stopped_ = true;
   solver.Start(t, last_.q, last_.qd, last_.anchor);
+}
+
+double ObjectFlight::DepthOf(const State& state) const {
+  MovingCapsule ball;
+  ball.a = ball.b = small::V3(state.anchor.p);
+  ball.radius = radius();
+  double depth = 0.0;
+  for (const ContactObstacle& obstacle : contacts_.obstacles) {
+    depth = std::max(depth, -LeastGap(ball, obstacle));
+  }
+  return depth;
+}
+
+// What begins inside something is pushed out, slowly: what one frozen step may add to its energy.
+double ObjectFlight::GainOfComingOut(double depth) const {
+  constexpr double kShare = 100.0, kFastest = 0.1, kLongest = 8e-3;  // [1/s, m/s, s]
+  constexpr double kWays = 4.0;  // that it may be pushed at once, amply
+  const double v = std::min(kShare * depth, kFastest);
+  return kWays * model_.mass * v * (0.5 * v + gravity_ * kLongest);
 }
 
 // Inside the present step. Who looks closes gaps there, and may lower floors: what follows must not

@@ -56,6 +56,8 @@ class ObjectFlight {
   ObjectMotion MotionOf(const State& state) const;
   double KineticOf(const State& state) const;
   double EnergyOf(const State& state) const;
+  double DepthOf(const State& state) const;
+  double GainOfComingOut(double depth) const;
   double radius() const { return contacts_.capsules[0].radius; }
 
   RegionModel model_;

@@ -207,6 +207,21 @@ TEST(ObjectFlight, StaysOutOfThingsAndGainsNothing) {
   }
 }
 
+TEST(ObjectFlight, WhatBeginsInsideSomethingGetsNoDeeperAndMovesOn) {
+  for (const double depth : {1e-4, 1e-3, 5e-3, 0.05}) {
+    for (const double speed : {0.0, 1.0}) {
+      ObjectFlight flight(Ball(0.5), {Floor()}, kG, 0.0, At(-depth, speed * Vec3::UnitX()));
+      double deepest = 0.0;
+      for (int f = 1; f <= 300; ++f) {
+        deepest = std::max(deepest, kRadius - flight.At(f / 60.0).X_WO.p.z());
+      }
+      EXPECT_LT(deepest, depth + 1e-4) << depth << " " << speed;
+      EXPECT_FALSE(flight.stuck_from()) << depth << " " << speed;
+      EXPECT_GE(flight.At(5.0).X_WO.p.x(), 2.5 * speed - 1e-9) << depth;
+    }
+  }
+}
+
 TEST(ObjectFlight, IsTheSameInWhateverOrderItIsAsked) {
   const ObjectMotion start = At(1.0, Vec3(2.0, 0.5, 1.0), Vec3(3.0, -4.0, 9.0));
   const std::vector<SceneObject> scene = {Floor()};
