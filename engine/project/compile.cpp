@@ -145,6 +145,9 @@ class Compiler {
     object.mass = source.mass_kg;
     object.color = source.color;
     object.mesh = source.mesh.skin;
+    object.touches_scene = source.contacts;
+    object.friction = source.friction_coefficient;
+    object.restitution = source.restitution;
     if (!source.joint.empty()) {
       object.holders.push_back({*GroupOf(source.joint), source.offset_m, Holder::kFromTheStart,
                                 source.release_frame, RotationFromAngles(source.rotation_deg)});

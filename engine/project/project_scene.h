@@ -95,7 +95,10 @@ struct ProjectHeldObject {
   std::optional<int> release_frame;
   std::vector<ProjectHolder> holders;  // that follow
   ProjectPosition position;            // while nobody holds it
-  ProjectMesh mesh;                    // drawn in place of the shape
+  bool contacts = false;               // let go, a ball stays out of planes and boxes
+  double friction_coefficient = kDefaultFrictionCoefficient;
+  double restitution = 0.0;
+  ProjectMesh mesh;  // drawn in place of the shape
   std::string color = kDefaultObjectColor;
   ExtraFields extra;
   Identity identity = {};

@@ -184,6 +184,12 @@ constexpr CheckText kTexts[] = {
     {Check::kContactInPaper, kSemantics,
      "region {} touches the scene and has method \"paper\", which knows no contacts; choose method "
      "\"exact\" for it, or let it touch nothing"},
+    {Check::kObjectContactInPaper, kSemantics,
+     "{} touches the scene and the solver's method is \"paper\", which knows no contacts; choose "
+     "method \"exact\" for the solver, or let it touch nothing"},
+    {Check::kBoxWithContacts, kSemantics,
+     "{} is a box, and of what is let go only balls can touch the scene yet; make it a sphere, or "
+     "let it touch nothing"},
 
     {Check::kUnknownField, kSchema, "unknown field {}; did you mean {}?"},
     {Check::kFixedLeftOut, kSemantics, "fixed by equal limits and left out of the region: {}"},

@@ -114,6 +114,8 @@ enum class Check {
   kConstraintInWorld,
   kConstraintInPaper,
   kContactInPaper,
+  kObjectContactInPaper,
+  kBoxWithContacts,
   // Warnings
   kUnknownField,
   kFixedLeftOut,

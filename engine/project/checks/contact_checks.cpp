@@ -50,6 +50,15 @@ void CheckContacts(const Animation& animation, FirstError* errors) {
     errors->Require(!Touches(region) || region.method == Method::kExact, Check::kContactInPaper,
                     At("regions", i) + ".contacts", {Quoted(region.name)});
   }
+  for (size_t i = 0; i < animation.held_objects.size(); ++i) {
+    const HeldObject& object = animation.held_objects[i];
+    if (!object.touches_scene) continue;
+    const std::string place = At("held_objects", i) + ".contacts";
+    errors->Require(animation.solver.method == Method::kExact, Check::kObjectContactInPaper, place,
+                    {Quoted(object.name)});
+    errors->Require(std::holds_alternative<SphereShape>(object.shape), Check::kBoxWithContacts,
+                    place, {Quoted(object.name)});
+  }
 }
 
 void WarnAboutContacts(const Animation& animation, std::vector<Warning>* warnings) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Internal. What must not be of regions that touch the scene.
+// Internal. What must not be of regions and held objects that touch the scene.
 
 #include <vector>
 

@@ -49,7 +49,9 @@ inline int FormatVersionOf(const Project& project) {
       !project.forces.empty() || !project.constraints.empty() ||
       std::any_of(objects.begin(), objects.end(), ChangesHands) ||
       std::any_of(objects.begin(), objects.end(),
-                  [](const auto& object) { return object.rotation_deg != Vec3::Zero(); }) ||
+                  [](const auto& object) {
+                    return object.rotation_deg != Vec3::Zero() || object.contacts;
+                  }) ||
       std::any_of(regions.begin(), regions.end(),
                   [](const auto& region) {
                     return region.mute || !region.drives.empty() || region.contacts.is_any();

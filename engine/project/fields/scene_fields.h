@@ -72,8 +72,9 @@ void Describe(Ar& ar, Ref<Ar, ProjectSceneObject> object) {
       {.name = "friction_coefficient",
        .label = "Friction",
        .help = "of its surface: the more, the less slides on it; 0: all that touches it does",
-       .details = "Of what touches it in regions with contacts: a figure has 0.8, and the "
-                  "coefficient of both is the root of the product.",
+       .details =
+           "Of what touches it in regions with contacts: a figure has 0.8, a held object its "
+           "own, and the coefficient of both is the root of the product.",
        .range = kNotNegative},
       object.friction_coefficient, kDefaultFrictionCoefficient);
 }
@@ -202,6 +203,26 @@ void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
        .details = "Where it is while nobody holds it: of x, y and z all have keys, or none. "
                   "Keys while it is held or flies say nothing."},
       object.position);
+  ar.Optional({.name = "contacts",
+               .label = "Touches the scene",
+               .help = "true: let go, it bounces off planes and boxes, slides and rolls on them",
+               .details = "Balls only, and where the solver's method is exact. Needs version 2."},
+              object.contacts);
+  ar.Optional({.name = "friction_coefficient",
+               .label = "Friction",
+               .help = "of its surface, where it touches the scene; 0: it slides on everything",
+               .details = "The coefficient of both is the root of the product with that of what it "
+                          "touches.",
+               .range = kNotNegative},
+              object.friction_coefficient, kDefaultFrictionCoefficient);
+  ar.Optional({.name = "restitution",
+               .label = "Restitution",
+               .help = "what is left of its speed as it bounces; 0: it does not bounce, 1: nothing "
+                       "is lost",
+               .details = "Of an impulse along the normal, so much again as it comes away "
+                          "(Poisson).",
+               .range = kShare},
+              object.restitution);
   ar.Optional({.name = "mesh",
                .details = "Drawn in place of the shape, stretched to fill the box around it."},
               object.mesh);

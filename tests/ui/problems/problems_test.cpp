@@ -120,12 +120,21 @@ TEST_F(Problems, ABallThatFallsThroughTheGroundIsLaidOnIt) {
   Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 3}});
   std::vector<Problem> falls = FoundWith("goes into");
   ASSERT_EQ(falls.size(), 1u);
-  ASSERT_EQ(falls[0].cures.size(), 1u);
+  ASSERT_EQ(falls[0].cures.size(), 2u);
   EXPECT_TRUE(Apply(falls[0].cures[0], &editor_)) << editor_.message.text;
   EXPECT_TRUE(FoundWith("goes into").empty());
   const ProjectHeldObject& ball = editor_.session().project().held_objects[0];
   const ProjectSphereShape& shape = std::get<ProjectSphereShape>(ball.shape);
   EXPECT_NEAR(ball.position.curves[2].keys.back().value, shape.radius_m, 1e-6);
+}
+
+TEST_F(Problems, ABallThatFallsThroughTheGroundMayTouchIt) {
+  Do("held.add_ball", {{"joint", "r_wrist"}, {"release", 3}});
+  const std::vector<Problem> falls = FoundWith("goes into");
+  ASSERT_EQ(falls.size(), 1u);
+  EXPECT_TRUE(Apply(falls[0].cures[1], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(FoundWith("goes into").empty());
+  EXPECT_TRUE(editor_.session().project().held_objects[0].contacts);
 }
 
 TEST_F(Problems, AHandReachesForABallThatWouldJumpIntoIt) {

@@ -62,6 +62,45 @@ TEST(ContactOperators, TheMotionFollowsWhatIsTouched) {
   EXPECT_TRUE(changed("object.remove", {{"object", "table"}}));
 }
 
+// A ball that falls from a hand by frame 5 and lies or bounces.
+double HeightAt(Session* session, int frame) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  EXPECT_TRUE(motion.ok()) << (motion.ok() ? "" : motion.error().ToString());
+  return motion.ok() ? motion.value()->frames[frame].objects[0].X_WO.p.z() : 0.0;
+}
+
+TEST(ContactOperators, ABallThatIsLetGoTouchesTheSceneIfThatIsSaid) {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}, {"release", 5}, {"radius", 0.1}});
+  const int last = session.project().frames.last;
+  const double through = HeightAt(&session, last);
+  EXPECT_LT(through, 0.0);
+  Do(&session, "held.set", {{"object", "ball"}, {"contacts", true}});
+  EXPECT_EQ(Json::parse(WriteProject(session.project()))["version"], 2);
+  const double on_floor = HeightAt(&session, last);
+  EXPECT_NEAR(on_floor, 0.1, 1e-6);
+  Do(&session, "held.set",
+     {{"object", "ball"}, {"restitution", 0.9}, {"friction_coefficient", 0.3}});
+  const double bounces = HeightAt(&session, last);
+  EXPECT_GT(bounces, 0.11);
+  Session fresh;
+  fresh.Replace(session.project(), "");
+  EXPECT_EQ(HeightAt(&fresh, last), bounces);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(HeightAt(&session, last), on_floor);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(HeightAt(&session, last), through);
+  EXPECT_EQ(Json::parse(WriteProject(session.project()))["version"], 1);
+}
+
+TEST(ContactOperators, ABoxThatIsHeldCannotTouchTheSceneYet) {
+  Session session;
+  Do(&session, "held.add_box", {{"joint", "r_wrist"}});
+  EXPECT_EQ(Refused(&session, "held.set", {{"object", "box"}, {"contacts", true}}).ToString(),
+            "held.set.held_objects[0].contacts: \"box\" is a box, and of what is let go only balls "
+            "can touch the scene yet; make it a sphere, or let it touch nothing");
+}
+
 TEST(ContactOperators, ByThePapersMethodNothingTouches) {
   Session session;
   AddArmOverBox(&session, {{"contacts", true}});

@@ -125,6 +125,26 @@ TEST(RoundTrip, ATurnInAHandIsOfVersionTwo) {
   EXPECT_EQ(WriteProject(ParseGood(unturned)), WriteProject(ParseGood(SampleProject())));
 }
 
+// How rough it is says nothing by itself.
+TEST(RoundTrip, ABallThatTouchesTheSceneIsOfVersionTwo) {
+  const Changes how = {{"/held_objects/0/friction_coefficient", "0.5"},
+                       {"/held_objects/0/restitution", "0.75"}};
+  Changes touches = how;
+  touches.emplace_back("/held_objects/0/contacts", "true");
+  const Json before = Changed(SampleProject(), touches);
+  const Json after = Json::parse(WriteProject(ParseGood(before)));
+  EXPECT_EQ(after["version"], 2);
+  for (const char* field : {"contacts", "friction_coefficient", "restitution"}) {
+    EXPECT_EQ(after["held_objects"][0][field], before["held_objects"][0][field]) << field;
+    EXPECT_FALSE(after["held_objects"][1].contains(field)) << field;
+  }
+  EXPECT_EQ(Json::parse(WriteProject(ParseGood(Changed(SampleProject(), how))))["version"], 1);
+  const Json plain = Changed(SampleProject(), {{"/held_objects/0/contacts", "false"},
+                                               {"/held_objects/0/friction_coefficient", "0.8"},
+                                               {"/held_objects/0/restitution", "0"}});
+  EXPECT_EQ(WriteProject(ParseGood(plain)), WriteProject(ParseGood(SampleProject())));
+}
+
 TEST(RoundTrip, ForcesAreOfVersionTwo) {
   const Json before = Changed(SampleProject(), {{"/forces", R"([
       {"name": "breeze", "kind": "wind", "velocity_m_s": [2, 0, -0.5], "density_kg_m3": 1.1,

@@ -79,6 +79,35 @@ std::vector<WrongProject> ContactContradictions() {
   };
 }
 
+// Of the ball and the brick that are held.
+std::vector<WrongProject> WrongHeldContacts() {
+  const std::string ball = "held_objects[0].", brick = "held_objects[1].";
+  const std::string bounces =
+      " (what is left of its speed as it bounces; 0: it does not bounce, 1: nothing is lost)";
+  const std::string to_ball = "/held_objects/0/", exact = "\"exact\"";
+  return {
+      {Check::kRange, Read(to_ball + "restitution", "1.5"),
+       ball + "restitution: must lie between 0 and 1, is 1.5" + bounces},
+      {Check::kRange, Read(to_ball + "restitution", "-0.1"),
+       ball + "restitution: must lie between 0 and 1, is -0.1" + bounces},
+      {Check::kNegative, Read(to_ball + "friction_coefficient", "-0.1"),
+       ball + "friction_coefficient: must not be negative, is -0.1"},
+      {Check::kWrongType, Read(to_ball + "contacts", R"({"scene": true})"),
+       ball + "contacts: expected true or false, found an object"},
+      {Check::kNotFinite, Spoilt([](Project& p) {
+         p.held_objects[0].restitution = std::numeric_limits<double>::quiet_NaN();
+       }),
+       ball + "restitution: must be a finite number"},
+      {Check::kObjectContactInPaper, Compile({{to_ball + "contacts", "true"}}),
+       ball + "contacts: \"ball\" touches the scene and the solver's method is \"paper\", which "
+              "knows no contacts; choose method \"exact\" for the solver, or let it touch nothing"},
+      {Check::kBoxWithContacts,
+       Compile({{"/solver/method", exact}, {"/held_objects/1/contacts", "true"}}),
+       brick + "contacts: \"brick\" is a box, and of what is let go only balls can touch the scene "
+               "yet; make it a sphere, or let it touch nothing"},
+  };
+}
+
 // Gravity places the figure in frames 15 to 30.
 std::vector<WrongProject> ContactWarnings() {
   const auto tumble = [](const std::string& first, const std::string& last) {
@@ -108,8 +137,8 @@ std::vector<WrongProject> ContactWarnings() {
 
 std::vector<WrongProject> WrongContacts() {
   std::vector<WrongProject> all = WrongContactValues();
-  for (const auto& list :
-       {WrongFrictionCoefficients(), ContactContradictions(), ContactWarnings()}) {
+  for (const auto& list : {WrongFrictionCoefficients(), WrongHeldContacts(),
+                           ContactContradictions(), ContactWarnings()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;

@@ -46,7 +46,8 @@ const std::vector<ManualPart>& ManualParts() {
        {"Scene > Add ball puts a ball into the selected hand, or on the ground. Click it to select "
         "it; pulled in a hand it changes its place there and R turns it, on the ground its place "
         "is keyed. Its row in the dope sheet shows who has it: the end of a bar is where it is "
-        "let go, Pass on gives it to the selected joint. Scene > Add mesh does the same with a "
+        "let go, Pass on gives it to the selected joint. A ball that touches the scene, which is "
+        "among its properties, bounces and rolls then. Scene > Add mesh does the same with a "
         "thing of another program. Shift+A over the viewport opens all that can be added; while a "
         "box is drawn its edges can be typed, with Tab between them.",
         "T throws what a hand holds: point at where it is to come down and click. Backswing, "

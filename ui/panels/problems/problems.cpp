@@ -228,6 +228,14 @@ class ProblemList {
                                problem.frame,
                                Tr("Let it rest there")});
     }
+    const bool may_touch =
+        std::holds_alternative<ProjectSphereShape>(project_.held_objects[fall.object].shape);
+    if (may_touch && project_.solver.method == Method::kExact) {
+      problem.cures.push_back({"held.set",
+                               {{"object", name}, {"contacts", true}},
+                               problem.frame,
+                               Tr("Let it touch the scene")});
+    }
     problems_.push_back(std::move(problem));
   }
 
