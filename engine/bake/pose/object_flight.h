@@ -24,7 +24,7 @@ ObjectMotion Falling(const ObjectMotion& start, double seconds, double gravity);
 
 // A ball that was let go and touches planes and boxes: one rigid body without a hand, moved by
 // ExactSolver. It knows the same motion whichever times it is asked for, and in which order.
-// [METHOD 12.4]
+// [METHOD 12.6]
 class ObjectFlight {
  public:
   // From `start` seconds on. The shape is a sphere.

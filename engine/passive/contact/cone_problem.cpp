@@ -47,7 +47,8 @@ class Solver {
     l_ = VecX::Zero(n);
   }
 
-  bool Run() {
+  // `thoroughly`: from inside of the cones as well, if nothing else finds the way.
+  bool Run(bool thoroughly) {
     if (b_.size() == 0) return true;
     double nearness = kFirstNearness, left = HUGE_VAL;
     VecX best = l_;
@@ -63,7 +64,7 @@ class Solver {
       }
       nearness = std::max(kLastNearness, 0.1 * nearness);
     }
-    if (left > kGood) {
+    if (left > kGood && thoroughly) {
       const double inside = FromInside();
       if (inside < left) {
         left = inside;
@@ -372,16 +373,21 @@ class Solver {
 
 bool SolveCones(const ConeProblem& problem, VecX* forces) {
   Solver solver(problem);
-  const bool is_solved = solver.Run();
+  const bool is_solved = solver.Run(/*thoroughly=*/true);
   *forces = solver.forces();
   return is_solved;
 }
 
 bool SolveConesFrom(const ConeProblem& problem, VecX* forces) {
   Solver near(problem);
-  if (!near.Polish(*forces)) return SolveCones(problem, forces);
-  *forces = near.forces();
-  return true;
+  if (near.Polish(*forces)) {
+    *forces = near.forces();
+    return true;
+  }
+  Solver anew(problem);
+  const bool is_solved = anew.Run(/*thoroughly=*/false);
+  *forces = anew.forces();
+  return is_solved;
 }
 
 bool SweepCones(const ConeProblem& problem, VecX* forces) {

@@ -31,7 +31,7 @@ struct ConeProblem {
 // best known ones, which push only, and stay in their cones.
 bool SolveCones(const ConeProblem& problem, VecX* forces);
 
-// The same, for less where `forces` are near already.
+// The same, for less: from `forces` that are near already, and else not as thoroughly.
 bool SolveConesFrom(const ConeProblem& problem, VecX* forces);
 
 // Goes on from forces that are near, block by block, for about 1e-6 of the largest force or as long

@@ -29,7 +29,7 @@ constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not
 // much longer than the last time.
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
-constexpr double kOff = 1e-4;                        // [m]
+constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
 
 }  // namespace
@@ -111,7 +111,8 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   ContactSet& contacts = dynamics_->contacts();
   const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
   const ContactSet::Speed fastest = contacts.Fastest(places);
-  h_ = std::min(2.0 * (t - start_), std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)));
+  h_ = std::min({2.0 * (t - start_), std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)),
+                 kMostTurn / (fastest.turn + 1e-9)});
   h_ = std::clamp(h_, kShortest, kLongest);
   start_ = t;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
