@@ -22,8 +22,8 @@ using Kind = ConeProblem::Kind;
 constexpr double kNoBlow = 0.02, kNoBlowTurn = 0.1;  // is no impact [m/s, rad/s]
 constexpr double kInside = 2e-5, kSunk = 2e-3;       // [m]
 constexpr double kNearLimit = 0.02;                  // of a hinge to its limit [rad]
-// What is inside comes out by this part of its depth in a step, but not faster than that.
-constexpr double kWayOut = 0.1, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [m/s, rad/s]
+// What is inside comes out in about this time, but not faster than that.
+constexpr double kWayOut = 0.02, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [s, m/s, rad/s]
 constexpr double kGivesWay = 1e-4, kGivesMoreWay = 0.2;
 constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not
@@ -36,8 +36,7 @@ constexpr double kSoon = 0.1;                        // [s]
 
 // With which what has room s, or is so far inside, may go on at most, against the row.
 double FrozenContacts::SpeedFor(double s, double fastest_out) const {
-  const double speed = s / h_;
-  return s >= 0.0 ? speed : std::max(kWayOut * speed, -fastest_out);
+  return s >= 0.0 ? s / h_ : std::max(s / kWayOut, -fastest_out);
 }
 
 FrozenContacts::FrozenContacts(RegionDynamics* dynamics, const LimitRange* limits)

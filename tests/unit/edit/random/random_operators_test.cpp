@@ -21,6 +21,7 @@ using edit::Operator;
 using edit::Session;
 
 constexpr int kOperatorsARun = 60, kRunsABlock = 40;
+constexpr int kRuns = 72;  // so many that each operator is done
 
 // How often operators were tried, and were done.
 struct Count {
@@ -143,9 +144,9 @@ class RandomRuns {
   RandomFiles files_;
 };
 
-// HAZUMI_CASES runs, else sixty.
+// HAZUMI_CASES runs, else seventy-two.
 TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
-  const int num_runs = FromEnvironment("HAZUMI_CASES", 60);
+  const int num_runs = FromEnvironment("HAZUMI_CASES", kRuns);
   const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
   std::map<std::string, Count> counts;
   std::optional<RandomRuns> runs;
@@ -165,7 +166,7 @@ TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
   }
   std::printf("%d of %d operators were done\n", all.done, all.tried);
   EXPECT_GE(2 * all.done, all.tried) << "at least half are to be done";
-  if (num_runs < 60) return;
+  if (num_runs < kRuns) return;
   EXPECT_EQ(counts.size(), edit::AllOperators().size()) << "each is tried";
   EXPECT_EQ(never, "") << "each is done once at least";
 }
