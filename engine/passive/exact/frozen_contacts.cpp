@@ -116,6 +116,7 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   start_ = t;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
   contacts.FindPairs(places, reach);
+  contacts.RaiseFloors(places);
   is_inside_ = is_deep_ = false;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, places);
