@@ -14,7 +14,7 @@
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/long_timeline.h"
-#include "tests/support/loose_human.h"
+#include "tests/unit/bake/loose_human.h"
 
 namespace hazumi {
 namespace {

@@ -97,7 +97,7 @@ ObjectMotion ObjectFlight::At(double seconds) {
   return MotionOf(stuck_from_ ? last_ : Look(seconds));
 }
 
-// Or no step, but what jams is stopped where it is: where frozen forces [METHOD 12.3] of a ball
+// Or no step, but what jams is stopped where it is: where frozen forces [METHOD 12.4] of a ball
 // that is wedged do not find together they would make it spin.
 void ObjectFlight::Step() {
   constexpr double kSlack = 1e-3;
@@ -143,14 +143,11 @@ double ObjectFlight::GainOfComingOut(double depth) const {
   return kWays * model_.mass * v * (0.5 * v + gravity_ * kLongest);
 }
 
-// Inside the present step. Who looks closes gaps there, and may lower floors: what follows must not
-// know of it.
+// Inside the present step.
 ObjectFlight::State ObjectFlight::Look(double seconds) {
-  const ContactSet contacts = run_->dynamics.contacts();
   State state;
   run_->solver.Sample(seconds, &state.q, &state.qd);
   state.anchor = run_->solver.SampledAnchor();
-  run_->dynamics.contacts() = contacts;
   return state;
 }
 

@@ -390,45 +390,4 @@ bool SolveConesFrom(const ConeProblem& problem, VecX* forces) {
   return is_solved;
 }
 
-bool SweepCones(const ConeProblem& problem, VecX* forces) {
-  constexpr int kMostSweeps = 60;
-  constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
-  const MatX rows = problem.A.transpose();
-  VecX& l = *forces;
-  const auto step_of = [&](double own) {
-    return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0;
-  };
-  double largest = 0.0, last = 0.0;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    double change = 0.0;
-    for (const Block& block : problem.blocks) {
-      const int i = block.row;
-      const double before = l[i];
-      l[i] -= step_of(rows(i, i)) * (rows.col(i).dot(l) + problem.b[i]);
-      if (block.kind != Kind::kBoth) l[i] = std::max(0.0, l[i]);
-      change = std::max(change, std::abs(l[i] - before));
-      largest = std::max(largest, std::abs(l[i]));
-      if (block.kind != Kind::kContact) continue;
-      const double radius = block.friction * l[i];
-      Eigen::Vector2d t = l.segment<2>(i + 1);
-      if (radius <= 0.0) {
-        l.segment<2>(i + 1).setZero();
-        continue;
-      }
-      const Eigen::Vector2d w(rows.col(i + 1).dot(l) + problem.b[i + 1],
-                              rows.col(i + 2).dot(l) + problem.b[i + 2]);
-      const double p = rows(i + 1, i + 1), q = rows(i + 2, i + 2), r = rows(i + 1, i + 2);
-      const double stiffest = 0.5 * (p + q) + std::sqrt(0.25 * (p - q) * (p - q) + r * r);
-      t -= step_of(stiffest) * w;
-      const double size = t.norm();
-      if (size > radius) t *= radius / size;
-      change = std::max(change, (t - l.segment<2>(i + 1)).lpNorm<Eigen::Infinity>());
-      l.segment<2>(i + 1) = t;
-    }
-    if (change <= kEnough * largest) return true;
-    last = change;
-  }
-  return last <= 1e-3 * largest;
-}
-
 }  // namespace hazumi

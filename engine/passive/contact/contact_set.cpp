@@ -117,6 +117,10 @@ ContactSet::Speed ContactSet::Fastest(const RegionState& state) const {
   return {std::sqrt(square), std::sqrt(turn)};
 }
 
+void ContactSet::OpenAll() {
+  for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) SetMode(i, ContactMode::kOpen);
+}
+
 void ContactSet::SetMode(int pair, ContactMode mode) {
   ContactMode& own = pairs_[pair].mode;
   num_closed_ += (mode != ContactMode::kOpen) - (own != ContactMode::kOpen);

@@ -59,6 +59,7 @@ class ContactSet {
   double FastestEnd(const RegionState& state) const { return Fastest(state).end; }
 
   const std::vector<ContactPair>& pairs() const { return pairs_; }
+  void OpenAll();
   void SetMode(int pair, ContactMode mode);
   void Slide(int pair, const small::V3& direction);
   // At the end of a step: directions for the next one. True: something slides too slowly.

@@ -33,9 +33,9 @@ bool ContactForces::FindTouching(double t, const VecX& q, const VecX& qd) {
   ContactSet& contacts = dynamics_->contacts();
   const RegionState state = dynamics_->PlaceHinges(t, q, qd);
   contacts.FindPairs(state, 1e-3 + touch_);
+  contacts.OpenAll();
   touching_.clear();
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    contacts.SetMode(i, ContactMode::kOpen);
     const auto point = contacts.PointOf(i, state);
     if (point && point->gap <= contacts.pairs()[i].floor + touch_) touching_.push_back(i);
   }

@@ -31,6 +31,7 @@ constexpr int kCalm = 8, kCalmest = 128;  // steps
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
 constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
+constexpr double kSlides = 1e-3;                      // what moves across slides [m/s]
 
 }  // namespace
 
@@ -77,10 +78,7 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   }
   Press(*state);
   if (is_struck || is_inside_) calm_steps_ = 0;
-  ContactSet& contacts = dynamics_->contacts();
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    contacts.SetMode(i, ContactMode::kOpen);
-  }
+  dynamics_->contacts().OpenAll();
 }
 
 bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
@@ -162,17 +160,16 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
     any |= side_[i] != 0 && speed_left(i) < -kNoBlowTurn;
   }
   if (!any) return false;
-  for (;;) {
-    problem_.SetUp(side_, none_, rows, state->qd);
-    VecX& b = problem_.cones().b;
-    for (size_t k = 0; k < problem_.limits().size(); ++k) {
-      b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
-    }
-    GiveWay();
-    problem_.Sweep(VecX::Zero(b.size()), !is_deep_);
-    ConstraintRows& constraints = dynamics_->constraints();
-    const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
-    if (worst.excess <= 0.0) break;
+  problem_.SetUp(side_, none_, rows, state->qd);
+  VecX& b = problem_.cones().b;
+  for (size_t k = 0; k < problem_.limits().size(); ++k) {
+    b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
+  }
+  GiveWay();
+  problem_.Sweep(VecX::Zero(b.size()), !is_deep_);
+  ConstraintRows& constraints = dynamics_->constraints();
+  const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
+  if (worst.excess > 0.0) {
     constraints.Break(worst.constraint, t);
     dynamics_->AssembleHinges(t, state->q, state->qd);
     problem_.Factor();
@@ -233,7 +230,7 @@ void FrozenContacts::Keep(const VecX& impulses) {
   FrozenForces& frozen = dynamics_->frozen();
   const std::vector<ConstraintRow>& rows = dynamics_->rows();
   const VecX w = problem_.cones().A * impulses + problem_.cones().b;
-  std::vector<int> pushes;
+  std::vector<Pushing> pushes;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) contacts.SetFrozen(i, V3());
   for (const ConeProblem::Block& block : problem_.cones().blocks) {
     if (block.kind != Kind::kContact || impulses[block.row] <= 0.0) continue;
@@ -244,9 +241,9 @@ void FrozenContacts::Keep(const VecX& impulses) {
     }
     contacts.SetFrozen(row.contact, force);
     frozen.pushes.push_back({row.a, dynamics_->InNode(row.a, row.r_a), force.eigen()});
-    const bool slides = w.segment<2>(block.row + 1).norm() > 1e-3;
+    const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
     const ContactPair& pair = contacts.pairs()[row.contact];
-    pushes.push_back(4 * (1000 * pair.capsule + pair.obstacle) + (slides ? 2 : 1));
+    pushes.push_back({pair.capsule, pair.obstacle, slides});
   }
   torques_.setZero();
   for (size_t k = 0; k < problem_.limits().size(); ++k) {
@@ -254,7 +251,7 @@ void FrozenContacts::Keep(const VecX& impulses) {
     const double impulse = impulses[problem_.RowOfLimit(k)];
     if (impulse <= 0.0) continue;
     torques_[hinge] = -side_[hinge] * impulse / h_;
-    pushes.push_back(-1 - hinge);
+    pushes.push_back({-1, hinge, false});
   }
   dynamics_->Freeze(torques_);
   std::sort(pushes.begin(), pushes.end());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <compare>
 #include <vector>
 
 #include "engine/passive/exact/contact_problem.h"
@@ -38,6 +38,13 @@ class FrozenContacts {
   bool is_calm() const { return calm_steps_ >= calm_enough_; }
 
  private:
+  // What pushes: a capsule's obstacle, or with no capsule (-1) a hinge's limit.
+  struct Pushing {
+    int capsule, other;
+    bool slides;
+    auto operator<=>(const Pushing&) const = default;
+  };
+
   void GiveWay();
   void ListNear(double t, const HingeState& state);
   bool Strike(double t, HingeState* state, LimitHits* hits);
@@ -51,10 +58,10 @@ class FrozenContacts {
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
   ContactProblem problem_;
-  std::vector<int> side_;    // by hinge: the limit that it may reach, as LimitSolver
-  std::vector<char> none_;   // by hinge
-  VecX torques_;             // of limits, by hinge, the latest [N m]
-  std::vector<int> pushes_;  // what pushes: pairs and limits, and how
+  std::vector<int> side_;   // by hinge: the limit that it may reach, as LimitSolver
+  std::vector<char> none_;  // by hinge
+  VecX torques_;            // of limits, by hinge, the latest [N m]
+  std::vector<Pushing> pushes_;
   Vec3 kick_ = Vec3::Zero();
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
   int calm_steps_ = 0, calm_enough_ = 0;

@@ -4,30 +4,17 @@
 
 #include <algorithm>
 
-#include "engine/analysis/effort.h"
 #include "engine/analysis/effort_report.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
+#include "tests/unit/analysis/baked_effort.h"
 #include "tests/unit/bake/constraint_cases.h"
 
 namespace hazumi::test {
 namespace {
 
-struct HeldEffort {
-  Motion motion;
-  Effort effort;
-};
-
-HeldEffort EffortOfHeld(const Animation& animation) {
-  BakeOptions options;
-  options.accelerations = true;
-  HeldEffort found{BakeOrFail(animation, options), {}};
-  found.effort = EffortOf(animation, found.motion);
-  return found;
-}
-
 // Of hinges that a region moves, in frames before anything is hit [N m].
-double LargestLimpTorque(const HeldEffort& found) {
+double LargestLimpTorque(const BakedEffort& found) {
   double largest = 0.0;
   const std::vector<MotionEvent> hits = EventsOf(found.motion, EventKind::kLimit);
   for (size_t i = 0; i + 1 < found.motion.frames.size(); ++i) {
@@ -47,7 +34,7 @@ TEST(HeldEffort, OfLimpArmsWhoseHandsAreHeldIsNone) {
   for (DynamicsRegion& region : animation.regions) {
     std::fill(region.friction.begin(), region.friction.end(), 1.0);
   }
-  const HeldEffort found = EffortOfHeld(animation);
+  const BakedEffort found = BakeEffort(animation);
   EXPECT_GT(found.motion.frames[5].constraint_forces.at(0), 1.0);
   EXPECT_LT(LargestLimpTorque(found), 1e-6);
 }
@@ -69,7 +56,7 @@ TEST(HeldEffort, OfALimpArmOnABarThatItTouchesIsNone) {
   for (DynamicsRegion& region : animation.regions) {
     std::fill(region.friction.begin(), region.friction.end(), 1.0);
   }
-  EXPECT_LT(LargestLimpTorque(EffortOfHeld(animation)), 1e-6);
+  EXPECT_LT(LargestLimpTorque(BakeEffort(animation)), 1e-6);
 }
 
 // Whichever end is named first.
@@ -81,7 +68,7 @@ TEST(HeldEffort, OfAnArmThatIsLedByTheOtherOneIsTheOtherOnes) {
     KeysOf(&animation, "r_elbow_y") = {{0, -1.5, {}}, {30, -1.8, {}}};
     const char *a = is_swapped ? "r_wrist" : "l_wrist", *b = is_swapped ? "l_wrist" : "r_wrist";
     AddPoint(&animation, OnJoint(animation, a), OnJoint(animation, b), 0, 30).arrive_frames = 8;
-    EXPECT_LT(LargestLimpTorque(EffortOfHeld(animation)), 1e-6) << is_swapped;
+    EXPECT_LT(LargestLimpTorque(BakeEffort(animation)), 1e-6) << is_swapped;
   }
 }
 
@@ -90,7 +77,7 @@ TEST(HeldEffort, OfARodThatIsHeldAtItsEndNothingComesFromNowhere) {
     Animation animation = Flying(FreeRod(), kG);
     const Vec3 end(-0.5 * kLength, 0.0, 0.0);
     AddPoint(&animation, OnRoot(end), InWorld(end), 0, 30).kind = kind;
-    const HeldEffort found = EffortOfHeld(animation);
+    const BakedEffort found = BakeEffort(animation);
     for (size_t i = 0; i < 30; ++i) {
       EXPECT_LT(found.effort.frames[i].from_nowhere.force.norm(), 1e-6) << i;
       EXPECT_LT(found.effort.frames[i].from_nowhere.moment.norm(), 1e-6) << i;
@@ -105,7 +92,7 @@ TEST(HeldEffort, OfADistanceNothingComesFromNowhere) {
       AddPoint(&animation, OnRoot(Vec3(0.1, 0.0, 0.0)), InWorld(Vec3::Zero()), 0, 30);
   cord.kind = ConstraintKind::kDistance;
   cord.length = 0.6;
-  const HeldEffort found = EffortOfHeld(animation);
+  const BakedEffort found = BakeEffort(animation);
   for (size_t i = 0; i < 30; ++i) {
     EXPECT_LT(found.effort.frames[i].from_nowhere.force.norm(), 1e-6) << i;
   }
@@ -115,7 +102,7 @@ TEST(HeldEffort, OfADistanceNothingComesFromNowhere) {
 TEST(HeldEffort, OfTheHighBarIsCarriedByTheHands) {
   const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/bar.kfa";
   const Animation animation = CompileAnimation(LoadProject(path).value()).value().animation;
-  const HeldEffort found = EffortOfHeld(animation);
+  const BakedEffort found = BakeEffort(animation);
   const double weight = animation.figure->total_mass() * kG;
   for (int i = 0; i < animation.regions[0].last_frame; ++i) {
     EXPECT_LT(found.effort.frames[i].from_nowhere.force.norm(), 1e-3 * weight) << i;

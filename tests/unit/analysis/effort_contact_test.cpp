@@ -2,25 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/analysis/effort.h"
+#include "tests/unit/analysis/baked_effort.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/contact_cases.h"
 
 namespace hazumi::test {
 namespace {
-
-struct TouchingEffort {
-  Motion motion;
-  Effort effort;
-};
-
-TouchingEffort EffortOfTouching(const Animation& animation) {
-  BakeOptions options;
-  options.accelerations = true;
-  TouchingEffort found{BakeOrFail(animation, options), {}};
-  found.effort = EffortOf(animation, found.motion);
-  return found;
-}
 
 Vec3 SumOf(const MotionFrame& frame) {
   Vec3 sum = Vec3::Zero();
@@ -68,7 +55,7 @@ TEST(TouchingEffort, OfAChainThatFallsNothingComesFromNowhere) {
   animation.regions[0].friction.assign(animation.regions[0].joints.size(), 0.8);
   AddFloor(&animation);
   PutRootAt(&animation, 0.8);
-  const TouchingEffort found = EffortOfTouching(animation);
+  const BakedEffort found = BakeEffort(animation);
   const double mass = animation.figure->total_mass();
   int touched = 0;
   for (size_t i = 0; i < found.motion.frames.size(); ++i) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/loose_human.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/contact_cases.h"
+#include "tests/unit/bake/loose_human.h"
 
 namespace hazumi::test {
 namespace {

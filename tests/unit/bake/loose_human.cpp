@@ -1,4 +1,4 @@
-#include "tests/support/loose_human.h"
+#include "tests/unit/bake/loose_human.h"
 
 #include "engine/project/figure_reader.h"
 #include "tests/support/animations.h"
