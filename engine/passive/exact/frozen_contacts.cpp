@@ -31,7 +31,7 @@ constexpr int kCalm = 8, kCalmest = 128;  // steps
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
 constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
-constexpr double kSlides = 1e-3;                      // what moves across slides [m/s]
+constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
 
 }  // namespace
 
