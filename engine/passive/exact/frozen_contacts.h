@@ -1,6 +1,6 @@
 #pragma once
 
-#include <compare>
+#include <tuple>
 #include <vector>
 
 #include "engine/passive/exact/contact_problem.h"
@@ -42,7 +42,10 @@ class FrozenContacts {
   struct Pushing {
     int capsule, other;
     bool slides;
-    auto operator<=>(const Pushing&) const = default;
+    bool operator==(const Pushing&) const = default;
+    bool operator<(const Pushing& of) const {
+      return std::tie(capsule, other, slides) < std::tie(of.capsule, of.other, of.slides);
+    }
   };
 
   void GiveWay();
