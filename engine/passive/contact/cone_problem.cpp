@@ -12,6 +12,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace hazumi {
 
@@ -47,16 +48,12 @@ class Solver {
     l_ = VecX::Zero(n);
   }
 
-  // `thoroughly`: from inside of the cones as well, if nothing else finds the way.
-  bool Run(bool thoroughly) {
+  bool Run() {
     if (b_.size() == 0) return true;
     double nearness = kFirstNearness, left = HUGE_VAL;
     VecX best = l_;
     for (int round = 0; round < kRounds && left > kExact; ++round) {
-      A_ = given_.A;
-      A_.diagonal() += nearness * own_;
-      b_ = given_.b - nearness * own_.cwiseProduct(l_);
-      Approach(round == 0 ? kFirstSweeps : kSweeps);
+      Approach(nearness, round == 0 ? kFirstSweeps : kSweeps, kSteps);
       const double now = Left(given_.A, given_.b);
       if (now < left) {
         left = now;
@@ -64,8 +61,8 @@ class Solver {
       }
       nearness = std::max(kLastNearness, 0.1 * nearness);
     }
-    if (left > kGood && thoroughly) {
-      const double inside = FromInside();
+    if (left > kGood) {
+      const double inside = FromInside(kExact);
       if (inside < left) {
         left = inside;
         best = l_;
@@ -80,16 +77,19 @@ class Solver {
 
   // From forces that are near, by Newton's steps alone. False if they do not find it.
   bool Polish(const VecX& start) {
+    constexpr double kFirst = 1e-3;  // rho
+    constexpr int kMostRounds = 4, kMostSteps = 6;
     if (hopeless_) return false;
     l_ = start;
-    A_.diagonal() += kLastNearness * own_;
-    b_ -= kLastNearness * own_.cwiseProduct(l_);
-    for (int i = 0; i < kSteps; ++i) {
-      if (!Step()) return false;
-      if (Left(A_, b_) <= kGood) break;
+    double nearness = kFirst;
+    for (int round = 0; round < kMostRounds; ++round, nearness *= 0.1) {
+      Approach(nearness, 1, kMostSteps);
+      if (Left(given_.A, given_.b) <= kGoodEnough) return true;
     }
-    return Left(given_.A, given_.b) <= kGoodEnough;
+    return false;
   }
+
+  bool RunInside() { return !hopeless_ && FromInside(kGoodEnough) <= kGoodEnough; }
 
   const VecX& forces() const { return l_; }
 
@@ -97,7 +97,7 @@ class Solver {
   // From inside of all cones: with d = w + friction |w_t| n, l and d have the product
   //   l . d = mu,  mu -> 0,   (A + W^-2) dl = -(A l + b + friction |w_t| n) + mu l^-1
   // W being the scaling of Nesterov and Todd. Returns what is left.
-  double FromInside() {
+  double FromInside(double enough) {
     A_ = given_.A;
     b_ = given_.b;
     const Eigen::Index n = b_.size();
@@ -112,10 +112,10 @@ class Solver {
         left = now;
         best = l_;
       }
-      if (left <= kExact) break;
+      if (left <= enough) break;
     }
     l_ = best;
-    Finish(&left);
+    if (left > enough) Finish(enough, &left);
     return left;
   }
 
@@ -246,14 +246,14 @@ class Solver {
     return block.kind == Kind::kContact && block.friction > 0.0;
   }
 
-  void Finish(double* left) {
+  void Finish(double enough, double* left) {
     A_ = given_.A;
     b_ = given_.b;
     A_.diagonal() += 1e-9 * own_;
     b_ -= 1e-9 * own_.cwiseProduct(l_);
     const VecX inside = l_;
     VecX best = l_;
-    for (int i = 0; i < 6 && *left > kExact; ++i) {
+    for (int i = 0; i < 6 && *left > enough; ++i) {
       if (!Step()) break;
       const double now = Left(given_.A, given_.b);
       if (now < *left) {
@@ -264,13 +264,16 @@ class Solver {
     l_ = best;
   }
 
-  // To forces of the round.
-  void Approach(int sweeps) {
+  // To forces of a round.
+  void Approach(double nearness, int sweeps, int steps) {
+    A_ = given_.A;
+    A_.diagonal() += nearness * own_;
+    b_ = given_.b - nearness * own_.cwiseProduct(l_);
     for (int i = 0; i < sweeps; ++i) Sweep();
     double left = Left(A_, b_);
     const VecX swept = l_;
     const double left_swept = left;
-    for (int i = 0; i < kSteps && left > 0.1 * kExact; ++i) {
+    for (int i = 0; i < steps && left > 0.1 * kExact; ++i) {
       if (!Step()) break;
       left = Left(A_, b_);
     }
@@ -326,14 +329,16 @@ class Solver {
     const VecX w = A_ * l_ + b_;
     MatX F = MatX::Zero(n, n);
     VecX f(n);
+    std::vector<int> active, idle;
     const auto takes_force = [&](int i) {
-      F(i, i) = 1.0;
       f[i] = l_[i];
+      idle.push_back(i);
     };
     const auto takes_motion = [&](int i) {
+      if (step_[i] == 0.0) return takes_force(i);
       F.row(i) = step_[i] * A_.row(i);
       f[i] = step_[i] * w[i];
-      if (step_[i] == 0.0) takes_force(i);
+      active.push_back(i);
     };
     for (const Block& block : blocks_) {
       const int i = block.row;
@@ -353,8 +358,12 @@ class Solver {
       F.block<2, 2>(i + 1, i + 1) += Eigen::Matrix2d::Identity() - turn;
       F.block<2, 1>(i + 1, i) -= block.friction * d;
       f.segment<2>(i + 1) = l_.segment<2>(i + 1) - radius * d;
+      active.insert(active.end(), {i + 1, i + 2});
     }
-    const VecX change = F.partialPivLu().solve(f);
+    VecX change = f;
+    const VecX right = f(active) - F(active, idle) * f(idle);
+    const MatX own = F(active, active);
+    change(active) = VecX(own.partialPivLu().solve(right));
     if (!change.allFinite()) return false;
     l_ -= change;
     return true;
@@ -373,7 +382,7 @@ class Solver {
 
 bool SolveCones(const ConeProblem& problem, VecX* forces) {
   Solver solver(problem);
-  const bool is_solved = solver.Run(/*thoroughly=*/true);
+  const bool is_solved = solver.Run();
   *forces = solver.forces();
   return is_solved;
 }
@@ -384,10 +393,10 @@ bool SolveConesFrom(const ConeProblem& problem, VecX* forces) {
     *forces = near.forces();
     return true;
   }
-  Solver anew(problem);
-  const bool is_solved = anew.Run(/*thoroughly=*/false);
-  *forces = anew.forces();
-  return is_solved;
+  Solver inside(problem);
+  if (!inside.RunInside()) return false;
+  *forces = inside.forces();
+  return true;
 }
 
 }  // namespace hazumi
