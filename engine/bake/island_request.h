@@ -8,6 +8,7 @@
 
 #include "engine/base/members.h"
 #include "engine/passive/exact/exact_failure.h"
+#include "engine/passive/exact/hinge_state.h"
 #include "engine/passive/exact/limit_hits.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
@@ -92,10 +93,11 @@ inline auto MembersOf(const SolveIsland& request) {
 // Angles and rates at t, which lies in the step that it is in.
 struct SampleIsland {
   double t = 0.0;
+  Gaps gaps = Gaps::kClosed;
 };
 inline auto MembersOf(const SampleIsland& request) {
-  const auto& [t] = request;
-  return std::tie(t);
+  const auto& [t, gaps] = request;
+  return std::tie(t, gaps);
 }
 
 // Energy and powers there.

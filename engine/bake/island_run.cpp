@@ -90,7 +90,7 @@ IslandResult IslandRun::Do(const SolveIsland& request) {
       failure = solver_.Advance(request.end);
     }
     if (failure || is_cancelled()) break;
-    Sample(t, &result.samples);
+    Sample(t, Gaps::kClosed, &result.samples);
   }
   result.progress = Progress(failure);
   result.progress.microseconds = MicrosecondsSince(start);
@@ -99,7 +99,7 @@ IslandResult IslandRun::Do(const SolveIsland& request) {
 
 IslandResult IslandRun::Do(const SampleIsland& request) {
   IslandResult result;
-  Sample(request.t, &result.samples);
+  Sample(request.t, request.gaps, &result.samples);
   return result;
 }
 
@@ -113,15 +113,15 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
   IslandResult result;
   result.fall = solver_.Accelerations(request.t, &result.rates, &result.accelerations);
   if (!dynamics_.constraints().specs().empty()) {
-    result.pushes = PushesOfConstraints(request.t);
+    result.pushes = PushesOfConstraints();
   }
   if (dynamics_.contacts().is_possible()) result.contacts = dynamics_.ContactPushes();
   return result;
 }
 
-// Each row pushes or turns along its n, with its force.
-std::vector<ConstraintPush> IslandRun::PushesOfConstraints(double t) {
-  const VecX sizes = solver_.ConstraintForces(t);
+// Where accelerations were asked for last: each row pushes or turns along its n, with its force.
+std::vector<ConstraintPush> IslandRun::PushesOfConstraints() const {
+  const VecX sizes = dynamics_.constraints().SizesOf(dynamics_.row_forces());
   std::vector<ConstraintPush> pushes(static_cast<size_t>(sizes.size()));
   for (size_t i = 0; i < pushes.size(); ++i) pushes[i].size = sizes[static_cast<Eigen::Index>(i)];
   const std::vector<ConstraintRow>& rows = dynamics_.rows();
@@ -141,8 +141,8 @@ IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
           solver_.TakeBreaks(), solver_.frozen_from()};
 }
 
-void IslandRun::Sample(double t, IslandSamples* samples) {
-  solver_.Sample(t, &q_, &qd_);
+void IslandRun::Sample(double t, Gaps gaps, IslandSamples* samples) {
+  solver_.Sample(t, &q_, &qd_, gaps);
   samples->hinges.insert(samples->hinges.end(), q_.begin(), q_.end());
   samples->hinges.insert(samples->hinges.end(), qd_.begin(), qd_.end());
   if (dynamics_.is_pushed_in_flight()) samples->falls.push_back(solver_.SampledAnchor());

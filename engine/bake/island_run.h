@@ -35,8 +35,8 @@ class IslandRun {
   void Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end);
   bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
   IslandProgress Progress(const std::optional<ExactFailure>& failure);
-  void Sample(double t, IslandSamples* samples);
-  std::vector<ConstraintPush> PushesOfConstraints(double t);
+  void Sample(double t, Gaps gaps, IslandSamples* samples);
+  std::vector<ConstraintPush> PushesOfConstraints() const;
 
   double gravity_;
   MovingBaseCache* moving_bases_;

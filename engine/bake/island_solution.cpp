@@ -80,9 +80,9 @@ void IslandSolution::TakeAhead(const IslandResult& result) {
   samples_ = result.samples;
 }
 
-void IslandSolution::Sample(double t, RotationState* state) {
+void IslandSolution::Sample(double t, RotationState* state, Gaps gaps) {
   if (const auto ahead = AheadAt(t)) return Scatter(samples_, *ahead, state);
-  Scatter(answers_.Ask(SampleIsland{t}).samples, 0, state);
+  Scatter(answers_.Ask(SampleIsland{t, gaps}).samples, 0, state);
 }
 
 // Which of the samples is of this time, if it was looked ahead to.

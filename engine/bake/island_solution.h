@@ -62,7 +62,7 @@ class IslandSolution {
   double step_start() const { return step_start_; }
 
   // Free hinges at t, their entries of `state`.
-  void Sample(double t, RotationState* state);
+  void Sample(double t, RotationState* state, Gaps gaps = Gaps::kClosed);
   // By free hinge: how far two states are apart [rad].
   VecX Distances(const RotationState& a, const RotationState& b) const;
   EnergyFlow Energy(double t);

@@ -133,14 +133,14 @@ void DenseEquations::Solve(const RegionLayout& layout, double* x) {
   SolveSemidefinite(L_.topLeftCorner(k, k), solution);
 }
 
-void DenseEquations::SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) const {
+void DenseEquations::SolveLower(const RegionLayout& layout, Eigen::Ref<MatX> X) const {
   const int k = layout.num_dofs();
-  SolveSemidefinite(L_.topLeftCorner(k, k), x);
+  hazumi::SolveLower(L_.topLeftCorner(k, k), X);
 }
 
-void DenseEquations::SolveMany(const RegionLayout& layout, Eigen::Ref<MatX> X) const {
+void DenseEquations::SolveUpper(const RegionLayout& layout, Eigen::Ref<VecX> x) const {
   const int k = layout.num_dofs();
-  SolveSemidefiniteMany(L_.topLeftCorner(k, k), X);
+  hazumi::SolveUpper(L_.topLeftCorner(k, k), x);
 }
 
 void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
@@ -153,11 +153,14 @@ void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<Node
       row[where.dof + k] += turns ? Dot(axis, n) : Dot(Cross(axis, p - motion[i].p), n);
     }
   }
-  if (!root_answers_ || turns) return;
-  const Vec3 along = n.eigen();
+}
+
+void DenseEquations::AddRootToRows(const RegionLayout& layout, const Eigen::Matrix3Xd& along,
+                                   Eigen::Ref<MatX> rows) const {
+  if (!root_answers_) return;
   const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
   const Eigen::Matrix3Xd& root = is_pinned_ ? J_ : F_;
-  for (int j = 0; j < layout.num_dofs(); ++j) row[j] -= share * root.col(j).dot(along);
+  rows -= root.leftCols(layout.num_dofs()).transpose().lazyProduct(share * along);
 }
 
 Vec3 DenseEquations::RootAcceleration(const RegionLayout& layout,

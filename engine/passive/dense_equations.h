@@ -24,16 +24,19 @@ class DenseEquations {
   const IslandEquations& equations() const { return equations_; }
   // After it: x = -M^-1 b. A direction that moves no mass gets 0.
   void Solve(const RegionLayout& layout, double* x);
-  // After Solve: x := M^-1 x.
-  void SolveMore(const RegionLayout& layout, Eigen::Ref<VecX> x) const;
-  // As SolveSemidefiniteMany.
-  void SolveMany(const RegionLayout& layout, Eigen::Ref<MatX> X) const;
+  // After Solve, with M = L L^T: X := L^-1 X and x := L^-T x.
+  void SolveLower(const RegionLayout& layout, Eigen::Ref<MatX> X) const;
+  void SolveUpper(const RegionLayout& layout, Eigen::Ref<VecX> x) const;
 
   // After Assemble: adds to `row` (by dof) what x does to the acceleration along n of a point p of
   // a node, from the root's origin; or, where it `turns`, to its angular acceleration about n. What
-  // the root answers is in it.
+  // the root answers is left out.
   void AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
                 const small::V3& p, const small::V3& n, bool turns, Eigen::Ref<VecX> row) const;
+  // Adds that to all rows at once: `along`, by row, is how its points move with the root, the one
+  // end less the other.
+  void AddRootToRows(const RegionLayout& layout, const Eigen::Matrix3Xd& along,
+                     Eigen::Ref<MatX> rows) const;
   // In flight, after Assemble: the root's acceleration, less gravity's, where x is that of the
   // dofs.
   Vec3 RootAcceleration(const RegionLayout& layout, const std::vector<NodeMotion>& motion,

@@ -74,6 +74,8 @@ class RegionDynamics {
   bool is_pushed_in_flight() const {
     return has_outer_ && model_.coupling == RootCoupling::kFlight;
   }
+  // Whether anything acts but gravity and what carries it.
+  bool is_pushed() const { return has_forces_ || has_rows_; }
   int state_size() const { return layout_.state_size() + (is_pushed_in_flight() ? 6 : 0); }
   // What the figure is placed by where nothing prescribes it: its pin, which rests, or in flight
   // its centre of mass. Read by laws that act from outside. While the fall is solved along it is
@@ -195,6 +197,7 @@ class RegionDynamics {
   void MeasureRows(const RegionState& state);
   void AssembleRows(const RegionLayout& layout);
   MatX AnswerRows(const RegionLayout& layout);
+  VecX AnswerOfRows(const RegionLayout& layout, const VecX& pushes) const;
   VecX Softness() const;
   VecX SolveRows(const MatX& A, const VecX& errors) const;
   VecX RowErrors(double t, const RegionLayout& layout, const double* x);
@@ -242,9 +245,10 @@ class RegionDynamics {
   ContactSet contacts_;
   FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false;
-  // Of rows: what they measure, and what they push where contacts are closed, else the same; what
-  // the pushes do, M^-1 P^T.
-  MatX J_, P_, P_answer_, G_;
+  // Of rows: what they measure, and what they push if contacts slide, else the same; half of what
+  // the pushes do, L^-1 P^T.
+  MatX J_, P_, half_answer_, G_;
+  bool any_slides_ = false;
   RowYield yield_;
   VecX row_forces_;
   LimitRows hinge_rows_, hinge_row_rates_;

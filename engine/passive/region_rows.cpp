@@ -24,9 +24,14 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 namespace {
 
 // How the figure as a whole moves, or is pushed, along n of a row.
-V3 NetOf(const ConstraintRow& row, const V3& n) {
-  if (row.turns || (row.a >= 0 && row.b >= 0)) return {};
-  return row.a >= 0 ? n : -n;
+Vec3 NetOf(const ConstraintRow& row, const V3& n) {
+  if (row.turns || (row.a >= 0 && row.b >= 0)) return Vec3::Zero();
+  return row.a >= 0 ? n.eigen() : Vec3(-n.eigen());
+}
+
+bool slides(const ConstraintRow& row) {
+  return row.is_contact() &&
+         (row.push.x != row.n.x || row.push.y != row.n.y || row.push.z != row.n.z);
 }
 
 }  // namespace
@@ -36,14 +41,14 @@ void RegionDynamics::MeasureRows(const RegionState& state) {
   contacts_.AppendRows(state, rows_.mutable_rows());
 }
 
-// J_, G_ and, where contacts are closed, P_, for rows that are measured and equations that are
+// J_, G_ and, where contacts slide, P_, for rows that are measured and equations that are
 // assembled.
 void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   const auto& motion = kinematics_.motion();
   const std::vector<ConstraintRow>& rows = rows_.rows();
   const auto count = static_cast<Eigen::Index>(rows.size());
   J_.setZero(layout.num_dofs(), count);  // a row a column
-  G_.setZero(count, count);
+  Eigen::Matrix3Xd moves(3, count), pushes(3, count);
   const auto add = [&](const ConstraintRow& row, const V3& n, Eigen::Ref<VecX> column) {
     if (row.a >= 0) {
       dense_.AddToRow(layout, motion, row.a, motion[row.a].p + row.r_a, n, row.turns, column);
@@ -52,29 +57,46 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
       dense_.AddToRow(layout, motion, row.b, motion[row.b].p + row.r_b, -n, row.turns, column);
     }
   };
-  for (Eigen::Index k = 0; k < count; ++k) add(rows[k], rows[k].n, J_.col(k));
-  if (contacts_.any_closed()) P_ = J_;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const ConstraintRow& row = rows[k];
-    if (row.is_contact()) add(row, row.push - row.n, P_.col(k));
-    if (model_.coupling != RootCoupling::kFlight) continue;
-    for (Eigen::Index l = 0; l < count; ++l) {
-      G_(l, k) = Dot(NetOf(rows[l], rows[l].n), NetOf(row, row.force())) / model_.mass;
-    }
+    add(rows[k], rows[k].n, J_.col(k));
+    moves.col(k) = NetOf(rows[k], rows[k].n);
+    pushes.col(k) = NetOf(rows[k], rows[k].force());
   }
+  any_slides_ = std::any_of(rows.begin(), rows.end(), slides);
+  if (any_slides_) {
+    P_ = J_;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      if (slides(rows[k])) add(rows[k], rows[k].push - rows[k].n, P_.col(k));
+    }
+    dense_.AddRootToRows(layout, pushes, P_);
+  }
+  dense_.AddRootToRows(layout, moves, J_);
+  G_.setZero(count, count);
+  if (model_.coupling != RootCoupling::kFlight) return;
+  G_.noalias() += moves.transpose().lazyProduct(pushes / model_.mass);
 }
 
-// What the rows do to each other; P_answer_ is what they do to the joints, whose equations are
-// solved.
+// What the rows do to each other, by way of the joints, whose equations are solved: with M = L L^T
+//   A = (L^-1 J^T)^T L^-1 P^T + G
 MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
-  if (contacts_.any_closed()) {
-    P_answer_ = P_;
-    dense_.SolveMany(layout, P_answer_);
+  MatX J = J_;
+  dense_.SolveLower(layout, J);
+  if (any_slides_) {
+    half_answer_ = P_;
+    dense_.SolveLower(layout, half_answer_);
   } else {
-    P_answer_ = J_;
-    for (Eigen::Index k = 0; k < J_.cols(); ++k) dense_.SolveMore(layout, P_answer_.col(k));
+    half_answer_ = J;
   }
-  return J_.transpose() * P_answer_ + G_;
+  MatX A = G_;
+  A.noalias() += J.transpose() * half_answer_;
+  return A;
+}
+
+// After it: what pushes of the rows do to the joints.
+VecX RegionDynamics::AnswerOfRows(const RegionLayout& layout, const VecX& pushes) const {
+  VecX x = half_answer_ * pushes;
+  dense_.SolveUpper(layout, x);
+  return x;
 }
 
 // A l = -errors. Contacts, of which a body may have many more than it has directions to move in,
@@ -150,7 +172,7 @@ void RegionDynamics::KeepTogether(const RegionState& state, double* x) {
     errors -= yield_.C * yield_.d;
   }
   row_forces_ = SolveRows(A, errors);
-  Eigen::Map<VecX>(x, layout.num_dofs()) += P_answer_ * row_forces_;
+  Eigen::Map<VecX>(x, layout.num_dofs()) += AnswerOfRows(layout, row_forces_);
 }
 
 // Takes those that have a gap to close, which act by no impulse, out of J_ and G_. Returns e' of
@@ -197,10 +219,8 @@ void RegionDynamics::AssembleHingeRows(const RegionState& state) {
   AddRules(state, rules.data());
   AssembleRows(hinge_layout_);
   hinge_rows_ = {J_.transpose(), G_, RowErrors(state.t, hinge_layout_, rules.data()), {}, {}};
-  if (contacts_.any_closed()) {
-    hinge_rows_.P = P_.transpose();
-    hinge_rows_.softness = Softness();
-  }
+  if (any_slides_) hinge_rows_.P = P_.transpose();
+  if (contacts_.any_closed()) hinge_rows_.softness = Softness();
   if (rows_.any_yielding()) {
     Yield(hinge_layout_);
     hinge_rows_.G += yield_.C;
@@ -211,12 +231,12 @@ void RegionDynamics::AssembleHingeRows(const RegionState& state) {
 }
 
 Vec3 RegionDynamics::KickOf(const VecX& impulses) const {
-  V3 sum;
+  Vec3 sum = Vec3::Zero();
   for (Eigen::Index k = 0; k < impulses.size(); ++k) {
     const ConstraintRow& row = rows_.rows()[static_cast<size_t>(k)];
     sum += impulses[k] * NetOf(row, row.force());
   }
-  return sum.eigen() / model_.mass;
+  return sum / model_.mass;
 }
 
 double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
@@ -242,11 +262,10 @@ double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
       if (row.is_closed) gaps[k] = row.gap;
     }
     left = gaps.lpNorm<Eigen::Infinity>();
-    if (contacts_.any_closed()) P_ = J_;
     const MatX A = AnswerRows(layout_);
     const bool is_last = left <= kNone || tries == kMostTries;
     const VecX push = SolveRows(A, is_last ? rates : gaps);
-    change = P_answer_ * push;
+    change = AnswerOfRows(layout_, push);
     if (is_last) {
       Eigen::Map<VecX>(y + layout_.num_positions(), dofs) += change;
     } else {

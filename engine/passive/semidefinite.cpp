@@ -13,6 +13,19 @@ namespace {
 // What rounding leaves of a pivot that is zero: of its diagonal, and of the largest.
 constexpr double kLost = 1e-13, kLostOfAll = 1e-17;
 
+// Numbers of X from which on blocks are worth their while.
+constexpr Eigen::Index kManyNumbers = 400;
+
+void SolveLowerOf(const Eigen::Ref<const MatX>& L, double* x) {
+  const Eigen::Index n = L.rows();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double* column = L.data() + k * L.outerStride();
+    x[k] = column[k] > 0.0 ? x[k] / column[k] : 0.0;
+    if (x[k] == 0.0) continue;
+    for (Eigen::Index i = k + 1; i < n; ++i) x[i] -= column[i] * x[k];
+  }
+}
+
 }  // namespace
 
 int FactorSemidefinite(Eigen::Ref<MatX> A) {
@@ -43,28 +56,34 @@ int FactorSemidefinite(Eigen::Ref<MatX> A) {
 }
 
 void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
+  SolveLowerOf(L, x.data());
+  SolveUpper(L, x);
+}
+
+void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
   const Eigen::Index n = L.rows();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double* column = L.data() + k * L.outerStride();
-    x[k] = column[k] > 0.0 ? x[k] / column[k] : 0.0;
-    for (Eigen::Index i = k + 1; i < n; ++i) x[i] -= column[i] * x[k];
-  }
   for (Eigen::Index k = n - 1; k >= 0; --k) {
     const double* column = L.data() + k * L.outerStride();
-    if (column[k] <= 0.0) continue;
+    if (column[k] <= 0.0) {
+      x[k] = 0.0;
+      continue;
+    }
     double sum = x[k];
     for (Eigen::Index i = k + 1; i < n; ++i) sum -= column[i] * x[i];
     x[k] = sum / column[k];
   }
 }
 
-void SolveSemidefiniteMany(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
+void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
+  if (X.size() < kManyNumbers) {
+    for (Eigen::Index k = 0; k < X.cols(); ++k) SolveLowerOf(L, &X(0, k));
+    return;
+  }
   MatX stiff = L;
   for (Eigen::Index k = 0; k < L.cols(); ++k) {
     if (L(k, k) <= 0.0) stiff(k, k) = std::numeric_limits<double>::infinity();
   }
   stiff.triangularView<Eigen::Lower>().solveInPlace(X);
-  stiff.triangularView<Eigen::Lower>().transpose().solveInPlace(X);
 }
 
 VecX LeastNorm(const MatX& A, const VecX& b) {

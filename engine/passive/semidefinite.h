@@ -12,8 +12,9 @@ int FactorSemidefinite(Eigen::Ref<MatX> A);
 // that move no mass get 0.
 void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
 
-// The same for all columns of X at once, which is faster for many and rounds otherwise.
-void SolveSemidefiniteMany(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X);
+// Its two halves: X := L^-1 X of many columns at once, x := L^-T x.
+void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X);
+void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
 
 // The smallest x of those that make A x - b least, for a symmetric positive semidefinite A of a few
 // rows, each in units of its own: what two rows say twice is shared between them.

@@ -317,8 +317,8 @@ bool ExactDriver::solves_fall() const {
                      [](const Island& island) { return island.solution.solves_fall(); });
 }
 
-void ExactDriver::Sample(double t, RotationState* state) {
-  for (Island& island : islands_) island.solution.Sample(t, state);
+void ExactDriver::Sample(double t, RotationState* state, Gaps gaps) {
+  for (Island& island : islands_) island.solution.Sample(t, state, gaps);
 }
 
 void ExactDriver::SampleControl(double t, RotationState* state) {

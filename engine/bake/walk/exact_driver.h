@@ -72,7 +72,7 @@ class ExactDriver {
   // How far all islands have got [s].
   double time() const;
   // The free coordinates at a time between the last two values of time().
-  void Sample(double t, RotationState* state);
+  void Sample(double t, RotationState* state, Gaps gaps = Gaps::kClosed);
   // The control solutions' at time().
   void SampleControl(double t, RotationState* state);
 

@@ -273,7 +273,7 @@ std::optional<GravityEvent> ExactWalk::FirstEvent(double t, double next, double 
   const auto pose = [this, to](double seconds, FigureMotion* motion) {
     const bool at_end = seconds >= context_.Seconds(to);
     const double frame = at_end ? to : std::min(to, context_.animation.rate.FrameAt(seconds));
-    PoseWithoutPlace(frame, seconds, at_end ? Side::kBefore : Side::kAfter, motion);
+    PoseWithoutPlace(frame, seconds, at_end ? Side::kBefore : Side::kAfter, Gaps::kLeft, motion);
   };
   return context_.poses.placement().FirstEvent(t, next, pose);
 }
@@ -291,17 +291,18 @@ void ExactWalk::Happen(const GravityEvent& event, double to) {
 }
 
 std::optional<Error> ExactWalk::PoseAt(double frame, Side side, FigureMotion* motion) {
-  PoseWithoutPlace(frame, context_.Seconds(frame), side, motion);
+  PoseWithoutPlace(frame, context_.Seconds(frame), side, Gaps::kClosed, motion);
   context_.poses.placement().Place(frame, side, motion);
   return context_.poses.SolveHolds(side, motion);
 }
 
-void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, FigureMotion* motion) {
+void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, Gaps gaps,
+                                 FigureMotion* motion) {
   const FigureMotion& now = context_.now;
   *motion = now;
   context_.poses.SetJoints(frame, side, motion);
   if (driver_) {
-    driver_->Sample(seconds, &sample_);
+    driver_->Sample(seconds, &sample_, gaps);
     for (int j = 0; j < static_cast<int>(motion->q.size()); ++j) {
       if (!context_.poses.free()[j]) continue;
       motion->q[j] = driver_->is_frozen(j) ? now.q[j] : sample_.q[j];

@@ -63,7 +63,7 @@ class ExactWalk : public RegionWalk {
   void Happen(const GravityEvent& event, double to);
 
   std::optional<Error> PoseAt(double frame, Side side, FigureMotion* motion);
-  void PoseWithoutPlace(double frame, double seconds, Side side, FigureMotion* motion);
+  void PoseWithoutPlace(double frame, double seconds, Side side, Gaps gaps, FigureMotion* motion);
   double FrameOf(double seconds, double from, double to) const;
   std::optional<Error> RecordUpTo(double from, double to, double end);
 

@@ -26,6 +26,12 @@ LimitRows ContactProblem::Unheld(VecX* x_0) const {
   return rows;
 }
 
+VecX ContactProblem::Answer() const {
+  VecX x = half_answer_ * forces_;
+  SolveUpper(L_, x);
+  return x;
+}
+
 void ContactProblem::SolveBeside(const VecX& known) {
   const VecX b = cones_.b;
   cones_.b += cones_.A * known;
@@ -43,18 +49,24 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
   const Eigen::Index n = x_0.size(), own = rows.c.size();
   const Eigen::Index count = own + static_cast<Eigen::Index>(limits_.size());
   MatX J = MatX::Zero(n, count);
-  answer_.setZero(n, count);
   J.leftCols(own) = rows.J.transpose();
-  answer_.leftCols(own) = rows.push().transpose();
   cones_.b.resize(count);
   cones_.b.head(own) = rows.c;
   for (Eigen::Index k = own; k < count; ++k) {
     const int hinge = limits_[k - own];
-    J(hinge, k) = answer_(hinge, k) = -side[hinge];
+    J(hinge, k) = -side[hinge];
     cones_.b[k] = -side[hinge] * x_0[hinge];
   }
-  SolveSemidefiniteMany(L_, answer_);
-  cones_.A = J.transpose() * answer_;
+  if (rows.P.size() > 0) {
+    half_answer_ = J;
+    half_answer_.leftCols(own) = rows.P.transpose();
+    SolveLower(L_, half_answer_);
+    SolveLower(L_, J);
+  } else {
+    SolveLower(L_, J);
+    half_answer_ = J;
+  }
+  cones_.A.noalias() = J.transpose() * half_answer_;
   cones_.A.topLeftCorner(own, own) += rows.G;
   cones_.blocks.clear();
   const std::vector<ConstraintRow>& all = dynamics_->rows();

@@ -42,7 +42,7 @@ class ContactProblem {
   // Of all rows, of those that are no limits', and what they do to the hinges.
   const VecX& forces() const { return forces_; }
   VecX row_forces() const { return forces_.head(num_rows()); }
-  VecX Answer() const { return answer_ * forces_; }
+  VecX Answer() const;
   // Hinges that have a row, after the others.
   const std::vector<int>& limits() const { return limits_; }
   Eigen::Index num_rows() const {
@@ -53,7 +53,7 @@ class ContactProblem {
  private:
   RegionDynamics* dynamics_;
   ConeProblem cones_;
-  MatX L_, answer_;  // answer: M^-1 P^T
+  MatX L_, half_answer_;  // L^-1 P^T
   VecX forces_;
   std::vector<int> limits_;
 };

@@ -44,7 +44,9 @@ class ExactSolver {
   double step_start() const { return step_.start_time(); }
   double time() const { return step_.time(); }
   // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
-  void Sample(double t, VecX* q, VecX* qd) { step_.Sample(t, q, qd); }
+  void Sample(double t, VecX* q, VecX* qd, Gaps gaps = Gaps::kClosed) {
+    step_.Sample(t, q, qd, gaps);
+  }
   // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
   const PointMotion& SampledAnchor() const { return dynamics_->anchor(); }
   // At `time`, before impacts.
@@ -55,8 +57,6 @@ class ExactSolver {
   // As ExactStep has them; what limits hold has none.
   Vec3 Accelerations(double t, VecX* qd, VecX* qdd) { return step_.Accelerations(t, qd, qdd); }
 
-  // Sizes of the forces of constraints there [N], 0 of broken ones.
-  VecX ConstraintForces(double t) { return step_.ConstraintForces(t); }
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->constraints().TakeBreaks(); }
 

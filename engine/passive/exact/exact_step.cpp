@@ -142,10 +142,12 @@ void ExactStep::GoOn() {
 
 void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 
-void ExactStep::Sample(double t, VecX* q, VecX* qd) {
+void ExactStep::Sample(double t, VecX* q, VecX* qd, Gaps gaps) {
   MakeDense();
   step_.At(t, y_.data());
-  if (closes_gaps()) dynamics_->CloseGaps(t, y_.data(), /*only_looked_at=*/true);
+  if (gaps == Gaps::kClosed && closes_gaps()) {
+    dynamics_->CloseGaps(t, y_.data(), /*only_looked_at=*/true);
+  }
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
   *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
@@ -164,7 +166,7 @@ void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState*
 
 Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
   VecX dy;
-  LookAt(t, &dy);
+  LookAt(t, Gaps::kClosed, &dy);
   *qd = inside_.qd;
   const RegionLayout& layout = dynamics_->layout();
   layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
@@ -172,28 +174,22 @@ Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
 }
 
 // The equations at t, where y_ and inside_ are then.
-void ExactStep::LookAt(double t, VecX* dy) {
+void ExactStep::LookAt(double t, Gaps gaps, VecX* dy) {
   if (t >= time_) {
     inside_ = now_;
     dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
     dynamics_->SetAnchor(anchor_);
     dynamics_->PackAnchor(y_.data());
   } else {
-    Sample(t, &inside_);
+    Sample(t, &inside_, gaps);
   }
   dy->resize(dynamics_->state_size());
   dynamics_->Look(t, y_.data(), dy->data());
 }
 
-VecX ExactStep::ConstraintForces(double t) {
-  VecX dy;
-  LookAt(t, &dy);
-  return dynamics_->constraints().SizesOf(dynamics_->row_forces());
-}
-
 double ExactStep::Overload(double t) {
   VecX dy;
-  LookAt(t, &dy);
+  LookAt(t, Gaps::kLeft, &dy);
   return dynamics_->constraints()
       .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
       .excess;
@@ -207,7 +203,7 @@ RegionState ExactStep::Glance(double t) {
 
 double ExactStep::ContactExcess(double t) {
   VecX dy;
-  LookAt(t, &dy);
+  LookAt(t, Gaps::kLeft, &dy);
   return dynamics_->ContactExcess();
 }
 

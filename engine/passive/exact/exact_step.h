@@ -55,17 +55,17 @@ class ExactStep {
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
   // At t in [start_time, time]; RegionDynamics::anchor() is of the same time.
-  void Sample(double t, VecX* q, VecX* qd);
-  void Sample(double t, HingeState* state) { Sample(t, &state->q, &state->qd); }
+  void Sample(double t, VecX* q, VecX* qd, Gaps gaps = Gaps::kClosed);
+  void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed) {
+    Sample(t, &state->q, &state->qd, gaps);
+  }
   // Of some nodes' hinges alone; the others' are left. MakeDense must have been called.
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();
   EnergyFlow Energy(double t);
-  // Sizes of the forces of constraints at t, and by how much the worst is overloaded
-  // (ConstraintRows).
-  VecX ConstraintForces(double t);
+  // By how much the worst of the constraints is overloaded at t (ConstraintRows).
   double Overload(double t);
-  // Where nodes are at t, whatever gaps the step leaves; and again, after it at the same t.
+  // Where nodes are at t, gaps left; and again, after it at the same t.
   RegionState Glance(double t);
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
   // Where nodes are at time(), with now().
@@ -86,7 +86,7 @@ class ExactStep {
   }
   bool closes_gaps() const { return dynamics_->closes_gaps(); }
   void TakeState(const double* y);
-  void LookAt(double t, VecX* dy);
+  void LookAt(double t, Gaps gaps, VecX* dy);
   void SetScale();
   double FirstStep(double end) const;
   double Growth(double error) const;

@@ -16,4 +16,8 @@ struct HingeState {
   VecX q, qd;
 };
 
+// What a step leaves inside of gaps of constraints and contacts: closed, or left, which is for
+// searches: these look often, and can do without what a gap of the size of the tolerance changes.
+enum class Gaps { kClosed, kLeft };
+
 }  // namespace hazumi

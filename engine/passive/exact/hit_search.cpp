@@ -195,14 +195,19 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
 }
 
 // Between a time at which the hinge is inside and one at which it is outside.
-// Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it.
-double HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
+// Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
+// has one that is outside by what the inside of a step is off by, and on its way in: springs would
+// meet their limit again and again so. Motions without any stay as they have always been.
+std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);
     return limits_->Beyond(hinge, side, sample_.q[hinge]) - 0.5 * kTouch;
   };
   const double in = std::min(out(inside), -kTouch);
-  return Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
+  const double t = Narrow({inside, in, outside, out(outside)}, 1e-14, out, 1e-14).b;
+  if (!dynamics_->is_pushed()) return t;
+  Look(t, &sample_);
+  return side * sample_.qd[hinge] > 0.0 ? std::optional(t) : std::nullopt;
 }
 
 }  // namespace hazumi

@@ -41,7 +41,7 @@ class HitSearch {
   double PoleRate(const Pole& pole) const;
   int FirstHinge(int node) const { return dynamics_->layout().node(node).first_hinge; }
   std::optional<double> FindCrossing(int hinge, int side, double before, double t);
-  double CrossingTime(int hinge, int side, double inside, double outside);
+  std::optional<double> CrossingTime(int hinge, int side, double inside, double outside);
 
   const RegionDynamics* dynamics_;
   const LimitRange* limits_;

@@ -11,8 +11,8 @@ namespace hazumi {
 struct LimitRows {
   MatX J, G;
   VecX c;
-  MatX P;         // empty: J, and the least forces that do it
-  VecX softness;  // else, as SolveGivingWay has it
+  MatX P;         // empty: J
+  VecX softness;  // as SolveGivingWay has it; empty: the least forces that do it
   const MatX& push() const { return P.size() > 0 ? P : J; }
 };
 

@@ -24,7 +24,7 @@ void ReleaseSearch::Begin() {
 
 // The strongest pull that a limit would have to give at t [N m].
 double ReleaseSearch::Pull(double t) {
-  step_->Sample(t, &sample_);
+  step_->Sample(t, &sample_, Gaps::kLeft);
   return limits_->PullAt(t, sample_) - allowed_;
 }
 
