@@ -16,13 +16,16 @@ int main(int argc, char** argv) {
                           {"work_precision", PrintWorkPrecision},
                           {"scaling", PrintScaling},
                           {"stability", PrintStability},
-                          {"modelling", PrintModelling}};
+                          {"modelling", PrintModelling},
+                          {"springs", PrintSprings},
+                          {"spring_stability", PrintSpringStability}};
   for (const Table& table : tables) {
     if (argc != 3 || std::strcmp(argv[1], table.name) != 0) continue;
     table.print(std::atoi(argv[2]));
     return 0;
   }
-  std::fprintf(stderr, "usage: %s calls|work_precision|scaling|stability|modelling ROUNDS\n",
-               argv[0]);
+  std::fprintf(stderr, "usage: %s TABLE ROUNDS, the table one of", argv[0]);
+  for (const Table& table : tables) std::fprintf(stderr, " %s", table.name);
+  std::fputc('\n', stderr);
   return 2;
 }

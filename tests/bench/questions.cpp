@@ -22,11 +22,11 @@ double RelativeDifference(const MatX& actual, const MatX& expected) {
   return RelativeDifference(actual, expected, expected.cwiseAbs().maxCoeff());
 }
 
-void Demand(bool agree, const NamedMaker& maker, const Figure& figure, const char* call,
+void Demand(bool agree, const std::string& name, const Figure& figure, const char* call,
             double difference) {
   if (agree) return;
-  std::fprintf(stderr, "%s disagrees on the %s of %s by %.3g of its size\n", maker.name.c_str(),
-               call, figure.name().c_str(), difference);
+  std::fprintf(stderr, "%s disagrees on the %s of %s by %.3g of its size\n", name.c_str(), call,
+               figure.name().c_str(), difference);
   std::exit(1);
 }
 
@@ -51,7 +51,7 @@ void DemandAgreement(const NamedMaker& maker, const Figure& figure) {
   VecX actual(n), expected(n);
   MatX H_actual(n, n), H_expected(n, n);
   const auto check = [&](const char* call, double difference) {
-    Demand(difference <= kTolerance, maker, figure, call, difference);
+    Demand(difference <= kTolerance, maker.name, figure, call, difference);
   };
   for (const Question& at : RandomQuestions(figure, kQuestionsToAgreeOn)) {
     ours->Bias(at, &expected);
@@ -69,12 +69,17 @@ void DemandAgreement(const NamedMaker& maker, const Figure& figure) {
 }
 
 void DemandForwardAgreement(const NamedMaker& maker, const Figure& figure) {
+  DemandForwardAgreement(maker.name, maker.make(figure).get(), figure,
+                         RandomQuestions(figure, kQuestionsToAgreeOn));
+}
+
+void DemandForwardAgreement(const std::string& name, Subject* subject, const Figure& figure,
+                            std::vector<Question> questions) {
   const int n = figure.num_joints();
-  const std::unique_ptr<Subject> subject = maker.make(figure), ours = MakeHazumi(figure),
-                                 dense = MakeHazumiPaperWay(figure);
+  const std::unique_ptr<Subject> ours = MakeHazumi(figure), dense = MakeHazumiPaperWay(figure);
   VecX tau(n), bias(n);
   MatX H(n, n);
-  for (Question& at : RandomQuestions(figure, kQuestionsToAgreeOn)) {
+  for (Question& at : questions) {
     if (!subject->ForwardDynamics(at, &at.qdd)) return;
     ours->InverseDynamics(at, &tau);
     ours->Bias(at, &bias);
@@ -82,7 +87,7 @@ void DemandForwardAgreement(const NamedMaker& maker, const Figure& figure) {
     const double inertial = (H.cwiseAbs() * at.qdd.cwiseAbs()).maxCoeff();
     const double size = std::max(bias.cwiseAbs().maxCoeff(), inertial);
     const double difference = RelativeDifference(tau, at.tau, size);
-    Demand(difference <= kTolerance, maker, figure, "forward dynamics", difference);
+    Demand(difference <= kTolerance, name, figure, "forward dynamics", difference);
   }
 }
 

@@ -14,5 +14,8 @@ std::vector<Question> RandomQuestions(const Figure& figure, int count);
 // ill-conditioned, the torques that our inverse dynamics gives for it.
 void DemandAgreement(const NamedMaker& maker, const Figure& figure);
 void DemandForwardAgreement(const NamedMaker& maker, const Figure& figure);
+// Of a subject that is ready, asked these; their tau are all torques that act.
+void DemandForwardAgreement(const std::string& name, Subject* subject, const Figure& figure,
+                            std::vector<Question> questions);
 
 }  // namespace hazumi::bench

@@ -2,6 +2,7 @@
 
 #include "tests/bench/peer_joints.h"
 #include "tests/bench/simbody_tree.h"
+#include "tests/bench/springs.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
 #include "tests/bench/swing_method.h"
@@ -16,14 +17,24 @@ SimbodyTree::Mobilizer MobilizerOf(const JointGroup& group, Threes threes) {
   return threes == Threes::kBall ? SimbodyTree::Mobilizer::kBall : SimbodyTree::Mobilizer::kGimbal;
 }
 
-// A body for each group.
-std::vector<SimbodyTree::Body> Bodies(const Figure& figure, Threes threes) {
+SimbodyTree::Inertia InertiaOf(const RigidInertia& body) {
+  return {body.mass, body.com, body.I_com + PointInertia(body.mass, body.com)};
+}
+
+// A body for each group. `springs`: by JointIndex, of hinges; or none.
+std::vector<SimbodyTree::Body> Bodies(const Figure& figure, Threes threes,
+                                      const std::vector<HingeSpring>& springs) {
+  const VecX signs = CoordinateSigns(figure, threes);
   std::vector<SimbodyTree::Body> bodies;
   for (const JointGroup& group : figure.groups()) {
     const Joint& first = figure.joint(group.first);
     const int parent = first.parent.is_valid() ? figure.joint(first.parent).group.value() : -1;
     bodies.push_back({parent, MobilizerOf(group, threes), first.X_PJ.R, first.X_PJ.p,
-                      HingeFrame(figure, group), figure.body(group.last())});
+                      HingeFrame(figure, group), InertiaOf(figure.body(group.last()))});
+    for (int j = group.first.value(); !springs.empty() && j <= group.last().value(); ++j) {
+      const HingeSpring& own = springs[j];
+      bodies.back().springs.push_back({own.stiffness(), own.damping(), signs[j] * own.angle});
+    }
   }
   return bodies;
 }
@@ -31,8 +42,8 @@ std::vector<SimbodyTree::Body> Bodies(const Figure& figure, Threes threes) {
 // SimbodyTree in the figure's coordinates.
 class SimbodyFigure {
  public:
-  SimbodyFigure(const Figure& figure, Threes threes)
-      : tree_(Bodies(figure, threes), kGravity), signs_(CoordinateSigns(figure, threes)) {
+  SimbodyFigure(const Figure& figure, Threes threes, const std::vector<HingeSpring>& springs = {})
+      : tree_(Bodies(figure, threes, springs), kGravity), signs_(CoordinateSigns(figure, threes)) {
     if (threes == Threes::kBall) balls_ = BallJoints(figure);
     for (const BallJoint& ball : balls_) {
       body_of_ball_.push_back(figure.joints()[ball.first()].group.value());
@@ -51,6 +62,7 @@ class SimbodyFigure {
       tree_.SetBall(body_of_ball_[i], balls_[i].Rotation(q), balls_[i].AngularVelocity(q, qd));
     }
   }
+  VecX EndRates() const { return signs_.cwiseProduct(tree_.EndRates()); }  // not of balls
   VecX EndAngles() const {
     VecX q = signs_.cwiseProduct(tree_.EndCoordinates());
     for (size_t i = 0; i < balls_.size(); ++i) {
@@ -132,7 +144,56 @@ SwingMethod Method(const char* name, SimbodyIntegrator integrator, int settings,
           }};
 }
 
+class SimbodySpringSubject : public Subject {
+ public:
+  explicit SimbodySpringSubject(std::shared_ptr<SimbodyFigure> figure)
+      : figure_(std::move(figure)) {}
+  bool ForwardDynamics(const Question& at, VecX* qdd) override {
+    figure_->SetState(at.q, at.qd);
+    figure_->tree().ForwardDynamics(qdd);
+    qdd->array() *= figure_->signs().array();
+    return true;
+  }
+
+ private:
+  std::shared_ptr<SimbodyFigure> figure_;
+};
+
+SpringRun Swing(SimbodyFigure* figure, SimbodyIntegrator integrator, const SpringArm& arm,
+                double seconds, double setting) {
+  figure->SetState(arm.q, arm.qd);
+  try {
+    figure->tree().Integrate(integrator, setting, seconds);
+  } catch (const std::exception&) {
+    return {};
+  }
+  return {figure->EndAngles(), figure->EndRates(), figure->tree().evaluations(), true};
+}
+
 }  // namespace
+
+SpringProgram SimbodySprings(const SpringArm& arm) {
+  const auto make = [&arm] {
+    return std::make_shared<SimbodyFigure>(arm.figure, Threes::kHinges, arm.springs);
+  };
+  const auto figure = make();
+  SpringProgram program{"simbody", std::make_unique<SimbodySpringSubject>(figure), {}};
+  const auto add = [&](const char* name, SimbodyIntegrator by, std::vector<double> settings) {
+    const bool has_steps = by == SimbodyIntegrator::kSemiExplicitEuler;
+    program.methods.push_back({name, has_steps ? "s a step" : "accuracy", has_steps,
+                               std::move(settings), has_steps ? 0.1 : 0.5, has_steps ? 1e-5 : 1e-12,
+                               [=, &arm](double seconds, double setting) {
+                                 return Swing(figure.get(), by, arm, seconds, setting);
+                               },
+                               [make] { KeepAlive(make()); }});
+  };
+  add("simbody_semi_explicit_euler", SimbodyIntegrator::kSemiExplicitEuler,
+      GeometricSettings(1.0 / 48, 0.25, 6));
+  add("simbody_merson", SimbodyIntegrator::kMerson, GeometricSettings(1e-1, 0.1, 11));
+  add("simbody_fehlberg", SimbodyIntegrator::kFehlberg, GeometricSettings(1e-1, 0.1, 12));
+  add("simbody_implicit", SimbodyIntegrator::kImplicit, GeometricSettings(1e-1, 0.1, 8));
+  return program;
+}
 
 std::unique_ptr<Subject> MakeSimbody(const Figure& figure) {
   return std::make_unique<Simbody>(figure, Threes::kHinges);

@@ -13,8 +13,8 @@ SimTK::Rotation ToSimbody(const Mat3& R) {
                                       R(2, 1), R(2, 2)));
 }
 
-SimTK::Body::Rigid RigidBody(const RigidInertia& body) {
-  const Mat3 I = body.I_com + PointInertia(body.mass, body.com);
+SimTK::Body::Rigid RigidBody(const SimbodyTree::Inertia& body) {
+  const Mat3& I = body.I_origin;
   return SimTK::Body::Rigid(
       SimTK::MassProperties(body.mass, ToSimbody(body.com),
                             SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
@@ -34,9 +34,9 @@ struct SimbodyTree::System {
   explicit System(double g) : gravity(forces, matter, SimTK::Vec3(0, 0, -g)) {}
 
   void Add(const Body& body);
+  void AddSprings(const Body& body);
   SimTK::MobilizedBody Mobilized(const Body& body);
-  template <typename Integrator>
-  void Integrate(double accuracy, double seconds);
+  void Integrate(SimTK::Integrator* integrator, double seconds);
 
   SimTK::MultibodySystem multibody;
   SimTK::SimbodyMatterSubsystem matter{multibody};
@@ -47,6 +47,7 @@ struct SimbodyTree::System {
   std::vector<SimTK::MobilizedBody> bodies;
   std::vector<int> coordinate_of_rate;  // -1 in a ball
   int num_coordinates = 0;
+  long evaluations = 0;
   SimTK::Vector in, out, none;
   SimTK::Matrix M;
 };
@@ -77,6 +78,17 @@ void SimbodyTree::System::Add(const Body& body) {
   const int rates = ball ? 3 : static_cast<int>(body.mobilizer) + 1;
   for (int i = 0; i < rates; ++i) coordinate_of_rate.push_back(ball ? -1 : num_coordinates + i);
   num_coordinates += ball ? 4 : rates;  // a ball's are a quaternion
+  AddSprings(body);
+}
+
+void SimbodyTree::System::AddSprings(const Body& body) {
+  for (int i = 0; i < static_cast<int>(body.springs.size()); ++i) {
+    const Spring& spring = body.springs[i];
+    SimTK::Force::MobilityLinearSpring(forces, bodies.back(), SimTK::MobilizerQIndex(i),
+                                       spring.stiffness, spring.angle);
+    SimTK::Force::MobilityLinearDamper(forces, bodies.back(), SimTK::MobilizerUIndex(i),
+                                       spring.damping);
+  }
 }
 
 SimbodyTree::SimbodyTree(const std::vector<Body>& bodies, double gravity)
@@ -138,24 +150,40 @@ void SimbodyTree::ForwardDynamics(VecX* udot) {
   Copy(system_->state.getUDot(), udot);
 }
 
-template <typename Integrator>
-void SimbodyTree::System::Integrate(double accuracy, double seconds) {
-  state.updTime() = 0.0;
-  Integrator integrator(multibody);
-  integrator.setAccuracy(accuracy);
-  integrator.setFinalTime(seconds);
-  integrator.initialize(state);
-  while (integrator.getTime() < seconds) integrator.stepTo(seconds);
-  end = integrator.getState();  // a copy forgets what was realized
+void SimbodyTree::System::Integrate(SimTK::Integrator* integrator, double seconds) {
+  const int before = multibody.getNumRealizationsOfThisStage(SimTK::Stage::Acceleration);
+  integrator->setFinalTime(seconds);
+  integrator->initialize(state);
+  while (integrator->getTime() < seconds) integrator->stepTo(seconds);
+  evaluations = multibody.getNumRealizationsOfThisStage(SimTK::Stage::Acceleration) - before;
+  end = integrator->getState();  // a copy forgets what was realized
   multibody.realize(end, SimTK::Stage::Position);
 }
 
-void SimbodyTree::Integrate(SimbodyIntegrator integrator, double accuracy, double seconds) {
-  if (integrator == SimbodyIntegrator::kMerson) {
-    system_->Integrate<SimTK::RungeKuttaMersonIntegrator>(accuracy, seconds);
-  } else {
-    system_->Integrate<SimTK::RungeKuttaFeldbergIntegrator>(accuracy, seconds);
+void SimbodyTree::Integrate(SimbodyIntegrator integrator, double setting, double seconds) {
+  system_->state.updTime() = 0.0;
+  const auto run = [&](SimTK::Integrator&& by) {
+    if (integrator != SimbodyIntegrator::kSemiExplicitEuler) by.setAccuracy(setting);
+    system_->Integrate(&by, seconds);
+  };
+  switch (integrator) {
+    case SimbodyIntegrator::kMerson:
+      return run(SimTK::RungeKuttaMersonIntegrator(system_->multibody));
+    case SimbodyIntegrator::kFehlberg:
+      return run(SimTK::RungeKuttaFeldbergIntegrator(system_->multibody));
+    case SimbodyIntegrator::kImplicit:
+      return run(SimTK::CPodesIntegrator(system_->multibody));
+    case SimbodyIntegrator::kSemiExplicitEuler:
+      return run(SimTK::SemiExplicitEulerIntegrator(system_->multibody, setting));
   }
+}
+
+long SimbodyTree::evaluations() const { return system_->evaluations; }
+
+VecX SimbodyTree::EndRates() const {
+  VecX u(system_->coordinate_of_rate.size());
+  Copy(system_->end.getU(), &u);
+  return u;
 }
 
 VecX SimbodyTree::EndCoordinates() const {

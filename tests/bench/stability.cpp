@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "engine/spatial/degrees.h"
 #include "engine/timeline/animation.h"
+#include "tests/bench/coarsest_setting.h"
 #include "tests/bench/step_method.h"
 #include "tests/bench/tables.h"
 #include "tests/support/arm7_cases.h"
@@ -37,37 +37,6 @@ struct Start {
     return ratio >= 0.5 && ratio <= 2.0;  // false for NaN
   }
 };
-
-// A setting that makes a method coarser the larger it is: a step [s], or a tolerance [rad].
-struct Knob {
-  double coarsest, finest;  // that are tried
-  // Evaluations of a second; none if it does not survive.
-  std::function<std::optional<long>(double setting)> evaluations;
-
-  // By chance a single setting may survive; two somewhat finer ones must do so as well.
-  bool Survives(double setting) const {
-    for (const double part : {1.0, 0.9, 0.8}) {
-      if (!evaluations(part * setting)) return false;
-    }
-    return true;
-  }
-};
-
-// None if there is none. By decades, then by bisection to 7 %.
-std::optional<double> CoarsestSetting(const Knob& knob) {
-  double good = knob.coarsest;
-  while (!knob.Survives(good)) {
-    good *= 0.1;
-    if (good < 0.99 * knob.finest) return std::nullopt;
-  }
-  if (good == knob.coarsest) return good;
-  double bad = 10.0 * good;
-  for (int i = 0; i < 5; ++i) {
-    const double middle = std::sqrt(good * bad);
-    (knob.Survives(middle) ? good : bad) = middle;
-  }
-  return good;
-}
 
 Knob StepOf(const StepMethod& method, const Start& start) {
   const auto evaluations = [&](double step) -> std::optional<long> {

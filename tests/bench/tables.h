@@ -16,6 +16,11 @@ void PrintRegionScaling(int rounds);  // its last rows: one group of a region, i
 // Coarsest settings that survive: slice, method, its two coordinates, the setting and the
 // evaluations of the equations of motion in a second; both empty if none did.
 void PrintStability(int rounds);
+// Swings on springs: as PrintWorkPrecision.
+void PrintSprings(int rounds);
+// Coarsest settings that survive a second on springs: damping ratio, method, frequency of the
+// springs, the step of methods with equal steps or the tolerance of the others, evaluations.
+void PrintSpringStability(int rounds);
 // All evaluations of an example's bake: case, level of modelling, microseconds.
 void PrintModelling(int rounds);
 
