@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
                           {"stability", PrintStability},
                           {"modelling", PrintModelling},
                           {"springs", PrintSprings},
-                          {"spring_stability", PrintSpringStability}};
+                          {"spring_stability", PrintSpringStability},
+                          {"contact", PrintContact}};
   for (const Table& table : tables) {
     if (argc != 3 || std::strcmp(argv[1], table.name) != 0) continue;
     table.print(std::atoi(argv[2]));

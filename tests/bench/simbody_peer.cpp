@@ -181,7 +181,7 @@ SpringProgram SimbodySprings(const SpringArm& arm) {
   const auto add = [&](const char* name, SimbodyIntegrator by, std::vector<double> settings) {
     const bool has_steps = by == SimbodyIntegrator::kSemiExplicitEuler;
     program.methods.push_back({name, has_steps ? "s a step" : "accuracy", has_steps,
-                               std::move(settings), has_steps ? 0.1 : 0.5, has_steps ? 1e-5 : 1e-12,
+                               std::move(settings), 0.1, has_steps ? 1e-5 : 1e-12,
                                [=, &arm](double seconds, double setting) {
                                  return Swing(figure.get(), by, arm, seconds, setting);
                                },
