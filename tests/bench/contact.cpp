@@ -67,7 +67,7 @@ void PrintErrors(const Figure& figure, const std::vector<MotionLimit>& states,
 std::vector<MotionLimit> PrintReference(const Animation& fall, const FallMethod& method) {
   const std::vector<MotionLimit> reference = method.states(method.finest, kFrames);
   const std::string program = method.name.substr(0, method.name.find('_'));
-  std::printf("%g,reference_%s,%s,%.3g,,,,,", fall.regions[0].friction[0], program.c_str(),
+  std::printf("%g,reference_%s,%s,%.3g,,,,,,", fall.regions[0].friction[0], program.c_str(),
               method.unit.c_str(), method.finest);
   std::printf(",%.3g", reference.back().X_WR.p.z());
   PrintErrors(*fall.figure, method.states(method.nearly, kFrames), reference);
@@ -92,10 +92,10 @@ void PrintFall(double friction, int rounds) {
   for (const TimedFall& run : timed) {
     const FallMethod& method = *run.method;
     const FallAccount account = method.account(run.setting);
-    std::printf("%g,%s,%s,%.4g,%d,%.4g,%.3g,%.3g,%.4g,", friction, method.name.c_str(),
+    std::printf("%g,%s,%s,%.4g,%d,%.4g,%.3g,%.3g,%.4g,%.3g,", friction, method.name.c_str(),
                 method.unit.c_str(), run.setting, std::abs(run.setting / method.usual - 1.0) < 1e-3,
                 account.finished ? run.time.microseconds() : HUGE_VAL, 1e3 * account.depth,
-                account.unaccounted, account.lost);
+                account.unaccounted, account.lost, account.frozen_from);
     PrintErrors(*fall.figure, method.states(run.setting, kFrames),
                 &method == &methods[0] ? ours : theirs);
     std::putchar('\n');
@@ -108,7 +108,8 @@ void PrintFall(double friction, int rounds) {
 void PrintContact(int rounds) {
   DemandThatFlightsAgree();
   std::printf(
-      "friction,method,unit,setting,is_usual,microseconds,depth_mm,unaccounted_j,lost_j,root_m");
+      "friction,method,unit,setting,is_usual,microseconds,depth_mm,unaccounted_j,lost_j,"
+      "frozen_from_s,root_m");
   for (const int frame : kFrames) std::printf(",error_rad_at_%.1f_s", frame / 30.0);
   std::putchar('\n');
   for (const double friction : {1.0, 0.8}) PrintFall(friction, rounds);

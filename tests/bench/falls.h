@@ -30,6 +30,8 @@ struct FallAccount {
   // Change of energy less the work of joints, limits and floor [J].
   double unaccounted = std::numeric_limits<double>::quiet_NaN();
   double lost = std::numeric_limits<double>::quiet_NaN();  // energy in all [J]
+  // Since when contacts come too fast to be followed one by one [s] [METHOD 12.4].
+  double frozen_from = std::numeric_limits<double>::quiet_NaN();
   bool finished = false;
 };
 

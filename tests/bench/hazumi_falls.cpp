@@ -36,7 +36,9 @@ FallAccount Account(const Animation& fall, double tolerance) {
   for (const MotionFrame& frame : motion.value().frames) {
     account.depth = std::max(account.depth, DepthOf(*fall.figure, frame.before));
   }
-  if (const auto& energy = motion.value().regions[0].energy) {
+  const RegionReport& report = motion.value().regions[0];
+  if (report.estimated_until) account.frozen_from = *report.estimated_until / 30.0;
+  if (const auto& energy = report.energy) {
     account.unaccounted = energy->residual();
     account.lost = energy->kinetic_start + energy->potential_start - energy->kinetic_end -
                    energy->potential_end;

@@ -98,7 +98,7 @@ def finding(lines):
     target = 1e-6
     best_of = {}
     for subject, line in lines.items():
-        time = time_to(line, target)
+        time = least_time(line, target)
         family = style.family(subject)
         if time < best_of.get(family, (math.inf, ""))[0]:
             best_of[family] = time, style.in_sentence(subject)
@@ -156,8 +156,8 @@ def down_to(floor, line):
     return kept
 
 
-def draw_case(rows, case, comment, folder):
-    """The chart of one case."""
+def draw_case(rows, case, comment, folder, named=None):
+    """The chart of one case. `named`: file, title and detail of one that is not of this table."""
     lines = points(rows, case)
     floor = next(float(row["error_rad"]) for row in rows
                  if row["case"] == case and row["subject"] == "reference")
@@ -179,12 +179,14 @@ def draw_case(rows, case, comment, folder):
     axes.set_xlabel("time for the whole swing")
     axes.set_ylabel("largest error of the end pose [rad]")
     style.label_right(axes, labels)
-    failures = any(error > WORST for line in lines.values() for _, error in line)
-    style.headline(figure, finding(lines), DETAILS.get(case, case) + "." +
-                   (f" ×: error above {WORST:g} rad, or broken off." if failures else ""))
+    name, title, detail = named or (f"work_precision_{case}", finding(lines),
+                                    DETAILS.get(case, case))
+    if any(error > WORST for line in lines.values() for _, error in line):
+        detail += f". ×: error above {WORST:g} rad, or broken off"
+    style.headline(figure, title, detail + ".")
     style.second_line(figure, set_up_note(making))
     style.footnote(figure, comment)
-    style.save(figure, folder, f"work_precision_{case}")
+    style.save(figure, folder, name)
 
 
 def draw(comment, rows, folder):
