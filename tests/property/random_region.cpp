@@ -19,7 +19,7 @@ FigureSpec ShippedHuman() {
 
 }  // namespace
 
-Figure RandomFigure(bool has_limits, Random* random) {
+FigureSpec RandomFigureSpec(bool has_limits, Random* random) {
   const bool is_human = random->Chance(1.0 / 3.0);
   FigureSpec spec = is_human ? ShippedHuman() : RandomTreeSpec(random);
   for (JointSpec& joint : spec.joints) {
@@ -29,12 +29,13 @@ Figure RandomFigure(bool has_limits, Random* random) {
       hinge.upper = has_limits ? random->Uniform(0.3, 3.0) : 1000.0;
     }
   }
-  return Build(spec);
+  return spec;
 }
 
-namespace {
+Figure RandomFigure(bool has_limits, Random* random) {
+  return Build(RandomFigureSpec(has_limits, random));
+}
 
-// One or two joints, with all beyond them or by themselves: two arms at most.
 void ChooseJoints(const Figure& figure, Random* random, DynamicsRegion* region) {
   constexpr size_t kMost = 14;
   std::vector<char> chosen(figure.num_joints(), 0);
@@ -99,6 +100,8 @@ void ChooseRoot(Random* random, DynamicsRegion* region, Animation* animation) {
   region->root = kind > 0 && random->Chance(0.4);
 }
 
+namespace {
+
 Mat3 Turn(const Vec3& axis, double angle) {
   return AxisRotation<double>(axis, std::sin(angle), std::cos(angle));
 }
@@ -143,12 +146,14 @@ Animation RandomRegion(uint64_t seed, bool has_limits) {
   return animation;
 }
 
-double LargestError(const Animation& animation, const Motion& motion, const Motion& reference) {
+double LargestError(const Animation& animation, const Motion& motion, const Motion& reference,
+                    size_t index, double until) {
   const Figure& figure = *animation.figure;
-  const DynamicsRegion& region = animation.regions[0];
+  const DynamicsRegion& region = animation.regions[index];
   const std::vector<int> free = FreeHinges(figure, region);
   double worst = 0.0;
   for (size_t f = 0; f < motion.frames.size(); ++f) {
+    if (motion.frames[f].frame > until) break;
     const VecX& q = motion.frames[f].before.q;
     const VecX& other = reference.frames[f].before.q;
     for (const JointIndex j : region.joints) {
