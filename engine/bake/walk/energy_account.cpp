@@ -1,13 +1,58 @@
 // The account of an island [METHOD 8.5]: over each of its steps the powers P of laws and of keyed
 // joints are integrated by Gauss's formula of order 8,
 //   W = h sum_i w_i P(m + h x_i),   h half of the step, m its middle, x_i and w_i below.
-// What its energy jumped by since the step before went into limits.
+// Where that leaves something of the step unexplained its halves are tried, and theirs, as long as
+// this changes the sum: powers have kinks where springs give all they can, inside of pulls, at
+// breezes. What its energy jumped by since the step before went into limits.
 
 #include "engine/bake/walk/energy_account.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace hazumi {
+
+namespace {
+
+// Of the laws, in their order, and of keyed joints [J].
+using Works = std::vector<double>;
+
+Works GaussWorks(double start, double end, IslandSolution* solution) {
+  constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
+  constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
+  const double middle = 0.5 * (start + end), half = 0.5 * (end - start);
+  Works works;
+  for (const double side : {-1.0, 1.0}) {
+    for (int i = 0; i < 2; ++i) {
+      const EnergyFlow flow = solution->Energy(middle + side * kNode[i] * half);
+      works.resize(flow.laws.size() + 1, 0.0);
+      for (size_t k = 0; k < flow.laws.size(); ++k) {
+        works[k] += half * kWeight[i] * flow.laws[k].power;
+      }
+      works.back() += half * kWeight[i] * flow.keyed;
+    }
+  }
+  return works;
+}
+
+double SumOf(const Works& works) { return std::accumulate(works.begin(), works.end(), 0.0); }
+
+// The works of both halves, or of theirs, until that changes the sum by next to nothing.
+Works HalvedWorks(double start, double end, const Works& whole, double least, int halvings,
+                  IslandSolution* solution) {
+  const double middle = 0.5 * (start + end);
+  Works first = GaussWorks(start, middle, solution), second = GaussWorks(middle, end, solution);
+  const double change = std::abs(SumOf(first) + SumOf(second) - SumOf(whole));
+  if (halvings > 0 && change > least) {
+    first = HalvedWorks(start, middle, first, 0.5 * least, halvings - 1, solution);
+    second = HalvedWorks(middle, end, second, 0.5 * least, halvings - 1, solution);
+  }
+  for (size_t k = 0; k < first.size(); ++k) first[k] += second[k];
+  return first;
+}
+
+}  // namespace
 
 void EnergyAccount::Restart(size_t num_islands) {
   if (islands_.size() != num_islands) islands_.assign(num_islands, Island());
@@ -29,7 +74,7 @@ void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   if (0.5 * (t - start) <= 0.0) return;
   const EnergyFlow first = solution->Energy(start), last = solution->Energy(t);
   AddStart(first, island);
-  AddWork(start, t, solution);
+  AddWork(start, t, first, last, solution);
   balance_.kinetic_end += last.kinetic - (island.is_accounted ? island.kinetic : 0.0);
   balance_.potential_end +=
       last.potential - (island.is_accounted ? island.stored - island.kinetic : 0.0);
@@ -47,17 +92,20 @@ void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island) {
   }
 }
 
-void EnergyAccount::AddWork(double start, double end, IslandSolution* solution) {
-  constexpr double kNode[2] = {0.3399810435848563, 0.8611363115940526};
-  constexpr double kWeight[2] = {0.6521451548625461, 0.3478548451374538};
-  const double middle = 0.5 * (start + end), half = 0.5 * (end - start);
-  for (const double side : {-1.0, 1.0}) {
-    for (int i = 0; i < 2; ++i) {
-      const EnergyFlow flow = solution->Energy(middle + side * kNode[i] * half);
-      for (const auto& [law, power] : flow.laws) balance_.AddWork(law, half * kWeight[i] * power);
-      balance_.keyed += half * kWeight[i] * flow.keyed;
-    }
+void EnergyAccount::AddWork(double start, double end, const EnergyFlow& first,
+                            const EnergyFlow& last, IslandSolution* solution) {
+  constexpr double kExplained = 1e-9;  // of the energy and of what changes hands
+  constexpr int kHalvings = 5;
+  Works works = GaussWorks(start, end, solution);
+  const double change = last.kinetic + last.potential - first.kinetic - first.potential;
+  double turned = std::max(first.kinetic, last.kinetic);
+  for (const double work : works) turned += std::abs(work);
+  const double least = kExplained * turned;
+  if (std::abs(change - SumOf(works)) > least) {
+    works = HalvedWorks(start, end, works, least, kHalvings, solution);
   }
+  for (size_t k = 0; k < first.laws.size(); ++k) balance_.AddWork(first.laws[k].name, works[k]);
+  balance_.keyed += works.back();
 }
 
 std::optional<EnergyBalance> EnergyAccount::balance() const {

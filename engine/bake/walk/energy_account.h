@@ -32,7 +32,9 @@ class EnergyAccount {
   };
 
   void AddStart(const EnergyFlow& first, const Island& island);
-  void AddWork(double start, double end, IslandSolution* solution);
+  // From energies `first` at its start to `last` at its end.
+  void AddWork(double start, double end, const EnergyFlow& first, const EnergyFlow& last,
+               IslandSolution* solution);
 
   std::vector<Island> islands_;
   EnergyBalance balance_;

@@ -67,6 +67,32 @@ TEST(Energy, OfArmsOnAMovingTrunkIsAccountedFor) {
   EXPECT_EQ(motion.regions[0].islands, (std::vector<int>{7, 7}));
 }
 
+// A rod that rests on its stop takes long steps, in which what carries it turns to and fro.
+TEST(Energy, IsAccountedForInStepsThatOutlastItsPower) {
+  FigureSpec spec;
+  spec.name = "arm";
+  spec.root_name = "base";
+  JointSpec joint;
+  joint.name = "pivot";
+  joint.parent = "base";
+  joint.hinges = {{"", Vec3::UnitY(), -1.0, 0.0, 0.0}};
+  joint.links.resize(1);
+  joint.links[0].name = "rod";
+  joint.links[0].to = 0.4 * Vec3::UnitX();
+  joint.links[0].radius = 0.02;
+  joint.links[0].mass = 1.0;
+  spec.joints = {joint};
+  Animation animation = Still(Build(spec));
+  animation.solver.method = Method::kExact;
+  KeysOf(&animation, "pivot") = {{0, 0.0, 0.0}};
+  animation.root_keys[kRootAngleZ] = {{0, 0.0, 6.0}, {13, 2.0, {}}, {30, -2.0, {}}};
+  animation.root_keys[kRootX] = {{0, 0.0, 2.0}, {30, 1.0, {}}};
+  AddRegion(&animation, "rod", 0, 30, {"pivot"}).method = Method::kExact;
+  Motion motion;
+  ExpectBalanced(Account(animation, &motion));
+  EXPECT_EQ(motion.frames[30].q[0], 0.0);
+}
+
 // The leg between root and pin swings, so that the whole figure moves: energy is the whole
 // figure's.
 TEST(Energy, OfAPinnedFigureIsAccountedFor) {
