@@ -9,6 +9,7 @@
 #include "engine/passive/dense_equations.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/passive/semidefinite.h"
 
@@ -143,6 +144,18 @@ void DenseEquations::SolveUpper(const RegionLayout& layout, Eigen::Ref<VecX> x) 
   hazumi::SolveUpper(L_.topLeftCorner(k, k), x);
 }
 
+namespace {
+
+// Of what cancels, where its parts are of this size, rounding leaves nothing: a row without hold on
+// a joint is told by zeros.
+void AddRounded(double part, double size, double* sum) {
+  constexpr double kRounding = 1e-14;
+  *sum += part;
+  if (std::abs(*sum) <= kRounding * size) *sum = 0.0;
+}
+
+}  // namespace
+
 void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                               int node, const V3& p, const V3& n, bool turns,
                               Eigen::Ref<VecX> row) const {
@@ -150,7 +163,9 @@ void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<Node
     const RegionLayout::Node& where = layout.node(i);
     for (int k = 0; k < where.num_dofs; ++k) {
       const V3& axis = motion[i].axis[k];
-      row[where.dof + k] += turns ? Dot(axis, n) : Dot(Cross(axis, p - motion[i].p), n);
+      const V3 r = p - motion[i].p, way = turns ? axis : Cross(axis, r);
+      const double size = turns ? 1.0 : std::sqrt(Dot(r, r));
+      AddRounded(Dot(way, n), size, &row[where.dof + k]);
     }
   }
 }
@@ -160,7 +175,14 @@ void DenseEquations::AddRootToRows(const RegionLayout& layout, const Eigen::Matr
   if (!root_answers_) return;
   const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
   const Eigen::Matrix3Xd& root = is_pinned_ ? J_ : F_;
-  rows -= root.leftCols(layout.num_dofs()).transpose().lazyProduct(share * along);
+  const auto unit = root.leftCols(layout.num_dofs()).transpose();
+  for (Eigen::Index row = 0; row < rows.cols(); ++row) {
+    if (along.col(row).isZero(0.0)) continue;
+    for (Eigen::Index j = 0; j < rows.rows(); ++j) {
+      const double part = share * unit.row(j).dot(along.col(row));
+      AddRounded(-part, std::abs(part), &rows(j, row));
+    }
+  }
 }
 
 Vec3 DenseEquations::RootAcceleration(const RegionLayout& layout,
