@@ -25,7 +25,7 @@ constexpr double kFirstNearness = 1e-2, kLastNearness = 1e-8;  // rho
 constexpr int kFirstSweeps = 40, kSweeps = 4, kSteps = 12, kRounds = 8;
 // From inside: steps, what of mu is left in each, and how far each goes towards the nearest cone.
 constexpr int kMostInside = 100;
-constexpr double kCenter = 0.5, kShy = 0.8;
+constexpr double kCenter = 0.3, kShy = 0.8;
 // What may be left, as a part of the largest force: nothing; no way from inside is worth it; it is
 // a solution.
 constexpr double kExact = 1e-12, kGood = 1e-10, kGoodEnough = 1e-6;
@@ -53,7 +53,10 @@ class Solver {
     double nearness = kFirstNearness, left = HUGE_VAL;
     VecX best = l_;
     for (int round = 0; round < kRounds && left > kExact; ++round) {
-      Approach(nearness, round == 0 ? kFirstSweeps : kSweeps, kSteps);
+      A_ = given_.A;
+      A_.diagonal() += nearness * own_;
+      b_ = given_.b - nearness * own_.cwiseProduct(l_);
+      Approach(round == 0 ? kFirstSweeps : kSweeps);
       const double now = Left(given_.A, given_.b);
       if (now < left) {
         left = now;
@@ -73,20 +76,6 @@ class Solver {
       if (block.kind != Kind::kBoth) l_[block.row] = std::max(0.0, l_[block.row]);
     }
     return left <= kGoodEnough && !hopeless_;
-  }
-
-  // From forces that are near, by Newton's steps alone. False if they do not find it.
-  bool Polish(const VecX& start) {
-    constexpr double kFirst = 1e-3;  // rho
-    constexpr int kMostRounds = 4, kMostSteps = 6;
-    if (hopeless_) return false;
-    l_ = start;
-    double nearness = kFirst;
-    for (int round = 0; round < kMostRounds; ++round, nearness *= 0.1) {
-      Approach(nearness, 1, kMostSteps);
-      if (Left(given_.A, given_.b) <= kGoodEnough) return true;
-    }
-    return false;
   }
 
   bool RunInside() { return !hopeless_ && FromInside(kGoodEnough) <= kGoodEnough; }
@@ -264,16 +253,13 @@ class Solver {
     l_ = best;
   }
 
-  // To forces of a round.
-  void Approach(double nearness, int sweeps, int steps) {
-    A_ = given_.A;
-    A_.diagonal() += nearness * own_;
-    b_ = given_.b - nearness * own_.cwiseProduct(l_);
+  // To forces of the round.
+  void Approach(int sweeps) {
     for (int i = 0; i < sweeps; ++i) Sweep();
     double left = Left(A_, b_);
     const VecX swept = l_;
     const double left_swept = left;
-    for (int i = 0; i < steps && left > 0.1 * kExact; ++i) {
+    for (int i = 0; i < kSteps && left > 0.1 * kExact; ++i) {
       if (!Step()) break;
       left = Left(A_, b_);
     }
@@ -387,15 +373,10 @@ bool SolveCones(const ConeProblem& problem, VecX* forces) {
   return is_solved;
 }
 
-bool SolveConesFrom(const ConeProblem& problem, VecX* forces) {
-  Solver near(problem);
-  if (near.Polish(*forces)) {
-    *forces = near.forces();
-    return true;
-  }
-  Solver inside(problem);
-  if (!inside.RunInside()) return false;
-  *forces = inside.forces();
+bool SolveConesInside(const ConeProblem& problem, VecX* forces) {
+  Solver solver(problem);
+  if (!solver.RunInside()) return false;
+  *forces = solver.forces();
   return true;
 }
 

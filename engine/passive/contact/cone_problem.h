@@ -31,8 +31,8 @@ struct ConeProblem {
 // best known ones, which push only, and stay in their cones.
 bool SolveCones(const ConeProblem& problem, VecX* forces);
 
-// The same, for less: from `forces` that are near already, and else not as thoroughly.
-bool SolveConesFrom(const ConeProblem& problem, VecX* forces);
+// The same, for less: from inside of the cones alone, to 1e-6. False: `forces` are as they were.
+bool SolveConesInside(const ConeProblem& problem, VecX* forces);
 
 // Goes on from forces that are near, block by block, for about 1e-6 of the largest force or as long
 // as is worth it. They push only and stay in their cones; work done by velocities that they change
