@@ -6,14 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
+#include "engine/analysis/effort.h"
 #include "engine/bake/incremental_bake.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/long_timeline.h"
+#include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/loose_human.h"
 
 namespace hazumi {
@@ -144,6 +147,59 @@ void RegisterLongEdits() {
   edit("l_knee", 5100, 10000, "move a key of the pinned leg and show the last frame");
 }
 
+// What an animator waits for who gives regions muscle, holds and ground.
+void RegisterWorking() {
+  const double new_file = 0.01 * kDegree;
+  Animation springs = Load("throw");
+  DynamicsRegion& arms = springs.regions[0];
+  Drive drive;
+  drive.kind = DriveKind::kSpring;
+  drive.joints = arms.joints;
+  drive.frequency = 2.5;
+  drive.damping_ratio = 0.7;
+  arms.drives = {drive};
+  RegisterBake("throw with springs on both arms", springs);
+
+  Animation bar = test::HandsOnBar();
+  bar.last_frame = 60;
+  for (DynamicsRegion& region : bar.regions) region.last_frame = 60;
+  for (Constraint& grip : bar.constraints) grip.last_frame = 60;
+  bar.solver.tolerance = new_file;
+  RegisterBake("both hands on a bar for two seconds", bar);
+
+  // Falls from standing, two seconds: 0.1 degrees up to the first impact.
+  Animation fall = test::LooseHuman(60, 0.9024);
+  fall.root_keys[4][0].rate = 0.3;
+  fall.solver.tolerance = 0.1 * kDegree;
+  RegisterBake("fall of a human from standing", fall);
+}
+
+// A human whose joints all sway, with a key on each of 300 frames, as a capture has.
+Animation Capture() {
+  constexpr int kFrames = 300;
+  Animation animation = Load("jump");
+  animation.placements.clear();
+  animation.first_frame = 0;
+  animation.last_frame = kFrames;
+  for (int j = 0; j < animation.figure->num_joints(); ++j) {
+    Keys& keys = animation.joint_keys[j];
+    const double middle = keys.empty() ? 0.0 : keys[0].value;
+    keys.clear();
+    for (int frame = 0; frame <= kFrames; ++frame) {
+      keys.push_back({static_cast<double>(frame), middle + 0.1 * std::sin(0.05 * frame + j), {}});
+    }
+  }
+  return animation;
+}
+
+void RegisterEffort() {
+  Register("a capture of 300 frames/effort", [](benchmark::State& state) {
+    const Animation animation = Capture();
+    const Motion motion = Bake(animation).value();
+    for (auto _ : state) benchmark::DoNotOptimize(EffortOf(animation, motion).frames.data());
+  });
+}
+
 }  // namespace
 }  // namespace hazumi
 
@@ -152,11 +208,8 @@ int main(int argc, char** argv) {
     hazumi::RegisterBake(name, hazumi::Load(name));
     hazumi::RegisterLoad(name);
   }
-  // Falls from standing, two seconds: 0.1 degrees up to the first impact.
-  hazumi::Animation fall = hazumi::test::LooseHuman(60, 0.9024);
-  fall.root_keys[4][0].rate = 0.3;
-  fall.solver.tolerance = 0.1 * hazumi::kDegree;
-  hazumi::RegisterBake("fall of a human from standing", fall);
+  hazumi::RegisterWorking();
+  hazumi::RegisterEffort();
   hazumi::RegisterEdits();
   hazumi::RegisterLongEdits();
   benchmark::Initialize(&argc, argv);
