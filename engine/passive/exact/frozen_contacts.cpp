@@ -96,11 +96,14 @@ bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
 // stays finite. Of what has been inside from the beginning, and is not deeper now, it is more.
 void FrozenContacts::GiveWay() {
   ConeProblem& cones = problem_.cones();
+  // Of a body that nothing but it holds: what a joint lets go less far counts as that.
+  const double least = 1.0 / dynamics_->model().mass;
   for (const ConeProblem::Block& block : cones.blocks) {
     if (block.kind != Kind::kContact) continue;
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
-    const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
-    cones.A(block.row, block.row) *= 1.0 + kGivesWay + kGivesMoreWay * sunk * sunk;
+    const double sunk = std::clamp(-GapOf(row) / kSunk, 0.0, 1.0);
+    double& hold = cones.A(block.row, block.row);
+    hold += (kGivesWay + kGivesMoreWay * sunk * sunk) * std::max(hold, least);
   }
 }
 
