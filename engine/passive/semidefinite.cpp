@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/spatial/smooth_step.h"
+
 namespace hazumi {
 
 namespace {
@@ -88,13 +90,15 @@ void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
 
 VecX LeastNorm(const MatX& A, const VecX& b) {
   if (b.size() == 0) return b;
-  constexpr double kSaidTwice = 1e-9;  // of an eigenvalue, against 1
+  // Of an eigenvalue, against 1: said twice, and, surely, not. In between it counts in part, so
+  // that forces do not jump where rows come to say the same.
+  constexpr double kSaidTwice = 1e-9, kSaidOnce = 1e-8, kSurely = 1e-7;
   const VecX unit = A.diagonal().unaryExpr(
       [](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
   const MatX scaled = unit.asDiagonal() * A * unit.asDiagonal();
   MatX L = scaled;
   VecX x = unit.cwiseProduct(b);
-  if (FactorSemidefinite(L) == 0 && L.diagonal().minCoeff() > std::sqrt(kSaidTwice)) {
+  if (FactorSemidefinite(L) == 0 && L.diagonal().minCoeff() > std::sqrt(kSurely)) {
     SolveSemidefinite(L, x);
     return unit.cwiseProduct(x);
   }
@@ -102,7 +106,8 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
   VecX parts = eigen.eigenvectors().transpose() * x;
   for (Eigen::Index k = 0; k < parts.size(); ++k) {
     const double value = eigen.eigenvalues()[k];
-    parts[k] = value > kSaidTwice ? parts[k] / value : 0.0;
+    const double share = std::clamp((value - kSaidTwice) / (kSaidOnce - kSaidTwice), 0.0, 1.0);
+    parts[k] = share > 0.0 ? SmoothStep(share) * parts[k] / value : 0.0;
   }
   return unit.cwiseProduct(eigen.eigenvectors() * parts);
 }
