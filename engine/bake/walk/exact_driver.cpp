@@ -21,8 +21,8 @@ namespace {
 
 // A step's error is a small part of what is allowed at the end, since errors grow on the way.
 constexpr double kStepShare = 0.05;
-// What touches is pressed by hundreds of newtons: where it is off, energy is.
-constexpr double kTouchingShare = 0.1;
+// What is pushed is so by hundreds of newtons: where it is off, energy is.
+constexpr double kPushedShare = 0.1;
 // Finer than this a step's error is rounding, and steps would shrink without end [rad].
 constexpr double kFinestStep = 1e-15;
 constexpr double kControlCoarseness = 40.0;
@@ -185,7 +185,9 @@ double ExactDriver::StepToleranceFor(const RegionModel& model) const {
     const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
     tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
   });
-  const double share = has_contacts_ ? kStepShare * kTouchingShare : kStepShare;
+  const bool is_pushed =
+      has_contacts_ || !animation_.forces.empty() || !animation_.constraints.empty();
+  const double share = is_pushed ? kStepShare * kPushedShare : kStepShare;
   return std::max(kFinestStep, tolerance * share / sharpness_);
 }
 
