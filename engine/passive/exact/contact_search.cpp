@@ -46,6 +46,8 @@ bool ContactSearch::Find(bool follows_event) {
   const int looks =
       2 * static_cast<int>(std::ceil(0.5 * std::clamp<double>(way, kFewestLooks, kMostLooks)));
   double before = start;
+  step_->Glance(start);
+  SeeGaps(start);
   for (int look = follows_event ? 1 - kFirstLooks : 1; look <= looks; ++look) {
     const double share = look > 0 ? look : std::pow(0.25, 1 - look);
     const double t = look == looks ? end : start + h * share / looks;
@@ -90,23 +92,64 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
   changed_.clear();
   step_->Glance(t);
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    if (Change(i, t) > 0.0) changed_.push_back(i);
+    if (Change(i, t) > 0.0) changed_.push_back({i, t});
+  }
+  before_.swap(seen_);
+  SeeGaps(t);
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    if (const std::optional<double> dip = Dip(i, before, t)) changed_.push_back({i, *dip});
   }
   std::optional<double> first;
-  for (const int i : changed_) {
+  for (const Changed& changed : changed_) {
     const auto change = [&](double at) {
       step_->Glance(at);
-      return Change(i, at);
+      return Change(changed.pair, at);
     };
-    const double f = std::min(change(before), 0.0), f_t = change(t);
-    const double at = Narrow({before, f, first.value_or(t), f_t}, kSameMoment, change).b;
-    if (!first || at < *first) first = at;
+    const double last = std::min(changed.time, first.value_or(changed.time));
+    const double f = std::min(change(before), 0.0), f_last = change(last);
+    if (f_last <= 0.0) continue;
+    first = Narrow({before, f, last, f_last}, kSameMoment, change).b;
   }
   if (!looks_at_forces || !contacts.any_closed()) return first;
   const auto excess = [&](double at) { return step_->ContactExcess(at) - allowed_; };
   const double last = first.value_or(t), f = excess(last);
   if (f <= 0.0) return first;
   return Narrow({before, std::min(excess(before), 0.0), last, f}, kSameMoment, excess).b;
+}
+
+// Of open pairs, where the nodes have been placed by Glance.
+void ContactSearch::SeeGaps(double t) {
+  const ContactSet& contacts = dynamics_->contacts();
+  seen_.assign(contacts.pairs().size(), {});
+  for (int i = 0; i < static_cast<int>(seen_.size()); ++i) {
+    if (contacts.pairs()[i].mode != ContactMode::kOpen) continue;
+    const auto point = contacts.PointOf(i, step_->Glanced(t));
+    if (point) seen_[i] = {point->gap - contacts.pairs()[i].floor, Dot(point->n, point->v), true};
+  }
+}
+
+// What is outside at two looks may have been inside in between: when it was deepest, if so.
+std::optional<double> ContactSearch::Dip(int pair, double before, double t) {
+  constexpr int kMostSecants = 8;
+  constexpr double kMoreThanParabola = 3.0;
+  const Seen &first = before_[pair], &last = seen_[pair];
+  if (!first.is_open || !last.is_open || first.rate >= 0.0 || last.rate <= 0.0) return std::nullopt;
+  if (last.gap < -kDeep) return std::nullopt;  // is found as it is
+  const double way = first.rate * first.rate * (t - before) / (2.0 * (last.rate - first.rate));
+  if (first.gap > kMoreThanParabola * way) return std::nullopt;
+  double a = before, b = t, rate_a = first.rate, rate_b = last.rate;
+  for (int i = 0; i < kMostSecants; ++i) {
+    const double margin = 0.05 * (b - a);
+    const double top = std::clamp(a + (b - a) * rate_a / (rate_a - rate_b), a + margin, b - margin);
+    step_->Glance(top);
+    if (Change(pair, top) > 0.0) return top;
+    const auto point = dynamics_->contacts().PointOf(pair, step_->Glanced(top));
+    if (!point) return std::nullopt;
+    const double rate = Dot(point->n, point->v);
+    (rate < 0.0 ? a : b) = top;
+    (rate < 0.0 ? rate_a : rate_b) = rate;
+  }
+  return std::nullopt;
 }
 
 // Where the nodes have been placed by Glance.

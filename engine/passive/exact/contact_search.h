@@ -21,11 +21,23 @@ class ContactSearch {
 
  private:
   std::optional<double> FirstChange(double before, double t, bool looks_at_forces);
+  void SeeGaps(double t);
+  std::optional<double> Dip(int pair, double before, double t);
   double Change(int pair, double t);
 
   RegionDynamics* dynamics_;
   ExactStep* step_;
-  std::vector<int> changed_, deep_;  // pairs
+  struct Changed {
+    int pair;
+    double time;  // at which it has [s]
+  };
+  struct Seen {
+    double gap = 0.0, rate = 0.0;  // beyond its floor [m], [m/s]
+    bool is_open = false;
+  };
+  std::vector<Changed> changed_;
+  std::vector<Seen> seen_, before_;  // by pair, at the latest look and the one before
+  std::vector<int> deep_;            // pairs
   double allowed_ = 0.0;             // excess of forces
 };
 
