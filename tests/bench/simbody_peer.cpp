@@ -1,7 +1,7 @@
 // The figure in Simbody: one mobilizer a group, Pin, Universal, and Gimbal or Ball.
 
 #include "tests/bench/peer_joints.h"
-#include "tests/bench/simbody_tree.h"
+#include "tests/bench/simbody_bodies.h"
 #include "tests/bench/springs.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/subject.h"
@@ -11,29 +11,16 @@ namespace hazumi::bench {
 
 namespace {
 
-SimbodyTree::Mobilizer MobilizerOf(const JointGroup& group, Threes threes) {
-  if (group.size == 1) return SimbodyTree::Mobilizer::kPin;
-  if (group.size == 2) return SimbodyTree::Mobilizer::kUniversal;
-  return threes == Threes::kBall ? SimbodyTree::Mobilizer::kBall : SimbodyTree::Mobilizer::kGimbal;
-}
-
-SimbodyTree::Inertia InertiaOf(const RigidInertia& body) {
-  return {body.mass, body.com, body.I_com + PointInertia(body.mass, body.com)};
-}
-
 // A body for each group. `springs`: by JointIndex, of hinges; or none.
 std::vector<SimbodyTree::Body> Bodies(const Figure& figure, Threes threes,
                                       const std::vector<HingeSpring>& springs) {
   const VecX signs = CoordinateSigns(figure, threes);
-  std::vector<SimbodyTree::Body> bodies;
-  for (const JointGroup& group : figure.groups()) {
-    const Joint& first = figure.joint(group.first);
-    const int parent = first.parent.is_valid() ? figure.joint(first.parent).group.value() : -1;
-    bodies.push_back({parent, MobilizerOf(group, threes), first.X_PJ.R, first.X_PJ.p,
-                      HingeFrame(figure, group), InertiaOf(figure.body(group.last()))});
-    for (int j = group.first.value(); !springs.empty() && j <= group.last().value(); ++j) {
+  std::vector<SimbodyTree::Body> bodies = SimbodyBodies(figure, threes);
+  for (size_t i = 0; i < bodies.size() && !springs.empty(); ++i) {
+    const JointGroup& group = figure.groups()[i];
+    for (int j = group.first.value(); j <= group.last().value(); ++j) {
       const HingeSpring& own = springs[j];
-      bodies.back().springs.push_back({own.stiffness(), own.damping(), signs[j] * own.angle});
+      bodies[i].springs.push_back({own.stiffness(), own.damping(), signs[j] * own.angle});
     }
   }
   return bodies;

@@ -35,6 +35,8 @@ struct SimbodyTree::System {
 
   void Add(const Body& body);
   void AddSprings(const Body& body);
+  void Tie(const SimbodyTree::Tie& tie);
+  SimTK::MobilizedBody& Mobilized(int body);
   SimTK::MobilizedBody Mobilized(const Body& body);
   void Integrate(SimTK::Integrator* integrator, double seconds);
 
@@ -54,8 +56,7 @@ struct SimbodyTree::System {
 
 SimTK::MobilizedBody SimbodyTree::System::Mobilized(const Body& body) {
   using SimTK::MobilizedBody;
-  MobilizedBody parent = matter.updGround();
-  if (body.parent >= 0) parent = bodies[body.parent];
+  MobilizedBody& parent = Mobilized(body.parent);
   const SimTK::Body::Rigid rigid = RigidBody(body.inertia);
   const SimTK::Transform X_PB(ToSimbody(body.R_PB), ToSimbody(body.p_PB));
   const SimTK::Transform X_BM(ToSimbody(body.R_BM)), X_PF = X_PB * X_BM;
@@ -91,9 +92,20 @@ void SimbodyTree::System::AddSprings(const Body& body) {
   }
 }
 
-SimbodyTree::SimbodyTree(const std::vector<Body>& bodies, double gravity)
+SimTK::MobilizedBody& SimbodyTree::System::Mobilized(int body) {
+  return body < 0 ? matter.updGround() : bodies[body];
+}
+
+void SimbodyTree::System::Tie(const SimbodyTree::Tie& tie) {
+  SimTK::Constraint::Ball(Mobilized(tie.a), ToSimbody(tie.p_a), Mobilized(tie.b),
+                          ToSimbody(tie.p_b));
+}
+
+SimbodyTree::SimbodyTree(const std::vector<Body>& bodies, double gravity,
+                         const std::vector<Tie>& ties)
     : system_(std::make_unique<System>(gravity)) {
   for (const Body& body : bodies) system_->Add(body);
+  for (const SimbodyTree::Tie& tie : ties) system_->Tie(tie);
   const int rates = static_cast<int>(system_->coordinate_of_rate.size());
   system_->in = SimTK::Vector(rates, 0.0);
   system_->out = SimTK::Vector(rates, 0.0);

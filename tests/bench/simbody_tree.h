@@ -38,7 +38,15 @@ class SimbodyTree {
     Inertia inertia;
     std::vector<Spring> springs = {};  // by coordinate, if there are any
   };
-  SimbodyTree(const std::vector<Body>& bodies, double gravity);
+  // Kept together: a point of one body and one of another, each in its body's axes from its origin;
+  // body -1: the ground.
+  struct Tie {
+    int a;
+    Vec3 p_a;
+    int b;
+    Vec3 p_b;
+  };
+  SimbodyTree(const std::vector<Body>& bodies, double gravity, const std::vector<Tie>& ties = {});
   ~SimbodyTree();
   SimbodyTree(const SimbodyTree&) = delete;
   SimbodyTree& operator=(const SimbodyTree&) = delete;

@@ -1,4 +1,5 @@
-# What tests share: hazumi_test_support, and hazumi_test_mujoco where MuJoCo is installed.
+# What tests share: hazumi_test_support, and hazumi_test_mujoco and hazumi_test_simbody where those
+# programs are installed.
 include_guard(GLOBAL)
 
 set(_support ${CMAKE_CURRENT_LIST_DIR})
@@ -19,4 +20,21 @@ if(MUJOCO_LIBRARY AND MUJOCO_INCLUDE_DIR)
                         PRIVATE hazumi_flags)
 else()
   message(STATUS "MuJoCo not found: the tests against it are left out")
+endif()
+
+find_package(Simbody QUIET)
+if(Simbody_FOUND)
+  set(_bench ${_support}/../bench)
+  add_library(hazumi_test_simbody_tree OBJECT ${_bench}/simbody_tree.cpp)
+  set_target_properties(hazumi_test_simbody_tree PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
+  # Debian's Simbody is built without NDEBUG, on which the layout of its states depends.
+  target_compile_options(hazumi_test_simbody_tree PRIVATE -UNDEBUG)
+  target_include_directories(hazumi_test_simbody_tree SYSTEM PRIVATE ${Simbody_INCLUDE_DIR})
+  target_link_libraries(hazumi_test_simbody_tree PRIVATE hazumi_engine hazumi_flags)
+  add_library(hazumi_test_simbody STATIC $<TARGET_OBJECTS:hazumi_test_simbody_tree>
+              ${_bench}/peer_joints.cpp ${_bench}/simbody_bodies.cpp)
+  target_link_libraries(hazumi_test_simbody PUBLIC hazumi_engine ${Simbody_LIBRARIES}
+                        PRIVATE hazumi_flags)
+else()
+  message(STATUS "Simbody not found: the tests against it are left out")
 endif()

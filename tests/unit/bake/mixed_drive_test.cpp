@@ -174,7 +174,7 @@ void ExpectAsMujoco(const Mixed& mixed, double friction, int frames, const char*
   Worst worst(claim);
   double moved = 0.0;
   for (int frame = 1; frame <= frames; ++frame) {
-    arm.Go((frame - 1) / 30.0, 1.0 / 30.0, 60);
+    arm.Go((frame - 1) / 30.0, 1.0 / 30.0, 160);
     const VecX angles = arm.angles();
     for (size_t i = 0; i < mixed.loose.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
