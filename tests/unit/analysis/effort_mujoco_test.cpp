@@ -1,21 +1,21 @@
-// Effort without contacts against MuJoCo's inverse dynamics: the shipped human in random states on
-// a root that turns and accelerates.
+// Effort without contacts against MuJoCo's inverse dynamics: humans in random states on a root that
+// turns and accelerates.
 
 #include "engine/analysis/effort.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_reader.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
+#include "tests/support/figures.h"
 #include "tests/support/mujoco_figure.h"
 #include "tests/support/random_tree.h"
 
 namespace hazumi::test {
 namespace {
 
-TEST(Effort, OfRandomStatesIsThatOfMujoco) {
+void ExpectMujocosEffort(Figure of, const char* claim) {
   constexpr int kStates = 1000;
-  const std::string path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
-  const Animation animation = Still(BuildFigure(LoadFigure(path).value()).value());
+  const Animation animation = Still(std::move(of));
   const Figure& figure = *animation.figure;
   const int n = figure.num_joints();
   MujocoFigure mujoco(figure, Vec3(0, 0, -animation.gravity));
@@ -38,7 +38,7 @@ TEST(Effort, OfRandomStatesIsThatOfMujoco) {
     motion.frames.push_back(frame);
   }
   const Effort effort = EffortOf(animation, motion);
-  Worst worst("effort of the shipped human [N m]");
+  Worst worst(claim);
   for (int i = 0; i < kStates; ++i) {
     const FrameEffort& frame = effort.frames[static_cast<size_t>(i)];
     const VecX& other = torques[static_cast<size_t>(i)];
@@ -46,6 +46,13 @@ TEST(Effort, OfRandomStatesIsThatOfMujoco) {
     EXPECT_LE((frame.from_nowhere.force - other.head<3>()).norm(), 1e-6) << i;
     EXPECT_TRUE(frame.contacts.empty());
   }
+}
+
+TEST(Effort, OfRandomStatesIsThatOfMujoco) {
+  const std::string path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
+  ExpectMujocosEffort(BuildFigure(LoadFigure(path).value()).value(),
+                      "effort of the shipped human [N m]");
+  ExpectMujocosEffort(Human37(), "effort of a human of 37 hinges [N m]");
 }
 
 }  // namespace

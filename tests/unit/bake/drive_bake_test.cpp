@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "engine/spatial/degrees.h"
@@ -94,6 +95,28 @@ TEST(TorqueDrive, WorksAgainstFriction) {
       w / c * (1.0 - std::exp(-c)) / (InertiaOfRod(animation) * (c * c + w * w));
   EXPECT_NEAR(expected / kDegree, 1.9115824114, 1e-3);
   EXPECT_NEAR(LastAngle(BakeOrFail(animation)) / kDegree, expected / kDegree, 1e-6);
+}
+
+// The same of a rod that is as thin as a line, I = 1/3 kg m^2.
+TEST(TorqueDrive, TurnsALineByTheFiguresOfItsLaw) {
+  FigureSpec spec;
+  spec.name = "line";
+  spec.root_name = "base";
+  JointSpec end;
+  end.name = "hinge";
+  end.parent = "base";
+  end.hinges = {{"", Vec3::UnitY(), -kFarAway, kFarAway, 0.0}};
+  end.links = {Lump("rod", 1.0, 0.5 * Vec3::UnitX(), 1.0 / 12.0)};
+  spec.joints = {end};
+  for (const bool has_friction : {false, true}) {
+    Animation animation = Weightless(Build(spec), {"hinge"}, has_friction ? 0.8 : 1.0);
+    AddDrive(&animation, DriveKind::kTorque).torque = SineOfTime();
+    EXPECT_NEAR(InertiaOfRod(animation), 1.0 / 3.0, 1e-15);
+    const double expected = has_friction ? 1.9115824114 : 27.3567195834;
+    const double angle = LastAngle(BakeOrFail(animation)) / kDegree;
+    std::printf("  %.10f degrees, by the law %.10f\n", angle, expected);
+    EXPECT_NEAR(angle, expected, 1e-6);
+  }
 }
 
 // A step of torque at frame 7.5, off all frames: theta(1) = (1 / 2 I) 0.75^2.
@@ -279,6 +302,27 @@ TEST(SpringDrive, OfABallIsTheSameInThePapersSteps) {
 }
 
 // As if the region did not hold those joints, bit by bit; and all of them: as if there were none.
+TEST(KeysDrive, OfAllJointsOfAFigureIsTheKeyframeAnimation) {
+  Animation animation = Still(Human37());
+  animation.solver.method = Method::kExact;
+  double value = 0.1;
+  for (Keys& keys : animation.joint_keys) {
+    value = std::fmod(5.3 * value + 0.29, 1.0);
+    keys = {{0, 0.3 * value, {}}, {10, -0.2 * value, 1.0}, {20, 0.4 * value, {}}, {30, 0.1, {}}};
+  }
+  animation.root_keys[kRootX] = {{0, 0.0, 1.0}, {30, 0.5, {}}};
+  AddPin(&animation, 8, 22, "l_ankle");
+  AddGravity(&animation, 22, 30);
+  const Motion without = BakeOrFail(animation);
+  DynamicsRegion& region = AddRegion(&animation, "all", 5, 25, {});
+  region.method = Method::kExact;
+  for (int j = 0; j < animation.figure->num_joints(); ++j) region.keyed.emplace_back(j);
+  const Motion keyed = BakeOrFail(animation);
+  for (size_t i = 0; i < keyed.frames.size(); ++i) {
+    EXPECT_TRUE(IsSame(keyed.frames[i], without.frames[i])) << i;
+  }
+}
+
 TEST(KeysDrive, IsTheKeyframeAnimation) {
   Animation animation = Still(Human37());
   animation.solver.method = Method::kExact;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "engine/dynamics/kinematics.h"
 #include "tests/support/compare.h"
@@ -95,6 +96,98 @@ TEST(ForceBake, APlateThatFallsFlatReachesItsLastSpeed) {
   }
   EXPECT_NEAR(motion.frames[90].before.root_v.z(), -3.0423, 0.001 * 3.0423);
   RecordProperty("last_speed", std::to_string(-motion.frames[90].before.root_v.z()));
+}
+
+constexpr int kFramesOfBeat = 24, kBeats = 8;
+constexpr double kBeatRate = 42.0, kStroke = 120.0 * kDegree, kSpan = 0.047;  // [Hz, rad, m]
+
+// A heavy body with two wings that weigh next to nothing, each on a hinge that sweeps it and one
+// along it that turns it over.
+JointSpec SweepOf(const std::string& side) {
+  JointSpec sweep;
+  sweep.name = side + "_sweep";
+  sweep.parent = "body";
+  sweep.hinges = {{"", Vec3::UnitZ(), -2.0, 2.0, 0.0}};
+  return sweep;
+}
+JointSpec PitchOf(const std::string& side) {
+  JointSpec pitch;
+  pitch.name = side + "_pitch";
+  pitch.parent = side + "_sweep";
+  pitch.hinges = {{"", Vec3::UnitY(), -2.0, 2.0, 0.0}};
+  const Vec3 tip = (side == "l" ? kSpan : -kSpan) * Vec3::UnitY();
+  LinkSpec wing = Rod((side + "_wing").c_str(), Vec3::Zero(), tip);
+  wing.radius = 0.001;
+  wing.mass = 1e-6;
+  LinkSurface surface;
+  surface.kind = LinkSurface::Kind::kWing;
+  surface.area = 5.5e-4;
+  surface.normal = Vec3::UnitZ();
+  surface.center = 0.5 * tip;
+  wing.surface = surface;
+  pitch.links = {wing};
+  return pitch;
+}
+
+// To and fro in a circle; turned over within a frame of where it turns back.
+Keys SweepKeys(double sign) {
+  Keys keys;
+  for (int i = 0; i <= kFramesOfBeat * kBeats; ++i) {
+    const double phase = 2.0 * M_PI * i / kFramesOfBeat, rate = 2.0 * M_PI * kBeatRate;
+    keys.push_back({1.0 * i, 0.5 * sign * kStroke * std::sin(phase),
+                    0.5 * sign * kStroke * rate * std::cos(phase), kCubic});
+  }
+  return keys;
+}
+Keys PitchKeys() {
+  Keys keys = {{0, -45.0 * kDegree, 0.0, kCubic}};
+  double pitch = -45.0 * kDegree;
+  for (double turn = 0.25 * kFramesOfBeat; turn < kFramesOfBeat * kBeats;
+       turn += 0.5 * kFramesOfBeat) {
+    keys.push_back({turn - 0.5, pitch, 0.0, kCubic});
+    pitch = -pitch;
+    keys.push_back({turn + 0.5, pitch, 0.0, kCubic});
+  }
+  return keys;
+}
+
+// The mean lift, from what the body gains in eight beats:
+//   rho C_L S (r_2 R)^2 (pi f Phi)^2 / 2 = 25.6 mN.
+TEST(ForceBake, TwoWingsThatBeatLiftTheBodyTheyAreOn) {
+  FigureSpec spec;
+  spec.name = "fly";
+  spec.root_name = "body";
+  spec.root_links = {Rod("body", -0.2 * Vec3::UnitX(), 0.2 * Vec3::UnitX())};
+  spec.root_links[0].mass = 10.0;
+  LinkSurface none;  // no air presses on the body
+  none.kind = LinkSurface::Kind::kTable;
+  none.area = 1e-9;
+  none.lift = none.drag = {0.0};
+  spec.root_links[0].surface = none;
+  spec.joints = {SweepOf("l"), PitchOf("l"), SweepOf("r"), PitchOf("r")};
+  Animation animation = Exact(BuildFigure(spec).value(), 0.0);
+  animation.solver.tolerance = 1e-6 * kDegree;
+  animation.rate = FrameRate{static_cast<int>(kBeatRate) * kFramesOfBeat, 1};
+  const int last = kFramesOfBeat * kBeats;
+  animation.last_frame = last;
+  AddGravity(&animation, 0, last);
+  FreeAll(&animation);
+  animation.regions[0].last_frame = last;
+  KeysOf(&animation, "r_sweep") = SweepKeys(1.0);
+  KeysOf(&animation, "l_sweep") = SweepKeys(-1.0);
+  KeysOf(&animation, "r_pitch") = KeysOf(&animation, "l_pitch") = PitchKeys();
+  AddForce(&animation, 0, last, WindForce{Vec3::Zero(), kAir});
+  const Motion motion = BakeOrFail(animation);
+  const double seconds = kBeats / kBeatRate;
+  const double lift = animation.figure->total_mass() *
+                      (motion.frames[last].before.root_v.z() - motion.frames[0].after.root_v.z()) /
+                      seconds;
+  const double C_L = 0.225 + 1.58 * std::sin((2.13 * 45.0 - 7.2) * kDegree);
+  const double expected =
+      kAir * C_L * 5.5e-4 * std::pow(0.5 * kSpan * M_PI * kBeatRate * kStroke, 2) / 2.0;
+  std::printf("  mean lift %.3f mN, by its law %.3f mN\n", 1e3 * lift, 1e3 * expected);
+  EXPECT_NEAR(expected, 25.6e-3, 0.005 * 25.6e-3);
+  EXPECT_NEAR(lift, expected, 0.005 * expected);
 }
 
 // At the centre of a body inside the radius: x'' = -f x / (r m).
