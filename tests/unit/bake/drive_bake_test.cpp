@@ -7,11 +7,14 @@
 #include <cstdio>
 #include <numbers>
 
+#include "engine/figure/figure_builder.h"
+#include "engine/project/figure_reader.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
 #include "tests/support/odd_figures.h"
+#include "tests/support/random.h"
 
 namespace hazumi::test {
 namespace {
@@ -151,6 +154,37 @@ TEST(TorqueDrive, ItsWorkIsAccountedFor) {
   double turnover = std::abs(energy.kinetic_end) + std::abs(energy.limits);
   for (const auto& work : energy.laws) turnover += std::abs(work.joules);
   EXPECT_LE(std::abs(energy.residual()), 1e-6 * turnover);
+}
+
+// Of both arms of the shipped human, which hit their limits, by whatever curves.
+TEST(TorqueDrive, ItsWorkIsAccountedForOverLimits) {
+  const Figure human =
+      BuildFigure(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value()).value();
+  size_t hits = 0;
+  Worst worst("account_log10_of_the_turnover");
+  for (uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    Animation animation = Still(human);
+    animation.solver.method = Method::kExact;
+    animation.solver.tolerance = 1e-9 * kDegree;
+    AddRegion(&animation, "arms", 0, 30, {"r_shoulder", "l_shoulder"}, 0.9).method = Method::kExact;
+    for (const JointIndex j : animation.regions[0].joints) {
+      Drive drive;
+      drive.joints = {j};
+      for (const double frame : {0.0, 7.3, 16.0, 22.5, 30.0}) {
+        drive.torque.push_back({frame, random.Uniform(-4.0, 4.0), {}});
+      }
+      animation.regions[0].drives.push_back(drive);
+    }
+    const Motion motion = BakeOrFail(animation, {{}, nullptr, true});
+    hits += EventsOf(motion, EventKind::kLimit).size();
+    const EnergyBalance energy = motion.regions[0].energy.value();
+    double turnover = std::abs(energy.kinetic_end) + std::abs(energy.limits);
+    for (const auto& work : energy.laws) turnover += std::abs(work.joules);
+    EXPECT_LE(worst(std::abs(energy.residual()) / turnover), 1e-6) << seed;
+  }
+  std::printf("  %zu limits hit, open by %.1g of the turnover\n", hits, worst.value());
+  EXPECT_GT(hits, 20u);
 }
 
 // By the paper's steps: y' <- y' + T / I dt, y <- y + y' dt, with T at the start of each.

@@ -94,6 +94,33 @@ TEST(Incline, WhatIsBelowTheConeStaysForTenSeconds) {
   }
 }
 
+// Across the slope it rolls where friction is at least tan q / (1 + m r^2 / I); with less it
+// slides, and friction turns it all the same.
+TEST(Incline, ACapsuleAcrossRollsOrSlidesAndTurns) {
+  const double angle = 0.5, radius = 0.1;
+  for (const double of_least : {0.5, 0.98, 1.02, 2.0}) {
+    const Figure figure = FreeCapsule(0.3, radius);
+    const double inertia = figure.root_body().I_com(0, 0), square = kMass * radius * radius;
+    const double least = std::tan(angle) / (1.0 + square / inertia);
+    const double friction = of_least * least;
+    Slope slope = On(FreeCapsule(0.3, radius), radius, angle, friction, 30);
+    slope.animation.root_keys[kRootAngleY].clear();
+    slope.animation.root_keys[kRootAngleZ] = {{0, M_PI / 2.0, 0.0, kHold}};
+    const Motion motion = BakeOrFail(slope.animation);
+    const bool rolls = of_least > 1.0;
+    const double a = rolls ? kG * std::sin(angle) / (1.0 + inertia / square)
+                           : kG * (std::sin(angle) - friction * std::cos(angle));
+    const double turn =
+        rolls ? a / radius : friction * kMass * kG * std::cos(angle) * radius / inertia;
+    const MotionLimit& end = motion.frames[30].before;
+    std::printf("  friction %.3f: off by %.1g m, turns faster by %.1g rad/s\n", friction,
+                (end.X_WR.p - slope.start - 0.5 * a * slope.down).norm(),
+                std::abs(end.root_w.norm() - turn));
+    EXPECT_LT((end.X_WR.p - slope.start - 0.5 * a * slope.down).norm(), 1e-7) << of_least;
+    EXPECT_NEAR(end.root_w.norm(), turn, 1e-6) << of_least;
+  }
+}
+
 // 1 % above the cone it slides.
 TEST(Incline, WhatIsJustAboveTheConeSlides) {
   const double angle = 0.3, friction = 0.99 * std::tan(angle);
