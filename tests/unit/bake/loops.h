@@ -2,6 +2,10 @@
 
 // Figures that constraints close to loops. Metres, kilograms.
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "tests/unit/bake/constraint_cases.h"
 
 namespace hazumi::test {

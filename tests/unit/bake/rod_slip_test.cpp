@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/spatial/degrees.h"
 #include "tests/support/compare.h"
 #include "tests/unit/bake/contact_cases.h"
 
