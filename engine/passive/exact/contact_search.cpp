@@ -48,6 +48,7 @@ bool ContactSearch::Find(bool follows_event) {
   double before = start;
   step_->Glance(start);
   SeeGaps(start);
+  forces_before_ = start;
   for (int look = follows_event ? 1 - kFirstLooks : 1; look <= looks; ++look) {
     const double share = look > 0 ? look : std::pow(0.25, 1 - look);
     const double t = look == looks ? end : start + h * share / looks;
@@ -110,11 +111,15 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
     if (f_last <= 0.0) continue;
     first = Narrow({before, f, last, f_last}, kSameMoment, change).b;
   }
-  if (!looks_at_forces || !contacts.any_closed()) return first;
+  if ((!looks_at_forces && !first) || !contacts.any_closed()) return first;
   const auto excess = [&](double at) { return step_->ContactExcess(at) - allowed_; };
   const double last = first.value_or(t), f = excess(last);
-  if (f <= 0.0) return first;
-  return Narrow({before, std::min(excess(before), 0.0), last, f}, kSameMoment, excess).b;
+  if (f <= 0.0) {
+    forces_before_ = last;
+    return first;
+  }
+  const double first_f = std::min(excess(forces_before_), 0.0);
+  return Narrow({forces_before_, first_f, last, f}, kSameMoment, excess).b;
 }
 
 // Of open pairs, where the nodes have been placed by Glance.

@@ -39,6 +39,7 @@ class ContactSearch {
   std::vector<Seen> seen_, before_;  // by pair, at the latest look and the one before
   std::vector<int> deep_;            // pairs
   double allowed_ = 0.0;             // excess of forces
+  double forces_before_ = 0.0;       // when they were looked at last [s]
 };
 
 }  // namespace hazumi
