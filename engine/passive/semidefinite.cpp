@@ -93,8 +93,10 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
   // Of an eigenvalue, against 1: said twice, and, surely, not. In between it counts in part, so
   // that forces do not jump where rows come to say the same.
   constexpr double kSaidTwice = 1e-9, kSaidOnce = 1e-8, kSurely = 1e-7;
+  // What rounding leaves of a row without any hold is not to be scaled up.
+  const double none = 1e-12 * A.diagonal().maxCoeff();
   const VecX unit = A.diagonal().unaryExpr(
-      [](double square) { return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0; });
+      [none](double square) { return square > none ? 1.0 / std::sqrt(square) : 0.0; });
   const MatX scaled = unit.asDiagonal() * A * unit.asDiagonal();
   MatX L = scaled;
   VecX x = unit.cwiseProduct(b);

@@ -41,8 +41,8 @@ TEST(FourBar, OnABaseStaysClosedAndKeepsItsEnergyForTenSeconds) {
 }
 
 // No bar is held: nothing outside takes momentum.
-TEST(FourBar, InFlightStaysClosedAndKeepsEnergyAndMomentumForTenSeconds) {
-  Animation animation = FreeFourBar(300, 0.0);
+void ExpectKeptInFlight(double tilt) {
+  const Animation animation = FreeFourBar(300, tilt);
   const Motion motion = BakeOrFail(animation);
   EXPECT_TRUE(EventsOf(motion, EventKind::kLimit).empty());
   const Kept kept = Measure(animation, motion);
@@ -64,6 +64,13 @@ TEST(FourBar, InFlightStaysClosedAndKeepsEnergyAndMomentumForTenSeconds) {
   EXPECT_LT(place.value(), 1e-7);
   EXPECT_GT(furthest, 0.5);  // its bars turn against each other
 }
+
+TEST(FourBar, InFlightStaysClosedAndKeepsEnergyAndMomentumForTenSeconds) {
+  ExpectKeptInFlight(0.0);
+}
+
+// Its hinges alone keep it plane: across that, what closes it has nothing to hold.
+TEST(FourBar, InFlightAboutAnyAxisDoesSoToo) { ExpectKeptInFlight(0.1); }
 
 }  // namespace
 }  // namespace hazumi::test
