@@ -104,7 +104,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
   for (const Changed& changed : changed_) {
     const auto change = [&](double at) {
       step_->Glance(at);
-      return Change(changed.pair, at);
+      return ChangeAround(changed.pair, at);
     };
     const double last = std::min(changed.time, first.value_or(changed.time));
     const double f = std::min(change(before), 0.0), f_last = change(last);
@@ -155,6 +155,24 @@ std::optional<double> ContactSearch::Dip(int pair, double before, double t) {
     (rate < 0.0 ? rate_a : rate_b) = rate;
   }
   return std::nullopt;
+}
+
+// Of an open pair with all open ones of its capsule and obstacle: what goes in by one of a box's
+// edges may be seen by a face of it later.
+double ContactSearch::ChangeAround(int pair, double t) {
+  const std::vector<ContactPair>& pairs = dynamics_->contacts().pairs();
+  const ContactPair& own = pairs[pair];
+  double change = Change(pair, t);
+  if (own.mode != ContactMode::kOpen) return change;
+  const auto is_near = [&](const ContactPair& other) {
+    return other.capsule == own.capsule && other.obstacle == own.obstacle;
+  };
+  int first = pair;
+  while (first > 0 && is_near(pairs[first - 1])) --first;
+  for (int i = first; i < static_cast<int>(pairs.size()) && is_near(pairs[i]); ++i) {
+    if (pairs[i].mode == ContactMode::kOpen) change = std::max(change, Change(i, t));
+  }
+  return change;
 }
 
 // Where the nodes have been placed by Glance.

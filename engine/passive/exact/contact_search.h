@@ -23,6 +23,7 @@ class ContactSearch {
   std::optional<double> FirstChange(double before, double t, bool looks_at_forces);
   void SeeGaps(double t);
   std::optional<double> Dip(int pair, double before, double t);
+  double ChangeAround(int pair, double t);
   double Change(int pair, double t);
 
   RegionDynamics* dynamics_;
