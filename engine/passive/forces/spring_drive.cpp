@@ -50,6 +50,7 @@ Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const V
   Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
                 2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
   if (spring.has_ahead) moment += ahead;
+  if (!spring.is_limited()) return moment;
   // How many times too large.
   double over = moment.norm() / spring.most, sum = 0.0;
   for (int i = 0; i < 3; ++i) {
@@ -84,22 +85,22 @@ V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
   const NodeMotion& parent = state.kinematics.motion()[state.model.nodes[node].parent];
   const Mat3 R_NB = BallFrame(hinges[0].axis, hinges[1].axis);
   const Mat3 R_WB = own.R.eigen() * R_NB;
-  const HingeTriple triple(Vec3::UnitX(), Vec3::UnitY(), R_NB.transpose() * hinges[2].axis);
-  Vec3 q, qd;
+  // The reference turns about the ball's axes one after the other; w_ref in the parent's frame.
+  const Vec3 axes[3] = {Vec3::UnitX(), Vec3::UnitY(), R_NB.transpose() * hinges[2].axis};
+  Mat3 R_ref = Mat3::Identity();
+  Vec3 w_ref = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
     const Jet reference = state.driven.drives[first + k].At(state.t);
-    q[k] = reference.v;
-    qd[k] = reference.d;
+    w_ref += R_ref * (reference.d * axes[k]);
+    Turn(axes[k], std::sin(reference.v), std::cos(reference.v), &R_ref);
   }
-  const Mat3 R = R_NB.transpose() * parent.R.eigen().transpose() * R_WB;
-  const Mat3 E = triple.Rotation(q).transpose() * R;
-  const Vec3 w = R_WB.transpose() * (own.w - parent.w).eigen();
-  const Vec3 w_ref = E.transpose() * (triple.AxesInBody(q) * qd);
+  const Mat3 R = (parent.R.eigen() * R_NB).transpose() * R_WB, E = R_ref.transpose() * R;
+  const Vec3 w = R_WB.transpose() * (own.w - parent.w).eigen() - R.transpose() * w_ref;
   Vec3 ahead = Vec3::Zero();
   for (int k = 0; k < 3 && springs_[first].has_ahead; ++k) {
     ahead[k] = state.driven.springs[first + k].moment.At(state.t).v;
   }
-  return V3(Vec3(R_WB * MomentOf(springs_[first], Now(first, state), E, w - w_ref, ahead)));
+  return V3(Vec3(R_WB * MomentOf(springs_[first], Now(first, state), E, w, ahead)));
 }
 
 V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -24,6 +25,11 @@ struct Spring {
   Vec3 most_backward = Vec3::Constant(std::numeric_limits<double>::infinity());
   double inertia = 0.0;         // of a hinge: about its axis [kg m^2]
   Mat3 of_ball = Mat3::Zero();  // of a ball joint: about its centre, in the ball's frame
+  // Of a ball joint.
+  bool is_limited() const {
+    return std::isfinite(most) || most_forward.array().isFinite().any() ||
+           most_backward.array().isFinite().any();
+  }
   // Which of SpringCurves it reads.
   bool reads_frequency = false, reads_share = false, has_ahead = false;
 };
