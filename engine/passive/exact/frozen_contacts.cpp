@@ -25,6 +25,8 @@ constexpr double kNearLimit = 0.02;                  // of a hinge to its limit 
 // What is inside comes out in about this time, but not faster than that.
 constexpr double kWayOut = 0.02, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [s, m/s, rad/s]
 constexpr double kGivesWay = 1e-4, kGivesMoreWay = 0.2;
+// What contacts push with at most for each kilogram of the island: [m/s^2], and of its speed.
+constexpr double kMostPush = 1e3, kMostBlow = 10.0;
 constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not
 // much longer than the last time.
@@ -101,9 +103,27 @@ void FrozenContacts::GiveWay() {
   for (const ConeProblem::Block& block : cones.blocks) {
     if (block.kind != Kind::kContact) continue;
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
-    const double sunk = std::clamp(-GapOf(row) / kSunk, 0.0, 1.0);
+    const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
     double& hold = cones.A(block.row, block.row);
     hold += (kGivesWay + kGivesMoreWay * sunk * sunk) * std::max(hold, least);
+  }
+}
+
+// Where keys or limits leave no room forces would have no bound: contacts that push with far more
+// than `most` give way so far that they push with about that.
+void FrozenContacts::SweepUpTo(double most, const VecX& start) {
+  constexpr int kMostTimes = 4;
+  problem_.Sweep(start, !is_deep_);
+  for (int i = 0; i < kMostTimes; ++i) {
+    bool any = false;
+    for (const ConeProblem::Block& block : problem_.cones().blocks) {
+      const double push = problem_.forces()[block.row];
+      if (block.kind != Kind::kContact || push <= 2.0 * most) continue;
+      problem_.cones().A(block.row, block.row) *= push / most;
+      any = true;
+    }
+    if (!any) return;
+    problem_.Sweep(problem_.forces(), !is_deep_);
   }
 }
 
@@ -115,6 +135,7 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
                  kMostTurn / (fastest.turn + 1e-9)});
   h_ = std::clamp(h_, kShortest, kLongest);
   start_ = t;
+  fastest_ = fastest.end;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
   contacts.FindPairs(places, reach);
   contacts.RaiseFloors(places);
@@ -169,7 +190,7 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
     b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
   }
   GiveWay();
-  problem_.Sweep(VecX::Zero(b.size()), !is_deep_);
+  SweepUpTo(kMostBlow * dynamics_->model().mass * std::max(1.0, fastest_), VecX::Zero(b.size()));
   ConstraintRows& constraints = dynamics_->constraints();
   const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
   if (worst.excess > 0.0) {
@@ -207,7 +228,7 @@ void FrozenContacts::Press(const HingeState& state) {
     problem_.cones().b[problem_.RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
   }
   GiveWay();
-  problem_.Sweep(h_ * LastForces(), !is_deep_);
+  SweepUpTo(kMostPush * dynamics_->model().mass * h_, h_ * LastForces());
   Keep(problem_.forces());
 }
 

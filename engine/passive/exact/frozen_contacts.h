@@ -49,6 +49,7 @@ class FrozenContacts {
   };
 
   void GiveWay();
+  void SweepUpTo(double most, const VecX& start);
   void ListNear(double t, const HingeState& state);
   bool Strike(double t, HingeState* state, LimitHits* hits);
   void Press(const HingeState& state);
@@ -70,6 +71,7 @@ class FrozenContacts {
   int calm_steps_ = 0, calm_enough_ = 0;
   double left_ = 0.0;             // when [s]
   double start_ = 0.0, h_ = 0.0;  // of the latest while [s]
+  double fastest_ = 0.0;          // of what may touch [m/s]
 };
 
 }  // namespace hazumi
