@@ -145,9 +145,16 @@ def depth_and_energy(row):
             f"of {style.two_digits(float(row['lost_j']))} J lost")
 
 
-def late(row):
-    """In words: the error long after impacts."""
-    return f"{error_at(row, LATE):.1g} rad at {setting(row)}"
+def late(rows, own):
+    """In words: a method's error long after impacts, at its usual and its finest setting, as far as its
+    reference is known."""
+    known = known_to(rows, own[0]["method"], LATE)
+    unknown = f"not known better than {known:.1g} rad"
+    errors = [(max(error_at(row, LATE), known), setting(row)) for row in (usual(own), own[-1])]
+    if max(errors)[0] == known:
+        return unknown
+    return " and ".join(f"{error:.1g} rad at {at}" if error > known else f"{unknown} at {at}"
+                        for error, at in errors)
 
 
 def sentence(rows):
@@ -166,8 +173,8 @@ def sentence(rows):
         f"{TARGET:g} rad {AFTER} s after the impact: {ranked(rows)}; as a new file at {soon[0]}, by MuJoCo's "
         f"default at {soon[1]}. The least error measured there: {least(rows, 'hazumi')}, "
         f"{least(rows, 'mujoco')}. At {LATE} s, after contacts of `exact` were first frozen at "
-        f"{float(usual(ours)['frozen_from_s']):.2g} s, its error is {late(usual(ours))} "
-        f"and {late(ours[-1])}, that of MuJoCo Euler {late(usual(theirs))} and {late(theirs[-1])}.*")
+        f"{float(usual(ours)['frozen_from_s']):.2g} s, its error is {late(rows, ours)}, "
+        f"that of MuJoCo Euler {late(rows, theirs)}.*")
     return textwrap.fill(text, 112) + "\n"
 
 
