@@ -1,10 +1,9 @@
 #include "tests/bench/mujoco_ball_model.h"
 
-#include <cstring>
-
 #include "engine/base/assert.h"
 #include "engine/base/text.h"
 #include "tests/bench/subject.h"
+#include "tests/support/mujoco_figure.h"
 
 namespace hazumi::bench {
 
@@ -47,19 +46,7 @@ std::string Mjcf(const Figure& figure) {
 }  // namespace
 
 std::shared_ptr<mjModel> LoadMujocoModelWithBalls(const Figure& figure) {
-  constexpr char kName[] = "figure.xml";
-  const std::string mjcf = Mjcf(figure);
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(mjcf.size()));
-  std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
-  char error[500] = "";
-  const std::shared_ptr<mjModel> model(mj_loadXML(kName, files.get(), error, sizeof error),
-                                       mj_deleteModel);
-  mj_deleteVFS(files.get());
-  if (model == nullptr) std::fprintf(stderr, "MuJoCo: %s\n%s", error, mjcf.c_str());
-  HAZUMI_DEMAND(model != nullptr);
-  return model;
+  return test::LoadMujocoModel(Mjcf(figure));
 }
 
 }  // namespace hazumi::bench

@@ -2,11 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <cstring>
 
 #include "engine/base/assert.h"
 #include "engine/base/text.h"
 #include "tests/bench/subject.h"
+#include "tests/support/mujoco_figure.h"
 
 namespace hazumi::bench {
 
@@ -83,18 +83,7 @@ std::string Mjcf(const Figure& figure) {
 }  // namespace
 
 std::shared_ptr<mjModel> LoadMujocoFall(const Figure& figure) {
-  constexpr char kName[] = "figure.xml";
-  const std::string mjcf = Mjcf(figure);
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(mjcf.size()));
-  std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
-  char error[500] = "";
-  const std::shared_ptr<mjModel> model(mj_loadXML(kName, files.get(), error, sizeof error),
-                                       mj_deleteModel);
-  mj_deleteVFS(files.get());
-  if (model == nullptr) std::fprintf(stderr, "MuJoCo: %s\n%s", error, mjcf.c_str());
-  HAZUMI_DEMAND(model != nullptr);
+  std::shared_ptr<mjModel> model = test::LoadMujocoModel(Mjcf(figure));
   HAZUMI_DEMAND_EQ(model->nv, 6 + figure.num_joints());
   return model;
 }

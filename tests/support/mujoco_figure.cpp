@@ -98,18 +98,24 @@ MujocoFigure::MujocoFigure(const Figure& figure, const Vec3& gravity)
 }
 
 void MujocoFigure::Load(const std::string& mjcf) {
+  model_ = LoadMujocoModel(mjcf);
+  HAZUMI_DEMAND_EQ(model_->nv, root_dof_ + figure_.num_joints());
+  data_.reset(mj_makeData(model_.get()), mj_deleteData);
+}
+
+std::shared_ptr<mjModel_> LoadMujocoModel(const std::string& mjcf) {
   constexpr char kName[] = "figure.xml";
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(mjcf.size()));
   std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
   char error[500] = "";
-  model_.reset(mj_loadXML(kName, files.get(), error, sizeof error), mj_deleteModel);
+  const std::shared_ptr<mjModel> model(mj_loadXML(kName, files.get(), error, sizeof error),
+                                       mj_deleteModel);
   mj_deleteVFS(files.get());
-  if (model_ == nullptr) std::fprintf(stderr, "MuJoCo: %s\n%s", error, mjcf.c_str());
-  HAZUMI_DEMAND(model_ != nullptr);
-  HAZUMI_DEMAND_EQ(model_->nv, root_dof_ + figure_.num_joints());
-  data_.reset(mj_makeData(model_.get()), mj_deleteData);
+  if (model == nullptr) std::fprintf(stderr, "MuJoCo: %s\n%s", error, mjcf.c_str());
+  HAZUMI_DEMAND(model != nullptr);
+  return model;
 }
 
 int MujocoFigure::size() const { return model_->nv; }

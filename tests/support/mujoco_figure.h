@@ -14,6 +14,9 @@ struct mjData_;
 
 namespace hazumi::test {
 
+// What MuJoCo makes of a text of its format, which it must read.
+std::shared_ptr<mjModel_> LoadMujocoModel(const std::string& mjcf);
+
 // `figure` in MuJoCo. The hinges of one group share a body, because MuJoCo refuses massless ones.
 // Coordinates: first those of the root, if it moves (three slides along x, y, z, then three hinges
 // about x, y, z), then the figure's joints in order.
