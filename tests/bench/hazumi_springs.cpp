@@ -60,23 +60,11 @@ class SpringRegion {
   std::unique_ptr<ExactSolver> solver_;
 };
 
-class SpringRegionSubject : public Subject {
- public:
-  explicit SpringRegionSubject(std::shared_ptr<SpringRegion> region) : region_(std::move(region)) {}
-  bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    region_->Accelerate(at, qdd);
-    return true;
-  }
-
- private:
-  std::shared_ptr<SpringRegion> region_;
-};
-
 }  // namespace
 
 SpringProgram HazumiSprings(const SpringArm& arm) {
   const auto region = std::make_shared<SpringRegion>(arm);
-  SpringProgram program{"hazumi", std::make_unique<SpringRegionSubject>(region), {}};
+  SpringProgram program{"hazumi", std::make_unique<SpringSubject<SpringRegion>>(region), {}};
   program.methods.push_back(
       {"hazumi_exact",
        "rad a step",

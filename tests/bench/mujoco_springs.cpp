@@ -68,24 +68,12 @@ class MujocoSpringArm {
   std::shared_ptr<mjData> data_;
 };
 
-class MujocoSpringSubject : public Subject {
- public:
-  explicit MujocoSpringSubject(std::shared_ptr<MujocoSpringArm> arm) : arm_(std::move(arm)) {}
-  bool ForwardDynamics(const Question& at, VecX* qdd) override {
-    arm_->Accelerate(at, qdd);
-    return true;
-  }
-
- private:
-  std::shared_ptr<MujocoSpringArm> arm_;
-};
-
 }  // namespace
 
 SpringProgram MujocoSprings(const SpringArm& arm) {
   mju_user_warning = [](const char*) {};  // no log file of the swings that are lost
   const auto own = std::make_shared<MujocoSpringArm>(arm);
-  SpringProgram program{"mujoco", std::make_unique<MujocoSpringSubject>(own), {}};
+  SpringProgram program{"mujoco", std::make_unique<SpringSubject<MujocoSpringArm>>(own), {}};
   const auto add = [&](const char* name, mjtIntegrator integrator, double ratio, int count) {
     program.methods.push_back({name, "s a step", true, GeometricSettings(1.0 / 48, ratio, count),
                                0.1, 1e-5,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/figure/figure.h"
@@ -50,6 +51,20 @@ struct SpringMethod {
   double coarsest, finest;       // that are tried where only survival counts
   std::function<SpringRun(double seconds, double setting)> run;  // from the start
   std::function<void()> set_up;  // from the arm to what run() has ready
+};
+
+// An arm that a program has made, asked by what it accelerates with.
+template <typename Arm>
+class SpringSubject : public Subject {
+ public:
+  explicit SpringSubject(std::shared_ptr<Arm> arm) : arm_(std::move(arm)) {}
+  bool ForwardDynamics(const Question& at, VecX* qdd) override {
+    arm_->Accelerate(at, qdd);
+    return true;
+  }
+
+ private:
+  std::shared_ptr<Arm> arm_;
 };
 
 // A program with one arm, which outlives it.

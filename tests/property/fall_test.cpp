@@ -1,11 +1,11 @@
 // Random figures that fall on planes, boxes and stairs: do they come to rest?
 //
-// None fails, contacts and stops, which share impacts, give no energy; in 98 of 100 nothing is
-// deeper than half a millimetre in any frame, and the account of energy closes to 1e-6 of what
-// changed hands. After five seconds the kinetic energy is below 1e-6 of its largest, or joints
-// still sink against their friction, or the figure rolls: those are counted apart, and lose energy
-// in their last second. A plain ctest tries a few; a thousand of each by
-// `ctest -C Slow -L slow -R fall -V`. HAZUMI_CASES, HAZUMI_FIRST_CASE as everywhere.
+// None fails, contacts give no energy, neither by themselves nor with the stops that share their
+// impacts; in 98 of 100 nothing is deeper than half a millimetre in any frame, and the account of
+// energy closes to 1e-6 of what changed hands. After five seconds the kinetic energy is below 1e-6
+// of its largest, or joints still sink against their friction, or the figure rolls: those are
+// counted apart, and lose energy in their last second. A plain ctest tries a few; a thousand of
+// each by `ctest -C Slow -L slow -R fall -V`. HAZUMI_CASES, HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct Fall {
   double kinetic = 0.0, largest = 0.0;     // at the end, at any frame [J]
   double unexplained = 0.0, turned = 0.0;  // [J]
   double lost_last = 0.0;                  // in the last second [J]
-  double given = 0.0;                      // by contacts and stops [J]
+  double given = 0.0;                      // by contacts, or by them and stops [J]
 };
 
 Fall Measure(const Animation& animation, const Motion& motion) {
@@ -52,7 +52,8 @@ Fall Measure(const Animation& animation, const Motion& motion) {
   fall.unexplained = std::abs(energy.residual());
   fall.turned = fall.largest + std::abs(energy.limits);
   for (const auto& work : energy.laws) fall.turned += std::abs(work.joules);
-  fall.given = energy.WorkOf("contact") + energy.limits;
+  const double contacts = energy.WorkOf("contact");
+  fall.given = std::max(contacts, contacts + energy.limits);
   return fall;
 }
 
@@ -103,7 +104,7 @@ void TryAll(Terrain terrain) {
   const int few = (tally.cases + 49) / 50;
   EXPECT_EQ(tally.failed, 0);
   EXPECT_LE(tally.deep, few);
-  EXPECT_LE(tally.moving, tally.cases * 3 / 5);
+  EXPECT_LE(tally.moving, tally.cases * 2 / 5);
   EXPECT_EQ(tally.driven, 0);
   EXPECT_LE(tally.unexplained, few);
   EXPECT_EQ(tally.given, 0);

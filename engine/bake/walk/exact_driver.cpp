@@ -185,9 +185,9 @@ double ExactDriver::StepToleranceFor(const RegionModel& model) const {
     const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
     tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
   });
-  const bool is_pushed =
+  const bool is_worked_on =
       has_contacts_ || !animation_.forces.empty() || !animation_.constraints.empty();
-  const double share = is_pushed ? kStepShare * kPushedShare : kStepShare;
+  const double share = is_worked_on ? kStepShare * kPushedShare : kStepShare;
   return std::max(kFinestStep, tolerance * share / sharpness_);
 }
 

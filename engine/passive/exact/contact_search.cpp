@@ -47,7 +47,7 @@ bool ContactSearch::Find(bool follows_event) {
       2 * static_cast<int>(std::ceil(0.5 * std::clamp<double>(way, kFewestLooks, kMostLooks)));
   double before = start;
   step_->Glance(start);
-  SeeGaps(start);
+  See(start);
   forces_before_ = start;
   for (int look = follows_event ? 1 - kFirstLooks : 1; look <= looks; ++look) {
     const double share = look > 0 ? look : std::pow(0.25, 1 - look);
@@ -92,11 +92,11 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
   const ContactSet& contacts = dynamics_->contacts();
   changed_.clear();
   step_->Glance(t);
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    if (Change(i, t) > 0.0) changed_.push_back({i, t});
-  }
   before_.swap(seen_);
-  SeeGaps(t);
+  See(t);
+  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
+    if (seen_[i].change > 0.0) changed_.push_back({i, t});
+  }
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     if (const std::optional<double> dip = Dip(i, before, t)) changed_.push_back({i, *dip});
   }
@@ -122,14 +122,19 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
   return Narrow({forces_before_, first_f, last, f}, kSameMoment, excess).b;
 }
 
-// Of open pairs, where the nodes have been placed by Glance.
-void ContactSearch::SeeGaps(double t) {
+// All pairs, where the nodes have been placed by Glance.
+void ContactSearch::See(double t) {
   const ContactSet& contacts = dynamics_->contacts();
   seen_.assign(contacts.pairs().size(), {});
   for (int i = 0; i < static_cast<int>(seen_.size()); ++i) {
-    if (contacts.pairs()[i].mode != ContactMode::kOpen) continue;
+    if (contacts.pairs()[i].mode != ContactMode::kOpen) {
+      seen_[i].change = Change(i, t);
+      continue;
+    }
     const auto point = contacts.PointOf(i, step_->Glanced(t));
-    if (point) seen_[i] = {point->gap - contacts.pairs()[i].floor, Dot(point->n, point->v), true};
+    if (!point) continue;
+    const double gap = point->gap - contacts.pairs()[i].floor;
+    seen_[i] = {-kDeep - gap, gap, Dot(point->n, point->v), true};
   }
 }
 

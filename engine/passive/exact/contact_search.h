@@ -21,7 +21,7 @@ class ContactSearch {
 
  private:
   std::optional<double> FirstChange(double before, double t, bool looks_at_forces);
-  void SeeGaps(double t);
+  void See(double t);
   std::optional<double> Dip(int pair, double before, double t);
   double ChangeAround(int pair, double t);
   double Change(int pair, double t);
@@ -33,8 +33,9 @@ class ContactSearch {
     double time;  // at which it has [s]
   };
   struct Seen {
-    double gap = 0.0, rate = 0.0;  // beyond its floor [m], [m/s]
-    bool is_open = false;
+    double change = -1.0;
+    double gap = 0.0, rate = 0.0;  // of an open pair, beyond its floor [m], [m/s]
+    bool is_open = false;          // and there is a gap
   };
   std::vector<Changed> changed_;
   std::vector<Seen> seen_, before_;  // by pair, at the latest look and the one before

@@ -25,7 +25,8 @@ constexpr double kNearLimit = 0.02;                  // of a hinge to its limit 
 // What is inside comes out in about this time, but not faster than that.
 constexpr double kWayOut = 0.02, kFastestOut = 0.1, kFastestTurnOut = 0.5;  // [s, m/s, rad/s]
 constexpr double kGivesWay = 1e-4, kGivesMoreWay = 0.2;
-// What contacts push with at most for each kilogram of the island: [m/s^2], and of its speed.
+// What contacts push with at most, as parts of the island's mass [m/s^2], and in a blow of that
+// times the greatest speed of what may touch.
 constexpr double kMostPush = 1e3, kMostBlow = 10.0;
 constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not

@@ -197,7 +197,8 @@ std::optional<double> HitSearch::FindCrossing(int hinge, int side, double before
 // Between a time at which the hinge is inside and one at which it is outside.
 // Half of kTouch counts as inside, so that a hinge that leaves its limit has not crossed it. Nor
 // has one that is outside by what the inside of a step is off by, and on its way in: springs would
-// meet their limit again and again so. Motions without any stay as they have always been.
+// meet their limit again and again so. Nothing but forces makes that matter; without any it is a
+// hit, as the bits of limp motions are promised by the solver's version.
 std::optional<double> HitSearch::CrossingTime(int hinge, int side, double inside, double outside) {
   const auto out = [&](double t) {
     Look(t, &sample_);

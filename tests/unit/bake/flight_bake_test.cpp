@@ -2,29 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/momentum.h"
+#include "tests/unit/bake/loose_human.h"
 
 namespace hazumi::test {
 namespace {
 
 constexpr int kLast = 60;  // 2 s
-
-// The human that is shipped, without limits.
-Figure LimberHuman() {
-  FigureSpec spec = LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
-  for (JointSpec& joint : spec.joints) {
-    for (HingeSpec& hinge : joint.hinges) {
-      hinge.lower = -1000.0;
-      hinge.upper = 1000.0;
-    }
-  }
-  return BuildFigure(spec).value();
-}
 
 void SetStart(Animation* animation, int joint, double angle, double rate) {
   animation->joint_keys[joint] = {{0, angle, rate, Interpolation::kHold}};

@@ -6,9 +6,27 @@
 
 namespace hazumi::test {
 
+namespace {
+
+FigureSpec ShippedHuman() {
+  return LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
+}
+
+}  // namespace
+
+Figure LimberHuman() {
+  FigureSpec spec = ShippedHuman();
+  for (JointSpec& joint : spec.joints) {
+    for (HingeSpec& hinge : joint.hinges) {
+      hinge.lower = -1000.0;
+      hinge.upper = 1000.0;
+    }
+  }
+  return Build(spec);
+}
+
 Animation LooseHuman(int frames, double height, double tilt) {
-  const char* path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
-  Animation animation = Still(Build(LoadFigure(path).value()));
+  Animation animation = Still(Build(ShippedHuman()));
   animation.solver.method = Method::kExact;
   animation.gravity = kG;
   animation.last_frame = frames;

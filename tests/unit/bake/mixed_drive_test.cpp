@@ -8,27 +8,14 @@
 #include <cstdio>
 #include <numbers>
 
-#include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
 #include "tests/support/compare.h"
 #include "tests/support/mujoco_figure.h"
+#include "tests/unit/bake/loose_human.h"
 
 namespace hazumi::test {
 namespace {
-
-// The shipped human, who turns as far as he likes.
-Figure HumanWithoutLimits() {
-  FigureSpec spec = LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
-  for (JointSpec& joint : spec.joints) {
-    for (HingeSpec& hinge : joint.hinges) {
-      hinge.lower = -1000.0;
-      hinge.upper = 1000.0;
-    }
-  }
-  return BuildFigure(spec).value();
-}
 
 // One cubic over the whole second.
 struct Cubic {
@@ -54,7 +41,7 @@ struct Mixed {
 // Chest and shoulder of the right arm, or its elbow, are keyed within the region, which has all
 // beyond the chest's hinges on that side; the trunk and the root move by keys of their own.
 Mixed Arm(const std::vector<std::string>& loose, const char* with_torque, double friction) {
-  Mixed mixed{Still(HumanWithoutLimits()), {}, {}, {}, {}};
+  Mixed mixed{Still(LimberHuman()), {}, {}, {}, {}};
   Animation& animation = mixed.animation;
   animation.solver.method = Method::kExact;
   animation.solver.tolerance = 1e-7 * kDegree;
