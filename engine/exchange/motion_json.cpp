@@ -149,13 +149,16 @@ class FrameWriter {
   // Of an animation that has regions with contacts.
   std::string Contacts(const MotionFrame& frame) {
     const auto& regions = animation_.regions;
-    const auto touches = [](const DynamicsRegion& region) { return region.touches_scene; };
+    const auto touches = [](const DynamicsRegion& region) {
+      return region.touches_scene || region.touches_self;
+    };
     if (std::none_of(regions.begin(), regions.end(), touches)) return "";
+    const auto link_name = [&](int i) { return i < 0 ? "null" : Quote(figure_.links()[i].name); };
     const auto contact = [&](const ContactPush& push) {
-      const std::string link = push.link < 0 ? "null" : Quote(figure_.links()[push.link].name);
       const std::string object =
           push.object < 0 ? "null" : Quote(animation_.scene[push.object].name);
-      return "{\"link\": " + link + ", \"object\": " + object +
+      const std::string by = push.by_link < 0 ? "" : ", \"by_link\": " + link_name(push.by_link);
+      return "{\"link\": " + link_name(push.link) + ", \"object\": " + object + by +
              ", \"position_m\": " + Numbers(push.p) + ", \"force_n\": " + Numbers(push.force) + "}";
     };
     return ", \"contacts\": " + List(frame.contacts.pushes, contact);

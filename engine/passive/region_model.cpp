@@ -237,6 +237,13 @@ struct Group {
   std::vector<NodeJoint> ends;  // on nodes of the whole model that no free node carries
 };
 
+// None, or one that is there already, is not added.
+void AddEnd(const NodeJoint* end, Group* group) {
+  const auto is_that = [&](const NodeJoint& own) { return own.joint == end->joint; };
+  if (!end || std::any_of(group->ends.begin(), group->ends.end(), is_that)) return;
+  group->ends.push_back(*end);
+}
+
 // In order of their first nodes.
 std::vector<Group> GroupsOf(const RegionModel& whole, const std::vector<ModelRequest::Tie>& ties,
                             const Extraction& extraction) {
@@ -257,8 +264,8 @@ std::vector<Group> GroupsOf(const RegionModel& whole, const std::vector<ModelReq
     const NodeJoint* a = tie.a ? whole.SeatOf(*tie.a) : nullptr;
     const NodeJoint* b = tie.b ? whole.SeatOf(*tie.b) : nullptr;
     const int of_a = group_of(a), of_b = group_of(b);
-    if (of_a >= 0 && of_b < 0 && b) groups[of_a].ends.push_back(*b);
-    if (of_b >= 0 && of_a < 0 && a) groups[of_b].ends.push_back(*a);
+    if (of_a >= 0 && of_b < 0) AddEnd(b, &groups[of_a]);
+    if (of_b >= 0 && of_a < 0) AddEnd(a, &groups[of_b]);
     if (of_a < 0 || of_b < 0 || of_a == of_b) continue;
     Group& into = groups[std::min(of_a, of_b)];
     Group& from = groups[std::max(of_a, of_b)];

@@ -325,27 +325,27 @@ double RegionDynamics::ContactExcess() const {
 
 std::vector<ContactPush> RegionDynamics::ContactPushes() const {
   std::vector<ContactPush> pushes;
-  const ContactSpec& spec = contacts_.spec();
-  const auto add = [&](const ContactPair& pair, const V3& p) {
-    pushes.push_back(
-        {spec.capsules[pair.capsule].link, spec.obstacles[pair.obstacle].object, p.eigen()});
-  };
-  int last = -1;  // pair: its rows follow one another
-  for (size_t k = 0; k < rows_.rows().size(); ++k) {
-    const ConstraintRow& row = rows_.rows()[k];
-    if (!row.is_contact()) continue;
-    if (row.contact != last) add(contacts_.pairs()[row.contact], places_[row.a].p + row.r_a);
-    last = row.contact;
-    pushes.back().force += row_forces_[static_cast<Eigen::Index>(k)] * row.push.eigen();
+  const std::vector<ConstraintRow>& rows = rows_.rows();
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (!rows[k].is_contact()) continue;
+    const size_t first = k;  // a pair's rows follow one another
+    Vec3 force = Vec3::Zero();
+    for (;; ++k) {
+      force += row_forces_[static_cast<Eigen::Index>(k)] * rows[k].push.eigen();
+      if (k + 1 == rows.size() || rows[k + 1].contact != rows[first].contact) break;
+    }
+    const ConstraintRow& row = rows[first];
+    const ContactParts parts = contacts_.PartsOf(contacts_.pairs()[row.contact]);
+    const Vec3 p = (places_[row.a].p + row.r_a).eigen();
+    pushes.push_back({parts.link, parts.object, parts.by_link, p, force});
+    if (row.b >= 0) pushes.push_back({parts.by_link, -1, parts.link, p, -force});
   }
   for (const FrozenForces::Push& push : frozen_.pushes) {
     const V3 p = places_[push.node].p + kinematics_.motion()[push.node].R * V3(push.p_N);
-    const auto& pairs = contacts_.pairs();
-    const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const ContactPair& own) {
-      return spec.capsules[own.capsule].node == push.node && own.frozen.eigen() == push.force;
-    });
-    pair != pairs.end() ? add(*pair, p) : pushes.push_back({-1, -1, p.eigen()});
-    pushes.back().force = push.force;
+    pushes.push_back({push.link, push.object, push.by_link, p.eigen(), push.force});
+    if (push.on_other >= 0) {
+      pushes.push_back({push.by_link, -1, push.link, p.eigen(), -push.force});
+    }
   }
   return pushes;
 }

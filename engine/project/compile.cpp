@@ -175,6 +175,7 @@ class Compiler {
     if (source.tolerance_deg) region.tolerance = *source.tolerance_deg * kDegree;
     region.root = DrivesRoot(source, *figure_);
     region.touches_scene = source.contacts.scene;
+    region.touches_self = source.contacts.self;
     region.joints = FreeJoints(source, "regions[" + std::to_string(index) + "].joints");
     AddDrives(source, &region);
     const std::vector<double> factors = FrictionFactors(source.friction);
@@ -186,7 +187,7 @@ class Compiler {
   static void Mute(DynamicsRegion* region) {
     region->is_muted = true;
     region->root = false;
-    region->touches_scene = false;
+    region->touches_scene = region->touches_self = false;
     region->joints.clear();
     region->friction.clear();
     region->drives.clear();

@@ -100,7 +100,7 @@ struct ProjectDrive {
 // What the bodies that a region moves stay out of.
 struct ProjectContacts {
   bool scene = false;  // its planes and boxes
-  bool self = false;   // each other; refused as yet
+  bool self = false;   // each other
   ExtraFields extra;
   bool operator==(const ProjectContacts&) const = default;
 

@@ -36,6 +36,8 @@ struct DynamicsRegion {
   // kExact: what it moves stays out of what stands in the scene; a root that it moves, and that a
   // placement by gravity leaves to it, is placed by that.
   bool touches_scene = false;
+  // kExact: links of which it moves one stay out of each other.
+  bool touches_self = false;
   Method method = Method::kPaper;
   std::optional<double> step;       // kPaper [s]; not given: the animation's
   std::optional<double> tolerance;  // kExact [rad]; not given: the animation's

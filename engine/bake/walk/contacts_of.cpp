@@ -1,23 +1,71 @@
 #include "engine/bake/walk/contacts_of.h"
 
+#include <utility>
+
 #include "engine/bake/pose/contact_obstacles.h"
 
 namespace hazumi {
 
+namespace {
+
+class Lister {
+ public:
+  Lister(const RegionModel& model, const Figure& figure, ContactSpec* spec)
+      : model_(model), figure_(figure), spec_(spec), capsule_of_(figure.links().size(), -1) {}
+
+  void MeetObstacles(int link) {
+    const NodeJoint* seat = SeatOf(link);
+    if (seat && IsMoved(*seat)) spec_->capsules[CapsuleOf(link, *seat)].meets_obstacles = true;
+  }
+
+  // In the order that what is moved comes first.
+  void MeetEachOther(LinkPair pair) {
+    const NodeJoint *a = SeatOf(pair.a), *b = SeatOf(pair.b);
+    if (!a || !b || a->node == b->node) return;
+    if (!IsMoved(*a)) {
+      std::swap(pair.a, pair.b);
+      std::swap(a, b);
+    }
+    if (!IsMoved(*a)) return;
+    const int own = CapsuleOf(pair.a, *a), other = CapsuleOf(pair.b, *b);
+    spec_->own.push_back({own, other, SceneObject::kFriction});
+  }
+
+ private:
+  const NodeJoint* SeatOf(int link) const { return model_.SeatOf(figure_.links()[link].joint); }
+  bool IsMoved(const NodeJoint& seat) const { return model_.nodes[seat.node].is_dynamic; }
+
+  int CapsuleOf(int index, const NodeJoint& seat) {
+    int& capsule = capsule_of_[index];
+    if (capsule >= 0) return capsule;
+    capsule = static_cast<int>(spec_->capsules.size());
+    const Capsule& shape = figure_.links()[index].capsule;
+    ContactCapsule own{seat.node, OnNode(seat, shape.a), OnNode(seat, shape.b), shape.radius,
+                       index};
+    own.meets_obstacles = false;
+    spec_->capsules.push_back(own);
+    return capsule;
+  }
+
+  const RegionModel& model_;
+  const Figure& figure_;
+  ContactSpec* spec_;
+  std::vector<int> capsule_of_;  // by link; none: -1
+};
+
+}  // namespace
+
 ContactSpec ContactsOf(const RegionModel& model, const Figure& figure,
                        const std::vector<SceneObject>& scene,
-                       const std::function<bool(JointIndex)>& touches) {
+                       const std::function<bool(JointIndex)>& touches,
+                       const std::vector<LinkPair>& own) {
   ContactSpec spec;
   spec.obstacles = ObstaclesOf(scene, SceneObject::kFriction);
+  Lister lister(model, figure, &spec);
   for (size_t i = 0; i < figure.links().size(); ++i) {
-    const Link& link = figure.links()[i];
-    if (!touches(link.joint)) continue;
-    const NodeJoint* seat = model.SeatOf(link.joint);
-    if (!seat || !model.nodes[seat->node].is_dynamic) continue;
-    spec.capsules.push_back({seat->node, OnNode(*seat, link.capsule.a),
-                             OnNode(*seat, link.capsule.b), link.capsule.radius,
-                             static_cast<int>(i)});
+    if (touches(figure.links()[i].joint)) lister.MeetObstacles(static_cast<int>(i));
   }
+  for (const LinkPair& pair : own) lister.MeetEachOther(pair);
   return spec;
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine/bake/walk/own_pairs.h"
 #include "engine/figure/figure.h"
 #include "engine/passive/contact/contact_spec.h"
 #include "engine/passive/region_model.h"
@@ -10,10 +11,11 @@
 
 namespace hazumi {
 
-// What of an island, whose model lists its joints, may touch planes and boxes of the scene: the
-// capsules of all joints that `touches` says so of.
+// What of an island, whose model lists its joints, may touch: with planes and boxes of the scene,
+// the capsules of all joints that `touches` says so of; with each other, those of `own`.
 ContactSpec ContactsOf(const RegionModel& model, const Figure& figure,
                        const std::vector<SceneObject>& scene,
-                       const std::function<bool(JointIndex)>& touches);
+                       const std::function<bool(JointIndex)>& touches,
+                       const std::vector<LinkPair>& own);
 
 }  // namespace hazumi

@@ -83,11 +83,25 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
             SpringOf(drive, j, region, figure, starts.at(active_[a]), animation.rate);
       }
     }
-    has_contacts_ |= region.touches_scene;
+    has_contacts_ |= region.touches_scene || region.touches_self;
     if (!region.root) continue;
     for (int i = 0; i < kRootAngles; ++i) {
       region_of_[figure.num_joints() + i] = static_cast<int>(a);
     }
+  }
+  ListOwnPairs();
+}
+
+// Of which a region that asks for it moves one.
+void ExactDriver::ListOwnPairs() {
+  const auto touches = [](const DynamicsRegion& region) { return region.touches_self; };
+  if (std::none_of(animation_.regions.begin(), animation_.regions.end(), touches)) return;
+  const auto asks = [&](int link) {
+    const DynamicsRegion* region = Carrying(figure_.links()[link].joint);
+    return region && region->touches_self;
+  };
+  for (const LinkPair& pair : PairsApart(figure_)) {
+    if (asks(pair.a) || asks(pair.b)) own_pairs_.push_back(pair);
   }
 }
 
@@ -122,12 +136,16 @@ ModelRequest ExactDriver::RequestFor(const RotationState& state, const RootHold&
   return request;
 }
 
-// Whether what a joint carries touches things: the nearest joint towards the root that a region
-// moves says so, or the region that moves the root.
-bool ExactDriver::Touches(JointIndex j) const {
+// That of the nearest joint towards the root that one moves, or the one that moves the root.
+const DynamicsRegion* ExactDriver::Carrying(JointIndex j) const {
   while (j.is_valid() && region_of_[j.value()] < 0) j = figure_.joint(j).parent;
   const int region = region_of_[j.is_valid() ? j.value() : figure_.num_joints()];
-  return region >= 0 && animation_.regions[active_[region]].touches_scene;
+  return region >= 0 ? &animation_.regions[active_[region]] : nullptr;
+}
+
+bool ExactDriver::Touches(JointIndex j) const {
+  const DynamicsRegion* region = Carrying(j);
+  return region && region->touches_scene;
 }
 
 IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* constraints) const {
@@ -153,7 +171,7 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* 
   }
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };
-    task.contacts = ContactsOf(task.model, figure_, animation_.scene, touches);
+    task.contacts = ContactsOf(task.model, figure_, animation_.scene, touches, own_pairs_);
   }
   return task;
 }
@@ -205,6 +223,9 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   request_ = RequestFor(state, hold, driven);
   const double middle = 0.5 * (t + end);
   request_.ties = TiesOf(animation_, ActiveConstraints(animation_, middle, broken_));
+  for (const LinkPair& pair : own_pairs_) {
+    request_.ties.push_back({figure_.links()[pair.a].joint, figure_.links()[pair.b].joint});
+  }
   request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty() || has_contacts_;
   islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);

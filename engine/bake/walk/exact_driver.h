@@ -15,6 +15,7 @@
 #include "engine/bake/thread_pool.h"
 #include "engine/bake/walk/energy_account.h"
 #include "engine/bake/walk/held_together.h"
+#include "engine/bake/walk/own_pairs.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -38,8 +39,10 @@ class ExactDriver {
   bool is_frozen(Coordinate c) const;
 
   bool has_contacts() const { return has_contacts_; }
-  // Whether what a joint carries touches things.
+  // Whether what a joint carries touches things in the scene.
   bool Touches(JointIndex j) const;
+  // Links that stay out of each other, as a region asks that moves one of them.
+  const std::vector<LinkPair>& own_pairs() const { return own_pairs_; }
   // By contacts, where a placement by gravity leaves it to them.
   bool places_root() const;
 
@@ -134,6 +137,9 @@ class ExactDriver {
     IslandLogs logs;
   };
 
+  void ListOwnPairs();
+  // The region that moves what a joint carries; none: null.
+  const DynamicsRegion* Carrying(JointIndex j) const;
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
   // Of an island that begins with a stretch whose middle is at `t` [s].
@@ -155,7 +161,8 @@ class ExactDriver {
   const KnownLogs* known_;
   ThreadPool* pool_;
   MovingBaseCache moving_bases_;
-  bool has_contacts_ = false;     // any of the regions
+  bool has_contacts_ = false;  // any of the regions
+  std::vector<LinkPair> own_pairs_;
   std::vector<int> region_of_;    // by Coordinate: index in active_, -1: not free
   std::vector<double> friction_;  // by Coordinate: factor
   // By Coordinate, if there are any drives: what drives a joint.

@@ -2,6 +2,7 @@
 
 #include "engine/bake/walk/begins_inside.h"
 #include "engine/bake/walk/exact_walk.h"
+#include "engine/bake/walk/own_pairs.h"
 #include "engine/base/text.h"
 #include "engine/spatial/degrees.h"
 
@@ -34,12 +35,18 @@ void ExactWalk::WarnOfInside() {
   const double frame = context_.now.frame;
   for (const int r : driver_->active()) {
     const DynamicsRegion& region = context_.animation.regions[r];
-    if (!region.touches_scene || region.first_frame != frame) continue;
+    if (region.first_frame != frame) continue;
+    const std::string place = "regions[" + std::to_string(r) + "]";
+    if (region.touches_self) {
+      const auto overlap = TellOfOverlap(driver_->own_pairs(), context_.poses.figure(),
+                                         context_.now, &context_.poses.workspace());
+      if (overlap) context_.recorder.AddWarning({place, *overlap, region.first_frame});
+    }
+    if (!region.touches_scene) continue;
     const auto counts = [&](const Link& link) { return driver_->Touches(link.joint); };
     const auto inside = TellOfInside(context_.animation, context_.poses.figure(), context_.now,
                                      counts, &context_.poses.workspace());
     if (!inside) return;
-    const std::string place = "regions[" + std::to_string(r) + "]";
     return context_.recorder.AddWarning({place, *inside, region.first_frame});
   }
 }

@@ -1,6 +1,6 @@
-// With p, n as TouchPoint, v = the material's velocity at p and a its acceleration, a direction x
-// fixed to the contact:
-//   gap'' = n a + n' v + n (w x (p' - v)),   (x v)' = x a + x (w x (p' - v))   where v is 0 along x
+// With p, n as TouchPoint, v = the material's velocity at p and a its acceleration, both against
+// those of the other's, g what v changes by as p glides, a direction x fixed to the contact:
+//   gap'' = n a + n' v + n g,   (x v)' = x a + x g   where v is 0 along x
 
 #include "engine/passive/contact/contact_set.h"
 
@@ -65,17 +65,24 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
   before_.swap(pairs_);
   pairs_.clear();
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
+    if (!spec_.capsules[c].meets_obstacles) continue;
     const MovingCapsule moving = CapsuleAt(c, state);
     for (int o = 0; o < static_cast<int>(spec_.obstacles.size()); ++o) {
-      if (LeastGap(moving, spec_.obstacles[o]) <= reach) AddPairs(c, o, moving, &pairs_);
+      if (LeastGap(moving, spec_.obstacles[o]) <= reach) AddPairs({c, o}, moving, state);
     }
   }
-  // Both are in the same order.
+  AddOwnPairs(state, 2.0 * reach);  // both move
+  // Both are in the same order: those with obstacles first.
+  const auto num_obstacles = static_cast<int>(spec_.obstacles.size());
+  const auto is_before = [&](const ContactPair& a, const ContactPair& b) {
+    const auto key = [&](const ContactPair& of) {
+      const int own = std::max(0, of.obstacle - num_obstacles + 1);
+      return std::make_tuple(own, of.capsule, of.obstacle, of.pair);
+    };
+    return key(a) < key(b);
+  };
   auto old = before_.begin();
   for (ContactPair& pair : pairs_) {
-    const auto is_before = [](const ContactPair& a, const ContactPair& b) {
-      return std::tie(a.capsule, a.obstacle, a.pair) < std::tie(b.capsule, b.obstacle, b.pair);
-    };
     while (old != before_.end() && is_before(*old, pair)) ++old;
     if (old != before_.end() && ArePairsSame(*old, pair)) pair = *old;
   }
@@ -85,17 +92,49 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
       }));
 }
 
-void ContactSet::AddPairs(int capsule, int obstacle, const MovingCapsule& moving,
-                          std::vector<ContactPair>* found) const {
-  for (int i = 0; i < NumPairs(spec_.obstacles[obstacle]); ++i) {
-    ContactPair pair;
-    pair.capsule = capsule;
-    pair.obstacle = obstacle;
-    pair.pair = i;
-    const auto point = TouchPointOf(i, moving, spec_.obstacles[obstacle], false);
-    if (point) pair.floor = std::min(0.0, point->gap);
-    if (point || i >= kPlanePairs) found->push_back(pair);
+void ContactSet::AddOwnPairs(const RegionState& state, double reach) {
+  for (size_t i = 0; i < spec_.own.size(); ++i) {
+    const MovingCapsule moving = CapsuleAt(spec_.own[i].a, state);
+    if (LeastGap(moving, CapsuleAt(spec_.own[i].b, state)) > reach) continue;
+    AddPairs({spec_.own[i].a, static_cast<int>(spec_.obstacles.size() + i)}, moving, state);
   }
+}
+
+void ContactSet::AddPairs(ContactPair pair, const MovingCapsule& moving, const RegionState& state) {
+  for (pair.pair = 0; pair.pair < NumPairsOf(pair); ++pair.pair) {
+    const auto point = PointOf(pair, moving, state);
+    pair.floor = point ? std::min(0.0, point->gap) : 0.0;
+    if (point || pair.pair >= kPlanePairs) pairs_.push_back(pair);
+  }
+}
+
+const OwnContact* ContactSet::OwnOf(const ContactPair& pair) const {
+  const int i = pair.obstacle - static_cast<int>(spec_.obstacles.size());
+  return i < 0 ? nullptr : &spec_.own[i];
+}
+
+std::optional<int> ContactSet::OtherCapsule(const ContactPair& pair) const {
+  const OwnContact* own = OwnOf(pair);
+  return own ? std::optional(own->b) : std::nullopt;
+}
+
+ContactParts ContactSet::PartsOf(const ContactPair& pair) const {
+  ContactParts parts{spec_.capsules[pair.capsule].link};
+  if (const auto other = OtherCapsule(pair)) {
+    parts.by_link = spec_.capsules[*other].link;
+  } else {
+    parts.object = spec_.obstacles[pair.obstacle].object;
+  }
+  return parts;
+}
+
+int ContactSet::NumPairsOf(const ContactPair& pair) const {
+  return OwnOf(pair) ? kCapsulePairs : NumPairs(spec_.obstacles[pair.obstacle]);
+}
+
+double ContactSet::FrictionOf(int pair) const {
+  const OwnContact* own = OwnOf(pairs_[pair]);
+  return own ? own->friction : spec_.obstacles[pairs_[pair].obstacle].friction;
 }
 
 void ContactSet::RaiseFloors(const RegionState& state) {
@@ -156,15 +195,27 @@ bool ContactSet::FollowSlides(const RegionState& state) {
 }
 
 bool ContactSet::IsBuried(int pair, double gap) const {
-  constexpr double kMost = 0.1;  // of the axis [m]
+  constexpr double kMost = 0.1;      // of the axis [m]
+  constexpr double kNearest = 0.25;  // of both radii, of axes to each other
   const ContactPair& own = pairs_[pair];
+  if (const auto other = OtherCapsule(own)) {
+    const double radii = spec_.capsules[own.capsule].radius + spec_.capsules[*other].radius;
+    return gap < (kNearest - 1.0) * radii;
+  }
   return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
 }
 
 std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state) const {
-  const ContactPair& own = pairs_[pair];
-  return TouchPointOf(own.pair, CapsuleAt(own.capsule, state), spec_.obstacles[own.obstacle],
-                      own.mode != ContactMode::kOpen);
+  return PointOf(pairs_[pair], CapsuleAt(pairs_[pair].capsule, state), state);
+}
+
+std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const MovingCapsule& moving,
+                                              const RegionState& state) const {
+  const bool is_touching = pair.mode != ContactMode::kOpen;
+  if (const auto other = OtherCapsule(pair)) {
+    return TouchPointOf(pair.pair, moving, CapsuleAt(*other, state), is_touching);
+  }
+  return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);
 }
 
 void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const {
@@ -180,12 +231,14 @@ void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>
     row.is_closed = true;
     row.a = spec_.capsules[pair.capsule].node;
     row.r_a = point->p - state.PositionAt(row.a, V3());
-    const V3 w = state.kinematics.motion()[row.a].w;
-    const V3 glides = Cross(w, point->p_dot - point->v);
+    if (const auto other = OtherCapsule(pair)) {
+      row.b = spec_.capsules[*other].node;
+      row.r_b = point->p - state.PositionAt(row.b, V3());
+    }
     row.n = row.push = point->n;
     row.gap = point->gap - pair.floor;
     row.rate = Dot(point->n, point->v);
-    row.bend = Dot(point->n_dot, point->v) + Dot(point->n, glides);
+    row.bend = Dot(point->n_dot, point->v) + Dot(point->n, point->glides);
     if (pair.mode == ContactMode::kSlide && FrictionOf(i) > 0.0) {
       row.push = point->n - FrictionOf(i) * SlideOf(pair, *point);
     }
@@ -197,7 +250,7 @@ void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>
       row.is_across = true;
       row.gap = 0.0;
       row.rate = Dot(x, point->v);
-      row.bend = Dot(x, glides);
+      row.bend = Dot(x, point->glides);
       rows->push_back(row);
     }
   }

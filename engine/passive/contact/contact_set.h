@@ -14,7 +14,8 @@ enum class ContactMode : char {
   kSlide,  // they do, against `direction`
 };
 
-// A pair of features that may touch.
+// A pair of features that may touch: of a capsule and an obstacle or, numbered after these, of both
+// capsules of one of ContactSpec::own.
 struct ContactPair {
   int capsule = 0, obstacle = 0, pair = 0;
   ContactMode mode = ContactMode::kOpen;
@@ -32,6 +33,11 @@ struct ContactPair {
 // Slower than this what slides counts as coming to rest [m/s]: its direction turns faster than
 // steps can follow.
 inline constexpr double kSlowSlide = 1e-4;
+
+// Of whom the figure and the scene are told that a pair is: as ContactPush.
+struct ContactParts {
+  int link = -1, object = -1, by_link = -1;
+};
 
 // What an island's capsules touch. Between events the modes stay; whoever finds an event sets them
 // anew. [METHOD 12]
@@ -71,8 +77,12 @@ class ContactSet {
   std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;
   // So deep inside a box that there is no telling on which side it comes out: it is not felt.
   bool IsBuried(int pair, double gap) const;
-  double FrictionOf(int pair) const { return spec_.obstacles[pairs_[pair].obstacle].friction; }
+  double FrictionOf(int pair) const;
+  // The capsule that it is with, if it is not with an obstacle.
+  std::optional<int> OtherCapsule(const ContactPair& pair) const;
   double RestitutionOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].restitution; }
+
+  ContactParts PartsOf(const ContactPair& pair) const;
 
   // Of the closed ones: a row each along the normal, and two across of those that stick; the force
   // of one that slides points backwards as well.
@@ -80,8 +90,12 @@ class ContactSet {
 
  private:
   MovingCapsule CapsuleAt(int capsule, const RegionState& state) const;
-  void AddPairs(int capsule, int obstacle, const MovingCapsule& moving,
-                std::vector<ContactPair>* found) const;
+  const OwnContact* OwnOf(const ContactPair& pair) const;
+  int NumPairsOf(const ContactPair& pair) const;
+  std::optional<TouchPoint> PointOf(const ContactPair& pair, const MovingCapsule& moving,
+                                    const RegionState& state) const;
+  void AddPairs(ContactPair pair, const MovingCapsule& moving, const RegionState& state);
+  void AddOwnPairs(const RegionState& state, double reach);
 
   ContactSpec spec_;
   double thinnest_;

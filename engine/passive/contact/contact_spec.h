@@ -7,17 +7,18 @@
 
 namespace hazumi {
 
-// A capsule that an island moves, as its node's frame sees it [m].
+// A capsule of the figure, or of what it holds, as its node's frame sees it [m].
 struct ContactCapsule {
   int node = 0;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   double radius = 0.0;
   int link = -1;             // of the figure, for those who are told
   double restitution = 0.0;  // Poisson's: of an impulse, so much again as it bounces; 0 to 1
+  bool meets_obstacles = true;
 };
 inline auto MembersOf(const ContactCapsule& capsule) {
-  const auto& [node, a, b, radius, link, restitution] = capsule;
-  return std::tie(node, a, b, radius, link, restitution);
+  const auto& [node, a, b, radius, link, restitution, meets_obstacles] = capsule;
+  return std::tie(node, a, b, radius, link, restitution, meets_obstacles);
 }
 
 // Something that does not give way: a plane, or a box. World axes [m].
@@ -36,15 +37,26 @@ inline auto MembersOf(const ContactObstacle& obstacle) {
   return std::tie(is_box, normal, offset, p, R, half_size, friction, object);
 }
 
+// Two capsules, by their indices, that stay out of each other.
+struct OwnContact {
+  int a = 0, b = 0;
+  double friction = 0.0;  // coefficient between them
+};
+inline auto MembersOf(const OwnContact& own) {
+  const auto& [a, b, friction] = own;
+  return std::tie(a, b, friction);
+}
+
 // What may touch what, as plain values that caches compare.
 struct ContactSpec {
   std::vector<ContactCapsule> capsules;
   std::vector<ContactObstacle> obstacles;
-  bool empty() const { return capsules.empty() || obstacles.empty(); }
+  std::vector<OwnContact> own = {};
+  bool empty() const { return capsules.empty() || (obstacles.empty() && own.empty()); }
 };
 inline auto MembersOf(const ContactSpec& spec) {
-  const auto& [capsules, obstacles] = spec;
-  return std::tie(capsules, obstacles);
+  const auto& [capsules, obstacles, own] = spec;
+  return std::tie(capsules, obstacles, own);
 }
 
 }  // namespace hazumi

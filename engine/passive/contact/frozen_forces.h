@@ -11,8 +11,10 @@ namespace hazumi {
 struct FrozenForces {
   struct Push {
     int node;
-    Vec3 p_N;    // in the node's frame [m]
-    Vec3 force;  // [N]
+    Vec3 p_N;                                  // in the node's frame [m]
+    Vec3 force;                                // [N]
+    int on_other = -1;                         // which it pushes back at the same point; none: -1
+    int link = -1, object = -1, by_link = -1;  // as ContactPush
   };
   struct Moment {
     int node;
@@ -31,6 +33,9 @@ struct FrozenForces {
     for (const Push& push : pushes) {
       const V3 r = kinematics->motion()[push.node].R * V3(push.p_N);
       kinematics->AddForce(push.node, r, V3(push.force));
+      if (push.on_other < 0) continue;
+      const V3 from = kinematics->motion()[push.node].p - kinematics->motion()[push.on_other].p;
+      kinematics->AddForce(push.on_other, from + r, -V3(push.force));
     }
     for (const Moment& own : moments) {
       kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * V3(own.moment_N));

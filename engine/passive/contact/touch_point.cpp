@@ -47,6 +47,7 @@ TouchPoint Finish(const Near& near, const MovingCapsule& capsule) {
   point.v = near.v_s + Cross(capsule.w, r);
   point.p_dot = near.s_dot - capsule.radius * near.n_dot;
   point.n_dot = near.n_dot;
+  point.glides = Cross(capsule.w, point.p_dot - point.v);
   return point;
 }
 

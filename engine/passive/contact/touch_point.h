@@ -14,13 +14,16 @@ struct MovingCapsule {
   double radius = 0.0;
 };
 
-// Where one feature of a capsule is nearest to one of an obstacle: a point on the capsule, which
-// glides over it as both move.
+// Where one feature of a capsule is nearest to one of an obstacle, or of another capsule: a point
+// on the capsule, which glides over both as they move.
 struct TouchPoint {
   double gap = 0.0;        // [m], negative inside
-  small::V3 p, n;          // in the world; n unit, from the obstacle to the capsule
-  small::V3 v;             // of the capsule's material there [m/s]
+  small::V3 p, n;          // in the world; n unit, from the other to the capsule
+  small::V3 v;             // of the capsule's material there, against the other's [m/s]
   small::V3 p_dot, n_dot;  // [m/s, 1/s]
+  // By how much v changes as the point glides over both, beside accelerations of what is fixed to
+  // them [m/s^2].
+  small::V3 glides;
 };
 
 // The pairs of features that can touch: both ends of the axis with an obstacle as a whole, what
@@ -37,5 +40,12 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
 
 // No feature is nearer to the obstacle than this [m].
 double LeastGap(const MovingCapsule& capsule, const ContactObstacle& obstacle);
+
+// The same of two capsules: both ends of the first axis with the other as a whole, both ends of
+// that with what lies between the first ones, and what lies between both.
+inline constexpr int kCapsulePairs = 5;
+std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
+                                       const MovingCapsule& other, bool is_touching);
+double LeastGap(const MovingCapsule& capsule, const MovingCapsule& other);
 
 }  // namespace hazumi

@@ -265,9 +265,11 @@ void FrozenContacts::Keep(const VecX& impulses) {
       force += (impulses[k] / h_) * rows[static_cast<size_t>(k)].n;
     }
     contacts.SetFrozen(row.contact, force);
-    frozen.pushes.push_back({row.a, dynamics_->InNode(row.a, row.r_a), force.eigen()});
-    const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
     const ContactPair& pair = contacts.pairs()[row.contact];
+    const ContactParts parts = contacts.PartsOf(pair);
+    frozen.pushes.push_back({row.a, dynamics_->InNode(row.a, row.r_a), force.eigen(), row.b,
+                             parts.link, parts.object, parts.by_link});
+    const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
     pushes.push_back({pair.capsule, pair.obstacle, slides});
   }
   torques_.setZero();

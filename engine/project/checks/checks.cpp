@@ -71,8 +71,6 @@ constexpr CheckText kTexts[] = {
     {Check::kSpanEmpty, kSchema, "first_frame {} must be before last_frame {}"},
     {Check::kRegionEmpty, kSchema, "a region needs at least one joint"},
     {Check::kDriveEmpty, kSchema, "a drive needs at least one joint"},
-    {Check::kContactsOfSelf, kSchema,
-     "bodies cannot touch each other yet; leave \"self\" out, or write false"},
     {Check::kSetEmpty, kSchema, "a selection set needs at least one joint"},
     {Check::kNameTwice, kSchema, "the name {} is already used by {}; choose another"},
     {Check::kNoView, kSchema, "eye_m and target_m are the same point; move one of them"},

@@ -63,7 +63,6 @@ enum class Check {
   kSpanEmpty,
   kRegionEmpty,
   kDriveEmpty,
-  kContactsOfSelf,
   kSetEmpty,
   kNameTwice,
   kNoView,

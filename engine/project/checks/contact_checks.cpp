@@ -14,6 +14,10 @@ bool Touches(const DynamicsRegion& region) {
   return region.touches_scene && !region.moves_nothing();
 }
 
+bool TouchesAnything(const DynamicsRegion& region) {
+  return (region.touches_scene || region.touches_self) && !region.moves_nothing();
+}
+
 void WarnAboutPin(const std::optional<GroupIndex>& pin, const std::string& place, Span frames,
                   const DynamicsRegion& region, const Animation& animation,
                   std::vector<Warning>* warnings) {
@@ -47,8 +51,8 @@ void WarnAboutPins(const DynamicsRegion& region, const Animation& animation,
 void CheckContacts(const Animation& animation, FirstError* errors) {
   for (size_t i = 0; i < animation.regions.size(); ++i) {
     const DynamicsRegion& region = animation.regions[i];
-    errors->Require(!Touches(region) || region.method == Method::kExact, Check::kContactInPaper,
-                    At("regions", i) + ".contacts", {Quoted(region.name)});
+    errors->Require(!TouchesAnything(region) || region.method == Method::kExact,
+                    Check::kContactInPaper, At("regions", i) + ".contacts", {Quoted(region.name)});
   }
   for (size_t i = 0; i < animation.held_objects.size(); ++i) {
     const HeldObject& object = animation.held_objects[i];

@@ -106,9 +106,6 @@ void CheckSpan(const Item& item, const Site& site) {
 void CheckRegion(const ProjectRegion& region, const ProjectRate& rate, const Site& site) {
   CheckSpan(region, site);
   if (region.joints.empty()) site.Field("joints").Report(Check::kRegionEmpty);
-  if (region.contacts.self) {
-    site.Field("contacts").Field("self").Report(Check::kContactsOfSelf);
-  }
   for (size_t i = 0; i < region.drives.size(); ++i) {
     const ProjectDrive& drive = region.drives[i];
     const Site place = site.Field("drives").Item(i);

@@ -156,8 +156,12 @@ void Describe(Ar& ar, Ref<Ar, ProjectContacts> contacts) {
                           "is placed by what touches too, and no joint is pinned."},
               contacts.scene);
   ar.Optional({.name = "self",
-               .details = "Reserved for contacts of the body with itself, which are not there yet: "
-                          "true is refused."},
+               .parameter = "contacts_self",
+               .label = "Touches itself",
+               .help = "true: what it moves stays out of the own body, by method exact",
+               .details = "Links of which it moves one stay out of each other, with a coefficient "
+                          "of friction of 0.8; but neither links of neighbouring joints nor those "
+                          "that are inside each other when all angles are zero."},
               contacts.self);
 }
 

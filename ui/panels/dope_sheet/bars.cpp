@@ -124,8 +124,12 @@ std::string DetailsOf(const Project& project, const BarRef& bar) {
   if (bar.kind == BarKind::kRegion) {
     const ProjectRegion& region = project.regions[bar.index];
     if (region.mute) return Tr("Muted: its joints follow their keys.");
-    return region.contacts.scene ? Tr("What it moves stays out of the scene's planes and boxes.")
-                                 : "";
+    const ProjectContacts& contacts = region.contacts;
+    std::string touches;
+    if (contacts.scene) touches += Tr("What it moves stays out of the scene's planes and boxes.");
+    if (contacts.scene && contacts.self) touches += "\n";
+    if (contacts.self) touches += Tr("What it moves stays out of the own body.");
+    return touches;
   }
   const ProjectPlacement& span = project.placements[bar.index];
   if (span.kind == PlacementKind::kKeyed) return Tr("The root's keys place the figure.");

@@ -75,7 +75,7 @@ class BarList {
     bar.num_held = NumOf(held);
     const ProjectRegion& region = project_.regions[index];
     if (!region.mute) bar.muscle = MuscleOf(region, drives_[index], held);
-    bar.touches = region.contacts.scene && !region.mute;
+    bar.touches = region.contacts.is_any() && !region.mute;
     const bool turns_root = row.kind == RowKind::kPlacement && DrivesRoot(region, figure_);
     if (bar.num_held > 0 || turns_root) bars->push_back(bar);
   }

@@ -130,6 +130,7 @@ void DrawMethod(Editor* editor, const ProjectRegion& region) {
   const bool is_exact = region.method.value_or(solver.method) == Method::kExact;
   std::vector<std::string> rows = {"method", is_exact ? "tolerance" : "step"};
   if (is_exact || region.contacts.scene) rows.emplace_back("contacts");
+  if (is_exact || region.contacts.self) rows.emplace_back("contacts_self");
   rows.insert(rows.end(), {"limit_tangents", "mute"});
   DrawRowsOf(rows, editor, region, SetBy(editor, "region.set", {{"region", region.name}}),
              InsteadBy(solver));

@@ -32,18 +32,26 @@ std::vector<ContactMark> ContactMarks(const Animation& animation, const PosedFig
   for (const ContactPush& push : figure.frame().contacts.pushes) {
     // The motion may be from before an edit, with others.
     if (!has(push.link, figure.figure().links().size())) continue;
-    if (!has(push.object, animation.scene.size())) continue;
+    const bool is_own = push.by_link >= 0;
+    if (!(is_own ? has(push.by_link, figure.figure().links().size())
+                 : has(push.object, animation.scene.size()))) {
+      continue;
+    }
     const double force = push.force.norm();
     if (weight <= 0.0 || force < kLeastShare * weight) continue;
     const double length = std::clamp(kOfWeight * force / weight, kShortestArrow, kLongestArrow);
-    marks.push_back({push.link, push.object, push.p, push.p + length / force * push.force, force});
+    marks.push_back({push.link, push.object, push.by_link, push.p,
+                     push.p + length / force * push.force, force});
   }
   return marks;
 }
 
 std::string TextOf(const ContactMark& mark, const Animation& animation) {
-  return animation.figure->links()[static_cast<size_t>(mark.link)].name + ", " +
-         animation.scene[static_cast<size_t>(mark.object)].name + ": " +
+  const auto& links = animation.figure->links();
+  const std::string& by = mark.by_link >= 0
+                              ? links[static_cast<size_t>(mark.by_link)].name
+                              : animation.scene[static_cast<size_t>(mark.object)].name;
+  return links[static_cast<size_t>(mark.link)].name + ", " + by + ": " +
          Filled("%.0f N", mark.force);
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/dynamics/workspace.h"
+#include "engine/figure/figure.h"
+#include "engine/placement/figure_motion.h"
+
+namespace hazumi {
+
+// Two links of a figure, by their indices in Figure::links, a < b.
+struct LinkPair {
+  int a = 0, b = 0;
+};
+
+// Those that can be told to stay out of each other: they are fixed to different joints, neither is
+// the one that the other hangs on, and they are apart when all angles are zero.
+std::vector<LinkPair> PairsApart(const Figure& figure);
+
+// Says which pair is deepest inside each other, and what happens then; none is told of if none is
+// deeper than a tenth of a millimetre.
+std::optional<std::string> TellOfOverlap(const std::vector<LinkPair>& pairs, const Figure& figure,
+                                         const FigureMotion& motion, DynamicsWorkspace* ws);
+
+}  // namespace hazumi
