@@ -148,7 +148,7 @@ struct ConstraintPush {
 
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
 // MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints and
-// contacts give.
+// contacts give and drives cannot.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
@@ -156,6 +156,7 @@ struct IslandResult {
   VecX rates = {}, accelerations = {};      // by free hinge [rad/s, rad/s^2]
   std::vector<ConstraintPush> pushes = {};  // by index of the task's constraints
   std::vector<ContactPush> contacts = {};
+  std::vector<SpentDrive> spent = {};
   Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
 };
 

@@ -116,6 +116,7 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
     result.pushes = PushesOfConstraints();
   }
   if (dynamics_.contacts().is_possible()) result.contacts = dynamics_.ContactPushes();
+  result.spent = solver_.SpentDrives(request.t);
   return result;
 }
 

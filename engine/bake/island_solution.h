@@ -78,6 +78,7 @@ class IslandSolution {
     if (island_->task.contacts.empty()) return {};
     return answers_.Ask(AccelerateIsland{t}).contacts;
   }
+  std::vector<SpentDrive> SpentDrives(double t) { return answers_.Ask(AccelerateIsland{t}).spent; }
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.

@@ -169,6 +169,13 @@ RegionState RegionDynamics::PlaceHinges(double t, const VecX& q, const VecX& qd)
   return StateAt(t, hinge_layout_, q.data(), qd.data());
 }
 
+std::vector<SpentDrive> RegionDynamics::SpentDrives(double t, const VecX& q, const VecX& qd) {
+  const RegionState state = PlaceHinges(t, q, qd);
+  std::vector<SpentDrive> spent;
+  for (const auto& law : laws_) law->ListSpent(state, &spent);
+  return spent;
+}
+
 void RegionDynamics::Derivative(double t, const double* y, double* dy) {
   ++evaluations_;
   Look(t, y, dy);

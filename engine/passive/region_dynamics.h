@@ -151,6 +151,8 @@ class RegionDynamics {
   // How far the forces of contacts are beyond what they can be, in the state that was looked at
   // last, as a part of what they push with in all.
   double ContactExcess() const;
+  // Drives that give all they can at angles q and rates qd by free hinge.
+  std::vector<SpentDrive> SpentDrives(double t, const VecX& q, const VecX& qd);
   // What pushes there: where contacts are closed, and what is frozen.
   std::vector<ContactPush> ContactPushes() const;
   // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].

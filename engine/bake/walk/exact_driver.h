@@ -35,6 +35,8 @@ class ExactDriver {
 
   const std::vector<int>& active() const { return active_; }
   bool is_free(Coordinate c) const { return region_of_[c] >= 0; }
+  // By index of the animation's, of a free joint.
+  int RegionOf(JointIndex j) const { return active_[region_of_[j.value()]]; }
   // Free in name only: it keeps its angle.
   bool is_frozen(Coordinate c) const;
 
@@ -101,6 +103,12 @@ class ExactDriver {
   std::vector<int> constraints() const;
   // What each does, by index of the animation's, at a time that islands can be sampled at.
   std::vector<ConstraintPush> ConstraintPushes(double t);
+  // Springs that give all they can at such a time: of ball joints the first hinge.
+  struct SpentSpring {
+    JointIndex joint;
+    SpentDrive drive;
+  };
+  std::vector<SpentSpring> SpentSprings(double t);
   // What pushes where, at such a time.
   SceneContacts ContactsAt(double t);
   // Those that broke since the last call: they do not act any more.

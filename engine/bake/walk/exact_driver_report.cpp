@@ -44,6 +44,17 @@ void ExactDriver::Estimate(double t) {
   }
 }
 
+std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
+  std::vector<SpentSpring> all;
+  for (Island& island : islands_) {
+    if (drives_.empty()) break;
+    for (const SpentDrive& drive : island.solution.SpentDrives(t)) {
+      all.push_back({JointIndex(island.solution.hinges()[drive.hinge]), drive});
+    }
+  }
+  return all;
+}
+
 SceneContacts ExactDriver::ContactsAt(double t) {
   SceneContacts contacts;
   if (!has_contacts_) return contacts;

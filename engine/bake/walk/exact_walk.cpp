@@ -106,6 +106,7 @@ Result<int> ExactWalk::Advance(int frame) {
   }
   if (!driver_) return end;
   LookAtArrivals(context_.now);
+  WarnOfSpentSprings(end);
   driver_->Estimate(context_.Seconds(end));
   KeepControl(end);
   return end;

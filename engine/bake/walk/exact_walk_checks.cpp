@@ -1,5 +1,7 @@
 // What is told where regions begin: what cannot be, and what is not as it should be.
 
+#include <algorithm>
+
 #include "engine/bake/walk/begins_inside.h"
 #include "engine/bake/walk/exact_walk.h"
 #include "engine/bake/walk/own_pairs.h"
@@ -48,6 +50,30 @@ void ExactWalk::WarnOfInside() {
                                      counts, &context_.poses.workspace());
     if (!inside) return;
     return context_.recorder.AddWarning({place, *inside, region.first_frame});
+  }
+}
+
+// Of regions that end in `frame`: which springs are too weak to get to where they pull.
+void ExactWalk::WarnOfSpentSprings(int frame) {
+  constexpr double kNotice = 2.0 * kDegree;
+  const Animation& animation = context_.animation;
+  const Figure& figure = context_.poses.figure();
+  const auto ends = [&](int r) { return animation.regions[r].last_frame == frame; };
+  if (std::none_of(driver_->active().begin(), driver_->active().end(), ends)) return;
+  for (const auto& [joint, drive] : driver_->SpentSprings(context_.Seconds(frame))) {
+    const int r = driver_->RegionOf(joint);
+    if (!ends(r) || drive.lag < kNotice) continue;
+    const bool is_ball = figure.group(figure.joint(joint).group).size > 1;
+    const std::string& name =
+        is_ball ? figure.group(figure.joint(joint).group).name : figure.joint(joint).name;
+    context_.recorder.AddWarning(
+        {"regions[" + std::to_string(r) + "].drives",
+         "the spring of \"" + name + "\" is too weak: in frame " + std::to_string(frame) +
+             " it gives all it can, " + FormatShort(drive.torque) + " of the " +
+             FormatShort(drive.wanted) + " N m that it would pull with, and is " +
+             FormatShort(drive.lag / kDegree) +
+             " degrees from where it pulls to; give it more strength or less to carry",
+         frame});
   }
 }
 

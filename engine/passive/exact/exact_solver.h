@@ -56,6 +56,8 @@ class ExactSolver {
   EnergyFlow Energy(double t) { return step_.Energy(t); }
   // As ExactStep has them; what limits hold has none.
   Vec3 Accelerations(double t, VecX* qd, VecX* qdd) { return step_.Accelerations(t, qd, qdd); }
+  // At the same t, after it: as RegionDynamics.
+  std::vector<SpentDrive> SpentDrives(double t) { return step_.SpentDrives(t); }
 
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->constraints().TakeBreaks(); }

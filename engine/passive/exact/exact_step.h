@@ -79,6 +79,10 @@ class ExactStep {
   // which the next step begins. The centre of mass's, if the fall is solved along, else zero
   // [m/s^2].
   Vec3 Accelerations(double t, VecX* qd, VecX* qdd);
+  // At the same t, after it: as RegionDynamics.
+  std::vector<SpentDrive> SpentDrives(double t) {
+    return dynamics_->SpentDrives(t, inside_.q, inside_.qd);
+  }
 
  private:
   auto Field() {

@@ -32,6 +32,13 @@ struct RegionState {
   }
 };
 
+// A drive that gives all that it can, and would give more.
+struct SpentDrive {
+  int hinge = 0;                      // free; of a ball joint the first one
+  double torque = 0.0, wanted = 0.0;  // or moments [N m]
+  double lag = 0.0;                   // from what it pulls to [rad]
+};
+
 // What acts on the links of a region's model, one after the other. A law acts in one of two ways:
 // by forces, which the equations of motion take in, or as a rule for the accelerations that come
 // out of them. Its power is found from what it does, by RegionDynamics::MeasureEnergy.
@@ -50,6 +57,8 @@ class ForceLaw {
   // True if its forces come from outside the figure: it may ask where nodes are in the world, and a
   // figure in flight falls otherwise than freely.
   virtual bool is_outer() const { return false; }
+  // Adds its drives that are spent.
+  virtual void ListSpent(const RegionState&, std::vector<SpentDrive>*) const {}
   // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
   virtual double FastestRate() const { return 0.0; }
 };

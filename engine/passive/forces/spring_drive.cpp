@@ -21,6 +21,19 @@ namespace hazumi {
 
 using small::V3;
 
+namespace {
+
+Spring WithoutLimit(Spring spring) {
+  const Spring none;
+  spring.most = none.most;
+  spring.most_forward = none.most_forward;
+  spring.most_backward = none.most_backward;
+  spring.muscles.reset();
+  return spring;
+}
+
+}  // namespace
+
 double RateOfFrequency(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 SpringNow NowOf(const Spring& spring, double frequency, double share) {
@@ -78,7 +91,7 @@ double SpringDrive::FastestRate() const {
 }
 
 // Where it is turned to is told by how it lies beside its parent, whatever the layout.
-V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
+SpringDrive::OfBall SpringDrive::SeeBall(int node, const RegionState& state) const {
   const auto& hinges = state.model.nodes[node].hinges;
   const int first = state.layout.node(node).first_hinge;
   const NodeMotion& own = state.kinematics.motion()[node];
@@ -100,7 +113,22 @@ V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
   for (int k = 0; k < 3 && springs_[first].has_ahead; ++k) {
     ahead[k] = state.driven.springs[first + k].moment.At(state.t).v;
   }
-  return V3(Vec3(R_WB * MomentOf(springs_[first], Now(first, state), E, w, ahead)));
+  return {R_WB, E, w, ahead};
+}
+
+SpringDrive::OfHinge SpringDrive::SeeHinge(int hinge, double q, double qd,
+                                           const RegionState& state) const {
+  const Jet reference = state.driven.drives[hinge].At(state.t);
+  const double ahead =
+      springs_[hinge].has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
+  return {{q, qd}, {reference.v, reference.d}, ahead};
+}
+
+V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
+  const int first = state.layout.node(node).first_hinge;
+  const OfBall ball = SeeBall(node, state);
+  const Vec3 moment = MomentOf(springs_[first], Now(first, state), ball.E, ball.w, ball.ahead);
+  return V3(Vec3(ball.R_WB * moment));
 }
 
 V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
@@ -110,29 +138,65 @@ V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
     if (own.locked[h]) continue;
     const int hinge = own.first_hinge + h;
     if (springs_[hinge].rate > 0.0) {
-      const Spring& spring = springs_[hinge];
-      const Jet reference = state.driven.drives[hinge].At(state.t);
-      const double ahead =
-          spring.has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
+      const OfHinge of = SeeHinge(hinge, state.positions[own.position + free],
+                                  state.velocities[own.dof + free], state);
       torques[free] =
-          TorqueOf(spring, Now(hinge, state),
-                   {state.positions[own.position + free], state.velocities[own.dof + free]},
-                   {reference.v, reference.d}, ahead);
+          TorqueOf(springs_[hinge], Now(hinge, state), of.hinge, of.reference, of.ahead);
     }
     ++free;
   }
   return MomentOfHinges(state.kinematics.motion()[node], own.num_dofs, torques);
 }
 
+bool SpringDrive::Pulls(int node, const RegionState& state) const {
+  const RegionLayout::Node& own = state.layout.node(node);
+  if (own.num_dofs == 0) return false;
+  const auto first = springs_.begin() + own.first_hinge;
+  return std::any_of(first, first + state.model.nodes[node].num_hinges,
+                     [](const Spring& spring) { return spring.rate > 0.0; });
+}
+
 void SpringDrive::AddForces(const RegionState& state, NodeKinematics* kinematics) const {
-  const auto& nodes = state.layout.nodes();
-  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    if (nodes[i].num_dofs == 0) continue;
-    const auto first = springs_.begin() + nodes[i].first_hinge;
-    const auto pulls = [](const Spring& spring) { return spring.rate > 0.0; };
-    if (std::none_of(first, first + state.model.nodes[i].num_hinges, pulls)) continue;
+  for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
+    if (!Pulls(i, state)) continue;
     kinematics->AddJointMoment(
         i, state.model.nodes[i].is_ball ? MomentOnBall(i, state) : MomentOnHinges(i, state));
+  }
+}
+
+void SpringDrive::AddIfSpent(int hinge, double torque, double wanted, double lag,
+                             std::vector<SpentDrive>* spent) const {
+  constexpr double kAll = 1.0 - 1e-9;
+  if (torque < kAll * wanted) spent->push_back({hinge, torque, wanted, lag});
+}
+
+void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const {
+  for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
+    if (!Pulls(i, state)) continue;
+    const RegionLayout::Node& own = state.layout.node(i);
+    if (state.model.nodes[i].is_ball) {
+      const OfBall ball = SeeBall(i, state);
+      const auto moment = [&](const Spring& spring) {
+        return MomentOf(spring, Now(own.first_hinge, state), ball.E, ball.w, ball.ahead).norm();
+      };
+      const Spring& spring = springs_[own.first_hinge];
+      AddIfSpent(own.first_hinge, moment(spring), moment(WithoutLimit(spring)),
+                 Eigen::AngleAxisd(ball.E).angle(), spent);
+      continue;
+    }
+    for (int h = 0, free = 0; free < own.num_dofs; ++h) {
+      if (own.locked[h]) continue;
+      const int hinge = own.first_hinge + h;
+      const OfHinge of = SeeHinge(hinge, state.positions[own.position + free],
+                                  state.velocities[own.dof + free], state);
+      ++free;
+      const auto torque = [&](const Spring& spring) {
+        return std::abs(TorqueOf(spring, Now(hinge, state), of.hinge, of.reference, of.ahead));
+      };
+      if (springs_[hinge].rate == 0.0) continue;
+      AddIfSpent(hinge, torque(springs_[hinge]), torque(WithoutLimit(springs_[hinge])),
+                 std::abs(of.reference.angle - of.hinge.angle), spent);
+    }
   }
 }
 

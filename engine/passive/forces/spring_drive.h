@@ -78,12 +78,28 @@ class SpringDrive : public ForceLaw {
 
   std::string_view name() const override { return "spring"; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
+  void ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const override;
   double FastestRate() const override;
 
  private:
+  // How a hinge, or a ball joint, is beside what it is pulled to.
+  struct OfHinge {
+    HingeMotion hinge, reference;
+    double ahead;
+  };
+  struct OfBall {
+    Mat3 R_WB, E;
+    Vec3 w, ahead;
+  };
+
+  bool Pulls(int node, const RegionState& state) const;
   SpringNow Now(int hinge, const RegionState& state) const;
+  OfBall SeeBall(int node, const RegionState& state) const;
+  OfHinge SeeHinge(int hinge, double q, double qd, const RegionState& state) const;
   small::V3 MomentOnBall(int node, const RegionState& state) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;
+  void AddIfSpent(int hinge, double torque, double wanted, double lag,
+                  std::vector<SpentDrive>* spent) const;
 
   std::vector<Spring> springs_;
 };

@@ -123,6 +123,12 @@ TEST(CurlBake, OnePerCentLessThanTheHeaviestGetsUpAndOneMoreDoesNot) {
   EXPECT_GT(end, kCurlTo - 3.0 * kDegree);
   EXPECT_LT(highest, heaviest.angle);
   // Who is at the end of its strength is told.
+  EXPECT_TRUE(up.motion.warnings.empty());
+  ASSERT_EQ(stuck.motion.warnings.size(), 1u);
+  EXPECT_EQ(stuck.motion.warnings[0].place, "regions[0].drives");
+  EXPECT_TRUE(stuck.motion.warnings[0].message.starts_with(
+      "the spring of \"elbow\" is too weak: in frame 450 it gives all it can, "))
+      << stuck.motion.warnings[0].message;
   const auto lines = BriefEffortReport(heavy, stuck.motion, stuck.effort);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].starts_with("largest effort: elbow 100 % of its strength")) << lines[0];
