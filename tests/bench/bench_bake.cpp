@@ -7,14 +7,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "engine/analysis/effort.h"
 #include "engine/bake/incremental_bake.h"
+#include "engine/exchange/import/import_project.h"
+#include "engine/exchange/read_character.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "engine/spatial/degrees.h"
 #include "tests/support/animations.h"
+#include "tests/support/data_folder.h"
 #include "tests/support/long_timeline.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/loose_human.h"
@@ -192,12 +196,27 @@ Animation Capture() {
   return animation;
 }
 
+void TimeEffort(const Animation& animation, benchmark::State* state) {
+  const Motion motion = Bake(animation).value();
+  for (auto _ : *state) benchmark::DoNotOptimize(EffortOf(animation, motion).frames.data());
+  state->counters["frames"] = static_cast<double>(motion.frames.size());
+}
+
+// Of the captures beside the repository.
+Animation CapturedWalk(const std::string& clip) {
+  const Character character = ReadCharacter(test::DataPath(clip)).value();
+  return CompileAnimation(ImportProject(character, {}).value().project).value().animation;
+}
+
 void RegisterEffort() {
-  Register("a capture of 300 frames/effort", [](benchmark::State& state) {
-    const Animation animation = Capture();
-    const Motion motion = Bake(animation).value();
-    for (auto _ : state) benchmark::DoNotOptimize(EffortOf(animation, motion).frames.data());
-  });
+  Register("a capture of 300 frames/effort",
+           [](benchmark::State& state) { TimeEffort(Capture(), &state); });
+  const std::string name = "a captured walk/effort", clip = "other/cmu_mb_02_01_walk.bvh";
+  if (const std::string missing = test::MissingData(clip); !missing.empty()) {
+    std::fprintf(stderr, "%s is skipped: %s\n", name.c_str(), missing.c_str());
+    return;
+  }
+  Register(name, [clip](benchmark::State& state) { TimeEffort(CapturedWalk(clip), &state); });
 }
 
 }  // namespace
