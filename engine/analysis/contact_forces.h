@@ -26,8 +26,13 @@ struct ContactForce {
 
 inline constexpr double kGroundFriction = 0.8;  // coefficient, of the ground and of boxes
 
+// Where a force that is wanted lies: in its cone, so that it is given; in the polar cone, so that
+// nothing is; else what is given is on the cone's side.
+enum class ConePart : char { kInside, kPolar, kSide };
+
 // Of all forces that are in their cones, and together as near to `needed` as such forces come,
-// those with the least sum of force^2 / weight. contact_forces.cpp has the equations.
+// those with the least sum of force^2 / weight. contact_forces.cpp has the equations. Asked frame
+// by frame it begins near the answer, which changes the way, not where it leads.
 class ContactForceSolver {
  public:
   // `needed`: force, and moment about `about` [m]. `forces` goes with `points`. Returns what they
@@ -37,27 +42,12 @@ class ContactForceSolver {
 
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-  void Begin(const Vec3& middle, const std::vector<ContactPoint>& points, double softness);
-  // At y: what the points supply, its derivative, and the function that it is the gradient of.
-  void Evaluate(const Vec6& y, const std::vector<ContactPoint>& points, double friction);
-  double Merit(const Vec6& y, const Vec6& start, const Vec6& needed) const;
-  bool SolveWithoutCones(const Vec6& needed, const std::vector<ContactPoint>& points,
-                         double friction, Vec6* y);
-  void Approach(const Vec6& needed, const std::vector<ContactPoint>& points, double friction,
-                const Vec6& start, Vec6* y);
-
-  std::vector<Vec3> arms_;  // by point, from the middle, in units of kArm
-  double softness_ = 0.0;
-  Mat6 whole_;  // the derivative where all forces are inside their cones; lower halves
-  Vec6 supplied_;
-  Mat6 slope_;
-  double potential_ = 0.0;
-  bool is_cut_ = false;  // a force is not inside its cone
-  bool has_guess_ = false;
-  Vec6 guess_;  // the last answer
-  Vec3 guess_middle_;
+  // The answers before the next one, the last first, about the world's origin; how many there are.
+  Vec6 last_[2];
+  int num_last_ = 0;
+  std::vector<ConePart> parts_;  // by point, the last time
+  bool was_met_ = false;         // the last time all that was needed was supplied
 };
 
 }  // namespace hazumi
