@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "engine/analysis/loaded_figure.h"
+#include "engine/analysis/placed_frames.h"
 #include "engine/analysis/smooth_motion.h"
 #include "engine/analysis/touching.h"
 #include "engine/dynamics/kinematics.h"
@@ -32,22 +33,25 @@ bool IsGivenByStop(const Joint& hinge, double angle, double tau) {
 
 class EffortWalk {
  public:
-  EffortWalk(const Animation& animation, const EffortOptions& options, const TouchLimits& limits)
+  EffortWalk(const Animation& animation, size_t num_frames, const EffortOptions& options,
+             const TouchLimits& limits)
       : animation_(animation),
         options_(options),
-        touching_(animation, limits),
+        touching_(animation, num_frames, limits),
+        placed_(*animation.figure, num_frames),
         ws_(*animation.figure) {}
 
   void Touch(const MovedFrame& at) {
     ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
     touching_.Add(ws_);
+    placed_.Add(ws_);
   }
   void EndTouch(double frame_time) { touching_.Finish(frame_time); }
 
   FrameEffort At(size_t index, const MotionFrame& frame, const MovedFrame& at) {
     FrameEffort found;
     Wrench needed = Demand(frame, at, &found.tau);
-    ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
+    placed_.Get(index, &ws_);
     TakeOffConstraints(frame, at.limit->X_WR.p, &needed, &found.tau);
     TakeOffContacts(frame, at.limit->X_WR.p, &needed, &found);
     points_.clear();
@@ -58,6 +62,7 @@ class EffortWalk {
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
     found.from_nowhere =
         solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
+    found.contacts.reserve(found.contacts.size() + points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
       RelieveHinges(*animation_.figure, ws_, points_[i].joint, points_[i].p,
                     {forces_[i].force, forces_[i].moment}, &found.tau);
@@ -176,8 +181,9 @@ class EffortWalk {
         found->share[j] = 0.0;
         continue;
       }
-      const StrengthLimits limits = joints[j].strength->At(limit.q[j], limit.qd[j]);
-      const Strength& strength = tau >= 0.0 ? limits.positive : limits.negative;
+      const JointStrength& both = *joints[j].strength;
+      const Strength strength = tau >= 0.0 ? StrengthAt(both.positive, limit.q[j], limit.qd[j])
+                                           : StrengthAt(both.negative, limit.q[j], -limit.qd[j]);
       found->share[j] = std::abs(tau) / strength.torque;
       if (strength.is_at_least) found->least.emplace_back(j);
     }
@@ -186,6 +192,7 @@ class EffortWalk {
   const Animation& animation_;
   EffortOptions options_;
   Touching touching_;
+  PlacedFrames placed_;
   DynamicsWorkspace ws_;
   std::optional<LoadedFigure> loaded_;
   ContactForceSolver solver_;
@@ -226,7 +233,7 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   SmoothMotion smooth(motion, animation.rate.SecondsAt(animation.last_frame));
   if (is_capture) effort.is_filtered = smooth.Filter(options.cutoff);
   if (effort.is_filtered) effort.cutoff = options.cutoff;
-  EffortWalk walk(animation, options, LimitsFor(is_capture));
+  EffortWalk walk(animation, motion.frames.size(), options, LimitsFor(is_capture));
   for (size_t i = 0; i < motion.frames.size(); ++i) walk.Touch(smooth.At(i));
   walk.EndTouch(motion.rate.seconds_per_frame());
   effort.frames.reserve(motion.frames.size());

@@ -32,9 +32,30 @@ bool IsEndOfParent(const Link& link, const Figure& figure) {
   });
 }
 
+// A ball whose centre is outside a box, as most are: the way from the nearest point of the box.
+// False: it is inside.
+bool BallToBox(const Capsule& ball, const Box& box, Distance* distance) {
+  const Vec3 p_B = box.X_WB.R.transpose() * (ball.a - box.X_WB.p);
+  const Vec3 way_B = p_B - p_B.cwiseMax(-box.half_size).cwiseMin(box.half_size);
+  const double way = way_B.norm();
+  constexpr double kOutside = 1e-6;  // [m]; nearer, the direction is lost in rounding
+  if (way < kOutside) return false;
+  distance->value = way - ball.radius;
+  distance->normal = box.X_WB.R * (way_B / way);
+  distance->point_on_capsule = ball.a - ball.radius * distance->normal;
+  return true;
+}
+
+Distance OfBall(const Capsule& ball, const Obstacle& shape) {
+  Distance distance;
+  const auto* box = std::get_if<Box>(&shape);
+  return box != nullptr && BallToBox(ball, *box, &distance) ? distance
+                                                            : SignedDistance(ball, shape);
+}
+
 }  // namespace
 
-Touching::Touching(const Animation& animation, const TouchLimits& limits)
+Touching::Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits)
     : animation_(animation), limits_(limits) {
   if (animation.scene.empty()) return;
   const std::vector<Link>& links = animation.figure->links();
@@ -42,6 +63,8 @@ Touching::Touching(const Animation& animation, const TouchLimits& limits)
     if (!IsEndOfParent(links[i], *animation.figure)) ends_.push_back({static_cast<int>(i), false});
     if (links[i].capsule.a != links[i].capsule.b) ends_.push_back({static_cast<int>(i), true});
   }
+  clearance_.reserve(ends_.size() * num_frames);
+  if (limits_.fastest < 1e300) centre_.reserve(ends_.size() * num_frames);
 }
 
 Capsule Touching::BallOf(const End& end, const DynamicsWorkspace& ws) const {
@@ -62,7 +85,7 @@ Touching::Near Touching::NearestTo(const Capsule& ball) const {
                  plane->normal};
       continue;
     }
-    const Distance distance = SignedDistance(ball, shape);
+    const Distance distance = OfBall(ball, shape);
     if (distance.value >= nearest.clearance) continue;
     nearest = {distance.value, static_cast<int>(i), distance.point_on_capsule, distance.normal};
   }

@@ -25,8 +25,8 @@ struct TouchLimits {
 // scene: how much of each touches in each frame of a motion.
 class Touching {
  public:
-  // `limits`: of all points. The animation must outlive it.
-  Touching(const Animation& animation, const TouchLimits& limits);
+  // Of a motion of so many frames. `limits`: of all points. The animation must outlive it.
+  Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits);
 
   // Frame by frame, in order. Needs ComputePositions of the figure.
   void Add(const DynamicsWorkspace& ws);
