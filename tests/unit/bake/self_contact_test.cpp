@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/bake/walk/own_pairs.h"
-#include "engine/collision/distance.h"
+#include "tests/support/own_depth.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/contact_cases.h"
 #include "tests/unit/bake/loose_human.h"
@@ -48,16 +48,9 @@ Animation ArmAboveRail() {
 }
 
 double DeepestOf(const Animation& animation, const Motion& motion) {
-  const Figure& figure = *animation.figure;
-  DynamicsWorkspace ws(figure);
   double depth = 0.0;
   for (const MotionFrame& frame : motion.frames) {
-    ComputePositions(figure, frame.X_WR, frame.q, &ws);
-    for (const LinkPair& pair : PairsApart(figure)) {
-      const Capsule a = hazumi::InWorld(figure.links()[pair.a], ws);
-      const Capsule b = hazumi::InWorld(figure.links()[pair.b], ws);
-      depth = std::max(depth, -SignedDistance(a, b).value);
-    }
+    depth = std::max(depth, OwnDepth(*animation.figure, frame));
   }
   return depth;
 }
