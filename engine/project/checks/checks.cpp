@@ -180,7 +180,7 @@ constexpr CheckText kTexts[] = {
      "{} holds in frames {} to {}, in which region {} has method \"paper\", which knows no "
      "constraints; choose method \"exact\" for it, or end one where the other begins"},
     {Check::kContactInPaper, kSemantics,
-     "region {} touches the scene and has method \"paper\", which knows no contacts; choose method "
+     "region {} has contacts and method \"paper\", which knows no contacts; choose method "
      "\"exact\" for it, or let it touch nothing"},
     {Check::kObjectContactInPaper, kSemantics,
      "{} touches the scene and the solver's method is \"paper\", which knows no contacts; choose "

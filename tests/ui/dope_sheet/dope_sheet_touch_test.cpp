@@ -41,6 +41,13 @@ TEST_F(TouchingBars, AreMarkedOnEachRowUnlessTheyAreMuted) {
   EXPECT_TRUE(IsMarked("limb r_shoulder"));
   EXPECT_TRUE(IsMarked("limb l_shoulder"));
   EXPECT_EQ(Details(), "What it moves stays out of the scene's planes and boxes.");
+  Set({{"contacts_self", true}});
+  EXPECT_EQ(Details(),
+            "What it moves stays out of the scene's planes and boxes.\n"
+            "What it moves stays out of the own body.");
+  Set({{"contacts", false}});
+  EXPECT_TRUE(IsMarked("limb r_shoulder"));
+  EXPECT_EQ(Details(), "What it moves stays out of the own body.");
   Set({{"mute", true}});
   EXPECT_FALSE(IsMarked("limb r_shoulder"));
   EXPECT_EQ(Details(), "Muted: its joints follow their keys.");

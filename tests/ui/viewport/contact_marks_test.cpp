@@ -40,6 +40,19 @@ TEST_F(ContactMarks, WhatTouchesIsPushedAway) {
   EXPECT_TRUE(said.starts_with("r_") && said.ends_with(" N")) << said;
 }
 
+TEST_F(ContactMarks, WhatTouchesTheOwnBodyIsPushedAwayByIt) {
+  Do("object.remove", {{"object", "table"}});
+  Do("key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 80}});
+  Do("region.set", {{"region", "arm"}, {"contacts_self", true}});
+  const std::vector<ui::ContactMark> marks = MarksAt(29);
+  ASSERT_GE(marks.size(), 2u);
+  Vec3 sum = Vec3::Zero();
+  for (const ui::ContactMark& mark : marks) sum += mark.force * (mark.to - mark.from).normalized();
+  EXPECT_LT(sum.norm(), 1e-6 * marks[0].force);
+  const std::string said = ui::TextOf(marks[0], *user.session().animation());
+  EXPECT_NE(said.find(", r_thigh: "), std::string::npos) << said;
+}
+
 TEST_F(ContactMarks, ItSaysSoUnderTheMouseUnlessItIsHidden) {
   const std::vector<ui::ContactMark> marks = MarksAt(29);
   ASSERT_FALSE(marks.empty());

@@ -44,6 +44,33 @@ TEST(ContactOperators, ARegionTouchesTheSceneIfThatIsSaid) {
   EXPECT_EQ(AngleAt(&session, 25), on_table);
 }
 
+// An arm in front of the chest swings down and back, or is held up by the thigh.
+TEST(ContactOperators, ARegionTouchesTheOwnBodyIfThatIsSaid) {
+  Session session;
+  Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", 100}});
+  Do(&session, "key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 80}});
+  Do(&session, "region.add",
+     {{"name", "arm"}, {"joints", {"r_shoulder+"}}, {"first", 0}, {"last", 30}});
+  const double through = AngleAt(&session, 25);
+  Do(&session, "region.set", {{"region", "arm"}, {"contacts_self", true}});
+  EXPECT_TRUE(session.project().regions[0].contacts.self);
+  EXPECT_FALSE(session.project().regions[0].contacts.scene);
+  EXPECT_TRUE(Json::parse(WriteProject(session.project()))["version"] == 2);
+  const double on_thigh = AngleAt(&session, 25);
+  EXPECT_GT(on_thigh, through + 0.1);
+  // Keys of what it lies on move it.
+  Do(&session, "key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 60}});
+  const double lower = AngleAt(&session, 25);
+  EXPECT_LT(lower, on_thigh - 0.05);
+  Session fresh;
+  fresh.Replace(session.project(), "");
+  EXPECT_EQ(lower, AngleAt(&fresh, 25));
+  Do(&session, "edit.undo");
+  EXPECT_EQ(AngleAt(&session, 25), on_thigh);
+  Do(&session, "edit.undo");
+  EXPECT_EQ(AngleAt(&session, 25), through);
+}
+
 TEST(ContactOperators, TheMotionFollowsWhatIsTouched) {
   Session session;
   AddArmOverBox(&session, {{"contacts", true}});

@@ -185,13 +185,15 @@ TEST(RoundTrip, ConstraintsAreOfVersionTwo) {
 }
 
 TEST(RoundTrip, ContactsAreOfVersionTwo) {
-  const Json before = Changed(SampleProject(), {{"/regions/0/method", "\"exact\""},
-                                                {"/regions/0/contacts", R"({"scene": true})"}});
-  const std::string text = WriteProject(ParseGood(before));
-  const Json after = Json::parse(text);
-  EXPECT_EQ(after["version"], 2);
-  EXPECT_EQ(after["regions"][0], before["regions"][0]);
-  EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  for (const char* contacts : {R"({"scene": true})", R"({"self": true})"}) {
+    const Json before = Changed(
+        SampleProject(), {{"/regions/0/method", "\"exact\""}, {"/regions/0/contacts", contacts}});
+    const std::string text = WriteProject(ParseGood(before));
+    const Json after = Json::parse(text);
+    EXPECT_EQ(after["version"], 2);
+    EXPECT_EQ(after["regions"][0], before["regions"][0]);
+    EXPECT_EQ(WriteProject(ParseGood(after)), text);
+  }
   for (const char* none : {"{}", R"({"scene": false, "self": false})"}) {
     const Json without = Changed(SampleProject(), {{"/regions/0/contacts", none}});
     EXPECT_EQ(WriteProject(ParseGood(without)), WriteProject(ParseGood(SampleProject())));

@@ -21,8 +21,6 @@ const std::string kTouchesScene = R"({"scene": true})";
 
 std::vector<WrongProject> WrongContactValues() {
   const std::string place = "regions[0].contacts";
-  const std::string self =
-      place + ".self: bodies cannot touch each other yet; leave \"self\" out, or write false";
   return {
       {Check::kWrongType, Read(Touching("true")),
        place + ": expected an object, found true or false"},
@@ -32,12 +30,10 @@ std::vector<WrongProject> WrongContactValues() {
        place + ".scene: expected true or false, found a string"},
       {Check::kWrongType, Read(Touching(R"({"scene": true, "self": 1})")),
        place + ".self: expected true or false, found a number"},
-      {Check::kContactsOfSelf, Read(Touching(R"({"scene": true, "self": true})")), self},
-      {Check::kContactsOfSelf, Read(Touching(R"({"self": true})")), self},
-      {Check::kContactsOfSelf, Spoilt([](Project& p) { p.regions[0].contacts.self = true; }), self},
       {Check::kUnknownField, Doubt("/regions/0/contacts", R"({"scen": true})"),
        place + ": unknown field \"scen\"; did you mean \"scene\"?"},
-      {Check::kNumChecks, Compile(Touching(R"({"scene": true, "self": false})")), "no complaint"},
+      {Check::kNumChecks, Compile(Touching(R"({"scene": true, "self": true})")), "no complaint"},
+      {Check::kNumChecks, Compile(Touching(R"({"self": true})")), "no complaint"},
       {Check::kNumChecks, Compile({{"/regions/0/contacts", R"({"scene": false})"}}),
        "no complaint"},
   };
@@ -64,8 +60,10 @@ std::vector<WrongProject> WrongFrictionCoefficients() {
 std::vector<WrongProject> ContactContradictions() {
   const auto in_paper = [](const std::string& name) {
     return "region \"" + name +
-           "\" touches the scene and has method \"paper\", which knows no contacts; choose method "
-           "\"exact\" for it, or let it touch nothing";
+           "\" has contacts and method \"paper\", which knows no contacts; choose method \"exact\" "
+           "for "
+           "it, "
+           "or let it touch nothing";
   };
   return {
       {Check::kContactInPaper, Compile({{"/regions/0/contacts", kTouchesScene}}),
@@ -73,6 +71,8 @@ std::vector<WrongProject> ContactContradictions() {
       // By the solver's method.
       {Check::kContactInPaper, Compile({{"/regions/1/contacts", kTouchesScene}}),
        "regions[1].contacts: " + in_paper("leg")},
+      {Check::kContactInPaper, Compile({{"/regions/0/contacts", R"({"self": true})"}}),
+       "regions[0].contacts: " + in_paper("arm")},
       {Check::kNumChecks,
        Compile({{"/regions/0/contacts", kTouchesScene}, {"/regions/0/mute", "true"}}),
        "no complaint"},

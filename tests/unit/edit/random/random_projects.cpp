@@ -178,7 +178,8 @@ void AddTouching(RandomFiles* files) {
       {"first", 0},
       {"last", 20},
       {"joints", {"r_shoulder+"}},
-      {"contacts", true}});
+      {"contacts", true},
+      {"contacts_self", true}});
   Save(&session, files->folder + "/touching.kfa", files);
 }
 
