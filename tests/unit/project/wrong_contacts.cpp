@@ -61,9 +61,7 @@ std::vector<WrongProject> ContactContradictions() {
   const auto in_paper = [](const std::string& name) {
     return "region \"" + name +
            "\" has contacts and method \"paper\", which knows no contacts; choose method \"exact\" "
-           "for "
-           "it, "
-           "or let it touch nothing";
+           "for it, or let it touch nothing";
   };
   return {
       {Check::kContactInPaper, Compile({{"/regions/0/contacts", kTouchesScene}}),
