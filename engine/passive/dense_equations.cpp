@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passive/dense_kernels.h"
 #include "engine/passive/semidefinite.h"
 
 namespace hazumi {
@@ -97,9 +98,12 @@ void DenseEquations::PassToParent(int node, std::vector<NodeMotion>* motion) con
 void DenseEquations::EliminateFlight(const RegionLayout& layout,
                                      const std::vector<NodeMotion>& motion) {
   const Vec3 f_root = motion[0].f.eigen();
+  const DenseKernels& kernels = BestDenseKernels();
+  F_across_ = F_.transpose();
   for (int j = 0; j < layout.num_dofs(); ++j) {
     const Vec3 column = F_.col(j) / mass_;
-    for (int i = 0; i < layout.num_dofs(); ++i) equations_.M(i, j) -= F_.col(i).dot(column);
+    kernels.subtract_three(F_across_.data(), F_across_.rows(), column.data(), layout.num_dofs(),
+                           &equations_.M(0, j));
     equations_.b[j] -= column.dot(f_root);
   }
 }
@@ -174,14 +178,13 @@ void DenseEquations::AddRootToRows(const RegionLayout& layout, const Eigen::Matr
                                    Eigen::Ref<MatX> rows) const {
   if (!root_answers_) return;
   const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
-  const Eigen::Matrix3Xd& root = is_pinned_ ? J_ : F_;
-  const auto unit = root.leftCols(layout.num_dofs()).transpose();
+  const Eigen::MatrixX3d unit = (is_pinned_ ? J_ : F_).leftCols(layout.num_dofs()).transpose();
+  const DenseKernels& kernels = BestDenseKernels();
   for (Eigen::Index row = 0; row < rows.cols(); ++row) {
     if (along.col(row).isZero(0.0)) continue;
-    for (Eigen::Index j = 0; j < rows.rows(); ++j) {
-      const double part = share * unit.row(j).dot(along.col(row));
-      AddRounded(-part, std::abs(part), &rows(j, row));
-    }
+    const Vec3 way = share * along.col(row);
+    kernels.subtract_three_rounded(unit.data(), unit.rows(), way.data(), unit.rows(),
+                                   &rows(0, row));
   }
 }
 

@@ -79,17 +79,12 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
 // What the rows do to each other, by way of the joints, whose equations are solved: with M = L L^T
 //   A = (L^-1 J^T)^T L^-1 P^T + G
 MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
+  half_answer_ = any_slides_ ? P_ : J_;
+  dense_.SolveLower(layout, half_answer_);
+  if (!any_slides_) return ProductOf(half_answer_, half_answer_) + G_;
   MatX J = J_;
   dense_.SolveLower(layout, J);
-  if (any_slides_) {
-    half_answer_ = P_;
-    dense_.SolveLower(layout, half_answer_);
-  } else {
-    half_answer_ = J;
-  }
-  MatX A = G_;
-  A.noalias() += J.transpose() * half_answer_;
-  return A;
+  return ProductOf(J, half_answer_) + G_;
 }
 
 // After it: what pushes of the rows do to the joints.
@@ -103,7 +98,7 @@ VecX RegionDynamics::AnswerOfRows(const RegionLayout& layout, const VecX& pushes
 // give way by next to nothing, which is faster than the least norm.
 VecX RegionDynamics::SolveRows(const MatX& A, const VecX& errors) const {
   if (!contacts_.any_closed()) return -LeastNorm(A, errors);
-  return SolveGivingWay(A, -errors, Softness());
+  return SolveGivingWay(A, !any_slides_ && !rows_.any_yielding(), -errors, Softness());
 }
 
 // Of rows across contacts: less where more pushes, so that they share a drag as their cones do.

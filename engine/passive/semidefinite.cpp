@@ -4,61 +4,18 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "engine/passive/dense_kernels.h"
 #include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
 
-namespace {
-
-// What rounding leaves of a pivot that is zero: of its diagonal, and of the largest.
-constexpr double kLost = 1e-13, kLostOfAll = 1e-17;
-
-// Numbers of X from which on blocks are worth their while.
-constexpr Eigen::Index kManyNumbers = 400;
-
-void SolveLowerOf(const Eigen::Ref<const MatX>& L, double* x) {
-  const Eigen::Index n = L.rows();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double* column = L.data() + k * L.outerStride();
-    x[k] = column[k] > 0.0 ? x[k] / column[k] : 0.0;
-    if (x[k] == 0.0) continue;
-    for (Eigen::Index i = k + 1; i < n; ++i) x[i] -= column[i] * x[k];
-  }
-}
-
-}  // namespace
-
 int FactorSemidefinite(Eigen::Ref<MatX> A) {
-  const Eigen::Index n = A.rows();
-  int lost = 0;
-  double largest = 0.0;
-  for (Eigen::Index k = 0; k < n; ++k) largest = std::max(largest, A(k, k));
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double diagonal = A(k, k);
-    double* column = &A(0, k);
-    for (Eigen::Index j = 0; j < k; ++j) {
-      const double factor = A(k, j);
-      if (factor == 0.0) continue;
-      const double* other = &A(0, j);
-      for (Eigen::Index i = k; i < n; ++i) column[i] -= factor * other[i];
-    }
-    if (column[k] > std::max(kLost * diagonal, kLostOfAll * largest)) {
-      const double root = std::sqrt(column[k]);
-      const double inverse = 1.0 / root;
-      column[k] = root;
-      for (Eigen::Index i = k + 1; i < n; ++i) column[i] *= inverse;
-    } else {
-      for (Eigen::Index i = k; i < n; ++i) column[i] = 0.0;
-      ++lost;
-    }
-  }
-  return lost;
+  return BestDenseKernels().factor(A.data(), A.outerStride(), A.rows());
 }
 
 void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
-  SolveLowerOf(L, x.data());
+  BestDenseKernels().solve_lower(L.data(), L.outerStride(), L.rows(), x.data(), x.size(), 1);
   SolveUpper(L, x);
 }
 
@@ -77,15 +34,15 @@ void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
 }
 
 void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
-  if (X.size() < kManyNumbers) {
-    for (Eigen::Index k = 0; k < X.cols(); ++k) SolveLowerOf(L, &X(0, k));
-    return;
-  }
-  MatX stiff = L;
-  for (Eigen::Index k = 0; k < L.cols(); ++k) {
-    if (L(k, k) <= 0.0) stiff(k, k) = std::numeric_limits<double>::infinity();
-  }
-  stiff.triangularView<Eigen::Lower>().solveInPlace(X);
+  BestDenseKernels().solve_lower(L.data(), L.outerStride(), L.rows(), X.data(), X.outerStride(),
+                                 X.cols());
+}
+
+MatX ProductOf(const MatX& X, const MatX& Y) {
+  MatX C(X.cols(), Y.cols());
+  BestDenseKernels().product(X.data(), X.outerStride(), X.cols(), Y.data(), Y.outerStride(),
+                             Y.cols(), X.rows(), C.data(), C.outerStride());
+  return C;
 }
 
 VecX LeastNorm(const MatX& A, const VecX& b) {
@@ -114,13 +71,17 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
   return unit.cwiseProduct(eigen.eigenvectors() * parts);
 }
 
-VecX SolveGivingWay(MatX A, const VecX& b, const VecX& softness) {
+VecX SolveGivingWay(MatX A, bool is_symmetric, const VecX& b, const VecX& softness) {
   constexpr double kGivesWay = 1e-9;
   const double largest = A.diagonal().lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     A(i, i) += kGivesWay * softness[i] * std::max(std::abs(A(i, i)), 1e-6 * largest) + 1e-300;
   }
-  return A.partialPivLu().solve(b);
+  if (!is_symmetric) return A.partialPivLu().solve(b);
+  FactorSemidefinite(A);
+  VecX x = b;
+  SolveSemidefinite(A, x);
+  return x;
 }
 
 }  // namespace hazumi

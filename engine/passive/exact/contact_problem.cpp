@@ -57,16 +57,15 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
     J(hinge, k) = -side[hinge];
     cones_.b[k] = -side[hinge] * x_0[hinge];
   }
+  half_answer_ = J;
+  if (rows.P.size() > 0) half_answer_.leftCols(own) = rows.P.transpose();
+  SolveLower(L_, half_answer_);
   if (rows.P.size() > 0) {
-    half_answer_ = J;
-    half_answer_.leftCols(own) = rows.P.transpose();
-    SolveLower(L_, half_answer_);
     SolveLower(L_, J);
+    cones_.A = ProductOf(J, half_answer_);
   } else {
-    SolveLower(L_, J);
-    half_answer_ = J;
+    cones_.A = ProductOf(half_answer_, half_answer_);
   }
-  cones_.A.noalias() = J.transpose() * half_answer_;
   cones_.A.topLeftCorner(own, own) += rows.G;
   cones_.blocks.clear();
   const std::vector<ConstraintRow>& all = dynamics_->rows();

@@ -1,0 +1,21 @@
+#include "engine/dynamics/lane_kernels.h"
+#include "engine/passive/dense_kernels.h"
+
+// The loops for any processor.
+
+namespace hazumi {
+
+namespace {
+#include "engine/passive/dense_loops.h"
+}  // namespace
+
+DenseKernels BaselineDenseKernels() {
+  return {Factor, SolveLowerColumns, Product, DotThree, SubtractThree, SubtractThreeRounded};
+}
+
+const DenseKernels& BestDenseKernels() {
+  static const DenseKernels best = CpuHasAvx2() ? Avx2DenseKernels() : BaselineDenseKernels();
+  return best;
+}
+
+}  // namespace hazumi
