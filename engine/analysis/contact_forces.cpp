@@ -15,15 +15,18 @@
 //   q d, q = (n + mu |T|) / (1 + mu^2), d = N + mu e      else, on the cone's side:
 //                     d d^T / (1 + mu^2) + mu q / |T| (N x e)(N x e)^T
 //
-// Newton's method from the y of the frames before, extrapolated, meets s(y) = b in two or three
-// steps where it can be met. What the cones cannot supply has no solution: s(y) + e (y - y_0) = b,
-// with e small, comes as near as they do, and has one always, which a line search finds. Where
-// there is a solution, y_0 is the y before, until it is met.
+// Newton's method begins at the y of the frames before, extrapolated, with each force in the part
+// of its cone where it was then, whose formula goes on beyond that part: where none changes it, two
+// or three steps do. What the cones cannot supply has no solution: s(y) + e (y - y_0) = b, with e
+// small, comes as near as they do, and has one always, which a line search finds. Where there is a
+// solution, y_0 is the y before, until it is met.
 
 #include "engine/analysis/contact_forces.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace hazumi {
 
@@ -37,154 +40,128 @@ constexpr double kSoftness = 1e-6;        // e, in units of the sum of weights
 constexpr double kLeastSoftness = 1e-12;  // where all is thought to be met: no division by zero
 constexpr double kMet = 1e-10;            // share of b
 
-// (A + softness 1)^-1 x, A positive semidefinite, of which the lower half is read: L D L^T.
+// A = L D L^T from column `Column` on: of A columns of L D stay, of x L^-1 x.
+template <int Column = 0>
+void Eliminate(Mat6* A, Vec6* inverse, Vec6* x) {
+  (*inverse)[Column] = 1.0 / (*A)(Column, Column);
+  if constexpr (Column < 5) {
+    constexpr int kBelow = 5 - Column;
+    const auto below = A->template block<kBelow, 1>(Column + 1, Column);
+    const Eigen::Matrix<double, kBelow, 1> l = (*inverse)[Column] * below;
+    A->template bottomRightCorner<kBelow, kBelow>() -= l.lazyProduct(below.transpose());
+    x->template tail<kBelow>() -= (*x)[Column] * l;
+    Eliminate<Column + 1>(A, inverse, x);
+    (*x)[Column] -= below.dot(x->template tail<kBelow>());
+  }
+  (*x)[Column] *= (*inverse)[Column];
+}
+
+// (A + softness 1)^-1 x, A positive semidefinite, of which the lower half is read.
 Vec6 SolveDefinite(Mat6 A, double softness, Vec6 x) {
-  Vec6 inverse;
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
   A.diagonal().array() += softness;
-  for (int j = 0; j < 6; ++j) {
-    inverse[j] = 1.0 / A(j, j);
-    for (int i = j + 1; i < 6; ++i) {
-      const double l = A(i, j) * inverse[j];
-      x[i] -= l * x[j];
-      for (int k = i; k < 6; ++k) A(k, i) -= l * A(k, j);
-    }
-  }
-  for (int j = 5; j >= 0; --j) {
-    for (int i = j + 1; i < 6; ++i) x[j] -= A(i, j) * x[i];
-    x[j] *= inverse[j];
-  }
+  Vec6 inverse;
+  Eliminate(&A, &inverse, &x);
   return x;
 }
 
-// Of the values of u, for a cone.
+// Of each force: the part of its cone that is found at y, or the one that it had the last time,
+// where it goes on as it does there.
 enum class Parts { kFound, kKept };
 
-// The points of a frame. Arms are from their middle, in units of kArm.
+// The contacts of a frame. Arms are from their middle, in units of kArm.
 class Cones {
  public:
-  Cones(const std::vector<ContactPoint>& points, double friction, std::vector<ConePart>* parts,
-        std::vector<ContactForce>* forces)
-      : points_(points), mu_(friction), parts_(*parts), forces_(*forces) {
+  Cones(const EffortKernels& kernels, const std::vector<ContactPoint>& points, double friction,
+        bool knows_parts, LaneArray* given, LaneArray* found)
+      : kernels_(kernels),
+        num_fours_(static_cast<int>(points.size() + 3) / 4),
+        friction_(friction),
+        knows_parts_(knows_parts),
+        given_(given),
+        found_(found) {
     for (const ContactPoint& point : points) {
       middle_ += point.weight * point.p;
       weights_ += point.weight;
+      if (point.has_moment) moment_weights_ += point.weight;
     }
     middle_ /= weights_;
+    const auto fit = [&](int fields, LaneArray* array) {
+      const auto size = static_cast<size_t>(4 * fields * num_fours_);
+      if (array->size() < size) *array = LaneArray(size);
+    };
+    fit(ConeField::kNumGiven, given);
+    fit(ConeField::kNumFound, found);
+    for (size_t i = 0; i < points.size(); ++i) Set(i, points[i]);
+    ContactPoint nothing;  // in lanes without a contact
+    nothing.p = middle_;
+    nothing.weight = 0.0;
+    nothing.is_pin = true;
+    for (size_t i = points.size(); i < 4 * static_cast<size_t>(num_fours_); ++i) Set(i, nothing);
   }
 
   const Vec3& middle() const { return middle_; }
   double weights() const { return weights_; }
 
-  // At y: the forces, s, its derivative, and the function that s is the gradient of. kKept: each
-  // force goes on as it does in the part of its cone where it was found last.
-  void Evaluate(const Vec6& y, Parts parts) {
-    Begin();
-    const Vec3 a = y.head<3>(), c = y.tail<3>();
-    for (size_t i = 0; i < points_.size(); ++i) {
-      const ContactPoint& point = points_[i];
-      const Vec3 arm = (point.p - middle_) * (1.0 / kArm), u = a + c.cross(arm);
-      const Vec3 f = point.weight * Project(point, arm, u, parts, &parts_[i]);
-      forces_[i].force = f;
-      supplied_.head<3>() += f;
-      supplied_.tail<3>() += arm.cross(f);
-      potential_ += 0.5 * f.dot(u);
-      if (point.has_moment) AddMoment(point.weight, c, &forces_[i]);
+  // At y: the forces, s, if wanted its derivative, and the function that s is the gradient of.
+  void Evaluate(const Vec6& y, Parts parts, bool wants_slope = true) {
+    alignas(32) double sums[4 * ConeField::kNumSums];
+    are_parts_right_ = kernels_.supply(given_->data(), num_fours_, y.data(), friction_,
+                                       parts == Parts::kKept, wants_slope, found_->data(), sums);
+    knows_parts_ = true;
+    const auto sum = [&](int k) {
+      return sums[4 * k] + sums[4 * k + 1] + (sums[4 * k + 2] + sums[4 * k + 3]);
+    };
+    for (int k = 0; k < 6; ++k) supplied_[k] = sum(ConeField::kSupplied + k);
+    const Vec3 c = y.tail<3>();
+    supplied_.tail<3>() += moment_weights_ * c;
+    potential_ = sum(ConeField::kPotential) + 0.5 * moment_weights_ * c.squaredNorm();
+    if (!wants_slope) return;
+    for (int column = 0, k = ConeField::kSlope; column < 6; ++column) {
+      for (int row = column; row < 6; ++row, ++k) slope_(row, column) = sum(k);
     }
-    AddWhole();
+    slope_.diagonal().tail<3>().array() += moment_weights_;
   }
-  // Whether all were where they are kept.
-  bool are_parts_right() const { return are_parts_right_; }
 
+  // Whether there was a last time.
+  bool knows_parts() const { return knows_parts_; }
+  // Whether all are in the part that they were taken for.
+  bool are_parts_right() const { return are_parts_right_; }
   const Vec6& supplied() const { return supplied_; }
-  const Mat6& slope() const { return slope_; }
+  const Mat6& slope() const { return slope_; }  // its lower half
   double potential() const { return potential_; }
+  Vec3 force(size_t i) const {
+    const double* at = Fields(found_, ConeField::kNumFound, i) + 4 * ConeField::kForce;
+    return {at[0], at[4], at[8]};
+  }
 
  private:
-  void Begin() {
-    are_parts_right_ = true;
-    supplied_.setZero();
-    slope_.setZero();
-    potential_ = 0.0;
-    whole_ = 0.0;
-    first_.setZero();
-    second_.setZero();
+  static double* Fields(LaneArray* array, int num_fields, size_t i) {
+    return array->data() + i / 4 * 4 * static_cast<size_t>(num_fields) + i % 4;
   }
 
-  Vec3 Project(const ContactPoint& point, const Vec3& arm, const Vec3& u, Parts parts,
-               ConePart* part) {
-    if (point.is_pin) return Inside(point, arm, u);
-    const double n = u.dot(point.normal);
-    const Vec3 tangential = u - n * point.normal;
-    const double t2 = tangential.squaredNorm(), mu2 = mu_ * mu_;
-    const ConePart found = n >= 0.0 && t2 <= mu2 * n * n   ? ConePart::kInside
-                           : n <= 0.0 && mu2 * t2 <= n * n ? ConePart::kPolar
-                                                           : ConePart::kSide;
-    if (parts == Parts::kFound || t2 == 0.0) *part = found;
-    are_parts_right_ &= *part == found;
-    if (*part == ConePart::kInside) return Inside(point, arm, u);
-    if (*part == ConePart::kPolar) return Vec3::Zero();
-    const double t = std::sqrt(t2), share = 1.0 / (1.0 + mu2), size = (n + mu_ * t) * share;
-    const Vec3 along = tangential * (1.0 / t), side = point.normal + mu_ * along;
-    AddSide(point, arm, share, side, mu_ * std::max(size, 0.0) / t, point.normal.cross(along));
-    return size * side;
+  void Set(size_t i, const ContactPoint& point) {
+    double* at = Fields(given_, ConeField::kNumGiven, i);
+    const Vec3 arm = (point.p - middle_) * (1.0 / kArm);
+    for (int k = 0; k < 3; ++k) {
+      at[4 * (ConeField::kArm + k)] = arm[k];
+      at[4 * (ConeField::kNormal + k)] = point.normal[k];
+    }
+    at[4 * ConeField::kWeight] = point.weight;
+    at[4 * ConeField::kPinBits] = std::bit_cast<double>(point.is_pin ? ~uint64_t{0} : uint64_t{0});
   }
 
-  Vec3 Inside(const ContactPoint& point, const Vec3& arm, const Vec3& u) {
-    const Vec3 weighted = point.weight * arm;
-    whole_ += point.weight;
-    first_ += weighted;
-    for (int k = 0; k < 3; ++k) second_.col(k) += weighted[k] * arm;
-    return u;
-  }
-
-  // w G (a d d^T + b e e^T) G^T: all that matters of the lower half, by pairs of rows.
-  void AddSide(const ContactPoint& point, const Vec3& arm, double a, const Vec3& d, double b,
-               const Vec3& e) {
-    Vec6 D, E;
-    D << d, arm.cross(d);
-    E << e, arm.cross(e);
-    const Vec6 aD = (point.weight * a) * D, bE = (point.weight * b) * E;
-    slope_.col(0) += aD[0] * D + bE[0] * E;
-    slope_.col(1) += aD[1] * D + bE[1] * E;
-    slope_.col(2).tail<4>() += aD[2] * D.tail<4>() + bE[2] * E.tail<4>();
-    slope_.col(3).tail<4>() += aD[3] * D.tail<4>() + bE[3] * E.tail<4>();
-    slope_.col(4).tail<2>() += aD[4] * D.tail<2>() + bE[4] * E.tail<2>();
-    slope_.col(5).tail<2>() += aD[5] * D.tail<2>() + bE[5] * E.tail<2>();
-  }
-
-  void AddMoment(double weight, const Vec3& c, ContactForce* force) {
-    force->moment = weight * kArm * c;
-    supplied_.tail<3>() += weight * c;
-    potential_ += 0.5 * weight * c.squaredNorm();
-    slope_.diagonal().tail<3>().array() += weight;
-  }
-
-  // sum w G G^T of what is inside: (w 1, -w [r]; w [r], w (r^2 1 - r r^T)), the lower half.
-  void AddWhole() {
-    slope_.diagonal().head<3>().array() += whole_;
-    slope_.bottomRightCorner<3, 3>() -= second_;
-    slope_.diagonal().tail<3>().array() += second_.trace();
-    slope_(3, 1) -= first_.z();
-    slope_(3, 2) += first_.y();
-    slope_(4, 0) += first_.z();
-    slope_(4, 2) -= first_.x();
-    slope_(5, 0) -= first_.y();
-    slope_(5, 1) += first_.x();
-  }
-
-  const std::vector<ContactPoint>& points_;
-  double mu_;
-  std::vector<ConePart>& parts_;  // by point
-  std::vector<ContactForce>& forces_;
-  bool are_parts_right_;
+  const EffortKernels& kernels_;
+  int num_fours_;
+  double friction_;
+  bool knows_parts_;
+  LaneArray *given_, *found_;
   Vec3 middle_ = Vec3::Zero();  // [m]
-  double weights_ = 0.0;
+  double weights_ = 0.0, moment_weights_ = 0.0;
+  bool are_parts_right_ = false;
   Vec6 supplied_;
-  Mat6 slope_;  // its lower half
-  double potential_;
-  double whole_;  // of those inside: weights, and their first and second moments
-  Vec3 first_;
-  Mat3 second_;
+  Mat6 slope_;
+  double potential_ = 0.0;
 };
 
 // Solves s(y) = b from *y on; leaves what belongs to it. False: it was not met.
@@ -192,12 +169,13 @@ bool Follow(const Vec6& b, Cones* cones, Vec6* y) {
   constexpr int kMostSteps = 8, kKept = 1;
   const double met = kMet * b.norm(), softness = kLeastSoftness * cones->weights();
   double before = 1e300;
+  const int kept = cones->knows_parts() ? kKept : 0;
   for (int step = 0; step < kMostSteps; ++step) {
-    cones->Evaluate(*y, step < kKept ? Parts::kKept : Parts::kFound);
+    cones->Evaluate(*y, step < kept ? Parts::kKept : Parts::kFound);
     const Vec6 rest = b - cones->supplied();
     const double now = rest.norm();
     if (now <= met && cones->are_parts_right()) return true;
-    if (step > kKept && !(now < before)) return false;
+    if (step > kept && !(now < before)) return false;
     before = now;
     *y += SolveDefinite(cones->slope(), softness, rest);
   }
@@ -206,17 +184,18 @@ bool Follow(const Vec6& b, Cones* cones, Vec6* y) {
 
 // Solves s(y) + e (y - y_0) = b from *y on; leaves what belongs to it.
 void Approach(const Vec6& b, const Vec6& start, Cones* cones, Vec6* y) {
-  constexpr int kMostSteps = 50, kMostHalvings = 20, kKept = 3;
-  constexpr double kNearer = 0.5;
+  constexpr int kMostSteps = 50, kMostParts = 15, kKept = 3;
+  constexpr double kNearer = 0.5, kPart = 0.3;
   const double softness = kSoftness * cones->weights(), met = kMet * b.norm();
   Vec6 rest;
   double merit;
-  const auto move_to = [&](const Vec6& at, Parts parts) {
-    cones->Evaluate(at, parts);
+  const auto move_to = [&](const Vec6& at, Parts parts, bool wants_slope = true) {
+    cones->Evaluate(at, parts, wants_slope);
     rest = b - cones->supplied() - softness * (at - start);
     merit = cones->potential() + 0.5 * softness * (at - start).squaredNorm() - b.dot(at);
   };
-  for (int step = 0; step < kKept; ++step) {
+  const int kept = cones->knows_parts() ? kKept : 0;
+  for (int step = 0; step < kept; ++step) {
     move_to(*y, Parts::kKept);
     if (rest.norm() <= met) {
       if (cones->are_parts_right()) return;
@@ -231,13 +210,16 @@ void Approach(const Vec6& b, const Vec6& start, Cones* cones, Vec6* y) {
     const Vec6 from = *y, way = SolveDefinite(cones->slope(), softness, rest);
     const double gain = 1e-4 * rest.dot(way), most = merit + 1e-14 * std::abs(merit);
     double part = 1.0;
-    move_to(from + way, Parts::kFound);
-    for (int i = 0; i < kMostHalvings && rest.norm() > kNearer * size && merit > most - part * gain;
-         ++i) {
-      part *= 0.5;
-      move_to(from + part * way, Parts::kFound);
+    const auto is_near = [&] {
+      return rest.norm() <= kNearer * size || merit <= most - part * gain;
+    };
+    move_to(*y = from + way, Parts::kFound);
+    if (is_near()) continue;
+    for (int i = 0; i < kMostParts && !is_near(); ++i) {
+      part *= kPart;
+      move_to(*y = from + part * way, Parts::kFound, false);
     }
-    *y = from + part * way;
+    move_to(*y, Parts::kFound);
   }
 }
 
@@ -272,10 +254,11 @@ Wrench ContactForceSolver::Solve(const Wrench& needed, const Vec3& about,
   forces->assign(points.size(), {});
   if (points.empty()) {
     num_last_ = 0;
+    num_found_ = 0;
     return needed;
   }
-  if (parts_.size() != points.size()) parts_.assign(points.size(), ConePart::kInside);
-  Cones cones(points, friction, &parts_, forces);
+  Cones cones(kernels_, points, friction, points.size() == num_found_, &given_, &found_);
+  num_found_ = points.size();
   const Vec3& middle = cones.middle();
   Vec6 b;
   b << needed.force, (needed.moment - (middle - about).cross(needed.force)) / kArm;
@@ -296,6 +279,10 @@ Wrench ContactForceSolver::Solve(const Wrench& needed, const Vec3& about,
   last_[0] = Moved(y, -middle);
   num_last_ = std::min(num_last_ + 1, 2);
 
+  for (size_t i = 0; i < points.size(); ++i) {
+    (*forces)[i].force = cones.force(i);
+    if (points[i].has_moment) (*forces)[i].moment = points[i].weight * kArm * y.tail<3>();
+  }
   const Vec6 rest = b - cones.supplied();
   Wrench left;
   left.force = rest.head<3>();

@@ -4,8 +4,10 @@
 
 #include <vector>
 
-#include "engine/dynamics/figure_dynamics.h"
+#include "engine/analysis/effort_kernels.h"
+#include "engine/dynamics/lane_plan.h"
 #include "engine/figure/indices.h"
+#include "engine/spatial/wrench.h"
 
 namespace hazumi {
 
@@ -26,15 +28,14 @@ struct ContactForce {
 
 inline constexpr double kGroundFriction = 0.8;  // coefficient, of the ground and of boxes
 
-// Where a force that is wanted lies: in its cone, so that it is given; in the polar cone, so that
-// nothing is; else what is given is on the cone's side.
-enum class ConePart : char { kInside, kPolar, kSide };
-
 // Of all forces that are in their cones, and together as near to `needed` as such forces come,
 // those with the least sum of force^2 / weight. contact_forces.cpp has the equations. Asked frame
 // by frame it begins near the answer, which changes the way, not where it leads.
 class ContactForceSolver {
  public:
+  explicit ContactForceSolver(const EffortKernels& kernels = BestEffortKernels())
+      : kernels_(kernels) {}
+
   // `needed`: force, and moment about `about` [m]. `forces` goes with `points`. Returns what they
   // do not supply, about the same point.
   Wrench Solve(const Wrench& needed, const Vec3& about, const std::vector<ContactPoint>& points,
@@ -43,11 +44,13 @@ class ContactForceSolver {
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
 
+  EffortKernels kernels_;
+  LaneArray given_, found_;  // by four contacts and ConeField
+  size_t num_found_ = 0;     // contacts the last time
   // The answers before the next one, the last first, about the world's origin; how many there are.
   Vec6 last_[2];
   int num_last_ = 0;
-  std::vector<ConePart> parts_;  // by point, the last time
-  bool was_met_ = false;         // the last time all that was needed was supplied
+  bool was_met_ = false;  // the last time all that was needed was supplied
 };
 
 }  // namespace hazumi

@@ -19,7 +19,6 @@
 #include "engine/analysis/placed_frames.h"
 #include "engine/analysis/smooth_motion.h"
 #include "engine/analysis/touching.h"
-#include "engine/dynamics/kinematics.h"
 
 namespace hazumi {
 
@@ -38,34 +37,32 @@ class EffortWalk {
       : animation_(animation),
         options_(options),
         touching_(animation, num_frames, limits),
-        placed_(*animation.figure, num_frames),
-        ws_(*animation.figure) {}
+        placed_(*animation.figure, num_frames) {}
 
-  void Touch(const MovedFrame& at) {
-    ComputePositions(*animation_.figure, at.limit->X_WR, at.limit->q, &ws_);
-    touching_.Add(ws_);
-    placed_.Add(ws_);
+  void Place(const MovedFrame& at) { placed_.Add(at.limit->X_WR, at.limit->q); }
+  void Touch(size_t num_frames, double frame_time) {
+    placed_.Finish();
+    for (size_t i = 0; i < num_frames; ++i) touching_.Add(placed_[i]);
+    touching_.Finish(frame_time);
   }
-  void EndTouch(double frame_time) { touching_.Finish(frame_time); }
 
   FrameEffort At(size_t index, const MotionFrame& frame, const MovedFrame& at) {
     FrameEffort found;
     Wrench needed = Demand(frame, at, &found.tau);
-    placed_.Get(index, &ws_);
-    TakeOffConstraints(frame, at.limit->X_WR.p, &needed, &found.tau);
-    TakeOffContacts(frame, at.limit->X_WR.p, &needed, &found);
+    const PlacedFrame placed = placed_[index];
+    TakeOffConstraints(frame, placed, &needed, &found.tau);
+    TakeOffContacts(frame, placed, &needed, &found);
     points_.clear();
-    touching_.PointsAt(index, ws_, &points_);
+    touching_.PointsAt(index, placed, &points_);
     std::erase_if(points_, [&](const ContactPoint& point) {
-      return IsHeld(point, frame) || IsKnown(point.joint, frame.contacts);
+      return IsHeld(point, frame, placed) || IsKnown(point.joint, frame.contacts);
     });
-    if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last());
+    if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last(), placed);
     found.from_nowhere =
         solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
+    Relieve(placed, &found.tau);
     found.contacts.reserve(found.contacts.size() + points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
-      RelieveHinges(*animation_.figure, ws_, points_[i].joint, points_[i].p,
-                    {forces_[i].force, forces_[i].moment}, &found.tau);
       found.contacts.push_back(
           {points_[i].joint, points_[i].is_pin, points_[i].p, forces_[i].force, forces_[i].moment});
     }
@@ -84,19 +81,34 @@ class EffortWalk {
     return loaded_->Demand(*at.limit, root, at.acceleration->qdd, animation_.gravity, tau);
   }
 
+  // Of what the points give; those of one joint that follow each other together.
+  void Relieve(const PlacedFrame& placed, VecX* tau) const {
+    for (size_t i = 0; i < points_.size();) {
+      const ContactPoint& first = points_[i];
+      Wrench push;
+      for (; i < points_.size() && points_[i].joint == first.joint; ++i) {
+        push.force += forces_[i].force;
+        push.moment += forces_[i].moment + (points_[i].p - first.p).cross(forces_[i].force);
+      }
+      RelieveHinges(*animation_.figure, placed, first.joint, first.p, push, tau);
+    }
+  }
+
   // What holds an end is the figure's own, or from outside.
-  void TakeOffConstraints(const MotionFrame& frame, const Vec3& root, Wrench* needed, VecX* tau) {
+  void TakeOffConstraints(const MotionFrame& frame, const PlacedFrame& placed, Wrench* needed,
+                          VecX* tau) {
     for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
       const Wrench& on_a = frame.constraint_pushes[i];
       const Constraint& constraint = animation_.constraints[i];
-      TakeOff(constraint.a, on_a, root, needed, tau);
-      TakeOff(constraint.b, {-on_a.force, -on_a.moment}, root, needed, tau);
+      TakeOff(constraint.a, on_a, placed, needed, tau);
+      TakeOff(constraint.b, {-on_a.force, -on_a.moment}, placed, needed, tau);
     }
   }
 
   // What touches the thing that it is held by, a hand that of a rail, is not pushed by it once
   // more: what is beyond the end that is held, and near it.
-  bool IsHeld(const ContactPoint& point, const MotionFrame& frame) const {
+  bool IsHeld(const ContactPoint& point, const MotionFrame& frame,
+              const PlacedFrame& placed) const {
     constexpr double kNear = 0.15;  // [m]
     const auto holds = [&](const ConstraintEnd& end) {
       if (end.is_in_world) return false;
@@ -104,7 +116,7 @@ class EffortWalk {
       const bool is_beyond =
           point.joint == joint || (joint.is_valid() && point.joint.is_valid() &&
                                    animation_.figure->IsBeyond(point.joint, joint));
-      return is_beyond || (point.p - PlaceOf(end)).norm() < kNear;
+      return is_beyond || (point.p - PlaceOf(end, placed)).norm() < kNear;
     };
     for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
       const Wrench& push = frame.constraint_pushes[i];
@@ -114,15 +126,15 @@ class EffortWalk {
     return false;
   }
 
-  void TakeOffContacts(const MotionFrame& frame, const Vec3& root, Wrench* needed,
+  void TakeOffContacts(const MotionFrame& frame, const PlacedFrame& placed, Wrench* needed,
                        FrameEffort* found) {
     for (const ContactPush& push : frame.contacts.pushes) {
       const JointIndex joint =
           push.link < 0 ? JointIndex() : animation_.figure->links()[push.link].joint;
-      RelieveHinges(*animation_.figure, ws_, joint, push.p, {push.force, Vec3::Zero()},
+      RelieveHinges(*animation_.figure, placed, joint, push.p, {push.force, Vec3::Zero()},
                     &found->tau);
       needed->force -= push.force;
-      needed->moment -= (push.p - root).cross(push.force);
+      needed->moment -= (push.p - placed.p(JointIndex())).cross(push.force);
       found->contacts.push_back({joint, false, push.p, push.force, Vec3::Zero()});
     }
   }
@@ -136,30 +148,29 @@ class EffortWalk {
     return false;
   }
 
-  Vec3 PlaceOf(const ConstraintEnd& end) const {
-    const BodyScratch& body = ws_.body(JointOf(end));
-    return body.p + body.R * end.offset;
+  Vec3 PlaceOf(const ConstraintEnd& end, const PlacedFrame& placed) const {
+    return placed.PointOf(JointOf(end), end.offset);
   }
 
   JointIndex JointOf(const ConstraintEnd& end) const {
     return end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
   }
 
-  void TakeOff(const ConstraintEnd& end, const Wrench& push, const Vec3& root, Wrench* needed,
-               VecX* tau) {
+  void TakeOff(const ConstraintEnd& end, const Wrench& push, const PlacedFrame& placed,
+               Wrench* needed, VecX* tau) {
     if (end.is_in_world) return;
     const JointIndex joint = JointOf(end);
-    const Vec3 p = PlaceOf(end);
-    RelieveHinges(*animation_.figure, ws_, joint, p, push, tau);
+    const Vec3 p = PlaceOf(end, placed);
+    RelieveHinges(*animation_.figure, placed, joint, p, push, tau);
     needed->force -= push.force;
-    needed->moment -= push.moment + (p - root).cross(push.force);
+    needed->moment -= push.moment + (p - placed.p(JointIndex())).cross(push.force);
   }
 
   // The body beyond the joint is what stands there.
-  void AddPin(JointIndex pinned) {
+  void AddPin(JointIndex pinned, const PlacedFrame& placed) {
     ContactPoint pin;
     pin.joint = pinned;
-    pin.p = ws_.body(pinned).p;
+    pin.p = placed.p(pinned);
     pin.is_pin = true;
     pin.has_moment = std::any_of(points_.begin(), points_.end(), [&](const ContactPoint& point) {
       return point.joint == pinned ||
@@ -193,7 +204,6 @@ class EffortWalk {
   EffortOptions options_;
   Touching touching_;
   PlacedFrames placed_;
-  DynamicsWorkspace ws_;
   std::optional<LoadedFigure> loaded_;
   ContactForceSolver solver_;
   std::vector<ContactPoint> points_;
@@ -234,8 +244,8 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   if (is_capture) effort.is_filtered = smooth.Filter(options.cutoff);
   if (effort.is_filtered) effort.cutoff = options.cutoff;
   EffortWalk walk(animation, motion.frames.size(), options, LimitsFor(is_capture));
-  for (size_t i = 0; i < motion.frames.size(); ++i) walk.Touch(smooth.At(i));
-  walk.EndTouch(motion.rate.seconds_per_frame());
+  for (size_t i = 0; i < motion.frames.size(); ++i) walk.Place(smooth.At(i));
+  walk.Touch(motion.frames.size(), motion.rate.seconds_per_frame());
   effort.frames.reserve(motion.frames.size());
   for (size_t i = 0; i < motion.frames.size(); ++i) {
     effort.frames.push_back(walk.At(i, motion.frames[i], smooth.At(i)));

@@ -14,7 +14,6 @@
 #include <optional>
 
 #include "engine/analysis/loaded_figure.h"
-#include "engine/dynamics/kinematics.h"
 #include "engine/spatial/turn.h"
 
 namespace hazumi {
@@ -58,13 +57,12 @@ Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h
 }
 
 // What is beyond the pinned joint stands there: the joint's hinges carry the rest.
-void PutOnPin(const Figure& figure, JointIndex pinned, const MotionLimit& at, DynamicsWorkspace* ws,
+void PutOnPin(const Figure& figure, JointIndex pinned, const PlacedFrame& placed,
               JointTorques* torques) {
-  ComputePositions(figure, at.X_WR, at.q, ws);
-  const Vec3 p = ws->body(pinned).p;
+  const Vec3 p = placed.p(pinned);
   Wrench of_pin = torques->unsupported;
-  of_pin.moment -= (p - at.X_WR.p).cross(of_pin.force);
-  RelieveHinges(figure, *ws, pinned, p, of_pin, &torques->tau);
+  of_pin.moment -= (p - placed.p(JointIndex())).cross(of_pin.force);
+  RelieveHinges(figure, placed, pinned, p, of_pin, &torques->tau);
   torques->unsupported = {};
 }
 
@@ -90,17 +88,21 @@ std::vector<JointTorques> TorquesOf(const Animation& animation, const Motion& mo
   std::vector<JointTorques> found;
   found.reserve(motion.frames.size());
   std::optional<LoadedFigure> loaded;
-  DynamicsWorkspace ws(*animation.figure);
+  const auto limit_at = [&](size_t i) -> const MotionLimit& {
+    return i + 1 == motion.frames.size() ? motion.frames[i].before : motion.frames[i].after;
+  };
+  PlacedFrames placed(*animation.figure, motion.frames.size());
+  for (size_t i = 0; i < motion.frames.size(); ++i) placed.Add(limit_at(i).X_WR, limit_at(i).q);
+  placed.Finish();
   for (size_t i = 0; i < motion.frames.size(); ++i) {
     const MotionFrame& frame = motion.frames[i];
     if (!loaded || !loaded->IsThatOf(frame)) loaded.emplace(animation, frame);
-    const bool is_last = i + 1 == motion.frames.size();
-    const MotionLimit& at = is_last ? frame.before : frame.after;
+    const MotionLimit& at = limit_at(i);
     const Accelerations by = AtFrame(motion, i);
     JointTorques& torques = found.emplace_back();
     torques.unsupported = loaded->Demand(at, by.root, by.qdd, animation.gravity, &torques.tau);
     if (!frame.pinned) continue;
-    PutOnPin(*animation.figure, animation.figure->group(*frame.pinned).last(), at, &ws, &torques);
+    PutOnPin(*animation.figure, animation.figure->group(*frame.pinned).last(), placed[i], &torques);
   }
   return found;
 }

@@ -39,11 +39,10 @@ Wrench LoadedFigure::Demand(const MotionLimit& at, RootMotion root, const VecX& 
 }
 
 // tau_i -= axis_i . (n + (p - p_i) x f)
-void RelieveHinges(const Figure& figure, const DynamicsWorkspace& ws, JointIndex joint,
-                   const Vec3& p, const Wrench& push, VecX* tau) {
+void RelieveHinges(const Figure& figure, const PlacedFrame& placed, JointIndex joint, const Vec3& p,
+                   const Wrench& push, VecX* tau) {
   for (JointIndex j = joint; j.is_valid(); j = figure.joint(j).parent) {
-    const BodyScratch& body = ws.body(j);
-    (*tau)[j.value()] -= body.axis.dot(push.moment + (p - body.p).cross(push.force));
+    (*tau)[j.value()] -= placed.axis(j).dot(push.moment + (p - placed.p(j)).cross(push.force));
   }
 }
 

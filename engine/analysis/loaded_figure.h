@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "engine/analysis/placed_frames.h"
 #include "engine/bake/motion.h"
 #include "engine/dynamics/figure_dynamics.h"
-#include "engine/dynamics/workspace.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -30,9 +30,9 @@ class LoadedFigure {
 };
 
 // Something outside pushes the body beyond `joint` at p with this force, and this moment: what the
-// hinges between it and the root need not give [principle of virtual work]. Needs ComputePositions;
-// an invalid joint is the root.
-void RelieveHinges(const Figure& figure, const DynamicsWorkspace& ws, JointIndex joint,
-                   const Vec3& p, const Wrench& push, VecX* tau);
+// hinges between it and the root need not give [principle of virtual work]. An invalid joint is the
+// root.
+void RelieveHinges(const Figure& figure, const PlacedFrame& placed, JointIndex joint, const Vec3& p,
+                   const Wrench& push, VecX* tau);
 
 }  // namespace hazumi

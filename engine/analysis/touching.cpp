@@ -32,25 +32,35 @@ bool IsEndOfParent(const Link& link, const Figure& figure) {
   });
 }
 
-// A ball whose centre is outside a box, as most are: the way from the nearest point of the box.
-// False: it is inside.
-bool BallToBox(const Capsule& ball, const Box& box, Distance* distance) {
+// From the nearest point of a box to a ball's centre, in the box's axes: zero where that is inside.
+Vec3 FromBox(const Capsule& ball, const Box& box) {
   const Vec3 p_B = box.X_WB.R.transpose() * (ball.a - box.X_WB.p);
-  const Vec3 way_B = p_B - p_B.cwiseMax(-box.half_size).cwiseMin(box.half_size);
-  const double way = way_B.norm();
-  constexpr double kOutside = 1e-6;  // [m]; nearer, the direction is lost in rounding
-  if (way < kOutside) return false;
-  distance->value = way - ball.radius;
-  distance->normal = box.X_WB.R * (way_B / way);
-  distance->point_on_capsule = ball.a - ball.radius * distance->normal;
-  return true;
+  return p_B - p_B.cwiseMax(-box.half_size).cwiseMin(box.half_size);
+}
+constexpr double kOutside = 1e-6;  // [m] from a box: nearer, the way from it is lost in rounding
+
+Distance DistanceOf(const Capsule& ball, const Obstacle& shape) {
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    const Vec3 way = FromBox(ball, *box);
+    const double size = way.norm();
+    if (size >= kOutside) {
+      const Vec3 normal = box->X_WB.R * (way / size);
+      return {size - ball.radius, ball.a - ball.radius * normal, normal};
+    }
+  }
+  return SignedDistance(ball, shape);
 }
 
-Distance OfBall(const Capsule& ball, const Obstacle& shape) {
-  Distance distance;
-  const auto* box = std::get_if<Box>(&shape);
-  return box != nullptr && BallToBox(ball, *box, &distance) ? distance
-                                                            : SignedDistance(ball, shape);
+// Its value alone.
+double ClearanceOf(const Capsule& ball, const Obstacle& shape) {
+  if (const auto* plane = std::get_if<Plane>(&shape)) {
+    return plane->normal.dot(ball.a) - plane->offset - ball.radius;
+  }
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    const double way = FromBox(ball, *box).norm();
+    if (way >= kOutside) return way - ball.radius;
+  }
+  return SignedDistance(ball, shape).value;
 }
 
 }  // namespace
@@ -67,36 +77,35 @@ Touching::Touching(const Animation& animation, size_t num_frames, const TouchLim
   if (limits_.fastest < 1e300) centre_.reserve(ends_.size() * num_frames);
 }
 
-Capsule Touching::BallOf(const End& end, const DynamicsWorkspace& ws) const {
+Capsule Touching::BallOf(const End& end, const PlacedFrame& placed) const {
   const Link& link = animation_.figure->links()[static_cast<size_t>(end.link)];
-  const BodyScratch& body = ws.body(link.joint);
-  const Vec3 p = body.p + body.R * (end.is_b ? link.capsule.b : link.capsule.a);
+  const Vec3 p = placed.PointOf(link.joint, end.is_b ? link.capsule.b : link.capsule.a);
   return {p, p, link.capsule.radius};
 }
 
-Touching::Near Touching::NearestTo(const Capsule& ball) const {
-  Near nearest;
-  for (size_t i = 0; i < animation_.scene.size(); ++i) {
-    const Obstacle& shape = animation_.scene[i].shape;
-    if (const auto* plane = std::get_if<Plane>(&shape)) {
-      const double clearance = plane->normal.dot(ball.a) - plane->offset - ball.radius;
-      if (clearance >= nearest.clearance) continue;
-      nearest = {clearance, static_cast<int>(i), ball.a - ball.radius * plane->normal,
-                 plane->normal};
-      continue;
-    }
-    const Distance distance = OfBall(ball, shape);
-    if (distance.value >= nearest.clearance) continue;
-    nearest = {distance.value, static_cast<int>(i), distance.point_on_capsule, distance.normal};
+double Touching::ClearanceOver(const Capsule& ball) const {
+  double least = 1e300;
+  for (const SceneObject& object : animation_.scene) {
+    least = std::min(least, ClearanceOf(ball, object.shape));
+  }
+  return least;
+}
+
+Distance Touching::NearestTo(const Capsule& ball) const {
+  Distance nearest;
+  nearest.value = 1e300;
+  for (const SceneObject& object : animation_.scene) {
+    if (ClearanceOf(ball, object.shape) >= nearest.value) continue;
+    nearest = DistanceOf(ball, object.shape);
   }
   return nearest;
 }
 
-void Touching::Add(const DynamicsWorkspace& ws) {
+void Touching::Add(const PlacedFrame& placed) {
   ++num_frames_;
   for (const End& end : ends_) {
-    const Capsule ball = BallOf(end, ws);
-    clearance_.push_back(static_cast<float>(NearestTo(ball).clearance));
+    const Capsule ball = BallOf(end, placed);
+    clearance_.push_back(static_cast<float>(ClearanceOver(ball)));
     if (limits_.fastest < 1e300) centre_.push_back(ball.a);
   }
 }
@@ -164,20 +173,20 @@ void Touching::Fade(size_t end, double frame_time) {
   }
 }
 
-void Touching::PointsAt(size_t frame, const DynamicsWorkspace& ws,
+void Touching::PointsAt(size_t frame, const PlacedFrame& placed,
                         std::vector<ContactPoint>* points) const {
   constexpr float kLeast = 1e-6f;
   for (size_t i = 0; i < ends_.size(); ++i) {
     const float weight = weight_[frame * ends_.size() + i];
     if (weight < kLeast) continue;
-    const Capsule ball = BallOf(ends_[i], ws);
-    const Near near = NearestTo(ball);
+    const Capsule ball = BallOf(ends_[i], placed);
+    const Distance near = NearestTo(ball);
     const Link& link = animation_.figure->links()[static_cast<size_t>(ends_[i].link)];
-    const Vec3 axis =
-        (ws.body(link.joint).R * (link.capsule.b - link.capsule.a)).stableNormalized();
+    const Vec3 axis = placed.Turned(link.joint, link.capsule.b - link.capsule.a).stableNormalized();
     const Vec3 side = ball.radius * near.normal.cross(axis);
     for (const double sign : {-1.0, 1.0}) {
-      points->push_back({link.joint, near.p + sign * side, near.normal, 0.5 * weight});
+      points->push_back(
+          {link.joint, near.point_on_capsule + sign * side, near.normal, 0.5 * weight});
     }
   }
 }

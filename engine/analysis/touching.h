@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "engine/analysis/contact_forces.h"
+#include "engine/analysis/placed_frames.h"
 #include "engine/bake/motion.h"
-#include "engine/dynamics/workspace.h"
+#include "engine/collision/distance.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -28,26 +29,23 @@ class Touching {
   // Of a motion of so many frames. `limits`: of all points. The animation must outlive it.
   Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits);
 
-  // Frame by frame, in order. Needs ComputePositions of the figure.
-  void Add(const DynamicsWorkspace& ws);
+  // Frame by frame, in order.
+  void Add(const PlacedFrame& placed);
   // After all frames, `frame_time` [s] apart: weights.
   void Finish(double frame_time);
-  // Adds those that touch in a frame, of the same positions. A link's end touches with two points,
+  // Adds those that touch in a frame. A link's end touches with two points,
   // a radius to either side of its axis.
-  void PointsAt(size_t frame, const DynamicsWorkspace& ws, std::vector<ContactPoint>* points) const;
+  void PointsAt(size_t frame, const PlacedFrame& placed, std::vector<ContactPoint>* points) const;
 
  private:
   struct End {
     int link;
     bool is_b;  // of the capsule; else a
   };
-  struct Near {
-    double clearance = 1e300;
-    int object = -1;
-    Vec3 p = Vec3::Zero(), normal = Vec3::UnitZ();
-  };
-  Capsule BallOf(const End& end, const DynamicsWorkspace& ws) const;
-  Near NearestTo(const Capsule& ball) const;
+  Capsule BallOf(const End& end, const PlacedFrame& placed) const;
+  // Of everything in the scene.
+  double ClearanceOver(const Capsule& ball) const;
+  Distance NearestTo(const Capsule& ball) const;
   void FindLevels(double frame_time);
   void Fade(size_t end, double frame_time);
 

@@ -1,0 +1,50 @@
+#pragma once
+
+// Internal. What effort asks most often, by lanes of four: where the bodies of a figure are in four
+// frames, and what four contacts supply. Both instruction sets give the same bits; all arrays of
+// lanes are aligned to 32 bytes.
+
+namespace hazumi {
+
+inline constexpr int kPlacedFields =
+    12;  // of a body: its axes, one after the other, and its origin
+
+// A joint as the kernels read it.
+struct PlacedHinge {
+  int parent = 0;           // body: 0 is the root, j + 1 the body of joint j
+  bool is_parallel = true;  // R_PJ is the identity
+  int unit_axis = -1;       // the axis of J that it turns about, or against; -1: another one
+  double sign = 1.0;        // -1: against it
+  double R_PJ[9];           // by columns
+  double p_PJ[3];           // [m]
+  double axis[3];           // unit, in J
+};
+
+// What the kernels read of four contacts, and what they leave, by field and contact: bits are all
+// set or none.
+struct ConeField {
+  enum Given { kArm = 0, kNormal = 3, kWeight = 6, kPinBits = 7 };
+  static constexpr int kNumGiven = 8;
+  enum Found { kInsideBits = 0, kSideBits = 1, kForce = 2 };
+  static constexpr int kNumFound = 5;
+  // Summed up over contacts, one sum a lane: s, the lower half of its derivative by columns, and
+  // the function that s is the gradient of.
+  enum Sum { kSupplied = 0, kSlope = 6, kPotential = 27 };
+  static constexpr int kNumSums = 28;
+};
+
+struct EffortKernels {
+  // `angles`: by frame and joint [rad]. `placed`: by body, field and frame, that of the root set
+  // before.
+  void (*place)(const PlacedHinge* hinges, int num_hinges, const double* const angles[4],
+                double* placed);
+  // contact_forces.cpp has the equations. `y`: six numbers. With `keeps` each force goes on as in
+  // the part of its cone that `found` has; false: these are not the parts where all are.
+  bool (*supply)(const double* given, int num_fours, const double* y, double friction, bool keeps,
+                 bool wants_slope, double* found, double* sums);
+};
+EffortKernels BaselineEffortKernels();
+EffortKernels Avx2EffortKernels();
+EffortKernels BestEffortKernels();  // of this machine
+
+}  // namespace hazumi

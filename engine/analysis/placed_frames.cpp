@@ -1,0 +1,62 @@
+#include "engine/analysis/placed_frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/figure_dynamics.h"
+
+namespace hazumi {
+
+namespace {
+
+PlacedHinge PrepareHinge(const Joint& joint) {
+  PlacedHinge hinge;
+  hinge.parent = joint.parent.is_valid() ? joint.parent.value() + 1 : 0;
+  hinge.is_parallel = joint.parallel_frame;
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(joint.axis[k]) != 1.0) continue;
+    hinge.unit_axis = k;
+    hinge.sign = joint.axis[k];
+  }
+  std::copy_n(joint.X_PJ.R.data(), 9, hinge.R_PJ);
+  std::copy_n(joint.X_PJ.p.data(), 3, hinge.p_PJ);
+  std::copy_n(joint.axis.data(), 3, hinge.axis);
+  return hinge;
+}
+
+}  // namespace
+
+EffortKernels BestEffortKernels() {
+  return BestInstructions() == Instructions::kAvx2 ? Avx2EffortKernels() : BaselineEffortKernels();
+}
+
+PlacedFrames::PlacedFrames(const Figure& figure, size_t num_frames, const EffortKernels& kernels)
+    : kernels_(kernels),
+      stride_(4 * kPlacedFields * (static_cast<size_t>(figure.num_joints()) + 1)),
+      placed_((num_frames + 3) / 4 * stride_) {
+  for (const Joint& joint : figure.joints()) hinges_.push_back(PrepareHinge(joint));
+}
+
+void PlacedFrames::Add(const Pose& X_WR, const VecX& q) {
+  const size_t lane = num_added_ % 4;
+  double* root = FourOf(num_added_) + lane;
+  for (int i = 0; i < 9; ++i) root[4 * i] = X_WR.R.data()[i];
+  for (int i = 0; i < 3; ++i) root[36 + 4 * i] = X_WR.p[i];
+  angles_[lane] = q.data();
+  ++num_added_;
+  if (lane == 3) PlaceLastFour();
+}
+
+// Lanes without a frame do what the last frame does, at the world's origin.
+void PlacedFrames::Finish() {
+  const size_t last = num_added_ % 4;
+  if (last == 0) return;
+  std::fill(angles_ + last, angles_ + 4, angles_[last - 1]);
+  PlaceLastFour();
+}
+
+void PlacedFrames::PlaceLastFour() {
+  kernels_.place(hinges_.data(), static_cast<int>(hinges_.size()), angles_, FourOf(num_added_ - 1));
+}
+
+}  // namespace hazumi
