@@ -5,9 +5,10 @@
 //               sum that supply F, N (contact_forces.cpp). A pin has a moment only where a sole,
 //               that is, something of its own or beyond it, touches.
 //               What constraints do at their points is known, and what regions with contacts are
-//               pushed with (MotionFrame::contacts): F, N are less by it.
+//               pushed with (MotionFrame::contacts), and what wind and pulls do: F, N are less by
+//               it.
 //   tau_i      -= axis_i . (n_k + (p_k - p_i) x f_k)   for each hinge i between the root and k
-//                (principle of virtual work), and for constraints' ends alike.
+//                (principle of virtual work), and for all that is known alike.
 // What is left of F, N comes from nowhere.
 
 #include "engine/analysis/effort.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 
 #include "engine/analysis/loaded_figure.h"
+#include "engine/analysis/outer_pushes.h"
 #include "engine/analysis/placed_frames.h"
 #include "engine/analysis/smooth_motion.h"
 #include "engine/analysis/touching.h"
@@ -37,7 +39,9 @@ class EffortWalk {
       : animation_(animation),
         options_(options),
         touching_(animation, num_frames, limits),
-        placed_(*animation.figure, num_frames) {}
+        placed_(*animation.figure, num_frames) {
+    if (!animation.forces.empty()) outer_.emplace(animation);
+  }
 
   void Place(const MovedFrame& at) { placed_.Add(at.limit->X_WR, at.limit->q); }
   void Touch(size_t num_frames, double frame_time) {
@@ -46,12 +50,14 @@ class EffortWalk {
     touching_.Finish(frame_time);
   }
 
-  FrameEffort At(size_t index, const MotionFrame& frame, const MovedFrame& at) {
+  // At time t [s].
+  FrameEffort At(size_t index, double t, const MotionFrame& frame, const MovedFrame& at) {
     FrameEffort found;
     Wrench needed = Demand(frame, at, &found.tau);
     const PlacedFrame placed = placed_[index];
     TakeOffConstraints(frame, placed, &needed, &found.tau);
     TakeOffContacts(frame, placed, &needed, &found);
+    TakeOffOuterForces(t, *at.limit, placed, &needed, &found.tau);
     points_.clear();
     touching_.PointsAt(index, placed, &points_);
     std::erase_if(points_, [&](const ContactPoint& point) {
@@ -133,10 +139,27 @@ class EffortWalk {
           push.link < 0 ? JointIndex() : animation_.figure->links()[push.link].joint;
       RelieveHinges(*animation_.figure, placed, joint, push.p, {push.force, Vec3::Zero()},
                     &found->tau);
-      needed->force -= push.force;
-      needed->moment -= (push.p - placed.p(JointIndex())).cross(push.force);
+      TakeOffRoot(push.p, {push.force, Vec3::Zero()}, placed, needed);
       found->contacts.push_back({joint, false, push.p, push.force, Vec3::Zero()});
     }
+  }
+
+  // Forces that end with the animation act in its last frame, which is known from the left.
+  void TakeOffOuterForces(double t, const MotionLimit& limit, const PlacedFrame& placed,
+                          Wrench* needed, VecX* tau) {
+    if (!outer_) return;
+    constexpr double kBefore = 1e-6;  // [s]
+    const double end = animation_.rate.SecondsAt(animation_.last_frame);
+    for (const OuterPush& on : outer_->At(std::min(t, end - kBefore), limit, loaded_->figure())) {
+      RelieveHinges(*animation_.figure, placed, on.joint, on.p, on.push, tau);
+      TakeOffRoot(on.p, on.push, placed, needed);
+    }
+  }
+
+  static void TakeOffRoot(const Vec3& p, const Wrench& push, const PlacedFrame& placed,
+                          Wrench* needed) {
+    needed->force -= push.force;
+    needed->moment -= push.moment + (p - placed.p(JointIndex())).cross(push.force);
   }
 
   // What pushes a joint's links is known, so nothing is looked for.
@@ -162,8 +185,7 @@ class EffortWalk {
     const JointIndex joint = JointOf(end);
     const Vec3 p = PlaceOf(end, placed);
     RelieveHinges(*animation_.figure, placed, joint, p, push, tau);
-    needed->force -= push.force;
-    needed->moment -= push.moment + (p - placed.p(JointIndex())).cross(push.force);
+    TakeOffRoot(p, push, placed, needed);
   }
 
   // The body beyond the joint is what stands there.
@@ -204,6 +226,7 @@ class EffortWalk {
   EffortOptions options_;
   Touching touching_;
   PlacedFrames placed_;
+  std::optional<OuterPushes> outer_;
   std::optional<LoadedFigure> loaded_;
   ContactForceSolver solver_;
   std::vector<ContactPoint> points_;
@@ -248,7 +271,8 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   walk.Touch(motion.frames.size(), motion.rate.seconds_per_frame());
   effort.frames.reserve(motion.frames.size());
   for (size_t i = 0; i < motion.frames.size(); ++i) {
-    effort.frames.push_back(walk.At(i, motion.frames[i], smooth.At(i)));
+    effort.frames.push_back(
+        walk.At(i, motion.rate.SecondsAt(motion.frames[i].frame), motion.frames[i], smooth.At(i)));
   }
   return effort;
 }

@@ -51,7 +51,8 @@ bool IsCapture(const Animation& animation);
 // One entry a frame. Accelerations are those of the bake (BakeOptions::accelerations: exact, from
 // the right); of a motion without them those of joint_torques.h; of captures, differences of the
 // filtered motion. What is held counts as part of its holder. Gravity, the weight of what is held,
-// and what constraints and regions with contacts are pushed with are the known forces from outside.
+// what constraints and regions with contacts are pushed with, and wind and pulls, on all links
+// while they act, are the known forces from outside.
 Effort EffortOf(const Animation& animation, const Motion& motion,
                 const EffortOptions& options = {});
 

@@ -99,9 +99,6 @@ std::vector<std::string> EffortReport(const Animation& animation, const Motion& 
     lines.push_back("a capture: filtered at " + FormatShort(effort.cutoff) +
                     " Hz before it was differentiated");
   }
-  if (!animation.forces.empty()) {
-    lines.push_back("forces from outside are not taken off: what they do counts as from nowhere");
-  }
   return lines;
 }
 
