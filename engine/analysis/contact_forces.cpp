@@ -87,7 +87,7 @@ class Cones {
     }
     middle_ /= weights_;
     const auto fit = [&](int fields, LaneArray* array) {
-      const auto size = static_cast<size_t>(4 * fields * num_fours_);
+      const size_t size = 4 * static_cast<size_t>(fields) * static_cast<size_t>(num_fours_);
       if (array->size() < size) *array = LaneArray(size);
     };
     fit(ConeField::kNumGiven, given);
