@@ -13,7 +13,6 @@
 #include "engine/bake/walk/contacts_of.h"
 #include "engine/bake/walk/outer_forces.h"
 #include "engine/bake/walk/spring_of.h"
-#include "engine/base/text.h"
 
 namespace hazumi {
 
@@ -37,18 +36,6 @@ void ForEachFreeHinge(const RegionModel& model, Action&& action) {
     if (node.role != Role::kFree) continue;
     for (int h = 0; h < node.num_hinges; ++h) action(node.hinges[h].coordinate);
   }
-}
-
-std::string CauseOf(const ExactFailure& failure) {
-  if (failure.cause == ExactFailure::Cause::kEndsApart) {
-    return "constraints cannot all be kept: what they hold stays " + FormatShort(failure.gap) +
-           " m or rad apart; take one away, or free more joints";
-  }
-  if (failure.cause == ExactFailure::Cause::kTooManyEvaluations) {
-    return "it takes too many evaluations; ask for less accuracy";
-  }
-  return "its motion changes faster than any step can follow; ask for less accuracy, more friction "
-         "or lower rates";
 }
 
 }  // namespace
@@ -308,22 +295,6 @@ std::optional<ExactDriver::Failure> ExactDriver::AdvanceAhead(const std::vector<
   });
   pool_->Do(static_cast<int>(unknown.size()), [&](int i) { unknown[i]->SolveAhead(cancel); });
   return FirstFailure();
-}
-
-std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
-  const IslandSolution* first = nullptr;
-  for (const Island& island : islands_) {
-    for (const IslandSolution* solution : {&island.solution, &island.control}) {
-      if (solution == &island.control && !island.has_control) continue;
-      if (!solution->failure() || (first && first->time() <= solution->time())) continue;
-      first = solution;
-    }
-  }
-  if (!first) return std::nullopt;
-  const Coordinate c = first->hinges()[first->failure()->hinge];
-  const bool is_joint = c < figure_.num_joints();
-  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*first->failure()),
-                 first->time()};
 }
 
 double ExactDriver::time() const {

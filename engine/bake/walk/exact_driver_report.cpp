@@ -1,11 +1,12 @@
 // What the driver did, for reports: a fifth of the distance from the control solutions is the
-// estimate of the error [METHOD 8.2].
+// estimate of the error [METHOD 8.2]; and why it cannot go on.
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "engine/bake/walk/exact_driver.h"
+#include "engine/base/text.h"
 
 namespace hazumi {
 
@@ -13,6 +14,18 @@ namespace {
 
 // Its distance is mostly its own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
+
+std::string CauseOf(const ExactFailure& failure) {
+  if (failure.cause == ExactFailure::Cause::kEndsApart) {
+    return "constraints cannot all be kept: what they hold stays " + FormatShort(failure.gap) +
+           " m or rad apart; take one away, or free more joints";
+  }
+  if (failure.cause == ExactFailure::Cause::kTooManyEvaluations) {
+    return "it takes too many evaluations; ask for less accuracy";
+  }
+  return "its motion changes faster than any step can follow; ask for less accuracy, more friction "
+         "or lower rates";
+}
 
 }  // namespace
 
@@ -53,6 +66,22 @@ std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
     }
   }
   return all;
+}
+
+std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
+  const IslandSolution* first = nullptr;
+  for (const Island& island : islands_) {
+    for (const IslandSolution* solution : {&island.solution, &island.control}) {
+      if (solution == &island.control && !island.has_control) continue;
+      if (!solution->failure() || (first && first->time() <= solution->time())) continue;
+      first = solution;
+    }
+  }
+  if (!first) return std::nullopt;
+  const Coordinate c = first->hinges()[first->failure()->hinge];
+  const bool is_joint = c < figure_.num_joints();
+  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*first->failure()),
+                 first->time()};
 }
 
 SceneContacts ExactDriver::ContactsAt(double t) {
