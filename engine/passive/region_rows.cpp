@@ -297,7 +297,7 @@ void RegionDynamics::Freeze(const VecX& torques) {
     if (node.num_dofs == 0) continue;
     const auto own = torques.segment(node.first_hinge, node.num_dofs);
     if (own.isZero(0.0)) continue;
-    const V3 moment = MomentOfHinges(motion[i], node.num_dofs, own.data());
+    const V3 moment = FullMomentOfHinges(motion[i], node.num_dofs, own.data());
     frozen_.moments.push_back({i, TransposeTimes(motion[i].R, moment).eigen()});
   }
 }

@@ -2,7 +2,8 @@
 // hold; the least such M is A (A^T A)^-1 tau. Three hinges of a ball joint line up at its poles:
 // nearer than 10 degrees, at a distance d, it is
 //   M = A (A^T A + lambda^2 1)^-1 tau,   lambda = sin(10 deg) f(d),
-// f rising from 0 at 10 degrees to 1 at the pole, with two derivatives.
+// f rising from 0 at 10 degrees to 1 at the pole, with two derivatives. Where all of tau is wanted,
+// lambda = 1e-6.
 
 #include "engine/passive/forces/hinge_moment.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double kNear = 10.0 * kDegree;
 constexpr double kMostDamping = 0.17364817766693033;  // sin(10 deg)
+constexpr double kLeastDamping = 1e-6;
 
 double Damping(const small::V3& outer, const small::V3& inner) {
   const small::V3 cross = Cross(outer, inner);
@@ -29,7 +31,9 @@ double Damping(const small::V3& outer, const small::V3& inner) {
 
 }  // namespace
 
-small::V3 MomentOfHinges(const small::V3* axes, int num_axes, const double* torques) {
+namespace {
+
+small::V3 MomentWith(double damping, const small::V3* axes, int num_axes, const double* torques) {
   if (num_axes == 1) return torques[0] * axes[0];
   if (num_axes == 2) {
     const double c = Dot(axes[0], axes[1]), square = 1.0 - c * c;
@@ -38,9 +42,19 @@ small::V3 MomentOfHinges(const small::V3* axes, int num_axes, const double* torq
   }
   Mat3 A;
   A << axes[0].eigen(), axes[1].eigen(), axes[2].eigen();
-  const double damping = Damping(axes[0], axes[2]);
   const Mat3 gram = A.transpose() * A + damping * damping * Mat3::Identity();
   return small::V3(Vec3(A * (gram.inverse() * Eigen::Map<const Vec3>(torques))));
+}
+
+}  // namespace
+
+small::V3 MomentOfHinges(const small::V3* axes, int num_axes, const double* torques) {
+  const double damping = num_axes == 3 ? Damping(axes[0], axes[2]) : 0.0;
+  return MomentWith(damping, axes, num_axes, torques);
+}
+
+small::V3 FullMomentOfHinges(const NodeMotion& node, int num_dofs, const double* torques) {
+  return MomentWith(kLeastDamping, node.axis.data(), num_dofs, torques);
 }
 
 small::V3 MomentOfHinges(const NodeMotion& node, int num_dofs, const double* torques) {

@@ -10,5 +10,7 @@ namespace hazumi {
 small::V3 MomentOfHinges(const small::V3* axes, int num_axes, const double* torques);
 // On a node, against its parent; by dof of the node.
 small::V3 MomentOfHinges(const NodeMotion& node, int num_dofs, const double* torques);
+// The same, all of it up to a millionth of a radian from where three line up.
+small::V3 FullMomentOfHinges(const NodeMotion& node, int num_dofs, const double* torques);
 
 }  // namespace hazumi

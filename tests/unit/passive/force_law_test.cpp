@@ -250,6 +250,39 @@ TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
   });
 }
 
+// Angles whose ball joints are this far from a pole [rad].
+VecX NextToPoles(const RandomIsland& island, const RegionLayout& layout, double distance) {
+  VecX q = island.q;
+  for (int i = 0; i < static_cast<int>(island.model.nodes.size()); ++i) {
+    const HingeTriple* triple = layout.triple(i);
+    if (!triple || layout.node(i).num_dofs < 3) continue;
+    double& middle = q[layout.node(i).first_hinge + 1];
+    const double way = triple->FromPole(middle) - distance;
+    middle += triple->FromPole(middle + way) < triple->FromPole(middle - way) ? way : -way;
+  }
+  return q;
+}
+
+// Next to a pole, where torques that are not found for it act less, what limits were found to give
+// acts in full.
+TEST(ForceLaw, WhatIsFrozenActsInFullNextToAPole) {
+  int balls = 0;
+  ForEachLawsIsland([&](const RandomIsland& island, const std::string& what) {
+    Random random(6);
+    RegionDynamics dynamics(island.model, {}, RandomIsland::kGravity);
+    dynamics.SetDriven(&island.driven, -0.01, 0.01);
+    const RegionLayout& layout = dynamics.layout();
+    balls += layout.num_positions() != layout.num_dofs();
+    const VecX q = NextToPoles(island, layout, 0.01), torques = random.Vector(q.size(), 20.0);
+    dynamics.AssembleHinges(0.0, q, island.qd);
+    const VecX free = dynamics.b();
+    dynamics.Freeze(torques);
+    dynamics.AssembleHinges(0.0, q, island.qd);
+    EXPECT_LE((free - dynamics.b() - torques).norm(), 1e-6 * (1.0 + free.norm())) << what;
+  });
+  EXPECT_GE(balls, 10);
+}
+
 // By Gauss's formula over one step of the solver.
 void ExpectPowerIsEnergy(const RandomIsland& island, const ForceLaws& laws,
                          const std::string& what) {
