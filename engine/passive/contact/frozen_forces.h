@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/passive/node_motion.h"
+#include "engine/passive/forces/force_law.h"
 
 namespace hazumi {
 
@@ -27,6 +27,21 @@ struct FrozenForces {
   void Clear() {
     pushes.clear();
     moments.clear();
+  }
+  // What goes from them into nodes that move so [W].
+  double PowerIn(const RegionState& state) const {
+    using namespace small;  // NOLINT(google-build-using-namespace): operators
+    const auto& motion = state.kinematics.motion();
+    double power = 0.0;
+    for (const Push& push : pushes) {
+      power += Dot(V3(push.force), state.VelocityAt(push.node, motion[push.node].R * V3(push.p_N)));
+    }
+    for (const Moment& own : moments) {
+      const int parent = state.model.nodes[own.node].parent;
+      const V3 w = parent < 0 ? V3() : motion[parent].w;
+      power += Dot(motion[own.node].R * V3(own.moment_N), motion[own.node].w - w);
+    }
+    return power;
   }
   void AddTo(NodeKinematics* kinematics) const {
     using namespace small;  // NOLINT(google-build-using-namespace): operators

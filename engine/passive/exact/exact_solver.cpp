@@ -179,8 +179,14 @@ void ExactSolver::Thaw() {
 }
 
 std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
-  const double until = std::min(end, *frozen_until_);
-  if (const std::optional<ExactFailure> failure = step_.Take(until)) return failure;
+  for (;;) {
+    const double until = std::min(end, *frozen_until_);
+    if (const std::optional<ExactFailure> failure = step_.Take(until)) return failure;
+    if (!frozen_.GivesTooMuch(time() - step_start(), step_.PlaceNow())) break;
+    step_.TakeBack();
+    frozen_.Halve();
+    Freeze();
+  }
   ++steps_;
   if (contact_search_.FindBlow() || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
   return std::nullopt;

@@ -89,6 +89,7 @@ std::optional<ExactFailure> ExactStep::Take(double end) {
   is_closed_ = false;
   start_.q = now_.q;
   start_.qd = now_.qd;
+  start_anchor_ = anchor_;
   double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
   for (;;) {
     const double rest = end - time_;
@@ -132,6 +133,13 @@ void ExactStep::EndAt(double t) {
   now_.swap(inside_);
   anchor_ = dynamics_->anchor();
   time_ = t;
+}
+
+void ExactStep::TakeBack() {
+  time_ = step_.start_time();
+  now_.q = start_.q;
+  now_.qd = start_.qd;
+  anchor_ = start_anchor_;
 }
 
 void ExactStep::GoOn() {

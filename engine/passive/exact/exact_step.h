@@ -38,6 +38,8 @@ class ExactStep {
   std::optional<ExactFailure> Take(double end);
   // Ends the step earlier, at t.
   void EndAt(double t);
+  // To where the step began; Begin is to follow.
+  void TakeBack();
   // Goes on with the state where the step was ended as it is: next to a pole angles and rates do
   // not tell it well.
   void GoOn();
@@ -104,7 +106,7 @@ class ExactStep {
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
   double time_ = 0.0;
   HingeState start_, now_, inside_;
-  PointMotion anchor_;  // at time_
+  PointMotion start_anchor_, anchor_;  // at time_
   VecX y_, scale_;
   // Where constraints have closed what the step left, it goes on from there.
   VecX closed_;

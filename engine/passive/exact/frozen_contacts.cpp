@@ -32,9 +32,11 @@ constexpr int kCalm = 8, kCalmest = 128;  // steps
 // How long forces stay: until what they were found for is off by so much, as things turn; and not
 // much longer than the last time.
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
+constexpr double kHalved = kShortest / 64.0;         // at least [s]
 constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
 constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
+constexpr double kGiven = 0.01;                      // of the kinetic energy is too much
 
 }  // namespace
 
@@ -59,6 +61,7 @@ void FrozenContacts::Enter(double t) {
   calm_enough_ = t - left_ < kSoon ? std::min(2 * calm_enough_, kCalmest) : kCalm;
   calm_steps_ = 0;
   start_ = t;
+  longest_ = kLongest;
   pushes_.clear();
   torques_.setZero();
 }
@@ -66,6 +69,18 @@ void FrozenContacts::Enter(double t) {
 void FrozenContacts::Leave(double t) {
   left_ = t;
   dynamics_->frozen().Clear();
+}
+
+// A little of the motion, and what lifts the bodies by what forces may be off by, is no matter.
+bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
+  if (0.5 * h_ < kHalved) return false;
+  const double lifted = dynamics_->model().mass * dynamics_->gravity() * kOff;
+  return 0.5 * seconds * dynamics_->frozen().PowerIn(state) > kGiven * kinetic_ + lifted;
+}
+
+void FrozenContacts::Halve() {
+  longest_ = 0.5 * h_;
+  calm_steps_ = 0;
 }
 
 void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
@@ -79,6 +94,8 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
     dynamics_->AssembleHinges(t, state->q, state->qd);
     problem_.Factor();
   }
+  kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
+             0.5 * dynamics_->model().mass * dynamics_->anchor().v.squaredNorm();
   Press(*state);
   if (is_struck || is_inside_) calm_steps_ = 0;
   dynamics_->contacts().OpenAll();
@@ -134,7 +151,8 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   const ContactSet::Speed fastest = contacts.Fastest(places);
   h_ = std::min({2.0 * (t - start_), std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)),
                  kMostTurn / (fastest.turn + 1e-9)});
-  h_ = std::clamp(h_, kShortest, kLongest);
+  h_ = std::min(std::clamp(h_, kShortest, kLongest), longest_);
+  longest_ = 2.0 * h_;
   start_ = t;
   fastest_ = fastest.end;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;

@@ -30,6 +30,11 @@ class FrozenContacts {
   // For a while from t on: rates after the impacts of all that would be hit within it, and
   // RegionDynamics::frozen().
   void Set(double t, HingeState* state, LimitHits* hits);
+  // Whether its forces give energy to what moves so at the end of a step of so many seconds, and
+  // the while can be halved.
+  bool GivesTooMuch(double seconds, const RegionState& state) const;
+  // The next while is to be half as long as the latest.
+  void Halve();
   // Of the latest while [s].
   double length() const { return h_; }
   // By how much the impacts changed the velocity of the centre of mass in flight [m/s].
@@ -71,6 +76,8 @@ class FrozenContacts {
   int calm_steps_ = 0, calm_enough_ = 0;
   double left_ = 0.0;             // when [s]
   double start_ = 0.0, h_ = 0.0;  // of the latest while [s]
+  double longest_ = 0.0;          // that the next one may be [s]
+  double kinetic_ = 0.0;          // where the latest began [J]
   double fastest_ = 0.0;          // of what may touch [m/s]
 };
 
