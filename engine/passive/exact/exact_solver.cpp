@@ -153,18 +153,21 @@ bool ExactSolver::Crawls() {
   return steps_ > crawl_steps_ + kMostSteps;
 }
 
-// Where contacts change again and again, as they do when many of them come to rest together.
+// Where contacts change again and again, as they do when many of them come to rest together. Where
+// what is found overloads a constraint it breaks.
 void ExactSolver::Freeze() {
   if (!frozen_until_) {
     frozen_.Enter(time());
     held_.LetGo();
     if (!frozen_from_) frozen_from_ = time();
   }
-  dynamics_->SetAnchor(step_.anchor());
-  frozen_.Set(time(), &step_.now(), &hits_);
-  step_.Kick(frozen_.kick());
-  dynamics_->SetLocked(held_.held(), q());
-  step_.Begin();
+  do {
+    dynamics_->SetAnchor(step_.anchor());
+    frozen_.Set(time(), &step_.now(), &hits_);
+    step_.Kick(frozen_.kick());
+    dynamics_->SetLocked(held_.held(), q());
+    step_.Begin();
+  } while (BreakOverloaded());
   release_search_.Begin();
   frozen_until_ = time() + frozen_.length();
   follows_event_ = true;
@@ -189,6 +192,7 @@ std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
   }
   ++steps_;
   if (contact_search_.FindBlow() || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
+  if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   return std::nullopt;
 }
 

@@ -91,6 +91,42 @@ TEST(TumbleBake, WhatBeginsInsideComesOutSlowlyAndIsWarnedOf) {
   EXPECT_NEAR(ClearanceOf(animation, motion.frames.back()), 0.0, 1e-4);
 }
 
+// The force of a hold at each frame [N]; 0 where it is broken.
+std::vector<double> ForcesOf(const Motion& motion) {
+  std::vector<double> forces;
+  for (const MotionFrame& frame : motion.frames) forces.push_back(frame.constraint_forces.at(0));
+  return forces;
+}
+
+// A hand that holds on to the hip is torn off as the fall is broken by the ground, where forces are
+// frozen.
+TEST(TumbleBake, AHoldBreaksWhereItsForceIsMoreThanItStands) {
+  Animation animation = LooseHuman(40, 1.4, 1.0);
+  Animation bare = animation;
+  bare.regions.clear();
+  bare.placements.clear();
+  const MotionFrame start = BakeOrFail(bare).frames[0];
+  DynamicsWorkspace ws(*animation.figure);
+  ComputePositions(*animation.figure, start.X_WR, start.q, &ws);
+  const ConstraintEnd hand = OnJoint(animation, "r_wrist");
+  const BodyScratch& body = ws.body(animation.figure->group(*hand.joint).last());
+  Constraint& hold = AddPoint(&animation, hand, OnRoot(start.X_WR.Inverse() * Vec3(body.p)), 0, 40);
+  const Motion whole = BakeOrFail(animation);
+  const std::vector<double> forces = ForcesOf(whole);
+  const double frozen = whole.regions[0].estimated_until.value();
+  const auto first = forces.begin() + static_cast<std::ptrdiff_t>(std::ceil(frozen));
+  const auto strongest = std::max_element(first, forces.end());
+  const double before = *std::max_element(forces.begin(), first);
+  ASSERT_GT(*strongest, 2.0 * before);
+  hold.break_force = 0.5 * (*strongest + before);
+  const Motion motion = BakeOrFail(animation);
+  const std::vector<MotionEvent> breaks = EventsOf(motion, EventKind::kBreak);
+  ASSERT_EQ(breaks.size(), 1u);
+  EXPECT_GE(30.0 * breaks[0].time, frozen);
+  EXPECT_LE(30.0 * breaks[0].time, static_cast<double>(strongest - forces.begin()));
+  for (const double force : ForcesOf(motion)) EXPECT_LE(force, *hold.break_force);
+}
+
 // Two boxes hold a rod from both sides: there is nowhere to go, and nothing moves much.
 TEST(TumbleBake, WhereThereIsNoRoomForcesStayFinite) {
   Animation animation = Loose(FreeRod(), 30);
