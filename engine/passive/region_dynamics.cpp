@@ -24,6 +24,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
   for (const auto& law : laws_) {
     (law->is_rule() ? has_rules_ : has_forces_) = true;
     has_outer_ |= law->is_outer();
+    has_kinks_ |= law->has_kinks();
   }
   has_outer_ |= has_rows_;
   if (has_outer_) {

@@ -165,6 +165,12 @@ class RegionDynamics {
   // At time t in state y. Each power is found from the forces in the joints, not from the others.
   EnergyFlow MeasureEnergy(double t, const double* y);
 
+  // Of all laws, as ForceLaw has them, in that state.
+  bool has_kinks() const { return has_kinks_; }
+  void KinksIn(const RegionState& state, std::vector<double>* kinks) const {
+    kinks->clear();
+    for (const auto& law : laws_) law->AppendKinks(state, kinks);
+  }
   // Of all laws, as ForceLaw has it [1/s].
   double FastestRate() const;
 
@@ -241,7 +247,7 @@ class RegionDynamics {
   bool is_carrier_still_ = false;
   ForceLaws laws_;
   // Laws that give forces, that act from outside, that are rules.
-  bool has_forces_ = false, has_outer_ = false, has_rules_ = false;
+  bool has_forces_ = false, has_outer_ = false, has_rules_ = false, has_kinks_ = false;
   // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
   ConstraintRows rows_;
   ContactSet contacts_;

@@ -22,6 +22,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       hit_search_(dynamics, &range_, &step_),
       release_search_(&step_, &held_),
       contact_search_(dynamics, &step_),
+      kink_search_(dynamics, &step_),
       frozen_(dynamics, &range_),
       hits_(dynamics->num_hinges()) {}
 
@@ -107,7 +108,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
     Freeze();
     return AdvanceFrozen(end);
   }
-  if (const std::optional<ExactFailure> failure = step_.Take(end)) {
+  if (const std::optional<ExactFailure> failure = Take(end)) {
     // Contacts that slide may jam: no finite forces keep them from it, but a blow does.
     if (!dynamics_->contacts().any_closed()) return failure;
     Freeze();
@@ -123,6 +124,16 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
+}
+
+// One step, which a kink ends: beyond one it would be of no order.
+std::optional<ExactFailure> ExactSolver::Take(double end) {
+  const std::optional<ExactFailure> failure = step_.Take(end);
+  if (failure || !dynamics_->has_kinks()) return failure;
+  const std::optional<double> kink = kink_search_.Find();
+  if (!kink) return std::nullopt;
+  step_.TakeBack();
+  return step_.Take(*kink);
 }
 
 void ExactSolver::FindHits() {
@@ -184,7 +195,7 @@ void ExactSolver::Thaw() {
 std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
   for (;;) {
     const double until = std::min(end, *frozen_until_);
-    if (const std::optional<ExactFailure> failure = step_.Take(until)) return failure;
+    if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     if (!frozen_.GivesTooMuch(time() - step_start(), step_.PlaceNow())) break;
     step_.TakeBack();
     frozen_.Halve();

@@ -8,6 +8,7 @@
 #include "engine/passive/exact/exact_step.h"
 #include "engine/passive/exact/frozen_contacts.h"
 #include "engine/passive/exact/hit_search.h"
+#include "engine/passive/exact/kink_search.h"
 #include "engine/passive/exact/release_search.h"
 
 namespace hazumi {
@@ -77,6 +78,7 @@ class ExactSolver {
   bool Crawls();
   void Freeze();
   void Thaw();
+  std::optional<ExactFailure> Take(double end);
   std::optional<ExactFailure> AdvanceFrozen(double end);
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
@@ -90,6 +92,7 @@ class ExactSolver {
   HitSearch hit_search_;
   ReleaseSearch release_search_;
   ContactSearch contact_search_;
+  KinkSearch kink_search_;
   FrozenContacts frozen_;
   LimitHits hits_;
   Next next_ = Next::kGoOn;

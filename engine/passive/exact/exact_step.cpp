@@ -140,6 +140,10 @@ void ExactStep::TakeBack() {
   now_.q = start_.q;
   now_.qd = start_.qd;
   anchor_ = start_anchor_;
+  is_closed_ = false;
+  gap_ = 0.0;
+  std::copy_n(step_.start_y(), dynamics_->state_size(), y_.data());
+  step_.Start(time_, y_.data(), Field());
 }
 
 void ExactStep::GoOn() {

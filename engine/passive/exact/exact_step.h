@@ -38,7 +38,7 @@ class ExactStep {
   std::optional<ExactFailure> Take(double end);
   // Ends the step earlier, at t.
   void EndAt(double t);
-  // To where the step began; Begin is to follow.
+  // As if it had not been taken; before anything has changed it.
   void TakeBack();
   // Goes on with the state where the step was ended as it is: next to a pole angles and rates do
   // not tell it well.
@@ -67,6 +67,9 @@ class ExactStep {
   EnergyFlow Energy(double t);
   // By how much the worst of the constraints is overloaded at t (ConstraintRows).
   double Overload(double t);
+  // Where nodes are at the ends of a step that nothing has ended earlier, gaps left.
+  RegionState PlaceStart() { return dynamics_->PlaceAt(step_.start_time(), step_.start_y()); }
+  RegionState PlaceEnd() { return dynamics_->PlaceAt(step_.end_time(), step_.y()); }
   // Where nodes are at t, gaps left; and again, after it at the same t.
   RegionState Glance(double t);
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }

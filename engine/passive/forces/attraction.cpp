@@ -15,4 +15,10 @@ void Attraction::AddForces(const RegionState& state, NodeKinematics* kinematics)
                        small::V3(spec_.force / std::max(d.norm(), spec_.radius) * d));
 }
 
+void Attraction::AppendKinks(const RegionState& state, std::vector<double>* kinks) const {
+  const small::V3 r = state.kinematics.motion()[spec_.node].R * small::V3(spec_.point);
+  const Vec3 d = spec_.to - state.PositionAt(spec_.node, r).eigen();
+  kinks->push_back(d.norm() - spec_.radius);
+}
+
 }  // namespace hazumi

@@ -27,6 +27,9 @@ class Attraction : public ForceLaw {
   std::string_view name() const override { return "attraction"; }
   bool is_outer() const override { return true; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
+  bool has_kinks() const override { return true; }
+  // Outside the radius it is above zero.
+  void AppendKinks(const RegionState& state, std::vector<double>* kinks) const override;
 
  private:
   AttractionSpec spec_;

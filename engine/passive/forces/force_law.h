@@ -59,6 +59,10 @@ class ForceLaw {
   virtual bool is_outer() const { return false; }
   // Adds its drives that are spent.
   virtual void ListSpent(const RegionState&, std::vector<SpentDrive>*) const {}
+  // Appends what changes its sign where its forces have a kink: steps end there. As many numbers
+  // each time.
+  virtual void AppendKinks(const RegionState&, std::vector<double>* /*kinks*/) const {}
+  virtual bool has_kinks() const { return false; }
   // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
   virtual double FastestRate() const { return 0.0; }
 };

@@ -21,19 +21,6 @@ namespace hazumi {
 
 using small::V3;
 
-namespace {
-
-Spring WithoutLimit(Spring spring) {
-  const Spring none;
-  spring.most = none.most;
-  spring.most_forward = none.most_forward;
-  spring.most_backward = none.most_backward;
-  spring.muscles.reset();
-  return spring;
-}
-
-}  // namespace
-
 double RateOfFrequency(double frequency) { return 2.0 * std::numbers::pi * frequency; }
 
 SpringNow NowOf(const Spring& spring, double frequency, double share) {
@@ -41,38 +28,59 @@ SpringNow NowOf(const Spring& spring, double frequency, double share) {
           spring.reads_share ? share : spring.share};
 }
 
-double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
-                const HingeMotion& reference, double ahead) {
+HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
+                 const HingeMotion& reference, double ahead) {
   const double w = now.rate;
   double pull = spring.inertia * w *
                 (w * (reference.angle - hinge.angle) +
                  2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
   if (spring.has_ahead) pull += ahead;
-  const double torque = std::clamp(pull, -spring.most, spring.most);
-  if (!spring.muscles) return torque;
+  const double lag = std::abs(reference.angle - hinge.angle);
+  if (!spring.muscles) return {pull, -spring.most, spring.most, lag};
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
-  return std::clamp(torque, -now.share * limits.negative.torque,
-                    now.share * limits.positive.torque);
+  return {pull, std::max(-spring.most, -now.share * limits.negative.torque),
+          std::min(spring.most, now.share * limits.positive.torque), lag};
 }
 
-Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
-              const Vec3& ahead) {
+double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
+                const HingeMotion& reference, double ahead) {
+  const HingePull own = PullOf(spring, now, hinge, reference, ahead);
+  return std::clamp(own.pull, own.least, own.most);
+}
+
+Vec3 PullOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
+            const Vec3& ahead) {
   const Eigen::Quaterniond turn(E);
   const Vec3 e = turn.vec(), Ie = spring.of_ball * e;
   const double rate = now.rate;
   Vec3 moment = -2.0 * rate * rate * (turn.w() * Ie + Ie.cross(e)) -
                 2.0 * spring.damping_ratio * rate * (spring.of_ball * w);
   if (spring.has_ahead) moment += ahead;
-  if (!spring.is_limited()) return moment;
-  // How many times too large.
-  double over = moment.norm() / spring.most, sum = 0.0;
+  return moment;
+}
+
+double ExcessOf(const Spring& spring, const SpringNow& now, const Vec3& moment) {
+  double sum = 0.0;
   for (int i = 0; i < 3; ++i) {
     const double whole = moment[i] >= 0.0 ? spring.most_forward[i] : spring.most_backward[i];
     const double most = std::isfinite(whole) ? now.share * whole : whole;
     sum += moment[i] == 0.0 ? 0.0 : (moment[i] / most) * (moment[i] / most);
   }
-  over = std::max(over, std::sqrt(sum));
-  return over > 1.0 ? Vec3(moment / over) : moment;
+  return std::max(moment.norm() / spring.most, std::sqrt(sum));
+}
+
+namespace {
+
+Vec3 Limited(const Spring& spring, const SpringNow& now, const Vec3& pull) {
+  const double excess = spring.is_limited() ? ExcessOf(spring, now, pull) : 0.0;
+  return excess > 1.0 ? Vec3(pull / excess) : pull;
+}
+
+}  // namespace
+
+Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
+              const Vec3& ahead) {
+  return Limited(spring, now, PullOf(spring, now, E, w, ahead));
 }
 
 SpringNow SpringDrive::Now(int hinge, const RegionState& state) const {
@@ -91,7 +99,7 @@ double SpringDrive::FastestRate() const {
 }
 
 // Where it is turned to is told by how it lies beside its parent, whatever the layout.
-SpringDrive::OfBall SpringDrive::SeeBall(int node, const RegionState& state) const {
+SpringDrive::BallPull SpringDrive::PullOnBall(int node, const RegionState& state) const {
   const auto& hinges = state.model.nodes[node].hinges;
   const int first = state.layout.node(node).first_hinge;
   const NodeMotion& own = state.kinematics.motion()[node];
@@ -113,90 +121,99 @@ SpringDrive::OfBall SpringDrive::SeeBall(int node, const RegionState& state) con
   for (int k = 0; k < 3 && springs_[first].has_ahead; ++k) {
     ahead[k] = state.driven.springs[first + k].moment.At(state.t).v;
   }
-  return {R_WB, E, w, ahead};
-}
-
-SpringDrive::OfHinge SpringDrive::SeeHinge(int hinge, double q, double qd,
-                                           const RegionState& state) const {
-  const Jet reference = state.driven.drives[hinge].At(state.t);
-  const double ahead =
-      springs_[hinge].has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
-  return {{q, qd}, {reference.v, reference.d}, ahead};
+  return {R_WB, E, PullOf(springs_[first], Now(first, state), E, w, ahead)};
 }
 
 V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
   const int first = state.layout.node(node).first_hinge;
-  const OfBall ball = SeeBall(node, state);
-  const Vec3 moment = MomentOf(springs_[first], Now(first, state), ball.E, ball.w, ball.ahead);
-  return V3(Vec3(ball.R_WB * moment));
+  const BallPull own = PullOnBall(node, state);
+  return V3(Vec3(own.R_WB * Limited(springs_[first], Now(first, state), own.moment)));
 }
 
-V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
+template <typename Action>
+void SpringDrive::ForEachHinge(int node, const RegionState& state, Action&& action) const {
   const RegionLayout::Node& own = state.layout.node(node);
-  double torques[3] = {};
   for (int h = 0, free = 0; free < own.num_dofs; ++h) {
     if (own.locked[h]) continue;
     const int hinge = own.first_hinge + h;
     if (springs_[hinge].rate > 0.0) {
-      const OfHinge of = SeeHinge(hinge, state.positions[own.position + free],
-                                  state.velocities[own.dof + free], state);
-      torques[free] =
-          TorqueOf(springs_[hinge], Now(hinge, state), of.hinge, of.reference, of.ahead);
+      const Spring& spring = springs_[hinge];
+      const Jet reference = state.driven.drives[hinge].At(state.t);
+      const double ahead =
+          spring.has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
+      action(free, PullOf(spring, Now(hinge, state),
+                          {state.positions[own.position + free], state.velocities[own.dof + free]},
+                          {reference.v, reference.d}, ahead));
     }
     ++free;
   }
-  return MomentOfHinges(state.kinematics.motion()[node], own.num_dofs, torques);
+}
+
+V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
+  double torques[3] = {};
+  ForEachHinge(node, state, [&](int free, const HingePull& own) {
+    torques[free] = std::clamp(own.pull, own.least, own.most);
+  });
+  return MomentOfHinges(state.kinematics.motion()[node], state.layout.node(node).num_dofs, torques);
 }
 
 bool SpringDrive::Pulls(int node, const RegionState& state) const {
-  const RegionLayout::Node& own = state.layout.node(node);
-  if (own.num_dofs == 0) return false;
-  const auto first = springs_.begin() + own.first_hinge;
-  return std::any_of(first, first + state.model.nodes[node].num_hinges,
-                     [](const Spring& spring) { return spring.rate > 0.0; });
+  if (state.layout.node(node).num_dofs == 0) return false;
+  const auto first = springs_.begin() + state.layout.node(node).first_hinge;
+  const auto pulls = [](const Spring& spring) { return spring.rate > 0.0; };
+  return std::any_of(first, first + state.model.nodes[node].num_hinges, pulls);
 }
 
 void SpringDrive::AddForces(const RegionState& state, NodeKinematics* kinematics) const {
-  for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
+  const auto& nodes = state.layout.nodes();
+  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
     if (!Pulls(i, state)) continue;
     kinematics->AddJointMoment(
         i, state.model.nodes[i].is_ball ? MomentOnBall(i, state) : MomentOnHinges(i, state));
   }
 }
 
-void SpringDrive::AddIfSpent(int hinge, double torque, double wanted, double lag,
-                             std::vector<SpentDrive>* spent) const {
-  constexpr double kAll = 1.0 - 1e-9;
-  if (torque < kAll * wanted) spent->push_back({hinge, torque, wanted, lag});
+bool SpringDrive::has_kinks() const {
+  return std::any_of(springs_.begin(), springs_.end(), [](const Spring& spring) {
+    return spring.rate > 0.0 && (spring.is_limited() || spring.muscles);
+  });
+}
+
+void SpringDrive::AppendKinks(const RegionState& state, std::vector<double>* kinks) const {
+  for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
+    if (!Pulls(i, state)) continue;
+    if (!state.model.nodes[i].is_ball) {
+      ForEachHinge(i, state, [&](int, const HingePull& own) {
+        kinks->push_back(own.pull - own.most);
+        kinks->push_back(own.pull - own.least);
+      });
+      continue;
+    }
+    const int first = state.layout.node(i).first_hinge;
+    if (!springs_[first].is_limited()) continue;
+    const Vec3 pull = PullOnBall(i, state).moment;
+    kinks->push_back(ExcessOf(springs_[first], Now(first, state), pull) - 1.0);
+  }
 }
 
 void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const {
+  constexpr double kAll = 1.0 - 1e-9;
+  const auto add = [&](int hinge, double given, double pull, double lag) {
+    if (given < kAll * pull) spent->push_back({hinge, given, pull, lag});
+  };
   for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
     if (!Pulls(i, state)) continue;
-    const RegionLayout::Node& own = state.layout.node(i);
-    if (state.model.nodes[i].is_ball) {
-      const OfBall ball = SeeBall(i, state);
-      const auto moment = [&](const Spring& spring) {
-        return MomentOf(spring, Now(own.first_hinge, state), ball.E, ball.w, ball.ahead).norm();
-      };
-      const Spring& spring = springs_[own.first_hinge];
-      AddIfSpent(own.first_hinge, moment(spring), moment(WithoutLimit(spring)),
-                 Eigen::AngleAxisd(ball.E).angle(), spent);
+    const int first = state.layout.node(i).first_hinge;
+    if (!state.model.nodes[i].is_ball) {
+      ForEachHinge(i, state, [&](int free, const HingePull& own) {
+        const double given = std::clamp(own.pull, own.least, own.most);
+        add(first + free, std::abs(given), std::abs(own.pull), own.lag);
+      });
       continue;
     }
-    for (int h = 0, free = 0; free < own.num_dofs; ++h) {
-      if (own.locked[h]) continue;
-      const int hinge = own.first_hinge + h;
-      const OfHinge of = SeeHinge(hinge, state.positions[own.position + free],
-                                  state.velocities[own.dof + free], state);
-      ++free;
-      const auto torque = [&](const Spring& spring) {
-        return std::abs(TorqueOf(spring, Now(hinge, state), of.hinge, of.reference, of.ahead));
-      };
-      if (springs_[hinge].rate == 0.0) continue;
-      AddIfSpent(hinge, torque(springs_[hinge]), torque(WithoutLimit(springs_[hinge])),
-                 std::abs(of.reference.angle - of.hinge.angle), spent);
-    }
+    const BallPull own = PullOnBall(i, state);
+    const Vec3 given = Limited(springs_[first], Now(first, state), own.moment);
+    add(first, given.norm(), own.moment.norm(), Eigen::AngleAxisd(own.E).angle());
   }
 }
 

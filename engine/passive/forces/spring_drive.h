@@ -54,11 +54,23 @@ SpringNow NowOf(const Spring& spring, double frequency, double share);
 struct HingeMotion {
   double angle, rate;
 };
+// What the spring would give, and between what that is held [N m].
+struct HingePull {
+  double pull, least, most;
+  double lag;  // from where it pulls to [rad]
+};
 // `ahead`: added to the pull before it is limited [N m].
+HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
+                 const HingeMotion& reference, double ahead);
 double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
                 const HingeMotion& reference, double ahead);
-// Moment of a ball joint turned by E from what the spring pulls it to, with w the angular velocity
-// relative to that; all in the ball's frame (BallAxes).
+// The moment that the spring would give a ball joint turned by E from what it pulls it to, with w
+// the angular velocity relative to that; all in the ball's frame (BallAxes).
+Vec3 PullOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
+            const Vec3& ahead);
+// How many times too large that is.
+double ExcessOf(const Spring& spring, const SpringNow& now, const Vec3& pull);
+// What of it is given.
 Vec3 MomentOf(const Spring& spring, const SpringNow& now, const Mat3& E, const Vec3& w,
               const Vec3& ahead);
 
@@ -78,28 +90,28 @@ class SpringDrive : public ForceLaw {
 
   std::string_view name() const override { return "spring"; }
   void AddForces(const RegionState& state, NodeKinematics* kinematics) const override;
+  bool has_kinks() const override;
+  // Where what it would give reaches what it may.
+  void AppendKinks(const RegionState& state, std::vector<double>* kinks) const override;
+  // In a layout that locks no hinge.
   void ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const override;
   double FastestRate() const override;
 
  private:
-  // How a hinge, or a ball joint, is beside what it is pulled to.
-  struct OfHinge {
-    HingeMotion hinge, reference;
-    double ahead;
-  };
-  struct OfBall {
-    Mat3 R_WB, E;
-    Vec3 w, ahead;
+  // Of a ball joint, in its frame.
+  struct BallPull {
+    Mat3 R_WB, E;  // the latter from what it is pulled to
+    Vec3 moment;
   };
 
-  bool Pulls(int node, const RegionState& state) const;
   SpringNow Now(int hinge, const RegionState& state) const;
-  OfBall SeeBall(int node, const RegionState& state) const;
-  OfHinge SeeHinge(int hinge, double q, double qd, const RegionState& state) const;
+  bool Pulls(int node, const RegionState& state) const;
+  BallPull PullOnBall(int node, const RegionState& state) const;
   small::V3 MomentOnBall(int node, const RegionState& state) const;
+  // action(free, pull) for each that has one.
+  template <typename Action>
+  void ForEachHinge(int node, const RegionState& state, Action&& action) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;
-  void AddIfSpent(int hinge, double torque, double wanted, double lag,
-                  std::vector<SpentDrive>* spent) const;
 
   std::vector<Spring> springs_;
 };

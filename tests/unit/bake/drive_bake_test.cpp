@@ -245,6 +245,24 @@ TEST(SpringDrive, PullsNoHarderThanItMay) {
   }
 }
 
+// To and fro, most of the way as hard as it may: its energy stays, though the torque has kinks.
+TEST(SpringDrive, KeepsItsEnergyWhereItIsHeldDown) {
+  constexpr double kMost = 2.0, kRate = 4.0 * kPi;
+  Animation animation = Rod();
+  animation.solver.tolerance = 0.01 * kDegree;
+  KeysOf(&animation, animation.figure->joints()[0].name.c_str()) = {{0, 1.0, 0.0}};
+  AddSpring(&animation, SpringTarget::kRest, 2.0, 0.0).max_torque = kMost;
+  const double inertia = InertiaOfRod(animation), stiffness = inertia * kRate * kRate;
+  const auto stored = [&](double q) {
+    const double edge = kMost / stiffness, size = std::abs(q);
+    return size < edge ? 0.5 * stiffness * q * q : kMost * (size - 0.5 * edge);
+  };
+  for (const MotionFrame& frame : BakeOrFail(animation).frames) {
+    const double rate = frame.after.qd[0];
+    EXPECT_NEAR(0.5 * inertia * rate * rate + stored(frame.q[0]), stored(1.0), 1e-6) << frame.frame;
+  }
+}
+
 // A rod held level weighs m g l / 2 on its hinge: with muscles that give 1 % more it is lifted,
 // with 1 % less it sinks, whatever the spring would pull. Half of twice the strength is the same.
 TEST(SpringDrive, IsAsStrongAsItsMuscles) {

@@ -243,6 +243,25 @@ TEST(ForceBake, TheWorkOfAPullIsTheEnergyOfItsWay) {
   EXPECT_LT(std::abs(energy.residual()), 1e-6);
 }
 
+// Into the radius and out of it again its energy stays, though the force has kinks there.
+TEST(ForceBake, APullKeepsItsEnergyThroughItsRadius) {
+  Animation animation = Flying(FreeRod(), 0.0);
+  animation.solver.tolerance = 0.01 * kDegree;
+  SetRoot(&animation, kRootX, 1.0, 0.0);
+  AttractForce pull;
+  pull.force = 40.0;
+  pull.radius = 0.3;
+  AddForce(&animation, 0, 30, pull);
+  int inside = 0;
+  for (const MotionFrame& frame : BakeOrFail(animation).frames) {
+    const double distance = frame.X_WR.p.norm(), v = frame.after.root_v.norm();
+    inside += distance < pull.radius;
+    const double energy = 0.5 * kMass * v * v + PullEnergy(pull, distance);
+    EXPECT_NEAR(energy, PullEnergy(pull, 1.0), 1e-6) << frame.frame;
+  }
+  EXPECT_GE(inside, 2);
+}
+
 // Before its first frame and behind its last one there is nothing of it: the fall is a parabola.
 TEST(ForceBake, ActsInItsFramesAlone) {
   Animation animation = Flying(Human37(), kG);
