@@ -29,14 +29,16 @@ class RegionLayout {
     int first_hinge = 0;            // among the free hinges
     int first_angle = 0;            // in angles(), of those that are not a ball's or locked
     std::array<bool, 3> locked{};   // by hinge of the node
-    std::array<double, 3> angle{};  // of the locked ones [rad]
-    std::array<double, 3> sine{}, cosine{};  // of these
+    std::array<double, 3> angle{};  // as SetLocked was told last [rad]
+    std::array<double, 3> sine{}, cosine{};  // of the locked ones
   };
 
   // Nothing locked. `balls`: without it every joint is a chain of hinges, and a state is the angles
   // and rates of the free hinges.
   RegionLayout(const RegionModel& model, bool balls);
 
+  // `angles`, by hinge [rad]: of those that are locked; the others' tell on which side of its poles
+  // a ball joint is.
   void SetLocked(const std::vector<char>& locked, const VecX& angles);
 
   const std::vector<FreeHinge>& hinges() const { return hinges_; }

@@ -207,6 +207,14 @@ TEST(WorkingRegion, ClosesItsAccountAndKeepsItsTolerance) {
   trials.Expect();
 }
 
+// Found among a thousand: ball joints that limits lead straight through a pole, whose middle axis
+// points the other way from there on for torques too.
+TEST(WorkingRegion, GoesOnBeyondAPole) {
+  Trials trials;
+  for (const int seed : {134, 275, 652}) trials.Add(seed);
+  trials.Expect();
+}
+
 // Found among a thousand: constraints and contacts that have no hold but for rounding, as limits
 // hold the joints that they could move.
 TEST(WorkingRegion, GoesOnWhereConstraintsAndContactsHaveNoHold) {

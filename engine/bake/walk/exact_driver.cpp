@@ -5,7 +5,6 @@
 #include "engine/bake/walk/exact_driver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -165,7 +164,7 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* 
 
 void ExactDriver::AddDrives(IslandTask* task) const {
   const int k = task->model.num_free;
-  TorqueSpec torques{std::vector<char>(k, 0), VecX::Zero(k)};
+  TorqueSpec torques{std::vector<char>(k, 0)};
   SpringSpec springs{std::vector<Spring>(k)};
   bool has_torques = false, has_springs = false;
   int i = 0;
@@ -173,8 +172,6 @@ void ExactDriver::AddDrives(IslandTask* task) const {
     const hazumi::Drive* drive = drives_[c];
     const bool is_torque = drive && drive->kind == DriveKind::kTorque;
     torques.is_driven[i] = is_torque;
-    const double middle = 0.5 * (task->lower[i] + task->upper[i]);
-    torques.side[i] = std::isfinite(middle) ? middle : 0.0;
     if (drive && !is_torque) springs.springs[i] = springs_[c];
     has_torques |= is_torque;
     has_springs |= drive && !is_torque;

@@ -101,7 +101,10 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
     return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooManyEvaluations};
   }
   if (next_ == Next::kEvent) MakeEventHappen();
-  if (next_ == Next::kGoOnFromCut) step_.GoOn();
+  if (next_ == Next::kGoOnFromCut) {
+    dynamics_->SetLocked(held_.held(), q());  // a ball joint may be on the other side of a pole
+    step_.GoOn();
+  }
   next_ = Next::kGoOn;
   if (frozen_until_) return AdvanceFrozen(end);
   if (Crawls()) {

@@ -21,7 +21,8 @@ V3 TorqueDrive::MomentOn(int node, const RegionState& state) const {
   if (own.kind == RegionLayout::NodeKind::kBall) {
     const HingeTriple& triple = *state.layout.triple(node);
     const Mat3 R = RotationOfQuaternion(state.positions + own.position);
-    const Vec3 q = triple.Angles(R, spec_.side.segment<3>(own.first_hinge), /*keeps_side=*/true);
+    // The side of the poles that it was on last; beyond one the middle axis points the other way.
+    const Vec3 q = triple.Angles(R, Vec3(own.angle.data()), /*keeps_side=*/true);
     const Mat3 in_body = triple.AxesInBody(q);
     V3 axes[3];
     for (int k = 0; k < 3; ++k) {

@@ -11,12 +11,10 @@ namespace hazumi {
 struct TorqueSpec {
   static constexpr bool kIsOuter = false;
   std::vector<char> is_driven;  // by free hinge
-  // By free hinge [rad]: angles on that side of the poles of a ball joint on which its hinges are.
-  VecX side;
 };
 inline auto MembersOf(const TorqueSpec& spec) {
-  const auto& [is_driven, side] = spec;
-  return std::tie(is_driven, side);
+  const auto& [is_driven] = spec;
+  return std::tie(is_driven);
 }
 
 // Torques of hinges over time, DrivenMotion::drives. [METHOD 2.6]

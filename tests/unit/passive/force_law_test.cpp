@@ -134,7 +134,7 @@ ForceLaws With(const Push& push, bool is_outer = false) {
 
 // Some hinges are driven; a joint of three is as a whole.
 ForceLaws AnyTorques(const RandomIsland& island, Random* random) {
-  TorqueSpec spec{std::vector<char>(island.q.size(), 0), island.q};
+  TorqueSpec spec{std::vector<char>(island.q.size(), 0)};
   for (char& is_driven : spec.is_driven) is_driven = random->Chance(0.7);
   return MakeLaws({spec});
 }
