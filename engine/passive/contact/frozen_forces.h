@@ -14,7 +14,9 @@ struct FrozenForces {
     Vec3 p_N;                                  // in the node's frame [m]
     Vec3 force;                                // [N]
     int on_other = -1;                         // which it pushes back at the same point; none: -1
+    Vec3 p_other = Vec3::Zero();               // of that node, where the point was at first [m]
     int link = -1, object = -1, by_link = -1;  // as ContactPush
+    Vec3 from = Vec3::Zero();  // where the point was at first, less where the other's was [m]
   };
   struct Moment {
     int node;
@@ -28,18 +30,24 @@ struct FrozenForces {
     pushes.clear();
     moments.clear();
   }
-  // What goes from them into nodes that move so [W].
-  double PowerIn(const RegionState& state) const {
-    using namespace small;  // NOLINT(google-build-using-namespace): operators
+  // They begin to push, with bodies in these places.
+  void Begin(const RegionState& state) {
+    for (Push& push : pushes) push.from = PlaceOf(push, state);
+  }
+  // What pushes have given since [J].
+  double WorkOfPushes(const RegionState& state) const {
+    double work = 0.0;
+    for (const Push& push : pushes) work += push.force.dot(PlaceOf(push, state) - push.from);
+    return work;
+  }
+  // What moments give to nodes that turn so [W].
+  double PowerOfMoments(const RegionState& state) const {
     const auto& motion = state.kinematics.motion();
     double power = 0.0;
-    for (const Push& push : pushes) {
-      power += Dot(V3(push.force), state.VelocityAt(push.node, motion[push.node].R * V3(push.p_N)));
-    }
     for (const Moment& own : moments) {
       const int parent = state.model.nodes[own.node].parent;
-      const V3 w = parent < 0 ? V3() : motion[parent].w;
-      power += Dot(motion[own.node].R * V3(own.moment_N), motion[own.node].w - w);
+      const small::V3 w = motion[own.node].w - (parent < 0 ? small::V3() : motion[parent].w);
+      power += Dot(motion[own.node].R * small::V3(own.moment_N), w);
     }
     return power;
   }
@@ -55,6 +63,16 @@ struct FrozenForces {
     for (const Moment& own : moments) {
       kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * V3(own.moment_N));
     }
+  }
+
+ private:
+  static Vec3 PlaceOf(const Push& push, const RegionState& state) {
+    const auto& motion = state.kinematics.motion();
+    const auto place = [&](int node, const Vec3& p_N) {
+      return state.PositionAt(node, motion[node].R * small::V3(p_N)).eigen();
+    };
+    const Vec3 own = place(push.node, push.p_N);
+    return push.on_other < 0 ? own : Vec3(own - place(push.on_other, push.p_other));
   }
 };
 

@@ -201,8 +201,13 @@ std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     if (!frozen_.GivesTooMuch(time() - step_start(), step_.PlaceNow())) break;
     step_.TakeBack();
-    frozen_.Halve();
-    Freeze();
+    if (frozen_.Halve()) {
+      Freeze();
+      continue;
+    }
+    frozen_.GiveNothing();
+    dynamics_->SetAnchor(step_.anchor());
+    step_.Begin();
   }
   ++steps_;
   if (contact_search_.FindBlow() || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;

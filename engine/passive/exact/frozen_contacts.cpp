@@ -73,14 +73,23 @@ void FrozenContacts::Leave(double t) {
 
 // A little of the motion, and what lifts the bodies by what forces may be off by, is no matter.
 bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
-  if (0.5 * h_ < kHalved) return false;
   const double lifted = dynamics_->model().mass * dynamics_->gravity() * kOff;
-  return 0.5 * seconds * dynamics_->frozen().PowerIn(state) > kGiven * kinetic_ + lifted;
+  const FrozenForces& frozen = dynamics_->frozen();
+  const double work = frozen.WorkOfPushes(state) + 0.5 * seconds * frozen.PowerOfMoments(state);
+  return work > kGiven * kinetic_ + lifted;
 }
 
-void FrozenContacts::Halve() {
+bool FrozenContacts::Halve() {
+  if (0.5 * h_ < kHalved) return false;
   longest_ = 0.5 * h_;
   calm_steps_ = 0;
+  return true;
+}
+
+void FrozenContacts::GiveNothing() {
+  dynamics_->frozen().Clear();
+  torques_.setZero();
+  pushes_.clear();
 }
 
 void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
@@ -97,6 +106,7 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
              0.5 * dynamics_->model().mass * dynamics_->anchor().v.squaredNorm();
   Press(*state);
+  dynamics_->frozen().Begin(dynamics_->PlaceHinges(t, state->q, state->qd));
   if (is_struck || is_inside_) calm_steps_ = 0;
   dynamics_->contacts().OpenAll();
 }
@@ -285,8 +295,15 @@ void FrozenContacts::Keep(const VecX& impulses) {
     contacts.SetFrozen(row.contact, force);
     const ContactPair& pair = contacts.pairs()[row.contact];
     const ContactParts parts = contacts.PartsOf(pair);
-    frozen.pushes.push_back({row.a, dynamics_->InNode(row.a, row.r_a), force.eigen(), row.b,
-                             parts.link, parts.object, parts.by_link});
+    FrozenForces::Push& push = frozen.pushes.emplace_back();
+    push.node = row.a;
+    push.p_N = dynamics_->InNode(row.a, row.r_a);
+    push.force = force.eigen();
+    push.on_other = row.b;
+    if (row.b >= 0) push.p_other = dynamics_->InNode(row.b, row.r_b);
+    push.link = parts.link;
+    push.object = parts.object;
+    push.by_link = parts.by_link;
     const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
     pushes.push_back({pair.capsule, pair.obstacle, slides});
   }

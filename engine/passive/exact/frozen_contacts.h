@@ -30,11 +30,12 @@ class FrozenContacts {
   // For a while from t on: rates after the impacts of all that would be hit within it, and
   // RegionDynamics::frozen().
   void Set(double t, HingeState* state, LimitHits* hits);
-  // Whether its forces give energy to what moves so at the end of a step of so many seconds, and
-  // the while can be halved.
+  // Whether its forces give energy in a step of so many seconds that ends so.
   bool GivesTooMuch(double seconds, const RegionState& state) const;
-  // The next while is to be half as long as the latest.
-  void Halve();
+  // The next while is to be half as long as the latest. False: that is too short.
+  bool Halve();
+  // What gives energy in the shortest while does not act in it: a limit next to a pole.
+  void GiveNothing();
   // Of the latest while [s].
   double length() const { return h_; }
   // By how much the impacts changed the velocity of the centre of mass in flight [m/s].
