@@ -147,7 +147,8 @@ TEST(Fall, StaysOutAndGetsNoEnergyWhereLimitsPushBack) {
   constexpr std::pair<int, Terrain> kFound[] = {{36, Terrain::kPlane},
                                                 {326, Terrain::kStairs},
                                                 {101, Terrain::kPlane},
-                                                {521, Terrain::kStairs}};
+                                                {521, Terrain::kStairs},
+                                                {446, Terrain::kPlane}};
   for (const auto& [seed, terrain] : kFound) {
     const Result<Fall> fall = FallOf(seed, terrain);
     ASSERT_TRUE(fall.ok()) << seed << ": " << fall.error().ToString();
