@@ -43,6 +43,7 @@ TEST_F(ContactMarks, WhatTouchesIsPushedAway) {
 TEST_F(ContactMarks, WhatTouchesTheOwnBodyIsPushedAwayByIt) {
   Do("object.remove", {{"object", "table"}});
   Do("key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 80}});
+  Do("key.set", {{"curve", "r_hip_abduction"}, {"frame", 0}, {"value", 30}});
   Do("region.set", {{"region", "arm"}, {"contacts_self", true}});
   const std::vector<ui::ContactMark> marks = MarksAt(29);
   ASSERT_GE(marks.size(), 2u);

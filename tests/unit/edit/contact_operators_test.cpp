@@ -44,11 +44,12 @@ TEST(ContactOperators, ARegionTouchesTheSceneIfThatIsSaid) {
   EXPECT_EQ(AngleAt(&session, 25), on_table);
 }
 
-// An arm in front of the chest swings down and back, or is held up by the thigh.
+// An arm swings down and back, or is held up by a thigh that is spread.
 TEST(ContactOperators, ARegionTouchesTheOwnBodyIfThatIsSaid) {
   Session session;
   Do(&session, "key.set", {{"curve", "r_shoulder_flexion"}, {"frame", 0}, {"value", 100}});
   Do(&session, "key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 80}});
+  Do(&session, "key.set", {{"curve", "r_hip_abduction"}, {"frame", 0}, {"value", 30}});
   Do(&session, "region.add",
      {{"name", "arm"}, {"joints", {"r_shoulder+"}}, {"first", 0}, {"last", 30}});
   const double through = AngleAt(&session, 25);
@@ -59,7 +60,7 @@ TEST(ContactOperators, ARegionTouchesTheOwnBodyIfThatIsSaid) {
   const double on_thigh = AngleAt(&session, 25);
   EXPECT_GT(on_thigh, through + 0.1);
   // Keys of what it lies on move it.
-  Do(&session, "key.set", {{"curve", "r_hip_flexion"}, {"frame", 0}, {"value", 60}});
+  Do(&session, "key.set", {{"curve", "r_hip_abduction"}, {"frame", 0}, {"value", 20}});
   const double lower = AngleAt(&session, 25);
   EXPECT_LT(lower, on_thigh - 0.05);
   Session fresh;

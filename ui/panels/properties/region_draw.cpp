@@ -50,10 +50,10 @@ void Set(Editor* editor, const std::string& region, const Json& change) {
 
 // What a region says that no section below draws.
 void DrawFields(Editor* editor, const ProjectRegion& region) {
-  DrawFieldRows(
-      editor, region,
-      {"joints", "friction", "method", "step", "tolerance", "contacts", "limit_tangents", "mute"},
-      SetBy(editor, "region.set", {{"region", region.name}}));
+  DrawFieldRows(editor, region,
+                {"joints", "friction", "method", "step", "tolerance", "contacts", "contacts_self",
+                 "limit_tangents", "mute"},
+                SetBy(editor, "region.set", {{"region", region.name}}));
 }
 
 // A joint that a click takes out. In lines as wide as the panel.
