@@ -71,15 +71,23 @@ TEST(Throw, TheBallFliesOnAParabolaFromTheVelocityOfTheHand) {
   }
 }
 
+// But for what the curl is about: a weight that one of both elbows cannot lift.
 TEST(Examples, CompileAndBakeWithoutAWarning) {
   for (const auto& entry : fs::directory_iterator(HAZUMI_SOURCE_DIR "/assets/examples")) {
     if (entry.path().extension() != ".kfa") continue;
     const Compiled compiled = Load(entry.path().stem().string());
     for (const Warning& warning : compiled.warnings) ADD_FAILURE() << warning.message;
     const Motion motion = Bake(compiled.animation).value();
+    int too_weak = 0;
     for (const Warning& warning : motion.warnings) {
+      if (entry.path().stem() == "curl" &&
+          warning.message.starts_with("the spring of \"l_elbow_flexion\" is too weak")) {
+        ++too_weak;
+        continue;
+      }
       ADD_FAILURE() << warning.place << ": " << warning.message;
     }
+    EXPECT_EQ(too_weak, entry.path().stem() == "curl" ? 1 : 0);
   }
 }
 

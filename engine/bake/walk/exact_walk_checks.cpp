@@ -55,17 +55,16 @@ void ExactWalk::WarnOfInside() {
 
 // Of regions that end in `frame`: which springs are too weak to get to where they pull.
 void ExactWalk::WarnOfSpentSprings(int frame) {
-  constexpr double kNotice = 2.0 * kDegree;
+  constexpr double kNotice = 2.0 * kDegree, kSoon = 1.0;  // [rad], [s]
   const Animation& animation = context_.animation;
   const Figure& figure = context_.poses.figure();
   const auto ends = [&](int r) { return animation.regions[r].last_frame == frame; };
   if (std::none_of(driver_->active().begin(), driver_->active().end(), ends)) return;
   for (const auto& [joint, drive] : driver_->SpentSprings(context_.Seconds(frame))) {
     const int r = driver_->RegionOf(joint);
-    if (!ends(r) || drive.lag < kNotice) continue;
-    const bool is_ball = figure.group(figure.joint(joint).group).size > 1;
+    if (!ends(r) || drive.lag < kNotice || kSoon * drive.approach > drive.lag) continue;
     const std::string& name =
-        is_ball ? figure.group(figure.joint(joint).group).name : figure.joint(joint).name;
+        drive.is_ball ? figure.group(figure.joint(joint).group).name : figure.joint(joint).name;
     context_.recorder.AddWarning(
         {"regions[" + std::to_string(r) + "].drives",
          "the spring of \"" + name + "\" is too weak: in frame " + std::to_string(frame) +

@@ -71,12 +71,14 @@ void FrozenContacts::Leave(double t) {
   dynamics_->frozen().Clear();
 }
 
-// A little of the motion, and what lifts the bodies by what forces may be off by, is no matter.
+// A little of the motion, and what lifts the bodies by what forces may be off by, is no matter; nor
+// what lets them out.
 bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
-  const double lifted = dynamics_->model().mass * dynamics_->gravity() * kOff;
+  const double out = is_inside_ ? kFastestOut : 0.0;
+  const double lift = dynamics_->gravity() * (kOff + out * h_) + 0.5 * out * out;
   const FrozenForces& frozen = dynamics_->frozen();
   const double work = frozen.WorkOfPushes(state) + 0.5 * seconds * frozen.PowerOfMoments(state);
-  return work > kGiven * kinetic_ + lifted;
+  return work > kGiven * kinetic_ + dynamics_->model().mass * lift;
 }
 
 bool FrozenContacts::Halve() {

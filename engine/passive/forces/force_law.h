@@ -32,11 +32,12 @@ struct RegionState {
   }
 };
 
-// A drive that gives all that it can, and would give more.
+// A drive that gives all that it can, with half or more of its strength, and would give more.
 struct SpentDrive {
+  bool is_ball = false;
   int hinge = 0;                      // free; of a ball joint the first one
   double torque = 0.0, wanted = 0.0;  // or moments [N m]
-  double lag = 0.0;                   // from what it pulls to [rad]
+  double lag = 0.0, approach = 0.0;   // from what it pulls to; how fast that shrinks [rad, rad/s]
 };
 
 // What acts on the links of a region's model, one after the other. A law acts in one of two ways:

@@ -35,11 +35,13 @@ HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& 
                 (w * (reference.angle - hinge.angle) +
                  2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
   if (spring.has_ahead) pull += ahead;
-  const double lag = std::abs(reference.angle - hinge.angle);
-  if (!spring.muscles) return {pull, -spring.most, spring.most, lag};
+  const double way = reference.angle - hinge.angle, lag = std::abs(way);
+  const double approach =
+      std::copysign(hinge.rate - reference.rate, way * (hinge.rate - reference.rate));
+  if (!spring.muscles) return {pull, -spring.most, spring.most, lag, approach};
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
   return {pull, std::max(-spring.most, -now.share * limits.negative.torque),
-          std::min(spring.most, now.share * limits.positive.torque), lag};
+          std::min(spring.most, now.share * limits.positive.torque), lag, approach};
 }
 
 double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -121,7 +123,7 @@ SpringDrive::BallPull SpringDrive::PullOnBall(int node, const RegionState& state
   for (int k = 0; k < 3 && springs_[first].has_ahead; ++k) {
     ahead[k] = state.driven.springs[first + k].moment.At(state.t).v;
   }
-  return {R_WB, E, PullOf(springs_[first], Now(first, state), E, w, ahead)};
+  return {R_WB, E, w, PullOf(springs_[first], Now(first, state), E, w, ahead)};
 }
 
 V3 SpringDrive::MomentOnBall(int node, const RegionState& state) const {
@@ -197,9 +199,11 @@ void SpringDrive::AppendKinks(const RegionState& state, std::vector<double>* kin
 }
 
 void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const {
-  constexpr double kAll = 1.0 - 1e-9;
-  const auto add = [&](int hinge, double given, double pull, double lag) {
-    if (given < kAll * pull) spent->push_back({hinge, given, pull, lag});
+  // Of its strength: who gives it less does not mean it to get there.
+  constexpr double kAll = 1.0 - 1e-9, kMeansIt = 0.5;
+  const auto add = [&](const SpentDrive& own) {
+    const bool is_spent = own.torque < kAll * own.wanted;
+    if (is_spent && Now(own.hinge, state).share >= kMeansIt) spent->push_back(own);
   };
   for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
     if (!Pulls(i, state)) continue;
@@ -207,13 +211,14 @@ void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* s
     if (!state.model.nodes[i].is_ball) {
       ForEachHinge(i, state, [&](int free, const HingePull& own) {
         const double given = std::clamp(own.pull, own.least, own.most);
-        add(first + free, std::abs(given), std::abs(own.pull), own.lag);
+        add({false, first + free, std::abs(given), std::abs(own.pull), own.lag, own.approach});
       });
       continue;
     }
     const BallPull own = PullOnBall(i, state);
     const Vec3 given = Limited(springs_[first], Now(first, state), own.moment);
-    add(first, given.norm(), own.moment.norm(), Eigen::AngleAxisd(own.E).angle());
+    const Eigen::AngleAxisd turn(own.E);
+    add({true, first, given.norm(), own.moment.norm(), turn.angle(), -turn.axis().dot(own.w)});
   }
 }
 

@@ -57,7 +57,7 @@ struct HingeMotion {
 // What the spring would give, and between what that is held [N m].
 struct HingePull {
   double pull, least, most;
-  double lag;  // from where it pulls to [rad]
+  double lag, approach;  // from where it pulls to; how fast that shrinks [rad, rad/s]
 };
 // `ahead`: added to the pull before it is limited [N m].
 HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -100,8 +100,8 @@ class SpringDrive : public ForceLaw {
  private:
   // Of a ball joint, in its frame.
   struct BallPull {
-    Mat3 R_WB, E;  // the latter from what it is pulled to
-    Vec3 moment;
+    Mat3 R_WB, E;    // the latter from what it is pulled to
+    Vec3 w, moment;  // against that
   };
 
   SpringNow Now(int hinge, const RegionState& state) const;
