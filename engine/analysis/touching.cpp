@@ -32,37 +32,6 @@ bool IsEndOfParent(const Link& link, const Figure& figure) {
   });
 }
 
-// From the nearest point of a box to a ball's centre, in the box's axes: zero where that is inside.
-Vec3 FromBox(const Capsule& ball, const Box& box) {
-  const Vec3 p_B = box.X_WB.R.transpose() * (ball.a - box.X_WB.p);
-  return p_B - p_B.cwiseMax(-box.half_size).cwiseMin(box.half_size);
-}
-constexpr double kOutside = 1e-6;  // [m] from a box: nearer, the way from it is lost in rounding
-
-Distance DistanceOf(const Capsule& ball, const Obstacle& shape) {
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    const Vec3 way = FromBox(ball, *box);
-    const double size = way.norm();
-    if (size >= kOutside) {
-      const Vec3 normal = box->X_WB.R * (way / size);
-      return {size - ball.radius, ball.a - ball.radius * normal, normal};
-    }
-  }
-  return SignedDistance(ball, shape);
-}
-
-// Its value alone.
-double ClearanceOf(const Capsule& ball, const Obstacle& shape) {
-  if (const auto* plane = std::get_if<Plane>(&shape)) {
-    return plane->normal.dot(ball.a) - plane->offset - ball.radius;
-  }
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    const double way = FromBox(ball, *box).norm();
-    if (way >= kOutside) return way - ball.radius;
-  }
-  return SignedDistance(ball, shape).value;
-}
-
 }  // namespace
 
 Touching::Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits)
@@ -83,20 +52,12 @@ Capsule Touching::BallOf(const End& end, const PlacedFrame& placed) const {
   return {p, p, link.capsule.radius};
 }
 
-double Touching::ClearanceOver(const Capsule& ball) const {
-  double least = 1e300;
-  for (const SceneObject& object : animation_.scene) {
-    least = std::min(least, ClearanceOf(ball, object.shape));
-  }
-  return least;
-}
-
 Distance Touching::NearestTo(const Capsule& ball) const {
   Distance nearest;
   nearest.value = 1e300;
   for (const SceneObject& object : animation_.scene) {
-    if (ClearanceOf(ball, object.shape) >= nearest.value) continue;
-    nearest = DistanceOf(ball, object.shape);
+    const Distance distance = SignedDistance(ball, object.shape);
+    if (distance.value < nearest.value) nearest = distance;
   }
   return nearest;
 }
@@ -105,7 +66,7 @@ void Touching::Add(const PlacedFrame& placed) {
   ++num_frames_;
   for (const End& end : ends_) {
     const Capsule ball = BallOf(end, placed);
-    clearance_.push_back(static_cast<float>(ClearanceOver(ball)));
+    clearance_.push_back(static_cast<float>(NearestTo(ball).value));
     if (limits_.fastest < 1e300) centre_.push_back(ball.a);
   }
 }

@@ -44,7 +44,6 @@ class Touching {
   };
   Capsule BallOf(const End& end, const PlacedFrame& placed) const;
   // Of everything in the scene.
-  double ClearanceOver(const Capsule& ball) const;
   Distance NearestTo(const Capsule& ball) const;
   void FindLevels(double frame_time);
   void Fade(size_t end, double frame_time);

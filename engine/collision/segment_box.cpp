@@ -104,7 +104,7 @@ SegmentBoxDistance Overlap(const Segment& segment, const Vec3& h) {
 
 SegmentBoxDistance SegmentToBox(const Vec3& p, const Vec3& d, const Vec3& half_size) {
   const Segment segment{p, d};
-  const double t = NearestParameter(segment, half_size);
+  const double t = d.isZero(0.0) ? 0.0 : NearestParameter(segment, half_size);
   const Vec3 gap = Beyond(segment.At(t), half_size);
   const double length = gap.norm();
   if (length <= kTouchingLength) return Overlap(segment, half_size);

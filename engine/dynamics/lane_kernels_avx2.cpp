@@ -2,17 +2,9 @@
 
 #include "engine/dynamics/lane_kernels.h"
 
-// The same sweeps for processors with AVX2. Everything above is compiled without it, so that no
-// function of a shared header is.
+// For processors with AVX2.
 
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC target("avx2")
-#endif
-#define HAZUMI_VECTORS_OF_FOUR
-#endif
+#include "engine/dynamics/avx2_begin.h"
 
 namespace hazumi {
 
@@ -27,6 +19,4 @@ LaneKernels Avx2Kernels(int width) {
 
 }  // namespace hazumi
 
-#if defined(__x86_64__) && defined(__clang__)
-#pragma clang attribute pop
-#endif
+#include "engine/dynamics/avx2_end.h"

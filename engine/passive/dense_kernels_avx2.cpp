@@ -1,15 +1,8 @@
 #include "engine/passive/dense_kernels.h"
 
-// The same loops for processors with AVX2. Everything above is compiled without it, so that no
-// function of a shared header is.
+// For processors with AVX2.
 
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC target("avx2")
-#endif
-#endif
+#include "engine/dynamics/avx2_begin.h"
 
 namespace hazumi {
 
@@ -23,6 +16,4 @@ DenseKernels Avx2DenseKernels() {
 
 }  // namespace hazumi
 
-#if defined(__x86_64__) && defined(__clang__)
-#pragma clang attribute pop
-#endif
+#include "engine/dynamics/avx2_end.h"

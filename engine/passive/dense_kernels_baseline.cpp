@@ -1,4 +1,4 @@
-#include "engine/dynamics/lane_kernels.h"
+#include "engine/dynamics/figure_dynamics.h"
 #include "engine/passive/dense_kernels.h"
 
 // The loops for any processor.
@@ -14,7 +14,8 @@ DenseKernels BaselineDenseKernels() {
 }
 
 const DenseKernels& BestDenseKernels() {
-  static const DenseKernels best = CpuHasAvx2() ? Avx2DenseKernels() : BaselineDenseKernels();
+  static const DenseKernels best =
+      BestInstructions() == Instructions::kAvx2 ? Avx2DenseKernels() : BaselineDenseKernels();
   return best;
 }
 

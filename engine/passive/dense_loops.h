@@ -10,14 +10,16 @@ typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
 inline Four& FourAt(double* x) { return *reinterpret_cast<Four*>(x); }
 inline const Four& FourAt(const double* x) { return *reinterpret_cast<const Four*>(x); }
 
-// y -= f x, from the four on that `first` is in: what is before it in y may change.
+// y -= f x, from `first` on.
 inline void Subtract(double f, const double* x, long first, long n, double* y) {
-  long i = first & ~3L;
+  long i = first;
+  for (; i % 4 != 0 && i < n; ++i) y[i] -= f * x[i];
   for (; i + 4 <= n; i += 4) FourAt(y + i) -= f * FourAt(x + i);
   for (; i < n; ++i) y[i] -= f * x[i];
 }
 
-// The same of four columns of A, one after the other, with what they have in row k.
+// The same from k on of four columns of A, one after the other, with what they have in row k. By
+// whole fours: what is before k in y may change.
 inline void SubtractFour(const double* A, long stride, long k, long n, double* y) {
   const double *a = A, *b = a + stride, *c = b + stride, *d = c + stride;
   const double of_a = a[k], of_b = b[k], of_c = c[k], of_d = d[k];
@@ -67,20 +69,12 @@ int Factor(double* A, long stride, long n) {
   return lost;
 }
 
-// y -= f x, from `first` on.
-inline void SubtractBeyond(double f, const double* x, long first, long n, double* y) {
-  long i = first;
-  for (; i % 4 != 0 && i < n; ++i) y[i] -= f * x[i];
-  for (; i + 4 <= n; i += 4) FourAt(y + i) -= f * FourAt(x + i);
-  for (; i < n; ++i) y[i] -= f * x[i];
-}
-
 // One column after the other.
 void SolveLowerColumn(const double* L, long stride, long n, double* x) {
   for (long k = 0; k < n; ++k) {
     const double* column = L + k * stride;
     x[k] = column[k] > 0.0 ? x[k] / column[k] : 0.0;
-    if (x[k] != 0.0) SubtractBeyond(x[k], column, k + 1, n, x);
+    if (x[k] != 0.0) Subtract(x[k], column, k + 1, n, x);
   }
 }
 

@@ -171,8 +171,9 @@ RegionState RegionDynamics::PlaceHinges(double t, const VecX& q, const VecX& qd)
 }
 
 std::vector<SpentDrive> RegionDynamics::SpentDrives(double t, const VecX& q, const VecX& qd) {
-  const RegionState state = PlaceHinges(t, q, qd);
   std::vector<SpentDrive> spent;
+  if (!has_kinks_) return spent;  // what can be spent has a kink there
+  const RegionState state = PlaceHinges(t, q, qd);
   for (const auto& law : laws_) law->ListSpent(state, &spent);
   return spent;
 }

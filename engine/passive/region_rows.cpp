@@ -320,27 +320,26 @@ double RegionDynamics::ContactExcess() const {
 
 std::vector<ContactPush> RegionDynamics::ContactPushes() const {
   std::vector<ContactPush> pushes;
+  const auto add = [&](const ContactParts& parts, const V3& p, const Vec3& force) {
+    pushes.push_back({parts, p.eigen(), force});
+    if (parts.by_link >= 0) pushes.push_back({parts.Swapped(), p.eigen(), -force});
+  };
   const std::vector<ConstraintRow>& rows = rows_.rows();
-  for (size_t k = 0; k < rows.size(); ++k) {
-    if (!rows[k].is_contact()) continue;
-    const size_t first = k;  // a pair's rows follow one another
-    Vec3 force = Vec3::Zero();
-    for (;; ++k) {
-      force += row_forces_[static_cast<Eigen::Index>(k)] * rows[k].push.eigen();
-      if (k + 1 == rows.size() || rows[k + 1].contact != rows[first].contact) break;
+  for (size_t k = 0; k < rows.size();) {
+    const ConstraintRow& row = rows[k];
+    if (!row.is_contact()) {
+      ++k;
+      continue;
     }
-    const ConstraintRow& row = rows[first];
-    const ContactParts parts = contacts_.PartsOf(contacts_.pairs()[row.contact]);
-    const Vec3 p = (places_[row.a].p + row.r_a).eigen();
-    pushes.push_back({parts.link, parts.object, parts.by_link, p, force});
-    if (row.b >= 0) pushes.push_back({parts.by_link, -1, parts.link, p, -force});
+    Vec3 force = Vec3::Zero();
+    do {  // a pair's rows follow one another
+      force += row_forces_[static_cast<Eigen::Index>(k)] * rows[k].push.eigen();
+    } while (++k < rows.size() && rows[k].contact == row.contact);
+    add(contacts_.PartsOf(contacts_.pairs()[row.contact]), places_[row.a].p + row.r_a, force);
   }
   for (const FrozenForces::Push& push : frozen_.pushes) {
-    const V3 p = places_[push.node].p + kinematics_.motion()[push.node].R * V3(push.p_N);
-    pushes.push_back({push.link, push.object, push.by_link, p.eigen(), push.force});
-    if (push.on_other >= 0) {
-      pushes.push_back({push.by_link, -1, push.link, p.eigen(), -push.force});
-    }
+    const V3 r = kinematics_.motion()[push.node].R * V3(push.p_N);
+    add(push.parts, places_[push.node].p + r, push.force);
   }
   return pushes;
 }

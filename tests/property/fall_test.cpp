@@ -17,12 +17,12 @@
 #include <utility>
 
 #include "engine/bake/bake.h"
+#include "engine/bake/walk/own_pairs.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "tests/property/random_fall.h"
 #include "tests/support/from_environment.h"
 #include "tests/support/momentum.h"
-#include "tests/support/own_depth.h"
 
 namespace hazumi::test {
 namespace {
@@ -41,15 +41,17 @@ struct Fall {
 Fall Measure(const Animation& animation, const Motion& motion) {
   Fall fall;
   DynamicsWorkspace ws(*animation.figure);
+  const std::vector<LinkPair> pairs = PairsApart(*animation.figure);
   for (const MotionFrame& frame : motion.frames) {
     fall.kinetic = MomentumOf(*animation.figure, frame.after).kinetic;
     fall.largest = std::max(fall.largest, fall.kinetic);
     ComputePositions(*animation.figure, frame.X_WR, frame.q, &ws);
     fall.depth = std::max(fall.depth, -Clearance(*animation.figure, animation.scene, ws));
     if (!animation.regions[0].touches_self) continue;
-    const double own = OwnDepth(*animation.figure, frame);
-    fall.depth = std::max(fall.depth, own);
-    fall.began_inside |= own > 0.0 && frame.frame == 0;
+    const std::optional<Overlap> own = DeepestOverlap(pairs, *animation.figure, ws);
+    if (!own) continue;
+    fall.depth = std::max(fall.depth, own->depth);
+    fall.began_inside |= frame.frame == 0;
   }
   const auto energy_at = [&](size_t frame) {
     const Momentum momentum = MomentumOf(*animation.figure, motion.frames[frame].after);

@@ -80,8 +80,8 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
 
 // Of which a region that asks for it moves one.
 void ExactDriver::ListOwnPairs() {
-  const auto touches = [](const DynamicsRegion& region) { return region.touches_self; };
-  if (std::none_of(animation_.regions.begin(), animation_.regions.end(), touches)) return;
+  const auto touches = [&](int region) { return animation_.regions[region].touches_self; };
+  if (std::none_of(active_.begin(), active_.end(), touches)) return;
   const auto asks = [&](int link) {
     const DynamicsRegion* region = Carrying(figure_.links()[link].joint);
     return region && region->touches_self;

@@ -91,6 +91,7 @@ Result<int> ExactWalk::Advance(int frame) {
     Drive(from, to.value(), Vec3::Zero());
     if (begins && driver_) {
       WarnOfInside();
+      WarnOfOverlap();
       if (auto error = CheckGaps()) return *error;
       if (!context_.animation.constraints.empty()) {
         arrivals_.Begin(driver_->constraints(), context_.now, &context_.poses.workspace());

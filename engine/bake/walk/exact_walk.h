@@ -52,6 +52,7 @@ class ExactWalk : public RegionWalk {
   void AddBreaks();
   std::optional<Error> CheckGaps();
   void WarnOfInside();
+  void WarnOfOverlap();
   void WarnOfSpentSprings(int frame);
   void LookAtArrivals(const FigureMotion& motion);
   void RecordPushes(int output, double t);

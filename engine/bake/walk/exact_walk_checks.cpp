@@ -1,4 +1,4 @@
-// What is told where regions begin: what cannot be, and what is not as it should be.
+// What is told where regions begin and end: what cannot be, and what is not as it should be.
 
 #include <algorithm>
 
@@ -37,19 +37,25 @@ void ExactWalk::WarnOfInside() {
   const double frame = context_.now.frame;
   for (const int r : driver_->active()) {
     const DynamicsRegion& region = context_.animation.regions[r];
-    if (region.first_frame != frame) continue;
-    const std::string place = "regions[" + std::to_string(r) + "]";
-    if (region.touches_self) {
-      const auto overlap = TellOfOverlap(driver_->own_pairs(), context_.poses.figure(),
-                                         context_.now, &context_.poses.workspace());
-      if (overlap) context_.recorder.AddWarning({place, *overlap, region.first_frame});
-    }
-    if (!region.touches_scene) continue;
+    if (!region.touches_scene || region.first_frame != frame) continue;
     const auto counts = [&](const Link& link) { return driver_->Touches(link.joint); };
     const auto inside = TellOfInside(context_.animation, context_.poses.figure(), context_.now,
                                      counts, &context_.poses.workspace());
     if (!inside) return;
+    const std::string place = "regions[" + std::to_string(r) + "]";
     return context_.recorder.AddWarning({place, *inside, region.first_frame});
+  }
+}
+
+void ExactWalk::WarnOfOverlap() {
+  for (const int r : driver_->active()) {
+    const DynamicsRegion& region = context_.animation.regions[r];
+    if (!region.touches_self || region.first_frame != context_.now.frame) continue;
+    const auto overlap = TellOfOverlap(driver_->own_pairs(), context_.poses.figure(), context_.now,
+                                       &context_.poses.workspace());
+    if (!overlap) return;
+    const std::string place = "regions[" + std::to_string(r) + "]";
+    return context_.recorder.AddWarning({place, *overlap, region.first_frame});
   }
 }
 

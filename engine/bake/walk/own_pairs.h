@@ -19,8 +19,16 @@ struct LinkPair {
 // the one that the other hangs on, and they are apart when all angles are zero.
 std::vector<LinkPair> PairsApart(const Figure& figure);
 
-// Says which pair is deepest inside each other, and what happens then; none is told of if none is
-// deeper than a tenth of a millimetre.
+// The pair that is deepest inside each other; none if they are all apart. Needs ComputePositions.
+struct Overlap {
+  LinkPair pair;
+  double depth = 0.0;  // [m]
+};
+std::optional<Overlap> DeepestOverlap(const std::vector<LinkPair>& pairs, const Figure& figure,
+                                      const DynamicsWorkspace& ws);
+
+// Says which pair that is, and what happens then; none is told of if none is deeper than a tenth of
+// a millimetre.
 std::optional<std::string> TellOfOverlap(const std::vector<LinkPair>& pairs, const Figure& figure,
                                          const FigureMotion& motion, DynamicsWorkspace* ws);
 

@@ -4,11 +4,18 @@
 
 namespace hazumi {
 
-// What something in the scene, or another link, pushes a capsule with, where it touches it.
-struct ContactPush {
-  // As ContactCapsule and ContactObstacle say; -1: it is none.
+// Who touches, as ContactCapsule and ContactObstacle say; -1: none.
+struct ContactParts {
   int link = -1, object = -1;
-  int by_link = -1;           // that pushes
+  int by_link = -1;  // in place of an object
+  bool operator==(const ContactParts&) const = default;
+
+  // The other way round, of two links.
+  ContactParts Swapped() const { return {by_link, -1, link}; }
+};
+
+// What something in the scene, or another link, pushes a capsule with, where it touches it.
+struct ContactPush : ContactParts {
   Vec3 p = Vec3::Zero();      // world [m]
   Vec3 force = Vec3::Zero();  // on the link [N]
   bool operator==(const ContactPush&) const = default;

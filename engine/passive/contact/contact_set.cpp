@@ -64,16 +64,23 @@ MovingCapsule ContactSet::CapsuleAt(int capsule, const RegionState& state) const
 void ContactSet::FindPairs(const RegionState& state, double reach) {
   before_.swap(pairs_);
   pairs_.clear();
+  moving_.clear();
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
-    if (!spec_.capsules[c].meets_obstacles) continue;
-    const MovingCapsule moving = CapsuleAt(c, state);
-    for (int o = 0; o < static_cast<int>(spec_.obstacles.size()); ++o) {
-      if (LeastGap(moving, spec_.obstacles[o]) <= reach) AddPairs({c, o}, moving, state);
+    moving_.push_back(CapsuleAt(c, state));
+  }
+  const auto num_obstacles = static_cast<int>(spec_.obstacles.size());
+  for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
+    for (int o = 0; o < num_obstacles && spec_.capsules[c].meets_obstacles; ++o) {
+      if (LeastGap(moving_[c], spec_.obstacles[o]) <= reach) AddPairs({c, o});
     }
   }
-  AddOwnPairs(state, 2.0 * reach);  // both move
+  for (int i = 0; i < static_cast<int>(spec_.own.size()); ++i) {
+    const OwnContact& own = spec_.own[i];
+    // Both move.
+    if (LeastGap(moving_[own.a], moving_[own.b]) > 2.0 * reach) continue;
+    AddPairs({own.a, num_obstacles + i});
+  }
   // Both are in the same order: those with obstacles first.
-  const auto num_obstacles = static_cast<int>(spec_.obstacles.size());
   const auto is_before = [&](const ContactPair& a, const ContactPair& b) {
     const auto key = [&](const ContactPair& of) {
       const int own = std::max(0, of.obstacle - num_obstacles + 1);
@@ -92,17 +99,11 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
       }));
 }
 
-void ContactSet::AddOwnPairs(const RegionState& state, double reach) {
-  for (size_t i = 0; i < spec_.own.size(); ++i) {
-    const MovingCapsule moving = CapsuleAt(spec_.own[i].a, state);
-    if (LeastGap(moving, CapsuleAt(spec_.own[i].b, state)) > reach) continue;
-    AddPairs({spec_.own[i].a, static_cast<int>(spec_.obstacles.size() + i)}, moving, state);
-  }
-}
-
-void ContactSet::AddPairs(ContactPair pair, const MovingCapsule& moving, const RegionState& state) {
+// Of the features of both, as they move in moving_.
+void ContactSet::AddPairs(ContactPair pair) {
+  const auto other = OtherCapsule(pair);
   for (pair.pair = 0; pair.pair < NumPairsOf(pair); ++pair.pair) {
-    const auto point = PointOf(pair, moving, state);
+    const auto point = PointOf(pair, moving_[pair.capsule], other ? &moving_[*other] : nullptr);
     pair.floor = point ? std::min(0.0, point->gap) : 0.0;
     if (point || pair.pair >= kPlanePairs) pairs_.push_back(pair);
   }
@@ -206,15 +207,19 @@ bool ContactSet::IsBuried(int pair, double gap) const {
 }
 
 std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state) const {
-  return PointOf(pairs_[pair], CapsuleAt(pairs_[pair].capsule, state), state);
+  const ContactPair& own = pairs_[pair];
+  const MovingCapsule moving = CapsuleAt(own.capsule, state);
+  const auto other = OtherCapsule(own);
+  if (!other) return PointOf(own, moving, nullptr);
+  const MovingCapsule also = CapsuleAt(*other, state);
+  return PointOf(own, moving, &also);
 }
 
+// `other`: its other capsule, if it has one.
 std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const MovingCapsule& moving,
-                                              const RegionState& state) const {
+                                              const MovingCapsule* other) const {
   const bool is_touching = pair.mode != ContactMode::kOpen;
-  if (const auto other = OtherCapsule(pair)) {
-    return TouchPointOf(pair.pair, moving, CapsuleAt(*other, state), is_touching);
-  }
+  if (other) return TouchPointOf(pair.pair, moving, *other, is_touching);
   return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);
 }
 

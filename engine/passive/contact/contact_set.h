@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/passive/constraints/constraint_row.h"
+#include "engine/passive/contact/contact_push.h"
 #include "engine/passive/contact/touch_point.h"
 #include "engine/passive/forces/force_law.h"
 
@@ -33,11 +34,6 @@ struct ContactPair {
 // Slower than this what slides counts as coming to rest [m/s]: its direction turns faster than
 // steps can follow.
 inline constexpr double kSlowSlide = 1e-4;
-
-// Of whom the figure and the scene are told that a pair is: as ContactPush.
-struct ContactParts {
-  int link = -1, object = -1, by_link = -1;
-};
 
 // What an island's capsules touch. Between events the modes stay; whoever finds an event sets them
 // anew. [METHOD 12]
@@ -75,7 +71,8 @@ class ContactSet {
   void SetFloor(int pair, double floor) { pairs_[pair].floor = floor; }
 
   std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;
-  // So deep inside a box that there is no telling on which side it comes out: it is not felt.
+  // So deep inside a box, or a capsule, that there is no telling on which side it comes out: it is
+  // not felt.
   bool IsBuried(int pair, double gap) const;
   double FrictionOf(int pair) const;
   // The capsule that it is with, if it is not with an obstacle.
@@ -93,13 +90,13 @@ class ContactSet {
   const OwnContact* OwnOf(const ContactPair& pair) const;
   int NumPairsOf(const ContactPair& pair) const;
   std::optional<TouchPoint> PointOf(const ContactPair& pair, const MovingCapsule& moving,
-                                    const RegionState& state) const;
-  void AddPairs(ContactPair pair, const MovingCapsule& moving, const RegionState& state);
-  void AddOwnPairs(const RegionState& state, double reach);
+                                    const MovingCapsule* other) const;
+  void AddPairs(ContactPair pair);
 
   ContactSpec spec_;
   double thinnest_;
   std::vector<ContactPair> pairs_, before_;
+  std::vector<MovingCapsule> moving_;  // by capsule, in FindPairs
   int num_closed_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/passive/contact/contact_push.h"
 #include "engine/passive/forces/force_law.h"
 
 namespace hazumi {
@@ -11,11 +12,11 @@ namespace hazumi {
 struct FrozenForces {
   struct Push {
     int node;
-    Vec3 p_N;                                  // in the node's frame [m]
-    Vec3 force;                                // [N]
-    int on_other = -1;                         // which it pushes back at the same point; none: -1
-    Vec3 p_other = Vec3::Zero();               // of that node, where the point was at first [m]
-    int link = -1, object = -1, by_link = -1;  // as ContactPush
+    Vec3 p_N;                     // in the node's frame [m]
+    Vec3 force;                   // [N]
+    int on_other = -1;            // which it pushes back at the same point; none: -1
+    Vec3 p_other = Vec3::Zero();  // of that node, where the point was at first [m]
+    ContactParts parts = {};
     Vec3 from = Vec3::Zero();  // where the point was at first, less where the other's was [m]
   };
   struct Moment {

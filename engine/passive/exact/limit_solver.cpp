@@ -68,7 +68,7 @@ void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
     SolveSemidefinite(A_.topLeftCorner(k, k), answer.col(row));
   }
   const MatX A = J.transpose() * answer + rows.G;
-  l_ = rows.softness.size() > 0 ? SolveGivingWay(A, false, -errors, rows.softness)
+  l_ = rows.softness.size() > 0 ? SolveGivingWay(A, /*is_symmetric=*/false, -errors, rows.softness)
                                 : -LeastNorm(A, errors);
   right_.head(k) += answer * l_;
 }

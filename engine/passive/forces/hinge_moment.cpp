@@ -29,10 +29,6 @@ double Damping(const small::V3& outer, const small::V3& inner) {
   return kMostDamping * SmoothStep(1.0 - std::asin(sine) / kNear);
 }
 
-}  // namespace
-
-namespace {
-
 small::V3 MomentWith(double damping, const small::V3* axes, int num_axes, const double* torques) {
   if (num_axes == 1) return torques[0] * axes[0];
   if (num_axes == 2) {

@@ -35,13 +35,10 @@ HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& 
                 (w * (reference.angle - hinge.angle) +
                  2.0 * spring.damping_ratio * (reference.rate - hinge.rate));
   if (spring.has_ahead) pull += ahead;
-  const double way = reference.angle - hinge.angle, lag = std::abs(way);
-  const double approach =
-      std::copysign(hinge.rate - reference.rate, way * (hinge.rate - reference.rate));
-  if (!spring.muscles) return {pull, -spring.most, spring.most, lag, approach};
+  if (!spring.muscles) return {pull, -spring.most, spring.most};
   const StrengthLimits limits = spring.muscles->At(hinge.angle, hinge.rate);
   return {pull, std::max(-spring.most, -now.share * limits.negative.torque),
-          std::min(spring.most, now.share * limits.positive.torque), lag, approach};
+          std::min(spring.most, now.share * limits.positive.torque)};
 }
 
 double TorqueOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -143,9 +140,10 @@ void SpringDrive::ForEachHinge(int node, const RegionState& state, Action&& acti
       const Jet reference = state.driven.drives[hinge].At(state.t);
       const double ahead =
           spring.has_ahead ? state.driven.springs[hinge].torque.At(state.t).v : 0.0;
-      action(free, PullOf(spring, Now(hinge, state),
-                          {state.positions[own.position + free], state.velocities[own.dof + free]},
-                          {reference.v, reference.d}, ahead));
+      const HingeMotion now = {state.positions[own.position + free],
+                               state.velocities[own.dof + free]};
+      action(free, PullOf(spring, Now(hinge, state), now, {reference.v, reference.d}, ahead),
+             HingeMotion{reference.v - now.angle, reference.d - now.rate});
     }
     ++free;
   }
@@ -153,7 +151,7 @@ void SpringDrive::ForEachHinge(int node, const RegionState& state, Action&& acti
 
 V3 SpringDrive::MomentOnHinges(int node, const RegionState& state) const {
   double torques[3] = {};
-  ForEachHinge(node, state, [&](int free, const HingePull& own) {
+  ForEachHinge(node, state, [&](int free, const HingePull& own, const HingeMotion&) {
     torques[free] = std::clamp(own.pull, own.least, own.most);
   });
   return MomentOfHinges(state.kinematics.motion()[node], state.layout.node(node).num_dofs, torques);
@@ -185,7 +183,7 @@ void SpringDrive::AppendKinks(const RegionState& state, std::vector<double>* kin
   for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
     if (!Pulls(i, state)) continue;
     if (!state.model.nodes[i].is_ball) {
-      ForEachHinge(i, state, [&](int, const HingePull& own) {
+      ForEachHinge(i, state, [&](int, const HingePull& own, const HingeMotion&) {
         kinks->push_back(own.pull - own.most);
         kinks->push_back(own.pull - own.least);
       });
@@ -209,9 +207,11 @@ void SpringDrive::ListSpent(const RegionState& state, std::vector<SpentDrive>* s
     if (!Pulls(i, state)) continue;
     const int first = state.layout.node(i).first_hinge;
     if (!state.model.nodes[i].is_ball) {
-      ForEachHinge(i, state, [&](int free, const HingePull& own) {
+      ForEachHinge(i, state, [&](int free, const HingePull& own, const HingeMotion& off) {
         const double given = std::clamp(own.pull, own.least, own.most);
-        add({false, first + free, std::abs(given), std::abs(own.pull), own.lag, own.approach});
+        const double approach = off.angle > 0.0 ? -off.rate : off.rate;
+        add({false, first + free, std::abs(given), std::abs(own.pull), std::abs(off.angle),
+             approach});
       });
       continue;
     }

@@ -57,7 +57,6 @@ struct HingeMotion {
 // What the spring would give, and between what that is held [N m].
 struct HingePull {
   double pull, least, most;
-  double lag, approach;  // from where it pulls to; how fast that shrinks [rad, rad/s]
 };
 // `ahead`: added to the pull before it is limited [N m].
 HingePull PullOf(const Spring& spring, const SpringNow& now, const HingeMotion& hinge,
@@ -108,7 +107,7 @@ class SpringDrive : public ForceLaw {
   bool Pulls(int node, const RegionState& state) const;
   BallPull PullOnBall(int node, const RegionState& state) const;
   small::V3 MomentOnBall(int node, const RegionState& state) const;
-  // action(free, pull) for each that has one.
+  // action(free, pull, off) for each that has one; off: from where it is to where that pulls.
   template <typename Action>
   void ForEachHinge(int node, const RegionState& state, Action&& action) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;

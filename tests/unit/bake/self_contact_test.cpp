@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "engine/bake/walk/own_pairs.h"
-#include "tests/support/own_depth.h"
 #include "tests/unit/bake/constraint_cases.h"
 #include "tests/unit/bake/contact_cases.h"
 #include "tests/unit/bake/loose_human.h"
@@ -48,9 +47,14 @@ Animation ArmAboveRail() {
 }
 
 double DeepestOf(const Animation& animation, const Motion& motion) {
+  const Figure& figure = *animation.figure;
+  const std::vector<LinkPair> pairs = PairsApart(figure);
+  DynamicsWorkspace ws(figure);
   double depth = 0.0;
   for (const MotionFrame& frame : motion.frames) {
-    depth = std::max(depth, OwnDepth(*animation.figure, frame));
+    ComputePositions(figure, frame.X_WR, frame.q, &ws);
+    const std::optional<Overlap> deepest = DeepestOverlap(pairs, figure, ws);
+    depth = std::max(depth, deepest ? deepest->depth : 0.0);
   }
   return depth;
 }

@@ -1,0 +1,3 @@
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute pop
+#endif
