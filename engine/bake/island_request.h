@@ -43,13 +43,13 @@ struct BeginIsland {
   double t = 0.0, end = 0.0;
   double step_tolerance = 0.0;  // error of one step [rad]
   VecX q, qd;
-  PointMotion anchor;  // as RegionDynamics has it; zero unless laws act from outside
+  OuterMotion outer;  // as RegionDynamics has it; its anchor zero unless laws act from outside
   std::shared_ptr<const DrivenMotion> curves;
   std::shared_ptr<const IslandTask> task;
 };
 inline auto MembersOf(const BeginIsland& request) {
-  const auto& [t, end, step_tolerance, q, qd, anchor, curves, task] = request;
-  return std::tie(t, end, step_tolerance, q, qd, anchor, curves, task);
+  const auto& [t, end, step_tolerance, q, qd, outer, curves, task] = request;
+  return std::tie(t, end, step_tolerance, q, qd, outer, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.
@@ -136,8 +136,8 @@ struct IslandProgress {
 struct IslandSamples {
   // Angles, then rates, by free hinge; of several times one after the other.
   std::vector<double> hinges;
-  // Of the centre of mass, by time, where the fall is solved along.
-  std::vector<PointMotion> falls;
+  // By time, where any of it is solved along.
+  std::vector<OuterMotion> outer;
 };
 
 // What a constraint does to what it holds.

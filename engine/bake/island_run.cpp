@@ -41,7 +41,7 @@ IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>
 IslandResult IslandRun::Do(const BeginIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
-  solver_.Start(request.t, request.q, request.qd, request.anchor);
+  solver_.Start(request.t, request.q, request.qd, request.outer);
   return {};
 }
 
@@ -146,7 +146,7 @@ void IslandRun::Sample(double t, Gaps gaps, IslandSamples* samples) {
   solver_.Sample(t, &q_, &qd_, gaps);
   samples->hinges.insert(samples->hinges.end(), q_.begin(), q_.end());
   samples->hinges.insert(samples->hinges.end(), qd_.begin(), qd_.end());
-  if (dynamics_.is_pushed_in_flight()) samples->falls.push_back(solver_.SampledAnchor());
+  if (dynamics_.outer_layout().size() > 0) samples->outer.push_back(solver_.SampledOuter());
 }
 
 }  // namespace hazumi

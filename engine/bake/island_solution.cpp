@@ -29,7 +29,10 @@ void IslandSolution::Begin(double t, double end, const RotationState& state,
   const auto k = static_cast<Eigen::Index>(hinges().size());
   const IslandTask& task = island_->task;
   BeginIsland request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {island_, &task}};
-  if (task.is_placed()) request.anchor = state.anchor;
+  if (task.is_placed()) request.outer.anchor = state.anchor;
+  if (!model().balls.empty()) {
+    for (const LooseObject& loose : state.loose) request.outer.balls.push_back(loose.motion);
+  }
   for (Eigen::Index i = 0; i < k; ++i) {
     request.q[i] = state.q[hinges()[i]];
     request.qd[i] = state.qd[hinges()[i]];
@@ -103,7 +106,13 @@ void IslandSolution::Scatter(const IslandSamples& samples, size_t index,
     state->q[hinges()[i]] = sample[i];
     state->qd[hinges()[i]] = sample[k + i];
   }
-  if (!samples.falls.empty()) state->anchor = samples.falls[index];
+  if (samples.outer.empty()) return;
+  const OuterMotion& outer = samples.outer[index];
+  if (solves_fall()) state->anchor = outer.anchor;
+  const std::vector<LooseBall>& balls = model().balls;
+  if (balls.empty()) return;
+  state->loose.resize(balls.size());
+  for (size_t i = 0; i < balls.size(); ++i) state->loose[i] = {balls[i].object, outer.balls[i]};
 }
 
 VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) const {

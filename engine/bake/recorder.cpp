@@ -131,7 +131,7 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.pinned = pinned;
   frame.objects.clear();
   for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
-    frame.objects.push_back(poses->objects().At(i, motion.frame, ws));
+    frame.objects.push_back(poses->objects().At(i, motion, ws));
     WarnIfStuck(i, motion.frame, poses->objects());
   }
   frame.in_region = poses->free();

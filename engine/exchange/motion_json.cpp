@@ -157,7 +157,11 @@ class FrameWriter {
     const auto contact = [&](const ContactPush& push) {
       const std::string object =
           push.object < 0 ? "null" : Quote(animation_.scene[push.object].name);
-      const std::string by = push.by_link < 0 ? "" : ", \"by_link\": " + link_name(push.by_link);
+      std::string by;
+      if (push.by_link >= 0) by = ", \"by_link\": " + link_name(push.by_link);
+      if (push.by_ball >= 0) {
+        by = ", \"by_held_object\": " + Quote(animation_.held_objects[push.by_ball].name);
+      }
       return "{\"link\": " + link_name(push.link) + ", \"object\": " + object + by +
              ", \"position_m\": " + Numbers(push.p) + ", \"force_n\": " + Numbers(push.force) + "}";
     };

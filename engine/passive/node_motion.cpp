@@ -70,7 +70,7 @@ HAZUMI_INLINE S3 RotatedDiagonal(const M3& R, const S3& I) {
 }  // namespace
 
 NodeKinematics::NodeKinematics(const RegionModel& model)
-    : R_root_(ToSmall(model.R_root)), motion_(model.nodes.size()), turns_(model.num_free) {
+    : R_root_(ToSmall(model.R_root)), motion_(model.num_nodes()), turns_(model.num_free) {
   for (const ModelNode& from : model.nodes) {
     const S3 I = ToSymmetric(from.body.I_com + PointInertia(from.body.mass, from.body.com));
     Node node{from.parent,
@@ -202,7 +202,7 @@ void NodeKinematics::SetOwnForces(const V3& base) {
 
 // What a node is given it does not ask for.
 void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
-  added_force_ += force;
+  if (node < size()) added_force_ += force;
   motion_[node].f -= force;
   motion_[node].n -= Cross(r, force);
 }

@@ -77,7 +77,7 @@ class NodeKinematics {
 
   std::vector<NodeMotion>& motion() { return motion_; }
   const std::vector<NodeMotion>& motion() const { return motion_; }
-  int size() const { return static_cast<int>(motion_.size()); }
+  int size() const { return static_cast<int>(nodes_.size()); }  // of the figure's
 
  private:
   struct Node {

@@ -19,6 +19,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       rows_(std::move(constraints)),
       contacts_(std::move(contacts)),
       has_rows_(rows_.any() || contacts_.is_possible()),
+      outer_layout_(/*has_anchor=*/false, /*num_balls=*/0),
       gravity_(gravity) {
   while (!model_.nodes[first_moved_].is_dynamic) ++first_moved_;
   for (const auto& law : laws_) {
@@ -28,9 +29,12 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
   }
   has_outer_ |= has_rows_;
   if (has_outer_) {
-    places_.resize(model_.nodes.size());
+    places_.resize(model_.num_nodes());
     velocities_.resize(model_.nodes.size());
   }
+  outer_layout_ = OuterLayout(is_pushed_in_flight(), static_cast<int>(model_.balls.size()));
+  outer_.balls.resize(model_.balls.size());
+  falls_.setZero(outer_layout_.num_jumps());
   added_.setZero(num_hinges());
 }
 
@@ -94,6 +98,7 @@ void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
   if (has_outer_) PlaceNodes(state.t);
   if (adds_rows_) AddRowForces(RowsOf::kAll);
   frozen_.AddTo(&kinematics_);
+  AccelerateBalls();
   if (!has_forces_) return;
   for (const auto& law : laws_) law->AddForces(state, &kinematics_);
 }
@@ -138,28 +143,8 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
   return up + V3(root[0].At(t).dd, root[1].At(t).dd, root[2].At(t).dd);
 }
 
-// c'' = g + sum F / m
-void RegionDynamics::Fall(double* dy) const {
-  Vec3 push = kinematics_.added_force().eigen() / model_.mass;
-  if (has_rows_) push += KickOf(row_forces_);
-  Eigen::Map<Vec3>(dy + layout_.state_size()) = anchor_.v;
-  Eigen::Map<Vec3>(dy + layout_.state_size() + 3) = push - gravity_ * Vec3::UnitZ();
-}
-
-void RegionDynamics::SetAnchorOf(const double* y) {
-  if (!is_pushed_in_flight()) return;
-  anchor_.p = Eigen::Map<const Vec3>(y + layout_.state_size());
-  anchor_.v = Eigen::Map<const Vec3>(y + layout_.state_size() + 3);
-}
-
-void RegionDynamics::PackAnchor(double* y) const {
-  if (!is_pushed_in_flight()) return;
-  Eigen::Map<Vec3>(y + layout_.state_size()) = anchor_.p;
-  Eigen::Map<Vec3>(y + layout_.state_size() + 3) = anchor_.v;
-}
-
 RegionState RegionDynamics::PlaceAt(double t, const double* y) {
-  SetAnchorOf(y);
+  SetOuterOf(y);
   const double* velocities = y + layout_.num_positions();
   Move(t, layout_, y, velocities);
   return StateAt(t, layout_, y, velocities);
@@ -184,7 +169,7 @@ void RegionDynamics::Derivative(double t, const double* y, double* dy) {
 }
 
 void RegionDynamics::Look(double t, const double* y, double* dy) {
-  SetAnchorOf(y);
+  SetOuterOf(y);
   const double* velocities = y + layout_.num_positions();
   double* x = dy + layout_.num_positions();
   if (has_rows_ && rows_.any_yielding() && is_any_locked()) YieldAsIfFree(t, y);
@@ -200,7 +185,7 @@ void RegionDynamics::Look(double t, const double* y, double* dy) {
     AddRules(state, x);
     if (has_rows_) KeepTogether(state, x);
   }
-  if (is_pushed_in_flight()) Fall(dy);
+  if (outer_layout_.size() > 0) DeriveOuter(y, dy);
   for (const RegionLayout::Node& own : layout_.nodes()) {
     if (own.kind == RegionLayout::NodeKind::kHinges) {
       std::copy_n(velocities + own.dof, own.num_dofs, dy + own.position);

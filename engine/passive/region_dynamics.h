@@ -15,9 +15,9 @@
 #include "engine/passive/forces/force_law.h"
 #include "engine/passive/moving_base.h"
 #include "engine/passive/node_motion.h"
+#include "engine/passive/outer_motion.h"
 #include "engine/passive/region_layout.h"
 #include "engine/passive/tree_equations.h"
-#include "engine/spatial/point_motion.h"
 
 namespace hazumi {
 
@@ -70,21 +70,26 @@ class RegionDynamics {
     moving_base_ = std::move(moving_base);
   }
   // In flight, with laws that act from outside, or constraints, the fall is solved along: the state
-  // ends with the centre of mass and its velocity. Else it is the layout's.
+  // goes on with the centre of mass and its velocity. It ends with balls.
   bool is_pushed_in_flight() const {
     return has_outer_ && model_.coupling == RootCoupling::kFlight;
   }
+  const OuterLayout& outer_layout() const { return outer_layout_; }
   // Whether anything acts but gravity and what carries it.
   bool is_pushed() const { return has_forces_ || has_rows_; }
-  int state_size() const { return layout_.state_size() + (is_pushed_in_flight() ? 6 : 0); }
+  int state_size() const { return layout_.state_size() + outer_layout_.size(); }
   // What the figure is placed by where nothing prescribes it: its pin, which rests, or in flight
-  // its centre of mass. Read by laws that act from outside. While the fall is solved along it is
+  // its centre of mass; and balls. Read by laws that act from outside. What a state has of it is
   // that of the state which was looked at last.
-  void SetAnchor(const PointMotion& anchor) { anchor_ = anchor; }
-  const PointMotion& anchor() const { return anchor_; }
-  void SetAnchorOf(const double* y);
+  void SetOuter(const OuterMotion& outer) { outer_ = outer; }
+  const OuterMotion& outer() const { return outer_; }
+  // Impulses have made its velocities jump.
+  void JumpOuter(const VecX& by) { outer_.Jump(by); }
+  void SetOuterOf(const double* y) { outer_layout_.Unpack(y + layout_.state_size(), &outer_); }
   // Its part of a state, if it has one.
-  void PackAnchor(double* y) const;
+  void PackOuter(double* y) const { outer_layout_.Pack(outer_, y + layout_.state_size()); }
+  // Of balls [J].
+  double KineticOfBalls() const;
 
   // Locks some free hinges at these angles [rad]; by free hinge.
   void SetLocked(const std::vector<char>& locked, const VecX& angles) {
@@ -155,8 +160,9 @@ class RegionDynamics {
   std::vector<SpentDrive> SpentDrives(double t, const VecX& q, const VecX& qd);
   // What pushes there: where contacts are closed, and what is frozen.
   std::vector<ContactPush> ContactPushes() const;
-  // By how much impulses of the rows change the velocity of the centre of mass in flight [m/s].
-  Vec3 KickOf(const VecX& impulses) const;
+  // By how much impulses of the rows change velocities of the outer motion, as OuterMotion has
+  // them: that of the centre of mass in flight, and of balls [m/s, rad/s].
+  VecX KickOf(const VecX& impulses) const;
   // Moves a state to where the rows that have no gap to close have none, and none opens: the least
   // way, as masses count. Returns what is left [m, rad]. Counts as two evaluations. Where contacts
   // have no room what is left of their gaps is theirs from now on, unless it is `only_looked_at`.
@@ -206,6 +212,12 @@ class RegionDynamics {
   void AssembleRows(const RegionLayout& layout);
   MatX AnswerRows(const RegionLayout& layout);
   VecX AnswerOfRows(const RegionLayout& layout, const VecX& pushes) const;
+  // How the figure as a whole moves, or is pushed, along n of a row; and how a ball does, and turns
+  // about its centre.
+  Vec3 NetOf(const ConstraintRow& row, const small::V3& n) const;
+  using AtBall = Eigen::Matrix<double, 6, 1>;
+  AtBall OnBall(int ball, const ConstraintRow& row, const small::V3& n) const;
+  void LetBallsAnswer();
   VecX Softness() const;
   VecX SolveRows(const MatX& A, const VecX& errors) const;
   VecX RowErrors(double t, const RegionLayout& layout, const double* x);
@@ -221,7 +233,10 @@ class RegionDynamics {
   void AddRowForces(RowsOf of);
   double PowerOnNodes(const std::vector<small::V3>& v) const;
   double PowerOfRows(RowsOf of, const std::vector<small::V3>& v);
-  void Fall(double* dy) const;
+  void PlaceBalls(const small::V3& p_root);
+  void AccelerateBalls();
+  void DeriveOuter(const double* y, double* dy);
+  void AddEnergyOfBalls(EnergyFlow* flow) const;
   void AddRule(const ForceLaw& rule, const RegionState& state);
   void AnswerRule(const RegionLayout& layout);
   Mat3 AnswerOfBodies(const RegionLayout& layout, Vec3* answer);
@@ -260,7 +275,9 @@ class RegionDynamics {
   RowYield yield_;
   VecX row_forces_;
   LimitRows hinge_rows_, hinge_row_rates_;
-  PointMotion anchor_;
+  OuterLayout outer_layout_;
+  OuterMotion outer_;
+  VecX falls_;  // its accelerations
   std::vector<NodePlace> places_;
   std::vector<small::V3> velocities_;  // of the nodes' origins, relative to the root
   int most_dense_ = 64;

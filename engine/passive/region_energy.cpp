@@ -47,7 +47,7 @@ V3 RegionDynamics::RootVelocity(double t, std::vector<V3>* velocity) const {
 // In the world.
 V3 RegionDynamics::RootPosition(double t) const {
   const auto& motion = kinematics_.motion();
-  const V3 anchor(anchor_.p);
+  const V3 anchor(outer_.anchor.p);
   if (model_.coupling == RootCoupling::kFlight) {
     V3 sum;
     for (const NodeMotion& own : motion) sum += own.m * own.p + own.h;
@@ -64,10 +64,11 @@ V3 RegionDynamics::RootPosition(double t) const {
 void RegionDynamics::PlaceNodes(double t) {
   const V3 p_root = RootPosition(t);
   V3 v_root = RootVelocity(t, &velocities_);
-  if (model_.coupling == RootCoupling::kFlight) v_root += V3(anchor_.v);
+  if (model_.coupling == RootCoupling::kFlight) v_root += V3(outer_.anchor.v);
   for (int i = 0; i < kinematics_.size(); ++i) {
     places_[i] = {p_root + kinematics_.motion()[i].p, v_root + velocities_[i]};
   }
+  PlaceBalls(p_root);
 }
 
 void RegionDynamics::SumForces() {
@@ -90,7 +91,7 @@ double RegionDynamics::PowerOf(const ForceLaw& law, const RegionState& state,
 
 double RegionDynamics::PowerOnNodes(const std::vector<V3>& v) const {
   double power = 0.0;
-  for (int i = 0; i < kinematics_.size(); ++i) {
+  for (size_t i = 0; i < v.size(); ++i) {
     const NodeMotion& own = kinematics_.motion()[i];
     power -= Dot(own.f, v[i]) + Dot(own.n, own.w);
   }
@@ -156,7 +157,7 @@ void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyF
     flow->potential += gravity_ * (own.m * (own.p.z + root_z) + own.h.z);
   }
   if (model_.coupling == RootCoupling::kFlight) {
-    flow->potential = sees_world() ? gravity_ * model_.mass * anchor_.p.z() : 0.0;
+    flow->potential = sees_world() ? gravity_ * model_.mass * outer_.anchor.p.z() : 0.0;
   }
 }
 
@@ -169,10 +170,12 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   Accelerate(state, dy.segment(layout_.num_positions(), layout_.num_dofs()));
   std::vector<V3> v(kinematics_.size());
   V3 v_root = RootVelocity(t, &v);
-  if (sees_world()) v_root += V3(anchor_.v);
+  if (sees_world()) v_root += V3(outer_.anchor.v);
   for (V3& velocity : v) velocity = velocity + v_root;
+  for (const BodyMotion& ball : outer_.balls) v.emplace_back(ball.v);
   EnergyFlow flow;
   AddStoredEnergy(t, v, &flow);
+  AddEnergyOfBalls(&flow);
   const double in_joints = PowerInJoints(v, &flow.keyed);
   for (const auto& law : laws_) {
     const double power =

@@ -79,6 +79,16 @@ inline auto MembersOf(const NodeJoint& seat) {
 
 inline Vec3 OnNode(const NodeJoint& seat, const Vec3& p_J) { return seat.p_N + seat.R_NJ * p_J; }
 
+// A ball that flies beside the figure, a rigid body of its own; only contacts tie them.
+struct LooseBall {
+  double mass = 0.0, inertia = 0.0;  // about any axis through its centre [kg, kg m^2]
+  int object = 0;                    // among those that are held, for those who are told
+};
+inline auto MembersOf(const LooseBall& ball) {
+  const auto& [mass, inertia, object] = ball;
+  return std::tie(mass, inertia, object);
+}
+
 // The least model of one island of free joints that feel each other [METHOD 6]: links that move
 // rigidly together are one body, concentric hinges one rotation, and what lies outside is there
 // only as the chain that moves the moving base.
@@ -96,15 +106,20 @@ struct RegionModel {
   // On dynamic nodes, by node, but for those that turn within one; none unless asked for. And those
   // that ties hold on to on others.
   std::vector<NodeJoint> joints;
+  // None unless added. As nodes they are numbered after the figure's.
+  std::vector<LooseBall> balls = {};
 
   // Null: there is none of that joint, or of the root.
   const NodeJoint* SeatOf(JointIndex joint) const;
+  int num_nodes() const { return static_cast<int>(nodes.size() + balls.size()); }
+  int NodeOfBall(int ball) const { return static_cast<int>(nodes.size()) + ball; }
+  bool is_ball(int node) const { return node >= static_cast<int>(nodes.size()); }
 };
 inline auto MembersOf(const RegionModel& model) {
   const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies,
-               joints] = model;
+               joints, balls] = model;
   return std::tie(nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free,
-                  num_bodies, joints);
+                  num_bodies, joints, balls);
 }
 
 // One model for each island, in order of their first joint. The root is prescribed where no free

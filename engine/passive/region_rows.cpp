@@ -23,12 +23,6 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// How the figure as a whole moves, or is pushed, along n of a row.
-Vec3 NetOf(const ConstraintRow& row, const V3& n) {
-  if (row.turns || (row.a >= 0 && row.b >= 0)) return Vec3::Zero();
-  return row.a >= 0 ? n.eigen() : Vec3(-n.eigen());
-}
-
 bool slides(const ConstraintRow& row) {
   return row.is_contact() &&
          (row.push.x != row.n.x || row.push.y != row.n.y || row.push.z != row.n.z);
@@ -49,11 +43,12 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   const auto count = static_cast<Eigen::Index>(rows.size());
   J_.setZero(layout.num_dofs(), count);  // a row a column
   Eigen::Matrix3Xd moves(3, count), pushes(3, count);
+  const auto is_carried = [&](int node) { return node >= 0 && !model_.is_ball(node); };
   const auto add = [&](const ConstraintRow& row, const V3& n, Eigen::Ref<VecX> column) {
-    if (row.a >= 0) {
+    if (is_carried(row.a)) {
       dense_.AddToRow(layout, motion, row.a, motion[row.a].p + row.r_a, n, row.turns, column);
     }
-    if (row.b >= 0) {
+    if (is_carried(row.b)) {
       dense_.AddToRow(layout, motion, row.b, motion[row.b].p + row.r_b, -n, row.turns, column);
     }
   };
@@ -72,6 +67,7 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   }
   dense_.AddRootToRows(layout, moves, J_);
   G_.setZero(count, count);
+  if (!model_.balls.empty()) LetBallsAnswer();
   if (model_.coupling != RootCoupling::kFlight) return;
   G_.noalias() += moves.transpose().lazyProduct(pushes / model_.mass);
 }
@@ -125,7 +121,8 @@ VecX RegionDynamics::Softness() const {
 V3 RegionDynamics::AccelerationAt(int node, const V3& r, const V3& root) const {
   if (node < 0) return {};
   const NodeMotion& own = kinematics_.motion()[node];
-  return root + own.a + Cross(own.alpha, r) + Cross(own.w, Cross(own.w, r));
+  const V3 a = model_.is_ball(node) ? own.a : root + own.a;
+  return a + Cross(own.alpha, r) + Cross(own.w, Cross(own.w, r));
 }
 
 // e'' less what it is to be, with accelerations x of the free joints, which are added to what the
@@ -225,15 +222,6 @@ void RegionDynamics::AssembleHingeRows(const RegionState& state) {
   hinge_row_rates_ = {J_.transpose(), G_, rates, hinge_rows_.P, hinge_rows_.softness};
 }
 
-Vec3 RegionDynamics::KickOf(const VecX& impulses) const {
-  Vec3 sum = Vec3::Zero();
-  for (Eigen::Index k = 0; k < impulses.size(); ++k) {
-    const ConstraintRow& row = rows_.rows()[static_cast<size_t>(k)];
-    sum += impulses[k] * NetOf(row, row.force());
-  }
-  return sum / model_.mass;
-}
-
 double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
   constexpr double kNone = 1e-12;
   constexpr int kMostTries = 8;
@@ -243,7 +231,7 @@ double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
   double left = 0.0;
   for (int tries = 0;; ++tries) {
     ++evaluations_;
-    SetAnchorOf(y);
+    SetOuterOf(y);
     Move(t, layout_, state.positions, state.velocities);
     MeasureRows(state);
     for (ConstraintRow& row : *rows_.mutable_rows()) row.push = row.n;  // nothing slides here
@@ -266,10 +254,9 @@ double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
     } else {
       layout_.Turn(change, y);
     }
-    if (is_pushed_in_flight()) {
-      double* anchor = y + layout_.state_size() + (is_last ? 3 : 0);
-      Eigen::Map<Vec3> moved(anchor);
-      moved += KickOf(push);
+    if (outer_layout_.size() > 0) {
+      double* outer = y + layout_.state_size();
+      is_last ? outer_layout_.Jump(KickOf(push), outer) : outer_layout_.MoveOn(KickOf(push), outer);
     }
     if (is_last) return LowerFloors(gaps, only_looked_at);
   }
@@ -321,6 +308,7 @@ double RegionDynamics::ContactExcess() const {
 std::vector<ContactPush> RegionDynamics::ContactPushes() const {
   std::vector<ContactPush> pushes;
   const auto add = [&](const ContactParts& parts, const V3& p, const Vec3& force) {
+    if (parts.link < 0) return;  // a ball that lies on something
     pushes.push_back({parts, p.eigen(), force});
     if (parts.by_link >= 0) pushes.push_back({parts.Swapped(), p.eigen(), -force});
   };

@@ -4,9 +4,17 @@
 #include <vector>
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/spatial/body_motion.h"
 #include "engine/spatial/point_motion.h"
 
 namespace hazumi {
+
+// A held object that was let go, and moves with what a region's links may touch.
+struct LooseObject {
+  int object = 0;  // by index of the animation's
+  BodyMotion motion;
+  bool operator==(const LooseObject&) const = default;
+};
 
 // The whole figure at one instant.
 struct FigureMotion {
@@ -17,6 +25,7 @@ struct FigureMotion {
   // Where forces from outside push a figure in flight off its parabola: its centre of mass.
   std::optional<PointMotion> fall;
   std::vector<int> broken;  // constraints that gave way, by index of the animation's
+  std::vector<LooseObject> loose;
   bool operator==(const FigureMotion&) const = default;
 };
 

@@ -67,15 +67,20 @@ void PoseAtRandom(Random* random, Animation* animation) {
   }
 }
 
+// Where its keys place it.
+MotionFrame FirstFrameOf(Animation animation) {
+  animation.regions.clear();
+  animation.placements.clear();
+  animation.held_objects.clear();
+  animation.last_frame = 1;
+  return BakeOrFail(animation).frames.front();
+}
+
 // So high that it has this much room.
 void Lift(double room, Animation* animation) {
   constexpr double kHigh = 20.0;
-  Animation high = *animation;
-  high.root_keys[2][0].value = kHigh;
-  high.regions.clear();
-  high.placements.clear();
-  high.last_frame = 1;
-  const MotionFrame frame = BakeOrFail(high).frames.front();
+  animation->root_keys[2][0].value = kHigh;
+  const MotionFrame frame = FirstFrameOf(*animation);
   DynamicsWorkspace ws(*animation->figure);
   double down = 0.0;
   for (const double step : {1.0, 0.1, 0.01}) {
@@ -111,6 +116,28 @@ Animation RandomFall(uint64_t seed, Terrain terrain) {
   region.friction.assign(region.joints.size(), 0.8);
   animation.regions.push_back(region);
   return animation;
+}
+
+void DropBalls(uint64_t seed, Animation* animation) {
+  Random random(seed);
+  const MotionFrame frame = FirstFrameOf(*animation);
+  const GroupIndex hand(0);  // that lets them go, far away
+  DynamicsWorkspace ws(*animation->figure);
+  ComputePositions(*animation->figure, frame.X_WR, frame.q, &ws);
+  const BodyScratch& body = ws.body(animation->figure->group(hand).last());
+  for (int i = random.Integer(1, 4); i > 0; --i) {
+    HeldObject ball;
+    ball.name = "ball " + std::to_string(i);
+    ball.shape = SphereShape{random.Uniform(0.03, 0.2)};
+    ball.mass = std::pow(10.0, random.Uniform(-1.0, 0.7));
+    ball.touches_scene = true;
+    ball.restitution = std::max(0.0, random.Uniform(-0.4, 0.8));
+    ball.friction = random.Uniform(0.2, 1.0);
+    const Vec3 above = random.Vector3(0.5) + random.Uniform(1.0, 2.5) * Vec3::UnitZ();
+    const Vec3 offset = body.R.transpose() * (frame.X_WR.p + above - body.p);
+    ball.holders = {{hand, offset, Holder::kFromTheStart, 0}};
+    animation->held_objects.push_back(ball);
+  }
 }
 
 }  // namespace hazumi::test

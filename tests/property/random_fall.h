@@ -13,4 +13,7 @@ enum class Terrain { kPlane, kBoxes, kStairs };
 // of friction of 0.4 to 0.9.
 Animation RandomFall(uint64_t seed, Terrain terrain);
 
+// Lets some balls, of up to as much as a few kilograms, fall onto it.
+void DropBalls(uint64_t seed, Animation* animation);
+
 }  // namespace hazumi::test

@@ -74,17 +74,17 @@ void HeldObjects::Release(size_t object, double seconds, const DynamicsWorkspace
   state.holder = -1;
 }
 
-Pose HeldObjects::InFlight(size_t object, double seconds) {
+BodyMotion HeldObjects::InFlight(size_t object, double seconds) {
   const HeldObject& of = animation_.held_objects[object];
   const ObjectState::Flight& flight = *states_[object].flight;
   if (!of.touches_scene || animation_.scene.empty()) {
-    return Falling(flight.from, seconds - flight.start, animation_.gravity).X_WO;
+    return Falling(flight.from, seconds - flight.start, animation_.gravity);
   }
   std::optional<ObjectFlight>& way = flights_[object];
   if (!way || way->start() != flight.start || way->from() != flight.from) {
     way.emplace(of, animation_.scene, animation_.gravity, flight.start, flight.from);
   }
-  return way->At(seconds).X_WO;
+  return way->At(seconds);
 }
 
 std::optional<double> HeldObjects::StuckFrom(size_t object) const {
@@ -100,8 +100,33 @@ Figure HeldObjects::LoadedFigure() const {
   return figure;
 }
 
-// Keys before it was let go last say nothing of what follows.
-ObjectPose HeldObjects::At(size_t object, double frame, const DynamicsWorkspace& ws) {
+std::vector<LooseObject> HeldObjects::LooseAt(double frame) {
+  std::vector<LooseObject> loose;
+  const double seconds = animation_.rate.SecondsAt(frame);
+  for (size_t i = 0; i < states_.size(); ++i) {
+    const HeldObject& of = animation_.held_objects[i];
+    if (states_[i].holder >= 0 || !states_[i].flight || !of.touches_scene) continue;
+    if (KeyAfterFlight(i) != of.keys[0].end()) continue;
+    const BodyMotion motion = InFlight(i, seconds);
+    if (!StuckFrom(i)) loose.push_back({static_cast<int>(i), motion});
+  }
+  return loose;
+}
+
+void HeldObjects::LetFly(const LooseObject& loose, double seconds) {
+  ObjectState& state = states_[loose.object];
+  if (state.holder < 0) state.flight = ObjectState::Flight{seconds, loose.motion};
+}
+
+// Keys before it was let go say nothing of what follows.
+Keys::const_iterator HeldObjects::KeyAfterFlight(size_t object) const {
+  const Keys& keys = animation_.held_objects[object].keys[0];
+  return std::find_if(keys.begin(), keys.end(), [&](const Key& key) {
+    return animation_.rate.SecondsAt(key.frame) >= states_[object].flight->start;
+  });
+}
+
+ObjectPose HeldObjects::At(size_t object, const FigureMotion& motion, const DynamicsWorkspace& ws) {
   const ObjectState& state = states_[object];
   const HeldObject& of = animation_.held_objects[object];
   if (state.holder >= 0) {
@@ -109,17 +134,17 @@ ObjectPose HeldObjects::At(size_t object, double frame, const DynamicsWorkspace&
     const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
     return {InHand(body, holder), state.holder};
   }
-  const double seconds = animation_.rate.SecondsAt(frame);
+  for (const LooseObject& loose : motion.loose) {
+    if (loose.object == static_cast<int>(object)) return {loose.motion.X_WB, -1};
+  }
   if (state.flight) {
-    const Keys& keys = of.keys[0];
-    const auto next = std::find_if(keys.begin(), keys.end(), [&](const Key& key) {
-      return animation_.rate.SecondsAt(key.frame) >= state.flight->start;
-    });
-    const bool is_keyed = next != keys.end() && next->frame <= frame;
-    if (!is_keyed) return {InFlight(object, seconds), -1};
+    const auto next = KeyAfterFlight(object);
+    const bool is_keyed = next != of.keys[0].end() && next->frame <= motion.frame;
+    const double seconds = animation_.rate.SecondsAt(motion.frame);
+    if (!is_keyed) return {InFlight(object, seconds).X_WB, -1};
   }
   Pose X_WO;
-  for (int axis = 0; axis < 3; ++axis) X_WO.p[axis] = curves_[object][axis].At(frame).value;
+  for (int axis = 0; axis < 3; ++axis) X_WO.p[axis] = curves_[object][axis].At(motion.frame).value;
   return {X_WO, -1};
 }
 

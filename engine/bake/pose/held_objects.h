@@ -7,6 +7,7 @@
 #include "engine/bake/motion.h"
 #include "engine/bake/pose/object_flight.h"
 #include "engine/dynamics/kinematics.h"
+#include "engine/placement/figure_motion.h"
 #include "engine/timeline/animation.h"
 #include "engine/timeline/curve_track.h"
 
@@ -25,7 +26,7 @@ Figure WithObject(const Figure& figure, const HeldObject& object, int holder);
 struct ObjectState {
   struct Flight {
     double start = 0.0;  // [s]
-    ObjectMotion from;
+    BodyMotion from;
     bool operator==(const Flight&) const = default;
   };
   int holder = -1;  // by index of HeldObject::holders; -1: nobody
@@ -50,13 +51,21 @@ class HeldObjects {
   void Take(size_t object, int holder) { states_[object].holder = holder; }
 
   Figure LoadedFigure() const;  // the animation's, with what it holds
-  // The workspace holds the figure's positions at that time.
-  ObjectPose At(size_t object, double frame, const DynamicsWorkspace& ws);
+  // Those that fly and touch things then, and that no keys take from there: what moves them may be
+  // a region's contacts.
+  std::vector<LooseObject> LooseAt(double frame);
+  // That moves one no longer: it flies on.
+  void LetFly(const LooseObject& loose, double seconds);
+
+  // The workspace holds the figure's positions in that motion.
+  ObjectPose At(size_t object, const FigureMotion& motion, const DynamicsWorkspace& ws);
   // Where its motion could not be solved further, if it could not: from there on it stays [s].
   std::optional<double> StuckFrom(size_t object) const;
 
  private:
-  Pose InFlight(size_t object, double seconds);
+  BodyMotion InFlight(size_t object, double seconds);
+  // The first key that places it after it was let go last.
+  Keys::const_iterator KeyAfterFlight(size_t object) const;
 
   const Animation& animation_;
   std::vector<std::array<CurveTrack, 3>> curves_;  // by object; of x, y, z

@@ -46,15 +46,15 @@ VecX Infinite() { return VecX::Constant(kHinges, std::numeric_limits<double>::in
 
 }  // namespace
 
-ObjectMotion Falling(const ObjectMotion& start, double seconds, double gravity) {
+BodyMotion Falling(const BodyMotion& start, double seconds, double gravity) {
   const double t = seconds;
   const Vec3 fall(0.0, 0.0, -0.5 * gravity * t * t);
-  ObjectMotion now = {{start.X_WO.R, start.X_WO.p + start.v * t + fall},
+  BodyMotion now = {{start.X_WB.R, start.X_WB.p + start.v * t + fall},
                       start.v - gravity * t * Vec3::UnitZ(),
                       start.w};
   const double turn = start.w.norm() * t;
   if (turn == 0.0) return now;
-  now.X_WO.R = Eigen::AngleAxisd(turn, start.w.normalized()).toRotationMatrix() * start.X_WO.R;
+  now.X_WB.R = Eigen::AngleAxisd(turn, start.w.normalized()).toRotationMatrix() * start.X_WB.R;
   return now;
 }
 
@@ -67,10 +67,10 @@ ObjectFlight::Run::Run(const RegionModel& model, double gravity, const ContactSp
 }
 
 ObjectFlight::ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene,
-                           double gravity, double start, const ObjectMotion& from)
+                           double gravity, double start, const BodyMotion& from)
     : gravity_(gravity), start_(start), from_(from) {
   const double radius = std::get<SphereShape>(object.shape).radius;
-  model_ = ModelOf(object.mass, radius, from.X_WO.R);
+  model_ = ModelOf(object.mass, radius, from.X_WB.R);
   contacts_.obstacles = ObstaclesOf(scene, object.friction);
   contacts_.capsules = {{0, Vec3::Zero(), Vec3::Zero(), radius, -1, object.restitution}};
   Begin();
@@ -80,13 +80,13 @@ void ObjectFlight::Begin() {
   run_ = std::make_unique<Run>(model_, gravity_, contacts_);
   stuck_from_.reset();
   is_stopped_ = false;
-  const Vec3 w = from_.X_WO.R.transpose() * from_.w;
-  last_ = {VecX::Zero(kHinges), VecX(kHinges), {from_.X_WO.p, from_.v}};
+  const Vec3 w = from_.X_WB.R.transpose() * from_.w;
+  last_ = {VecX::Zero(kHinges), VecX(kHinges), {from_.X_WB.p, from_.v}};
   for (int i = 0; i < kHinges; ++i) last_.qd[i] = w[kAxisOf[i]];
-  run_->solver.Start(start_, last_.q, last_.qd, last_.anchor);
+  run_->solver.Start(start_, last_.q, last_.qd, {last_.anchor, {}});
 }
 
-ObjectMotion ObjectFlight::At(double seconds) {
+BodyMotion ObjectFlight::At(double seconds) {
   if (seconds <= start_) return from_;
   ExactSolver* solver = &run_->solver;
   if (seconds < stuck_from_.value_or(solver->step_start())) {
@@ -121,7 +121,7 @@ void ObjectFlight::Step() {
     return;
   }
   is_stopped_ = true;
-  solver.Start(t, last_.q, last_.qd, last_.anchor);
+  solver.Start(t, last_.q, last_.qd, {last_.anchor, {}});
 }
 
 double ObjectFlight::DepthOf(const State& state) const {
@@ -147,18 +147,18 @@ double ObjectFlight::GainOfComingOut(double depth) const {
 ObjectFlight::State ObjectFlight::Look(double seconds) {
   State state;
   run_->solver.Sample(seconds, &state.q, &state.qd);
-  state.anchor = run_->solver.SampledAnchor();
+  state.anchor = run_->solver.SampledOuter().anchor;
   return state;
 }
 
-ObjectMotion ObjectFlight::MotionOf(const State& state) const {
-  ObjectMotion now;
-  now.X_WO = {model_.R_root, state.anchor.p};
+BodyMotion ObjectFlight::MotionOf(const State& state) const {
+  BodyMotion now;
+  now.X_WB = {model_.R_root, state.anchor.p};
   now.v = state.anchor.v;
   for (int i = 0; i < kHinges; ++i) {
     const Vec3 axis = Vec3::Unit(kAxisOf[i]);
-    now.w += state.qd[i] * (now.X_WO.R * axis);
-    now.X_WO.R = now.X_WO.R * Eigen::AngleAxisd(state.q[i], axis).toRotationMatrix();
+    now.w += state.qd[i] * (now.X_WB.R * axis);
+    now.X_WB.R = now.X_WB.R * Eigen::AngleAxisd(state.q[i], axis).toRotationMatrix();
   }
   return now;
 }

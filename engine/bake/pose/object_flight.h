@@ -7,20 +7,13 @@
 #include "engine/passive/driven_curve.h"
 #include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/region_model.h"
-#include "engine/spatial/pose.h"
+#include "engine/spatial/body_motion.h"
 #include "engine/timeline/scene_object.h"
 
 namespace hazumi {
 
-// An object at an instant, with the velocity of its centre [m/s] and how it turns [rad/s].
-struct ObjectMotion {
-  Pose X_WO;
-  Vec3 v = Vec3::Zero(), w = Vec3::Zero();
-  bool operator==(const ObjectMotion&) const = default;
-};
-
 // What was let go, by nothing but its inertia and gravity.
-ObjectMotion Falling(const ObjectMotion& start, double seconds, double gravity);
+BodyMotion Falling(const BodyMotion& start, double seconds, double gravity);
 
 // A ball that was let go and touches planes and boxes: one rigid body without a hand, moved by
 // ExactSolver. It knows the same motion whichever times it is asked for, and in which order.
@@ -29,15 +22,15 @@ class ObjectFlight {
  public:
   // From `start` seconds on. The shape is a sphere.
   ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene, double gravity,
-               double start, const ObjectMotion& from);
+               double start, const BodyMotion& from);
 
   // Later than the start. What cannot be solved further stays where it is.
-  ObjectMotion At(double seconds);
+  BodyMotion At(double seconds);
   // From when on it stays so [s].
   const std::optional<double>& stuck_from() const { return stuck_from_; }
 
   double start() const { return start_; }
-  const ObjectMotion& from() const { return from_; }
+  const BodyMotion& from() const { return from_; }
 
  private:
   struct Run {
@@ -53,7 +46,7 @@ class ObjectFlight {
   void Begin();
   void Step();
   State Look(double seconds);
-  ObjectMotion MotionOf(const State& state) const;
+  BodyMotion MotionOf(const State& state) const;
   double KineticOf(const State& state) const;
   double EnergyOf(const State& state) const;
   double DepthOf(const State& state) const;
@@ -63,7 +56,7 @@ class ObjectFlight {
   RegionModel model_;
   ContactSpec contacts_;
   double gravity_, start_;
-  ObjectMotion from_;
+  BodyMotion from_;
   std::unique_ptr<Run> run_;
   State last_;               // as the solver's present step ends
   bool is_stopped_ = false;  // where that began

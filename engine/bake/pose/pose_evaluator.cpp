@@ -61,13 +61,13 @@ std::vector<double> PoseEvaluator::HandOver(const std::vector<ObjectChange>& cha
   ComputeVelocities(figure_, before.root_w, before.root_v, before.qd, &ws_);
   std::vector<double> jumps;
   for (const ObjectChange& change : changes) {
-    const Vec3 from = objects_.At(change.object, motion.frame, ws_).X_WO.p;
+    const Vec3 from = objects_.At(change.object, motion, ws_).X_WO.p;
     if (change.holder < 0) {
       objects_.Release(change.object, seconds, ws_);
     } else {
       objects_.Take(change.object, change.holder);
     }
-    jumps.push_back((objects_.At(change.object, motion.frame, ws_).X_WO.p - from).norm());
+    jumps.push_back((objects_.At(change.object, motion, ws_).X_WO.p - from).norm());
   }
   LoadFigure();
   placement_->RenewFlight(seconds, motion);
@@ -101,6 +101,7 @@ std::optional<Error> PoseEvaluator::SolveHolds(Side side, FigureMotion* motion, 
 RotationState PoseEvaluator::StateAt(const FigureMotion& motion) {
   const int n = figure_.num_joints();
   RotationState state{VecX(n + kRootAngles), VecX(n + kRootAngles), AnchorAt(motion)};
+  state.loose = motion.loose;
   state.q.head(n) = motion.q;
   state.qd.head(n) = motion.qd;
   if (free_root_) {

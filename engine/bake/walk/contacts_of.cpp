@@ -1,6 +1,10 @@
+// Between two surfaces with coefficients of friction a and b that of both is sqrt(a b).
+
 #include "engine/bake/walk/contacts_of.h"
 
+#include <cmath>
 #include <utility>
+#include <variant>
 
 #include "engine/bake/pose/contact_obstacles.h"
 
@@ -31,6 +35,24 @@ class Lister {
     spec_->own.push_back({own, other, SceneObject::kFriction});
   }
 
+  void MeetBall(int ball, const HeldObject& object) {
+    const int capsule = static_cast<int>(spec_->capsules.size());
+    ContactCapsule own;
+    own.node = model_.NodeOfBall(ball);
+    own.radius = std::get<SphereShape>(object.shape).radius;
+    own.restitution = object.restitution;
+    own.ball = model_.balls[ball].object;
+    own.friction = std::sqrt(object.friction / SceneObject::kFriction);
+    spec_->capsules.push_back(own);
+    const double friction = std::sqrt(object.friction * SceneObject::kFriction);
+    for (size_t i = 0; i < figure_.links().size(); ++i) {
+      const int link = static_cast<int>(i);
+      if (const NodeJoint* seat = SeatOf(link)) {
+        spec_->own.push_back({CapsuleOf(link, *seat), capsule, friction});
+      }
+    }
+  }
+
  private:
   const NodeJoint* SeatOf(int link) const { return model_.SeatOf(figure_.links()[link].joint); }
   bool IsMoved(const NodeJoint& seat) const { return model_.nodes[seat.node].is_dynamic; }
@@ -55,17 +77,19 @@ class Lister {
 
 }  // namespace
 
-ContactSpec ContactsOf(const RegionModel& model, const Figure& figure,
-                       const std::vector<SceneObject>& scene,
+ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Animation& animation,
                        const std::function<bool(JointIndex)>& touches,
                        const std::vector<LinkPair>& own) {
   ContactSpec spec;
-  spec.obstacles = ObstaclesOf(scene, SceneObject::kFriction);
+  spec.obstacles = ObstaclesOf(animation.scene, SceneObject::kFriction);
   Lister lister(model, figure, &spec);
   for (size_t i = 0; i < figure.links().size(); ++i) {
     if (touches(figure.links()[i].joint)) lister.MeetObstacles(static_cast<int>(i));
   }
   for (const LinkPair& pair : own) lister.MeetEachOther(pair);
+  for (int ball = 0; ball < static_cast<int>(model.balls.size()); ++ball) {
+    lister.MeetBall(ball, animation.held_objects[model.balls[ball].object]);
+  }
   return spec;
 }
 

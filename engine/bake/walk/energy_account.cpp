@@ -68,6 +68,20 @@ void EnergyAccount::JumpByPush() {
   for (Island& island : islands_) island.is_pushed = true;
 }
 
+// What left stays in what there is at the end, what joined was there at the start. Only sums over
+// all islands are told: any of them may have it.
+void EnergyAccount::Exchange(const Stored& left, const Stored& joined) {
+  if (islands_.empty() || !islands_[0].is_accounted) return;
+  islands_[0].kinetic += joined.kinetic - left.kinetic;
+  islands_[0].stored += joined.sum() - left.sum();
+  for (double* kinetic : {&balance_.kinetic_start, &balance_.kinetic_end}) {
+    *kinetic += joined.kinetic;
+  }
+  for (double* potential : {&balance_.potential_start, &balance_.potential_end}) {
+    *potential += joined.potential;
+  }
+}
+
 void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   Island& island = islands_[index];
   const double start = std::max(island.until, solution->step_start());

@@ -17,6 +17,12 @@ class EnergyAccount {
   void SetCoupling(RootCoupling coupling);
   // Whatever energies jump by before the next step, a push brought.
   void JumpByPush();
+  // Of what moves with the islands: so much left, and so much joined them, before the next step.
+  struct Stored {
+    double kinetic = 0.0, potential = 0.0;  // [J]
+    double sum() const { return kinetic + potential; }
+  };
+  void Exchange(const Stored& left, const Stored& joined);
   // An island's step, up to t [s].
   void AddStep(size_t island, double t, IslandSolution* solution);
   // None if there was no step, or if the root's coupling changed on the way: kinetic energy is not

@@ -10,6 +10,7 @@
 
 #include "engine/bake/island_curves.h"
 #include "engine/bake/walk/contacts_of.h"
+#include "engine/bake/walk/loose_balls.h"
 #include "engine/bake/walk/outer_forces.h"
 #include "engine/bake/walk/spring_of.h"
 
@@ -134,7 +135,8 @@ bool ExactDriver::Touches(JointIndex j) const {
   return region && region->touches_scene;
 }
 
-IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* constraints) const {
+IslandTask ExactDriver::TaskFor(RegionModel model, double t, const std::vector<LooseObject>& loose,
+                                IslandConstraints* constraints) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
   IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
@@ -157,7 +159,8 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, IslandConstraints* 
   }
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };
-    task.contacts = ContactsOf(task.model, figure_, animation_.scene, touches, own_pairs_);
+    AddBalls(animation_.held_objects, loose, figure_, touches, &task.model);
+    task.contacts = ContactsOf(task.model, figure_, animation_, touches, own_pairs_);
   }
   return task;
 }
@@ -210,6 +213,8 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   for (const LinkPair& pair : own_pairs_) {
     request_.ties.push_back({figure_.links()[pair.a].joint, figure_.links()[pair.b].joint});
   }
+  const auto touches = [&](JointIndex j) { return Touches(j); };
+  if (!state.loose.empty()) AppendTiesForBalls(figure_, touches, &request_.ties);
   request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty() || has_contacts_;
   islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
@@ -217,8 +222,8 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   for (RegionModel& model : models) {
     const double tolerance = StepToleranceFor(model);
     IslandConstraints constraints;
-    const auto shared =
-        std::make_shared<const SharedIsland>(TaskFor(std::move(model), middle, &constraints));
+    const auto shared = std::make_shared<const SharedIsland>(
+        TaskFor(std::move(model), middle, state.loose, &constraints));
     const auto curves = CurvesOf(shared->task.model, driven);
     Island& island =
         islands_.emplace_back(Island{{shared, tolerance, &moving_bases_},
@@ -308,6 +313,11 @@ bool ExactDriver::solves_fall() const {
                      [](const Island& island) { return island.solution.solves_fall(); });
 }
 
+bool ExactDriver::moves_loose() const {
+  return std::any_of(islands_.begin(), islands_.end(),
+                     [](const Island& island) { return !island.solution.model().balls.empty(); });
+}
+
 void ExactDriver::Sample(double t, RotationState* state, Gaps gaps) {
   for (Island& island : islands_) island.solution.Sample(t, state, gaps);
 }
@@ -334,51 +344,6 @@ void ExactDriver::Account(double t, bool is_cut) {
     IslandSolution& solution = islands_[g].solution;
     if (is_cut || solution.time() <= t) energy_.AddStep(g, t, &solution);
   }
-}
-
-std::vector<int> ExactDriver::constraints() const {
-  std::vector<int> all;
-  for (const Island& island : islands_) {
-    all.insert(all.end(), island.held.indices.begin(), island.held.indices.end());
-  }
-  return all;
-}
-
-std::vector<ConstraintPush> ExactDriver::ConstraintPushes(double t) {
-  std::vector<ConstraintPush> all(animation_.constraints.size());
-  for (Island& island : islands_) {
-    const IslandConstraints& held = island.held;
-    if (held.indices.empty()) continue;
-    const std::vector<ConstraintPush> of_island = island.solution.ConstraintPushes(t);
-    for (size_t i = 0; i < held.indices.size(); ++i) {
-      ConstraintPush& push = all[static_cast<size_t>(held.indices[i])];
-      push = of_island[i];
-      if (held.are_swapped[i]) push.on_a = {-push.on_a.force, -push.on_a.moment};
-    }
-  }
-  return all;
-}
-
-std::vector<ConstraintBreak> ExactDriver::TakeBreaks() {
-  std::vector<ConstraintBreak> breaks;
-  for (Island& island : islands_) {
-    for (const ConstraintBreak& of : island.solution.TakeBreaks()) {
-      breaks.push_back({island.held.indices[of.constraint], of.time});
-      broken_.push_back(breaks.back().constraint);
-    }
-  }
-  return breaks;
-}
-
-std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
-  std::vector<Hit> hits;
-  for (Island& island : islands_) {
-    for (const LimitHit& hit : island.solution.TakeHits()) {
-      const Coordinate c = island.solution.hinges()[hit.hinge];
-      hits.push_back({hit.time, hit.last_time, hit.count, c});
-    }
-  }
-  return hits;
 }
 
 }  // namespace hazumi

@@ -41,6 +41,10 @@ class ExactDriver {
   bool is_frozen(Coordinate c) const;
 
   bool has_contacts() const { return has_contacts_; }
+  // Whether it moves the loose objects of the state that it began with.
+  bool moves_loose() const;
+  // For the account of energy: those that it moved up to where it began, and those since.
+  void ExchangeLoose(const std::vector<LooseObject>& before, const std::vector<LooseObject>& now);
   // Whether what a joint carries touches things in the scene.
   bool Touches(JointIndex j) const;
   // Links that stay out of each other, as a region asks that moves one of them.
@@ -151,7 +155,8 @@ class ExactDriver {
   ModelRequest RequestFor(const RotationState& state, const RootHold& hold,
                           const DrivenMotion& driven) const;
   // Of an island that begins with a stretch whose middle is at `t` [s].
-  IslandTask TaskFor(RegionModel model, double t, IslandConstraints* constraints) const;
+  IslandTask TaskFor(RegionModel model, double t, const std::vector<LooseObject>& loose,
+                     IslandConstraints* constraints) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
   void FinishIslands();

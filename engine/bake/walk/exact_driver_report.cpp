@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/bake/walk/exact_driver.h"
+#include "engine/bake/walk/loose_balls.h"
 #include "engine/base/text.h"
 
 namespace hazumi {
@@ -82,6 +83,60 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   const bool is_joint = c < figure_.num_joints();
   return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*first->failure()),
                  first->time()};
+}
+
+std::vector<int> ExactDriver::constraints() const {
+  std::vector<int> all;
+  for (const Island& island : islands_) {
+    all.insert(all.end(), island.held.indices.begin(), island.held.indices.end());
+  }
+  return all;
+}
+
+std::vector<ConstraintPush> ExactDriver::ConstraintPushes(double t) {
+  std::vector<ConstraintPush> all(animation_.constraints.size());
+  for (Island& island : islands_) {
+    const IslandConstraints& held = island.held;
+    if (held.indices.empty()) continue;
+    const std::vector<ConstraintPush> of_island = island.solution.ConstraintPushes(t);
+    for (size_t i = 0; i < held.indices.size(); ++i) {
+      ConstraintPush& push = all[static_cast<size_t>(held.indices[i])];
+      push = of_island[i];
+      if (held.are_swapped[i]) push.on_a = {-push.on_a.force, -push.on_a.moment};
+    }
+  }
+  return all;
+}
+
+std::vector<ConstraintBreak> ExactDriver::TakeBreaks() {
+  std::vector<ConstraintBreak> breaks;
+  for (Island& island : islands_) {
+    for (const ConstraintBreak& of : island.solution.TakeBreaks()) {
+      breaks.push_back({island.held.indices[of.constraint], of.time});
+      broken_.push_back(breaks.back().constraint);
+    }
+  }
+  return breaks;
+}
+
+std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
+  std::vector<Hit> hits;
+  for (Island& island : islands_) {
+    for (const LimitHit& hit : island.solution.TakeHits()) {
+      const Coordinate c = island.solution.hinges()[hit.hinge];
+      hits.push_back({hit.time, hit.last_time, hit.count, c});
+    }
+  }
+  return hits;
+}
+
+void ExactDriver::ExchangeLoose(const std::vector<LooseObject>& before,
+                                const std::vector<LooseObject>& now) {
+  const auto energy_of = [&](const std::vector<LooseObject>& balls,
+                             const std::vector<LooseObject>& others) {
+    return EnergyOfBalls(animation_.held_objects, balls, others, animation_.gravity);
+  };
+  energy_.Exchange(energy_of(before, now), energy_of(now, before));
 }
 
 SceneContacts ExactDriver::ContactsAt(double t) {

@@ -52,6 +52,7 @@ void ExactWalk::End() {
   curves_.SetRegions({});
   RootPlacement& placement = context_.poses.placement();
   const double t = context_.Seconds(context_.now.frame);
+  LetLooseFly(t);
   if (context_.now.fall) {
     context_.now.fall.reset();
     placement.RenewFlight(t, context_.now);
@@ -127,12 +128,27 @@ void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
   if (!goes_on && driver_->places_root()) {
     context_.poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
   }
+  const std::vector<LooseObject> loose_before = context_.now.loose;
+  if (!goes_on && driver_->has_contacts()) {
+    LetLooseFly(context_.Seconds(frame));
+    context_.now.loose = context_.poses.objects().LooseAt(frame);
+  }
   const RotationState state = context_.poses.StateAt(context_.now);
   if (goes_on) return driver_->Drive(end, state, curves_.motion());
   driver_->Begin(context_.Seconds(frame), end, state, ControlStart(state),
                  context_.poses.placement().hold(), curves_.motion());
+  if (!driver_->moves_loose()) context_.now.loose.clear();
+  driver_->ExchangeLoose(loose_before, context_.now.loose);
   if (!v_pin.isZero(0.0)) driver_->FeelPin(v_pin);
   has_begun_ = true;
+}
+
+// Objects that nothing but the scene moves from here on.
+void ExactWalk::LetLooseFly(double seconds) {
+  for (const LooseObject& loose : context_.now.loose) {
+    context_.poses.objects().LetFly(loose, seconds);
+  }
+  context_.now.loose.clear();
 }
 
 // Control solutions go on from where they were; others begin with the solution.
@@ -312,6 +328,7 @@ void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, Gaps g
     }
     context_.poses.TurnFreeRoot(sample_);
     motion->fall = driver_->solves_fall() ? std::optional(sample_.anchor) : std::nullopt;
+    if (driver_->moves_loose()) motion->loose = sample_.loose;
   }
   context_.poses.TurnRoot(frame, side, motion);
 }

@@ -38,6 +38,7 @@ class ExactWalk : public RegionWalk {
 
   // The driver: begins or goes on at `frame` with curves that change at `to`.
   void Drive(double frame, double to, const Vec3& v_pin);
+  void LetLooseFly(double seconds);
   RotationState ControlStart(const RotationState& state);
   void KeepControl(double frame);
   void WriteReports();

@@ -123,6 +123,7 @@ ContactParts ContactSet::PartsOf(const ContactPair& pair) const {
   ContactParts parts{spec_.capsules[pair.capsule].link};
   if (const auto other = OtherCapsule(pair)) {
     parts.by_link = spec_.capsules[*other].link;
+    parts.by_ball = spec_.capsules[*other].ball;
   } else {
     parts.object = spec_.obstacles[pair.obstacle].object;
   }
@@ -135,7 +136,21 @@ int ContactSet::NumPairsOf(const ContactPair& pair) const {
 
 double ContactSet::FrictionOf(int pair) const {
   const OwnContact* own = OwnOf(pairs_[pair]);
-  return own ? own->friction : spec_.obstacles[pairs_[pair].obstacle].friction;
+  if (own) return own->friction;
+  const ContactPair& with = pairs_[pair];
+  return spec_.capsules[with.capsule].friction * spec_.obstacles[with.obstacle].friction;
+}
+
+// That of the one that bounces more.
+double ContactSet::RestitutionOf(int pair) const {
+  const double own = spec_.capsules[pairs_[pair].capsule].restitution;
+  const auto other = OtherCapsule(pairs_[pair]);
+  return other ? std::max(own, spec_.capsules[*other].restitution) : own;
+}
+
+bool ContactSet::MayStayInside(const ContactPair& pair) const {
+  const auto other = OtherCapsule(pair);
+  return other && spec_.capsules[*other].ball >= 0;
 }
 
 void ContactSet::RaiseFloors(const RegionState& state) {

@@ -77,7 +77,9 @@ class ContactSet {
   double FrictionOf(int pair) const;
   // The capsule that it is with, if it is not with an obstacle.
   std::optional<int> OtherCapsule(const ContactPair& pair) const;
-  double RestitutionOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].restitution; }
+  double RestitutionOf(int pair) const;
+  // With a ball that may have been let go inside.
+  bool MayStayInside(const ContactPair& pair) const;
 
   ContactParts PartsOf(const ContactPair& pair) const;
 

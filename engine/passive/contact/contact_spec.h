@@ -7,7 +7,7 @@
 
 namespace hazumi {
 
-// A capsule of the figure, or of what it holds, as its node's frame sees it [m].
+// A capsule of the figure, or a ball beside it, as its node's frame sees it [m].
 struct ContactCapsule {
   int node = 0;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
@@ -15,10 +15,12 @@ struct ContactCapsule {
   int link = -1;             // of the figure, for those who are told
   double restitution = 0.0;  // Poisson's: of an impulse, so much again as it bounces; 0 to 1
   bool meets_obstacles = true;
+  int ball = -1;          // held object, for those who are told; -1: it is part of the figure
+  double friction = 1.0;  // times that of an obstacle is the coefficient
 };
 inline auto MembersOf(const ContactCapsule& capsule) {
-  const auto& [node, a, b, radius, link, restitution, meets_obstacles] = capsule;
-  return std::tie(node, a, b, radius, link, restitution, meets_obstacles);
+  const auto& [node, a, b, radius, link, restitution, meets_obstacles, ball, friction] = capsule;
+  return std::tie(node, a, b, radius, link, restitution, meets_obstacles, ball, friction);
 }
 
 // Something that does not give way: a plane, or a box. World axes [m].
@@ -29,7 +31,7 @@ struct ContactObstacle {
   Vec3 p = Vec3::Zero();  // of a box: its centre, its axes, half its edges
   Mat3 R = Mat3::Identity();
   Vec3 half_size = Vec3::Zero();
-  double friction = 0.0;  // coefficient between it and any of the capsules
+  double friction = 0.0;  // coefficient between it and links of the figure
   int object = -1;        // of the scene, for those who are told
 };
 inline auto MembersOf(const ContactObstacle& obstacle) {

@@ -49,7 +49,7 @@ bool ActiveLimits::is_chattering(double t) {
 void ActiveLimits::LetGo() {
   is_touching_ = false;
   any_ = false;
-  kick_.setZero();
+  kick_.setZero(dynamics_->outer_layout().num_jumps());
   for (int i = 0; i < static_cast<int>(held_.size()); ++i) held_[i] = limits_->is_fixed(i);
 }
 
@@ -61,7 +61,7 @@ void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later
     is_touching_ = contact_forces_.FindTouching(t, state->q, state->qd);
   }
   const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
-  kick_.setZero();
+  kick_.setZero(dynamics_->outer_layout().num_jumps());
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
   Settle(t, later, state);
@@ -126,7 +126,7 @@ void ActiveLimits::CollideTied(double t, const Vec3& v_pin, HingeState* state) {
     if (worst.excess <= 0.0) {
       if (!dynamics_->RowsOfImpulses()) return;
       kick_ = dynamics_->KickOf(impulses);
-      dynamics_->SetAnchor({dynamics_->anchor().p, dynamics_->anchor().v + kick_});
+      dynamics_->JumpOuter(kick_);
       return;
     }
     constraints.Break(worst.constraint, t);

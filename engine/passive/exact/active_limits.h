@@ -40,9 +40,8 @@ class ActiveLimits {
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                LimitHits* hits);
 
-  // By how much the impacts changed the velocity of the centre of mass of a figure in flight, which
-  // constraints push [m/s].
-  const Vec3& kick() const { return kick_; }
+  // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
+  const VecX& kick() const { return kick_; }
   // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
   bool any() const { return any_; }
@@ -72,7 +71,7 @@ class ActiveLimits {
   LimitForces forces_;
   ContactForces contact_forces_;
   bool is_touching_ = false;
-  Vec3 kick_ = Vec3::Zero();
+  VecX kick_;
   std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;

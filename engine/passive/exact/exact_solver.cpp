@@ -26,9 +26,9 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       frozen_(dynamics, &range_),
       hits_(dynamics->num_hinges()) {}
 
-void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
+void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const OuterMotion& outer) {
   if (steps_ == 0) first_start_ = t;
-  step_.Place(t, q, qd, anchor);
+  step_.Place(t, q, qd, outer);
   range_.Begin(q);
   held_.Begin();
   frozen_.Begin();
@@ -36,7 +36,7 @@ void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const PointMoti
   crawl_steps_ = steps_;
   frozen_until_.reset();
   release_search_.Begin();
-  dynamics_->SetAnchor(anchor);
+  dynamics_->SetOuter(outer);
   const bool is_inside = dynamics_->contacts().is_possible() && frozen_.IsAnyInside(t, step_.now());
   is_inside ? Freeze() : Resolve(Vec3::Zero());
 }
@@ -53,7 +53,7 @@ void ExactSolver::Resolve(Vec3 v_pin) {
   follows_event_ = true;
   frozen_until_.reset();
   dynamics_->frozen().Clear();
-  dynamics_->SetAnchor(step_.anchor());
+  dynamics_->SetOuter(step_.outer());
   do {
     held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &hits_);
     step_.Kick(held_.kick());
@@ -176,7 +176,7 @@ void ExactSolver::Freeze() {
     if (!frozen_from_) frozen_from_ = time();
   }
   do {
-    dynamics_->SetAnchor(step_.anchor());
+    dynamics_->SetOuter(step_.outer());
     frozen_.Set(time(), &step_.now(), &hits_);
     step_.Kick(frozen_.kick());
     dynamics_->SetLocked(held_.held(), q());
@@ -206,7 +206,7 @@ std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
       continue;
     }
     frozen_.GiveNothing();
-    dynamics_->SetAnchor(step_.anchor());
+    dynamics_->SetOuter(step_.outer());
     step_.Begin();
   }
   ++steps_;

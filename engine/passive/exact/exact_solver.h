@@ -32,7 +32,7 @@ class ExactSolver {
 
   // Begins at these angles and rates of the free hinges. A hinge that is outside its limits has a
   // limit where it is until it has come inside.
-  void Start(double t, const VecX& q, const VecX& qd, const PointMotion& anchor = {});
+  void Start(double t, const VecX& q, const VecX& qd, const OuterMotion& outer = {});
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
   // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
@@ -49,7 +49,7 @@ class ExactSolver {
     step_.Sample(t, q, qd, gaps);
   }
   // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
-  const PointMotion& SampledAnchor() const { return dynamics_->anchor(); }
+  const OuterMotion& SampledOuter() const { return dynamics_->outer(); }
   // At `time`, before impacts.
   const VecX& q() const { return step_.now().q; }
   const VecX& qd() const { return step_.now().qd; }

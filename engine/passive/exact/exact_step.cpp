@@ -20,22 +20,23 @@ ExactStep::ExactStep(RegionDynamics* dynamics, const LimitRange* limits)
       now_(dynamics->num_hinges()),
       inside_(dynamics->num_hinges()) {
   const int n = dynamics->num_hinges();
-  // The longest state: all in balls, and a fall.
-  for (VecX* x : {&y_, &scale_, &closed_}) x->resize(2 * n + n / 3 + 6);
+  // The longest state: all in ball joints.
+  const int longest = 2 * n + n / 3 + dynamics->outer_layout().size();
+  for (VecX* x : {&y_, &scale_, &closed_}) x->resize(longest);
 }
 
-void ExactStep::Place(double t, const VecX& q, const VecX& qd, const PointMotion& anchor) {
+void ExactStep::Place(double t, const VecX& q, const VecX& qd, const OuterMotion& outer) {
   time_ = t;
   now_.q = q;
   now_.qd = qd;
-  anchor_ = anchor;
+  outer_ = outer;
   next_h_ = 0.0;
 }
 
 void ExactStep::Begin() {
   dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
-  dynamics_->SetAnchor(anchor_);
-  dynamics_->PackAnchor(y_.data());
+  dynamics_->SetOuter(outer_);
+  dynamics_->PackOuter(y_.data());
   is_closed_ = false;
   gap_ = 0.0;
   if (closes_gaps()) {
@@ -55,9 +56,12 @@ void ExactStep::SetScale() {
     scale_[i] = i < positions ? (layout.is_quaternion(i) ? 0.5 : 1.0) * tolerance_
                               : kRateScale * tolerance_;
   }
-  // Of a fall: a radian at the end of a metre is a metre.
-  for (int i = size; i < dynamics_->state_size(); ++i) {
-    scale_[i] = (i < size + 3 ? 1.0 : kRateScale) * tolerance_;
+  // A radian at the end of a metre is a metre.
+  const OuterLayout& outer = dynamics_->outer_layout();
+  for (int i = 0; i < outer.size(); ++i) {
+    const OuterLayout::Part part = outer.PartAt(i);
+    const double of_place = part == OuterLayout::Part::kQuaternion ? 0.5 : 1.0;
+    scale_[size + i] = (part == OuterLayout::Part::kRate ? kRateScale : of_place) * tolerance_;
   }
 }
 
@@ -89,7 +93,7 @@ std::optional<ExactFailure> ExactStep::Take(double end) {
   is_closed_ = false;
   start_.q = now_.q;
   start_.qd = now_.qd;
-  start_anchor_ = anchor_;
+  start_outer_ = outer_;
   double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
   for (;;) {
     const double rest = end - time_;
@@ -124,14 +128,14 @@ std::optional<ExactFailure> ExactStep::Take(double end) {
 // The branch is that of the state before, which is near by.
 void ExactStep::TakeState(const double* y) {
   dynamics_->layout().Unpack(y, limits_->lower(), limits_->upper(), &now_.q, &now_.qd);
-  dynamics_->SetAnchorOf(y);
-  anchor_ = dynamics_->anchor();
+  dynamics_->SetOuterOf(y);
+  outer_ = dynamics_->outer();
 }
 
 void ExactStep::EndAt(double t) {
   Sample(t, &inside_);
   now_.swap(inside_);
-  anchor_ = dynamics_->anchor();
+  outer_ = dynamics_->outer();
   time_ = t;
 }
 
@@ -139,7 +143,7 @@ void ExactStep::TakeBack() {
   time_ = step_.start_time();
   now_.q = start_.q;
   now_.qd = start_.qd;
-  anchor_ = start_anchor_;
+  outer_ = start_outer_;
   is_closed_ = false;
   gap_ = 0.0;
   std::copy_n(step_.start_y(), dynamics_->state_size(), y_.data());
@@ -165,7 +169,7 @@ void ExactStep::Sample(double t, VecX* q, VecX* qd, Gaps gaps) {
   *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
   qd->resize(q->size());
   dynamics_->layout().Unpack(y_.data(), limits_->lower(), limits_->upper(), q, qd);
-  dynamics_->SetAnchorOf(y_.data());
+  dynamics_->SetOuterOf(y_.data());
 }
 
 void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState* state) {
@@ -182,7 +186,8 @@ Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
   *qd = inside_.qd;
   const RegionLayout& layout = dynamics_->layout();
   layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
-  return dynamics_->is_pushed_in_flight() ? Vec3(dy.tail<3>()) : Vec3(Vec3::Zero());
+  if (!dynamics_->is_pushed_in_flight()) return Vec3::Zero();
+  return dy.segment<3>(layout.state_size() + 3);
 }
 
 // The equations at t, where y_ and inside_ are then.
@@ -190,8 +195,8 @@ void ExactStep::LookAt(double t, Gaps gaps, VecX* dy) {
   if (t >= time_) {
     inside_ = now_;
     dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
-    dynamics_->SetAnchor(anchor_);
-    dynamics_->PackAnchor(y_.data());
+    dynamics_->SetOuter(outer_);
+    dynamics_->PackOuter(y_.data());
   } else {
     Sample(t, &inside_, gaps);
   }

@@ -31,7 +31,7 @@ class ExactStep {
   void SetLongestStep(double seconds) { longest_step_ = seconds; }
 
   // Another motion, from here on: nothing is known of how long its steps may be.
-  void Place(double t, const VecX& q, const VecX& qd, const PointMotion& anchor);
+  void Place(double t, const VecX& q, const VecX& qd, const OuterMotion& outer);
   // Lays the state out anew after it, locks or curves have changed.
   void Begin();
   // One accepted step, at most to `end` [s].
@@ -50,13 +50,13 @@ class ExactStep {
   const HingeState& start() const { return start_; }
   const HingeState& now() const { return now_; }
   HingeState& now() { return now_; }  // for events to change
-  const PointMotion& anchor() const { return anchor_; }
-  // An impact changes the velocity of the centre of mass [m/s]; before Begin.
-  void Kick(const Vec3& jump) { anchor_.v += jump; }
+  const OuterMotion& outer() const { return outer_; }
+  // An impact changes velocities of the outer motion; before Begin.
+  void Kick(const VecX& jump) { outer_.Jump(jump); }
   // The one that the error is largest of.
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
-  // At t in [start_time, time]; RegionDynamics::anchor() is of the same time.
+  // At t in [start_time, time]; RegionDynamics::outer() is of the same time.
   void Sample(double t, VecX* q, VecX* qd, Gaps gaps = Gaps::kClosed);
   void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed) {
     Sample(t, &state->q, &state->qd, gaps);
@@ -75,7 +75,7 @@ class ExactStep {
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
   // Where nodes are at time(), with now().
   RegionState PlaceNow() {
-    dynamics_->SetAnchor(anchor_);
+    dynamics_->SetOuter(outer_);
     return dynamics_->PlaceHinges(time_, now_.q, now_.qd);
   }
   // As RegionDynamics::ContactExcess.
@@ -109,7 +109,7 @@ class ExactStep {
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
   double time_ = 0.0;
   HingeState start_, now_, inside_;
-  PointMotion start_anchor_, anchor_;  // at time_
+  OuterMotion start_outer_, outer_;  // at time_
   VecX y_, scale_;
   // Where constraints have closed what the step left, it goes on from there.
   VecX closed_;

@@ -96,7 +96,7 @@ void FrozenContacts::GiveNothing() {
 
 void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   dynamics_->frozen().Clear();
-  kick_.setZero();
+  kick_.setZero(dynamics_->outer_layout().num_jumps());
   ListNear(t, *state);
   dynamics_->AssembleHinges(t, state->q, state->qd);
   problem_.Factor();
@@ -106,7 +106,8 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
     problem_.Factor();
   }
   kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
-             0.5 * dynamics_->model().mass * dynamics_->anchor().v.squaredNorm();
+             0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
+             dynamics_->KineticOfBalls();
   Press(*state);
   dynamics_->frozen().Begin(dynamics_->PlaceHinges(t, state->q, state->qd));
   if (is_struck || is_inside_) calm_steps_ = 0;
@@ -119,7 +120,8 @@ bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
   contacts.FindPairs(places, kInside);
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, places);
-    if (point && point->gap < -kInside) return true;
+    const bool may_stay = contacts.MayStayInside(contacts.pairs()[i]);
+    if (point && !may_stay && point->gap < -kInside) return true;
   }
   return false;
 }
@@ -193,8 +195,10 @@ double FrozenContacts::RoomOf(int hinge, const VecX& q) const {
   return -limits_->Beyond(hinge, side_[hinge], q[hinge]);
 }
 
+// Where balls begin inside the figure they stay as deep as that until they leave.
 double FrozenContacts::GapOf(const ConstraintRow& row) const {
-  return row.gap + dynamics_->contacts().pairs()[row.contact].floor;
+  const ContactPair& pair = dynamics_->contacts().pairs()[row.contact];
+  return dynamics_->contacts().MayStayInside(pair) ? row.gap : row.gap + pair.floor;
 }
 
 bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
@@ -238,7 +242,7 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
   }
   state->qd += problem_.Answer();
   kick_ = dynamics_->KickOf(problem_.row_forces());
-  dynamics_->SetAnchor({dynamics_->anchor().p, dynamics_->anchor().v + kick_});
+  dynamics_->JumpOuter(kick_);
   return true;
 }
 

@@ -38,8 +38,8 @@ class FrozenContacts {
   void GiveNothing();
   // Of the latest while [s].
   double length() const { return h_; }
-  // By how much the impacts changed the velocity of the centre of mass in flight [m/s].
-  const Vec3& kick() const { return kick_; }
+  // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
+  const VecX& kick() const { return kick_; }
   // Nothing has been hit for long enough, and the same things push: events can be followed again.
   bool is_calm() const { return calm_steps_ >= calm_enough_; }
 
@@ -72,7 +72,7 @@ class FrozenContacts {
   std::vector<char> none_;  // by hinge
   VecX torques_;            // of limits, by hinge, the latest [N m]
   std::vector<Pushing> pushes_;
-  Vec3 kick_ = Vec3::Zero();
+  VecX kick_;
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
   int calm_steps_ = 0, calm_enough_ = 0;
   double left_ = 0.0;             // when [s]

@@ -153,7 +153,8 @@ void Describe(Ar& ar, Ref<Ar, ProjectContacts> contacts) {
                .help = "true: what it moves stays out of planes and boxes, by method exact",
                .details = "It slides on them or sticks, as the friction_coefficient of an object "
                           "has it. A root that the region moves while gravity places the figure "
-                          "is placed by what touches too, and no joint is pinned."},
+                          "is placed by what touches too, and no joint is pinned. Balls with "
+                          "contacts that fly meanwhile and the figure push each other."},
               contacts.scene);
   ar.Optional({.name = "self",
                .parameter = "contacts_self",

@@ -203,11 +203,13 @@ void Describe(Ar& ar, Ref<Ar, ProjectHeldObject> object) {
        .details = "Where it is while nobody holds it: of x, y and z all have keys, or none. "
                   "Keys while it is held or flies say nothing."},
       object.position);
-  ar.Optional({.name = "contacts",
-               .label = "Touches the scene",
-               .help = "true: let go, it bounces off planes and boxes, slides and rolls on them",
-               .details = "Balls only, and where the solver's method is exact. Needs version 2."},
-              object.contacts);
+  ar.Optional(
+      {.name = "contacts",
+       .label = "Touches the scene",
+       .help = "true: let go, it bounces off planes and boxes, slides and rolls on them",
+       .details = "Balls only, and where the solver's method is exact. It meets figures while "
+                  "a region of theirs touches the scene. Needs version 2."},
+      object.contacts);
   ar.Optional({.name = "friction_coefficient",
                .label = "Friction",
                .help = "of its surface, where it touches the scene; 0: it slides on everything",

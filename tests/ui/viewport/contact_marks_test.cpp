@@ -54,6 +54,24 @@ TEST_F(ContactMarks, WhatTouchesTheOwnBodyIsPushedAwayByIt) {
   EXPECT_NE(said.find(", r_thigh: "), std::string::npos) << said;
 }
 
+TEST_F(ContactMarks, WhatABallPushesIsSaidByItsName) {
+  Animation animation = *user.session().animation();
+  animation.held_objects.emplace_back().name = "ball";
+  MotionFrame frame = ui::PoseNow(&user.session()).value().frame();
+  ContactPush push;
+  push.link = 0;
+  push.by_ball = 0;
+  push.force = 100.0 * Vec3::UnitZ();
+  frame.contacts.pushes = {push};
+  const ui::PosedFigure figure(*animation.figure, frame);
+  const std::vector<ui::ContactMark> marks = ui::ContactMarks(animation, figure);
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_NE(ui::TextOf(marks[0], animation).find(", ball: 100 N"), std::string::npos);
+  // The motion may be from before the ball was deleted.
+  animation.held_objects.clear();
+  EXPECT_TRUE(ui::ContactMarks(animation, figure).empty());
+}
+
 TEST_F(ContactMarks, ItSaysSoUnderTheMouseUnlessItIsHidden) {
   const std::vector<ui::ContactMark> marks = MarksAt(29);
   ASSERT_FALSE(marks.empty());

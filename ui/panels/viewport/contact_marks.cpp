@@ -32,27 +32,26 @@ std::vector<ContactMark> ContactMarks(const Animation& animation, const PosedFig
   for (const ContactPush& push : figure.frame().contacts.pushes) {
     // The motion may be from before an edit, with others.
     if (!has(push.link, figure.figure().links().size())) continue;
-    const bool is_own = push.by_link >= 0;
-    if (!(is_own ? has(push.by_link, figure.figure().links().size())
-                 : has(push.object, animation.scene.size()))) {
+    if (!has(push.by_link, figure.figure().links().size()) &&
+        !has(push.by_ball, animation.held_objects.size()) &&
+        !has(push.object, animation.scene.size())) {
       continue;
     }
     const double force = push.force.norm();
     if (weight <= 0.0 || force < kLeastShare * weight) continue;
     const double length = std::clamp(kOfWeight * force / weight, kShortestArrow, kLongestArrow);
-    marks.push_back({push.link, push.object, push.by_link, push.p,
-                     push.p + length / force * push.force, force});
+    marks.push_back({push, push.p, push.p + length / force * push.force, force});
   }
   return marks;
 }
 
 std::string TextOf(const ContactMark& mark, const Animation& animation) {
   const auto& links = animation.figure->links();
-  const std::string& by = mark.by_link >= 0
-                              ? links[static_cast<size_t>(mark.by_link)].name
-                              : animation.scene[static_cast<size_t>(mark.object)].name;
-  return links[static_cast<size_t>(mark.link)].name + ", " + by + ": " +
-         Filled("%.0f N", mark.force);
+  const ContactParts& parts = mark.parts;
+  const std::string& by = parts.by_link >= 0   ? links[parts.by_link].name
+                          : parts.by_ball >= 0 ? animation.held_objects[parts.by_ball].name
+                                               : animation.scene[parts.object].name;
+  return links[parts.link].name + ", " + by + ": " + Filled("%.0f N", mark.force);
 }
 
 void DrawContacts(Editor* editor, const View& view, const PosedFigure& figure) {

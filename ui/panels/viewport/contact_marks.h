@@ -9,10 +9,10 @@
 
 namespace hazumi::ui {
 
-// What pushes a figure where it touches the scene or itself, in regions that keep out of these.
+// What pushes a figure where it touches the scene, itself or a ball, in regions that keep out of
+// these.
 struct ContactMark {
-  int link = 0, object = 0;  // of the figure, of Animation::scene
-  int by_link = -1;          // that pushes, and no object
+  ContactParts parts;
   // An arrow from where it touches, whose length tells how strong it is.
   Vec3 from, to;
   double force = 0.0;  // [N]
