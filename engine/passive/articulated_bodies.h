@@ -29,10 +29,29 @@ class ArticulatedBodies {
   // The same of nothing but an acceleration of all that carries the bodies [m/s^2].
   void Shake(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
              const small::V3& acceleration, double* x);
+  // After Solve, with the same motion; before the others.
+  void FactorJoints(const RegionLayout& layout, const std::vector<NodeMotion>& motion);
+  // After it: adds to `half` half of what such a push of size 1 does, or a torque where it `turns`:
+  // with M = R R^T and J what it does to the unknowns, R^-1 J^T. The product of two halves is what
+  // one push does to where the other one is. Unknowns: the root's translation, if it flies, then
+  // the dofs.
+  void AddHalf(const RegionLayout& layout, const std::vector<NodeMotion>& motion, int node,
+               const small::V3& r, const small::V3& force, bool turns, double* half) const;
+  int num_root() const { return root_flies_ ? 3 : 0; }
+  // The other half: x of pushes, by the sum of their halves.
+  void FinishHalf(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
+                  const double* half, double* x);
   // What the accelerations found last do to a point of a dynamic node, r from its origin [m/s^2].
   small::V3 AccelerationAt(int node, const small::V3& r) const;
 
  private:
+  // L of three directions, with those empty that move no mass: inverse pivots, and what is below.
+  struct Triangle {
+    double inverse_a, inverse_b, inverse_c, ab, ac, bc;
+  };
+  static Triangle TriangleOf(const small::S3& D, const small::S3& D_inverse);
+  static small::V3 SolveLower(const Triangle& L, const small::V3& v);  // L^-1 v
+  static small::V3 SolveUpper(const Triangle& L, const small::V3& v);  // L^-T v
   struct Body {
     small::S3 I;
     small::M3 H;
@@ -46,6 +65,7 @@ class ArticulatedBodies {
     bool is_ball = false;
     small::M3 K;
     small::V3 dalpha, da;
+    Triangle L;  // D = L L^T
   };
 
   void Begin(const std::vector<NodeMotion>& motion);
@@ -71,6 +91,7 @@ class ArticulatedBodies {
   std::vector<char> is_base_;  // moves as it is told: nothing carries it, and the root does not fly
   std::vector<char> is_dynamic_;
   std::vector<Body> bodies_;
+  Triangle L_root_;  // of M
   int twisted_node_ = -1, twisted_dof_ = 0;
 };
 

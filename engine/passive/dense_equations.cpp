@@ -165,11 +165,10 @@ void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<Node
                               Eigen::Ref<VecX> row) const {
   for (int i = node; i >= 0; i = nodes_[i].parent) {
     const RegionLayout::Node& where = layout.node(i);
+    const V3 r = p - motion[i].p, moment = turns ? n : Cross(r, n);
+    const double size = turns ? 1.0 : std::sqrt(Dot(r, r));
     for (int k = 0; k < where.num_dofs; ++k) {
-      const V3& axis = motion[i].axis[k];
-      const V3 r = p - motion[i].p, way = turns ? axis : Cross(axis, r);
-      const double size = turns ? 1.0 : std::sqrt(Dot(r, r));
-      AddRounded(Dot(way, n), size, &row[where.dof + k]);
+      AddRounded(Dot(motion[i].axis[k], moment), size, &row[where.dof + k]);
     }
   }
 }

@@ -177,6 +177,15 @@ void NodeKinematics::Accelerate(const RegionLayout& layout, const double* x, int
   }
 }
 
+V3 NodeKinematics::AskedForce() const {
+  V3 force;
+  for (int i = 0; i < size(); ++i) {
+    const NodeMotion& own = motion_[i];
+    if (nodes_[i].is_dynamic) force += own.f + own.m * da_[i] + Cross(dalpha_[i], own.h);
+  }
+  return force;
+}
+
 void NodeKinematics::SetOwnForces(const V3& base) {
   added_force_ = V3();
   for (int i = 0; i < size(); ++i) {

@@ -61,6 +61,8 @@ class NodeKinematics {
             const double* positions, const double* velocities, int first, int last);
   // After Move: adds what accelerations x of the free joints do to the nodes from `first` on.
   void Accelerate(const RegionLayout& layout, const double* x, int first);
+  // After it, of all nodes and forces since SetOwnForces: what the dynamic ones ask for together.
+  small::V3 AskedForce() const;
   // Forces and inertias of the dynamic nodes themselves, everything being accelerated by `base`
   // [m/s^2] on top.
   void SetOwnForces(const small::V3& base);

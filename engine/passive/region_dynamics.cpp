@@ -69,13 +69,24 @@ bool RegionDynamics::IsCarrierStill() const {
 }
 
 // A pinned root that answers couples every joint with the pin, which is solved the dense way unless
-// that takes too long. Only the dense way is written for rules that the root has to answer.
+// that takes too long; with rows only that is written. So it is for rules that the root has to
+// answer where nothing else acts on it.
 bool RegionDynamics::UsesArticulatedBodies() const {
-  if (has_any_rows()) return false;
   if (!model_.root_answers) return true;
   const bool answers_rules = has_rules_ && model_.nodes[0].role == Role::kFree;
-  if (answers_rules && !contacts_.is_possible()) return false;
-  return model_.coupling == RootCoupling::kFlight || model_.num_free > most_dense_;
+  if (model_.coupling == RootCoupling::kFlight) return has_rows_ || !answers_rules;
+  return !has_any_rows() && !answers_rules && model_.num_free > most_dense_;
+}
+
+// x_0 of nodes that have been moved.
+void RegionDynamics::SolveWithoutRows(const RegionLayout& layout, double* x) {
+  by_bodies_ = UsesArticulatedBodies();
+  if (by_bodies_) {
+    tree_.Solve(layout, kinematics_.motion(), x);
+  } else {
+    dense_.Assemble(layout, &kinematics_.motion());
+    dense_.Solve(layout, x);
+  }
 }
 
 void RegionDynamics::Move(double t, const RegionLayout& layout, const double* positions,
@@ -174,12 +185,7 @@ void RegionDynamics::Look(double t, const double* y, double* dy) {
   double* x = dy + layout_.num_positions();
   if (has_rows_ && rows_.any_yielding() && is_any_locked()) YieldAsIfFree(t, y);
   Move(t, layout_, y, velocities);
-  if (UsesArticulatedBodies()) {
-    tree_.Solve(layout_, kinematics_.motion(), x);
-  } else {
-    dense_.Assemble(layout_, &kinematics_.motion());
-    dense_.Solve(layout_, x);
-  }
+  SolveWithoutRows(layout_, x);
   if (has_rules_ || has_rows_) {
     const RegionState state = StateAt(t, layout_, y, velocities);
     AddRules(state, x);
@@ -221,7 +227,7 @@ void RegionDynamics::AddRule(const ForceLaw& rule, const RegionState& state) {
 void RegionDynamics::AnswerRule(const RegionLayout& layout) {
   if (layout.node(0).num_dofs == 0) return;
   Vec3 answer = Vec3::Zero();
-  if (UsesArticulatedBodies()) {
+  if (by_bodies_) {
     const Mat3 M_rr = AnswerOfBodies(layout, &answer);
     added_.head<3>() = M_rr.ldlt().solve(answer);
     return;
@@ -284,7 +290,7 @@ void RegionDynamics::AssembleHinges(double t, const VecX& q, const VecX& qd) {
   ++num_assembled_;
   Move(t, hinge_layout_, q.data(), qd.data());
   dense_.Assemble(hinge_layout_, &kinematics_.motion());
-  assembled_some_ = false;
+  by_bodies_ = assembled_some_ = false;
   if (has_rows_) AssembleHingeRows(StateAt(t, hinge_layout_, q.data(), qd.data()));
 }
 

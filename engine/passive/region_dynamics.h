@@ -122,8 +122,8 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
-  // Constraints keep their ends together, and contacts apart, however large the island is, the
-  // dense way.
+  // Constraints keep their ends together, and contacts apart; where a pinned root answers, however
+  // large the island is, the dense way.
   ConstraintRows& constraints() { return rows_; }
   const ConstraintRows& constraints() const { return rows_; }
   ContactSet& contacts() { return contacts_; }
@@ -193,6 +193,7 @@ class RegionDynamics {
     return assembled_some_ ? tree_.some() : dense_.equations();
   }
   bool UsesArticulatedBodies() const;
+  void SolveWithoutRows(const RegionLayout& layout, double* x);
   void Move(double t, const RegionLayout& layout, const double* positions,
             const double* velocities);
   bool IsCarrierStill() const;
@@ -209,9 +210,11 @@ class RegionDynamics {
   }
   bool has_any_rows() const { return rows_.any() || contacts_.any_closed(); }
   void MeasureRows(const RegionState& state);
+  void AddToRow(const RegionLayout& layout, const ConstraintRow& row, const small::V3& n,
+                Eigen::Ref<VecX> column) const;
   void AssembleRows(const RegionLayout& layout);
   MatX AnswerRows(const RegionLayout& layout);
-  VecX AnswerOfRows(const RegionLayout& layout, const VecX& pushes) const;
+  VecX AnswerOfRows(const RegionLayout& layout, const VecX& pushes);
   // How the figure as a whole moves, or is pushed, along n of a row; and how a ball does, and turns
   // about its centre.
   Vec3 NetOf(const ConstraintRow& row, const small::V3& n) const;
@@ -220,6 +223,7 @@ class RegionDynamics {
   void LetBallsAnswer();
   VecX Softness() const;
   VecX SolveRows(const MatX& A, const VecX& errors) const;
+  small::V3 RootAcceleration(double t, const RegionLayout& layout, const double* x) const;
   VecX RowErrors(double t, const RegionLayout& layout, const double* x);
   small::V3 AccelerationAt(int node, const small::V3& r, const small::V3& root) const;
   void KeepTogether(const RegionState& state, double* x);
@@ -256,6 +260,7 @@ class RegionDynamics {
   NodeKinematics kinematics_;
   DenseEquations dense_;
   TreeEquations tree_;
+  bool by_bodies_ = false;       // solved last, not assembled the dense way
   bool assembled_some_ = false;  // and not all, last
   std::shared_ptr<const MovingBase> moving_base_;
   int first_moved_ = 0;  // the nodes before it are there only to move the moving base
@@ -269,7 +274,7 @@ class RegionDynamics {
   FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false;
   // Of rows: what they measure, and what they push if contacts slide, else the same; half of what
-  // the pushes do, L^-1 P^T.
+  // the pushes do, R^-1 P^T. By bodies halves of the former too.
   MatX J_, P_, half_answer_, G_;
   bool any_slides_ = false;
   RowYield yield_;

@@ -8,6 +8,7 @@
 // and n'. Friction is in x_0, as if it were the torques M r. Rows that say the same twice share
 // their force, the least there is.
 // Gaps that a step leaves are closed by dy = -M^-1 J^T A^-1 e, rates by the same, with P = J.
+// Articulated bodies tell half of J M^-1 J^T, in flight with the centre of mass, without M.
 
 #include <algorithm>
 #include <cmath>
@@ -35,25 +36,32 @@ void RegionDynamics::MeasureRows(const RegionState& state) {
   contacts_.AppendRows(state, rows_.mutable_rows());
 }
 
-// J_, G_ and, where contacts slide, P_, for rows that are measured and equations that are
-// assembled.
-void RegionDynamics::AssembleRows(const RegionLayout& layout) {
+// What x does to the acceleration of a row's ends along n; by bodies, half of it.
+void RegionDynamics::AddToRow(const RegionLayout& layout, const ConstraintRow& row, const V3& n,
+                              Eigen::Ref<VecX> column) const {
   const auto& motion = kinematics_.motion();
-  const std::vector<ConstraintRow>& rows = rows_.rows();
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  J_.setZero(layout.num_dofs(), count);  // a row a column
-  Eigen::Matrix3Xd moves(3, count), pushes(3, count);
-  const auto is_carried = [&](int node) { return node >= 0 && !model_.is_ball(node); };
-  const auto add = [&](const ConstraintRow& row, const V3& n, Eigen::Ref<VecX> column) {
-    if (is_carried(row.a)) {
-      dense_.AddToRow(layout, motion, row.a, motion[row.a].p + row.r_a, n, row.turns, column);
-    }
-    if (is_carried(row.b)) {
-      dense_.AddToRow(layout, motion, row.b, motion[row.b].p + row.r_b, -n, row.turns, column);
+  const auto add = [&](int node, const V3& r, const V3& along) {
+    if (node < 0 || model_.is_ball(node)) return;
+    if (by_bodies_) {
+      tree_.bodies().AddHalf(layout, motion, node, r, along, row.turns, column.data());
+    } else {
+      dense_.AddToRow(layout, motion, node, motion[node].p + r, along, row.turns, column);
     }
   };
-  for (Eigen::Index k = 0; k < count; ++k) {
-    add(rows[k], rows[k].n, J_.col(k));
+  add(row.a, row.r_a, n);
+  add(row.b, row.r_b, -n);
+}
+
+// J_, G_ and, where contacts slide, P_, for rows that are measured and equations that are
+// assembled or solved by bodies.
+void RegionDynamics::AssembleRows(const RegionLayout& layout) {
+  const std::vector<ConstraintRow>& rows = rows_.rows();
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  if (by_bodies_) tree_.bodies().FactorJoints(layout, kinematics_.motion());
+  J_.setZero((by_bodies_ ? tree_.bodies().num_root() : 0) + layout.num_dofs(), count);
+  Eigen::Matrix3Xd moves(3, count), pushes(3, count);
+  for (Eigen::Index k = 0; k < count; ++k) {  // a row a column
+    AddToRow(layout, rows[k], rows[k].n, J_.col(k));
     moves.col(k) = NetOf(rows[k], rows[k].n);
     pushes.col(k) = NetOf(rows[k], rows[k].force());
   }
@@ -61,21 +69,23 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   if (any_slides_) {
     P_ = J_;
     for (Eigen::Index k = 0; k < count; ++k) {
-      if (slides(rows[k])) add(rows[k], rows[k].push - rows[k].n, P_.col(k));
+      if (slides(rows[k])) AddToRow(layout, rows[k], rows[k].push - rows[k].n, P_.col(k));
     }
-    dense_.AddRootToRows(layout, pushes, P_);
   }
-  dense_.AddRootToRows(layout, moves, J_);
   G_.setZero(count, count);
   if (!model_.balls.empty()) LetBallsAnswer();
+  if (by_bodies_) return;
+  if (any_slides_) dense_.AddRootToRows(layout, pushes, P_);
+  dense_.AddRootToRows(layout, moves, J_);
   if (model_.coupling != RootCoupling::kFlight) return;
   G_.noalias() += moves.transpose().lazyProduct(pushes / model_.mass);
 }
 
-// What the rows do to each other, by way of the joints, whose equations are solved: with M = L L^T
-//   A = (L^-1 J^T)^T L^-1 P^T + G
+// What the rows do to each other, by way of the joints, whose equations are solved: with M = R R^T
+//   A = (R^-1 J^T)^T R^-1 P^T + G
 MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
   half_answer_ = any_slides_ ? P_ : J_;
+  if (by_bodies_) return ProductOf(any_slides_ ? J_ : half_answer_, half_answer_) + G_;
   dense_.SolveLower(layout, half_answer_);
   if (!any_slides_) return ProductOf(half_answer_, half_answer_) + G_;
   MatX J = J_;
@@ -84,9 +94,14 @@ MatX RegionDynamics::AnswerRows(const RegionLayout& layout) {
 }
 
 // After it: what pushes of the rows do to the joints.
-VecX RegionDynamics::AnswerOfRows(const RegionLayout& layout, const VecX& pushes) const {
-  VecX x = half_answer_ * pushes;
-  dense_.SolveUpper(layout, x);
+VecX RegionDynamics::AnswerOfRows(const RegionLayout& layout, const VecX& pushes) {
+  VecX half = half_answer_ * pushes;
+  if (!by_bodies_) {
+    dense_.SolveUpper(layout, half);
+    return half;
+  }
+  VecX x(layout.num_dofs());
+  tree_.bodies().FinishHalf(layout, kinematics_.motion(), half.data(), x.data());
   return x;
 }
 
@@ -125,15 +140,20 @@ V3 RegionDynamics::AccelerationAt(int node, const V3& r, const V3& root) const {
   return a + Cross(own.alpha, r) + Cross(own.w, Cross(own.w, r));
 }
 
+// After the nodes have been accelerated by x, less gravity's.
+V3 RegionDynamics::RootAcceleration(double t, const RegionLayout& layout, const double* x) const {
+  const V3 up(0.0, 0.0, gravity_);
+  if (model_.coupling != RootCoupling::kFlight) return BaseAcceleration(t) - up;
+  if (by_bodies_) return (-1.0 / model_.mass) * kinematics_.AskedForce() - up;
+  return V3(dense_.RootAcceleration(layout, kinematics_.motion(), x)) - up;
+}
+
 // e'' less what it is to be, with accelerations x of the free joints, which are added to what the
 // nodes move with.
 VecX RegionDynamics::RowErrors(double t, const RegionLayout& layout, const double* x) {
   kinematics_.Accelerate(layout, x, 0);
   const auto& motion = kinematics_.motion();
-  const V3 up(0.0, 0.0, gravity_);
-  const V3 root = model_.coupling == RootCoupling::kFlight
-                      ? V3(dense_.RootAcceleration(layout, motion, x)) - up
-                      : BaseAcceleration(t) - up;
+  const V3 root = RootAcceleration(t, layout, x);
   const std::vector<ConstraintRow>& rows = rows_.rows();
   VecX errors(static_cast<Eigen::Index>(rows.size()));
   for (size_t k = 0; k < rows.size(); ++k) {
@@ -191,6 +211,7 @@ void RegionDynamics::YieldAsIfFree(double t, const double* y) {
   layout_.Unpack(y, -none, none, &q, &qd);
   Move(t, hinge_layout_, q.data(), qd.data());
   dense_.Assemble(hinge_layout_, &kinematics_.motion());
+  by_bodies_ = false;
   MeasureRows(StateAt(t, hinge_layout_, q.data(), qd.data()));
   AssembleRows(hinge_layout_);
   Yield(hinge_layout_);
@@ -235,8 +256,7 @@ double RegionDynamics::CloseGaps(double t, double* y, bool only_looked_at) {
     Move(t, layout_, state.positions, state.velocities);
     MeasureRows(state);
     for (ConstraintRow& row : *rows_.mutable_rows()) row.push = row.n;  // nothing slides here
-    dense_.Assemble(layout_, &kinematics_.motion());
-    dense_.Solve(layout_, change.data());
+    SolveWithoutRows(layout_, change.data());
     AssembleRows(layout_);
     const VecX rates = LeaveClosedRows();
     VecX gaps = VecX::Zero(J_.cols());

@@ -16,6 +16,10 @@ class TreeEquations {
   // A direction that moves no mass gets 0.
   void Solve(const RegionLayout& layout, const std::vector<NodeMotion>& motion, double* x);
 
+  // After Solve: what pushes do, unless a pin has to be kept.
+  ArticulatedBodies& bodies() { return bodies_; }
+  const ArticulatedBodies& bodies() const { return bodies_; }
+
   // M and b of some hinges alone, k of them, with the others following freely, in O(k n + k^3).
   // `layout` has no balls.
   void AssembleSome(const RegionLayout& layout, const std::vector<NodeMotion>& motion,

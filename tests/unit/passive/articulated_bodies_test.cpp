@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 #include "engine/passive/semidefinite.h"
 #include "tests/support/compare.h"
@@ -191,6 +192,42 @@ TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
       EXPECT_LE(worst((actual - expected).norm() / size), kTreeTolerance) << "balls " << balls;
       if (balls) continue;
       EXPECT_LE(worst((pushed - x).norm() / size), kTreeTolerance);
+    }
+  });
+}
+
+// How a body turns, by how its points move.
+V3 TurnOf(const ArticulatedBodies& bodies, int node) {
+  const V3 origin = bodies.AccelerationAt(node, {});
+  const auto across = [&](const V3& r) { return bodies.AccelerationAt(node, r) - origin; };
+  return {across({0.0, 1.0, 0.0}).z, across({0.0, 0.0, 1.0}).x, across({1.0, 0.0, 0.0}).y};
+}
+
+TEST(ArticulatedBodies, AnswerAPushByHalvesAsByAPush) {
+  Worst worst("halves");
+  ForEachIsland([&](RandomIsland* island) {
+    const int node = AnyDynamicNode(island), other = AnyDynamicNode(island);
+    const V3 r(island->random.Vector3(0.3)), at(island->random.Vector3(0.3));
+    const V3 force(island->random.Vector3(50.0)), along(island->random.Vector3(1.0));
+    for (const bool balls : {false, true}) {
+      const RegionLayout layout(island->model, balls);
+      const NodeKinematics kinematics = MovedBy(*island, layout);
+      const auto& motion = kinematics.motion();
+      ArticulatedBodies bodies(island->model);
+      VecX pushed(layout.num_dofs()), finished(layout.num_dofs());
+      bodies.Solve(layout, motion, pushed.data());
+      bodies.FactorJoints(layout, motion);
+      VecX half = VecX::Zero(bodies.num_root() + layout.num_dofs()), moved = half, turned = half;
+      bodies.AddHalf(layout, motion, node, r, force, /*turns=*/false, half.data());
+      bodies.AddHalf(layout, motion, other, at, along, /*turns=*/false, moved.data());
+      bodies.AddHalf(layout, motion, other, at, along, /*turns=*/true, turned.data());
+      bodies.FinishHalf(layout, motion, half.data(), finished.data());
+      bodies.Push(layout, motion, node, r, force, pushed.data());
+      const V3 a = bodies.AccelerationAt(other, at), alpha = TurnOf(bodies, other);
+      const double size = pushed.norm() + half.norm() * (moved.norm() + turned.norm());
+      EXPECT_LE(worst((finished - pushed).norm() / size), kTreeTolerance) << "balls " << balls;
+      EXPECT_LE(worst(std::abs(moved.dot(half) - Dot(along, a)) / size), kTreeTolerance);
+      EXPECT_LE(worst(std::abs(turned.dot(half) - Dot(along, alpha)) / size), kTreeTolerance);
     }
   });
 }
