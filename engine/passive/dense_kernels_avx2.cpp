@@ -11,7 +11,7 @@ namespace {
 }  // namespace
 
 DenseKernels Avx2DenseKernels() {
-  return {Factor, SolveLowerColumns, Product, DotThree, SubtractThree, SubtractThreeRounded};
+  return {Factor, SolveGeneral, SolveLowerColumns, Product, SubtractThree, SubtractThreeRounded};
 }
 
 }  // namespace hazumi

@@ -10,7 +10,7 @@ namespace {
 }  // namespace
 
 DenseKernels BaselineDenseKernels() {
-  return {Factor, SolveLowerColumns, Product, DotThree, SubtractThree, SubtractThreeRounded};
+  return {Factor, SolveGeneral, SolveLowerColumns, Product, SubtractThree, SubtractThreeRounded};
 }
 
 const DenseKernels& BestDenseKernels() {

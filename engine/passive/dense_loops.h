@@ -18,12 +18,13 @@ inline void Subtract(double f, const double* x, long first, long n, double* y) {
   for (; i < n; ++i) y[i] -= f * x[i];
 }
 
-// The same from k on of four columns of A, one after the other, with what they have in row k. By
-// whole fours: what is before k in y may change.
-inline void SubtractFour(const double* A, long stride, long k, long n, double* y) {
+// The same of four columns of A, one after the other, with `f` of them. By whole fours: what is
+// before `first` in y may change.
+inline void SubtractFour(const double* A, long stride, const double* f, long first, long n,
+                         double* y) {
   const double *a = A, *b = a + stride, *c = b + stride, *d = c + stride;
-  const double of_a = a[k], of_b = b[k], of_c = c[k], of_d = d[k];
-  long i = k & ~3L;
+  const double of_a = f[0], of_b = f[1], of_c = f[2], of_d = f[3];
+  long i = first & ~3L;
   for (; i + 4 <= n; i += 4) {
     Four sum = FourAt(y + i);
     sum -= of_a * FourAt(a + i);
@@ -53,7 +54,11 @@ int Factor(double* A, long stride, long n) {
     double* column = A + k * stride;
     const double diagonal = column[k];
     long j = 0;
-    for (; j + 4 <= k; j += 4) SubtractFour(A + j * stride, stride, k, n, column);
+    for (; j + 4 <= k; j += 4) {
+      const double* a = A + j * stride + k;
+      const double own[4] = {a[0], a[stride], a[2 * stride], a[3 * stride]};
+      SubtractFour(A + j * stride, stride, own, k, n, column);
+    }
     for (; j < k; ++j) Subtract(A[j * stride + k], A + j * stride, k, n, column);
     const double least =
         kLost * diagonal > kLostOfAll * largest ? kLost * diagonal : kLostOfAll * largest;
@@ -67,6 +72,45 @@ int Factor(double* A, long stride, long n) {
     }
   }
   return lost;
+}
+
+inline void Swap(double* x, double* y) {
+  const double was = *x;
+  *x = *y;
+  *y = was;
+}
+
+// P A = L U column by column, each with the exchanges of rows before it.
+void SolveGeneral(double* A, long stride, long n, long* exchanged, double* x) {
+  for (long j = 0; j < n; ++j) {
+    double* y = A + j * stride;
+    for (long k = 0; k < j; ++k) Swap(y + k, y + exchanged[k]);
+    long k = 0;
+    for (; k + 4 <= j; k += 4) {
+      const double* L = A + k * stride + k;
+      double* u = y + k;
+      u[1] -= L[1] * u[0];
+      u[2] = (u[2] - L[2] * u[0]) - L[stride + 2] * u[1];
+      u[3] = ((u[3] - L[3] * u[0]) - L[stride + 3] * u[1]) - L[2 * stride + 3] * u[2];
+      SubtractFour(A + k * stride, stride, u, k + 4, n, y);
+    }
+    for (; k < j; ++k) Subtract(y[k], A + k * stride, k + 1, n, y);
+    long largest = j;
+    for (long i = j + 1; i < n; ++i) {
+      if (__builtin_fabs(y[i]) > __builtin_fabs(y[largest])) largest = i;
+    }
+    exchanged[j] = largest;
+    for (long c = 0; c <= j && largest != j; ++c) {
+      Swap(A + c * stride + j, A + c * stride + largest);
+    }
+    Scale(1.0 / y[j], j + 1, n, y);
+  }
+  for (long k = 0; k < n; ++k) Swap(x + k, x + exchanged[k]);
+  for (long k = 0; k < n; ++k) Subtract(x[k], A + k * stride, k + 1, n, x);
+  for (long k = n - 1; k >= 0; --k) {
+    x[k] /= A[k * stride + k];
+    Subtract(x[k], A + k * stride, 0, k, x);
+  }
 }
 
 // One column after the other.
@@ -145,24 +189,6 @@ void SubtractThreeRounded(const double* F, long stride, const double* abc, long 
 }
 
 inline double SumOf(const Four& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
-
-// Of x with three columns.
-void DotThree(const double* A, long stride, const double* x, long n, double* sums) {
-  Four s0 = {}, s1 = {}, s2 = {};
-  long i = 0;
-  for (; i + 4 <= n; i += 4) {
-    const Four& own = FourAt(x + i);
-    s0 += FourAt(A + i) * own;
-    s1 += FourAt(A + stride + i) * own;
-    s2 += FourAt(A + 2 * stride + i) * own;
-  }
-  sums[0] = SumOf(s0);
-  sums[1] = SumOf(s1);
-  sums[2] = SumOf(s2);
-  for (; i < n; ++i) {
-    for (int c = 0; c < 3; ++c) sums[c] += A[c * stride + i] * x[i];
-  }
-}
 
 inline double Dot(const double* x, const double* y, long n) {
   Four sum = {};

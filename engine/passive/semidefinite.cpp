@@ -1,9 +1,9 @@
 #include "engine/passive/semidefinite.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "engine/passive/dense_kernels.h"
 #include "engine/spatial/smooth_step.h"
@@ -36,6 +36,11 @@ void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
 void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
   BestDenseKernels().solve_lower(L.data(), L.outerStride(), L.rows(), X.data(), X.outerStride(),
                                  X.cols());
+}
+
+void SolveGeneral(Eigen::Ref<MatX> A, Eigen::Ref<VecX> x) {
+  std::vector<long> exchanged(static_cast<size_t>(A.rows()));
+  BestDenseKernels().solve_general(A.data(), A.outerStride(), A.rows(), exchanged.data(), x.data());
 }
 
 MatX ProductOf(const MatX& X, const MatX& Y) {
@@ -77,10 +82,13 @@ VecX SolveGivingWay(MatX A, bool is_symmetric, const VecX& b, const VecX& softne
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     A(i, i) += kGivesWay * softness[i] * std::max(std::abs(A(i, i)), 1e-6 * largest) + 1e-300;
   }
-  if (!is_symmetric) return A.partialPivLu().solve(b);
-  FactorSemidefinite(A);
   VecX x = b;
-  SolveSemidefinite(A, x);
+  if (is_symmetric) {
+    FactorSemidefinite(A);
+    SolveSemidefinite(A, x);
+  } else {
+    SolveGeneral(A, x);
+  }
   return x;
 }
 

@@ -16,6 +16,9 @@ void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
 void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X);
 void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x);
 
+// x := A^-1 x for any regular A, which is not kept. Numbers that are not finite: it was singular.
+void SolveGeneral(Eigen::Ref<MatX> A, Eigen::Ref<VecX> x);
+
 // X^T Y; the same matrix twice gives a symmetric one.
 MatX ProductOf(const MatX& X, const MatX& Y);
 

@@ -9,10 +9,11 @@
 
 #include "engine/passive/contact/cone_problem.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "engine/passive/semidefinite.h"
 
 namespace hazumi {
 
@@ -198,7 +199,8 @@ class Solver {
       pull.segment<3>(i) = mu * Scaled(x_inverse, f);
     }
     right += pull;
-    const VecX change = K.partialPivLu().solve(right);
+    VecX& change = right;
+    SolveGeneral(K, change);
     if (!change.allFinite()) return false;
     VecX dz = VecX::Zero(n);
     // dz = pull - z - W^-2 dl, from what is left of the equations
@@ -347,9 +349,10 @@ class Solver {
       active.insert(active.end(), {i + 1, i + 2});
     }
     VecX change = f;
-    const VecX right = f(active) - F(active, idle) * f(idle);
-    const MatX own = F(active, active);
-    change(active) = VecX(own.partialPivLu().solve(right));
+    VecX right = f(active) - F(active, idle) * f(idle);
+    MatX own = F(active, active);
+    SolveGeneral(own, right);
+    change(active) = right;
     if (!change.allFinite()) return false;
     l_ -= change;
     return true;

@@ -1,6 +1,7 @@
 // Block by block [Gauss, Seidel], each as if the others were right:
 //   push      l = max(0, l - w / A_ll)
 //   across    l_t - w_t / a  in the disk with radius friction l_n,  a the stiffest of A_tt
+// w is kept along: most of what is near does not push, and costs nothing.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,10 @@ namespace hazumi {
 bool SweepCones(const ConeProblem& problem, VecX* forces) {
   constexpr int kMostSweeps = 60;
   constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
-  const MatX rows = problem.A.transpose();
+  const MatX& A = problem.A;
   const DenseKernels& kernels = BestDenseKernels();
   VecX& l = *forces;
+  VecX w = A * l + problem.b;
   const auto step_of = [&](double own) {
     return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0;
   };
@@ -24,35 +26,32 @@ bool SweepCones(const ConeProblem& problem, VecX* forces) {
     double change = 0.0;
     for (const ConeProblem::Block& block : problem.blocks) {
       const int i = block.row;
-      const double before = l[i];
-      const bool is_contact = block.kind == ConeProblem::Kind::kContact;
-      Vec3 w;
-      if (is_contact) {
-        kernels.dot_three(&rows(0, i), rows.outerStride(), l.data(), l.size(), w.data());
-        w += problem.b.segment<3>(i);
-      } else {
-        w[0] = rows.col(i).dot(l) + problem.b[i];
-      }
-      l[i] -= step_of(rows(i, i)) * w[0];
-      if (block.kind != ConeProblem::Kind::kBoth) l[i] = std::max(0.0, l[i]);
-      change = std::max(change, std::abs(l[i] - before));
-      largest = std::max(largest, std::abs(l[i]));
-      if (!is_contact) continue;
-      const double radius = block.friction * l[i];
-      Eigen::Vector2d t = l.segment<2>(i + 1);
-      if (radius <= 0.0) {
-        l.segment<2>(i + 1).setZero();
+      double to = l[i] - step_of(A(i, i)) * w[i];
+      if (block.kind != ConeProblem::Kind::kBoth) to = std::max(0.0, to);
+      const double by = to - l[i];
+      l[i] = to;
+      change = std::max(change, std::abs(by));
+      largest = std::max(largest, std::abs(to));
+      if (block.kind != ConeProblem::Kind::kContact) {
+        if (by != 0.0) w += by * A.col(i);
         continue;
       }
-      const Eigen::Vector2d across =
-          w.tail<2>() + (l[i] - before) * rows.block<1, 2>(i, i + 1).transpose();
-      const double p = rows(i + 1, i + 1), q = rows(i + 2, i + 2), r = rows(i + 1, i + 2);
-      const double stiffest = 0.5 * (p + q) + std::sqrt(0.25 * (p - q) * (p - q) + r * r);
-      t -= step_of(stiffest) * across;
-      const double size = t.norm();
-      if (size > radius) t *= radius / size;
-      change = std::max(change, (t - l.segment<2>(i + 1)).lpNorm<Eigen::Infinity>());
-      l.segment<2>(i + 1) = t;
+      Vec3 less(-by, 0.0, 0.0);
+      Eigen::Ref<Eigen::Vector2d> t = l.segment<2>(i + 1);
+      const double radius = block.friction * to;
+      Eigen::Vector2d across = Eigen::Vector2d::Zero();
+      if (radius > 0.0) {
+        const double p = A(i + 1, i + 1), q = A(i + 2, i + 2), r = A(i + 1, i + 2);
+        const double stiffest = 0.5 * (p + q) + std::sqrt(0.25 * (p - q) * (p - q) + r * r);
+        across = t - step_of(stiffest) * (w.segment<2>(i + 1) + by * A.block<2, 1>(i + 1, i));
+        const double size = across.norm();
+        if (size > radius) across *= radius / size;
+        change = std::max(change, (across - t).lpNorm<Eigen::Infinity>());
+      }
+      less.tail<2>() = t - across;
+      t = across;
+      if (less.isZero(0.0)) continue;
+      kernels.subtract_three(&A(0, i), A.outerStride(), less.data(), w.size(), w.data());
     }
     if (change <= kEnough * largest) return true;
     last = change;

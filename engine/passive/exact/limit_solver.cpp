@@ -64,13 +64,15 @@ void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
   if (rows.P.size() > 0) {
     for (Eigen::Index r = 0; r < k; ++r) answer.row(r) = rows.P.col(free_[r]);
   }
-  for (Eigen::Index row = 0; row < J.cols(); ++row) {
-    SolveSemidefinite(A_.topLeftCorner(k, k), answer.col(row));
-  }
-  const MatX A = J.transpose() * answer + rows.G;
+  const auto L = A_.topLeftCorner(k, k);
+  SolveLower(L, answer);
+  if (rows.P.size() > 0) SolveLower(L, J);
+  const MatX A = ProductOf(rows.P.size() > 0 ? J : answer, answer) + rows.G;
   l_ = rows.softness.size() > 0 ? SolveGivingWay(A, /*is_symmetric=*/false, -errors, rows.softness)
                                 : -LeastNorm(A, errors);
-  right_.head(k) += answer * l_;
+  VecX answered = answer * l_;
+  SolveUpper(L, answered);
+  right_.head(k) += answered;
 }
 
 void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held,

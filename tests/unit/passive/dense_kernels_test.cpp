@@ -45,17 +45,21 @@ std::vector<double> Results(const DenseKernels& kernels, Eigen::Index n, Eigen::
   EXPECT_LT((square - X.transpose() * X).norm(), 1e-13 * (1.0 + square.norm())) << n;
   EXPECT_EQ(square, MatX(square.transpose()));
   const MatX three = RandomMatrix(n, 3, &random);
-  VecX y = RandomMatrix(n, 1, &random), rounded = three * Vec3(0.3, -0.2, 0.7), sums(3);
+  VecX y = RandomMatrix(n, 1, &random), rounded = three * Vec3(0.3, -0.2, 0.7);
   const VecX y_before = y;
   const Vec3 abc(0.3, -0.2, 0.7);
   kernels.subtract_three(three.data(), n, abc.data(), n, y.data());
   EXPECT_LT((y - (y_before - three * abc)).norm(), 1e-14) << n;
   kernels.subtract_three_rounded(three.data(), n, abc.data(), n, rounded.data());
   EXPECT_TRUE(rounded.isZero(0.0)) << n;
-  kernels.dot_three(three.data(), n, y.data(), n, sums.data());
-  EXPECT_LT((sums - three.transpose() * y).norm(), 1e-13) << n;
+  MatX general = RandomMatrix(n, n, &random);
+  const MatX general_before = general;
+  VecX solution = y;
+  std::vector<long> exchanged(static_cast<size_t>(n));
+  kernels.solve_general(general.data(), n, n, exchanged.data(), solution.data());
+  EXPECT_LT((general_before * solution - y).norm(), 1e-12 * (1.0 + n * solution.norm())) << n;
   std::vector<double> all;
-  for (const MatX& of : {lower, X, product, square, MatX(y), MatX(sums)}) {
+  for (const MatX& of : {lower, X, product, square, MatX(y), MatX(solution)}) {
     all.insert(all.end(), of.data(), of.data() + of.size());
   }
   return all;
