@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "engine/passive/exact/dop853_tableau.h"
+#include "engine/passive/exact/dopri5_tableau.h"
 
 namespace hazumi {
 
 // One step of Dormand and Prince's Runge-Kutta method of order 8(5,3) for y' = f(t, y), with dense
 // output of order 7 [Hairer, Norsett, Wanner 1993, II.5, II.6]. The field is any callable
-// (double t, const double* y, double* dy). A step allocates nothing.
+// (double t, const double* y, double* dy). A step allocates nothing. Steps that something else
+// keeps short take half as many evaluations by their method of order 5(4), with dense output of
+// order 4.
 class Dop853 {
  public:
   void Resize(int size) {
@@ -39,11 +42,22 @@ class Dop853 {
   double Try(double h, const double* scale, Field&& field) {
     using namespace dop853;
     trial_h_ = h;
+    is_short_ = false;
     const double t = t0_ + h_;
     std::copy_n(k(12), n_, k(0));
     Stages(h, t, field, std::make_integer_sequence<int, 11>());
-    Combine<12>(y1_.data(), h);
+    Combine<12, kA>(y1_.data(), h);
     return Error(h, scale);
+  }
+
+  // The same by the method of order 5.
+  template <typename Field>
+  double TryShort(double h, const double* scale, Field&& field) {
+    trial_h_ = h;
+    is_short_ = true;
+    std::copy_n(k(12), n_, k(0));
+    ShortStages(h, t0_ + h_, field, std::make_integer_sequence<int, 6>());
+    return std::abs(h) * Worst(dopri5::kE4, scale);
   }
 
   // Accepts the step tried last: the solution at its end is y().
@@ -53,7 +67,11 @@ class Dop853 {
     h_ = trial_h_;
     y0_.swap(y1_);
     y1_.swap(stage_);
-    field(t0_ + h_, y1_.data(), k(12));
+    if (is_short_) {
+      std::copy_n(k(6), n_, k(12));
+    } else {
+      field(t0_ + h_, y1_.data(), k(12));
+    }
     has_dense_ = false;
   }
 
@@ -65,13 +83,13 @@ class Dop853 {
   const double* end_derivative() const { return k_.data() + static_cast<size_t>(12) * n_; }
   const double* start_derivative() const { return k_.data(); }
 
-  // Three more evaluations for the inside of the accepted step.
+  // Three more evaluations for the inside of the accepted step, unless it was short.
   template <typename Field>
   void MakeDense(Field&& field) {
     using namespace dop853;
     if (has_dense_) return;
     has_dense_ = true;
-    DenseStages(field, std::make_integer_sequence<int, 3>());
+    if (!is_short_) DenseStages(field, std::make_integer_sequence<int, 3>());
     for (int i = 0; i < n_; ++i) {
       const double change = y1_[i] - y0_[i];
       const double bend = h_ * k(0)[i] - change;
@@ -82,8 +100,9 @@ class Dop853 {
     }
     for (int d = 0; d < 4; ++d) {
       std::fill_n(dense(4 + d), n_, 0.0);
-      for (int s = 0; s < 16; ++s) Add(h_ * kD[d][s], k(s), dense(4 + d));
+      for (int s = 0; s < 16 && !is_short_; ++s) Add(h_ * kD[d][s], k(s), dense(4 + d));
     }
+    for (int s = 0; s < 7 && is_short_; ++s) Add(h_ * dopri5::kD[s], k(s), dense(4));
   }
 
   // The solution inside the accepted step; needs MakeDense.
@@ -116,22 +135,21 @@ class Dop853 {
     for (int i = 0; i < n_; ++i) sum[i] += factor * x[i];
   }
 
-  // stage_ := y + h sum of kA[kRow] k
-  template <int kRow>
+  // stage_ := y + h sum of A[kRow] k
+  template <int kRow, const auto& kA>
   void Combine(const double* y, double h) {
-    constexpr int kColumns = std::min(kRow, 15);
-    Combine<kRow>(y, h, std::make_integer_sequence<int, kColumns>());
+    constexpr int kColumns = std::min<int>(kRow, std::size(kA[kRow]));
+    Combine<kRow, kA>(y, h, std::make_integer_sequence<int, kColumns>());
   }
-  template <int kRow, int... kColumns>
+  template <int kRow, const auto& kA, int... kColumns>
   void Combine(const double* y, double h, std::integer_sequence<int, kColumns...>) {
     const double* const base = k_.data();
     double* const out = stage_.data();
     const int n = n_;
     for (int i = 0; i < n; ++i) {
       double sum = 0.0;
-      ((dop853::kA[kRow][kColumns] != 0.0
-            ? void(sum += dop853::kA[kRow][kColumns] * base[kColumns * n + i])
-            : void()),
+      ((kA[kRow][kColumns] != 0.0 ? void(sum += kA[kRow][kColumns] * base[kColumns * n + i])
+                                  : void()),
        ...);
       out[i] = y[i] + h * sum;
     }
@@ -139,39 +157,48 @@ class Dop853 {
 
   template <typename Field, int... kStage>
   void Stages(double h, double t, Field& field, std::integer_sequence<int, kStage...>) {
-    ((Combine<kStage + 1>(y1_.data(), h),
+    ((Combine<kStage + 1, dop853::kA>(y1_.data(), h),
       field(t + dop853::kC[kStage + 1] * h, stage_.data(), k(kStage + 1))),
      ...);
   }
   template <typename Field, int... kStage>
+  void ShortStages(double h, double t, Field& field, std::integer_sequence<int, kStage...>) {
+    ((Combine<kStage + 1, dopri5::kA>(y1_.data(), h),
+      field(t + dopri5::kC[kStage + 1] * h, stage_.data(), k(kStage + 1))),
+     ...);
+  }
+  template <typename Field, int... kStage>
   void DenseStages(Field& field, std::integer_sequence<int, kStage...>) {
-    ((Combine<kStage + 13>(y0_.data(), h_),
+    ((Combine<kStage + 13, dop853::kA>(y0_.data(), h_),
       field(t0_ + dop853::kC[kStage + 13] * h_, stage_.data(), k(kStage + 13))),
      ...);
   }
 
-  double Error(double h, const double* scale) {
-    using namespace dop853;
-    double fifth = 0.0, third = 0.0;
+  // The largest of the errors that a formula tells, in units of `scale`.
+  template <size_t kCount>
+  double Worst(const double (&formula)[kCount], const double* scale) {
+    double worst = 0.0;
     worst_ = 0;
     for (int i = 0; i < n_; ++i) {
-      double e5 = 0.0, e3 = 0.0;
-      for (int s = 0; s < 12; ++s) {
-        e5 += kE5[s] * k(s)[i];
-        e3 += kE3[s] * k(s)[i];
-      }
-      if (!(std::abs(e5) / scale[i] <= fifth)) worst_ = i;  // a NaN is the worst
-      fifth = std::max(fifth, std::abs(e5) / scale[i]);
-      third = std::max(third, std::abs(e3) / scale[i]);
-      if (!std::isfinite(e5)) return e5;
+      double e = 0.0;
+      for (size_t s = 0; s < kCount; ++s) e += formula[s] * k(static_cast<int>(s))[i];
+      if (!(std::abs(e) / scale[i] <= worst)) worst_ = i;  // a NaN is the worst
+      if (!std::isfinite(e)) return e;
+      worst = std::max(worst, std::abs(e) / scale[i]);
     }
+    return worst;
+  }
+
+  double Error(double h, const double* scale) {
+    const double third = Worst(dop853::kE3, scale), fifth = Worst(dop853::kE5, scale);
+    if (!std::isfinite(fifth)) return fifth;
     if (fifth < 1e-100) return 0.0;  // its square may be zero
     return std::abs(h) * fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
   }
 
   int n_ = 0, worst_ = 0;
   double t0_ = 0.0, h_ = 0.0, trial_h_ = 0.0;
-  bool has_dense_ = false;
+  bool is_short_ = false, has_dense_ = false;
   std::vector<double> k_, dense_, stage_, y0_, y1_;
 };
 

@@ -129,14 +129,16 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
   return std::nullopt;
 }
 
-// One step, which a kink ends: beyond one it would be of no order.
+// One step, which a kink ends: beyond one it would be of no order. While forces are frozen its end
+// is near.
 std::optional<ExactFailure> ExactSolver::Take(double end) {
-  const std::optional<ExactFailure> failure = step_.Take(end);
+  const bool is_near = frozen_until_.has_value();
+  const std::optional<ExactFailure> failure = step_.Take(end, is_near);
   if (failure || !dynamics_->has_kinks()) return failure;
   const std::optional<double> kink = kink_search_.Find();
   if (!kink) return std::nullopt;
   step_.TakeBack();
-  return step_.Take(*kink);
+  return step_.Take(*kink, is_near);
 }
 
 void ExactSolver::FindHits() {

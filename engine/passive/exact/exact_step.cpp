@@ -87,21 +87,24 @@ double ExactStep::Growth(double error) const {
   return std::clamp(grow, 0.333, error < kNone ? 6.0 : 1.5);
 }
 
-std::optional<ExactFailure> ExactStep::Take(double end) {
+std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   if (gap_ > kMostGap) return ExactFailure{worst_hinge(), ExactFailure::Cause::kEndsApart, gap_};
   if (is_closed_) step_.Start(time_, closed_.data(), Field());
   is_closed_ = false;
   start_.q = now_.q;
   start_.qd = now_.qd;
   start_outer_ = outer_;
-  double h = std::min(longest_step_, next_h_ > 0.0 ? next_h_ : FirstStep(end));
+  const double wanted = is_near ? end - time_ : next_h_ > 0.0 ? next_h_ : FirstStep(end);
+  double h = std::min(longest_step_, wanted);
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
     const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
-    const double error = step_.Try(use, scale_.data(), Field());
+    const double error = is_near ? step_.TryShort(use, scale_.data(), Field())
+                                 : step_.Try(use, scale_.data(), Field());
     if (error <= 1.0) {
       step_.Accept(Field());
+      if (is_near) break;  // which tells nothing of longer ones
       const double grow = Growth(error);
       next_h_ = std::max(h * 0.5, use * grow);
       if (use < h) next_h_ = std::max(next_h_, std::min(h, use * grow));

@@ -34,8 +34,8 @@ class ExactStep {
   void Place(double t, const VecX& q, const VecX& qd, const OuterMotion& outer);
   // Lays the state out anew after it, locks or curves have changed.
   void Begin();
-  // One accepted step, at most to `end` [s].
-  std::optional<ExactFailure> Take(double end);
+  // One accepted step, at most to `end` [s]; of order 5 where that is near anyway.
+  std::optional<ExactFailure> Take(double end, bool is_near = false);
   // Ends the step earlier, at t.
   void EndAt(double t);
   // As if it had not been taken; before anything has changed it.

@@ -86,6 +86,49 @@ TEST(Dop853, InterpolatesWithOrderSevenInsideAStepOfOrderEight) {
   EXPECT_NEAR(Order(coarse.end, fine.end), 9.0, 0.6);
 }
 
+// Steps of order 5 by themselves: the same with order 4 inside, and an estimate of order 4.
+struct ShortStep {
+  explicit ShortStep(double h) {
+    for (int i = 0; i < 60; ++i) {
+      const double start = 0.1 * i;
+      Dop853 step = StartedAt(start);
+      int evaluations = 0;
+      const auto field = [&](double t, const double* y, double* dy) {
+        ++evaluations;
+        Smooth::Field(t, y, dy);
+      };
+      estimate = std::max(estimate, step.TryShort(h, Smooth::kScale, field));
+      step.Accept(field);
+      step.MakeDense(field);
+      EXPECT_EQ(evaluations, 6);
+      end = std::max(end, Smooth::ErrorAt(start + h, step.y()));
+      for (int k = 1; k < 16; ++k) {
+        double y[2];
+        step.At(start + h * k / 16.0, y);
+        inside = std::max(inside, Smooth::ErrorAt(start + h * k / 16.0, y));
+      }
+    }
+  }
+  double end = 0.0, inside = 0.0, estimate = 0.0;
+};
+
+TEST(Dop853, TakesShortStepsOfOrderFiveInHalfTheEvaluations) {
+  const ShortStep coarse(0.2), fine(0.1);
+  EXPECT_NEAR(Order(coarse.end, fine.end), 6.0, 0.5);
+  EXPECT_NEAR(Order(coarse.inside, fine.inside), 5.0, 0.5);
+  EXPECT_NEAR(Order(coarse.estimate, fine.estimate), 5.0, 0.5);
+  EXPECT_GT(fine.estimate, fine.end);
+}
+
+TEST(Dop853, GoesOnFromAShortStepWithOneOfOrderEight) {
+  Dop853 step = StartedAt(0.0);
+  step.TryShort(0.01, Smooth::kScale, Smooth::Field);
+  step.Accept(Smooth::Field);
+  EXPECT_LT(step.TryShort(5.0, Smooth::kScale, Smooth::Field), 1e9);  // and is not taken
+  Take(0.2, &step);
+  EXPECT_LT(Smooth::ErrorAt(0.21, step.y()), 1e-9);
+}
+
 // The estimate h e5^2 / sqrt(e5^2 + e3^2 / 100), e5 and e3 going with h^5 and h^3, goes with h^8.
 TEST(Dop853, EstimatesAnErrorThatGoesWithThePowerOfEightAndIsWorseThanTheStepsOwn) {
   const OneStep coarse(0.4), fine(0.2);
