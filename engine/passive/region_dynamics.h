@@ -145,8 +145,11 @@ class RegionDynamics {
   RegionState PlacedAt(double t, const double* y) const {
     return StateAt(t, layout_, y, y + layout_.num_positions());
   }
-  // The same of all hinges, locked or not.
+  // The same of all hinges, locked or not; and again, after it or AssembleHinges with the same.
   RegionState PlaceHinges(double t, const VecX& q, const VecX& qd);
+  RegionState PlacedHinges(double t, const VecX& q, const VecX& qd) const {
+    return StateAt(t, hinge_layout_, q.data(), qd.data());
+  }
   // Forces of their rows in the state that was looked at last [N, N m].
   const VecX& row_forces() const { return row_forces_; }
   // After AssembleHinges: what limits need of the rows; null if there are none.

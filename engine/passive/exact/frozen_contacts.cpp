@@ -109,7 +109,7 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
              0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
              dynamics_->KineticOfBalls();
   Press(*state);
-  dynamics_->frozen().Begin(dynamics_->PlaceHinges(t, state->q, state->qd));
+  dynamics_->frozen().Begin(dynamics_->PlacedHinges(t, state->q, state->qd));
   if (is_struck || is_inside_) calm_steps_ = 0;
   dynamics_->contacts().OpenAll();
 }
