@@ -5,7 +5,6 @@
 // with D = L L^T and L^-1 s.n the entries of R^-1 J^T. By L, and not by D^-1, so that a body that
 // turns about one axis much more easily than about the others keeps its digits there.
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/passive/articulated_bodies.h"
