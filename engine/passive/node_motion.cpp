@@ -211,7 +211,7 @@ void NodeKinematics::SetOwnForces(const V3& base) {
 
 // What a node is given it does not ask for.
 void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
-  if (node < size()) added_force_ += force;
+  if (!is_ball(node)) added_force_ += force;
   motion_[node].f -= force;
   motion_[node].n -= Cross(r, force);
 }

@@ -80,6 +80,7 @@ class NodeKinematics {
   std::vector<NodeMotion>& motion() { return motion_; }
   const std::vector<NodeMotion>& motion() const { return motion_; }
   int size() const { return static_cast<int>(nodes_.size()); }  // of the figure's
+  bool is_ball(int node) const { return node >= size(); }
 
  private:
   struct Node {

@@ -132,10 +132,8 @@ class RegionDynamics {
   FrozenForces& frozen() { return frozen_; }
   // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
   void Freeze(const VecX& torques);
-  // After the nodes have been placed: r of the world as a node sees it.
-  Vec3 InNode(int node, const small::V3& r) const {
-    return TransposeTimes(kinematics_.motion()[node].R, r).eigen();
-  }
+  // After the nodes have been placed: of a contact's row, with a force on its end a.
+  FrozenForces::Push PushOf(const ConstraintRow& row, const small::V3& force) const;
   // Others' work on this island, in evaluations.
   void AddWork(double evaluations) { other_work_ += evaluations; }
   bool closes_gaps() const { return rows_.any_closed() || contacts_.any_closed(); }

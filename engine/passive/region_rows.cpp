@@ -325,6 +325,25 @@ double RegionDynamics::ContactExcess() const {
   return pushes > 0.0 ? excess / pushes : 0.0;
 }
 
+// Of two, on the one that is a ball.
+FrozenForces::Push RegionDynamics::PushOf(const ConstraintRow& row, const V3& force) const {
+  const auto on_node = [&](int node, const V3& r) {
+    return model_.is_ball(node) ? r.eigen()
+                                : TransposeTimes(kinematics_.motion()[node].R, r).eigen();
+  };
+  const bool is_on_b = model_.is_ball(row.b);
+  FrozenForces::Push push;
+  push.node = is_on_b ? row.b : row.a;
+  push.p_N = is_on_b ? on_node(row.b, row.r_b) : on_node(row.a, row.r_a);
+  push.force = is_on_b ? (-force).eigen() : force.eigen();
+  push.on_other = is_on_b ? row.a : row.b;
+  if (push.on_other >= 0) {
+    push.p_other = is_on_b ? on_node(row.a, row.r_a) : on_node(row.b, row.r_b);
+  }
+  push.parts = contacts_.PartsOf(contacts_.pairs()[row.contact]);
+  return push;
+}
+
 std::vector<ContactPush> RegionDynamics::ContactPushes() const {
   std::vector<ContactPush> pushes;
   const auto add = [&](const ContactParts& parts, const V3& p, const Vec3& force) {
@@ -346,8 +365,9 @@ std::vector<ContactPush> RegionDynamics::ContactPushes() const {
     add(contacts_.PartsOf(contacts_.pairs()[row.contact]), places_[row.a].p + row.r_a, force);
   }
   for (const FrozenForces::Push& push : frozen_.pushes) {
-    const V3 r = kinematics_.motion()[push.node].R * V3(push.p_N);
-    add(push.parts, places_[push.node].p + r, push.force);
+    const V3 r = FrozenForces::PointOn(kinematics_, push.node, push.p_N);
+    const double sign = push.parts.by_ball >= 0 ? -1.0 : 1.0;  // it is on the ball
+    add(push.parts, places_[push.node].p + r, sign * push.force);
   }
   return pushes;
 }

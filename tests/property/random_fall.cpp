@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "tests/property/random_region.h"
@@ -94,6 +95,27 @@ void Lift(double room, Animation* animation) {
   animation->root_keys[2][0].value = kHigh - down;
 }
 
+// Above the figure, out of it and of the scene.
+Vec3 PlaceBeside(const Animation& animation, const MotionFrame& frame, const DynamicsWorkspace& ws,
+                 double radius, Random* random) {
+  for (;;) {
+    const Vec3 above = random->Vector3(0.5) + random->Uniform(1.0, 2.5) * Vec3::UnitZ();
+    const Vec3 place = frame.X_WR.p + above;
+    const Capsule ball = {place, place, radius};
+    const auto touches = [&](const auto& shape) {
+      return SignedDistance(ball, shape).value <= 0.0;
+    };
+    const auto& links = animation.figure->links();
+    const auto& scene = animation.scene;
+    if (std::none_of(links.begin(), links.end(),
+                     [&](const Link& link) { return touches(InWorld(link, ws)); }) &&
+        std::none_of(scene.begin(), scene.end(),
+                     [&](const SceneObject& object) { return touches(object.shape); })) {
+      return place;
+    }
+  }
+}
+
 }  // namespace
 
 Animation RandomFall(uint64_t seed, Terrain terrain) {
@@ -128,13 +150,14 @@ void DropBalls(uint64_t seed, Animation* animation) {
   for (int i = random.Integer(1, 4); i > 0; --i) {
     HeldObject ball;
     ball.name = "ball " + std::to_string(i);
-    ball.shape = SphereShape{random.Uniform(0.03, 0.2)};
+    const double radius = random.Uniform(0.03, 0.2);
+    ball.shape = SphereShape{radius};
     ball.mass = std::pow(10.0, random.Uniform(-1.0, 0.7));
     ball.touches_scene = true;
     ball.restitution = std::max(0.0, random.Uniform(-0.4, 0.8));
     ball.friction = random.Uniform(0.2, 1.0);
-    const Vec3 above = random.Vector3(0.5) + random.Uniform(1.0, 2.5) * Vec3::UnitZ();
-    const Vec3 offset = body.R.transpose() * (frame.X_WR.p + above - body.p);
+    const Vec3 place = PlaceBeside(*animation, frame, ws, radius, &random);
+    const Vec3 offset = body.R.transpose() * (place - body.p);
     ball.holders = {{hand, offset, Holder::kFromTheStart, 0}};
     animation->held_objects.push_back(ball);
   }

@@ -8,16 +8,18 @@
 namespace hazumi {
 
 // Forces of contacts and limits that stay what they are for a while, each with its point of the
-// body and its direction in the world; moments turn with their bodies.
+// body and its direction in the world; moments turn with their bodies. On a ball, which may roll,
+// the point stays where it is seen from the centre.
 struct FrozenForces {
   struct Push {
     int node;
-    Vec3 p_N;                     // in the node's frame [m]
+    Vec3 p_N;                     // in the node's frame; of a ball along the world's axes [m]
     Vec3 force;                   // [N]
     int on_other = -1;            // which it pushes back at the same point; none: -1
     Vec3 p_other = Vec3::Zero();  // of that node, where the point was at first [m]
     ContactParts parts = {};
-    Vec3 from = Vec3::Zero();  // where the point was at first, less where the other's was [m]
+    Vec3 from = Vec3::Zero();        // where the point was at first, less where the other's was [m]
+    Mat3 R_from = Mat3::Identity();  // and how the node was turned
   };
   struct Moment {
     int node;
@@ -33,12 +35,21 @@ struct FrozenForces {
   }
   // They begin to push, with bodies in these places.
   void Begin(const RegionState& state) {
-    for (Push& push : pushes) push.from = PlaceOf(push, state);
+    for (Push& push : pushes) {
+      push.from = PlaceOf(push, state);
+      push.R_from = OrientationOf(push, state);
+    }
   }
   // What pushes have given since [J].
   double WorkOfPushes(const RegionState& state) const {
     double work = 0.0;
-    for (const Push& push : pushes) work += push.force.dot(PlaceOf(push, state) - push.from);
+    for (const Push& push : pushes) {
+      work += push.force.dot(PlaceOf(push, state) - push.from);
+      if (!state.kinematics.is_ball(push.node)) continue;
+      const Mat3 turn = OrientationOf(push, state) * push.R_from.transpose();
+      const Vec3 twice(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+      work += 0.5 * push.p_N.cross(push.force).dot(twice);
+    }
     return work;
   }
   // What moments give to nodes that turn so [W].
@@ -52,10 +63,15 @@ struct FrozenForces {
     }
     return power;
   }
+  // From a node's origin, in the world.
+  static small::V3 PointOn(const NodeKinematics& kinematics, int node, const Vec3& p_N) {
+    const small::V3 p(p_N);
+    return kinematics.is_ball(node) ? p : kinematics.motion()[node].R * p;
+  }
   void AddTo(NodeKinematics* kinematics) const {
     using namespace small;  // NOLINT(google-build-using-namespace): operators
     for (const Push& push : pushes) {
-      const V3 r = kinematics->motion()[push.node].R * V3(push.p_N);
+      const V3 r = PointOn(*kinematics, push.node, push.p_N);
       kinematics->AddForce(push.node, r, V3(push.force));
       if (push.on_other < 0) continue;
       const V3 from = kinematics->motion()[push.node].p - kinematics->motion()[push.on_other].p;
@@ -67,10 +83,12 @@ struct FrozenForces {
   }
 
  private:
+  static Mat3 OrientationOf(const Push& push, const RegionState& state) {
+    return state.kinematics.motion()[push.node].R.eigen();
+  }
   static Vec3 PlaceOf(const Push& push, const RegionState& state) {
-    const auto& motion = state.kinematics.motion();
     const auto place = [&](int node, const Vec3& p_N) {
-      return state.PositionAt(node, motion[node].R * small::V3(p_N)).eigen();
+      return state.PositionAt(node, PointOn(state.kinematics, node, p_N)).eigen();
     };
     const Vec3 own = place(push.node, push.p_N);
     return push.on_other < 0 ? own : Vec3(own - place(push.on_other, push.p_other));

@@ -300,13 +300,7 @@ void FrozenContacts::Keep(const VecX& impulses) {
     }
     contacts.SetFrozen(row.contact, force);
     const ContactPair& pair = contacts.pairs()[row.contact];
-    FrozenForces::Push& push = frozen.pushes.emplace_back();
-    push.node = row.a;
-    push.p_N = dynamics_->InNode(row.a, row.r_a);
-    push.force = force.eigen();
-    push.on_other = row.b;
-    if (row.b >= 0) push.p_other = dynamics_->InNode(row.b, row.r_b);
-    push.parts = contacts.PartsOf(pair);
+    frozen.pushes.push_back(dynamics_->PushOf(row, force));
     const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
     pushes.push_back({pair.capsule, pair.obstacle, slides});
   }

@@ -207,7 +207,7 @@ struct Solved {
           return ExactSolver(&dynamics, -none, none);
         }()) {
     solver.SetTolerance(1e-10);
-    solver.Start(0.0, island.q, island.qd, AnchorOf(island));
+    solver.Start(0.0, island.q, island.qd, {AnchorOf(island), {}});
     is_solved = !solver.Advance(0.002);
   }
 
@@ -373,7 +373,7 @@ TEST(ForceLaw, FromOutsidePushesAFigureOffItsParabola) {
     const Vec3 u = DragLaw::kWind - RandomIsland::kGravity / c * Vec3::UnitZ();
     VecX q, qd;
     solver.Sample(0.2, &q, &qd);
-    const PointMotion fall = solver.SampledAnchor();
+    const PointMotion fall = solver.SampledOuter().anchor;
     EXPECT_LE((fall.v - u - (kAnchor.v - u) * left).norm(), 1e-8) << seed;
     EXPECT_LE((fall.p - kAnchor.p - 0.2 * u - (kAnchor.v - u) * (1.0 - left) / c).norm(), 1e-8)
         << seed;
