@@ -1,23 +1,6 @@
-#include "engine/analysis/place_lanes.h"
+#include "engine/analysis/touch_lanes.h"
 
 // Forces in cones of friction, a contact in each lane: contact_forces.cpp has the equations.
-
-using LaneBits = LanesOf<4>::Bits;
-using LaneTriple = Triple<LaneReal>;
-
-HAZUMI_LANE_INLINE LaneReal Only(LaneReal x, LaneBits where) {
-  return SameBits<LaneReal>(SameBits<LaneBits>(x) & where);
-}
-HAZUMI_LANE_INLINE LaneTriple Only(const LaneTriple& x, LaneBits where) {
-  return {{Only(x.e[0], where), Only(x.e[1], where), Only(x.e[2], where)}};
-}
-
-HAZUMI_LANE_INLINE LaneReal SquareRoot(LaneReal x) {
-  double of[4];
-  __builtin_memcpy(of, &x, sizeof of);
-  return FromFour(__builtin_sqrt(of[0]), __builtin_sqrt(of[1]), __builtin_sqrt(of[2]),
-                  __builtin_sqrt(of[3]));
-}
 
 HAZUMI_LANE_INLINE LaneBits LoadBits(const double* at) { return SameBits<LaneBits>(Load<4>(at)); }
 HAZUMI_LANE_INLINE void StoreBits(double* at, LaneBits bits) {

@@ -43,10 +43,11 @@ class EffortWalk {
     if (!animation.forces.empty()) outer_.emplace(animation);
   }
 
-  void Place(const MovedFrame& at) { placed_.Add(at.limit->X_WR, at.limit->q); }
-  void Touch(size_t num_frames, double frame_time) {
-    placed_.Finish();
-    for (size_t i = 0; i < num_frames; ++i) touching_.Add(placed_[i]);
+  void Place(const MovedFrame& at) {
+    if (placed_.Add(at.limit->X_WR, at.limit->q)) touching_.AddFour(placed_.last_four());
+  }
+  void Touch(double frame_time) {
+    if (placed_.Finish()) touching_.AddFour(placed_.last_four());
     touching_.Finish(frame_time);
   }
 
@@ -268,7 +269,7 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   if (effort.is_filtered) effort.cutoff = options.cutoff;
   EffortWalk walk(animation, motion.frames.size(), options, LimitsFor(is_capture));
   for (size_t i = 0; i < motion.frames.size(); ++i) walk.Place(smooth.At(i));
-  walk.Touch(motion.frames.size(), motion.rate.seconds_per_frame());
+  walk.Touch(motion.rate.seconds_per_frame());
   effort.frames.reserve(motion.frames.size());
   for (size_t i = 0; i < motion.frames.size(); ++i) {
     effort.frames.push_back(

@@ -20,6 +20,27 @@ struct PlacedHinge {
   double axis[3];           // unit, in J
 };
 
+// A ball on a body, as the kernels read it.
+struct TouchingBall {
+  int body = 0;      // as PlacedHinge::parent
+  double centre[3];  // in the body's frame [m]
+  double radius = 0.0;
+};
+
+// What balls touch: the half-space normal . x <= offset, or a box grown by a margin.
+struct TouchedShape {
+  bool is_plane = true;
+  double normal[3], offset = 0.0;
+  double R_WB[9];  // of the box, by columns
+  double p_WB[3], half_size[3], margin = 0.0;
+};
+
+// Of a ball in four frames: its centre, and the normal from the nearest shape to it, unit.
+struct TouchField {
+  enum Field { kCentre = 0, kNormal = 3 };
+  static constexpr int kNumFields = 6;
+};
+
 // What the kernels read of four contacts, and what they leave, by field and contact: bits are all
 // set or none.
 struct ConeField {
@@ -38,6 +59,11 @@ struct EffortKernels {
   // before.
   void (*place)(const PlacedHinge* hinges, int num_hinges, const double* const angles[4],
                 double* placed);
+  // `placed`: of four frames. `touches`: by ball, TouchField and frame. `clearances`: of the
+  // nearest shape, four of each ball, those of the next one `stride` numbers further [m].
+  void (*touch)(const TouchingBall* balls, int num_balls, const TouchedShape* shapes,
+                int num_shapes, const double* placed, double* touches, double* clearances,
+                long stride);
   // contact_forces.cpp has the equations. `y`: six numbers. With `keeps` each force goes on as in
   // the part of its cone that `found` has; false: these are not the parts where all are.
   bool (*supply)(const double* given, int num_fours, const double* y, double friction, bool keeps,

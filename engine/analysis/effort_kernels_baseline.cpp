@@ -10,6 +10,6 @@ namespace {
 #include "engine/analysis/cone_lanes.h"
 }  // namespace
 
-EffortKernels BaselineEffortKernels() { return {Place, Supply}; }
+EffortKernels BaselineEffortKernels() { return {Place, Touch, Supply}; }
 
 }  // namespace hazumi

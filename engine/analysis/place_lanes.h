@@ -10,6 +10,10 @@ struct LaneAxes {
   Triple<LaneReal> column[3];
 };
 
+HAZUMI_LANE_INLINE LaneAxes LoadAxes(const double* placed) {
+  return {{LoadTriple<4>(placed), LoadTriple<4>(placed + 12), LoadTriple<4>(placed + 24)}};
+}
+
 HAZUMI_LANE_INLINE Triple<LaneReal> InWorld(const LaneAxes& R, LaneReal x, LaneReal y, LaneReal z) {
   return Scaled(x, R.column[0]) + Scaled(y, R.column[1]) + Scaled(z, R.column[2]);
 }
@@ -75,7 +79,7 @@ void Place(const PlacedHinge* hinges, int num_hinges, const double* const angles
     const PlacedHinge& hinge = hinges[j];
     const double* parent = placed + 4 * kPlacedFields * hinge.parent;
     double* own = placed + 4 * kPlacedFields * (j + 1);
-    LaneAxes R = {{LoadTriple<4>(parent), LoadTriple<4>(parent + 12), LoadTriple<4>(parent + 24)}};
+    LaneAxes R = LoadAxes(parent);
     StoreTriple<4>(own + 36,
                    LoadTriple<4>(parent + 36) +
                        InWorld(R, All(hinge.p_PJ[0]), All(hinge.p_PJ[1]), All(hinge.p_PJ[2])));

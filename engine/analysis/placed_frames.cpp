@@ -37,22 +37,25 @@ PlacedFrames::PlacedFrames(const Figure& figure, size_t num_frames, const Effort
   for (const Joint& joint : figure.joints()) hinges_.push_back(PrepareHinge(joint));
 }
 
-void PlacedFrames::Add(const Pose& X_WR, const VecX& q) {
+bool PlacedFrames::Add(const Pose& X_WR, const VecX& q) {
   const size_t lane = num_added_ % 4;
   double* root = FourOf(num_added_) + lane;
   for (int i = 0; i < 9; ++i) root[4 * i] = X_WR.R.data()[i];
   for (int i = 0; i < 3; ++i) root[36 + 4 * i] = X_WR.p[i];
   angles_[lane] = q.data();
   ++num_added_;
-  if (lane == 3) PlaceLastFour();
+  if (lane < 3) return false;
+  PlaceLastFour();
+  return true;
 }
 
 // Lanes without a frame do what the last frame does, at the world's origin.
-void PlacedFrames::Finish() {
+bool PlacedFrames::Finish() {
   const size_t last = num_added_ % 4;
-  if (last == 0) return;
+  if (last == 0) return false;
   std::fill(angles_ + last, angles_ + 4, angles_[last - 1]);
   PlaceLastFour();
+  return true;
 }
 
 void PlacedFrames::PlaceLastFour() {

@@ -41,9 +41,11 @@ class PlacedFrames {
   PlacedFrames(const Figure& figure, size_t num_frames,
                const EffortKernels& kernels = BestEffortKernels());
 
-  // Frame by frame, in order; q must stay until Finish [rad].
-  void Add(const Pose& X_WR, const VecX& q);
-  void Finish();
+  // Frame by frame, in order; q must stay until Finish [rad]. True: four have been placed.
+  bool Add(const Pose& X_WR, const VecX& q);
+  bool Finish();
+  // Those that were, as the kernels have them.
+  const double* last_four() const { return placed_.data() + (num_added_ - 1) / 4 * stride_; }
   // Valid while this is.
   PlacedFrame operator[](size_t frame) const {
     return {hinges_.data(), placed_.data() + frame / 4 * stride_ + frame % 4};

@@ -32,47 +32,73 @@ bool IsEndOfParent(const Link& link, const Figure& figure) {
   });
 }
 
+TouchedShape PrepareBox(const GrownBox& grown) {
+  TouchedShape shape;
+  shape.is_plane = false;
+  std::copy_n(grown.box.X_WB.R.data(), 9, shape.R_WB);
+  std::copy_n(grown.box.X_WB.p.data(), 3, shape.p_WB);
+  std::copy_n(grown.box.half_size.data(), 3, shape.half_size);
+  shape.margin = grown.margin;
+  return shape;
+}
+
+TouchedShape PrepareShape(const Plane& plane) {
+  TouchedShape shape;
+  std::copy_n(plane.normal.data(), 3, shape.normal);
+  shape.offset = plane.offset;
+  return shape;
+}
+TouchedShape PrepareShape(const Box& box) { return PrepareBox(Grown(box)); }
+TouchedShape PrepareShape(const Capsule& capsule) { return PrepareBox(Grown(capsule)); }
+
 }  // namespace
 
-Touching::Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits)
-    : animation_(animation), limits_(limits) {
-  if (animation.scene.empty()) return;
-  const std::vector<Link>& links = animation.figure->links();
-  for (size_t i = 0; i < links.size(); ++i) {
-    if (!IsEndOfParent(links[i], *animation.figure)) ends_.push_back({static_cast<int>(i), false});
-    if (links[i].capsule.a != links[i].capsule.b) ends_.push_back({static_cast<int>(i), true});
+Touching::Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits,
+                   const EffortKernels& kernels)
+    : animation_(animation),
+      limits_(limits),
+      kernels_(kernels),
+      num_frames_(num_frames),
+      num_fours_((num_frames + 3) / 4) {
+  for (const SceneObject& object : animation.scene) {
+    shapes_.push_back(
+        std::visit([](const auto& shape) { return PrepareShape(shape); }, object.shape));
   }
-  clearance_.reserve(ends_.size() * num_frames);
-  if (limits_.fastest < 1e300) centre_.reserve(ends_.size() * num_frames);
+  if (shapes_.empty()) return;
+  for (const Link& link : animation.figure->links()) {
+    if (!IsEndOfParent(link, *animation.figure)) AddEnd(link, link.capsule.a);
+    if (link.capsule.a != link.capsule.b) AddEnd(link, link.capsule.b);
+  }
+  clearance_ = LaneArray(ends_.size() * num_fours_ * 4);
+  touches_ = LaneArray(ends_.size() * num_fours_ * 4 * TouchField::kNumFields);
 }
 
-Capsule Touching::BallOf(const End& end, const PlacedFrame& placed) const {
-  const Link& link = animation_.figure->links()[static_cast<size_t>(end.link)];
-  const Vec3 p = placed.PointOf(link.joint, end.is_b ? link.capsule.b : link.capsule.a);
-  return {p, p, link.capsule.radius};
+void Touching::AddEnd(const Link& link, const Vec3& centre) {
+  ends_.push_back({link.joint, (link.capsule.b - link.capsule.a).stableNormalized()});
+  TouchingBall& ball = balls_.emplace_back();
+  ball.body = link.joint.is_valid() ? link.joint.value() + 1 : 0;
+  std::copy_n(centre.data(), 3, ball.centre);
+  ball.radius = link.capsule.radius;
 }
 
-Distance Touching::NearestTo(const Capsule& ball) const {
-  Distance nearest;
-  nearest.value = 1e300;
-  for (const SceneObject& object : animation_.scene) {
-    const Distance distance = SignedDistance(ball, object.shape);
-    if (distance.value < nearest.value) nearest = distance;
-  }
-  return nearest;
+void Touching::AddFour(const double* placed) {
+  kernels_.touch(balls_.data(), static_cast<int>(balls_.size()), shapes_.data(),
+                 static_cast<int>(shapes_.size()), placed,
+                 touches_.data() + num_added_ * ends_.size() * 4 * TouchField::kNumFields,
+                 clearance_.data() + 4 * num_added_, static_cast<long>(4 * num_fours_));
+  ++num_added_;
 }
 
-void Touching::Add(const PlacedFrame& placed) {
-  ++num_frames_;
-  for (const End& end : ends_) {
-    const Capsule ball = BallOf(end, placed);
-    clearance_.push_back(static_cast<float>(NearestTo(ball).value));
-    if (limits_.fastest < 1e300) centre_.push_back(ball.a);
-  }
+Vec3 Touching::FieldAt(size_t frame, size_t end, int field) const {
+  const double* at =
+      touches_.data() +
+      4 * (TouchField::kNumFields * (frame / 4 * ends_.size() + end) + static_cast<size_t>(field)) +
+      frame % 4;
+  return {at[0], at[4], at[8]};
 }
 
 void Touching::Finish(double frame_time) {
-  weight_.assign(clearance_.size(), 0.0f);
+  weight_.assign(ends_.size() * num_frames_, 0.0f);
   FindLevels(frame_time);
   for (size_t end = 0; end < ends_.size(); ++end) Fade(end, frame_time);
 }
@@ -81,10 +107,10 @@ void Touching::FindLevels(double frame_time) {
   constexpr double kWindow = 0.3;  // [s]
   level_.assign(num_frames_, 0.0);
   if (limits_.drift == 0.0 || ends_.empty()) return;
-  std::vector<double> lowest(num_frames_);
-  for (size_t i = 0; i < num_frames_; ++i) {
-    const auto first = clearance_.begin() + static_cast<long>(i * ends_.size());
-    lowest[i] = *std::min_element(first, first + static_cast<long>(ends_.size()));
+  std::vector<double> lowest(num_frames_, 1e300);
+  for (size_t end = 0; end < ends_.size(); ++end) {
+    const double* clearance = clearance_.data() + end * 4 * num_fours_;
+    for (size_t i = 0; i < num_frames_; ++i) lowest[i] = std::min(lowest[i], clearance[i]);
   }
   const auto reach = static_cast<size_t>(std::max(1.0, std::round(kWindow / frame_time)));
   for (size_t i = 0; i < num_frames_; ++i) {
@@ -96,13 +122,13 @@ void Touching::FindLevels(double frame_time) {
 }
 
 void Touching::Fade(size_t end, double frame_time) {
-  const size_t stride = ends_.size();
-  const auto clearance = [&](size_t i) { return clearance_[i * stride + end] - level_[i]; };
+  const double* of_end = clearance_.data() + end * 4 * num_fours_;
+  const auto clearance = [&](size_t i) { return of_end[i] - level_[i]; };
   const auto touches = [&](size_t i) {
     if (clearance(i) > limits_.clearance) return false;
-    if (centre_.empty()) return true;
     const size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, num_frames_ - 1);
-    const double way = (centre_[b * stride + end] - centre_[a * stride + end]).norm();
+    const double way =
+        (FieldAt(b, end, TouchField::kCentre) - FieldAt(a, end, TouchField::kCentre)).norm();
     return b == a || way <= limits_.fastest * frame_time * static_cast<double>(b - a);
   };
   // Instants [frames] at which it begins to touch and ends to.
@@ -127,7 +153,7 @@ void Touching::Fade(size_t end, double frame_time) {
     for (long i = from; i <= to; ++i) {
       const auto at = static_cast<double>(i);
       const double u = std::clamp(std::min(at - down, up - at) / fade + 0.5, 0.0, 1.0);
-      float& weight = weight_[static_cast<size_t>(i) * stride + end];
+      float& weight = weight_[end * num_frames_ + static_cast<size_t>(i)];
       weight = std::max(weight, static_cast<float>(u * u * (3.0 - 2.0 * u)));
     }
     first = last + 1;
@@ -138,16 +164,15 @@ void Touching::PointsAt(size_t frame, const PlacedFrame& placed,
                         std::vector<ContactPoint>* points) const {
   constexpr float kLeast = 1e-6f;
   for (size_t i = 0; i < ends_.size(); ++i) {
-    const float weight = weight_[frame * ends_.size() + i];
+    const float weight = weight_[i * num_frames_ + frame];
     if (weight < kLeast) continue;
-    const Capsule ball = BallOf(ends_[i], placed);
-    const Distance near = NearestTo(ball);
-    const Link& link = animation_.figure->links()[static_cast<size_t>(ends_[i].link)];
-    const Vec3 axis = placed.Turned(link.joint, link.capsule.b - link.capsule.a).stableNormalized();
-    const Vec3 side = ball.radius * near.normal.cross(axis);
+    const Vec3 normal = FieldAt(frame, i, TouchField::kNormal);
+    const Vec3 axis = placed.Turned(ends_[i].joint, ends_[i].axis);
+    const double radius = balls_[i].radius;
+    const Vec3 side = radius * normal.cross(axis);
+    const Vec3 point = FieldAt(frame, i, TouchField::kCentre) - radius * normal;
     for (const double sign : {-1.0, 1.0}) {
-      points->push_back(
-          {link.joint, near.point_on_capsule + sign * side, near.normal, 0.5 * weight});
+      points->push_back({ends_[i].joint, point + sign * side, normal, 0.5 * weight});
     }
   }
 }

@@ -7,7 +7,6 @@
 #include "engine/analysis/contact_forces.h"
 #include "engine/analysis/placed_frames.h"
 #include "engine/bake/motion.h"
-#include "engine/collision/distance.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -27,10 +26,11 @@ struct TouchLimits {
 class Touching {
  public:
   // Of a motion of so many frames. `limits`: of all points. The animation must outlive it.
-  Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits);
+  Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits,
+           const EffortKernels& kernels = BestEffortKernels());
 
-  // Frame by frame, in order.
-  void Add(const PlacedFrame& placed);
+  // Of the next four frames, in order; behind the last frame anything.
+  void AddFour(const double* placed);
   // After all frames, `frame_time` [s] apart: weights.
   void Finish(double frame_time);
   // Adds those that touch in a frame. A link's end touches with two points,
@@ -39,23 +39,26 @@ class Touching {
 
  private:
   struct End {
-    int link;
-    bool is_b;  // of the capsule; else a
+    JointIndex joint;
+    Vec3 axis;  // of the link, in the frame of its joint, unit; of a ball zero
   };
-  Capsule BallOf(const End& end, const PlacedFrame& placed) const;
-  // Of everything in the scene.
-  Distance NearestTo(const Capsule& ball) const;
+  void AddEnd(const Link& link, const Vec3& centre);
+  // Four numbers of a frame apart from each other: TouchField.
+  Vec3 FieldAt(size_t frame, size_t end, int field) const;
   void FindLevels(double frame_time);
   void Fade(size_t end, double frame_time);
 
   const Animation& animation_;
   TouchLimits limits_;
+  EffortKernels kernels_;
   std::vector<End> ends_;
-  size_t num_frames_ = 0;
-  std::vector<float> clearance_;  // by frame and end [m]
-  std::vector<Vec3> centre_;      // by frame and end [m]; kept if speeds count
-  std::vector<double> level_;     // by frame: of the ground, over the scene's [m]
-  std::vector<float> weight_;     // by frame and end
+  std::vector<TouchingBall> balls_;  // by end
+  std::vector<TouchedShape> shapes_;
+  size_t num_frames_, num_fours_, num_added_ = 0;
+  LaneArray touches_;          // by four frames, end, TouchField and frame
+  LaneArray clearance_;        // by end and frame, up to a whole four [m]
+  std::vector<double> level_;  // by frame: of the ground, over the scene's [m]
+  std::vector<float> weight_;  // by end and frame
 };
 
 }  // namespace hazumi

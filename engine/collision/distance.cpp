@@ -14,16 +14,15 @@
 namespace hazumi {
 namespace {
 
-// The capsule against the box of `half_size` at X_WB, grown by `margin` [m].
-Distance ToGrownBox(const Capsule& capsule, const Pose& X_WB, const Vec3& half_size,
-                    double margin) {
-  HAZUMI_ASSERT(capsule.radius >= 0.0 && margin >= 0.0);
+Distance ToGrownBox(const Capsule& capsule, const GrownBox& grown) {
+  HAZUMI_ASSERT(capsule.radius >= 0.0 && grown.margin >= 0.0);
+  const Pose& X_WB = grown.box.X_WB;
   const Vec3 p_Ba_W = capsule.a - X_WB.p, p_ab_W = capsule.b - capsule.a;
   const SegmentBoxDistance d =
-      SegmentToBox(X_WB.R.transpose() * p_Ba_W, X_WB.R.transpose() * p_ab_W, half_size);
+      SegmentToBox(X_WB.R.transpose() * p_Ba_W, X_WB.R.transpose() * p_ab_W, grown.box.half_size);
   const Vec3 normal_W = X_WB.R * d.normal;
-  return {d.value - capsule.radius - margin, capsule.a + d.t * p_ab_W - capsule.radius * normal_W,
-          normal_W};
+  return {d.value - capsule.radius - grown.margin,
+          capsule.a + d.t * p_ab_W - capsule.radius * normal_W, normal_W};
 }
 
 // A rotation whose third column is along `direction`, or the identity if that is zero.
@@ -45,15 +44,20 @@ Distance SignedDistance(const Capsule& capsule, const Plane& plane) {
           plane.normal};
 }
 
+GrownBox Grown(const Box& box) { return {box, 0.0}; }
+
+GrownBox Grown(const Capsule& capsule) {
+  const Vec3 p_ab = capsule.b - capsule.a;
+  const Pose X_WC{FrameAlong(p_ab), 0.5 * (capsule.a + capsule.b)};
+  return {{X_WC, Vec3(0.0, 0.0, 0.5 * p_ab.stableNorm())}, capsule.radius};
+}
+
 Distance SignedDistance(const Capsule& capsule, const Box& box) {
-  return ToGrownBox(capsule, box.X_WB, box.half_size, 0.0);
+  return ToGrownBox(capsule, Grown(box));
 }
 
 Distance SignedDistance(const Capsule& capsule, const Capsule& obstacle) {
-  const Vec3 p_ab_W = obstacle.b - obstacle.a;
-  const Pose X_WC{FrameAlong(p_ab_W), 0.5 * (obstacle.a + obstacle.b)};
-  const Vec3 half_size(0.0, 0.0, 0.5 * p_ab_W.stableNorm());
-  return ToGrownBox(capsule, X_WC, half_size, obstacle.radius);
+  return ToGrownBox(capsule, Grown(obstacle));
 }
 
 Distance SignedDistance(const Capsule& capsule, const Obstacle& obstacle) {

@@ -24,4 +24,12 @@ Distance SignedDistance(const Capsule& capsule, const Box& box);
 Distance SignedDistance(const Capsule& capsule, const Capsule& obstacle);
 Distance SignedDistance(const Capsule& capsule, const Obstacle& obstacle);
 
+// All points within `margin` of a box [m]: what boxes and capsules are.
+struct GrownBox {
+  Box box;
+  double margin = 0.0;
+};
+GrownBox Grown(const Box& box);
+GrownBox Grown(const Capsule& capsule);
+
 }  // namespace hazumi

@@ -103,6 +103,19 @@ HAZUMI_LANE_INLINE typename LanesOf<W>::Real Collect(const double* at, const int
   }
 }
 
+HAZUMI_LANE_INLINE LanesOf<4>::Real SquareRoot(LanesOf<4>::Real x) {
+#if defined(__clang__) || !defined(__x86_64__)
+  double of[4];
+  __builtin_memcpy(of, &x, sizeof of);
+  return FromFour(__builtin_sqrt(of[0]), __builtin_sqrt(of[1]), __builtin_sqrt(of[2]),
+                  __builtin_sqrt(of[3]));
+#elif defined(HAZUMI_VECTORS_OF_FOUR)
+  return __builtin_ia32_sqrtpd256(x);
+#else
+  return {__builtin_ia32_sqrtpd(x.lo), __builtin_ia32_sqrtpd(x.hi)};
+#endif
+}
+
 // All bits of a lane set where a > b.
 HAZUMI_LANE_INLINE int64_t Greater(double a, double b) { return -static_cast<int64_t>(a > b); }
 HAZUMI_LANE_INLINE LanesOf<4>::Bits Greater(LanesOf<4>::Real a, LanesOf<4>::Real b) {
