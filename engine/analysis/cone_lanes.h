@@ -26,44 +26,40 @@ struct ConeSums {
     }
   }
 
-  // a D D^T + b E E^T
-  template <int Row, int Column>
-  HAZUMI_LANE_INLINE void AddColumn(const LaneReal* D, const LaneReal* E, LaneReal aD,
-                                    LaneReal bE) {
-    slope(Row, Column) += aD * D[Row] + bE * E[Row];
-    if constexpr (Row < 5) AddColumn<Row + 1, Column>(D, E, aD, bE);
-  }
-  template <int Column = 0>
-  HAZUMI_LANE_INLINE void AddSquares(LaneReal a, const LaneReal* D, LaneReal b, const LaneReal* E) {
-    AddColumn<Column, Column>(D, E, a * D[Column], b * E[Column]);
-    if constexpr (Column < 5) AddSquares<Column + 1>(a, D, b, E);
-  }
-
-  // w G G^T = w (1, -[r]; [r], r^2 1 - r r^T)
-  HAZUMI_LANE_INLINE void AddWhole(LaneReal w, const LaneTriple& r) {
-    const LaneTriple wr = Scaled(w, r);
-    const LaneReal xx = wr.e[0] * r.e[0], yy = wr.e[1] * r.e[1], zz = wr.e[2] * r.e[2];
-    slope(0, 0) += w;
-    slope(1, 1) += w;
-    slope(2, 2) += w;
-    slope(3, 1) -= wr.e[2];
-    slope(3, 2) += wr.e[1];
-    slope(4, 0) += wr.e[2];
-    slope(4, 2) -= wr.e[0];
-    slope(5, 0) -= wr.e[1];
-    slope(5, 1) += wr.e[0];
-    slope(3, 3) += yy + zz;
-    slope(4, 4) += xx + zz;
-    slope(5, 5) += xx + yy;
-    slope(4, 3) -= wr.e[0] * r.e[1];
-    slope(5, 3) -= wr.e[0] * r.e[2];
-    slope(5, 4) -= wr.e[1] * r.e[2];
+  // G M G^T, G = (1; [r]), M symmetric: with B = [r] M, the rest is [r] M [r]^T = -B [r].
+  HAZUMI_LANE_INLINE void AddSlope(const LaneTriple& r, const Symmetric<LaneReal>& M) {
+    const LaneTriple columns[3] = {Cross(r, {{M.d[0], M.o[2], M.o[1]}}),
+                                   Cross(r, {{M.o[2], M.d[1], M.o[0]}}),
+                                   Cross(r, {{M.o[1], M.o[0], M.d[2]}})};
+    for (int k = 0; k < 3; ++k) {
+      slope(k, k) += M.d[k];
+      for (int i = 0; i < 3; ++i) slope(3 + i, k) += columns[k].e[i];
+    }
+    slope(1, 0) += M.o[2];
+    slope(2, 0) += M.o[1];
+    slope(2, 1) += M.o[0];
+    const auto B = [&](int row, int column) { return columns[column].e[row]; };
+    for (int i = 0; i < 3; ++i) slope(3 + i, 3) += r.e[1] * B(i, 2) - r.e[2] * B(i, 1);
+    for (int i = 1; i < 3; ++i) slope(3 + i, 4) += r.e[2] * B(i, 0) - r.e[0] * B(i, 2);
+    slope(5, 5) += r.e[0] * B(2, 1) - r.e[1] * B(2, 0);
   }
 };
 
-template <bool WantsSlope>
-HAZUMI_LANE_INLINE bool SumUp(const double* given, int num_fours, const double* y, double friction,
-                              bool keeps, double* found, double* sums_out) {
+// a d d^T + b e e^T + c 1
+HAZUMI_LANE_INLINE Symmetric<LaneReal> SlopeOfForce(LaneReal a, const LaneTriple& d, LaneReal b,
+                                                    const LaneTriple& e, LaneReal c) {
+  const LaneTriple ad = Scaled(a, d), be = Scaled(b, e);
+  Symmetric<LaneReal> M;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    M.d[k] = ad.e[k] * d.e[k] + be.e[k] * e.e[k] + c;
+    M.o[k] = ad.e[i] * d.e[j] + be.e[i] * e.e[j];
+  }
+  return M;
+}
+
+bool Supply(const double* given, int num_fours, const double* y, double friction, bool keeps,
+            double* found, double* sums_out) {
   const LaneTriple a = {{All(y[0]), All(y[1]), All(y[2])}}, c = {{All(y[3]), All(y[4]), All(y[5])}};
   const LaneReal mu = All(friction), mu2 = mu * mu, one = All(1.0), share = one / (one + mu2);
   const LaneReal zero = All(0.0);
@@ -96,30 +92,21 @@ HAZUMI_LANE_INLINE bool SumUp(const double* given, int num_fours, const double* 
     StoreBits(own + 4 * ConeField::kInsideBits, inside);
     StoreBits(own + 4 * ConeField::kSideBits, side);
 
-    const LaneReal t = SquareRoot(t2 + Only(one, ~has_side));
-    const LaneTriple along = Scaled(one / t, tangential);
+    const LaneReal t = SquareRoot(t2 + Only(one, ~has_side)), per_t = one / t;
+    const LaneTriple along = Scaled(per_t, tangential);
     const LaneReal size = (n + mu * t) * share;
     const LaneTriple d = normal + Scaled(mu, along), e = Cross(normal, along);
     const LaneTriple f = Scaled(w, Only(u, inside) + Only(Scaled(size, d), side));
     StoreTriple<4>(own + 4 * ConeField::kForce, f);
     sums.AddForce(arm, f);
     sums.of[ConeField::kPotential] += 0.5 * Dot(f, u);
-    if constexpr (!WantsSlope) continue;
-    const LaneTriple arm_d = Cross(arm, d), arm_e = Cross(arm, e);
-    const LaneReal D[6] = {d.e[0], d.e[1], d.e[2], arm_d.e[0], arm_d.e[1], arm_d.e[2]};
-    const LaneReal E[6] = {e.e[0], e.e[1], e.e[2], arm_e.e[0], arm_e.e[1], arm_e.e[2]};
-    sums.AddSquares(Only(w * share, side), D, Only(w * mu * size / t, side & Greater(size, zero)),
-                    E);
-    sums.AddWhole(Only(w, inside), arm);
+    const LaneReal turning = Only(w * mu * size * per_t, side & Greater(size, zero));
+    sums.AddSlope(arm, SlopeOfForce(Only(w * share, side), d, turning, e, Only(w, inside)));
   }
-  for (int k = 0; k < ConeField::kNumSums; ++k) Store<4>(sums_out + 4 * k, sums.of[k]);
+  for (int k = 0; k < ConeField::kNumSums; k += 4) {
+    Store<4>(sums_out + k, SumsOf(sums.of[k], sums.of[k + 1], sums.of[k + 2], sums.of[k + 3]));
+  }
   const bool is_right = !AnySet(wrong);
   LeaveLanes();
   return is_right;
-}
-
-bool Supply(const double* given, int num_fours, const double* y, double friction, bool keeps,
-            bool wants_slope, double* found, double* sums) {
-  return wants_slope ? SumUp<true>(given, num_fours, y, friction, keeps, found, sums)
-                     : SumUp<false>(given, num_fours, y, friction, keeps, found, sums);
 }

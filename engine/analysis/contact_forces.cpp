@@ -69,6 +69,19 @@ Vec6 SolveDefinite(Mat6 A, double softness, Vec6 x) {
 // where it goes on as it does there.
 enum class Parts { kFound, kKept };
 
+double* Fields(LaneArray* array, int num_fields, size_t i) {
+  return array->data() + i / 4 * 4 * static_cast<size_t>(num_fields) + i % 4;
+}
+
+// Room for so many fields of contacts; what is there stays where it is.
+void Fit(int num_fields, size_t contacts, LaneArray* array) {
+  const size_t size = (contacts + 3) / 4 * 4 * static_cast<size_t>(num_fields);
+  if (array->size() >= size) return;
+  LaneArray larger(size);
+  std::copy_n(array->data(), array->size(), larger.data());
+  *array = std::move(larger);
+}
+
 // The contacts of a frame. Arms are from their middle, in units of kArm.
 class Cones {
  public:
@@ -86,12 +99,6 @@ class Cones {
       if (point.has_moment) moment_weights_ += point.weight;
     }
     middle_ /= weights_;
-    const auto fit = [&](int fields, LaneArray* array) {
-      const size_t size = 4 * static_cast<size_t>(fields) * static_cast<size_t>(num_fours_);
-      if (array->size() < size) *array = LaneArray(size);
-    };
-    fit(ConeField::kNumGiven, given);
-    fit(ConeField::kNumFound, found);
     for (size_t i = 0; i < points.size(); ++i) Set(i, points[i]);
     ContactPoint nothing;  // in lanes without a contact
     nothing.p = middle_;
@@ -103,22 +110,18 @@ class Cones {
   const Vec3& middle() const { return middle_; }
   double weights() const { return weights_; }
 
-  // At y: the forces, s, if wanted its derivative, and the function that s is the gradient of.
-  void Evaluate(const Vec6& y, Parts parts, bool wants_slope = true) {
-    alignas(32) double sums[4 * ConeField::kNumSums];
+  // At y: the forces, s, its derivative, and the function that s is the gradient of.
+  void Evaluate(const Vec6& y, Parts parts) {
+    alignas(32) double sums[ConeField::kNumSums];
     are_parts_right_ = kernels_.supply(given_->data(), num_fours_, y.data(), friction_,
-                                       parts == Parts::kKept, wants_slope, found_->data(), sums);
+                                       parts == Parts::kKept, found_->data(), sums);
     knows_parts_ = true;
-    const auto sum = [&](int k) {
-      return sums[4 * k] + sums[4 * k + 1] + (sums[4 * k + 2] + sums[4 * k + 3]);
-    };
-    for (int k = 0; k < 6; ++k) supplied_[k] = sum(ConeField::kSupplied + k);
+    for (int k = 0; k < 6; ++k) supplied_[k] = sums[ConeField::kSupplied + k];
     const Vec3 c = y.tail<3>();
     supplied_.tail<3>() += moment_weights_ * c;
-    potential_ = sum(ConeField::kPotential) + 0.5 * moment_weights_ * c.squaredNorm();
-    if (!wants_slope) return;
+    potential_ = sums[ConeField::kPotential] + 0.5 * moment_weights_ * c.squaredNorm();
     for (int column = 0, k = ConeField::kSlope; column < 6; ++column) {
-      for (int row = column; row < 6; ++row, ++k) slope_(row, column) = sum(k);
+      for (int row = column; row < 6; ++row, ++k) slope_(row, column) = sums[k];
     }
     slope_.diagonal().tail<3>().array() += moment_weights_;
   }
@@ -136,10 +139,6 @@ class Cones {
   }
 
  private:
-  static double* Fields(LaneArray* array, int num_fields, size_t i) {
-    return array->data() + i / 4 * 4 * static_cast<size_t>(num_fields) + i % 4;
-  }
-
   void Set(size_t i, const ContactPoint& point) {
     double* at = Fields(given_, ConeField::kNumGiven, i);
     const Vec3 arm = (point.p - middle_) * (1.0 / kArm);
@@ -184,13 +183,13 @@ bool Follow(const Vec6& b, Cones* cones, Vec6* y) {
 
 // Solves s(y) + e (y - y_0) = b from *y on; leaves what belongs to it.
 void Approach(const Vec6& b, const Vec6& start, Cones* cones, Vec6* y) {
-  constexpr int kMostSteps = 50, kMostParts = 15, kKept = 3;
-  constexpr double kNearer = 0.5, kPart = 0.3;
+  constexpr int kMostSteps = 100, kMostParts = 15, kKept = 3;
+  constexpr double kNearer = 0.5, kLeastPart = 0.1;
   const double softness = kSoftness * cones->weights(), met = kMet * b.norm();
   Vec6 rest;
   double merit;
-  const auto move_to = [&](const Vec6& at, Parts parts, bool wants_slope = true) {
-    cones->Evaluate(at, parts, wants_slope);
+  const auto move_to = [&](const Vec6& at, Parts parts) {
+    cones->Evaluate(at, parts);
     rest = b - cones->supplied() - softness * (at - start);
     merit = cones->potential() + 0.5 * softness * (at - start).squaredNorm() - b.dot(at);
   };
@@ -208,18 +207,18 @@ void Approach(const Vec6& b, const Vec6& start, Cones* cones, Vec6* y) {
     const double size = rest.norm();
     if (size <= met) return;
     const Vec6 from = *y, way = SolveDefinite(cones->slope(), softness, rest);
-    const double gain = 1e-4 * rest.dot(way), most = merit + 1e-14 * std::abs(merit);
+    const double fall = rest.dot(way), most = merit + 1e-14 * std::abs(merit);
     double part = 1.0;
-    const auto is_near = [&] {
-      return rest.norm() <= kNearer * size || merit <= most - part * gain;
-    };
     move_to(*y = from + way, Parts::kFound);
-    if (is_near()) continue;
-    for (int i = 0; i < kMostParts && !is_near(); ++i) {
-      part *= kPart;
-      move_to(*y = from + part * way, Parts::kFound, false);
+    for (int i = 0; i < kMostParts; ++i) {
+      if (rest.norm() <= kNearer * size || merit <= most - 1e-4 * part * fall) break;
+      // Too far: back to where the merit's parabola there has its least.
+      const double bend = way.dot(cones->slope().selfadjointView<Eigen::Lower>() * way) +
+                          softness * way.squaredNorm();
+      const double next = part + rest.dot(way) / bend;
+      part = std::max(kLeastPart * part, next < part ? next : 0.0);
+      move_to(*y = from + part * way, Parts::kFound);
     }
-    move_to(*y, Parts::kFound);
   }
 }
 
@@ -248,17 +247,41 @@ Vec6 Moved(Vec6 y, const Vec3& way) {
 
 }  // namespace
 
+// A contact that comes begins inside its cone.
+void ContactForceSolver::KeepParts(const std::vector<ContactPoint>& points) {
+  Fit(ConeField::kNumGiven, points.size(), &given_);
+  Fit(ConeField::kNumFound, points.size(), &found_);
+  const auto is_same = [](int id, const ContactPoint& point) { return id == point.id; };
+  if (std::equal(ids_.begin(), ids_.end(), points.begin(), points.end(), is_same)) return;
+  constexpr uint64_t kNone = 0;
+  LaneArray last = found_;
+  for (size_t i = 0, k = 0; i < points.size(); ++i) {
+    while (k < ids_.size() && ids_[k] < points[i].id) ++k;
+    const bool was_there = k < ids_.size() && ids_[k] == points[i].id;
+    double* to = Fields(&found_, ConeField::kNumFound, i);
+    const double* from = was_there ? Fields(&last, ConeField::kNumFound, k++) : nullptr;
+    to[4 * ConeField::kInsideBits] =
+        from ? from[4 * ConeField::kInsideBits] : std::bit_cast<double>(~kNone);
+    to[4 * ConeField::kSideBits] =
+        from ? from[4 * ConeField::kSideBits] : std::bit_cast<double>(kNone);
+  }
+  ids_.resize(points.size());
+  std::transform(points.begin(), points.end(), ids_.begin(),
+                 [](const ContactPoint& point) { return point.id; });
+}
+
 Wrench ContactForceSolver::Solve(const Wrench& needed, const Vec3& about,
                                  const std::vector<ContactPoint>& points, double friction,
                                  std::vector<ContactForce>* forces) {
   forces->assign(points.size(), {});
   if (points.empty()) {
     num_last_ = 0;
-    num_found_ = 0;
+    ids_.clear();
     return needed;
   }
-  Cones cones(kernels_, points, friction, points.size() == num_found_, &given_, &found_);
-  num_found_ = points.size();
+  const bool knows_parts = !ids_.empty();
+  KeepParts(points);
+  Cones cones(kernels_, points, friction, knows_parts, &given_, &found_);
   const Vec3& middle = cones.middle();
   Vec6 b;
   b << needed.force, (needed.moment - (middle - about).cross(needed.force)) / kArm;

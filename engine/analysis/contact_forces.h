@@ -19,6 +19,7 @@ struct ContactPoint {
   double weight = 1.0;          // how much of it touches, above 0 and up to 1
   bool is_pin = false;          // gives any force; else one in the friction cone
   bool has_moment = false;      // of a pin: any moment too
+  int id = 0;                   // the same from frame to frame, ascending in each
 };
 
 struct ContactForce {
@@ -43,10 +44,11 @@ class ContactForceSolver {
 
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
+  void KeepParts(const std::vector<ContactPoint>& points);
 
   EffortKernels kernels_;
   LaneArray given_, found_;  // by four contacts and ConeField
-  size_t num_found_ = 0;     // contacts the last time
+  std::vector<int> ids_;     // of the contacts the last time
   // The answers before the next one, the last first, about the world's origin; how many there are.
   Vec6 last_[2];
   int num_last_ = 0;

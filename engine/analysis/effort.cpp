@@ -15,8 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "engine/analysis/loaded_figure.h"
+#include "engine/analysis/frame_dynamics.h"
 #include "engine/analysis/outer_pushes.h"
 #include "engine/analysis/placed_frames.h"
 #include "engine/analysis/smooth_motion.h"
@@ -39,76 +40,70 @@ class EffortWalk {
       : animation_(animation),
         options_(options),
         touching_(animation, num_frames, limits),
-        placed_(*animation.figure, num_frames) {
+        placed_(*animation.figure, num_frames),
+        dynamics_(animation, placed_) {
     if (!animation.forces.empty()) outer_.emplace(animation);
   }
 
   void Place(const MovedFrame& at) {
-    if (placed_.Add(at.limit->X_WR, at.limit->q)) touching_.AddFour(placed_.last_four());
+    if (const double* four = placed_.Add(*at.X_WR, at.q)) touching_.AddFour(four);
   }
   void Touch(double frame_time) {
-    if (placed_.Finish()) touching_.AddFour(placed_.last_four());
+    if (const double* four = placed_.Finish()) touching_.AddFour(four);
     touching_.Finish(frame_time);
   }
 
-  // At time t [s].
-  FrameEffort At(size_t index, double t, const MotionFrame& frame, const MovedFrame& at) {
-    FrameEffort found;
-    Wrench needed = Demand(frame, at, &found.tau);
+  // Of the next frames, four at most, in order.
+  void Walk(const Motion& motion, size_t first, SmoothMotion* smooth, Effort* effort) {
+    const size_t last = std::min(first + 4, motion.frames.size()) - 1;
+    MovedFrame at[4];
+    for (size_t lane = 0; lane < 4; ++lane) {
+      const size_t i = std::min(first + lane, last);
+      at[lane] = smooth->At(i);
+      dynamics_.Set(lane, motion.frames[i], at[lane]);
+    }
+    dynamics_.Demand(first);
+    for (size_t i = first; i <= last; ++i) {
+      lane_ = i - first;
+      const MotionFrame& frame = motion.frames[i];
+      TakeOffOuterForces(motion.rate.SecondsAt(frame.frame), at[lane_]);
+      Supply(i, frame, &effort->frames[i]);
+    }
+    dynamics_.FindTorques();
+    for (size_t i = first; i <= last; ++i) {
+      effort->frames[i].tau = dynamics_.torques(i - first);
+      SetShares(at[i - first], &effort->frames[i]);
+    }
+  }
+
+ private:
+  void Supply(size_t index, const MotionFrame& frame, FrameEffort* found) {
     const PlacedFrame placed = placed_[index];
-    TakeOffConstraints(frame, placed, &needed, &found.tau);
-    TakeOffContacts(frame, placed, &needed, &found);
-    TakeOffOuterForces(t, *at.limit, placed, &needed, &found.tau);
+    TakeOffConstraints(frame, placed);
+    TakeOffContacts(frame, found);
     points_.clear();
     touching_.PointsAt(index, placed, &points_);
     std::erase_if(points_, [&](const ContactPoint& point) {
       return IsHeld(point, frame, placed) || IsKnown(point.joint, frame.contacts);
     });
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last(), placed);
-    found.from_nowhere =
-        solver_.Solve(needed, at.limit->X_WR.p, points_, options_.friction, &forces_);
-    Relieve(placed, &found.tau);
-    found.contacts.reserve(found.contacts.size() + points_.size());
+    found->from_nowhere = solver_.Solve(dynamics_.needed(lane_), placed.p(JointIndex()), points_,
+                                        options_.friction, &forces_);
+    found->contacts.reserve(found->contacts.size() + points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
-      found.contacts.push_back(
-          {points_[i].joint, points_[i].is_pin, points_[i].p, forces_[i].force, forces_[i].moment});
-    }
-    SetShares(*at.limit, &found);
-    return found;
-  }
-
- private:
-  Wrench Demand(const MotionFrame& frame, const MovedFrame& at, VecX* tau) {
-    if (!loaded_ || !loaded_->IsThatOf(frame)) loaded_.emplace(animation_, frame);
-    RootMotion root;
-    root.w = at.limit->root_w;
-    root.v = at.limit->root_v;
-    root.alpha = at.acceleration->root_alpha;
-    root.a = at.acceleration->root_a;
-    return loaded_->Demand(*at.limit, root, at.acceleration->qdd, animation_.gravity, tau);
-  }
-
-  // Of what the points give; those of one joint that follow each other together.
-  void Relieve(const PlacedFrame& placed, VecX* tau) const {
-    for (size_t i = 0; i < points_.size();) {
-      const ContactPoint& first = points_[i];
-      Wrench push;
-      for (; i < points_.size() && points_[i].joint == first.joint; ++i) {
-        push.force += forces_[i].force;
-        push.moment += forces_[i].moment + (points_[i].p - first.p).cross(forces_[i].force);
-      }
-      RelieveHinges(*animation_.figure, placed, first.joint, first.p, push, tau);
+      const ContactPoint& at = points_[i];
+      dynamics_.Push(lane_, at.joint, at.p, {forces_[i].force, forces_[i].moment});
+      found->contacts.push_back({at.joint, at.is_pin, at.p, forces_[i].force, forces_[i].moment});
     }
   }
 
   // What holds an end is the figure's own, or from outside.
-  void TakeOffConstraints(const MotionFrame& frame, const PlacedFrame& placed, Wrench* needed,
-                          VecX* tau) {
+  void TakeOffConstraints(const MotionFrame& frame, const PlacedFrame& placed) {
     for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
       const Wrench& on_a = frame.constraint_pushes[i];
       const Constraint& constraint = animation_.constraints[i];
-      TakeOff(constraint.a, on_a, placed, needed, tau);
-      TakeOff(constraint.b, {-on_a.force, -on_a.moment}, placed, needed, tau);
+      TakeOff(constraint.a, on_a, placed);
+      TakeOff(constraint.b, {-on_a.force, -on_a.moment}, placed);
     }
   }
 
@@ -133,34 +128,24 @@ class EffortWalk {
     return false;
   }
 
-  void TakeOffContacts(const MotionFrame& frame, const PlacedFrame& placed, Wrench* needed,
-                       FrameEffort* found) {
+  void TakeOffContacts(const MotionFrame& frame, FrameEffort* found) {
     for (const ContactPush& push : frame.contacts.pushes) {
       const JointIndex joint =
           push.link < 0 ? JointIndex() : animation_.figure->links()[push.link].joint;
-      RelieveHinges(*animation_.figure, placed, joint, push.p, {push.force, Vec3::Zero()},
-                    &found->tau);
-      TakeOffRoot(push.p, {push.force, Vec3::Zero()}, placed, needed);
+      dynamics_.Push(lane_, joint, push.p, {push.force, Vec3::Zero()});
       found->contacts.push_back({joint, false, push.p, push.force, Vec3::Zero()});
     }
   }
 
   // Forces that end with the animation act in its last frame, which is known from the left.
-  void TakeOffOuterForces(double t, const MotionLimit& limit, const PlacedFrame& placed,
-                          Wrench* needed, VecX* tau) {
+  void TakeOffOuterForces(double t, const MovedFrame& at) {
     if (!outer_) return;
     constexpr double kBefore = 1e-6;  // [s]
     const double end = animation_.rate.SecondsAt(animation_.last_frame);
-    for (const OuterPush& on : outer_->At(std::min(t, end - kBefore), limit, loaded_->figure())) {
-      RelieveHinges(*animation_.figure, placed, on.joint, on.p, on.push, tau);
-      TakeOffRoot(on.p, on.push, placed, needed);
+    for (const OuterPush& on :
+         outer_->At(std::min(t, end - kBefore), at, dynamics_.figure(lane_))) {
+      dynamics_.Push(lane_, on.joint, on.p, on.push);
     }
-  }
-
-  static void TakeOffRoot(const Vec3& p, const Wrench& push, const PlacedFrame& placed,
-                          Wrench* needed) {
-    needed->force -= push.force;
-    needed->moment -= push.moment + (p - placed.p(JointIndex())).cross(push.force);
   }
 
   // What pushes a joint's links is known, so nothing is looked for.
@@ -180,13 +165,8 @@ class EffortWalk {
     return end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
   }
 
-  void TakeOff(const ConstraintEnd& end, const Wrench& push, const PlacedFrame& placed,
-               Wrench* needed, VecX* tau) {
-    if (end.is_in_world) return;
-    const JointIndex joint = JointOf(end);
-    const Vec3 p = PlaceOf(end, placed);
-    RelieveHinges(*animation_.figure, placed, joint, p, push, tau);
-    TakeOffRoot(p, push, placed, needed);
+  void TakeOff(const ConstraintEnd& end, const Wrench& push, const PlacedFrame& placed) {
+    if (!end.is_in_world) dynamics_.Push(lane_, JointOf(end), PlaceOf(end, placed), push);
   }
 
   // The body beyond the joint is what stands there.
@@ -195,6 +175,7 @@ class EffortWalk {
     pin.joint = pinned;
     pin.p = placed.p(pinned);
     pin.is_pin = true;
+    pin.id = std::numeric_limits<int>::max();
     pin.has_moment = std::any_of(points_.begin(), points_.end(), [&](const ContactPoint& point) {
       return point.joint == pinned ||
              (point.joint.is_valid() && animation_.figure->IsBeyond(point.joint, pinned));
@@ -205,19 +186,19 @@ class EffortWalk {
     points_.push_back(pin);
   }
 
-  void SetShares(const MotionLimit& limit, FrameEffort* found) {
+  void SetShares(const MovedFrame& at, FrameEffort* found) {
     const auto& joints = animation_.figure->joints();
     found->share.setConstant(found->tau.size(), -1.0);
     for (int j = 0; j < found->tau.size(); ++j) {
       if (!joints[j].strength) continue;
       const double tau = found->tau[j];
-      if (IsGivenByStop(joints[j], limit.q[j], tau)) {
+      if (IsGivenByStop(joints[j], at.q[j], tau)) {
         found->share[j] = 0.0;
         continue;
       }
       const JointStrength& both = *joints[j].strength;
-      const Strength strength = tau >= 0.0 ? StrengthAt(both.positive, limit.q[j], limit.qd[j])
-                                           : StrengthAt(both.negative, limit.q[j], -limit.qd[j]);
+      const Strength strength = tau >= 0.0 ? StrengthAt(both.positive, at.q[j], at.qd[j])
+                                           : StrengthAt(both.negative, at.q[j], -at.qd[j]);
       found->share[j] = std::abs(tau) / strength.torque;
       if (strength.is_at_least) found->least.emplace_back(j);
     }
@@ -228,7 +209,8 @@ class EffortWalk {
   Touching touching_;
   PlacedFrames placed_;
   std::optional<OuterPushes> outer_;
-  std::optional<LoadedFigure> loaded_;
+  FrameDynamics dynamics_;
+  size_t lane_ = 0;  // of the four frames
   ContactForceSolver solver_;
   std::vector<ContactPoint> points_;
   std::vector<ContactForce> forces_;
@@ -247,7 +229,8 @@ TouchLimits LimitsFor(bool is_capture) {
 }  // namespace
 
 bool IsCapture(const Animation& animation) {
-  constexpr double kNearlyEvery = 0.8, kFewest = 8.0;  // share of the frames; frames
+  constexpr double kNearlyEvery = 0.8,
+                   kFewest = 8.0;  // share of the frames; frames
   const double frames = animation.last_frame - animation.first_frame + 1;
   if (frames < kFewest) return false;
   int keyed = 0, dense = 0;
@@ -270,10 +253,9 @@ Effort EffortOf(const Animation& animation, const Motion& motion, const EffortOp
   EffortWalk walk(animation, motion.frames.size(), options, LimitsFor(is_capture));
   for (size_t i = 0; i < motion.frames.size(); ++i) walk.Place(smooth.At(i));
   walk.Touch(motion.rate.seconds_per_frame());
-  effort.frames.reserve(motion.frames.size());
-  for (size_t i = 0; i < motion.frames.size(); ++i) {
-    effort.frames.push_back(
-        walk.At(i, motion.rate.SecondsAt(motion.frames[i].frame), motion.frames[i], smooth.At(i)));
+  effort.frames.resize(motion.frames.size());
+  for (size_t first = 0; first < motion.frames.size(); first += 4) {
+    walk.Walk(motion, first, &smooth, &effort);
   }
   return effort;
 }

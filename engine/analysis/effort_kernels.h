@@ -11,14 +11,37 @@ inline constexpr int kPlacedFields =
 
 // A joint as the kernels read it.
 struct PlacedHinge {
-  int parent = 0;           // body: 0 is the root, j + 1 the body of joint j
-  bool is_parallel = true;  // R_PJ is the identity
-  int unit_axis = -1;       // the axis of J that it turns about, or against; -1: another one
-  double sign = 1.0;        // -1: against it
-  double R_PJ[9];           // by columns
-  double p_PJ[3];           // [m]
-  double axis[3];           // unit, in J
+  int parent = 0;            // body: 0 is the root, j + 1 the body of joint j
+  bool is_parallel = true;   // R_PJ is the identity
+  bool is_shifted = true;    // p_PJ is not zero
+  bool is_massless = false;  // the body beyond it
+  int unit_axis = -1;        // the axis of J that it turns about, or against; -1: another one
+  double sign = 1.0;         // -1: against it
+  double R_PJ[9];            // by columns
+  double p_PJ[3];            // [m]
+  double axis[3];            // unit, in J
 };
+
+// Of a body in a frame: its mass, its centre of mass and the moments of inertia about that, which
+// are the diagonal and then the entries yz, zx, xy; all in its own frame.
+struct InertiaField {
+  enum Field { kMass = 0, kCom = 1, kInertia = 4 };
+  static constexpr int kNumFields = 10;
+};
+
+// How a figure moves in four frames, for inverse dynamics. Bodies as PlacedHinge::parent; of each
+// `placed`, InertiaField, w, alpha and a of its origin (of the root given), and the load: force and
+// moment that it asks for there, all in world axes, by field and frame.
+struct FourMotions {
+  const PlacedHinge* hinges = nullptr;
+  int num_hinges = 0;
+  const double *placed = nullptr, *inertias = nullptr;
+  const double *rates[4], *accelerations[4];  // by frame and joint
+  double *motions = nullptr, *loads = nullptr;
+  double* needed = nullptr;   // the load of the whole figure on its root
+  double* torques = nullptr;  // by joint and frame
+};
+inline constexpr int kMotionFields = 9, kLoadFields = 6;
 
 // A ball on a body, as the kernels read it.
 struct TouchingBall {
@@ -48,8 +71,8 @@ struct ConeField {
   static constexpr int kNumGiven = 8;
   enum Found { kInsideBits = 0, kSideBits = 1, kForce = 2 };
   static constexpr int kNumFound = 5;
-  // Summed up over contacts, one sum a lane: s, the lower half of its derivative by columns, and
-  // the function that s is the gradient of.
+  // Summed up over contacts: s, the lower half of its derivative by columns, and the function that
+  // s is the gradient of.
   enum Sum { kSupplied = 0, kSlope = 6, kPotential = 27 };
   static constexpr int kNumSums = 28;
 };
@@ -59,6 +82,10 @@ struct EffortKernels {
   // before.
   void (*place)(const PlacedHinge* hinges, int num_hinges, const double* const angles[4],
                 double* placed);
+  // Motions, loads without those of the bodies beyond, and what is needed; then torques, for which
+  // loads may have been lessened by what pushes the bodies from outside.
+  void (*demand)(const FourMotions& four);
+  void (*relay)(const FourMotions& four);
   // `placed`: of four frames. `touches`: by ball, TouchField and frame. `clearances`: of the
   // nearest shape, four of each ball, those of the next one `stride` numbers further [m].
   void (*touch)(const TouchingBall* balls, int num_balls, const TouchedShape* shapes,
@@ -67,7 +94,7 @@ struct EffortKernels {
   // contact_forces.cpp has the equations. `y`: six numbers. With `keeps` each force goes on as in
   // the part of its cone that `found` has; false: these are not the parts where all are.
   bool (*supply)(const double* given, int num_fours, const double* y, double friction, bool keeps,
-                 bool wants_slope, double* found, double* sums);
+                 double* found, double* sums);
 };
 EffortKernels BaselineEffortKernels();
 EffortKernels Avx2EffortKernels();

@@ -12,7 +12,7 @@ namespace {
 #include "engine/analysis/cone_lanes.h"
 }  // namespace
 
-EffortKernels Avx2EffortKernels() { return {Place, Touch, Supply}; }
+EffortKernels Avx2EffortKernels() { return {Place, Demand, Relay, Touch, Supply}; }
 
 }  // namespace hazumi
 

@@ -10,6 +10,6 @@ namespace {
 #include "engine/analysis/cone_lanes.h"
 }  // namespace
 
-EffortKernels BaselineEffortKernels() { return {Place, Touch, Supply}; }
+EffortKernels BaselineEffortKernels() { return {Place, Demand, Relay, Touch, Supply}; }
 
 }  // namespace hazumi

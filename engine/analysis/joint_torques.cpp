@@ -11,9 +11,9 @@
 
 #include "engine/analysis/joint_torques.h"
 
-#include <optional>
+#include <algorithm>
 
-#include "engine/analysis/loaded_figure.h"
+#include "engine/analysis/frame_dynamics.h"
 #include "engine/spatial/turn.h"
 
 namespace hazumi {
@@ -57,13 +57,11 @@ Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h
 }
 
 // What is beyond the pinned joint stands there: the joint's hinges carry the rest.
-void PutOnPin(const Figure& figure, JointIndex pinned, const PlacedFrame& placed,
-              JointTorques* torques) {
+void PutOnPin(size_t lane, JointIndex pinned, const PlacedFrame& placed, FrameDynamics* dynamics) {
   const Vec3 p = placed.p(pinned);
-  Wrench of_pin = torques->unsupported;
+  Wrench of_pin = dynamics->needed(lane);
   of_pin.moment -= (p - placed.p(JointIndex())).cross(of_pin.force);
-  RelieveHinges(figure, placed, pinned, p, of_pin, &torques->tau);
-  torques->unsupported = {};
+  dynamics->Push(lane, pinned, p, of_pin);
 }
 
 Accelerations AtFrame(const Motion& motion, size_t i) {
@@ -85,24 +83,36 @@ MotionAcceleration AccelerationAt(const Motion& motion, size_t frame) {
 }
 
 std::vector<JointTorques> TorquesOf(const Animation& animation, const Motion& motion) {
-  std::vector<JointTorques> found;
-  found.reserve(motion.frames.size());
-  std::optional<LoadedFigure> loaded;
+  const size_t count = motion.frames.size();
   const auto limit_at = [&](size_t i) -> const MotionLimit& {
-    return i + 1 == motion.frames.size() ? motion.frames[i].before : motion.frames[i].after;
+    return i + 1 == count ? motion.frames[i].before : motion.frames[i].after;
   };
-  PlacedFrames placed(*animation.figure, motion.frames.size());
-  for (size_t i = 0; i < motion.frames.size(); ++i) placed.Add(limit_at(i).X_WR, limit_at(i).q);
+  PlacedFrames placed(*animation.figure, count);
+  for (size_t i = 0; i < count; ++i) placed.Add(limit_at(i).X_WR, limit_at(i).q.data());
   placed.Finish();
-  for (size_t i = 0; i < motion.frames.size(); ++i) {
-    const MotionFrame& frame = motion.frames[i];
-    if (!loaded || !loaded->IsThatOf(frame)) loaded.emplace(animation, frame);
-    const MotionLimit& at = limit_at(i);
-    const Accelerations by = AtFrame(motion, i);
-    JointTorques& torques = found.emplace_back();
-    torques.unsupported = loaded->Demand(at, by.root, by.qdd, animation.gravity, &torques.tau);
-    if (!frame.pinned) continue;
-    PutOnPin(*animation.figure, animation.figure->group(*frame.pinned).last(), placed[i], &torques);
+  FrameDynamics dynamics(animation, placed);
+  std::vector<JointTorques> found(count);
+  Accelerations by[4];
+  for (size_t first = 0; first < count; first += 4) {
+    for (size_t lane = 0; lane < 4; ++lane) {
+      const size_t i = std::min(first + lane, count - 1);
+      const MotionLimit& at = limit_at(i);
+      by[lane] = AtFrame(motion, i);
+      dynamics.Set(lane, motion.frames[i],
+                   {&at.X_WR, at.q.data(), at.qd.data(), by[lane].qdd.data(), by[lane].root});
+    }
+    dynamics.Demand(first);
+    const size_t lanes = std::min<size_t>(4, count - first);
+    for (size_t lane = 0; lane < lanes; ++lane) {
+      const std::optional<GroupIndex>& pinned = motion.frames[first + lane].pinned;
+      if (pinned) {
+        PutOnPin(lane, animation.figure->group(*pinned).last(), placed[first + lane], &dynamics);
+      } else {
+        found[first + lane].unsupported = dynamics.needed(lane);
+      }
+    }
+    dynamics.FindTorques();
+    for (size_t lane = 0; lane < lanes; ++lane) found[first + lane].tau = dynamics.torques(lane);
   }
   return found;
 }

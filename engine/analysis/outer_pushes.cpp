@@ -34,9 +34,12 @@ OuterPushes::OuterPushes(const Animation& animation)
   for (const NodeJoint& seat : model_.joints) joint_of_[seat.node] = seat.joint;
 }
 
-void OuterPushes::Place(const MotionLimit& at) {
-  ComputePositions(*animation_.figure, at.X_WR, at.q, &ws_);
-  ComputeVelocities(*animation_.figure, at.root_w, at.root_v, at.qd, &ws_);
+void OuterPushes::Place(const MovedFrame& at) {
+  const Figure& figure = *animation_.figure;
+  const VecX q = Eigen::Map<const VecX>(at.q, figure.num_joints());
+  const VecX qd = Eigen::Map<const VecX>(at.qd, figure.num_joints());
+  ComputePositions(figure, *at.X_WR, q, &ws_);
+  ComputeVelocities(figure, at.root.w, at.root.v, qd, &ws_);
   for (const NodeJoint& seat : model_.joints) {
     const BodyScratch& body = ws_.body(seat.joint);
     const Mat3 R = body.R * seat.R_NJ.transpose();
@@ -44,12 +47,12 @@ void OuterPushes::Place(const MotionLimit& at) {
     NodeMotion& node = kinematics_.motion()[seat.node];
     node.R = small::ToSmall(R);
     node.w = small::V3(body.w);
-    node.p = small::V3(body.p - r - at.X_WR.p);
+    node.p = small::V3(body.p - r - at.X_WR->p);
     places_[seat.node] = {small::V3(body.p - r), small::V3(body.v - body.w.cross(r))};
   }
 }
 
-const std::vector<OuterPush>& OuterPushes::At(double t, const MotionLimit& at,
+const std::vector<OuterPush>& OuterPushes::At(double t, const MovedFrame& at,
                                               const Figure& loaded) {
   found_.clear();
   std::vector<ForceSpec> specs;

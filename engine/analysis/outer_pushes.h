@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/bake/motion.h"
+#include "engine/analysis/frame_dynamics.h"
 #include "engine/dynamics/workspace.h"
 #include "engine/passive/forces/force_law.h"
 #include "engine/timeline/animation.h"
@@ -25,10 +25,10 @@ class OuterPushes {
   explicit OuterPushes(const Animation& animation);
 
   // At time t [s]. `loaded`: the figure with what it holds. Stays until the next call.
-  const std::vector<OuterPush>& At(double t, const MotionLimit& at, const Figure& loaded);
+  const std::vector<OuterPush>& At(double t, const MovedFrame& at, const Figure& loaded);
 
  private:
-  void Place(const MotionLimit& at);
+  void Place(const MovedFrame& at);
 
   const Animation& animation_;
   RegionModel model_;  // all joints free

@@ -4,21 +4,28 @@
 //   p_J = p_P + R_P p_PJ,   R_J = R_P R_PJ (c 1 + s [e] + (1 - c) e e^T).
 
 using LaneReal = LanesOf<4>::Real;
+using LaneBits = LanesOf<4>::Bits;
+using LaneTriple = Triple<LaneReal>;
 
 // Axes of a body in the world.
 struct LaneAxes {
-  Triple<LaneReal> column[3];
+  LaneTriple column[3];
 };
 
 HAZUMI_LANE_INLINE LaneAxes LoadAxes(const double* placed) {
   return {{LoadTriple<4>(placed), LoadTriple<4>(placed + 12), LoadTriple<4>(placed + 24)}};
 }
 
-HAZUMI_LANE_INLINE Triple<LaneReal> InWorld(const LaneAxes& R, LaneReal x, LaneReal y, LaneReal z) {
+HAZUMI_LANE_INLINE LaneTriple InWorld(const LaneAxes& R, LaneReal x, LaneReal y, LaneReal z) {
   return Scaled(x, R.column[0]) + Scaled(y, R.column[1]) + Scaled(z, R.column[2]);
 }
 
 HAZUMI_LANE_INLINE LaneReal All(double x) { return FromFour(x, x, x, x); }
+
+// The same entry of four arrays.
+HAZUMI_LANE_INLINE LaneReal CollectAt(const double* const of[4], int i) {
+  return FromFour(of[0][i], of[1][i], of[2][i], of[3][i]);
+}
 
 HAZUMI_LANE_INLINE LaneAxes Times(const LaneAxes& R, const LaneReal* by) {
   return {{InWorld(R, by[0], by[1], by[2]), InWorld(R, by[3], by[4], by[5]),
@@ -28,7 +35,7 @@ HAZUMI_LANE_INLINE LaneAxes Times(const LaneAxes& R, const LaneReal* by) {
 template <int K>
 HAZUMI_LANE_INLINE void TurnAboutUnit(LaneReal s, LaneReal c, LaneAxes* R) {
   constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const Triple<LaneReal> was = R->column[I];
+  const LaneTriple was = R->column[I];
   R->column[I] = Scaled(c, was) + Scaled(s, R->column[J]);
   R->column[J] = Scaled(c, R->column[J]) + Scaled(-s, was);
 }
@@ -80,15 +87,17 @@ void Place(const PlacedHinge* hinges, int num_hinges, const double* const angles
     const double* parent = placed + 4 * kPlacedFields * hinge.parent;
     double* own = placed + 4 * kPlacedFields * (j + 1);
     LaneAxes R = LoadAxes(parent);
-    StoreTriple<4>(own + 36,
-                   LoadTriple<4>(parent + 36) +
-                       InWorld(R, All(hinge.p_PJ[0]), All(hinge.p_PJ[1]), All(hinge.p_PJ[2])));
+    LaneTriple p = LoadTriple<4>(parent + 36);
+    if (hinge.is_shifted) {
+      p = p + InWorld(R, All(hinge.p_PJ[0]), All(hinge.p_PJ[1]), All(hinge.p_PJ[2]));
+    }
+    StoreTriple<4>(own + 36, p);
     if (!hinge.is_parallel) {
       LaneReal by[9];
       for (int i = 0; i < 9; ++i) by[i] = All(hinge.R_PJ[i]);
       R = Times(R, by);
     }
-    TurnHinge(hinge, FromFour(angles[0][j], angles[1][j], angles[2][j], angles[3][j]), &R);
+    TurnHinge(hinge, CollectAt(angles, j), &R);
     for (int k = 0; k < 3; ++k) StoreTriple<4>(own + 12 * k, R.column[k]);
   }
   LeaveLanes();

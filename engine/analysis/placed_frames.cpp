@@ -13,6 +13,8 @@ PlacedHinge PrepareHinge(const Joint& joint) {
   PlacedHinge hinge;
   hinge.parent = joint.parent.is_valid() ? joint.parent.value() + 1 : 0;
   hinge.is_parallel = joint.parallel_frame;
+  hinge.is_shifted = !joint.X_PJ.p.isZero(0.0);
+  hinge.is_massless = joint.massless;
   for (int k = 0; k < 3; ++k) {
     if (std::abs(joint.axis[k]) != 1.0) continue;
     hinge.unit_axis = k;
@@ -37,29 +39,28 @@ PlacedFrames::PlacedFrames(const Figure& figure, size_t num_frames, const Effort
   for (const Joint& joint : figure.joints()) hinges_.push_back(PrepareHinge(joint));
 }
 
-bool PlacedFrames::Add(const Pose& X_WR, const VecX& q) {
+const double* PlacedFrames::Add(const Pose& X_WR, const double* q) {
   const size_t lane = num_added_ % 4;
-  double* root = FourOf(num_added_) + lane;
+  double* root = placed_.data() + num_added_ / 4 * stride_ + lane;
   for (int i = 0; i < 9; ++i) root[4 * i] = X_WR.R.data()[i];
   for (int i = 0; i < 3; ++i) root[36 + 4 * i] = X_WR.p[i];
-  angles_[lane] = q.data();
+  angles_[lane] = q;
   ++num_added_;
-  if (lane < 3) return false;
-  PlaceLastFour();
-  return true;
+  return lane == 3 ? PlaceLastFour() : nullptr;
 }
 
 // Lanes without a frame do what the last frame does, at the world's origin.
-bool PlacedFrames::Finish() {
+const double* PlacedFrames::Finish() {
   const size_t last = num_added_ % 4;
-  if (last == 0) return false;
+  if (last == 0) return nullptr;
   std::fill(angles_ + last, angles_ + 4, angles_[last - 1]);
-  PlaceLastFour();
-  return true;
+  return PlaceLastFour();
 }
 
-void PlacedFrames::PlaceLastFour() {
-  kernels_.place(hinges_.data(), static_cast<int>(hinges_.size()), angles_, FourOf(num_added_ - 1));
+const double* PlacedFrames::PlaceLastFour() {
+  double* four = placed_.data() + (num_added_ - 1) / 4 * stride_;
+  kernels_.place(hinges_.data(), static_cast<int>(hinges_.size()), angles_, four);
+  return four;
 }
 
 }  // namespace hazumi

@@ -11,7 +11,7 @@ namespace hazumi {
 // are not valid stand for the root.
 class PlacedFrame {
  public:
-  PlacedFrame(const PlacedHinge* hinges, const double* at) : hinges_(hinges), at_(at) {}
+  explicit PlacedFrame(const double* at) : at_(at) {}
 
   Vec3 p(JointIndex j) const { return Fields(j, 9); }  // joint origin [m]
   // A vector of a body's frame, in the world's.
@@ -20,19 +20,13 @@ class PlacedFrame {
   }
   // Where a point of a body is [m].
   Vec3 PointOf(JointIndex j, const Vec3& offset) const { return p(j) + Turned(j, offset); }
-  Vec3 axis(JointIndex j) const {  // of the hinge, unit
-    const PlacedHinge& hinge = hinges_[j.value()];
-    if (hinge.unit_axis >= 0) return hinge.sign * Fields(j, 3 * hinge.unit_axis);
-    return Turned(j, Vec3(hinge.axis[0], hinge.axis[1], hinge.axis[2]));
-  }
 
  private:
   Vec3 Fields(JointIndex j, int first) const {
     const double* at = at_ + 4 * (kPlacedFields * (j.value() + 1) + first);
     return {at[0], at[4], at[8]};
   }
-  const PlacedHinge* hinges_;  // by joint
-  const double* at_;           // by body and field, a lane of four
+  const double* at_;  // by body and field, a lane of four
 };
 
 // Where they are in all frames of a motion, four of which are placed at once.
@@ -41,20 +35,19 @@ class PlacedFrames {
   PlacedFrames(const Figure& figure, size_t num_frames,
                const EffortKernels& kernels = BestEffortKernels());
 
-  // Frame by frame, in order; q must stay until Finish [rad]. True: four have been placed.
-  bool Add(const Pose& X_WR, const VecX& q);
-  bool Finish();
-  // Those that were, as the kernels have them.
-  const double* last_four() const { return placed_.data() + (num_added_ - 1) / 4 * stride_; }
+  // Frame by frame, in order; q, by joint, must stay until four have been placed [rad]. Returns
+  // these four where this frame is the last of them, else null; behind the last frame, those that
+  // were left. As the kernels have them.
+  const double* Add(const Pose& X_WR, const double* q);
+  const double* Finish();
   // Valid while this is.
-  PlacedFrame operator[](size_t frame) const {
-    return {hinges_.data(), placed_.data() + frame / 4 * stride_ + frame % 4};
-  }
+  PlacedFrame operator[](size_t frame) const { return PlacedFrame(FourWith(frame) + frame % 4); }
+  // All of the four frames that `frame` belongs to, and all hinges, as the kernels have them.
+  const double* FourWith(size_t frame) const { return placed_.data() + frame / 4 * stride_; }
+  const std::vector<PlacedHinge>& hinges() const { return hinges_; }
 
  private:
-  // Of the four frames that `frame` belongs to.
-  double* FourOf(size_t frame) { return placed_.data() + frame / 4 * stride_; }
-  void PlaceLastFour();
+  const double* PlaceLastFour();
 
   EffortKernels kernels_;
   std::vector<PlacedHinge> hinges_;

@@ -4,7 +4,7 @@
 // and for rotations, with r(A, B) the turn from A to B,
 //   w  = (r(R_n, R_(n+1)) + r(R_(n-1), R_n)) / (2 h),   w' = (r(R_n, R_(n+1)) - r(R_(n-1), R_n)) /
 //   h^2.
-// The first and the last frame take the accelerations of their neighbours.
+// The first and the last frame take the rates and accelerations of their neighbours.
 
 #include "engine/analysis/smooth_motion.h"
 
@@ -46,45 +46,63 @@ bool SmoothMotion::Filter(double cutoff) {
   const double h = motion_.rate.seconds_per_frame();
   const size_t count = motion_.frames.size();
   if (count < kFewest || cutoff * h > kMost) return false;
-  MatX series = SeriesOf(motion_);
-  LowPass(cutoff, h, &series);
-  const Eigen::Index n = series.rows() - 7;
-  limits_.resize(count);
-  accelerations_.resize(count);
-  for (size_t i = 0; i < count; ++i) {
-    const auto column = series.col(static_cast<Eigen::Index>(i));
-    limits_[i].q = column.head(n);
-    limits_[i].X_WR.p = column.segment<3>(n);
-    limits_[i].X_WR.R =
-        Eigen::Quaterniond(Eigen::Vector4d(column.tail<4>())).normalized().toRotationMatrix();
-  }
-  const auto differentiate = [&](size_t i, MotionLimit* limit, MotionAcceleration* found) {
-    const MotionLimit &a = limits_[i - 1], &b = limits_[i], &c = limits_[i + 1];
-    found->qdd = (c.q - 2.0 * b.q + a.q) / (h * h);
-    found->root_a = (c.X_WR.p - 2.0 * b.X_WR.p + a.X_WR.p) / (h * h);
-    const Vec3 before = TurnBetween(a.X_WR.R, b.X_WR.R), after = TurnBetween(b.X_WR.R, c.X_WR.R);
-    found->root_alpha = (after - before) / (h * h);
-    limit->qd = (c.q - a.q) / (2.0 * h);
-    limit->root_v = (c.X_WR.p - a.X_WR.p) / (2.0 * h);
-    limit->root_w = (after + before) / (2.0 * h);
-  };
-  for (size_t i = 0; i < count; ++i) {
-    differentiate(std::clamp<size_t>(i, 1, count - 2), &limits_[i], &accelerations_[i]);
-  }
+  series_ = SeriesOf(motion_);
+  LowPass(cutoff, h, &series_);
+  Differentiate(h);
   return true;
 }
 
+void SmoothMotion::Differentiate(double h) {
+  const Eigen::Index n = series_.rows() - 7, count = series_.cols();
+  rates_.resize(n, count);
+  accelerations_.resize(n, count);
+  X_WR_.resize(static_cast<size_t>(count));
+  root_.resize(static_cast<size_t>(count));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Vector4d turn = series_.col(i).tail<4>();
+    X_WR_[i] = {Eigen::Quaterniond(turn).normalized().toRotationMatrix(),
+                series_.col(i).segment<3>(n)};
+  }
+  Vec3 before = TurnBetween(X_WR_[0].R, X_WR_[1].R);
+  for (Eigen::Index i = 1; i + 1 < count; ++i) {
+    const auto a = series_.col(i - 1), b = series_.col(i), c = series_.col(i + 1);
+    rates_.col(i) = (c.head(n) - a.head(n)) / (2.0 * h);
+    accelerations_.col(i) = (c.head(n) - 2.0 * b.head(n) + a.head(n)) / (h * h);
+    const Vec3 p_a = a.segment<3>(n), p_b = b.segment<3>(n), p_c = c.segment<3>(n);
+    const Vec3 after = TurnBetween(X_WR_[i].R, X_WR_[i + 1].R);
+    root_[i] = {(after + before) / (2.0 * h), (p_c - p_a) / (2.0 * h), (after - before) / (h * h),
+                (p_c - 2.0 * p_b + p_a) / (h * h)};
+    before = after;
+  }
+  for (const auto& [end, neighbour] :
+       {std::pair(Eigen::Index(0), Eigen::Index(1)), {count - 1, count - 2}}) {
+    rates_.col(end) = rates_.col(neighbour);
+    accelerations_.col(end) = accelerations_.col(neighbour);
+    root_[end] = root_[neighbour];
+  }
+}
+
 MovedFrame SmoothMotion::At(size_t frame) {
-  if (!limits_.empty()) return {&limits_[frame], &accelerations_[frame]};
+  if (!root_.empty()) {
+    const auto column = static_cast<Eigen::Index>(frame);
+    return {&X_WR_[frame], series_.col(column).data(), rates_.col(column).data(),
+            accelerations_.col(column).data(), root_[frame]};
+  }
   const MotionFrame& own = motion_.frames[frame];
+  const MotionAcceleration* by = own.acceleration ? &*own.acceleration : &found_[frame % 4];
+  bool is_end = frame + 1 == motion_.frames.size();
   if (own.acceleration) {
     constexpr double kSame = 1e-9;  // [s]
-    const bool is_end = motion_.rate.SecondsAt(own.frame) >= end_ - kSame;
-    return {is_end ? &own.before : &own.after, &*own.acceleration};
+    is_end = motion_.rate.SecondsAt(own.frame) >= end_ - kSame;
+  } else {
+    found_[frame % 4] = AccelerationAt(motion_, frame);
   }
-  found_ = AccelerationAt(motion_, frame);
-  const bool is_last = frame + 1 == motion_.frames.size();
-  return {is_last ? &own.before : &own.after, &found_};
+  const MotionLimit& at = is_end ? own.before : own.after;
+  return {&at.X_WR,
+          at.q.data(),
+          at.qd.data(),
+          by->qdd.data(),
+          {at.root_w, at.root_v, by->root_alpha, by->root_a}};
 }
 
 }  // namespace hazumi

@@ -2,15 +2,10 @@
 
 #include <vector>
 
+#include "engine/analysis/frame_dynamics.h"
 #include "engine/bake/motion.h"
 
 namespace hazumi {
-
-// Where the figure is in a frame, how fast and how much faster it gets.
-struct MovedFrame {
-  const MotionLimit* limit = nullptr;
-  const MotionAcceleration* acceleration = nullptr;
-};
 
 // A motion with the accelerations of all its frames: its own, or, filtered, those of what is left
 // of it below a cutoff.
@@ -24,15 +19,20 @@ class SmoothMotion {
   // left. False, and nothing done, where frames are too few or too far apart for that.
   bool Filter(double cutoff);
 
-  // Stays until the next call.
+  // Stays until four other frames have been asked for.
   MovedFrame At(size_t frame);
 
  private:
+  void Differentiate(double h);
+
   const Motion& motion_;
   double end_;
-  std::vector<MotionLimit> limits_;                // filtered
-  std::vector<MotionAcceleration> accelerations_;  // of these
-  MotionAcceleration found_;
+  // Filtered, by frame: angles, position, quaternion; of the angles rates and accelerations; and
+  // the root.
+  MatX series_, rates_, accelerations_;
+  std::vector<Pose> X_WR_;
+  std::vector<RootMotion> root_;
+  MotionAcceleration found_[4];
 };
 
 }  // namespace hazumi

@@ -1,13 +1,10 @@
-#include "engine/analysis/place_lanes.h"
+#include "engine/analysis/demand_lanes.h"
 
 // Balls of radius r near planes and boxes, a frame in each lane. With q the centre in the frame of
 // a box of half size h, grown by a margin, and e_i = |q_i| - h_i:
 //   apart:       distance = |max(e, 0)| - margin - r,  normal along max(e, 0)
 //   overlapping: distance = max e_i - margin - r,      normal along that axis
 // each on the side of q: what SignedDistance has of a capsule without length.
-
-using LaneBits = LanesOf<4>::Bits;
-using LaneTriple = Triple<LaneReal>;
 
 HAZUMI_LANE_INLINE LaneReal Only(LaneReal x, LaneBits where) {
   return SameBits<LaneReal>(SameBits<LaneBits>(x) & where);

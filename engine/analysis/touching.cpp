@@ -42,16 +42,20 @@ TouchedShape PrepareBox(const GrownBox& grown) {
   return shape;
 }
 
-TouchedShape PrepareShape(const Plane& plane) {
+TouchedShape Prepare(const Plane& plane) {
   TouchedShape shape;
   std::copy_n(plane.normal.data(), 3, shape.normal);
   shape.offset = plane.offset;
   return shape;
 }
-TouchedShape PrepareShape(const Box& box) { return PrepareBox(Grown(box)); }
-TouchedShape PrepareShape(const Capsule& capsule) { return PrepareBox(Grown(capsule)); }
+TouchedShape Prepare(const Box& box) { return PrepareBox(Grown(box)); }
+TouchedShape Prepare(const Capsule& capsule) { return PrepareBox(Grown(capsule)); }
 
 }  // namespace
+
+TouchedShape PrepareShape(const Obstacle& shape) {
+  return std::visit([](const auto& of) { return Prepare(of); }, shape);
+}
 
 Touching::Touching(const Animation& animation, size_t num_frames, const TouchLimits& limits,
                    const EffortKernels& kernels)
@@ -60,10 +64,7 @@ Touching::Touching(const Animation& animation, size_t num_frames, const TouchLim
       kernels_(kernels),
       num_frames_(num_frames),
       num_fours_((num_frames + 3) / 4) {
-  for (const SceneObject& object : animation.scene) {
-    shapes_.push_back(
-        std::visit([](const auto& shape) { return PrepareShape(shape); }, object.shape));
-  }
+  for (const SceneObject& object : animation.scene) shapes_.push_back(PrepareShape(object.shape));
   if (shapes_.empty()) return;
   for (const Link& link : animation.figure->links()) {
     if (!IsEndOfParent(link, *animation.figure)) AddEnd(link, link.capsule.a);
@@ -169,10 +170,15 @@ void Touching::PointsAt(size_t frame, const PlacedFrame& placed,
     const Vec3 normal = FieldAt(frame, i, TouchField::kNormal);
     const Vec3 axis = placed.Turned(ends_[i].joint, ends_[i].axis);
     const double radius = balls_[i].radius;
-    const Vec3 side = radius * normal.cross(axis);
+    const Vec3 across = radius * normal.cross(axis);
     const Vec3 point = FieldAt(frame, i, TouchField::kCentre) - radius * normal;
-    for (const double sign : {-1.0, 1.0}) {
-      points->push_back({ends_[i].joint, point + sign * side, normal, 0.5 * weight});
+    for (const int side : {0, 1}) {
+      ContactPoint& of_side = points->emplace_back();
+      of_side.joint = ends_[i].joint;
+      of_side.p = point + (side == 0 ? -across : across);
+      of_side.normal = normal;
+      of_side.weight = 0.5 * weight;
+      of_side.id = static_cast<int>(2 * i) + side;
     }
   }
 }

@@ -7,9 +7,13 @@
 #include "engine/analysis/contact_forces.h"
 #include "engine/analysis/placed_frames.h"
 #include "engine/bake/motion.h"
+#include "engine/collision/shapes.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
+
+// As the kernels read it.
+TouchedShape PrepareShape(const Obstacle& shape);
 
 // When a point counts as touching. touching.cpp says how its weight fades.
 struct TouchLimits {

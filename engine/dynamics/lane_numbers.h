@@ -133,6 +133,23 @@ HAZUMI_LANE_INLINE bool AnySet(LanesOf<4>::Bits bits) {
   return (lane[0] | lane[1] | lane[2] | lane[3]) != 0;
 }
 
+// The sum over all lanes of each.
+HAZUMI_LANE_INLINE LanesOf<4>::Real SumsOf(LanesOf<4>::Real a, LanesOf<4>::Real b,
+                                           LanesOf<4>::Real c, LanesOf<4>::Real d) {
+#if defined(HAZUMI_VECTORS_OF_FOUR)
+  const LanesOf<4>::Real ab =
+      __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const LanesOf<4>::Real cd =
+      __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+#else
+  const auto pairs = [](LanesOf<4>::HalfReal x, LanesOf<4>::HalfReal y) {
+    return __builtin_shufflevector(x, y, 0, 2) + __builtin_shufflevector(x, y, 1, 3);
+  };
+  return {pairs(a.lo, b.lo) + pairs(a.hi, b.hi), pairs(c.lo, d.lo) + pairs(c.hi, d.hi)};
+#endif
+}
+
 // To be called before kernels return: with the upper halves of registers in use, instructions for
 // vectors of two, all over the program, would have to preserve them.
 HAZUMI_LANE_INLINE void LeaveLanes() {

@@ -6,8 +6,12 @@
 #include <cmath>
 
 #include "engine/analysis/contact_forces.h"
+#include "engine/analysis/frame_dynamics.h"
 #include "engine/analysis/placed_frames.h"
+#include "engine/analysis/touching.h"
+#include "engine/collision/distance.h"
 #include "engine/dynamics/figure_dynamics.h"
+#include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
 #include "tests/support/figures.h"
 #include "tests/support/random_tree.h"
@@ -37,7 +41,7 @@ std::vector<Stance> RandomStances(const Figure& figure, int count, Random* rando
 PlacedFrames PlaceAll(const Figure& figure, const std::vector<Stance>& stances,
                       const EffortKernels& kernels) {
   PlacedFrames placed(figure, stances.size(), kernels);
-  for (const Stance& stance : stances) placed.Add(stance.X_WR, stance.q);
+  for (const Stance& stance : stances) placed.Add(stance.X_WR, stance.q.data());
   placed.Finish();
   return placed;
 }
@@ -54,7 +58,6 @@ double WorstPlace(const Figure& figure, const Stance& stance, const PlacedFrame&
     for (int k = 0; k < 3; ++k) {
       worst = std::max(worst, (placed.Turned(joint, Vec3::Unit(k)) - body.R.col(k)).norm());
     }
-    if (j >= 0) worst = std::max(worst, (placed.axis(joint) - body.axis).norm());
   }
   return worst;
 }
@@ -85,7 +88,95 @@ TEST(PlacedFrames, HaveTheSameBitsByAllInstructions) {
     for (size_t i = 0; i < stances.size(); ++i) {
       for (int j = 0; j < figure.num_joints(); ++j) {
         EXPECT_EQ(placed[i].p(JointIndex(j)), expected[i].p(JointIndex(j)));
-        EXPECT_EQ(placed[i].axis(JointIndex(j)), expected[i].axis(JointIndex(j)));
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_EQ(placed[i].Turned(JointIndex(j), Vec3::Unit(k)),
+                    expected[i].Turned(JointIndex(j), Vec3::Unit(k)));
+        }
+      }
+    }
+  }
+}
+
+// A ball, some of them inside, near each kind of shape.
+TEST(Touching, IsWhereDistancesHaveIt) {
+  Random random(7);
+  const Figure figure = Human37();
+  const std::vector<Obstacle> obstacles = {
+      Plane{Vec3(0.0, 0.6, 0.8), -0.3},
+      Box{{AxisRotation<double>(Vec3::UnitX(), 0.6, 0.8), Vec3(0.1, 0.2, 0.3)},
+          Vec3(0.8, 0.9, 1.0)},
+      Box{{}, Vec3(0.7, 0.3, 0.0)}, Capsule{Vec3(-0.5, 0.2, 0.1), Vec3(0.3, 0.4, -0.2), 0.25}};
+  int inside = 0;
+  for (int k = 0; k < 100; ++k) {
+    const std::vector<Stance> stances = RandomStances(figure, 4, &random);
+    const JointIndex joint(k % figure.num_joints());
+    TouchingBall ball;
+    ball.body = joint.value() + 1;
+    ball.radius = 0.05;
+    const Vec3 centre = random.Vector3(0.5);
+    std::copy_n(centre.data(), 3, ball.centre);
+    for (const EffortKernels& kernels : AllKernels()) {
+      const PlacedFrames placed = PlaceAll(figure, stances, kernels);
+      for (const Obstacle& obstacle : obstacles) {
+        const TouchedShape shape = PrepareShape(obstacle);
+        LaneArray touches(4 * TouchField::kNumFields), clearances(4);
+        kernels.touch(&ball, 1, &shape, 1, placed.FourWith(0), touches.data(), clearances.data(),
+                      4);
+        for (size_t i = 0; i < 4; ++i) {
+          const Vec3 p = placed[i].PointOf(joint, centre);
+          const Distance expected = SignedDistance(Capsule{p, p, ball.radius}, obstacle);
+          inside += expected.value < -ball.radius;
+          EXPECT_NEAR(clearances.data()[i], expected.value, 1e-12);
+          for (size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(touches.data()[4 * (TouchField::kNormal + axis) + i],
+                        expected.normal[static_cast<long>(axis)], 1e-9);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 40);
+}
+
+// The same bits by all instructions, and what the recursion joint by joint has.
+TEST(FrameDynamics, AreThoseOfTheRecursion) {
+  Random random(8);
+  for (int k = 0; k < 20; ++k) {
+    Animation animation;
+    animation.figure =
+        std::make_shared<const Figure>(k == 0 ? Human37() : Build(RandomTreeSpec(&random)));
+    const Figure& figure = *animation.figure;
+    const std::vector<Stance> stances = RandomStances(figure, 4, &random);
+    VecX qd[4], qdd[4];
+    RootMotion root[4];
+    for (size_t i = 0; i < 4; ++i) {
+      qd[i] = random.Vector(figure.num_joints(), 3.0);
+      qdd[i] = random.Vector(figure.num_joints(), 20.0);
+      root[i] = {random.Vector3(2.0), Vec3::Zero(), random.Vector3(5.0), random.Vector3(5.0)};
+    }
+    std::vector<VecX> first;
+    for (const EffortKernels& kernels : AllKernels()) {
+      const PlacedFrames placed = PlaceAll(figure, stances, kernels);
+      FrameDynamics dynamics(animation, placed, kernels);
+      for (size_t i = 0; i < 4; ++i) {
+        dynamics.Set(i, {},
+                     {&stances[i].X_WR, stances[i].q.data(), qd[i].data(), qdd[i].data(), root[i]});
+      }
+      dynamics.Demand(0);
+      dynamics.FindTorques();
+      for (size_t i = 0; i < 4; ++i) {
+        DynamicsWorkspace ws(figure);
+        RootMotion falling = root[i];
+        falling.a.z() += animation.gravity;
+        ComputePositions(figure, stances[i].X_WR, stances[i].q, &ws);
+        InverseDynamics(figure, falling, qd[i], qdd[i], nullptr, &ws);
+        const VecX found = dynamics.torques(i);
+        const double size = 1.0 + ws.tau.norm();
+        EXPECT_LT((found - ws.tau).norm(), 1e-11 * size);
+        EXPECT_LT((dynamics.needed(i).force - ws.bodies[0].f).norm(), 1e-11 * size);
+        EXPECT_LT((dynamics.needed(i).moment - ws.bodies[0].n).norm(), 1e-11 * size);
+        if (first.size() < 4) first.push_back(found);
+        EXPECT_EQ(found, first[i]);
       }
     }
   }
