@@ -33,37 +33,11 @@ namespace hazumi {
 namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr double kArm = 0.3;              // of moments, which are divided by it [m]
 constexpr double kSoftness = 1e-6;        // e, in units of the sum of weights
 constexpr double kLeastSoftness = 1e-12;  // where all is thought to be met: no division by zero
 constexpr double kMet = 1e-10;            // share of b
-
-// A = L D L^T from column `Column` on: of A columns of L D stay, of x L^-1 x.
-template <int Column = 0>
-void Eliminate(Mat6* A, Vec6* inverse, Vec6* x) {
-  (*inverse)[Column] = 1.0 / (*A)(Column, Column);
-  if constexpr (Column < 5) {
-    constexpr int kBelow = 5 - Column;
-    const auto below = A->template block<kBelow, 1>(Column + 1, Column);
-    const Eigen::Matrix<double, kBelow, 1> l = (*inverse)[Column] * below;
-    A->template bottomRightCorner<kBelow, kBelow>() -= l.lazyProduct(below.transpose());
-    x->template tail<kBelow>() -= (*x)[Column] * l;
-    Eliminate<Column + 1>(A, inverse, x);
-    (*x)[Column] -= below.dot(x->template tail<kBelow>());
-  }
-  (*x)[Column] *= (*inverse)[Column];
-}
-
-// (A + softness 1)^-1 x, A positive semidefinite, of which the lower half is read.
-Vec6 SolveDefinite(Mat6 A, double softness, Vec6 x) {
-  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
-  A.diagonal().array() += softness;
-  Vec6 inverse;
-  Eliminate(&A, &inverse, &x);
-  return x;
-}
 
 // Of each force: the part of its cone that is found at y, or the one that it had the last time,
 // where it goes on as it does there.
@@ -112,18 +86,32 @@ class Cones {
 
   // At y: the forces, s, its derivative, and the function that s is the gradient of.
   void Evaluate(const Vec6& y, Parts parts) {
-    alignas(32) double sums[ConeField::kNumSums];
     are_parts_right_ = kernels_.supply(given_->data(), num_fours_, y.data(), friction_,
-                                       parts == Parts::kKept, found_->data(), sums);
+                                       parts == Parts::kKept, found_->data(), sums_);
     knows_parts_ = true;
-    for (int k = 0; k < 6; ++k) supplied_[k] = sums[ConeField::kSupplied + k];
     const Vec3 c = y.tail<3>();
+    supplied_ = Eigen::Map<const Vec6>(sums_ + ConeField::kSupplied);
+    if (moment_weights_ == 0.0) return;
     supplied_.tail<3>() += moment_weights_ * c;
-    potential_ = sums[ConeField::kPotential] + 0.5 * moment_weights_ * c.squaredNorm();
-    for (int column = 0, k = ConeField::kSlope; column < 6; ++column) {
-      for (int row = column; row < 6; ++row, ++k) slope_(row, column) = sums[k];
+    sums_[ConeField::kPotential] += 0.5 * moment_weights_ * c.squaredNorm();
+    for (const int diagonal : {15, 18, 20}) sums_[ConeField::kSlope + diagonal] += moment_weights_;
+  }
+
+  // (derivative + softness 1)^-1 x
+  Vec6 Solve(double softness, Vec6 x) const {
+    kernels_.solve(sums_ + ConeField::kSlope, softness, x.data());
+    return x;
+  }
+  // x . derivative x
+  double Bend(const Vec6& x) const {
+    const double* lower = sums_ + ConeField::kSlope;
+    double bend = 0.0;
+    for (int column = 0; column < 6; ++column) {
+      double sum = 0.5 * *lower++ * x[column];
+      for (int row = column + 1; row < 6; ++row) sum += *lower++ * x[row];
+      bend += 2.0 * sum * x[column];
     }
-    slope_.diagonal().tail<3>().array() += moment_weights_;
+    return bend;
   }
 
   // Whether there was a last time.
@@ -131,8 +119,7 @@ class Cones {
   // Whether all are in the part that they were taken for.
   bool are_parts_right() const { return are_parts_right_; }
   const Vec6& supplied() const { return supplied_; }
-  const Mat6& slope() const { return slope_; }  // its lower half
-  double potential() const { return potential_; }
+  double potential() const { return sums_[ConeField::kPotential]; }
   Vec3 force(size_t i) const {
     const double* at = Fields(found_, ConeField::kNumFound, i) + 4 * ConeField::kForce;
     return {at[0], at[4], at[8]};
@@ -159,8 +146,7 @@ class Cones {
   double weights_ = 0.0, moment_weights_ = 0.0;
   bool are_parts_right_ = false;
   Vec6 supplied_;
-  Mat6 slope_;
-  double potential_ = 0.0;
+  alignas(32) double sums_[ConeField::kNumSums];
 };
 
 // Solves s(y) = b from *y on; leaves what belongs to it. False: it was not met.
@@ -176,7 +162,7 @@ bool Follow(const Vec6& b, Cones* cones, Vec6* y) {
     if (now <= met && cones->are_parts_right()) return true;
     if (step > kept && !(now < before)) return false;
     before = now;
-    *y += SolveDefinite(cones->slope(), softness, rest);
+    *y += cones->Solve(softness, rest);
   }
   return false;
 }
@@ -200,21 +186,20 @@ void Approach(const Vec6& b, const Vec6& start, Cones* cones, Vec6* y) {
       if (cones->are_parts_right()) return;
       break;
     }
-    *y += SolveDefinite(cones->slope(), softness, rest);
+    *y += cones->Solve(softness, rest);
   }
   move_to(*y, Parts::kFound);
   for (int step = 0; step < kMostSteps; ++step) {
     const double size = rest.norm();
     if (size <= met) return;
-    const Vec6 from = *y, way = SolveDefinite(cones->slope(), softness, rest);
+    const Vec6 from = *y, way = cones->Solve(softness, rest);
     const double fall = rest.dot(way), most = merit + 1e-14 * std::abs(merit);
     double part = 1.0;
     move_to(*y = from + way, Parts::kFound);
     for (int i = 0; i < kMostParts; ++i) {
       if (rest.norm() <= kNearer * size || merit <= most - 1e-4 * part * fall) break;
       // Too far: back to where the merit's parabola there has its least.
-      const double bend = way.dot(cones->slope().selfadjointView<Eigen::Lower>() * way) +
-                          softness * way.squaredNorm();
+      const double bend = cones->Bend(way) + softness * way.squaredNorm();
       const double next = part + rest.dot(way) / bend;
       part = std::max(kLeastPart * part, next < part ? next : 0.0);
       move_to(*y = from + part * way, Parts::kFound);

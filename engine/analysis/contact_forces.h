@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/analysis/effort_kernels.h"
+#include "engine/analysis/lanes/effort_kernels.h"
 #include "engine/dynamics/lane_plan.h"
 #include "engine/figure/indices.h"
 #include "engine/spatial/wrench.h"

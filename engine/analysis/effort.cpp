@@ -27,12 +27,6 @@ namespace hazumi {
 
 namespace {
 
-// A hinge at the end of its range is pressed against the stop there, which gives what it takes.
-bool IsGivenByStop(const Joint& hinge, double angle, double tau) {
-  constexpr double kAt = 1e-6;  // [rad]
-  return tau > 0.0 ? angle <= hinge.lower + kAt : angle >= hinge.upper - kAt;
-}
-
 class EffortWalk {
  public:
   EffortWalk(const Animation& animation, size_t num_frames, const EffortOptions& options,
@@ -43,6 +37,10 @@ class EffortWalk {
         placed_(*animation.figure, num_frames),
         dynamics_(animation, placed_) {
     if (!animation.forces.empty()) outer_.emplace(animation);
+    for (const Joint& joint : animation.figure->joints()) {
+      strengths_.push_back({joint.strength ? &*joint.strength : nullptr, joint.lower, joint.upper});
+    }
+    shares_ = least_ = LaneArray(4 * strengths_.size());
   }
 
   void Place(const MovedFrame& at) {
@@ -70,9 +68,10 @@ class EffortWalk {
       Supply(i, frame, &effort->frames[i]);
     }
     dynamics_.FindTorques();
+    FindShares(at);
     for (size_t i = first; i <= last; ++i) {
       effort->frames[i].tau = dynamics_.torques(i - first);
-      SetShares(at[i - first], &effort->frames[i]);
+      SetShares(i - first, &effort->frames[i]);
     }
   }
 
@@ -89,11 +88,24 @@ class EffortWalk {
     if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last(), placed);
     found->from_nowhere = solver_.Solve(dynamics_.needed(lane_), placed.p(JointIndex()), points_,
                                         options_.friction, &forces_);
+    PushPoints();
     found->contacts.reserve(found->contacts.size() + points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
       const ContactPoint& at = points_[i];
-      dynamics_.Push(lane_, at.joint, at.p, {forces_[i].force, forces_[i].moment});
       found->contacts.push_back({at.joint, at.is_pin, at.p, forces_[i].force, forces_[i].moment});
+    }
+  }
+
+  // Those of one joint that follow each other together.
+  void PushPoints() {
+    for (size_t i = 0; i < points_.size();) {
+      const ContactPoint& first = points_[i];
+      Wrench push;
+      for (; i < points_.size() && points_[i].joint == first.joint; ++i) {
+        push.force += forces_[i].force;
+        push.moment += forces_[i].moment + (points_[i].p - first.p).cross(forces_[i].force);
+      }
+      dynamics_.Push(lane_, first.joint, first.p, push);
     }
   }
 
@@ -186,21 +198,21 @@ class EffortWalk {
     points_.push_back(pin);
   }
 
-  void SetShares(const MovedFrame& at, FrameEffort* found) {
-    const auto& joints = animation_.figure->joints();
-    found->share.setConstant(found->tau.size(), -1.0);
-    for (int j = 0; j < found->tau.size(); ++j) {
-      if (!joints[j].strength) continue;
-      const double tau = found->tau[j];
-      if (IsGivenByStop(joints[j], at.q[j], tau)) {
-        found->share[j] = 0.0;
-        continue;
-      }
-      const JointStrength& both = *joints[j].strength;
-      const Strength strength = tau >= 0.0 ? StrengthAt(both.positive, at.q[j], at.qd[j])
-                                           : StrengthAt(both.negative, at.q[j], -at.qd[j]);
-      found->share[j] = std::abs(tau) / strength.torque;
-      if (strength.is_at_least) found->least.emplace_back(j);
+  void FindShares(const MovedFrame at[4]) {
+    const double *angles[4], *rates[4];
+    for (size_t lane = 0; lane < 4; ++lane) {
+      angles[lane] = at[lane].q;
+      rates[lane] = at[lane].qd;
+    }
+    kernels_.share(strengths_.data(), static_cast<int>(strengths_.size()), dynamics_.torques(),
+                   angles, rates, shares_.data(), least_.data());
+  }
+
+  void SetShares(size_t lane, FrameEffort* found) const {
+    found->share.resize(found->tau.size());
+    for (size_t j = 0; j < strengths_.size(); ++j) {
+      found->share[static_cast<Eigen::Index>(j)] = shares_.data()[4 * j + lane];
+      if (least_.data()[4 * j + lane] != 0.0) found->least.emplace_back(static_cast<int>(j));
     }
   }
 
@@ -212,6 +224,9 @@ class EffortWalk {
   FrameDynamics dynamics_;
   size_t lane_ = 0;  // of the four frames
   ContactForceSolver solver_;
+  EffortKernels kernels_ = BestEffortKernels();
+  std::vector<HingeStrength> strengths_;  // by joint
+  LaneArray shares_, least_;              // by joint and frame
   std::vector<ContactPoint> points_;
   std::vector<ContactForce> forces_;
 };
@@ -229,8 +244,7 @@ TouchLimits LimitsFor(bool is_capture) {
 }  // namespace
 
 bool IsCapture(const Animation& animation) {
-  constexpr double kNearlyEvery = 0.8,
-                   kFewest = 8.0;  // share of the frames; frames
+  constexpr double kNearlyEvery = 0.8, kFewest = 8.0;  // share of the frames; frames
   const double frames = animation.last_frame - animation.first_frame + 1;
   if (frames < kFewest) return false;
   int keyed = 0, dense = 0;

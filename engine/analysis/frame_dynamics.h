@@ -40,6 +40,7 @@ class FrameDynamics {
   // What the hinges give then, by JointIndex [N m].
   void FindTorques();
   VecX torques(size_t lane) const;
+  const double* torques() const { return torques_.data(); }  // by joint and frame
 
   // With what it holds.
   const Figure& figure(size_t lane) const { return loaded_[lane]->figure; }

@@ -13,55 +13,54 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/dynamics/lane_plan.h"
+
 namespace hazumi {
 
 namespace {
 
-struct Filter {
-  explicit Filter(double radians) {
-    const double K = std::tan(radians), d = 1.0 + std::numbers::sqrt2 * K + K * K;
-    b = K * K / d;
-    a1 = 2.0 * (K * K - 1.0) / d;
-    a2 = (1.0 - std::numbers::sqrt2 * K + K * K) / d;
-  }
-  double b, a1, a2;
-};
+LowPassFilter FilterFor(double radians) {
+  const double K = std::tan(radians), d = 1.0 + std::numbers::sqrt2 * K + K * K;
+  return {K * K / d, 2.0 * (K * K - 1.0) / d, (1.0 - std::numbers::sqrt2 * K + K * K) / d};
+}
 
-// In the order of column(0), column(1), ..., from rest at the first one.
-template <typename ColumnOf>
-void Pass(const Filter& filter, Eigen::Index count, ColumnOf column) {
-  VecX x1 = column(0), x2 = x1, y1 = x1, y2 = x1, y;
-  for (Eigen::Index n = 1; n < count; ++n) {
-    const VecX x = column(n);
-    y = filter.b * (x + 2.0 * x1 + x2) - filter.a1 * y1 - filter.a2 * y2;
-    column(n) = y;
-    x2.swap(x1);
-    x1 = x;
-    y2.swap(y1);
-    y1.swap(y);
+// Rows of a series from `first` on, at most kFiltered. `numbers`: room for them with what goes on
+// before and behind.
+template <int Rows>
+void FilterRows(Eigen::Index first, Eigen::Index rows, Eigen::Index pad,
+                const LowPassFilter& filter, const EffortKernels& kernels, MatX* series,
+                LaneArray* numbers) {
+  const Eigen::Index n = series->cols(), count = n + 2 * pad;
+  Eigen::Map<Eigen::Matrix<double, kFiltered, Eigen::Dynamic>> longer(numbers->data(), kFiltered,
+                                                                      count);
+  auto given = series->middleRows<Rows>(first, rows);
+  auto used = longer.topRows<Rows>(rows);
+  for (Eigen::Index i = 0; i < n; ++i) used.col(pad + i) = given.col(i);
+  for (Eigen::Index i = 1; i <= pad; ++i) {
+    used.col(pad - i) = 2.0 * given.col(0) - given.col(i);
+    used.col(pad + n - 1 + i) = 2.0 * given.col(n - 1) - given.col(n - 1 - i);
   }
+  kernels.low_pass(filter, count, numbers->data());
+  for (Eigen::Index i = 0; i < n; ++i) given.col(i) = used.col(pad + i);
 }
 
 }  // namespace
 
-void LowPass(double cutoff, double dt, MatX* series) {
+void LowPass(double cutoff, double dt, MatX* series, const EffortKernels& kernels) {
   const Eigen::Index n = series->cols();
   const double each = cutoff / std::pow(std::numbers::sqrt2 - 1.0, 0.25);
   if (n < 2 || each * dt >= 0.5) return;
   // Until a step has died away.
   const auto settling = static_cast<Eigen::Index>(std::ceil(1.5 / (each * dt)));
   const Eigen::Index pad = std::min(n - 1, settling);
-  MatX longer(series->rows(), n + 2 * pad);
-  longer.middleCols(pad, n) = *series;
-  for (Eigen::Index i = 1; i <= pad; ++i) {
-    longer.col(pad - i) = 2.0 * series->col(0) - series->col(i);
-    longer.col(pad + n - 1 + i) = 2.0 * series->col(n - 1) - series->col(n - 1 - i);
+  const LowPassFilter filter = FilterFor(std::numbers::pi * each * dt);
+  LaneArray numbers(static_cast<size_t>(kFiltered * (n + 2 * pad)));
+  Eigen::Index first = 0;
+  for (; first + kFiltered <= series->rows(); first += kFiltered) {
+    FilterRows<kFiltered>(first, kFiltered, pad, filter, kernels, series, &numbers);
   }
-  const Filter filter(std::numbers::pi * each * dt);
-  const Eigen::Index count = longer.cols();
-  Pass(filter, count, [&](Eigen::Index i) { return longer.col(i); });
-  Pass(filter, count, [&](Eigen::Index i) { return longer.col(count - 1 - i); });
-  *series = longer.middleCols(pad, n);
+  if (first == series->rows()) return;
+  FilterRows<Eigen::Dynamic>(first, series->rows() - first, pad, filter, kernels, series, &numbers);
 }
 
 }  // namespace hazumi

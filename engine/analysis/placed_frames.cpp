@@ -35,7 +35,7 @@ EffortKernels BestEffortKernels() {
 PlacedFrames::PlacedFrames(const Figure& figure, size_t num_frames, const EffortKernels& kernels)
     : kernels_(kernels),
       stride_(4 * kPlacedFields * (static_cast<size_t>(figure.num_joints()) + 1)),
-      placed_((num_frames + 3) / 4 * stride_) {
+      placed_(LaneArray::Unset((num_frames + 3) / 4 * stride_)) {
   for (const Joint& joint : figure.joints()) hinges_.push_back(PrepareHinge(joint));
 }
 
@@ -53,6 +53,8 @@ const double* PlacedFrames::Add(const Pose& X_WR, const double* q) {
 const double* PlacedFrames::Finish() {
   const size_t last = num_added_ % 4;
   if (last == 0) return nullptr;
+  double* root = placed_.data() + num_added_ / 4 * stride_;
+  for (int i = 0; i < kPlacedFields; ++i) std::fill(root + 4 * i + last, root + 4 * (i + 1), 0.0);
   std::fill(angles_ + last, angles_ + 4, angles_[last - 1]);
   return PlaceLastFour();
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/analysis/effort_kernels.h"
+#include "engine/analysis/lanes/effort_kernels.h"
 #include "engine/dynamics/lane_plan.h"
 
 namespace hazumi {

@@ -9,7 +9,7 @@
 #include "engine/analysis/smooth_motion.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
+#include <numbers>
 
 #include "engine/analysis/joint_torques.h"
 #include "engine/analysis/low_pass.h"
@@ -20,6 +20,11 @@ namespace hazumi {
 
 namespace {
 
+// Whether some angle is nearer with whole turns more or less.
+bool HasTurned(const Eigen::Ref<const VecX>& now, const Eigen::Ref<const VecX>& before) {
+  return (now - before).lpNorm<Eigen::Infinity>() >= std::numbers::pi;
+}
+
 // By frame: angles, position, quaternion.
 MatX SeriesOf(const Motion& motion) {
   const Eigen::Index n = motion.frames[0].q.size();
@@ -27,8 +32,9 @@ MatX SeriesOf(const Motion& motion) {
   Eigen::Vector4d last = Eigen::Vector4d::Zero();
   for (Eigen::Index i = 0; i < series.cols(); ++i) {
     const MotionFrame& frame = motion.frames[static_cast<size_t>(i)];
-    for (Eigen::Index j = 0; j < n; ++j) {
-      series(j, i) = i > 0 ? NearestTurn(frame.q[j], series(j, i - 1)) : frame.q[j];
+    series.col(i).head(n) = frame.q;
+    if (i > 0 && HasTurned(series.col(i).head(n), series.col(i - 1).head(n))) {
+      for (Eigen::Index j = 0; j < n; ++j) series(j, i) = NearestTurn(frame.q[j], series(j, i - 1));
     }
     series.col(i).segment<3>(n) = frame.X_WR.p;
     Eigen::Vector4d turn = Eigen::Quaterniond(frame.X_WR.R).coeffs();
@@ -47,15 +53,17 @@ bool SmoothMotion::Filter(double cutoff) {
   const size_t count = motion_.frames.size();
   if (count < kFewest || cutoff * h > kMost) return false;
   series_ = SeriesOf(motion_);
-  LowPass(cutoff, h, &series_);
+  LowPass(cutoff, h, &series_, kernels_);
   Differentiate(h);
   return true;
 }
 
 void SmoothMotion::Differentiate(double h) {
-  const Eigen::Index n = series_.rows() - 7, count = series_.cols();
-  rates_.resize(n, count);
-  accelerations_.resize(n, count);
+  const Eigen::Index rows = series_.rows(), n = rows - 7, count = series_.cols();
+  rates_.resize(rows, count);
+  accelerations_.resize(rows, count);
+  kernels_.differentiate(series_.col(1).data(), rows * (count - 2), rows, h, rates_.col(1).data(),
+                         accelerations_.col(1).data());
   X_WR_.resize(static_cast<size_t>(count));
   root_.resize(static_cast<size_t>(count));
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -65,13 +73,9 @@ void SmoothMotion::Differentiate(double h) {
   }
   Vec3 before = TurnBetween(X_WR_[0].R, X_WR_[1].R);
   for (Eigen::Index i = 1; i + 1 < count; ++i) {
-    const auto a = series_.col(i - 1), b = series_.col(i), c = series_.col(i + 1);
-    rates_.col(i) = (c.head(n) - a.head(n)) / (2.0 * h);
-    accelerations_.col(i) = (c.head(n) - 2.0 * b.head(n) + a.head(n)) / (h * h);
-    const Vec3 p_a = a.segment<3>(n), p_b = b.segment<3>(n), p_c = c.segment<3>(n);
     const Vec3 after = TurnBetween(X_WR_[i].R, X_WR_[i + 1].R);
-    root_[i] = {(after + before) / (2.0 * h), (p_c - p_a) / (2.0 * h), (after - before) / (h * h),
-                (p_c - 2.0 * p_b + p_a) / (h * h)};
+    root_[i] = {(after + before) / (2.0 * h), rates_.col(i).segment<3>(n),
+                (after - before) / (h * h), accelerations_.col(i).segment<3>(n)};
     before = after;
   }
   for (const auto& [end, neighbour] :

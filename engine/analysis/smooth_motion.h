@@ -27,8 +27,8 @@ class SmoothMotion {
 
   const Motion& motion_;
   double end_;
-  // Filtered, by frame: angles, position, quaternion; of the angles rates and accelerations; and
-  // the root.
+  EffortKernels kernels_ = BestEffortKernels();
+  // Filtered, by frame: angles, position, quaternion; their rates and accelerations; and the root.
   MatX series_, rates_, accelerations_;
   std::vector<Pose> X_WR_;
   std::vector<RootMotion> root_;

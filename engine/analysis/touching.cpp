@@ -70,8 +70,8 @@ Touching::Touching(const Animation& animation, size_t num_frames, const TouchLim
     if (!IsEndOfParent(link, *animation.figure)) AddEnd(link, link.capsule.a);
     if (link.capsule.a != link.capsule.b) AddEnd(link, link.capsule.b);
   }
-  clearance_ = LaneArray(ends_.size() * num_fours_ * 4);
-  touches_ = LaneArray(ends_.size() * num_fours_ * 4 * TouchField::kNumFields);
+  clearance_ = LaneArray::Unset(ends_.size() * num_fours_ * 4);
+  touches_ = LaneArray::Unset(ends_.size() * num_fours_ * 4 * TouchField::kNumFields);
 }
 
 void Touching::AddEnd(const Link& link, const Vec3& centre) {
@@ -114,11 +114,17 @@ void Touching::FindLevels(double frame_time) {
     for (size_t i = 0; i < num_frames_; ++i) lowest[i] = std::min(lowest[i], clearance[i]);
   }
   const auto reach = static_cast<size_t>(std::max(1.0, std::round(kWindow / frame_time)));
-  for (size_t i = 0; i < num_frames_; ++i) {
-    const auto from = static_cast<long>(i > reach ? i - reach : 0);
-    const auto to = static_cast<long>(std::min(i + reach + 1, num_frames_));
-    const double level = *std::min_element(lowest.begin() + from, lowest.begin() + to);
-    if (std::abs(level) <= limits_.drift) level_[i] = level;
+  size_t at = num_frames_;  // of the lowest
+  for (size_t i = num_frames_; i-- > 0;) {
+    const size_t first = i > reach ? i - reach : 0, last = std::min(i + reach, num_frames_ - 1);
+    if (at > last) {
+      const auto from = lowest.begin() + static_cast<long>(first);
+      at = first + static_cast<size_t>(
+                       std::min_element(from, lowest.begin() + static_cast<long>(last) + 1) - from);
+    } else if (lowest[first] < lowest[at]) {
+      at = first;
+    }
+    if (std::abs(lowest[at]) <= limits_.drift) level_[i] = lowest[at];
   }
 }
 

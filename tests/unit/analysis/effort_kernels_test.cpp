@@ -182,6 +182,56 @@ TEST(FrameDynamics, AreThoseOfTheRecursion) {
   }
 }
 
+StrengthCurve RandomCurve(StrengthCurve::Form form, Random* random) {
+  StrengthCurve curve;
+  curve.form = form;
+  curve.torque = random->Uniform(10.0, 200.0);
+  curve.best_angle = random->Uniform(-1.0, 1.0);
+  curve.width = random->Uniform(0.3, 1.5);
+  curve.rate_75 = random->Uniform(1.0, 2.0);
+  curve.rate_50 = random->Uniform(1.1, 2.9) * curve.rate_75;
+  curve.lengthening = random->Uniform(0.0, 0.1);
+  curve.fastest = random->Uniform(5.0, 20.0);
+  return curve;
+}
+
+// Beyond what muscles reach, too, and against stops.
+TEST(Shares, AreThoseOfStrengths) {
+  using Form = StrengthCurve::Form;
+  Random random(9);
+  int least = 0, stopped = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Form forms[] = {Form::kConstant, Form::kCosine, Form::kBell};
+    const JointStrength strength = {RandomCurve(forms[k % 3], &random),
+                                    RandomCurve(forms[k / 3 % 3], &random)};
+    const HingeStrength hinge = {&strength, -1.5, 1.5};
+    LaneArray torques(4), shares(4), leasts(4);
+    double angle[4], rate[4];
+    const double *angles[4], *rates[4];
+    for (int i = 0; i < 4; ++i) {
+      torques.data()[i] = random.Uniform(-300.0, 300.0);
+      angles[i] = &(angle[i] = random.Uniform(-2.0, 2.0));
+      rates[i] = &(rate[i] = random.Uniform(-25.0, 25.0));
+    }
+    for (const EffortKernels& kernels : AllKernels()) {
+      kernels.share(&hinge, 1, torques.data(), angles, rates, shares.data(), leasts.data());
+      for (int i = 0; i < 4; ++i) {
+        const double torque = torques.data()[i];
+        const Strength expected = torque >= 0.0 ? StrengthAt(strength.positive, angle[i], rate[i])
+                                                : StrengthAt(strength.negative, angle[i], -rate[i]);
+        const bool is_stopped = torque > 0.0 ? angle[i] < -1.5 : angle[i] > 1.5;
+        const double share = is_stopped ? 0.0 : std::abs(torque) / expected.torque;
+        EXPECT_NEAR(shares.data()[i], share, 1e-13 * share);
+        EXPECT_EQ(leasts.data()[i] != 0.0, expected.is_at_least && !is_stopped);
+        least += expected.is_at_least;
+        stopped += is_stopped;
+      }
+    }
+  }
+  EXPECT_GT(least, 100);
+  EXPECT_GT(stopped, 100);
+}
+
 // Feet that carry a weight that sways, brakes and leans, more at times than they can.
 struct Asked {
   std::vector<ContactPoint> points;

@@ -1,13 +1,14 @@
 #pragma once
 
-// Internal. What effort asks most often, by lanes of four: where the bodies of a figure are in four
-// frames, and what four contacts supply. Both instruction sets give the same bits; all arrays of
-// lanes are aligned to 32 bytes.
+#include "engine/figure/strength.h"
+
+// Internal. What effort asks most often, by lanes of four: of four frames, four contacts, or four
+// series. Both instruction sets give the same bits; all arrays of lanes are aligned to 32 bytes.
 
 namespace hazumi {
 
-inline constexpr int kPlacedFields =
-    12;  // of a body: its axes, one after the other, and its origin
+// Of a body: its axes, one after the other, and its origin.
+inline constexpr int kPlacedFields = 12;
 
 // A joint as the kernels read it.
 struct PlacedHinge {
@@ -77,6 +78,18 @@ struct ConeField {
   static constexpr int kNumSums = 28;
 };
 
+// What the kernels read of a hinge whose torques are told as shares of its strength.
+struct HingeStrength {
+  const JointStrength* strength = nullptr;  // null: not known
+  double lower = 0.0, upper = 0.0;          // its stops [rad]
+};
+
+// low_pass.cpp has the equations; so many series are filtered at once.
+struct LowPassFilter {
+  double b, a1, a2;
+};
+inline constexpr int kFiltered = 8;
+
 struct EffortKernels {
   // `angles`: by frame and joint [rad]. `placed`: by body, field and frame, that of the root set
   // before.
@@ -95,6 +108,20 @@ struct EffortKernels {
   // the part of its cone that `found` has; false: these are not the parts where all are.
   bool (*supply)(const double* given, int num_fours, const double* y, double friction, bool keeps,
                  double* found, double* sums);
+  // x: of (A + softness 1) x = b, A positive semidefinite, of which there is the lower half by
+  // columns. Six numbers, b before, x then.
+  void (*solve)(const double* lower, double softness, double* x);
+  // Of `torques` by joint and frame what FrameEffort::share has; `least`: 1 where that is of the
+  // least strength, else 0. Both likewise.
+  void (*share)(const HingeStrength* hinges, int num_hinges, const double* torques,
+                const double* const angles[4], const double* const rates[4], double* shares,
+                double* least);
+  // By sample and series.
+  void (*low_pass)(const LowPassFilter& filter, long count, double* series);
+  // Of so many numbers from x on, of which those one frame earlier and later are `stride` numbers
+  // off and h apart in time [s]: rates and accelerations there. Nothing need be aligned.
+  void (*differentiate)(const double* x, long count, long stride, double h, double* rates,
+                        double* accelerations);
 };
 EffortKernels BaselineEffortKernels();
 EffortKernels Avx2EffortKernels();

@@ -1,4 +1,4 @@
-#include "engine/analysis/place_lanes.h"
+#include "engine/analysis/lanes/place_lanes.h"
 
 // Inverse dynamics, a frame in each lane, in world axes: the equations of inverse_dynamics.cpp,
 // with the own forces F, N of all bodies summed up about the root's origin p_R on the way outwards,

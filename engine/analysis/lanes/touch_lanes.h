@@ -1,4 +1,4 @@
-#include "engine/analysis/demand_lanes.h"
+#include "engine/analysis/lanes/demand_lanes.h"
 
 // Balls of radius r near planes and boxes, a frame in each lane. With q the centre in the frame of
 // a box of half size h, grown by a margin, and e_i = |q_i| - h_i:
@@ -13,8 +13,11 @@ HAZUMI_LANE_INLINE LaneTriple Only(const LaneTriple& x, LaneBits where) {
   return {{Only(x.e[0], where), Only(x.e[1], where), Only(x.e[2], where)}};
 }
 
+HAZUMI_LANE_INLINE LaneBits Either(LaneBits x, LaneBits other, LaneBits where) {
+  return (x & where) | (other & ~where);
+}
 HAZUMI_LANE_INLINE LaneReal Either(LaneReal x, LaneReal other, LaneBits where) {
-  return SameBits<LaneReal>((SameBits<LaneBits>(x) & where) | (SameBits<LaneBits>(other) & ~where));
+  return SameBits<LaneReal>(Either(SameBits<LaneBits>(x), SameBits<LaneBits>(other), where));
 }
 HAZUMI_LANE_INLINE LaneTriple Either(const LaneTriple& x, const LaneTriple& other, LaneBits where) {
   return {{Either(x.e[0], other.e[0], where), Either(x.e[1], other.e[1], where),

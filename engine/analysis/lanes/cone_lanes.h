@@ -1,4 +1,4 @@
-#include "engine/analysis/touch_lanes.h"
+#include "engine/analysis/lanes/touch_lanes.h"
 
 // Forces in cones of friction, a contact in each lane: contact_forces.cpp has the equations.
 
@@ -109,4 +109,39 @@ bool Supply(const double* given, int num_fours, const double* y, double friction
   const bool is_right = !AnySet(wrong);
   LeaveLanes();
   return is_right;
+}
+
+constexpr int kUnknowns = 6;
+
+// A = L D L^T; of A's columns L D is left, of x L^-1 b.
+template <int K = 0, int Column = K + 1>
+HAZUMI_LANE_INLINE void Eliminate(double (*A)[kUnknowns], double* inverse, double* x) {
+  if constexpr (Column == K + 1) inverse[K] = 1.0 / A[K][K];
+  if constexpr (Column < kUnknowns) {
+    const double l = inverse[K] * A[K][Column];
+    for (int row = Column; row < kUnknowns; ++row) A[Column][row] -= l * A[K][row];
+    x[Column] -= x[K] * l;
+    Eliminate<K, Column + 1>(A, inverse, x);
+  } else if constexpr (K + 1 < kUnknowns) {
+    Eliminate<K + 1>(A, inverse, x);
+  }
+}
+template <int K = kUnknowns - 1>
+HAZUMI_LANE_INLINE void Substitute(const double (*A)[kUnknowns], const double* inverse, double* x) {
+  for (int row = K + 1; row < kUnknowns; ++row) x[K] -= A[K][row] * x[row];
+  x[K] *= inverse[K];
+  if constexpr (K > 0) Substitute<K - 1>(A, inverse, x);
+}
+
+void Solve(const double* lower, double softness, double* x_out) {
+  double A[kUnknowns][kUnknowns], inverse[kUnknowns], x[kUnknowns];  // A by columns
+  for (int column = 0; column < kUnknowns; ++column) {
+    for (int row = column; row < kUnknowns; ++row) A[column][row] = *lower++;
+    A[column][column] += softness;
+    x[column] = x_out[column];
+  }
+  Eliminate(A, inverse, x);
+  Substitute(A, inverse, x);
+  for (int k = 0; k < kUnknowns; ++k) x_out[k] = x[k];
+  LeaveLanes();
 }
