@@ -145,6 +145,32 @@ TEST(MotionJson, AccountsForTheEnergy) {
   EXPECT_EQ(energy["residual"], 0.5);
 }
 
+// By a place of the scene, another link, or a ball.
+TEST(MotionJson, NamesWhatPushesALink) {
+  Animation animation;
+  animation.figure = std::make_shared<const Figure>(test::Pendulum(1.0, 0.02, 0.5));
+  animation.scene.emplace_back().name = "floor";
+  animation.held_objects.emplace_back().name = "ball";
+  animation.regions.emplace_back().touches_scene = true;
+  Motion motion;
+  motion.regions.push_back(ExactReport());
+  MotionFrame& frame = motion.frames.emplace_back();
+  frame.q = VecX::Zero(animation.figure->num_joints());
+  ContactPush push;
+  push.link = push.object = 0;
+  frame.contacts.pushes = {push, push, push};
+  frame.contacts.pushes[1].object = frame.contacts.pushes[2].object = -1;
+  frame.contacts.pushes[1].by_link = 0;
+  frame.contacts.pushes[2].by_ball = 0;
+  const Json json = Json::parse(MotionToJson(animation, motion));
+  const Json& contacts = json["frames"][0]["contacts"];
+  ASSERT_EQ(contacts.size(), 3u);
+  EXPECT_EQ(contacts[0]["object"], "floor");
+  EXPECT_EQ(contacts[1]["by_link"], contacts[1]["link"]);
+  EXPECT_EQ(contacts[2]["by_held_object"], "ball");
+  EXPECT_TRUE(contacts[2]["object"].is_null());
+}
+
 TEST(MotionJson, StaysJsonWhateverTheEstimate) {
   RegionReport report = ExactReport();
   report.error_estimate = std::numeric_limits<double>::infinity();

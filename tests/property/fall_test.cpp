@@ -4,10 +4,10 @@
 // impacts; in 98 of 100 nothing is deeper than half a millimetre in any frame, and the account of
 // energy closes to 1e-6 of what changed hands. After five seconds the kinetic energy is below 1e-6
 // of its largest, or joints still sink against their friction, or the figure rolls: those are
-// counted apart, and lose energy in their last second. The same of figures that stay out of
-// themselves; of those that begin inside themselves, which are let out, only that none fails. A
-// plain ctest tries a few; a thousand of each by `ctest -C Slow -L slow -R fall -V`. HAZUMI_CASES,
-// HAZUMI_FIRST_CASE as everywhere.
+// counted apart, and lose energy in their last second. The same of figures onto which balls fall,
+// and of figures that stay out of themselves; of those that begin inside themselves, which are let
+// out, only that none fails. A plain ctest tries a few; a thousand of each by `ctest -C Slow -L
+// slow -R fall -V`. HAZUMI_CASES, HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
