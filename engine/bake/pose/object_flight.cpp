@@ -50,8 +50,8 @@ BodyMotion Falling(const BodyMotion& start, double seconds, double gravity) {
   const double t = seconds;
   const Vec3 fall(0.0, 0.0, -0.5 * gravity * t * t);
   BodyMotion now = {{start.X_WB.R, start.X_WB.p + start.v * t + fall},
-                      start.v - gravity * t * Vec3::UnitZ(),
-                      start.w};
+                    start.v - gravity * t * Vec3::UnitZ(),
+                    start.w};
   const double turn = start.w.norm() * t;
   if (turn == 0.0) return now;
   now.X_WB.R = Eigen::AngleAxisd(turn, start.w.normalized()).toRotationMatrix() * start.X_WB.R;
