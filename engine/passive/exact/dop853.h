@@ -184,7 +184,7 @@ class Dop853 {
       double e = 0.0;
       for (size_t s = 0; s < kCount; ++s) e += formula[s] * k(static_cast<int>(s))[i];
       if (!(std::abs(e) / scale[i] <= worst)) worst_ = i;  // a NaN is the worst
-      if (!std::isfinite(e)) return e;
+      if (!std::isfinite(e)) return std::abs(e);
       worst = std::max(worst, std::abs(e) / scale[i]);
     }
     return worst;
@@ -192,7 +192,7 @@ class Dop853 {
 
   double Error(double h, const double* scale) {
     const double third = Worst(dop853::kE3, scale), fifth = Worst(dop853::kE5, scale);
-    if (!std::isfinite(fifth)) return fifth;
+    if (!std::isfinite(fifth) || !std::isfinite(third)) return HUGE_VAL;
     if (fifth < 1e-100) return 0.0;  // its square may be zero
     return std::abs(h) * fifth * fifth / std::sqrt(fifth * fifth + 0.01 * third * third);
   }

@@ -54,6 +54,22 @@ double GlobalError(int steps) {
   return Smooth::ErrorAt(kEnd, step.y());
 }
 
+// Either way: minus infinity is no small error.
+TEST(Dop853, WhatIsNotFiniteIsNoSmallError) {
+  for (const double bad : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
+    const auto field = [&](double t, const double* y, double* dy) {
+      Smooth::Field(t, y, dy);
+      if (t > 0.0) dy[1] = bad;
+    };
+    for (const bool is_short : {false, true}) {
+      Dop853 step = StartedAt(0.0);
+      const double error = is_short ? step.TryShort(0.1, Smooth::kScale, field)
+                                    : step.Try(0.1, Smooth::kScale, field);
+      EXPECT_FALSE(error <= 1.0) << bad << (is_short ? " short" : "");
+    }
+  }
+}
+
 TEST(Dop853, ConvergesWithOrderEight) {
   EXPECT_NEAR(Order(GlobalError(8), GlobalError(16)), 8.0, 0.5);
   EXPECT_NEAR(Order(GlobalError(12), GlobalError(24)), 8.0, 0.5);
