@@ -7,6 +7,7 @@
 
 #include "engine/figure/figure.h"
 #include "engine/passive/region_system.h"
+#include "engine/spatial/body_motion.h"
 
 namespace hazumi {
 
@@ -83,6 +84,13 @@ inline Vec3 OnNode(const NodeJoint& seat, const Vec3& p_J) { return seat.p_N + s
 struct LooseBall {
   double mass = 0.0, inertia = 0.0;  // about any axis through its centre [kg, kg m^2]
   int object = 0;                    // among those that are held, for those who are told
+
+  double KineticEnergy(const BodyMotion& motion) const {  // [J]
+    return 0.5 * mass * motion.v.squaredNorm() + 0.5 * inertia * motion.w.squaredNorm();
+  }
+  double PotentialEnergy(const BodyMotion& motion, double gravity) const {
+    return mass * gravity * motion.X_WB.p.z();
+  }
 };
 inline auto MembersOf(const LooseBall& ball) {
   const auto& [mass, inertia, object] = ball;

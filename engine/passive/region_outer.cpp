@@ -47,9 +47,7 @@ void RegionDynamics::DeriveOuter(const double* y, double* dy) {
 double RegionDynamics::KineticOfBalls() const {
   double kinetic = 0.0;
   for (size_t i = 0; i < model_.balls.size(); ++i) {
-    const BodyMotion& ball = outer_.balls[i];
-    kinetic += 0.5 * model_.balls[i].mass * ball.v.squaredNorm() +
-               0.5 * model_.balls[i].inertia * ball.w.squaredNorm();
+    kinetic += model_.balls[i].KineticEnergy(outer_.balls[i]);
   }
   return kinetic;
 }
@@ -57,7 +55,7 @@ double RegionDynamics::KineticOfBalls() const {
 void RegionDynamics::AddEnergyOfBalls(EnergyFlow* flow) const {
   flow->kinetic += KineticOfBalls();
   for (size_t i = 0; i < model_.balls.size(); ++i) {
-    flow->potential += gravity_ * model_.balls[i].mass * outer_.balls[i].X_WB.p.z();
+    flow->potential += model_.balls[i].PotentialEnergy(outer_.balls[i], gravity_);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/passive/forces/hinge_moment.h"
 #include "engine/passive/region_dynamics.h"
@@ -59,11 +60,8 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   const auto count = static_cast<Eigen::Index>(rows.size());
   if (by_bodies_) tree_.bodies().FactorJoints(layout, kinematics_.motion());
   J_.setZero((by_bodies_ ? tree_.bodies().num_root() : 0) + layout.num_dofs(), count);
-  Eigen::Matrix3Xd moves(3, count), pushes(3, count);
   for (Eigen::Index k = 0; k < count; ++k) {  // a row a column
     AddToRow(layout, rows[k], rows[k].n, J_.col(k));
-    moves.col(k) = NetOf(rows[k], rows[k].n);
-    pushes.col(k) = NetOf(rows[k], rows[k].force());
   }
   any_slides_ = std::any_of(rows.begin(), rows.end(), slides);
   if (any_slides_) {
@@ -75,6 +73,11 @@ void RegionDynamics::AssembleRows(const RegionLayout& layout) {
   G_.setZero(count, count);
   if (!model_.balls.empty()) LetBallsAnswer();
   if (by_bodies_) return;
+  Eigen::Matrix3Xd moves(3, count), pushes(3, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    moves.col(k) = NetOf(rows[k], rows[k].n);
+    pushes.col(k) = NetOf(rows[k], rows[k].force());
+  }
   if (any_slides_) dense_.AddRootToRows(layout, pushes, P_);
   dense_.AddRootToRows(layout, moves, J_);
   if (model_.coupling != RootCoupling::kFlight) return;
@@ -327,18 +330,20 @@ double RegionDynamics::ContactExcess() const {
 
 // Of two, on the one that is a ball.
 FrozenForces::Push RegionDynamics::PushOf(const ConstraintRow& row, const V3& force) const {
-  const auto on_node = [&](int node, const V3& r) {
-    return model_.is_ball(node) ? r.eigen()
-                                : TransposeTimes(kinematics_.motion()[node].R, r).eigen();
+  const auto on_node = [&](int node, const V3& r) -> Vec3 {
+    if (node < 0) return Vec3::Zero();
+    return (model_.is_ball(node) ? r : TransposeTimes(kinematics_.motion()[node].R, r)).eigen();
   };
-  const bool is_on_b = model_.is_ball(row.b);
   FrozenForces::Push push;
-  push.node = is_on_b ? row.b : row.a;
-  push.p_N = is_on_b ? on_node(row.b, row.r_b) : on_node(row.a, row.r_a);
-  push.force = is_on_b ? (-force).eigen() : force.eigen();
-  push.on_other = is_on_b ? row.a : row.b;
-  if (push.on_other >= 0) {
-    push.p_other = is_on_b ? on_node(row.a, row.r_a) : on_node(row.b, row.r_b);
+  push.node = row.a;
+  push.p_N = on_node(row.a, row.r_a);
+  push.force = force.eigen();
+  push.on_other = row.b;
+  push.p_other = on_node(row.b, row.r_b);
+  if (model_.is_ball(row.b)) {
+    std::swap(push.node, push.on_other);
+    std::swap(push.p_N, push.p_other);
+    push.force = -push.force;
   }
   push.parts = contacts_.PartsOf(contacts_.pairs()[row.contact]);
   return push;

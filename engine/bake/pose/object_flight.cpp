@@ -164,9 +164,8 @@ BodyMotion ObjectFlight::MotionOf(const State& state) const {
 }
 
 double ObjectFlight::KineticOf(const State& state) const {
-  const double inertia = model_.nodes[0].body.I_com(0, 0);
-  return 0.5 * model_.mass * state.anchor.v.squaredNorm() +
-         0.5 * inertia * MotionOf(state).w.squaredNorm();
+  const LooseBall ball = {model_.mass, model_.nodes[0].body.I_com(0, 0)};
+  return ball.KineticEnergy(MotionOf(state));
 }
 
 double ObjectFlight::EnergyOf(const State& state) const {

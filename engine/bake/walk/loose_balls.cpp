@@ -45,10 +45,8 @@ EnergyAccount::Stored EnergyOfBalls(const std::vector<HeldObject>& objects,
     const auto is_that = [&](const LooseObject& other) { return other.object == ball.object; };
     if (std::any_of(others.begin(), others.end(), is_that)) continue;
     const LooseBall body = BallOf(objects[ball.object], ball.object);
-    const BodyMotion& motion = ball.motion;
-    sum.kinetic += 0.5 * body.mass * motion.v.squaredNorm();
-    sum.kinetic += 0.5 * body.inertia * motion.w.squaredNorm();
-    sum.potential += body.mass * gravity * motion.X_WB.p.z();
+    sum.kinetic += body.KineticEnergy(ball.motion);
+    sum.potential += body.PotentialEnergy(ball.motion, gravity);
   }
   return sum;
 }

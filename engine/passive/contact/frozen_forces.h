@@ -4,6 +4,7 @@
 
 #include "engine/passive/contact/contact_push.h"
 #include "engine/passive/forces/force_law.h"
+#include "engine/spatial/turn.h"
 
 namespace hazumi {
 
@@ -46,9 +47,8 @@ struct FrozenForces {
     for (const Push& push : pushes) {
       work += push.force.dot(PlaceOf(push, state) - push.from);
       if (!state.kinematics.is_ball(push.node)) continue;
-      const Mat3 turn = OrientationOf(push, state) * push.R_from.transpose();
-      const Vec3 twice(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-      work += 0.5 * push.p_N.cross(push.force).dot(twice);
+      const Vec3 turn = TurnBetween(push.R_from, OrientationOf(push, state));
+      work += push.p_N.cross(push.force).dot(turn);
     }
     return work;
   }
