@@ -156,6 +156,7 @@ TEST(MotionJson, NamesWhatPushesALink) {
   motion.regions.push_back(ExactReport());
   MotionFrame& frame = motion.frames.emplace_back();
   frame.q = VecX::Zero(animation.figure->num_joints());
+  frame.in_region.assign(animation.figure->num_joints(), false);
   ContactPush push;
   push.link = push.object = 0;
   frame.contacts.pushes = {push, push, push};
