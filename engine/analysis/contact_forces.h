@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/analysis/lanes/effort_kernels.h"
-#include "engine/dynamics/lane_plan.h"
 #include "engine/figure/indices.h"
+#include "engine/spatial/lanes/lane_array.h"
 #include "engine/spatial/wrench.h"
 
 namespace hazumi {

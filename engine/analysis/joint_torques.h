@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "engine/bake/motion.h"
-#include "engine/dynamics/figure_dynamics.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/dynamics/lane_plan.h"
+#include "engine/spatial/lanes/lane_array.h"
 
 namespace hazumi {
 

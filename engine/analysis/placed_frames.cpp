@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/figure_dynamics.h"
+#include "engine/spatial/lanes/cpu.h"
 
 namespace hazumi {
 
@@ -29,7 +29,7 @@ PlacedHinge PrepareHinge(const Joint& joint) {
 }  // namespace
 
 EffortKernels BestEffortKernels() {
-  return BestInstructions() == Instructions::kAvx2 ? Avx2EffortKernels() : BaselineEffortKernels();
+  return CpuHasAvx2() ? Avx2EffortKernels() : BaselineEffortKernels();
 }
 
 PlacedFrames::PlacedFrames(const Figure& figure, size_t num_frames, const EffortKernels& kernels)

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/analysis/lanes/effort_kernels.h"
-#include "engine/dynamics/lane_plan.h"
+#include "engine/spatial/lanes/lane_array.h"
 
 namespace hazumi {
 

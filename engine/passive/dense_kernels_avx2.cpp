@@ -2,7 +2,7 @@
 
 // For processors with AVX2.
 
-#include "engine/dynamics/avx2_begin.h"
+#include "engine/spatial/lanes/avx2_begin.h"
 
 namespace hazumi {
 
@@ -16,4 +16,4 @@ DenseKernels Avx2DenseKernels() {
 
 }  // namespace hazumi
 
-#include "engine/dynamics/avx2_end.h"
+#include "engine/spatial/lanes/avx2_end.h"

@@ -1,5 +1,5 @@
-#include "engine/dynamics/figure_dynamics.h"
 #include "engine/passive/dense_kernels.h"
+#include "engine/spatial/lanes/cpu.h"
 
 // The loops for any processor.
 
@@ -14,8 +14,7 @@ DenseKernels BaselineDenseKernels() {
 }
 
 const DenseKernels& BestDenseKernels() {
-  static const DenseKernels best =
-      BestInstructions() == Instructions::kAvx2 ? Avx2DenseKernels() : BaselineDenseKernels();
+  static const DenseKernels best = CpuHasAvx2() ? Avx2DenseKernels() : BaselineDenseKernels();
   return best;
 }
 

@@ -7,7 +7,7 @@
 namespace hazumi {
 
 namespace {
-#include "engine/dynamics/lane_trig.h"
+#include "engine/spatial/lanes/lane_trig.h"
 }  // namespace
 
 void SinesAndCosines::Set(const double* state, const std::vector<int>& from) {
@@ -15,7 +15,7 @@ void SinesAndCosines::Set(const double* state, const std::vector<int>& from) {
   for (int i = 0; i < count; i += kMaxLanes) {
     int lane[kMaxLanes];  // the last angle fills up
     for (int l = 0; l < kMaxLanes; ++l) lane[l] = from[std::min(i + l, count - 1)];
-    const LanesOf<4>::Real angles = Collect<4>(state, lane);
+    const LanesOf<4>::Real angles = Collect(state, lane);
     LanesOf<4>::Real sines, cosines;
     SineAndCosine<4>(angles, &sines, &cosines);
     Store<4>(sines_.data() + i, sines);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/dynamics/lane_plan.h"
+#include "engine/spatial/lanes/lane_array.h"
 
 namespace hazumi {
 

@@ -13,13 +13,9 @@ namespace {
 constexpr double kBatchSeconds = 0.004;
 constexpr int kQuestions = 16;  // asked in turn, so that nothing is remembered from the last call
 
-const std::vector<NamedMaker> kSubjects = {{"mujoco", MakeMujoco},
-                                           {"hazumi", MakeHazumi},
-                                           {"hazumi_sse2", MakeHazumiBaseline},
-                                           {"hazumi_paper_way", MakeHazumiPaperWay},
-                                           {"simbody", MakeSimbody},
-                                           {"bullet", MakeBullet},
-                                           {"dart", MakeDart}};
+const std::vector<NamedMaker> kSubjects = {
+    {"mujoco", MakeMujoco},   {"hazumi", MakeHazumi}, {"hazumi_paper_way", MakeHazumiPaperWay},
+    {"simbody", MakeSimbody}, {"bullet", MakeBullet}, {"dart", MakeDart}};
 
 const std::vector<const char*> kCalls = {"inverse_dynamics", "bias", "inertia_matrix",
                                          "forward_dynamics"};

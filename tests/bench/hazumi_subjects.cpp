@@ -1,4 +1,3 @@
-#include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
 #include "tests/bench/subject.h"
@@ -16,42 +15,35 @@ RootMotion RestingRoot() {
   return root;
 }
 
-// Inverse dynamics of all joints at once, as torques are reported.
-class HazumiInverse : public Subject {
- public:
-  HazumiInverse(const Figure& figure, Instructions instructions)
-      : dynamics_(figure, instructions),
-        scratch_(dynamics_.MakeScratch()),
-        zero_(VecX::Zero(figure.num_joints())) {}
-
-  bool InverseDynamics(const Question& at, VecX* tau) override {
-    dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, at.qdd, nullptr, &scratch_, tau);
-    return true;
-  }
-  bool Bias(const Question& at, VecX* b) override {
-    dynamics_.InverseDynamics(Pose(), root_, at.q, at.qd, zero_, nullptr, &scratch_, b);
-    return true;
-  }
-
- private:
-  FigureDynamics dynamics_;
-  FigureScratch scratch_;
-  const RootMotion root_ = RestingRoot();
-  const VecX zero_;
-};
-
-// And forward dynamics as a region of all joints has it.
-class Hazumi : public HazumiInverse {
+class Hazumi : public Subject {
  public:
   explicit Hazumi(const Figure& figure)
-      : HazumiInverse(figure, BestInstructions()), free_(figure, Vec3(0.0, 0.0, kGravity)) {}
+      : figure_(figure),
+        ws_(figure),
+        zero_(VecX::Zero(figure.num_joints())),
+        free_(figure, Vec3(0.0, 0.0, kGravity)) {}
 
+  bool InverseDynamics(const Question& at, VecX* tau) override {
+    return Recursion(at, at.qdd, tau);
+  }
+  bool Bias(const Question& at, VecX* b) override { return Recursion(at, zero_, b); }
   bool ForwardDynamics(const Question& at, VecX* qdd) override {
     free_.Accelerate(at.q, at.qd, at.tau, qdd);
     return true;
   }
 
  private:
+  bool Recursion(const Question& at, const VecX& qdd, VecX* tau) {
+    ComputePositions(figure_, Pose(), at.q, &ws_);
+    hazumi::InverseDynamics(figure_, root_, at.qd, qdd, nullptr, &ws_);
+    *tau = ws_.tau;
+    return true;
+  }
+
+  const Figure& figure_;
+  DynamicsWorkspace ws_;
+  const RootMotion root_ = RestingRoot();
+  const VecX zero_;
   test::FreeFigure free_;
 };
 
@@ -80,10 +72,6 @@ class HazumiPaperWay : public Subject {
 
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure) {
   return std::make_unique<Hazumi>(figure);
-}
-
-std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure) {
-  return std::make_unique<HazumiInverse>(figure, Instructions::kBaseline);
 }
 
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure) {

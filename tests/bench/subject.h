@@ -43,10 +43,9 @@ struct NamedMaker {
   SubjectMaker make;
 };
 
-// Inverse dynamics by FigureDynamics, with the best instructions of this machine, and with those
-// that every machine has; forward dynamics, the first alone, by the equations of a region.
+// Inverse dynamics of one frame, by the recursion in world axes; forward dynamics by the equations
+// of a region.
 std::unique_ptr<Subject> MakeHazumi(const Figure& figure);
-std::unique_ptr<Subject> MakeHazumiBaseline(const Figure& figure);
 // H by unit accelerations and a dense Cholesky factorisation, as printed: O(N^3).
 std::unique_ptr<Subject> MakeHazumiPaperWay(const Figure& figure);
 std::unique_ptr<Subject> MakeMujoco(const Figure& figure);

@@ -4,7 +4,7 @@
 
 // For processors with AVX2.
 
-#include "engine/dynamics/avx2_begin.h"
+#include "engine/spatial/lanes/avx2_begin.h"
 
 namespace hazumi {
 
@@ -18,4 +18,4 @@ EffortKernels Avx2EffortKernels() {
 
 }  // namespace hazumi
 
-#include "engine/dynamics/avx2_end.h"
+#include "engine/spatial/lanes/avx2_end.h"

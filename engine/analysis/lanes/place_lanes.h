@@ -1,4 +1,4 @@
-#include "engine/dynamics/lane_trig.h"
+#include "engine/spatial/lanes/lane_trig.h"
 
 // Forward kinematics, a frame in each lane: from the parent P of a joint at p_PJ, R_PJ with axis e
 //   p_J = p_P + R_P p_PJ,   R_J = R_P R_PJ (c 1 + s [e] + (1 - c) e e^T).

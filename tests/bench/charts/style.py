@@ -12,7 +12,6 @@ BLUE, GREEN, SKY, GREY = "#0072B2", "#009E73", "#56B4E9", "#666666"
 # name in the tables: (name in charts, colour, marker, line)
 LOOKS = {
     "hazumi": ("Hazumi", VERMILION, "o", "-"),
-    "hazumi_sse2": ("Hazumi, SSE2 only", VERMILION, "X", "--"),
     "hazumi_exact": ("Hazumi exact", VERMILION, "o", "-"),
     "hazumi_exact_new_file": ("Exact, as a new file", VERMILION, "o", "--"),
     "hazumi_articulated": ("Hazumi articulated", VERMILION, "o", "-"),

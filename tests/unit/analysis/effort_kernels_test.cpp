@@ -6,45 +6,14 @@
 #include <cmath>
 
 #include "engine/analysis/contact_forces.h"
-#include "engine/analysis/frame_dynamics.h"
-#include "engine/analysis/placed_frames.h"
 #include "engine/analysis/touching.h"
 #include "engine/collision/distance.h"
-#include "engine/dynamics/figure_dynamics.h"
-#include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
 #include "tests/support/figures.h"
-#include "tests/support/random_tree.h"
+#include "tests/unit/analysis/lane_frames.h"
 
 namespace hazumi::test {
 namespace {
-
-std::vector<EffortKernels> AllKernels() {
-  std::vector<EffortKernels> all = {BaselineEffortKernels()};
-  if (CpuHasAvx2()) all.push_back(Avx2EffortKernels());
-  return all;
-}
-
-struct Stance {
-  Pose X_WR;
-  VecX q;
-};
-
-std::vector<Stance> RandomStances(const Figure& figure, int count, Random* random) {
-  std::vector<Stance> stances;
-  for (int i = 0; i < count; ++i) {
-    stances.push_back({RandomMovingRoot(random).X_WR(), RandomAngles(figure, random)});
-  }
-  return stances;
-}
-
-PlacedFrames PlaceAll(const Figure& figure, const std::vector<Stance>& stances,
-                      const EffortKernels& kernels) {
-  PlacedFrames placed(figure, stances.size(), kernels);
-  for (const Stance& stance : stances) placed.Add(stance.X_WR, stance.q.data());
-  placed.Finish();
-  return placed;
-}
 
 // How far bodies are from where the dynamics has them.
 double WorstPlace(const Figure& figure, const Stance& stance, const PlacedFrame& placed) {
@@ -136,50 +105,6 @@ TEST(Touching, IsWhereDistancesHaveIt) {
     }
   }
   EXPECT_GT(inside, 40);
-}
-
-// The same bits by all instructions, and what the recursion joint by joint has.
-TEST(FrameDynamics, AreThoseOfTheRecursion) {
-  Random random(8);
-  for (int k = 0; k < 20; ++k) {
-    Animation animation;
-    animation.figure =
-        std::make_shared<const Figure>(k == 0 ? Human37() : Build(RandomTreeSpec(&random)));
-    const Figure& figure = *animation.figure;
-    const std::vector<Stance> stances = RandomStances(figure, 4, &random);
-    VecX qd[4], qdd[4];
-    RootMotion root[4];
-    for (size_t i = 0; i < 4; ++i) {
-      qd[i] = random.Vector(figure.num_joints(), 3.0);
-      qdd[i] = random.Vector(figure.num_joints(), 20.0);
-      root[i] = {random.Vector3(2.0), Vec3::Zero(), random.Vector3(5.0), random.Vector3(5.0)};
-    }
-    std::vector<VecX> first;
-    for (const EffortKernels& kernels : AllKernels()) {
-      const PlacedFrames placed = PlaceAll(figure, stances, kernels);
-      FrameDynamics dynamics(animation, placed, kernels);
-      for (size_t i = 0; i < 4; ++i) {
-        dynamics.Set(i, {},
-                     {&stances[i].X_WR, stances[i].q.data(), qd[i].data(), qdd[i].data(), root[i]});
-      }
-      dynamics.Demand(0);
-      dynamics.FindTorques();
-      for (size_t i = 0; i < 4; ++i) {
-        DynamicsWorkspace ws(figure);
-        RootMotion falling = root[i];
-        falling.a.z() += animation.gravity;
-        ComputePositions(figure, stances[i].X_WR, stances[i].q, &ws);
-        InverseDynamics(figure, falling, qd[i], qdd[i], nullptr, &ws);
-        const VecX found = dynamics.torques(i);
-        const double size = 1.0 + ws.tau.norm();
-        EXPECT_LT((found - ws.tau).norm(), 1e-11 * size);
-        EXPECT_LT((dynamics.needed(i).force - ws.bodies[0].f).norm(), 1e-11 * size);
-        EXPECT_LT((dynamics.needed(i).moment - ws.bodies[0].n).norm(), 1e-11 * size);
-        if (first.size() < 4) first.push_back(found);
-        EXPECT_EQ(found, first[i]);
-      }
-    }
-  }
 }
 
 StrengthCurve RandomCurve(StrengthCurve::Form form, Random* random) {

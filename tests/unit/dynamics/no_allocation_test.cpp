@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/figure_dynamics.h"
 #include "engine/dynamics/inertia_column.h"
 #include "engine/passive/exact/exact_solver.h"
 #include "engine/passive/forces/force_spec.h"
@@ -20,7 +19,7 @@ class NoAllocation : public ::testing::Test {
     Random random(1);
     q_ = RandomAngles(figure_, &random);
     qd_ = random.Vector(figure_.num_joints(), 1.0);
-    qdd_ = tau_ = qd_;
+    qdd_ = qd_;
     ends_ = RandomEndForces(figure_, &random);
     ComputePositions(figure_, Pose(), q_, &ws_);
   }
@@ -41,7 +40,7 @@ class NoAllocation : public ::testing::Test {
 
   const Figure figure_;
   DynamicsWorkspace ws_;
-  VecX q_, qd_, qdd_, tau_;
+  VecX q_, qd_, qdd_;
   EndForces ends_;
   RootMotion root_;
 };
@@ -67,13 +66,6 @@ TEST_F(NoAllocation, InInverseDynamics) {
 
 TEST_F(NoAllocation, InAColumnOfTheInertiaMatrix) {
   ExpectNone([&] { UnitAccelerationTorques(figure_, JointIndex(30), &ws_); });
-}
-
-TEST_F(NoAllocation, InTheDynamicsOfAWholeFigure) {
-  const FigureDynamics dynamics(figure_);
-  FigureScratch scratch = dynamics.MakeScratch();
-  ExpectNone(
-      [&] { dynamics.InverseDynamics(Pose(), root_, q_, qd_, qdd_, &ends_, &scratch, &tau_); });
 }
 
 std::vector<JointIndex> AllJoints(const Figure& figure) {

@@ -7,8 +7,8 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "engine/dynamics/lane_kernels.h"
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/lanes/cpu.h"
 #include "tests/support/random.h"
 
 namespace hazumi::test {

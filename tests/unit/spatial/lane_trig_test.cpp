@@ -9,7 +9,7 @@
 namespace hazumi::test {
 namespace {
 
-#include "engine/dynamics/lane_trig.h"
+#include "engine/spatial/lanes/lane_trig.h"
 
 // In units of the last place of `exact`.
 double Error(double value, long double exact) {

@@ -1,4 +1,4 @@
-#include "engine/dynamics/lane_numbers.h"
+#include "engine/spatial/lanes/lane_numbers.h"
 
 // Vectors and matrices whose every entry is one number a lane.
 
@@ -38,45 +38,6 @@ HAZUMI_LANE_INLINE Triple<V> operator*(const Symmetric<V>& S, const Triple<V>& x
            S.o[1] * x.e[0] + S.o[0] * x.e[1] + S.d[2] * x.e[2]}};
 }
 
-// Rows.
-template <typename V>
-struct Square {
-  Triple<V> row[3];
-};
-
-template <typename V>
-HAZUMI_LANE_INLINE Triple<V> operator*(const Square<V>& A, const Triple<V>& x) {
-  return {{Dot(A.row[0], x), Dot(A.row[1], x), Dot(A.row[2], x)}};
-}
-template <typename V>
-HAZUMI_LANE_INLINE Triple<V> TransposeTimes(const Square<V>& A, const Triple<V>& x) {
-  return Scaled(x.e[0], A.row[0]) + Scaled(x.e[1], A.row[1]) + Scaled(x.e[2], A.row[2]);
-}
-// A turn by an angle about the axis of slot K, from its cosine and sine: from the axes of the body
-// to those before the turn, and back.
-template <typename V>
-struct Turn {
-  V c, s;
-};
-template <int K, typename V>
-HAZUMI_LANE_INLINE void Inwards(const Turn<V>& turn, Triple<V>* x) {
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const V a = x->e[I], b = x->e[J];
-  x->e[I] = turn.c * a - turn.s * b;
-  x->e[J] = turn.s * a + turn.c * b;
-}
-template <int K, typename V>
-HAZUMI_LANE_INLINE void Outwards(const Turn<V>& turn, Triple<V>* x) {
-  constexpr int I = (K + 1) % 3, J = (K + 2) % 3;
-  const V a = x->e[I], b = x->e[J];
-  x->e[I] = turn.c * a + turn.s * b;
-  x->e[J] = turn.c * b - turn.s * a;
-}
-// Fields that follow each other in memory, `W` numbers each.
-template <int W, int N>
-HAZUMI_LANE_INLINE void LoadFields(const double* at, typename LanesOf<W>::Real* fields) {
-  for (int f = 0; f < N; ++f) fields[f] = Load<W>(at + f * W);
-}
 template <int W, typename V = typename LanesOf<W>::Real>
 HAZUMI_LANE_INLINE Triple<V> LoadTriple(const double* at) {
   return {{Load<W>(at), Load<W>(at + W), Load<W>(at + 2 * W)}};
@@ -84,10 +45,6 @@ HAZUMI_LANE_INLINE Triple<V> LoadTriple(const double* at) {
 template <int W, typename V = typename LanesOf<W>::Real>
 HAZUMI_LANE_INLINE void StoreTriple(double* at, const Triple<V>& x) {
   for (int i = 0; i < 3; ++i) Store<W>(at + i * W, x.e[i]);
-}
-template <int W, typename V = typename LanesOf<W>::Real>
-HAZUMI_LANE_INLINE Square<V> LoadSquare(const double* at) {
-  return {{LoadTriple<W>(at), LoadTriple<W>(at + 3 * W), LoadTriple<W>(at + 6 * W)}};
 }
 template <int W, typename V = typename LanesOf<W>::Real>
 HAZUMI_LANE_INLINE Symmetric<V> LoadSymmetric(const double* at) {

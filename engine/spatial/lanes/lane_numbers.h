@@ -1,9 +1,9 @@
 // One or four numbers, one a lane, with the arithmetic of one.
 //
-// The text of lane_numbers, lane_algebra, lane_trig and lane_sweeps, each with those before it, is
-// compiled once for every instruction set: a file of kernels includes the last of them inside a
-// namespace of its own. So there is no #pragma once, and nothing here includes headers of the
-// library. Without fused multiply-add, a lane gives the same bits everywhere.
+// The text of lane_numbers, lane_algebra and lane_trig, each with those before it, is compiled once
+// for every instruction set: a file of kernels includes what it needs inside a namespace of its
+// own. So there is no #pragma once, and nothing here includes headers of the library. Without fused
+// multiply-add, a lane gives the same bits everywhere.
 
 #define HAZUMI_LANE_INLINE inline __attribute__((always_inline))
 
@@ -94,13 +94,8 @@ HAZUMI_LANE_INLINE LanesOf<4>::Real FromFour(double a, double b, double c, doubl
 }
 
 // From anywhere: at[from[0]], at[from[1]], ...
-template <int W>
-HAZUMI_LANE_INLINE typename LanesOf<W>::Real Collect(const double* at, const int* from) {
-  if constexpr (W == 1) {
-    return at[from[0]];
-  } else {
-    return FromFour(at[from[0]], at[from[1]], at[from[2]], at[from[3]]);
-  }
+HAZUMI_LANE_INLINE LanesOf<4>::Real Collect(const double* at, const int* from) {
+  return FromFour(at[from[0]], at[from[1]], at[from[2]], at[from[3]]);
 }
 
 HAZUMI_LANE_INLINE LanesOf<4>::Real SquareRoot(LanesOf<4>::Real x) {
@@ -126,7 +121,6 @@ HAZUMI_LANE_INLINE LanesOf<4>::Bits Greater(LanesOf<4>::Real a, LanesOf<4>::Real
 #endif
 }
 
-HAZUMI_LANE_INLINE bool AnySet(int64_t bits) { return bits != 0; }
 HAZUMI_LANE_INLINE bool AnySet(LanesOf<4>::Bits bits) {
   int64_t lane[4];
   __builtin_memcpy(lane, &bits, sizeof lane);

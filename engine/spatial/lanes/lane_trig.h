@@ -1,4 +1,4 @@
-#include "engine/dynamics/lane_algebra.h"
+#include "engine/spatial/lanes/lane_algebra.h"
 
 // Sine and cosine of all angles at once.
 //
