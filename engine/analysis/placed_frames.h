@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/analysis/lanes/effort_kernels.h"
+#include "engine/figure/figure.h"
 #include "engine/spatial/lanes/lane_array.h"
 
 namespace hazumi {
