@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/dynamics/kinematics.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/support/animations.h"
