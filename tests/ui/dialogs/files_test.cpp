@@ -63,10 +63,11 @@ TEST_F(Dialogs, TabAndArrowsLeadToRecentFilesAndEnterOpensThem) {
 
 TEST_F(Dialogs, ALongNameLeavesTheButtonsInTheDialog) {
   std::string name;
-  while (name.size() < 240) name += "投げる";
-  std::ofstream(File(name.substr(0, 180) + ".kfa")) << "mine";
+  while (name.size() < 180) name += "投げる";
+  const std::string path = File(name);
+  std::ofstream(path + ".kfa") << "mine";
   Press({'S', true, true});
-  Type(File(name.substr(0, 180)));
+  Type(path);
   Press({kEnter});
   ASSERT_TRUE(editor_.dialogs.files.asks_overwrite);
   Click(645.0f, 433.0f);  // the last button, in the dialog's lower right corner
