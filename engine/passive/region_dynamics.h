@@ -122,6 +122,8 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
+  // Whether limits hold hinges, or may, from now on: how constraints yield (YieldOf).
+  void SetBlocked(bool blocked) { is_blocked_ = blocked; }
   // Constraints keep their ends together, and contacts apart; where a pinned root answers, however
   // large the island is, the dense way.
   ConstraintRows& constraints() { return rows_; }
@@ -279,6 +281,7 @@ class RegionDynamics {
   MatX J_, P_, half_answer_, G_;
   bool any_slides_ = false;
   RowYield yield_;
+  bool is_blocked_ = true;
   VecX row_forces_;
   LimitRows hinge_rows_, hinge_row_rates_;
   OuterLayout outer_layout_;

@@ -223,5 +223,14 @@ TEST(WorkingRegion, GoesOnWhereConstraintsAndContactsHaveNoHold) {
   trials.Expect();
 }
 
+// Found among a thousand: limits that push each other off in turn, whose hits come faster and
+// faster; a contact that lets go while a constraint yields; limits that let go in flight or of a
+// carrier that is moved, where it is told from a moment later which of them do.
+TEST(WorkingRegion, KeepsItsToleranceWhereHitsAndReleasesCrowd) {
+  Trials trials;
+  for (const int seed : {33, 143, 164, 56, 86, 276}) trials.Add(seed);
+  trials.Expect();
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -63,6 +63,8 @@ void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later
   const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
+  dynamics_->SetBlocked(
+      std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; }));
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
   Settle(t, later, state);
 }
@@ -102,9 +104,33 @@ void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
   } else {
     Strike(t, v_pin, state);
   }
+  const bool may_fall_back = dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_;
   for (size_t i = 0; i < side_.size(); ++i) {
-    if (side_[i] * state->qd[i] < -rest_rate()) side_[i] = 0;  // pushed off
+    if (side_[i] * state->qd[i] >= -rest_rate()) continue;
+    if (!may_fall_back || !FallsBack(t, static_cast<int>(i), *state)) side_[i] = 0;  // pushed off
   }
+}
+
+// Whether a hinge that an impact pushes off its limit is back before it is further away than counts
+// as at it. Where two hinges push each other off in turn their hits come faster and faster and end
+// at once; each hit is found as late as that, which would keep them going.
+bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
+  constexpr double kSlow = 0.01;  // [rad/s]
+  const double rate = -side_[hinge] * state.qd[hinge];
+  if (rate > kSlow) return false;
+  HingeState at_rest = state;
+  for (size_t i = 0; i < side_.size(); ++i) {
+    if (side_[i] == 0) continue;
+    at_rest.qd[i] = 0.0;
+    at_rest.q[i] = limits_->limit(static_cast<int>(i), side_[i]);
+  }
+  std::vector<char> held(side_.size());
+  forces_.Rest(t, at_rest.q, at_rest.qd, side_, fixed_, &held);
+  if (!held[hinge]) return false;
+  held[hinge] = 0;
+  forces_.Hold(t, at_rest.q, at_rest.qd, held);
+  const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * touch_;
+  return rate * rate <= 2.0 * back * height;
 }
 
 void ActiveLimits::Strike(double t, const Vec3& v_pin, HingeState* state) {
@@ -151,8 +177,14 @@ void ActiveLimits::Settle(double t, const HingeMoment* later, HingeState* state)
     return;
   }
   if (!any_at_limit) return;
-  const HingeState& at_rest = later ? later->state : *state;
-  forces_.Rest(later ? later->time : t, at_rest.q, at_rest.qd, side_, fixed_, &held_);
+  if (later) {
+    const OuterMotion now = dynamics_->outer();
+    dynamics_->SetOuter(later->outer);
+    forces_.Rest(later->time, later->state.q, later->state.qd, side_, fixed_, &held_);
+    dynamics_->SetOuter(now);
+  } else {
+    forces_.Rest(t, state->q, state->qd, side_, fixed_, &held_);
+  }
   any_ = std::find(held_.begin(), held_.end(), 1) != held_.end();
 }
 

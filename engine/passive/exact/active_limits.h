@@ -16,6 +16,7 @@ struct HingeMoment {
 
   double time = 0.0;
   HingeState state;
+  OuterMotion outer;
 };
 
 // Which hinges are at a limit, and which of these it holds: found anew at each event, kept between
@@ -64,6 +65,7 @@ class ActiveLimits {
   void Collide(double t, const Vec3& v_pin, HingeState* state);
   void CollideTied(double t, const Vec3& v_pin, HingeState* state);
   void Strike(double t, const Vec3& v_pin, HingeState* state);
+  bool FallsBack(double t, int hinge, const HingeState& state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 
   RegionDynamics* dynamics_;

@@ -61,6 +61,8 @@ class ExactStep {
   void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed) {
     Sample(t, &state->q, &state->qd, gaps);
   }
+  // Of the time that was sampled last.
+  const OuterMotion& sampled_outer() const { return dynamics_->outer(); }
   // Of some nodes' hinges alone; the others' are left. MakeDense must have been called.
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();

@@ -96,6 +96,7 @@ void FrozenContacts::GiveNothing() {
 
 void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   dynamics_->frozen().Clear();
+  dynamics_->SetBlocked(true);
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   ListNear(t, *state);
   dynamics_->AssembleHinges(t, state->q, state->qd);

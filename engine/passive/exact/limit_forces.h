@@ -23,9 +23,10 @@ class LimitForces {
             const std::vector<char>& fixed, std::vector<char>* held);
   // With the hinges `held` kept still.
   void Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held);
-  // Then, and after Rest: what the limits give [N m].
   // After Impact: the impulses of constraints' rows [N s, N m s].
   const VecX& row_impulses() const { return solver_.l(); }
+  // After Rest and Hold: accelerations, but of large islands, and what the limits give [N m].
+  const VecX& x() const { return solver_.x(); }
   const VecX& T() const { return dynamics_->is_large() ? T_ : solver_.T(); }
 
  private:

@@ -75,6 +75,7 @@ void ReleaseSearch::LookLater(double t) {
   for (double later = 1e-6; later_.time < step_->time(); later *= 10.0) {
     later_.time = std::min(t + later, step_->time());
     step_->Sample(later_.time, &later_.state);
+    later_.outer = step_->sampled_outer();
     if (!limits_->WouldHoldAll(later_)) break;
   }
   has_later_ = later_.time > t;
