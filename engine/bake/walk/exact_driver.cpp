@@ -52,8 +52,7 @@ ExactDriver::ExactDriver(const Animation& animation, const Figure& figure, std::
       region_of_(figure.num_joints() + kRootAngles, -1),
       friction_(figure.num_joints() + kRootAngles, 1.0),
       broken_(std::move(broken)),
-      estimates_(active_.size(), 0.0),
-      frozen_from_(active_.size(), std::numeric_limits<double>::infinity()) {
+      estimated_(active_.size()) {
   for (size_t a = 0; a < active_.size(); ++a) {
     const DynamicsRegion& region = animation.regions[active_[a]];
     for (size_t i = 0; i < region.joints.size(); ++i) {
@@ -207,6 +206,9 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                         const RotationState& control, const RootHold& hold,
                         const DrivenMotion& driven) {
   FinishIslands();
+  for (Estimated& estimated : estimated_) {
+    if (!estimated.is_beyond) estimated.within_until = t;
+  }
   request_ = RequestFor(state, hold, driven);
   const double middle = 0.5 * (t + end);
   request_.ties = TiesOf(animation_, ActiveConstraints(animation_, middle, broken_));
@@ -230,7 +232,9 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                                      {shared, tolerance * kControlCoarseness, &moving_bases_},
                                      std::move(constraints)});
     island.solution.Begin(t, end, state, curves, known_);
-    const auto is_frozen_before = [&](Coordinate c) { return frozen_from_[region_of_[c]] < t; };
+    const auto is_frozen_before = [&](Coordinate c) {
+      return estimated_[region_of_[c]].frozen_from < t;
+    };
     const std::vector<Coordinate>& hinges = island.solution.hinges();
     island.has_control = std::none_of(hinges.begin(), hinges.end(), is_frozen_before);
     if (island.has_control) island.control.Begin(t, end, control, curves, known_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -118,14 +119,15 @@ class ExactDriver {
   // Those that broke since the last call: they do not act any more.
   std::vector<ConstraintBreak> TakeBreaks();
 
-  // Compares with the control solutions at time t and keeps the largest estimate of each active
-  // region.
+  // Compares with the control solutions at time t.
   void Estimate(double t);
-  // By index in active() [rad].
-  const std::vector<double>& estimates() const { return estimates_; }
-  // By the same: from when on it is not estimated, as contacts are frozen (ExactSolver); infinity
-  // if it always is [s].
-  const std::vector<double>& frozen_from() const { return frozen_from_; }
+  // Of the error of an active region, by index in active(). What tumbles in the end, its contacts
+  // frozen (ExactSolver), is estimated for as long as its estimate was within the tolerance.
+  struct RegionEstimate {
+    double error = 0.0;                                      // the largest up to there [rad]
+    double until = std::numeric_limits<double>::infinity();  // [s]
+  };
+  RegionEstimate EstimateOf(size_t region) const;
   long evaluations() const;
   long steps() const;
   std::vector<int> island_sizes() const;
@@ -184,7 +186,13 @@ class ExactDriver {
   std::vector<int> broken_;
   ModelRequest request_;  // of the islands as they are
   std::vector<Island> islands_;
-  std::vector<double> estimates_, frozen_from_;
+  struct Estimated {
+    double error = 0.0, within = 0.0;  // the largest, and of those before one beyond the tolerance
+    double within_until = 0.0;         // [s]
+    bool is_beyond = false;
+    double frozen_from = std::numeric_limits<double>::infinity();  // [s]
+  };
+  std::vector<Estimated> estimated_;  // by index in active()
   EnergyAccount energy_;
   Finished finished_;
 };

@@ -2,6 +2,7 @@
 // estimate of the error [METHOD 8.2]; and why it cannot go on.
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -36,7 +37,7 @@ void ExactDriver::LeaveControl(Island* island) {
   island->has_control = false;
   const double t = island->solution.frozen_from().value_or(island->solution.time());
   for (const Coordinate c : island->solution.hinges()) {
-    double& from = frozen_from_[region_of_[c]];
+    double& from = estimated_[region_of_[c]].frozen_from;
     from = std::min(from, t);
   }
 }
@@ -46,16 +47,34 @@ void ExactDriver::Estimate(double t) {
   RotationState state{VecX(n), VecX(n), {}}, control = state;
   Sample(t, &state);
   SampleControl(t, &control);
+  std::vector<double> errors(active_.size(), 0.0);
   for (const Island& island : islands_) {
     if (!island.has_control) continue;
     const VecX distances = island.solution.Distances(state, control);
     const auto& hinges = island.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
-      double& estimate = estimates_[region_of_[hinges[i]]];
-      estimate =
-          std::max({estimate, island.solution.step_tolerance(), kEstimateShare * distances[i]});
+      double& error = errors[region_of_[hinges[i]]];
+      error = std::max({error, island.solution.step_tolerance(), kEstimateShare * distances[i]});
     }
   }
+  for (size_t a = 0; a < active_.size(); ++a) {
+    const DynamicsRegion& region = animation_.regions[active_[a]];
+    Estimated& estimated = estimated_[a];
+    estimated.error = std::max(estimated.error, errors[a]);
+    estimated.is_beyond |= errors[a] > region.tolerance.value_or(animation_.solver.tolerance);
+    if (!estimated.is_beyond) {
+      estimated.within = estimated.error;
+      estimated.within_until = t;
+    }
+  }
+}
+
+ExactDriver::RegionEstimate ExactDriver::EstimateOf(size_t region) const {
+  const Estimated& estimated = estimated_[region];
+  if (estimated.is_beyond && std::isfinite(estimated.frozen_from)) {
+    return {estimated.within, std::min(estimated.within_until, estimated.frozen_from)};
+  }
+  return {estimated.error, estimated.frozen_from};
 }
 
 std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {

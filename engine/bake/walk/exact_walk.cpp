@@ -60,14 +60,14 @@ void ExactWalk::End() {
   placement.TakeBack(t, context_.now);
 }
 
-// Control solutions begin anew with it.
 bool ExactWalk::Push(const PushForce& push) {
   PoseEvaluator& poses = context_.poses;
   FigureMotion& now = context_.now;
-  RotationState state = poses.StateAt(now);
+  RotationState state = poses.StateAt(now), control = WithControl(state);
   const RootHold hold = poses.placement().hold();
   if (!driver_ || !driver_->Push(push, hold, &state)) return false;
-  std::fill(has_control_.begin(), has_control_.end(), 0);
+  driver_->Push(push, hold, &control);
+  control_.qd = control.qd;
   has_begun_ = false;
   for (Eigen::Index j = 0; j < now.qd.size(); ++j) {
     if (poses.free()[j]) now.qd[j] = state.qd[j];
@@ -153,16 +153,17 @@ void ExactWalk::LetLooseFly(double seconds) {
 
 // Control solutions go on from where they were; others begin with the solution.
 RotationState ExactWalk::ControlStart(const RotationState& state) {
-  RotationState control = state;
-  for (int c = 0; c < static_cast<int>(has_control_.size()); ++c) {
-    if (!driver_->is_free(c)) {
-      has_control_[c] = 0;
-    } else if (has_control_[c]) {
-      control.q[c] = control_.q[c];
-      control.qd[c] = control_.qd[c];
-    }
+  for (size_t c = 0; c < has_control_.size(); ++c) has_control_[c] &= driver_->is_free(c);
+  return WithControl(state);
+}
+
+RotationState ExactWalk::WithControl(RotationState state) const {
+  for (size_t c = 0; c < has_control_.size(); ++c) {
+    if (!has_control_[c]) continue;
+    state.q[c] = control_.q[c];
+    state.qd[c] = control_.qd[c];
   }
-  return control;
+  return state;
 }
 
 // Where the control solutions are, for those that go on from there.
@@ -388,10 +389,10 @@ void ExactWalk::WriteReports() {
     report.islands = driver_->island_sizes();
     report.bodies = driver_->num_bodies();
     report.energy = driver_->energy();
-    report.error_estimate = std::max(report.error_estimate, driver_->estimates()[a]);
-    const double frozen_from = driver_->frozen_from()[a];
-    if (!report.estimated_until && std::isfinite(frozen_from)) {
-      report.estimated_until = context_.animation.rate.FrameAt(frozen_from);
+    const ExactDriver::RegionEstimate estimate = driver_->EstimateOf(a);
+    report.error_estimate = std::max(report.error_estimate, estimate.error);
+    if (!report.estimated_until && std::isfinite(estimate.until)) {
+      report.estimated_until = context_.animation.rate.FrameAt(estimate.until);
     }
   }
 }

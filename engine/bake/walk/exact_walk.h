@@ -40,6 +40,7 @@ class ExactWalk : public RegionWalk {
   void Drive(double frame, double to, const Vec3& v_pin);
   void LetLooseFly(double seconds);
   RotationState ControlStart(const RotationState& state);
+  RotationState WithControl(RotationState state) const;
   void KeepControl(double frame);
   void WriteReports();
 
