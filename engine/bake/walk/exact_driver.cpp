@@ -1,6 +1,7 @@
-// Each island takes steps with an error of tolerance / 20, a hundredth of that where anything
-// pushes, divided by the sharpness; its control solution with one forty times as large, for an
-// estimate of the error [METHOD 8.2]. Friction f per 1/30 s is the rate c = -30 ln f [METHOD 2.3].
+// Each island takes steps with an error of tolerance / 20, a hundredth of that where contacts,
+// constraints or forces from outside push, divided by the sharpness; its control solution with one
+// forty times as large, for an estimate of the error [METHOD 8.2]. Friction f per 1/30 s is the
+// rate c = -30 ln f [METHOD 2.3].
 
 #include "engine/bake/walk/exact_driver.h"
 
@@ -189,8 +190,8 @@ double ExactDriver::StepToleranceFor(const RegionModel& model) const {
     const DynamicsRegion& region = animation_.regions[active_[region_of_[c]]];
     tolerance = std::min(tolerance, region.tolerance.value_or(animation_.solver.tolerance));
   });
-  const bool is_worked_on = has_contacts_ || !drives_.empty() || !animation_.forces.empty() ||
-                            !animation_.constraints.empty();
+  const bool is_worked_on =
+      has_contacts_ || !animation_.forces.empty() || !animation_.constraints.empty();
   const double share = is_worked_on ? kStepShare * kPushedShare : kStepShare;
   return std::max(kFinestStep, tolerance * share / sharpness_);
 }
