@@ -10,12 +10,12 @@
 // Gaps that a step leaves are closed by dy = -M^-1 J^T A^-1 e, rates by the same, with P = J.
 // Articulated bodies tell half of J M^-1 J^T, in flight with the centre of mass, without M.
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "engine/passive/forces/hinge_moment.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/passive/semidefinite.h"
 
@@ -133,6 +133,32 @@ VecX RegionDynamics::Softness() const {
     k += 2;
   }
   return softness;
+}
+
+// Rows that say wherever the joints are what others say, or nothing, leave rounding.
+RegionDynamics::Hold RegionDynamics::LeastHold() const {
+  constexpr double kAlways = 1e-13;
+  std::vector<size_t> closed;
+  for (size_t k = 0; k < rows_.rows().size(); ++k) {
+    const ConstraintRow& row = rows_.rows()[k];
+    if (!row.is_contact() && row.is_closed) closed.push_back(k);
+  }
+  if (closed.empty() || half_answer_.cols() != J_.cols()) return {};
+  const MatX half = half_answer_(Eigen::all, closed);
+  const MatX A = ProductOf(half, half) + G_(closed, closed);
+  double largest[2] = {0.0, 0.0};  // of points, of turns
+  const auto of = [&](Eigen::Index k) -> double& { return largest[rows_.rows()[closed[k]].turns]; };
+  for (Eigen::Index k = 0; k < A.rows(); ++k) of(k) = std::max(of(k), A(k, k));
+  VecX unit(A.rows());
+  for (Eigen::Index k = 0; k < A.rows(); ++k) unit[k] = of(k) > 0.0 ? 1.0 / std::sqrt(of(k)) : 0.0;
+  const Eigen::SelfAdjointEigenSolver<MatX> eigen(unit.asDiagonal() * A * unit.asDiagonal());
+  for (Eigen::Index k = 0; k < unit.size(); ++k) {
+    if (eigen.eigenvalues()[k] <= kAlways) continue;
+    Eigen::Index weakest = 0;
+    eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&weakest);
+    return {eigen.eigenvalues()[k], rows_.rows()[closed[weakest]].constraint};
+  }
+  return {};
 }
 
 // In the world, of a point of a node, r from its origin, with the root's acceleration known.
@@ -298,83 +324,6 @@ double RegionDynamics::LowerFloors(const VecX& gaps, bool only_looked_at) {
     }
   }
   return left;
-}
-
-void RegionDynamics::Freeze(const VecX& torques) {
-  const auto& motion = kinematics_.motion();
-  for (int i = 0; i < kinematics_.size(); ++i) {
-    const RegionLayout::Node& node = hinge_layout_.node(i);
-    if (node.num_dofs == 0) continue;
-    const auto own = torques.segment(node.first_hinge, node.num_dofs);
-    if (own.isZero(0.0)) continue;
-    const V3 moment = FullMomentOfHinges(motion[i], node.num_dofs, own.data());
-    frozen_.moments.push_back({i, TransposeTimes(motion[i].R, moment).eigen()});
-  }
-}
-
-double RegionDynamics::ContactExcess() const {
-  double pushes = 0.0, excess = 0.0;
-  const std::vector<ConstraintRow>& rows = rows_.rows();
-  for (size_t k = 0; k < rows.size(); ++k) {
-    if (!rows[k].is_contact()) continue;
-    const double push = row_forces_[static_cast<Eigen::Index>(k)];
-    pushes += std::abs(push);
-    excess = std::max(excess, -push);
-    if (contacts_.pairs()[rows[k].contact].mode != ContactMode::kStick) continue;
-    const double drag = row_forces_.segment<2>(static_cast<Eigen::Index>(k) + 1).norm();
-    excess = std::max(excess, drag - contacts_.FrictionOf(rows[k].contact) * push);
-    k += 2;
-  }
-  return pushes > 0.0 ? excess / pushes : 0.0;
-}
-
-// Of two, on the one that is a ball.
-FrozenForces::Push RegionDynamics::PushOf(const ConstraintRow& row, const V3& force) const {
-  const auto on_node = [&](int node, const V3& r) -> Vec3 {
-    if (node < 0) return Vec3::Zero();
-    return (model_.is_ball(node) ? r : TransposeTimes(kinematics_.motion()[node].R, r)).eigen();
-  };
-  FrozenForces::Push push;
-  push.node = row.a;
-  push.p_N = on_node(row.a, row.r_a);
-  push.force = force.eigen();
-  push.on_other = row.b;
-  push.p_other = on_node(row.b, row.r_b);
-  if (model_.is_ball(row.b)) {
-    std::swap(push.node, push.on_other);
-    std::swap(push.p_N, push.p_other);
-    push.force = -push.force;
-  }
-  push.parts = contacts_.PartsOf(contacts_.pairs()[row.contact]);
-  return push;
-}
-
-std::vector<ContactPush> RegionDynamics::ContactPushes() const {
-  std::vector<ContactPush> pushes;
-  const auto add = [&](const ContactParts& parts, const V3& p, const Vec3& force) {
-    if (parts.link < 0) return;  // a ball that lies on something
-    pushes.push_back({parts, p.eigen(), force});
-    if (parts.by_link >= 0) pushes.push_back({parts.Swapped(), p.eigen(), -force});
-  };
-  const std::vector<ConstraintRow>& rows = rows_.rows();
-  for (size_t k = 0; k < rows.size();) {
-    const ConstraintRow& row = rows[k];
-    if (!row.is_contact()) {
-      ++k;
-      continue;
-    }
-    Vec3 force = Vec3::Zero();
-    do {  // a pair's rows follow one another
-      force += row_forces_[static_cast<Eigen::Index>(k)] * rows[k].push.eigen();
-    } while (++k < rows.size() && rows[k].contact == row.contact);
-    add(contacts_.PartsOf(contacts_.pairs()[row.contact]), places_[row.a].p + row.r_a, force);
-  }
-  for (const FrozenForces::Push& push : frozen_.pushes) {
-    const V3 r = FrozenForces::PointOn(kinematics_, push.node, push.p_N);
-    const double sign = push.parts.by_ball >= 0 ? -1.0 : 1.0;  // it is on the ball
-    add(push.parts, places_[push.node].p + r, sign * push.force);
-  }
-  return pushes;
 }
 
 void RegionDynamics::AddRowForces(RowsOf of) {

@@ -223,6 +223,13 @@ TEST(WorkingRegion, GoesOnWhereConstraintsAndContactsHaveNoHold) {
   trials.Expect();
 }
 
+// Found among a thousand: a capsule that slides off an edge of a box by the edge's end.
+TEST(WorkingRegion, LetsGoWhereAnEdgeEnds) {
+  Trials trials;
+  trials.Add(65);
+  trials.Expect();
+}
+
 // Found among a thousand: limits that push each other off in turn, whose hits come faster and
 // faster; a contact that lets go while a constraint yields; limits that let go in flight or of a
 // carrier that is moved, where it is told from a moment later which of them do.

@@ -31,6 +31,14 @@ std::string CauseOf(const ExactFailure& failure) {
 
 }  // namespace
 
+std::string ExactDriver::CauseOf(const Island& island, const ExactFailure& failure) const {
+  if (failure.cause != ExactFailure::Cause::kNoHold) return hazumi::CauseOf(failure);
+  const int held = island.held.indices[static_cast<size_t>(failure.constraint)];
+  return "constraint \"" + animation_.constraints[held].name +
+         "\" holds it where it can say nothing more, as along a limb that is straight: how it goes "
+         "on is open; bend the limb, end the constraint before, or hold by a point, not a weld";
+}
+
 // Where contacts come too fast the least difference grows without bound.
 void ExactDriver::LeaveControl(Island* island) {
   if (!island->has_control) return;
@@ -90,17 +98,19 @@ std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
 
 std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   const IslandSolution* first = nullptr;
+  const Island* of = nullptr;
   for (const Island& island : islands_) {
     for (const IslandSolution* solution : {&island.solution, &island.control}) {
       if (solution == &island.control && !island.has_control) continue;
       if (!solution->failure() || (first && first->time() <= solution->time())) continue;
       first = solution;
+      of = &island;
     }
   }
   if (!first) return std::nullopt;
   const Coordinate c = first->hinges()[first->failure()->hinge];
   const bool is_joint = c < figure_.num_joints();
-  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*first->failure()),
+  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*of, *first->failure()),
                  first->time()};
 }
 

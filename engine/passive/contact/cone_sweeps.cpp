@@ -11,8 +11,7 @@
 
 namespace hazumi {
 
-bool SweepCones(const ConeProblem& problem, VecX* forces) {
-  constexpr int kMostSweeps = 60;
+double SweepCones(const ConeProblem& problem, int most, VecX* forces) {
   constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
   const MatX& A = problem.A;
   const DenseKernels& kernels = BestDenseKernels();
@@ -21,9 +20,9 @@ bool SweepCones(const ConeProblem& problem, VecX* forces) {
   const auto step_of = [&](double own) {
     return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0;
   };
-  double largest = 0.0, last = 0.0;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    double change = 0.0;
+  double largest = 0.0, change = 0.0;
+  for (int sweep = 0; sweep < most; ++sweep) {
+    change = 0.0;
     for (const ConeProblem::Block& block : problem.blocks) {
       const int i = block.row;
       double to = l[i] - step_of(A(i, i)) * w[i];
@@ -53,10 +52,9 @@ bool SweepCones(const ConeProblem& problem, VecX* forces) {
       if (less.isZero(0.0)) continue;
       kernels.subtract_three(&A(0, i), A.outerStride(), less.data(), w.size(), w.data());
     }
-    if (change <= kEnough * largest) return true;
-    last = change;
+    if (change <= kEnough * largest) return 0.0;
   }
-  return last <= 1e-3 * largest;
+  return change / largest;
 }
 
 }  // namespace hazumi

@@ -31,6 +31,7 @@ struct Near {
   double distance;
   V3 s, n;
   V3 v_s, s_dot, n_dot;
+  double beyond = -std::numeric_limits<double>::infinity();
 };
 
 double& Part(V3& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
@@ -48,6 +49,7 @@ TouchPoint Finish(const Near& near, const MovingCapsule& capsule) {
   point.p_dot = near.s_dot - capsule.radius * near.n_dot;
   point.n_dot = near.n_dot;
   point.glides = Cross(capsule.w, point.p_dot - point.v);
+  point.beyond = near.beyond;
   return point;
 }
 
@@ -112,7 +114,9 @@ std::optional<Near> SideNearEdge(int edge, const Axis& axis, const Vec3& half, b
   const double across = Dot(m, axis.u);
   const double turn = -Dot(n, Cross(axis.w, axis.u)) / across;
   const double glide = (distance * turn - Dot(m, v_s)) / across;
-  return Near{distance, axis.a + at * axis.u, n, v_s, v_s + glide * axis.u, turn * m};
+  const double beyond = std::max({-at, at - axis.length, std::abs(height + at * climb) - half[k],
+                                  -side_i * Part(d, i), -side_j * Part(d, j)});
+  return Near{distance, axis.a + at * axis.u, n, v_s, v_s + glide * axis.u, turn * m, beyond};
 }
 
 std::optional<Near> SideNearCorner(int corner, const Axis& axis, const Vec3& half,
@@ -133,7 +137,10 @@ std::optional<Near> SideNearCorner(int corner, const Axis& axis, const Vec3& hal
   const V3 v_s = axis.v + Cross(axis.w, at * axis.u);
   const double glide = -Dot(v_s, axis.u) - distance * Dot(n, Cross(axis.w, axis.u));
   const V3 s_dot = v_s + glide * axis.u;
-  return Near{distance, s, n, v_s, s_dot, (1.0 / distance) * (s_dot - Dot(n, s_dot) * n)};
+  double beyond = std::max(-at, at - axis.length);
+  for (int i = 0; i < 3; ++i)
+    beyond = std::max(beyond, -std::copysign(1.0, Part(x, i)) * Part(d, i));
+  return Near{distance, s, n, v_s, s_dot, (1.0 / distance) * (s_dot - Dot(n, s_dot) * n), beyond};
 }
 
 }  // namespace
@@ -163,7 +170,7 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
   }
   if (!near) return std::nullopt;
   return Finish({near->distance, p + R * near->s, R * near->n, R * near->v_s, R * near->s_dot,
-                 R * near->n_dot},
+                 R * near->n_dot, near->beyond},
                 capsule);
 }
 

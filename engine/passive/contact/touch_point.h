@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "engine/passive/contact/contact_spec.h"
@@ -24,6 +25,8 @@ struct TouchPoint {
   // By how much v changes as the point glides over both, beside accelerations of what is fixed to
   // them [m/s^2].
   small::V3 glides;
+  // How far the point is from where the pair is the nearest one [m]; negative where it is.
+  double beyond = -std::numeric_limits<double>::infinity();
 };
 
 // The pairs of features that can touch: both ends of the axis with an obstacle as a whole, what

@@ -29,6 +29,7 @@ struct AxisPoint {
   V3 place() const { return capsule->a + at * u; }
   V3 velocity() const { return capsule->v + Cross(capsule->w, at * u); }
   bool is_between_ends() const { return 0.0 < at && at < length; }
+  double beyond() const { return std::max(-at, at - length); }
 };
 
 AxisPoint AxisOf(const MovingCapsule& capsule) {
@@ -75,13 +76,14 @@ Glides GlidesOf(const AxisPoint& a, const AxisPoint& b, const V3& d) {
   return {(k * of_b - of_a) / square, (of_b - k * of_a) / square};
 }
 
-std::optional<TouchPoint> Meet(const AxisPoint& a, const AxisPoint& b) {
+std::optional<TouchPoint> Meet(const AxisPoint& a, const AxisPoint& b, double beyond) {
   const V3 d = a.place() - b.place();
   const double distance = std::sqrt(Dot(d, d));
   if (distance < kTiny) return std::nullopt;
   const MovingCapsule &own = *a.capsule, &other = *b.capsule;
   const Glides glides = GlidesOf(a, b, d);
   TouchPoint point;
+  point.beyond = beyond;
   point.gap = distance - own.radius - other.radius;
   point.n = (1.0 / distance) * d;
   const V3 s_dot = a.velocity() + glides.a * a.u;
@@ -104,7 +106,7 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
   if (pair == 4) {
     if (!GlideBoth(&a, &b)) return std::nullopt;
     if (!is_touching && !(a.is_between_ends() && b.is_between_ends())) return std::nullopt;
-    return Meet(a, b);
+    return Meet(a, b, std::max(a.beyond(), b.beyond()));
   }
   AxisPoint &end = pair < 2 ? a : b, &side = pair < 2 ? b : a;
   if (pair % 2 == 1 && end.length == 0.0) return std::nullopt;  // a sphere has one end
@@ -117,7 +119,7 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
   } else if (side.length == 0.0 || (!is_touching && !side.is_between_ends())) {
     return std::nullopt;
   }
-  return Meet(a, b);
+  return Meet(a, b, pair < 2 ? TouchPoint().beyond : side.beyond());
 }
 
 double LeastGap(const MovingCapsule& capsule, const MovingCapsule& other) {

@@ -5,6 +5,8 @@
 
 #include "engine/passive/exact/contact_problem.h"
 
+#include <utility>
+
 #include "engine/passive/semidefinite.h"
 
 namespace hazumi {
@@ -38,6 +40,16 @@ void ContactProblem::SolveBeside(const VecX& known) {
   SolveCones(cones_, &forces_);
   forces_ += known;
   cones_.b = b;
+}
+
+// A few sweeps mostly find out what pushes and what slides.
+void ContactProblem::Sweep(VecX start, bool is_worth_it) {
+  constexpr int kFew = 12, kMost = 60;
+  constexpr double kNear = 1e-3;
+  forces_ = std::move(start);
+  if (SweepCones(cones_, kFew, &forces_) == 0.0 || SolveConesNear(cones_, &forces_)) return;
+  if (SweepCones(cones_, kMost, &forces_) <= kNear || !is_worth_it) return;
+  if (!SolveConesNear(cones_, &forces_)) SolveConesInside(cones_, &forces_);
 }
 
 void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>& sticks,

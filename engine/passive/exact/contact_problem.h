@@ -29,12 +29,9 @@ class ContactProblem {
   void SolveBeside(const VecX& known);
   // Of velocities that forces() change: the energy that goes into them [J].
   double Gain() const { return forces_.dot(0.5 * (cones_.A * forces_) + cones_.b); }
-  // For less, by sweeps from forces that are as near as the caller knows; from inside where these
-  // do not come near, unless that is not worth it.
-  void Sweep(VecX start, bool is_worth_it) {
-    forces_ = std::move(start);
-    if (!SweepCones(cones_, &forces_) && is_worth_it) SolveConesInside(cones_, &forces_);
-  }
+  // For less, from forces that are as near as the caller knows; from inside of the cones where
+  // that does not come near, unless that is not worth it.
+  void Sweep(VecX start, bool is_worth_it);
 
   ConeProblem& cones() { return cones_; }
   const ConeProblem& cones() const { return cones_; }

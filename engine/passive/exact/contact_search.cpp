@@ -1,6 +1,7 @@
 // What must not be above zero, of a pair that is
 //   open      floor - gap           sliding   minus the speed along its direction, -push
 //   sticking  -push, |drag| - friction push
+//   closed    how far it is beyond where it is the nearest: what slides off an edge by its end
 
 #include "engine/passive/exact/contact_search.h"
 
@@ -16,6 +17,7 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 namespace {
 
 constexpr double kDeep = 1e-9;        // what is closed is found this deep inside [m]
+constexpr double kPassed = 1e-6;      // what has ended its way is found as far behind the end [m]
 constexpr double kForceSlack = 1e-8;  // of the sum of all pushes
 // What points of one body share in more ways than one may be shared otherwise in a step than where
 // its event was told: what it is beyond its cones there is allowed, and a little more.
@@ -184,12 +186,12 @@ double ContactSearch::ChangeAround(int pair, double t) {
 double ContactSearch::Change(int pair, double t) {
   const ContactSet& contacts = dynamics_->contacts();
   const ContactPair& own = contacts.pairs()[pair];
-  const bool may_stop = own.mode == ContactMode::kSlide && contacts.FrictionOf(pair) > 0.0;
-  if (own.mode != ContactMode::kOpen && !may_stop) return -1.0;
   const auto point = contacts.PointOf(pair, step_->Glanced(t));
-  if (!point) return -1.0;
-  if (own.mode == ContactMode::kOpen) return own.floor - kDeep - point->gap;
-  return -Dot(point->v, own.direction);
+  if (own.mode == ContactMode::kOpen) return point ? own.floor - kDeep - point->gap : -1.0;
+  if (!point) return 1.0;
+  const double passed = std::max(-1.0, point->beyond - kPassed);
+  const bool may_stop = own.mode == ContactMode::kSlide && contacts.FrictionOf(pair) > 0.0;
+  return may_stop ? std::max(passed, -Dot(point->v, own.direction)) : passed;
 }
 
 }  // namespace hazumi

@@ -5,8 +5,9 @@ namespace hazumi {
 // Why a motion cannot be solved further.
 struct ExactFailure {
   int hinge;  // free hinge
-  enum class Cause { kStepTooSmall, kTooManyEvaluations, kEndsApart } cause;
-  double gap = 0.0;  // kEndsApart: that constraints cannot close together [m, rad]
+  enum class Cause { kStepTooSmall, kTooManyEvaluations, kEndsApart, kNoHold } cause;
+  double gap = 0.0;     // kEndsApart: that constraints cannot close together [m, rad]
+  int constraint = -1;  // kNoHold: of the island's, which says nothing more
 };
 
 }  // namespace hazumi

@@ -11,6 +11,7 @@ namespace {
 
 // From the first start on, so that what cannot be solved ends within ten seconds.
 constexpr double kMostWork = 1e6, kMostWorkPerSecond = 1e6;  // in evaluations
+constexpr double kNoHold = 1e-6;                             // of constraints, against 1
 
 }  // namespace
 
@@ -96,7 +97,17 @@ bool ExactSolver::FindBreak() {
   return false;
 }
 
+// Where constraints have no hold forces come and go with what rounding leaves of it, and no steps
+// follow.
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
+  std::optional<ExactFailure> failure = GoOn(end);
+  if (!failure || failure->cause == ExactFailure::Cause::kEndsApart) return failure;
+  const RegionDynamics::Hold hold = dynamics_->LeastHold();
+  if (hold.least >= kNoHold) return failure;
+  return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, hold.constraint};
+}
+
+std::optional<ExactFailure> ExactSolver::GoOn(double end) {
   if (dynamics_->work() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
     return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooManyEvaluations};
   }

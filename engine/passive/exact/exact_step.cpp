@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSafety = 0.9;       // of steps, so that few are rejected
-// Of the tolerance for steps of order 5: what is inside of them, and the energy, is to be as good.
+// Of the tolerance for steps of order 5, where that is not finer already because contacts push:
+// what is inside of them, and the energy, is to be as good.
 constexpr double kShareOfNear = 0.01;
 constexpr double kMostGap = 1e-7;  // of what constraints keep together [m, rad]
 
@@ -97,12 +98,13 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   start_.qd = now_.qd;
   start_outer_ = outer_;
   const double wanted = is_near ? end - time_ : next_h_ > 0.0 ? next_h_ : FirstStep(end);
+  const double of_near = dynamics_->contacts().is_possible() ? 1.0 : kShareOfNear;
   double h = std::min(longest_step_, wanted);
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
     const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
-    const double error = is_near ? step_.TryShort(use, scale_.data(), Field()) / kShareOfNear
+    const double error = is_near ? step_.TryShort(use, scale_.data(), Field()) / of_near
                                  : step_.Try(use, scale_.data(), Field());
     if (error <= 1.0) {
       step_.Accept(Field());

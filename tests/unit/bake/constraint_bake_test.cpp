@@ -312,6 +312,17 @@ TEST(ConstraintBake, AChainBetweenTwoEndsSagsToItsLimits) {
   EXPECT_LT(std::abs(motion.regions[0].energy->residual()), 1e-6);
 }
 
+// At full reach a constraint tells nothing of how a chain sags. That is said, with the constraint.
+TEST(ConstraintBake, TellsOfALimbThatIsStraight) {
+  Animation animation = Chain();
+  ConstraintEnd tip = OnJoint(animation, "three");
+  tip.offset = 0.4 * Vec3::UnitX();
+  AddPoint(&animation, tip, InWorld(Vec3(1.2, 0.0, 0.0)), 0, 30);
+  const Error error = BakeError(animation);
+  EXPECT_NE(error.message.find("constraint \"held\" holds it"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("straight"), std::string::npos) << error.message;
+}
+
 // Edited and baked on: the same bits as baked anew.
 TEST(ConstraintBake, AfterAnEditIsTheSameBits) {
   Animation animation = HandsOnBar();
