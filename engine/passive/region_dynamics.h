@@ -159,15 +159,14 @@ class RegionDynamics {
   // How far the forces of contacts are beyond what they can be, in the state that was looked at
   // last, as a part of what they push with in all.
   double ContactExcess() const;
-  // How far constraints that are kept closed, as they were last looked at, hold in the direction in
-  // which they hold least, but for what they never hold: 1 where each row holds as the firmest
-  // does, next to 0 where one says nothing more, as along a limb that is straight. And which, or
-  // -1.
+  // How firmly constraints that are kept closed, as they were last looked at, hold, in as many
+  // directions as they have rows, the least one first: about 1 where it is as firm as can be, 0
+  // where it is none, as along a limb that is straight. And the constraint that says most of it.
   struct Hold {
-    double least = 1.0;
-    int constraint = -1;
+    double firmness;
+    int constraint;
   };
-  Hold LeastHold() const;
+  std::vector<Hold> Holds() const;
   // Drives that give all they can at angles q and rates qd by free hinge.
   std::vector<SpentDrive> SpentDrives(double t, const VecX& q, const VecX& qd);
   // What pushes there: where contacts are closed, and what is frozen.

@@ -135,30 +135,38 @@ VecX RegionDynamics::Softness() const {
   return softness;
 }
 
-// Rows that say wherever the joints are what others say, or nothing, leave rounding.
-RegionDynamics::Hold RegionDynamics::LeastHold() const {
-  constexpr double kAlways = 1e-13;
+// Rows are scaled by the firmest one of their constraint, points and turns apart; distances, of one
+// row each, by the firmest of all.
+std::vector<RegionDynamics::Hold> RegionDynamics::Holds() const {
+  const std::vector<ConstraintRow>& rows = rows_.rows();
   std::vector<size_t> closed;
-  for (size_t k = 0; k < rows_.rows().size(); ++k) {
-    const ConstraintRow& row = rows_.rows()[k];
-    if (!row.is_contact() && row.is_closed) closed.push_back(k);
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (!rows[k].is_contact() && rows[k].is_closed) closed.push_back(k);
   }
-  if (closed.empty() || half_answer_.cols() != J_.cols()) return {};
+  std::vector<Hold> holds;
+  if (closed.empty() || half_answer_.cols() != J_.cols()) return holds;
   const MatX half = half_answer_(Eigen::all, closed);
   const MatX A = ProductOf(half, half) + G_(closed, closed);
-  double largest[2] = {0.0, 0.0};  // of points, of turns
-  const auto of = [&](Eigen::Index k) -> double& { return largest[rows_.rows()[closed[k]].turns]; };
-  for (Eigen::Index k = 0; k < A.rows(); ++k) of(k) = std::max(of(k), A(k, k));
   VecX unit(A.rows());
-  for (Eigen::Index k = 0; k < A.rows(); ++k) unit[k] = of(k) > 0.0 ? 1.0 / std::sqrt(of(k)) : 0.0;
+  for (Eigen::Index k = 0; k < A.rows(); ++k) {
+    double firmest = 0.0;
+    int others = 0;
+    for (Eigen::Index l = 0; l < A.rows(); ++l) {
+      const ConstraintRow &own = rows[closed[k]], &other = rows[closed[l]];
+      if (other.constraint != own.constraint || other.turns != own.turns) continue;
+      firmest = std::max(firmest, A(l, l));
+      others += l != k;
+    }
+    if (others == 0) firmest = A.diagonal().maxCoeff();
+    unit[k] = firmest > 0.0 ? 1.0 / std::sqrt(firmest) : 0.0;
+  }
   const Eigen::SelfAdjointEigenSolver<MatX> eigen(unit.asDiagonal() * A * unit.asDiagonal());
   for (Eigen::Index k = 0; k < unit.size(); ++k) {
-    if (eigen.eigenvalues()[k] <= kAlways) continue;
-    Eigen::Index weakest = 0;
-    eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&weakest);
-    return {eigen.eigenvalues()[k], rows_.rows()[closed[weakest]].constraint};
+    Eigen::Index most = 0;
+    eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&most);
+    holds.push_back({eigen.eigenvalues()[k], rows[closed[most]].constraint});
   }
-  return {};
+  return holds;
 }
 
 // In the world, of a point of a node, r from its origin, with the root's acceleration known.

@@ -33,10 +33,13 @@ std::string CauseOf(const ExactFailure& failure) {
 
 std::string ExactDriver::CauseOf(const Island& island, const ExactFailure& failure) const {
   if (failure.cause != ExactFailure::Cause::kNoHold) return hazumi::CauseOf(failure);
-  const int held = island.held.indices[static_cast<size_t>(failure.constraint)];
-  return "constraint \"" + animation_.constraints[held].name +
-         "\" holds it where it can say nothing more, as along a limb that is straight: how it goes "
-         "on is open; bend the limb, end the constraint before, or hold by a point, not a weld";
+  const Constraint& held = animation_.constraints[island.held.indices[failure.constraint]];
+  std::string remedy = "bend the limb, or end the constraint earlier";
+  if (held.kind == ConstraintKind::kWeld) remedy += ", or hold by a point";
+  return "constraint \"" + held.name +
+         "\" has no hold on it there, as along a straight limb, and how the motion goes on is "
+         "open; " +
+         remedy;
 }
 
 // Where contacts come too fast the least difference grows without bound.

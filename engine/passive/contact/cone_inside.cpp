@@ -172,7 +172,6 @@ void ConeSolver::Finish(double enough, double* left) {
   b_ = given_.b;
   A_.diagonal() += 1e-9 * own_;
   b_ -= 1e-9 * own_.cwiseProduct(l_);
-  const VecX inside = l_;
   VecX best = l_;
   for (int i = 0; i < 6 && *left > enough; ++i) {
     if (!Step()) break;

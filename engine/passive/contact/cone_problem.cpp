@@ -74,20 +74,20 @@ bool ConeSolver::Run() {
     }
   }
   l_ = best;
-  for (const Block& block : blocks_) {
-    if (block.kind != Kind::kBoth) l_[block.row] = std::max(0.0, l_[block.row]);
-  }
+  StayInCones();
   return left <= kGoodEnough && !hopeless_;
 }
 
 bool ConeSolver::RunNear(const VecX& start) {
   l_ = start;
-  double left = Left(A_, b_);
+  A_.diagonal() += kLastNearness * own_;
+  b_ -= kLastNearness * own_.cwiseProduct(l_);
+  double left = Left(given_.A, given_.b);
   for (int i = 0; i < kMostNear && left > kGoodEnough; ++i) {
     const double before = left;
     if (!Step()) return false;
     StayInCones();
-    left = Left(A_, b_);
+    left = Left(given_.A, given_.b);
     if (left > before) return false;
   }
   return left <= kGoodEnough && !hopeless_ && TakesEnergy();
@@ -183,6 +183,10 @@ bool ConeSolver::Step() {
     const bool pushes = block.kind == Kind::kBoth || l_[i] - step_[i] * w[i] > 0.0;
     pushes ? takes_motion(i) : takes_force(i);
     if (block.kind != Kind::kContact) continue;
+    if (block.friction == 0.0) {
+      known.segment<2>(i + 1) = f.segment<2>(i + 1) = l_.segment<2>(i + 1);
+      continue;
+    }
     const Eigen::Vector2d z = l_.segment<2>(i + 1) - step_[i + 1] * w.segment<2>(i + 1);
     const double size = z.norm(), radius = block.friction * l_[i];
     if (!pushes || step_[i] == 0.0 || radius <= 0.0 || size <= radius) {

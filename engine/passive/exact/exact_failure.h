@@ -7,7 +7,7 @@ struct ExactFailure {
   int hinge;  // free hinge
   enum class Cause { kStepTooSmall, kTooManyEvaluations, kEndsApart, kNoHold } cause;
   double gap = 0.0;     // kEndsApart: that constraints cannot close together [m, rad]
-  int constraint = -1;  // kNoHold: of the island's, which says nothing more
+  int constraint = -1;  // kNoHold: of the island's, that has no hold any more
 };
 
 }  // namespace hazumi

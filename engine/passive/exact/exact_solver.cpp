@@ -11,7 +11,6 @@ namespace {
 
 // From the first start on, so that what cannot be solved ends within ten seconds.
 constexpr double kMostWork = 1e6, kMostWorkPerSecond = 1e6;  // in evaluations
-constexpr double kNoHold = 1e-6;                             // of constraints, against 1
 
 }  // namespace
 
@@ -102,9 +101,9 @@ bool ExactSolver::FindBreak() {
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
   std::optional<ExactFailure> failure = GoOn(end);
   if (!failure || failure->cause == ExactFailure::Cause::kEndsApart) return failure;
-  const RegionDynamics::Hold hold = dynamics_->LeastHold();
-  if (hold.least >= kNoHold) return failure;
-  return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, hold.constraint};
+  const std::optional<int> lost = step_.LostHold();
+  if (!lost) return failure;
+  return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, *lost};
 }
 
 std::optional<ExactFailure> ExactSolver::GoOn(double end) {

@@ -9,10 +9,7 @@ namespace {
 
 constexpr double kLeastStep = 1e-12;  // [s]
 constexpr double kSafety = 0.9;       // of steps, so that few are rejected
-// Of the tolerance for steps of order 5, where that is not finer already because contacts push:
-// what is inside of them, and the energy, is to be as good.
-constexpr double kShareOfNear = 0.01;
-constexpr double kMostGap = 1e-7;  // of what constraints keep together [m, rad]
+constexpr double kMostGap = 1e-7;     // of what constraints keep together [m, rad]
 
 }  // namespace
 
@@ -98,13 +95,12 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   start_.qd = now_.qd;
   start_outer_ = outer_;
   const double wanted = is_near ? end - time_ : next_h_ > 0.0 ? next_h_ : FirstStep(end);
-  const double of_near = dynamics_->contacts().is_possible() ? 1.0 : kShareOfNear;
   double h = std::min(longest_step_, wanted);
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
     const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
-    const double error = is_near ? step_.TryShort(use, scale_.data(), Field()) / of_near
+    const double error = is_near ? step_.TryShort(use, scale_.data(), Field())
                                  : step_.Try(use, scale_.data(), Field());
     if (error <= 1.0) {
       step_.Accept(Field());
@@ -221,6 +217,24 @@ double ExactStep::Overload(double t) {
   return dynamics_->constraints()
       .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
       .excess;
+}
+
+// Beside here, bent a little, it has hold in one direction more.
+std::optional<int> ExactStep::LostHold() {
+  constexpr double kLost = 1e-6, kLittle = 0.05;  // of a firm one; [rad]
+  VecX dy;
+  LookAt(time_, Gaps::kLeft, &dy);
+  const std::vector<RegionDynamics::Hold> here = dynamics_->Holds();
+  for (Eigen::Index i = 0; i < inside_.q.size(); ++i) {
+    inside_.q[i] += kLittle * std::sin(1.0 + static_cast<double>(i));
+  }
+  dynamics_->layout().Pack(inside_.q, inside_.qd, y_.data());
+  dynamics_->Look(time_, y_.data(), dy.data());
+  const std::vector<RegionDynamics::Hold> bent = dynamics_->Holds();
+  for (size_t k = 0; k < std::min(here.size(), bent.size()); ++k) {
+    if (here[k].firmness < kLost && bent[k].firmness > 10.0 * kLost) return here[k].constraint;
+  }
+  return std::nullopt;
 }
 
 RegionState ExactStep::Glance(double t) {

@@ -72,6 +72,8 @@ class ExactStep {
   // Where nodes are at the ends of a step that nothing has ended earlier, gaps left.
   RegionState PlaceStart() { return dynamics_->PlaceAt(step_.start_time(), step_.start_y()); }
   RegionState PlaceEnd() { return dynamics_->PlaceAt(step_.end_time(), step_.y()); }
+  // The constraint that has no hold where the step ends, as along a limb that is straight.
+  std::optional<int> LostHold();
   // Where nodes are at t, gaps left; and again, after it at the same t.
   RegionState Glance(double t);
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
