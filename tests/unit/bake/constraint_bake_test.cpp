@@ -319,7 +319,8 @@ TEST(ConstraintBake, TellsOfALimbThatIsStraight) {
   tip.offset = 0.4 * Vec3::UnitX();
   AddPoint(&animation, tip, InWorld(Vec3(1.2, 0.0, 0.0)), 0, 30);
   const Error error = BakeError(animation);
-  EXPECT_NE(error.message.find("constraint \"held\" has no hold"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("constraint \"held\" has no hold"), std::string::npos)
+      << error.message;
   EXPECT_NE(error.message.find("straight"), std::string::npos) << error.message;
 }
 
