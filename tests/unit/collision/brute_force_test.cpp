@@ -18,11 +18,7 @@ namespace hazumi::test {
 namespace {
 
 constexpr uint64_t kSeed = 20260101;
-#ifdef NDEBUG
 constexpr int kScenes = 10000;
-#else
-constexpr int kScenes = 200;  // without optimisation the searches take a hundred times as long
-#endif
 constexpr double kBruteTolerance = 1e-9;
 
 // The largest of the errors it was shown, and how many.
