@@ -66,7 +66,7 @@ bool ContactSearch::Find(bool follows_event) {
   return contacts.FollowSlides(state);
 }
 
-bool ContactSearch::FindBlow() {
+bool ContactSearch::FindBlow(const RegionState& now) {
   constexpr double kSeen = 1e-4;  // [m]
   const ContactSet& contacts = dynamics_->contacts();
   const double start = step_->start_time(), end = step_->time();
@@ -75,9 +75,8 @@ bool ContactSearch::FindBlow() {
     return point ? point->gap : HUGE_VAL;
   };
   deep_.clear();
-  const RegionState state = step_->PlaceNow();
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    if (gap(i, state) < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
+    if (gap(i, now) < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
   }
   double first = end;
   for (const int i : deep_) {

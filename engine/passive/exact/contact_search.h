@@ -16,8 +16,9 @@ class ContactSearch {
   // Ends the step at the first such time. False: there is none. `follows_event`: the step begins
   // with rates or forces that have jumped.
   bool Find(bool follows_event);
-  // While contacts are frozen: ends the step where something new has come in a little.
-  bool FindBlow();
+  // While contacts are frozen: ends the step, at whose end nodes are at `now`, where something new
+  // has come in a little.
+  bool FindBlow(const RegionState& now);
 
  private:
   std::optional<double> FirstChange(double before, double t, bool looks_at_forces);

@@ -208,10 +208,15 @@ void ExactSolver::Thaw() {
 }
 
 std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
+  bool has_blow = false;
   for (;;) {
     const double until = std::min(end, *frozen_until_);
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
-    if (!frozen_.GivesTooMuch(time() - step_start(), step_.PlaceNow())) break;
+    const RegionState now = step_.PlaceNow();
+    if (!frozen_.GivesTooMuch(time() - step_start(), now)) {
+      has_blow = contact_search_.FindBlow(now);
+      break;
+    }
     step_.TakeBack();
     if (frozen_.Halve()) {
       Freeze();
@@ -222,7 +227,7 @@ std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
     step_.Begin();
   }
   ++steps_;
-  if (contact_search_.FindBlow() || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
+  if (has_blow || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   return std::nullopt;
 }

@@ -102,10 +102,7 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   dynamics_->AssembleHinges(t, state->q, state->qd);
   problem_.Factor();
   const bool is_struck = Strike(t, state, hits);
-  if (is_struck) {
-    dynamics_->AssembleHinges(t, state->q, state->qd);
-    problem_.Factor();
-  }
+  if (is_struck) dynamics_->AssembleHinges(t, state->q, state->qd);
   kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
              0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
              dynamics_->KineticOfBalls();

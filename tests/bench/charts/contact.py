@@ -111,7 +111,7 @@ def draw_errors(axes, rows):
         if not ours:
             continue
         for row, (x, y) in zip(own, line):
-            if setting(row) in ("0.1°", "1°"):
+            if setting(row) == "1°":
                 axes.annotate(setting(row), (x, y), (7, -3), textcoords="offset points",
                               fontsize=6.5, color=colour)
     axes.set(xscale="log", yscale="log", xlabel="time for all 2 s of the fall")
