@@ -164,7 +164,6 @@ class ExactDriver {
   void FinishIslands();
   void AppendLogs(IslandLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
-  std::string CauseOf(const Island& island, const ExactFailure& failure) const;
   void LeaveControl(Island* island);
   // Of solutions and control solutions.
   template <typename Action>

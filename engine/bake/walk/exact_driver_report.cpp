@@ -17,7 +17,17 @@ namespace {
 // Its distance is mostly its own error; the solution's is this part of it at most.
 constexpr double kEstimateShare = 0.2;
 
-std::string CauseOf(const ExactFailure& failure) {
+// `constraints`: of the island, as the animation counts them.
+std::string CauseOf(const ExactFailure& failure, const Animation& animation,
+                    const std::vector<int>& constraints) {
+  if (failure.cause == ExactFailure::Cause::kNoHold) {
+    const Constraint& held = animation.constraints[constraints[failure.constraint]];
+    const char* or_else = held.kind == ConstraintKind::kWeld ? ", or hold by a point" : "";
+    return "constraint \"" + held.name +
+           "\" has no hold on it there, as along a straight limb, and how the motion goes on is "
+           "open; bend the limb, or end the constraint earlier" +
+           or_else;
+  }
   if (failure.cause == ExactFailure::Cause::kEndsApart) {
     return "constraints cannot all be kept: what they hold stays " + FormatShort(failure.gap) +
            " m or rad apart; take one away, or free more joints";
@@ -30,17 +40,6 @@ std::string CauseOf(const ExactFailure& failure) {
 }
 
 }  // namespace
-
-std::string ExactDriver::CauseOf(const Island& island, const ExactFailure& failure) const {
-  if (failure.cause != ExactFailure::Cause::kNoHold) return hazumi::CauseOf(failure);
-  const Constraint& held = animation_.constraints[island.held.indices[failure.constraint]];
-  std::string remedy = "bend the limb, or end the constraint earlier";
-  if (held.kind == ConstraintKind::kWeld) remedy += ", or hold by a point";
-  return "constraint \"" + held.name +
-         "\" has no hold on it there, as along a straight limb, and how the motion goes on is "
-         "open; " +
-         remedy;
-}
 
 // Where contacts come too fast the least difference grows without bound.
 void ExactDriver::LeaveControl(Island* island) {
@@ -113,8 +112,8 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   if (!first) return std::nullopt;
   const Coordinate c = first->hinges()[first->failure()->hinge];
   const bool is_joint = c < figure_.num_joints();
-  return Failure{is_joint ? JointIndex(c) : JointIndex(), CauseOf(*of, *first->failure()),
-                 first->time()};
+  return Failure{is_joint ? JointIndex(c) : JointIndex(),
+                 CauseOf(*first->failure(), animation_, of->held.indices), first->time()};
 }
 
 std::vector<int> ExactDriver::constraints() const {

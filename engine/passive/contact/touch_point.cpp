@@ -104,19 +104,15 @@ std::optional<Near> SideNearEdge(int edge, const Axis& axis, const Vec3& half, b
   const double distance = std::sqrt(Dot(d, d));
   if (distance < kTiny) return std::nullopt;
   const V3 n = (1.0 / distance) * d;
-  if (!is_touching) {
-    if (at <= 0.0 || at >= axis.length || std::abs(height + at * climb) >= half[k] ||
-        side_i * Part(n, i) < -kSlack || side_j * Part(n, j) < -kSlack) {
-      return std::nullopt;
-    }
-  }
+  const double past = std::max({-at, at - axis.length, std::abs(height + at * climb) - half[k]});
+  const double aside = std::max(-side_i * Part(d, i), -side_j * Part(d, j));
+  if (!is_touching && (past >= 0.0 || aside > kSlack * distance)) return std::nullopt;
   const V3 m = Cross(n, along), v_s = axis.v + Cross(axis.w, at * axis.u);
   const double across = Dot(m, axis.u);
   const double turn = -Dot(n, Cross(axis.w, axis.u)) / across;
   const double glide = (distance * turn - Dot(m, v_s)) / across;
-  const double beyond = std::max({-at, at - axis.length, std::abs(height + at * climb) - half[k],
-                                  -side_i * Part(d, i), -side_j * Part(d, j)});
-  return Near{distance, axis.a + at * axis.u, n, v_s, v_s + glide * axis.u, turn * m, beyond};
+  return Near{distance, axis.a + at * axis.u, n, v_s, v_s + glide * axis.u,
+              turn * m, std::max(past, aside)};
 }
 
 std::optional<Near> SideNearCorner(int corner, const Axis& axis, const Vec3& half,
@@ -128,19 +124,20 @@ std::optional<Near> SideNearCorner(int corner, const Axis& axis, const Vec3& hal
   const double distance = std::sqrt(Dot(d, d));
   if (distance < kTiny) return std::nullopt;
   const V3 n = (1.0 / distance) * d;
-  if (!is_touching) {
-    if (at <= 0.0 || at >= axis.length) return std::nullopt;
-    for (int i = 0; i < 3; ++i) {
-      if (Part(n, i) * Part(x, i) < -kSlack * half[i]) return std::nullopt;
-    }
-  }
+  const double past = std::max(-at, at - axis.length);
+  double aside = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) aside = std::max(aside, -std::copysign(1.0, Part(x, i)) * Part(d, i));
+  if (!is_touching && (past >= 0.0 || aside > kSlack * distance)) return std::nullopt;
   const V3 v_s = axis.v + Cross(axis.w, at * axis.u);
   const double glide = -Dot(v_s, axis.u) - distance * Dot(n, Cross(axis.w, axis.u));
   const V3 s_dot = v_s + glide * axis.u;
-  double beyond = std::max(-at, at - axis.length);
-  for (int i = 0; i < 3; ++i)
-    beyond = std::max(beyond, -std::copysign(1.0, Part(x, i)) * Part(d, i));
-  return Near{distance, s, n, v_s, s_dot, (1.0 / distance) * (s_dot - Dot(n, s_dot) * n), beyond};
+  return Near{distance,
+              s,
+              n,
+              v_s,
+              s_dot,
+              (1.0 / distance) * (s_dot - Dot(n, s_dot) * n),
+              std::max(past, aside)};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct AxisPoint {
 
   V3 place() const { return capsule->a + at * u; }
   V3 velocity() const { return capsule->v + Cross(capsule->w, at * u); }
-  bool is_between_ends() const { return 0.0 < at && at < length; }
+  // Its ends [m].
   double beyond() const { return std::max(-at, at - length); }
 };
 
@@ -105,8 +105,9 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
   AxisPoint a = AxisOf(capsule), b = AxisOf(other);
   if (pair == 4) {
     if (!GlideBoth(&a, &b)) return std::nullopt;
-    if (!is_touching && !(a.is_between_ends() && b.is_between_ends())) return std::nullopt;
-    return Meet(a, b, std::max(a.beyond(), b.beyond()));
+    const double beyond = std::max(a.beyond(), b.beyond());
+    if (!is_touching && beyond >= 0.0) return std::nullopt;
+    return Meet(a, b, beyond);
   }
   AxisPoint &end = pair < 2 ? a : b, &side = pair < 2 ? b : a;
   if (pair % 2 == 1 && end.length == 0.0) return std::nullopt;  // a sphere has one end
@@ -116,7 +117,7 @@ std::optional<TouchPoint> TouchPointOf(int pair, const MovingCapsule& capsule,
     const double at = std::clamp(side.at, 0.0, side.length);
     side.glides = side.glides && at == side.at;
     side.at = at;
-  } else if (side.length == 0.0 || (!is_touching && !side.is_between_ends())) {
+  } else if (side.length == 0.0 || (!is_touching && side.beyond() >= 0.0)) {
     return std::nullopt;
   }
   return Meet(a, b, pair < 2 ? TouchPoint().beyond : side.beyond());

@@ -99,14 +99,14 @@ bool ExactSolver::FindBreak() {
 // Where constraints have no hold forces come and go with what rounding leaves of it, and no steps
 // follow.
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
-  std::optional<ExactFailure> failure = GoOn(end);
+  std::optional<ExactFailure> failure = TryToAdvance(end);
   if (!failure || failure->cause == ExactFailure::Cause::kEndsApart) return failure;
   const std::optional<int> lost = step_.LostHold();
   if (!lost) return failure;
   return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, *lost};
 }
 
-std::optional<ExactFailure> ExactSolver::GoOn(double end) {
+std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   if (dynamics_->work() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
     return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooManyEvaluations};
   }

@@ -78,7 +78,7 @@ class ExactSolver {
   bool Crawls();
   void Freeze();
   void Thaw();
-  std::optional<ExactFailure> GoOn(double end);
+  std::optional<ExactFailure> TryToAdvance(double end);
   std::optional<ExactFailure> Take(double end);
   std::optional<ExactFailure> AdvanceFrozen(double end);
   void Resolve(Vec3 v_pin);

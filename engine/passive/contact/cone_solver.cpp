@@ -7,11 +7,12 @@
 //   A + rho D  instead of A,  b - rho D f  instead of b,   D = diagonal of A,
 // with rho smaller from round to round.
 
+#include "engine/passive/contact/cone_solver.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "engine/passive/contact/cone_solver.h"
 #include "engine/passive/semidefinite.h"
 
 namespace hazumi {
@@ -93,12 +94,14 @@ bool ConeSolver::RunNear(const VecX& start) {
   return left <= kGoodEnough && !hopeless_ && TakesEnergy();
 }
 
-// Whether work done by velocities that the forces change, l (A l / 2 + b), is negative for certain:
-// where things are wedged, forces of which next to nothing is left may still give energy.
+// Whether work done by velocities that the forces change, l (A l / 2 + b), is negative for certain,
+// or next to nothing of what rows by themselves might take: where things are wedged, forces of
+// which next to nothing is left may still give energy.
 bool ConeSolver::TakesEnergy() const {
-  constexpr double kMost = 0.01;
+  constexpr double kMost = 0.01, kNone = 1e-12;
   const VecX answer = given_.A * l_;
-  return l_.dot(answer + given_.b) <= kMost * l_.dot(answer);
+  const double none = kNone * given_.b.dot(step_.cwiseProduct(given_.b));
+  return l_.dot(answer + given_.b) <= kMost * l_.dot(answer) + none;
 }
 
 // To forces of the round.
