@@ -16,11 +16,13 @@ namespace hazumi {
 Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion,
              ThreadPool* pool)
     : animation_(animation),
+      rules_(animation.solver.version),
+      motion_(motion),
       context_(animation, options, motion),
       regions_(&context_),
       placement_(&context_),
       seams_(&context_),
-      refinements_(animation.regions.size()),
+      refinements_(animation),
       exact_(&context_, &refinements_, pool),
       paper_(&context_),
       walk_(&WalkOf(animation.solver.method)) {}
@@ -82,16 +84,45 @@ void Baker::Restore(const Checkpoint& checkpoint) {
 Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Stretch* stretch) {
   exact_.UseLogs(known);
   refinements_.Reset();
-  int frame;
-  do {
+  if (rules_.is_causal) return BakeWithRefinements(stretch);
+  for (;;) {
     context_.recorder.BeginStretch(stretch);
-    Restore(stretch->start);
-    const Result<int> end = AdvanceToCheckpoint(stretch->start.frame);
-    if (!end.ok()) return end.error();
-    frame = end.value();
-  } while (context_.options.refine && refinements_.Sharpen(regions_.begun(), &context_.recorder));
-  if (frame > animation_.last_frame) return std::optional<Checkpoint>();
-  return std::optional(Save(frame));
+    Result<std::optional<Checkpoint>> next = BakeOnce(stretch->start);
+    if (!next.ok() || !context_.options.refine) return next;
+    if (!refinements_.SharpenAll(regions_.begun(), &context_.recorder)) return next;
+  }
+}
+
+// The next checkpoint; none: the animation ends before.
+Result<std::optional<Checkpoint>> Baker::BakeOnce(const Checkpoint& start) {
+  Restore(start);
+  const Result<int> end = AdvanceToCheckpoint(start.frame);
+  if (!end.ok()) return end.error();
+  if (end.value() > animation_.last_frame) return std::optional<Checkpoint>();
+  return std::optional(Save(end.value()));
+}
+
+// Again and again with finer steps from where they are missing on; what was found before stays.
+Result<std::optional<Checkpoint>> Baker::BakeWithRefinements(Stretch* stretch) {
+  context_.recorder.BeginStretch(stretch);
+  Result<std::optional<Checkpoint>> next = BakeOnce(stretch->start);
+  const std::vector<int> begun = regions_.begun();
+  while (next.ok() && context_.options.refine) {
+    const std::optional<int> miss = refinements_.SharpenFromFirstMiss(begun);
+    if (!miss) break;
+    const Stretch kept = *stretch;
+    const std::vector<RegionReport> reports = motion_->regions;
+    context_.recorder.BeginAgain(stretch, *miss);
+    Result<std::optional<Checkpoint>> finer = BakeOnce(stretch->start);
+    if (refinements_.has_given_up()) {
+      *stretch = kept;
+      motion_->regions = reports;
+    } else {
+      next = std::move(finer);
+    }
+  }
+  if (next.ok()) refinements_.Report(begun, &context_.recorder);
+  return next;
 }
 
 // Up to a frame where something changes while no region is active, or beyond the last frame.
@@ -157,6 +188,7 @@ std::optional<Error> Baker::CrossFrame(int frame) {
   if (is_moved_otherwise) ChooseWalk(frame);
   const bool is_forced_otherwise = ChangeForces(frame);
   if (is_placed_otherwise || released || is_forced_otherwise) walk_->Interrupt();
+  if (rules_.keeps_speed_of_what_touches) LeaveRootToContacts(frame);
   const bool changes = is_moved_otherwise || is_placed_otherwise || released || is_forced_otherwise;
   if (!changes && !context_.schedule.HasKeyAt(frame)) return std::nullopt;
   if (auto error = context_.poses.Evaluate(frame, Side::kAfter, &context_.now)) return error;
@@ -211,6 +243,15 @@ bool Baker::HandOverObjects(int frame) {
   for (size_t i = 0; i < changes.size(); ++i) WarnOfJump(frame, changes[i], jumps[i]);
   context_.now.fall.reset();  // of what it was with them
   return true;
+}
+
+// Contacts that place the figure from here on take it over as it moves: nothing is pinned.
+void Baker::LeaveRootToContacts(int frame) {
+  if (!walk_->leaves_root_to_contacts()) return;
+  PoseEvaluator& poses = context_.poses;
+  poses.SetJoints(frame, Side::kAfter, &context_.now);
+  poses.TurnRoot(frame, Side::kAfter, &context_.now);
+  poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
 }
 
 // Other forces act from outside from here on: a fall that they bent begins anew.

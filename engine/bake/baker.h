@@ -39,6 +39,8 @@ class Baker {
   Checkpoint Save(int frame);
   void Restore(const Checkpoint& checkpoint);
   Result<int> AdvanceToCheckpoint(int frame);
+  Result<std::optional<Checkpoint>> BakeOnce(const Checkpoint& start);
+  Result<std::optional<Checkpoint>> BakeWithRefinements(Stretch* stretch);
 
   // At a frame.
   std::optional<Error> CrossFrame(int frame);
@@ -47,6 +49,7 @@ class Baker {
   bool EndHolds(int frame);
   bool BeginHolds(int frame);
   bool HandOverObjects(int frame);
+  void LeaveRootToContacts(int frame);
   bool ChangeForces(int frame);
   std::optional<Error> Push(int frame);
   void WarnOfJump(int frame, const ObjectChange& change, double jump);
@@ -54,6 +57,8 @@ class Baker {
   RegionWalk& WalkOf(Method method);
 
   const Animation& animation_;
+  const SolverRules rules_;
+  Motion* motion_;
   BakeContext context_;
   RegionHandover regions_;
   PlacementHandover placement_;

@@ -25,6 +25,7 @@ RegionModel WithOwnCurves(RegionModel model) {
 
 std::shared_ptr<const DrivenMotion> CurvesOf(const RegionModel& model, const DrivenMotion& driven) {
   DrivenMotion curves;
+  curves.holds_until = driven.holds_until;
   ForEachDrivenHinge(model, [&](const NodeHinge& hinge) {
     curves.angles.push_back(driven.angles[hinge.coordinate]);
   });

@@ -28,9 +28,7 @@ IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints,
                 task.contacts),
       solver_(&dynamics_, task.lower, task.upper) {
-  if (const double rate = dynamics_.FastestRate(); rate > 0.0) {
-    solver_.SetLongestStep(kMostDecay / rate);
-  }
+  if (const double rate = dynamics_.FastestRate(); rate > 0.0) longest_step_ = kMostDecay / rate;
 }
 
 IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>* cancel) {
@@ -59,7 +57,11 @@ IslandResult IslandRun::Do(const StopPin& request) {
 void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
   curves_ = curves;
   dynamics_.SetCurves(curves_.get(), t);
-  if (!dynamics_.needs_moving_base()) return;
+  const bool is_fitted = dynamics_.needs_moving_base();
+  const bool is_short = is_fitted && curves_->may_be_cut();
+  solver_.SetLongestStep(is_short ? std::min(longest_step_, MovingBase::kLongestCut)
+                                  : longest_step_);
+  if (!is_fitted) return;
   Carrier carrier =
       CarrierOf(dynamics_.model(), dynamics_.first_moved(), gravity_, *curves_, t, end);
   dynamics_.UseMovingBase(

@@ -44,6 +44,7 @@ class IslandRun {
   std::shared_ptr<const DrivenMotion> curves_;
   RegionDynamics dynamics_;
   ExactSolver solver_;
+  double longest_step_ = std::numeric_limits<double>::infinity();  // that laws allow [s]
   VecX q_, qd_;
 };
 

@@ -22,6 +22,7 @@ Carrier CarrierOf(const RegionModel& model, int first_moved, double gravity,
   carrier.chain.assign(model.nodes.begin(), model.nodes.begin() + first_moved);
   const auto first = curves.angles.begin();
   carrier.curves = {{first, first + NumDrivenHinges(carrier.chain)}, curves.root_position};
+  carrier.curves.holds_until = curves.holds_until;
   carrier.R_root = model.R_root;
   carrier.coupling = model.coupling;
   carrier.pin_node = model.pin_node;

@@ -74,6 +74,26 @@ void Recorder::BeginStretch(Stretch* stretch) {
   stretch->seams.clear();
   stretch->logs.clear();
   last_limit_.assign(animation_.figure->num_joints(), std::nullopt);
+  first_written_.reset();
+}
+
+void Recorder::BeginAgain(Stretch* stretch, int first_frame) {
+  std::vector<MotionEvent> events = std::move(stretch->events);
+  IslandLogs logs = std::move(stretch->logs);
+  BeginStretch(stretch);
+  first_written_ = first_frame;
+  const auto is_later = [&](const MotionEvent& event) {
+    return !stays(animation_.rate.FrameAt(event.seconds));
+  };
+  std::erase_if(events, is_later);
+  stretch->events = std::move(events);
+  stretch->logs = std::move(logs);
+}
+
+// Null: it is not kept, or stays what it is.
+MotionFrame* Recorder::FrameToWrite(int output) {
+  if (!keep_frames_ || stays(output / outputs_per_frame())) return nullptr;
+  return &motion_->frames[output - first_output_];
 }
 
 void Recorder::ClearReport(int region) {
@@ -118,10 +138,11 @@ std::pair<int, int> Recorder::OutputsBetween(double from, double to) const {
 
 void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit& before,
                       std::optional<GroupIndex> pinned, PoseEvaluator* poses) {
-  if (!keep_frames_) return;
+  MotionFrame* const written = FrameToWrite(output);
+  if (!written) return;
   DynamicsWorkspace& ws = poses->workspace();
   ComputePositions(poses->figure(), motion.X_WR, motion.q, &ws);
-  MotionFrame& frame = motion_->frames[output - first_output_];
+  MotionFrame& frame = *written;
   frame.frame = output;
   frame.q = motion.q;
   frame.X_WR = motion.X_WR;
@@ -153,25 +174,26 @@ void Recorder::WarnIfStuck(size_t object, double frame, const HeldObjects& objec
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {
-  if (keep_frames_) motion_->frames[output - first_output_].acceleration = std::move(acceleration);
+  if (MotionFrame* frame = FrameToWrite(output)) frame->acceleration = std::move(acceleration);
 }
 
 void Recorder::SetConstraintPushes(int output, const std::vector<ConstraintPush>& pushes) {
-  if (!keep_frames_) return;
-  MotionFrame& frame = motion_->frames[output - first_output_];
-  frame.constraint_forces.clear();
-  frame.constraint_pushes.clear();
+  MotionFrame* const frame = FrameToWrite(output);
+  if (!frame) return;
+  frame->constraint_forces.clear();
+  frame->constraint_pushes.clear();
   for (const ConstraintPush& push : pushes) {
-    frame.constraint_forces.push_back(push.size);
-    frame.constraint_pushes.push_back(push.on_a);
+    frame->constraint_forces.push_back(push.size);
+    frame->constraint_pushes.push_back(push.on_a);
   }
 }
 
 void Recorder::SetContacts(int output, SceneContacts contacts) {
-  if (keep_frames_) motion_->frames[output - first_output_].contacts = std::move(contacts);
+  if (MotionFrame* frame = FrameToWrite(output)) frame->contacts = std::move(contacts);
 }
 
 void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) {
+  if (stays(frame)) return;
   const double seconds = animation_.rate.SecondsAt(frame);
   const double output = motion_->rate.FrameAt(seconds);
   const double rounded = kind == EventKind::kApex ? std::round(output) : std::ceil(output - 1e-9);
@@ -180,6 +202,7 @@ void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) 
 
 // Or goes on with the event that it chatters on with.
 void Recorder::AddLimit(JointIndex j, double time, double last_time, long count) {
+  if (stays(animation_.rate.FrameAt(time))) return;
   auto& last = last_limit_[j.value()];
   if (last && time - stretch_->events[*last].last_time < kChatterGap) {
     MotionEvent& event = stretch_->events[*last];

@@ -22,6 +22,9 @@ class Recorder {
 
   // From here on events and warnings go to this stretch, which has none.
   void BeginStretch(Stretch* stretch);
+  // The same where a stretch is solved again: frames and events before a frame of the animation
+  // stay what they are.
+  void BeginAgain(Stretch* stretch, int first_frame);
 
   bool keeps_frames() const { return keep_frames_; }
   // Output frames a frame of the animation; they are equally spaced, and frame 0 is at frame 0.
@@ -57,11 +60,14 @@ class Recorder {
 
  private:
   void WarnIfStuck(size_t object, double frame, const HeldObjects& objects);
+  MotionFrame* FrameToWrite(int output);
+  bool stays(double frame) const { return first_written_ && frame < *first_written_ - kSameFrame; }
 
   const Animation& animation_;
   bool keep_frames_;
   Motion* motion_;
   Stretch* stretch_ = nullptr;
+  std::optional<int> first_written_;  // what is before this frame stays
   int first_output_ = 0;
   std::vector<std::optional<size_t>> last_limit_;  // by JointIndex: its latest event in the stretch
 };

@@ -23,20 +23,29 @@ class MovingBase {
     small::V3 w, alpha, a;  // `a` is that of its origin, minus gravity
   };
 
-  // Fits the motion, smooth from `start` to `end` [s]. `chain`: Frame(double t).
+  // Steps that may be cut go on for so long at most beyond where they are cut [s].
+  static constexpr double kLongestCut = 0.15;
+
+  // Fits the motion, smooth from `start` to `smooth_until` [s], as far as `end`, and a little more
+  // for steps that may be cut. No fit depends on `end`. `chain`: Frame(double t).
   template <typename Chain>
-  MovingBase(double start, double end, Chain&& chain) {
+  MovingBase(double start, double end, double smooth_until, Chain&& chain) {
     double length = kLongest;
     covered_until_ = start;
-    for (double& from = covered_until_; from < end || fits_.empty();) {
+    const double least = std::min(smooth_until, end + kLongestCut);
+    for (double& from = covered_until_; from < least || fits_.empty();) {
       if (fits_.size() == kMostFits) return;
       // Equal fits to the end rather than a tiny last one.
-      const double rest = std::max(0.0, end - from);
-      length = rest / std::max(1.0, std::ceil(rest / length * (1.0 - 1e-9)));
+      const double rest = std::max(0.0, smooth_until - from);
+      if (std::isfinite(rest)) {
+        length = rest / std::max(1.0, std::ceil(rest / length * (1.0 - 1e-9)));
+      }
       from = Extend(from, chain, &length);
-      if (end - from < kSameTime) break;
+      if (smooth_until - from < kSameTime) break;
     }
-    covered_until_ = std::numeric_limits<double>::infinity();
+    if (smooth_until - covered_until_ < kSameTime) {
+      covered_until_ = std::numeric_limits<double>::infinity();
+    }
   }
 
   // False late in a motion that is too wild or too long to be fitted to its end.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -32,10 +33,15 @@ struct DrivenMotion {
   // if there are no drives.
   std::vector<DrivenCurve> drives = {};
   std::vector<SpringCurves> springs = {};  // likewise; none if no spring reads any of it
+  // Up to here the polynomials hold, although they may be asked for less: steps go on to here and
+  // are cut where less is asked for, so that none depends on where that is [s]. Default: steps end
+  // where they are asked to.
+  double holds_until = -std::numeric_limits<double>::infinity();
+  bool may_be_cut() const { return holds_until > -std::numeric_limits<double>::infinity(); }
 };
 inline auto MembersOf(const DrivenMotion& driven) {
-  const auto& [angles, root_position, drives, springs] = driven;
-  return std::tie(angles, root_position, drives, springs);
+  const auto& [angles, root_position, drives, springs, holds_until] = driven;
+  return std::tie(angles, root_position, drives, springs, holds_until);
 }
 
 // One node at one instant. World axes.

@@ -120,7 +120,8 @@ RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const 
 }
 
 std::shared_ptr<const MovingBase> RegionDynamics::FitMovingBase(double start, double end) {
-  return std::make_shared<const MovingBase>(start, end, [&](double t) { return CarrierAt(t); });
+  return std::make_shared<const MovingBase>(start, end, SmoothUntil(end),
+                                            [&](double t) { return CarrierAt(t); });
 }
 
 MovingBase::Frame RegionDynamics::CarrierAt(double t) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -65,7 +66,10 @@ class RegionDynamics {
   void SetCurves(const DrivenMotion* driven, double start);
   bool needs_moving_base() const { return first_moved_ > 0 && !is_carrier_still_ && !has_outer_; }
   int first_moved() const { return first_moved_; }
+  // Up to `end`, and beyond as far as a step may go that is cut there.
   std::shared_ptr<const MovingBase> FitMovingBase(double start, double end);
+  // The curves are polynomials up to here, where it is asked for the motion up to `end` [s].
+  double SmoothUntil(double end) const { return std::max(end, driven_->holds_until); }
   void UseMovingBase(std::shared_ptr<const MovingBase> moving_base) {
     moving_base_ = std::move(moving_base);
   }

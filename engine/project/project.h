@@ -43,7 +43,7 @@ struct ProjectSolver {
   Method method = Method::kExact;
   std::optional<double> step_s;         // kPaper
   std::optional<double> tolerance_deg;  // kExact: greatest error of an angle in a region
-  int version = 1;
+  int version = kSolverVersion;
   ExtraFields extra;
   bool operator==(const ProjectSolver&) const = default;
 };

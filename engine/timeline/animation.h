@@ -12,6 +12,7 @@
 #include "engine/timeline/outer_force.h"
 #include "engine/timeline/placement_span.h"
 #include "engine/timeline/scene_object.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -20,7 +21,7 @@ struct SolverSettings {
   Method method = Method::kPaper;
   double step = 1.0 / 30.0;     // kPaper [s]
   double tolerance = 1.745e-4;  // kExact: greatest error of an angle in a region [rad]
-  int version = 1;
+  int version = kSolverVersion;
   bool operator==(const SolverSettings&) const = default;
 };
 

@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/base/text.h"
 #include "engine/timeline/frame_time.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -126,7 +128,9 @@ void DrivenCurves::TakeLimp(const FromTo& span, double* to) {
 Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   PoseEvaluator& poses = context_.poses;
   const FromTo span = {from, end};
-  double to = end;
+  const bool is_causal = SolverRules(context_.animation.solver.version).is_causal;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double to = is_causal ? kInfinity : end;
   const auto take = [&](CurveTrack& track, DrivenCurve* curve) {
     TakeCurve(&track, span, curve, &to);
   };
@@ -149,7 +153,8 @@ Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
     to = std::min(to, from + context_.animation.rate.FrameAt(kLongestFit));
     FitForward(from, to);
   }
-  return to;
+  motion_.holds_until = is_causal ? context_.Seconds(to) : -kInfinity;
+  return std::min(to, end * 1.0);
 }
 
 double DrivenCurves::FitUntil(const CurveTrack::Piece& piece, double from) const {

@@ -21,7 +21,8 @@ class DrivenCurves {
 
   // Takes the curves of what no region drives from a frame on; returns up to which frame, `end` at
   // the latest, they are one polynomial each. With holds the joints that they move are fitted,
-  // which goes to the next frame at most; an error where one is out of reach.
+  // which goes to the next frame at most; an error where one is out of reach. How long they hold
+  // does not depend on `end` where the solver is causal (DrivenMotion::holds_until).
   Result<double> Take(double from, int end, bool with_holds);
 
   // By Coordinate.

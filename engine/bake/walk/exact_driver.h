@@ -128,6 +128,8 @@ class ExactDriver {
     double until = std::numeric_limits<double>::infinity();  // [s]
   };
   RegionEstimate EstimateOf(size_t region) const;
+  // The largest so far, of what tumbles as well [rad].
+  double LargestEstimateOf(size_t region) const { return estimated_[region].error; }
   long evaluations() const;
   long steps() const;
   std::vector<int> island_sizes() const;

@@ -19,7 +19,7 @@
 
 namespace hazumi {
 
-ExactWalk::ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool)
+ExactWalk::ExactWalk(BakeContext* context, Refinements* refinements, ThreadPool* pool)
     : RegionWalk(context),
       refinements_(*refinements),
       pool_(pool),
@@ -109,9 +109,19 @@ Result<int> ExactWalk::Advance(int frame) {
   if (!driver_) return end;
   LookAtArrivals(context_.now);
   WarnOfSpentSprings(end);
-  driver_->Estimate(context_.Seconds(end));
+  if (auto error = EstimateAt(end)) return *error;
   KeepControl(end);
   return end;
+}
+
+// An error where a finer solution turns out to be none: it is given up.
+std::optional<Error> ExactWalk::EstimateAt(int frame) {
+  driver_->Estimate(context_.Seconds(frame));
+  for (size_t a = 0; a < driver_->active().size(); ++a) {
+    refinements_.Note(driver_->active()[a], frame, driver_->LargestEstimateOf(a));
+  }
+  if (!refinements_.has_given_up()) return std::nullopt;
+  return Error{ErrorCode::kInterrupted, "", "", "finer steps do not help"};
 }
 
 std::optional<Error> ExactWalk::Arrive(double frame) {
@@ -361,12 +371,15 @@ double ExactWalk::FrameOf(double seconds, double from, double to) const {
 std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
   const bool can_fail = driver_ || !context_.poses.holds().empty();
   if (!context_.recorder.keeps_frames() && !can_fail) return std::nullopt;
+  const auto first_whole = static_cast<int>(std::floor(from + kSameFrame)) + 1;
+  for (int frame = first_whole; driver_ && frame <= to + kSameFrame && frame < end; ++frame) {
+    if (auto error = EstimateAt(frame)) return error;
+  }
   for (const int output : context_.recorder.OutputsUpTo(from, to, end)) {
     if (auto error = context_.CheckCancelled()) return error;
     const double frame = output / context_.recorder.outputs_per_frame();
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
-    if (driver_) driver_->Estimate(context_.Seconds(frame));
     LookAtArrivals(motion);
     context_.Record(output, motion, LimitOf(motion));
     RecordPushes(output, context_.Seconds(frame));

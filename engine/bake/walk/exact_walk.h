@@ -16,7 +16,7 @@ class ExactWalk : public RegionWalk {
  public:
   // All of it must outlive the walk. `refinements`: how finely regions are solved; `pool`: the
   // threads that help.
-  ExactWalk(BakeContext* context, const Refinements* refinements, ThreadPool* pool);
+  ExactWalk(BakeContext* context, Refinements* refinements, ThreadPool* pool);
 
   // Regions are not solved anew where one of these logs tells what they do; null: nothing will be
   // asked again, and no logs are kept.
@@ -29,6 +29,7 @@ class ExactWalk : public RegionWalk {
   bool Push(const PushForce& push) override;
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
+  bool leaves_root_to_contacts() const override { return driver_ && driver_->places_root(); }
   MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
   std::vector<ConstraintPush> ConstraintPushesThere() override;
   SceneContacts ContactsThere() override;
@@ -70,8 +71,9 @@ class ExactWalk : public RegionWalk {
   void PoseWithoutPlace(double frame, double seconds, Side side, Gaps gaps, FigureMotion* motion);
   double FrameOf(double seconds, double from, double to) const;
   std::optional<Error> RecordUpTo(double from, double to, double end);
+  std::optional<Error> EstimateAt(int frame);
 
-  const Refinements& refinements_;
+  Refinements& refinements_;
   ThreadPool* pool_;
   const KnownLogs* known_ = nullptr;
   DrivenCurves curves_;

@@ -1,7 +1,11 @@
-// Where a region's error estimate is above a fifth of its tolerance the stretch is solved again,
-// with steps finer by three times what is missing, as long as each time takes the estimate down to
-// 0.3 of what it was: the error is at times a few times the estimate, and some motions are so
-// sensitive that no step tells their end [METHOD 8.2, 8.3].
+// A region is solved with steps of one sharpness after the other, S_0 = 1, S_1 = 30, S_2 = 900 ...
+// Up to the frame where the error estimate of S_i first is above a fifth of the tolerance (a miss)
+// the motion is that of S_i, from there on that of S_(i+1), as long as this takes the estimate at
+// that frame down to 0.3 of what it was: the error is at times a few times the estimate, and some
+// motions are so sensitive that no step tells their end. So no frame depends on what comes after
+// it. [METHOD 8.2, 8.3]
+// Version 1 of the solver solved the whole stretch again, with steps finer by three times what was
+// missing at its end.
 
 #include "engine/bake/walk/refinements.h"
 
@@ -14,7 +18,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kFinest = 1e6, kSafely = 0.2;
+constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
 
 void WarnOfSensitivity(int region, double estimate, Recorder* recorder) {
   recorder->AddWarning("regions[" + std::to_string(region) + "]",
@@ -31,7 +35,69 @@ double Refinements::SharpnessOf(const std::vector<int>& regions) const {
   return sharpness;
 }
 
-bool Refinements::Sharpen(const std::vector<int>& regions, Recorder* recorder) {
+double Refinements::SafeFor(int region) const {
+  const DynamicsRegion& own = animation_.regions[region];
+  return kSafely * own.tolerance.value_or(animation_.solver.tolerance);
+}
+
+void Refinements::Note(int region, int frame, double estimate) {
+  Refinement& own = of_region_[region];
+  const auto index = static_cast<size_t>(frame - animation_.regions[region].first_frame);
+  own.estimates.resize(std::max(own.estimates.size(), index + 1), 0.0);
+  own.estimates[index] = estimate;
+  if (own.missed_at != frame || own.is_settled || estimate <= kHelps * own.missed_by) return;
+  own.sharpness = own.sharpness_before;
+  own.is_settled = has_given_up_ = true;
+}
+
+std::optional<int> Refinements::FirstMiss(int region) const {
+  const std::vector<double>& estimates = of_region_[region].estimates;
+  const double safe = SafeFor(region);
+  const auto miss = std::find_if(estimates.begin(), estimates.end(),
+                                 [&](double estimate) { return estimate > safe; });
+  if (miss == estimates.end()) return std::nullopt;
+  return animation_.regions[region].first_frame + static_cast<int>(miss - estimates.begin());
+}
+
+double Refinements::EstimateBefore(int region, int frame) const {
+  const int index = frame - 1 - animation_.regions[region].first_frame;
+  return index < 0 ? 0.0 : of_region_[region].estimates[static_cast<size_t>(index)];
+}
+
+std::optional<int> Refinements::SharpenFromFirstMiss(const std::vector<int>& regions) {
+  has_given_up_ = false;
+  std::optional<int> first;
+  for (const int r : regions) {
+    Refinement& own = of_region_[r];
+    own.is_settled |= own.sharpness * kFiner > kFinest;
+    const std::optional<int> miss = own.is_settled ? std::nullopt : FirstMiss(r);
+    if (miss && (!first || *miss < *first)) first = miss;
+  }
+  for (const int r : regions) {
+    Refinement& own = of_region_[r];
+    own.missed_at.reset();
+    if (!first || own.is_settled || FirstMiss(r) != first) continue;
+    const auto index = static_cast<size_t>(*first - animation_.regions[r].first_frame);
+    own.missed_at = first;
+    own.missed_by = own.estimates[index];
+    own.kept_estimate = std::max(own.kept_estimate, EstimateBefore(r, *first));
+    own.sharpness_before = own.sharpness;
+    own.sharpness *= kFiner;
+  }
+  return first;
+}
+
+void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) const {
+  for (const int r : regions) {
+    RegionReport& report = recorder->report(r);
+    if (report.method != Method::kExact) continue;
+    report.error_estimate = std::max(report.error_estimate, of_region_[r].kept_estimate);
+    if (report.error_estimate <= report.tolerance) continue;
+    WarnOfSensitivity(r, report.error_estimate, recorder);
+  }
+}
+
+bool Refinements::SharpenAll(const std::vector<int>& regions, Recorder* recorder) {
   bool any = false;
   for (const int r : regions) {
     const RegionReport& report = recorder->report(r);

@@ -43,6 +43,8 @@ class RegionWalk {
 
   bool has_regions() const { return active() != nullptr; }
   virtual bool moves(JointIndex j) const = 0;
+  // Whether contacts of its regions are to place the figure, where a placement by gravity does.
+  virtual bool leaves_root_to_contacts() const { return false; }
 
  protected:
   explicit RegionWalk(BakeContext* context) : context_(*context) {}

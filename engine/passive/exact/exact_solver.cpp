@@ -121,7 +121,7 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     Freeze();
     return AdvanceFrozen(end);
   }
-  if (const std::optional<ExactFailure> failure = Take(end)) {
+  if (const std::optional<ExactFailure> failure = Take(dynamics_->SmoothUntil(end))) {
     // Contacts that slide may jam: no finite forces keep them from it, but a blow does.
     if (!dynamics_->contacts().any_closed()) return failure;
     Freeze();
@@ -134,9 +134,19 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   }
   if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
+  CutAt(end);
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
+}
+
+// What would happen beyond is not looked at, nor what an event there would change.
+void ExactSolver::CutAt(double end) {
+  const bool is_there = time() > end || (next_ == Next::kGoOn && time() > end - kSameTime);
+  if (time() == end || !is_there) return;
+  step_.EndAt(end);
+  next_ = Next::kGoOnFromCut;
+  breaks_next_ = -1;
 }
 
 // One step, which a kink ends: beyond one it would be of no order. While forces are frozen its end
@@ -210,7 +220,7 @@ void ExactSolver::Thaw() {
 std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
   bool has_blow = false;
   for (;;) {
-    const double until = std::min(end, *frozen_until_);
+    const double until = std::min(dynamics_->SmoothUntil(end), *frozen_until_);
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     const RegionState now = step_.PlaceNow();
     if (!frozen_.GivesTooMuch(time() - step_start(), now)) {
@@ -229,6 +239,7 @@ std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
   ++steps_;
   if (has_blow || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
+  CutAt(end);
   return std::nullopt;
 }
 

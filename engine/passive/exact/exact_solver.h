@@ -39,7 +39,8 @@ class ExactSolver {
   void FeelPin(const Vec3& v_pin);
 
   // One step, at most to `end`; it ends early where a limit is hit or lets go, which happens at the
-  // beginning of the next step.
+  // beginning of the next step. Where the curves hold for longer (DrivenMotion::holds_until) the
+  // step is one that does not know of `end`, and is cut there.
   std::optional<ExactFailure> Advance(double end);
 
   double step_start() const { return step_.start_time(); }
@@ -81,6 +82,7 @@ class ExactSolver {
   std::optional<ExactFailure> TryToAdvance(double end);
   std::optional<ExactFailure> Take(double end);
   std::optional<ExactFailure> AdvanceFrozen(double end);
+  void CutAt(double end);
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
   bool FindBreak();

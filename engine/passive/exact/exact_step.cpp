@@ -99,7 +99,8 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   for (;;) {
     const double rest = end - time_;
     // Equal steps to the end rather than a tiny last one.
-    const double use = rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9)));
+    const double use =
+        std::isfinite(rest) ? rest / std::max(1.0, std::ceil(rest / h * (1.0 - 1e-9))) : h;
     const double error = is_near ? step_.TryShort(use, scale_.data(), Field())
                                  : step_.Try(use, scale_.data(), Field());
     if (error <= 1.0) {

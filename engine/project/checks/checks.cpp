@@ -65,7 +65,7 @@ constexpr CheckText kTexts[] = {
     {Check::kFramesReversed, kSchema, "the last frame {} is before the first, {}"},
     {Check::kTooManyFrames, kSchema, "{} frames; a project has 1000000 at most"},
     {Check::kNewerSolver, kSchema,
-     "made for version {} of the solver, this Hazumi has 1; please update it"},
+     "made for version {} of the solver, this Hazumi has {}; please update it"},
     {Check::kKeyOrder, kSchema, "frame {} comes after frame {}; write keys in order of frames"},
     {Check::kKeyTwice, kSchema, "a second key on frame {}; keep one of them"},
     {Check::kSpanEmpty, kSchema, "first_frame {} must be before last_frame {}"},

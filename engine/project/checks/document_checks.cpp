@@ -7,6 +7,7 @@
 #include "engine/project/checks/drive_checks.h"
 #include "engine/project/checks/field_checker.h"
 #include "engine/project/checks/unique_names.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kSlowestRate = 0.1, kFastestRate = 1e4;  // frames per second
 constexpr long kMostFrames = 1'000'000;
-constexpr int kSolverVersion = 1;
 
 void CheckFramesOrder(const ProjectFrames& frames, const Site& site) {
   if (frames.first <= frames.last) return;
@@ -35,7 +35,8 @@ void CheckTime(const Project& project, const Site& site) {
 
 void CheckSolver(const ProjectSolver& solver, const Site& site) {
   if (solver.version <= kSolverVersion) return;
-  site.Field("version").Report(Check::kNewerSolver, {std::to_string(solver.version)});
+  site.Field("version").Report(Check::kNewerSolver,
+                               {std::to_string(solver.version), std::to_string(kSolverVersion)});
 }
 
 void CheckOrder(const ProjectKey& before, const ProjectKey& key, const Site& site) {
