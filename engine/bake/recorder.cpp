@@ -83,7 +83,7 @@ void Recorder::BeginAgain(Stretch* stretch, int first_frame) {
   BeginStretch(stretch);
   first_written_ = first_frame;
   const auto is_later = [&](const MotionEvent& event) {
-    return !stays(animation_.rate.FrameAt(event.seconds));
+    return !stays(animation_.rate.FrameAt(event.time));
   };
   std::erase_if(events, is_later);
   stretch->events = std::move(events);

@@ -111,7 +111,8 @@ bool Refinements::SharpenAll(const std::vector<int>& regions, Recorder* recorder
       if (estimate > report.tolerance) WarnOfSensitivity(r, estimate, recorder);
       continue;
     }
-    refinement = {finer, estimate};
+    refinement.sharpness = finer;
+    refinement.last_estimate = estimate;
     any = true;
   }
   return any;
