@@ -22,6 +22,38 @@ void RegionDynamics::Freeze(const VecX& torques) {
   }
 }
 
+std::vector<JointSpring> RegionDynamics::Springs(const RegionState& state) const {
+  std::vector<JointSpring> springs;
+  for (const auto& law : laws_) law->ListSprings(state, &springs);
+  return springs;
+}
+
+Eigen::Matrix3Xd RegionDynamics::AxesOf(const JointSpring& spring) const {
+  const auto& axes = kinematics_.motion()[spring.node].axis;
+  Eigen::Matrix3Xd all(3, hinge_layout_.node(spring.node).num_dofs);
+  for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = axes[static_cast<size_t>(i)].eigen();
+  return all;
+}
+
+Vec3 RegionDynamics::TurningOf(const JointSpring& spring) const {
+  const auto& motion = kinematics_.motion();
+  const int parent = model_.nodes[spring.node].parent;
+  return (motion[spring.node].w - (parent < 0 ? V3() : motion[parent].w)).eigen();
+}
+
+void RegionDynamics::FreezeSprings(const std::vector<JointSpring>& springs,
+                                   const RegionState& state) {
+  frozen_.holds_springs = true;
+  for (const JointSpring& own : springs) {
+    Vec3 moment = own.moment;
+    for (const auto& law : laws_) {
+      if (law->is_spring()) moment = law->Limit(state, own.node, moment);
+    }
+    const Mat3 R_WN = kinematics_.motion()[own.node].R.eigen();
+    frozen_.springs.push_back({own.node, R_WN.transpose() * moment});
+  }
+}
+
 double RegionDynamics::ContactExcess() const {
   double pushes = 0.0, excess = 0.0;
   const std::vector<ConstraintRow>& rows = rows_.rows();

@@ -26,6 +26,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
     (law->is_rule() ? has_rules_ : has_forces_) = true;
     has_outer_ |= law->is_outer();
     has_kinks_ |= law->has_kinks();
+    has_springs_ |= law->is_spring();
   }
   has_outer_ |= has_rows_;
   if (has_outer_) {
@@ -111,7 +112,10 @@ void RegionDynamics::AskForForces(const V3& base, const RegionState& state) {
   frozen_.AddTo(&kinematics_);
   AccelerateBalls();
   if (!has_forces_) return;
-  for (const auto& law : laws_) law->AddForces(state, &kinematics_);
+  frozen_.AddSpringsTo(&kinematics_);
+  for (const auto& law : laws_) {
+    if (!frozen_.holds_springs || !law->is_spring()) law->AddForces(state, &kinematics_);
+  }
 }
 
 RegionState RegionDynamics::StateAt(double t, const RegionLayout& layout, const double* positions,

@@ -19,6 +19,7 @@
 #include "engine/passive/outer_motion.h"
 #include "engine/passive/region_layout.h"
 #include "engine/passive/tree_equations.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -138,6 +139,20 @@ class RegionDynamics {
   FrozenForces& frozen() { return frozen_; }
   // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
   void Freeze(const VecX& torques);
+  void SetRules(const SolverRules& rules) { rules_ = rules; }
+  // Whether springs are to be taken implicitly where contacts are.
+  bool has_implicit_springs() const { return rules_.stands_on_springs && has_springs_; }
+  // After AssembleHinges at the same: springs in joints.
+  std::vector<JointSpring> Springs(const RegionState& state) const;
+  // Its axes by hinge, world.
+  Eigen::Matrix3Xd AxesOf(const JointSpring& spring) const;
+  int FirstHingeOf(const JointSpring& spring) const {
+    return hinge_layout_.node(spring.node).first_hinge;
+  }
+  // Of its node against the parent [rad/s].
+  Vec3 TurningOf(const JointSpring& spring) const;
+  // Springs give these moments for a while, as far as they may.
+  void FreezeSprings(const std::vector<JointSpring>& springs, const RegionState& state);
   // After the nodes have been placed: of a contact's row, with a force on its end a.
   FrozenForces::Push PushOf(const ConstraintRow& row, const small::V3& force) const;
   // Others' work on this island, in evaluations.
@@ -187,7 +202,7 @@ class RegionDynamics {
   EnergyFlow MeasureEnergy(double t, const double* y);
 
   // Of all laws, as ForceLaw has them, in that state.
-  bool has_kinks() const { return has_kinks_; }
+  bool has_kinks() const { return has_kinks_ && !frozen_.holds_springs; }
   void KinksIn(const RegionState& state, std::vector<double>* kinks) const {
     kinks->clear();
     for (const auto& law : laws_) law->AppendKinks(state, kinks);
@@ -283,6 +298,8 @@ class RegionDynamics {
   ForceLaws laws_;
   // Laws that give forces, that act from outside, that are rules.
   bool has_forces_ = false, has_outer_ = false, has_rules_ = false, has_kinks_ = false;
+  bool has_springs_ = false;
+  SolverRules rules_{kSolverVersion};
   // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
   ConstraintRows rows_;
   ContactSet contacts_;

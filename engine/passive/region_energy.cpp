@@ -85,7 +85,11 @@ void RegionDynamics::SumForces() {
 double RegionDynamics::PowerOf(const ForceLaw& law, const RegionState& state,
                                const std::vector<V3>& v) {
   kinematics_.ClearForces();
-  law.AddForces(state, &kinematics_);
+  if (frozen_.holds_springs && law.is_spring()) {
+    frozen_.AddSpringsTo(&kinematics_);
+  } else {
+    law.AddForces(state, &kinematics_);
+  }
   return PowerOnNodes(v);
 }
 

@@ -54,7 +54,7 @@ std::vector<double> InertiasBeyond(const Figure& figure, const VecX& q) {
   FigureMotion motion;
   motion.q = q;
   DynamicsWorkspace ws(figure);
-  return StartOf(region, figure, motion, &ws).inertias;
+  return StartOf(region, figure, motion, nullptr, &ws).inertias;
 }
 
 }  // namespace

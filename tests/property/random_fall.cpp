@@ -14,7 +14,7 @@ namespace hazumi::test {
 
 namespace {
 
-constexpr int kFrames = 150;
+constexpr int kFallFrames = 150;
 
 SceneObject BoxAt(const Vec3& center, const Vec3& size, const Mat3& R = Mat3::Identity()) {
   SceneObject object;
@@ -123,15 +123,15 @@ Animation RandomFall(uint64_t seed, Terrain terrain) {
   Animation animation = Still(RandomFigure(/*has_limits=*/true, &random));
   animation.solver.method = Method::kExact;
   animation.gravity = kG;
-  animation.last_frame = kFrames;
-  AddGravity(&animation, 0, kFrames);
+  animation.last_frame = kFallFrames;
+  AddGravity(&animation, 0, kFallFrames);
   AddTerrain(terrain, &random, &animation);
   PoseAtRandom(&random, &animation);
   Lift(random.Uniform(0.02, 0.6), &animation);
   DynamicsRegion region;
   region.name = "all";
   region.method = Method::kExact;
-  region.last_frame = kFrames;
+  region.last_frame = kFallFrames;
   region.root = true;
   region.touches_scene = true;
   for (int j = 0; j < animation.figure->num_joints(); ++j) region.joints.emplace_back(j);

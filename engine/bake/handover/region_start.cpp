@@ -1,6 +1,8 @@
 // J about a joint's origin o of all bodies that lie beyond it, of mass m, with their centre of mass
 // at c and the inertia I about it:
 //   J = I + m (|c - o|^2 1 - (c - o)(c - o)^T),    about a hinge's axis a   a . J a.
+// Where a share s of the figure's weight is carried beyond the joint, with J_all of all bodies:
+//   (1 - s) J + s (J_all - J).
 
 #include "engine/bake/handover/region_start.h"
 
@@ -8,6 +10,7 @@
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/passive/ball_axes.h"
+#include "engine/placement/support.h"
 
 namespace hazumi {
 
@@ -26,19 +29,39 @@ std::vector<RigidInertia> BodiesBeyond(const Figure& figure, const DynamicsWorks
   return beyond;
 }
 
+RigidInertia WholeFigure(const Figure& figure, const std::vector<RigidInertia>& beyond,
+                         const DynamicsWorkspace& ws) {
+  const BodyScratch& root = ws.body(JointIndex());
+  RigidInertia all = Moved(figure.root_body(), {root.R, root.p});
+  for (size_t j = 0; j < beyond.size(); ++j) {
+    if (!figure.joints()[j].parent.is_valid()) all = Combine(all, beyond[j]);
+  }
+  return all;
+}
+
+Mat3 AboutPoint(const RigidInertia& bodies, const Vec3& point) {
+  return bodies.I_com + PointInertia(bodies.mass, bodies.com - point);
+}
+
 bool IsSpring(const Drive& drive) { return drive.kind == DriveKind::kSpring; }
 
 }  // namespace
 
 RegionStart StartOf(const DynamicsRegion& region, const Figure& figure, const FigureMotion& motion,
-                    DynamicsWorkspace* ws) {
+                    const std::vector<SceneObject>* scene, DynamicsWorkspace* ws) {
   RegionStart start;
   if (std::none_of(region.drives.begin(), region.drives.end(), IsSpring)) return start;
   ComputePositions(figure, motion.X_WR, motion.q, ws);
   const std::vector<RigidInertia> beyond = BodiesBeyond(figure, *ws);
+  std::vector<double> carried(beyond.size(), 0.0);
+  if (scene) carried = CarriedShares(figure, FindSupport(figure, *scene, *ws), *ws);
+  const RigidInertia all = WholeFigure(figure, beyond, *ws);
   for (const JointIndex j : region.joints) {
-    const RigidInertia& bodies = beyond[j.value()];
-    const Mat3 inertia = bodies.I_com + PointInertia(bodies.mass, bodies.com - ws->body(j).p);
+    const double share = carried[j.value()];
+    Mat3 inertia = AboutPoint(beyond[j.value()], ws->body(j).p);
+    if (share > 0.0) {
+      inertia = (1.0 - 2.0 * share) * inertia + share * AboutPoint(all, ws->body(j).p);
+    }
     const BodyScratch& at = ws->body(j);
     const JointGroup& group = figure.group(figure.joint(j).group);
     const auto ball = BallAxesOf(figure, group);

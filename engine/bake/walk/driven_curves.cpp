@@ -78,6 +78,10 @@ void DrivenCurves::SetRegions(const std::vector<int>& regions) {
   if (std::any_of(drives_.entries().begin(), drives_.entries().end(), reads)) {
     motion_.springs.resize(motion_.angles.size());
   }
+  stands_by_contacts_ = std::any_of(regions.begin(), regions.end(), [&](int r) {
+    const DynamicsRegion& region = context_.animation.regions[r];
+    return region.root && region.touches_scene;
+  });
   const auto asks = [](const DriveCurves::Entry& entry) { return entry.drive->feed_forward; };
   forward_.reset();
   if (std::any_of(drives_.entries().begin(), drives_.entries().end(), asks)) {
@@ -236,6 +240,9 @@ void DrivenCurves::FitForward(double from, double to) {
   const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
   std::vector<ForwardTorques> found;
   found.reserve(kPoints);
+  const bool stands = SolverRules(context_.animation.solver.version).stands_on_springs &&
+                      stands_by_contacts_;
+  if (stands) forward_->StandAsIn(context_.now, context_.animation.scene);
   for (int i = 0; i < kPoints; ++i) {
     found.push_back(forward_->Of(KeyedAt(middle + s[i]), context_.poses.placement().hold()));
   }

@@ -50,6 +50,7 @@ class DrivenCurves {
   DrivenMotion motion_;
   std::unique_ptr<FeedForward> forward_;  // where a spring asks for it, and then:
   std::vector<DrivenCurve> limp_;         // by Coordinate, the keys of what regions move
+  bool stands_by_contacts_ = false;       // contacts of the regions place the figure
 };
 
 }  // namespace hazumi

@@ -140,6 +140,7 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, const std::vector<L
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
   IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
+  task.rules = SolverRules(animation_.solver.version);
   VecX rates(k);
   int i = 0;
   ForEachFreeHinge(task.model, [&](Coordinate c) {

@@ -43,10 +43,13 @@ ForwardTorques FeedForward::Of(FigureMotion motion, const RootHold& hold) {
   if (hold.coupling == RootCoupling::kPinned) {
     pin = hold.pin;
     PinRoot(figure_, pin, Vec3::Zero(), &ws_, &motion);
+  } else if (hold.coupling == RootCoupling::kFlight && !support_.empty()) {
+    PinRoot(figure_, stance_, Vec3::Zero(), &ws_, &motion);
   }
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   root.a.z() += gravity_;
-  if (hold.coupling == RootCoupling::kFlight) {
+  const bool stands = hold.coupling == RootCoupling::kFlight && !support_.empty();
+  if (hold.coupling == RootCoupling::kFlight && !stands) {
     root.a.setZero();
     ComputeMotion(figure_, root, motion.qd, motion.qdd, &ws_);
     root.a = -CenterOfMassAcceleration(figure_, ws_);
@@ -55,7 +58,42 @@ ForwardTorques FeedForward::Of(FigureMotion motion, const RootHold& hold) {
   ForwardTorques forward{ws_.tau, VecX::Zero(figure_.num_joints())};
   if (pin.is_valid()) HangOnPin(pin, &forward);
   AddMoments(pin, &forward);
+  if (stands) StandOnSupport(&forward);
   return forward;
+}
+
+void FeedForward::StandAsIn(const FigureMotion& motion, const std::vector<SceneObject>& scene) {
+  ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
+  support_ = FindSupport(figure_, scene, ws_);
+  const auto by_root = [](const SupportPoint& point) { return !point.joint.is_valid(); };
+  std::erase_if(support_, by_root);  // what it sits on moves no joint
+  if (support_.empty()) return;
+  const Wrench lift = {Vec3::UnitZ(), Vec3::Zero()};
+  const std::vector<Vec3> forces = SupportForces(support_, lift, CenterOfMass(figure_, ws_), ws_);
+  std::map<int, double> loads;  // by joint
+  for (size_t i = 0; i < support_.size(); ++i) loads[support_[i].joint.value()] += forces[i].z();
+  const auto is_less = [](const auto& a, const auto& b) { return a.second < b.second; };
+  stance_ = JointIndex(std::max_element(loads.begin(), loads.end(), is_less)->first);
+}
+
+void FeedForward::StandOnSupport(ForwardTorques* forward) {
+  const BodyScratch& root = ws_.bodies[0];
+  const std::vector<Vec3> forces = SupportForces(support_, {root.f, root.n}, root.p, ws_);
+  for (size_t k = 0; k < support_.size(); ++k) {
+    const Vec3 p = support_[k].Place(ws_);
+    for (int i = 0; i < figure_.num_joints(); ++i) {
+      if (!IsMovedBy(figure_, support_[k], JointIndex(i))) continue;
+      const BodyScratch& hinge = ws_.body(JointIndex(i));
+      forward->torques[i] -= hinge.axis.dot((p - hinge.p).cross(forces[k]));
+    }
+    for (const auto& [index, ball] : balls_) {
+      const JointGroup& group = figure_.group(index);
+      if (!IsMovedBy(figure_, support_[k], group.last())) continue;
+      const BodyScratch& last = ws_.body(group.last());
+      const Mat3 R_BW = (last.R * ball.R_JB).transpose();
+      forward->moments.segment<3>(group.first.value()) -= R_BW * (p - last.p).cross(forces[k]);
+    }
+  }
 }
 
 void FeedForward::HangOnPin(JointIndex pin, ForwardTorques* forward) {

@@ -6,6 +6,7 @@
 #include "engine/bake/pose/root_placement.h"
 #include "engine/passive/ball_axes.h"
 #include "engine/placement/figure_motion.h"
+#include "engine/placement/support.h"
 #include "engine/timeline/animation.h"
 
 namespace hazumi {
@@ -22,6 +23,10 @@ class FeedForward {
   // Regions of the animation are active, with their friction. The figure must outlive it.
   FeedForward(const Animation& animation, const Figure& figure, const std::vector<int>& active);
 
+  // From here on a figure in flight, which contacts place, stands where it touches the scene in
+  // `motion`, on the points that carry it there; on nothing: it falls.
+  void StandAsIn(const FigureMotion& motion, const std::vector<SceneObject>& scene);
+
   // Of a figure whose joints and root's orientation move so: accelerations are read, of all joints;
   // where the hold says so its root is placed by it.
   ForwardTorques Of(FigureMotion motion, const RootHold& hold);
@@ -30,12 +35,16 @@ class FeedForward {
   // A pin gives the force that hangs the figure on its root otherwise.
   void HangOnPin(JointIndex pin, ForwardTorques* forward);
   void AddMoments(JointIndex pin, ForwardTorques* forward);
+  // The forces of the points that the figure stands on give the wrench that it hangs on.
+  void StandOnSupport(ForwardTorques* forward);
 
   const Figure& figure_;
   double gravity_;
   VecX friction_;  // rates, by joint [1/s]
   DynamicsWorkspace ws_;
   std::map<GroupIndex, BallAxes> balls_;
+  std::vector<SupportPoint> support_;
+  JointIndex stance_;  // its body stands still: the one that carries most
 };
 
 }  // namespace hazumi

@@ -28,11 +28,16 @@ struct FrozenForces {
   };
   std::vector<Push> pushes;
   std::vector<Moment> moments;
+  // Of springs, if these are taken implicitly: they stay what they are for as long.
+  std::vector<Moment> springs;
+  bool holds_springs = false;
 
   bool any() const { return !pushes.empty() || !moments.empty(); }
   void Clear() {
     pushes.clear();
     moments.clear();
+    springs.clear();
+    holds_springs = false;
   }
   // They begin to push, with bodies in these places.
   void Begin(const RegionState& state) {
@@ -77,12 +82,16 @@ struct FrozenForces {
       const V3 from = kinematics->motion()[push.node].p - kinematics->motion()[push.on_other].p;
       kinematics->AddForce(push.on_other, from + r, -V3(push.force));
     }
-    for (const Moment& own : moments) {
-      kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * V3(own.moment_N));
-    }
+    AddMoments(moments, kinematics);
   }
+  void AddSpringsTo(NodeKinematics* kinematics) const { AddMoments(springs, kinematics); }
 
  private:
+  static void AddMoments(const std::vector<Moment>& moments, NodeKinematics* kinematics) {
+    for (const Moment& own : moments) {
+      kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * small::V3(own.moment_N));
+    }
+  }
   static Mat3 OrientationOf(const Push& push, const RegionState& state) {
     return state.kinematics.motion()[push.node].R.eigen();
   }

@@ -13,13 +13,13 @@ namespace hazumi {
 
 using Kind = ConeProblem::Kind;
 
-void ContactProblem::Factor() {
-  L_ = dynamics_->M();
+void ContactProblem::Factor(const MatX& M) {
+  L_ = M;
   FactorSemidefinite(L_);
 }
 
-LimitRows ContactProblem::Unheld(VecX* x_0) const {
-  *x_0 = -dynamics_->b();
+LimitRows ContactProblem::Unheld(const VecX& b, VecX* x_0) const {
+  *x_0 = -b;
   SolveSemidefinite(L_, *x_0);
   LimitRows rows;
   rows.J.resize(0, x_0->size());

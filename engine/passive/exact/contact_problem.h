@@ -16,9 +16,12 @@ class ContactProblem {
   explicit ContactProblem(RegionDynamics* dynamics) : dynamics_(dynamics) {}
 
   // Of M; before the others.
-  void Factor();
-  // x_0, and the rows of forces with what they would do under it.
-  LimitRows Unheld(VecX* x_0) const;
+  void Factor() { Factor(dynamics_->M()); }
+  // Of another matrix in its place.
+  void Factor(const MatX& M);
+  // x_0, and the rows of forces with what they would do under it; with another b in its place.
+  LimitRows Unheld(VecX* x_0) const { return Unheld(dynamics_->b(), x_0); }
+  LimitRows Unheld(const VecX& b, VecX* x_0) const;
   // For rows that would do rows.c. A hinge at a limit, by free hinge as LimitSolver has `side` and
   // `sticks`, would do x_0.
   void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,

@@ -122,8 +122,9 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     return AdvanceFrozen(end);
   }
   if (const std::optional<ExactFailure> failure = Take(dynamics_->SmoothUntil(end))) {
-    // Contacts that slide may jam: no finite forces keep them from it, but a blow does.
-    if (!dynamics_->contacts().any_closed()) return failure;
+    // Contacts that slide may jam: no finite forces keep them from it, but a blow does. And
+    // springs may be too stiff for any step.
+    if (!may_freeze()) return failure;
     Freeze();
     return AdvanceFrozen(end);
   }
@@ -177,16 +178,17 @@ void ExactSolver::MakeEventHappen() {
   held_.is_chattering(time()) ? Freeze() : Resolve(Vec3::Zero());
 }
 
-// So many steps in so little time: what slides turns faster than steps can follow.
+// So many steps in so little time: what slides turns faster than steps can follow, or springs are
+// so stiff that taking them implicitly costs less.
 bool ExactSolver::Crawls() {
-  constexpr int kMostSteps = 30;
+  constexpr int kMostSteps = 30, kMostOnSprings = 5;
   constexpr double kWhile = 5e-3;  // [s]
-  if (!dynamics_->contacts().any_closed()) return false;
+  if (!may_freeze()) return false;
   if (time() > crawl_start_ + kWhile) {
     crawl_start_ = time();
     crawl_steps_ = steps_;
   }
-  return steps_ > crawl_steps_ + kMostSteps;
+  return steps_ > crawl_steps_ + (has_implicit_springs() ? kMostOnSprings : kMostSteps);
 }
 
 // Where contacts change again and again, as they do when many of them come to rest together. Where

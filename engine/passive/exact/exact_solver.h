@@ -76,6 +76,12 @@ class ExactSolver {
   enum class Next { kGoOn, kGoOnFromCut, kEvent };
 
   void MakeEventHappen();
+  bool has_implicit_springs() const {
+    return dynamics_->has_implicit_springs() && dynamics_->contacts().is_possible();
+  }
+  bool may_freeze() const {
+    return has_implicit_springs() || dynamics_->contacts().any_closed();
+  }
   bool Crawls();
   void Freeze();
   void Thaw();

@@ -2,7 +2,9 @@
 // near, of which each has a gap (or a hinge its room) s >= 0:
 //   impulses p at the beginning   w+ = w + A p         w+ >= -s / h,  p >= 0, one of them 0
 //   forces l up to the end        w+ + h (J x_0 + c + A l)            the same
-// both within the cones of friction. What would be hit within the step is slowed down so that it
+// both within the cones of friction. Springs in joints, that give M - K phi - D (w - w_0) as they
+// turn by phi and with w, are implicit: M + h D + h^2 K in the place of the mass matrix, and what
+// they give at the end for all of the while [Baraff, Witkin 1998]. What would be hit within the step is slowed down so that it
 // arrives at its end. What is inside (s < 0) is asked to come out slowly instead.
 // Nothing bounces here.
 
@@ -106,7 +108,7 @@ void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
              0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
              dynamics_->KineticOfBalls();
-  Press(*state);
+  Press(t, *state);
   dynamics_->frozen().Begin(dynamics_->PlacedHinges(t, state->q, state->qd));
   if (is_struck || is_inside_) calm_steps_ = 0;
   dynamics_->contacts().OpenAll();
@@ -244,10 +246,41 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
   return true;
 }
 
+// Their part of the matrix and of b.
+void FrozenContacts::SoftenBySprings(VecX* b) {
+  MatX M = dynamics_->M();
+  for (const JointSpring& own : springs_) {
+    const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
+    const Eigen::Index first = dynamics_->FirstHingeOf(own), n = axes.cols();
+    M.block(first, first, n, n) +=
+        axes.transpose() * (h_ * (own.damping + h_ * own.stiffness)) * axes;
+    b->segment(first, n) += axes.transpose() * (h_ * (own.stiffness * dynamics_->TurningOf(own)));
+  }
+  problem_.Factor(M);
+}
+
+// What they give at the end of the while, where forces have been found and hinges would have x_0
+// without them.
+void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
+  const VecX jump = h_ * x_0 + problem_.Answer();
+  for (JointSpring& own : springs_) {
+    const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
+    const Vec3 by = axes * jump.segment(dynamics_->FirstHingeOf(own), axes.cols());
+    own.moment -= h_ * (own.stiffness * (dynamics_->TurningOf(own) + by)) + own.damping * by;
+  }
+  dynamics_->FreezeSprings(springs_, state);
+}
+
 // For rates after impacts.
-void FrozenContacts::Press(const HingeState& state) {
-  VecX x_0;
-  LimitRows rows = problem_.Unheld(&x_0);
+void FrozenContacts::Press(double t, const HingeState& state) {
+  VecX x_0, b = dynamics_->b();
+  const RegionState places = dynamics_->PlacedHinges(t, state.q, state.qd);
+  springs_.clear();
+  if (dynamics_->has_implicit_springs()) {
+    springs_ = dynamics_->Springs(places);
+    SoftenBySprings(&b);
+  }
+  LimitRows rows = problem_.Unheld(b, &x_0);
   rows.c *= h_;
   for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
@@ -263,6 +296,7 @@ void FrozenContacts::Press(const HingeState& state) {
   GiveWay();
   SweepUpTo(kMostPush * dynamics_->model().mass * h_, h_ * LastForces());
   Keep(problem_.forces());
+  if (dynamics_->has_implicit_springs()) KeepSprings(x_0, places);
 }
 
 // What was found for the while before, of what is there again.

@@ -58,7 +58,9 @@ class FrozenContacts {
   void SweepUpTo(double most, const VecX& start);
   void ListNear(double t, const HingeState& state);
   bool Strike(double t, HingeState* state, LimitHits* hits);
-  void Press(const HingeState& state);
+  void Press(double t, const HingeState& state);
+  void SoftenBySprings(VecX* b);
+  void KeepSprings(const VecX& x_0, const RegionState& state);
   void Keep(const VecX& impulses);
   VecX LastForces() const;
   double SpeedFor(double s, double fastest_out) const;
@@ -72,6 +74,7 @@ class FrozenContacts {
   std::vector<char> none_;  // by hinge
   VecX torques_;            // of limits, by hinge, the latest [N m]
   std::vector<Pushing> pushes_;
+  std::vector<JointSpring> springs_;  // that are taken implicitly
   VecX kick_;
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
   int calm_steps_ = 0, calm_enough_ = 0;

@@ -40,6 +40,15 @@ struct SpentDrive {
   double lag = 0.0, approach = 0.0;   // from what it pulls to; how fast that shrinks [rad, rad/s]
 };
 
+// A moment in a joint, on its node against the parent, and how it changes as the node turns there
+// by phi and with w: moment - stiffness phi - damping (w - w_0). World axes.
+struct JointSpring {
+  int node = 0;
+  Vec3 moment = Vec3::Zero();      // [N m]
+  Mat3 stiffness = Mat3::Zero();   // symmetric, not negative [N m]
+  Mat3 damping = Mat3::Zero();     // likewise [N m s]
+};
+
 // What acts on the links of a region's model, one after the other. A law acts in one of two ways:
 // by forces, which the equations of motion take in, or as a rule for the accelerations that come
 // out of them. Its power is found from what it does, by RegionDynamics::MeasureEnergy.
@@ -64,6 +73,11 @@ class ForceLaw {
   // each time.
   virtual void AppendKinks(const RegionState&, std::vector<double>* /*kinks*/) const {}
   virtual bool has_kinks() const { return false; }
+  // What of it is springs in joints, that may be taken implicitly: all of it then.
+  virtual bool is_spring() const { return false; }
+  virtual void ListSprings(const RegionState&, std::vector<JointSpring>*) const {}
+  // What of such a moment on a node, world axes, is no more than it may give [N m].
+  virtual Vec3 Limit(const RegionState&, int /*node*/, const Vec3& moment) const { return moment; }
   // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
   virtual double FastestRate() const { return 0.0; }
 };

@@ -173,6 +173,59 @@ void SpringDrive::AddForces(const RegionState& state, NodeKinematics* kinematics
   }
 }
 
+// One that gives all it may is as soft as can be.
+JointSpring SpringDrive::SpringOnBall(int node, const RegionState& state) const {
+  const Spring& spring = springs_[state.layout.node(node).first_hinge];
+  const SpringNow now = Now(state.layout.node(node).first_hinge, state);
+  const BallPull own = PullOnBall(node, state);
+  const bool is_spent = spring.is_limited() && ExcessOf(spring, now, own.moment) > 1.0;
+  JointSpring all{node, own.R_WB * Limited(spring, now, own.moment)};
+  if (is_spent) return all;
+  const Mat3 inertia = own.R_WB * spring.of_ball * own.R_WB.transpose();
+  all.stiffness = now.rate * now.rate * inertia;
+  all.damping = 2.0 * spring.damping_ratio * now.rate * inertia;
+  return all;
+}
+
+JointSpring SpringDrive::SpringOnHinges(int node, const RegionState& state) const {
+  JointSpring all{node, MomentOnHinges(node, state).eigen()};
+  const auto& axes = state.kinematics.motion()[node].axis;
+  ForEachHinge(node, state, [&](int free, const HingePull& own, const HingeMotion&) {
+    if (own.pull > own.most || own.pull < own.least) return;
+    const int hinge = state.layout.node(node).first_hinge + free;  // no hinge is locked
+    const Spring& spring = springs_[hinge];
+    const double rate = Now(hinge, state).rate;
+    const Vec3 axis = axes[static_cast<size_t>(free)].eigen();
+    const Mat3 about = spring.inertia * axis * axis.transpose();
+    all.stiffness += rate * rate * about;
+    all.damping += 2.0 * spring.damping_ratio * rate * about;
+  });
+  return all;
+}
+
+void SpringDrive::ListSprings(const RegionState& state, std::vector<JointSpring>* springs) const {
+  for (int i = 0; i < static_cast<int>(state.layout.nodes().size()); ++i) {
+    if (!Pulls(i, state)) continue;
+    const bool is_ball = state.model.nodes[i].is_ball;
+    springs->push_back(is_ball ? SpringOnBall(i, state) : SpringOnHinges(i, state));
+  }
+}
+
+Vec3 SpringDrive::Limit(const RegionState& state, int node, const Vec3& moment) const {
+  const int first = state.layout.node(node).first_hinge;
+  if (state.model.nodes[node].is_ball) {
+    const Mat3 R_WB = PullOnBall(node, state).R_WB;
+    return R_WB * Limited(springs_[first], Now(first, state), R_WB.transpose() * moment);
+  }
+  const NodeMotion& own = state.kinematics.motion()[node];
+  double torques[3] = {};
+  ForEachHinge(node, state, [&](int free, const HingePull& pull, const HingeMotion&) {
+    const double torque = moment.dot(own.axis[static_cast<size_t>(free)].eigen());
+    torques[free] = std::clamp(torque, pull.least, pull.most);
+  });
+  return MomentOfHinges(own, state.layout.node(node).num_dofs, torques).eigen();
+}
+
 bool SpringDrive::has_kinks() const {
   return std::any_of(springs_.begin(), springs_.end(), [](const Spring& spring) {
     return spring.rate > 0.0 && (spring.is_limited() || spring.muscles);

@@ -95,6 +95,9 @@ class SpringDrive : public ForceLaw {
   // In a layout that locks no hinge.
   void ListSpent(const RegionState& state, std::vector<SpentDrive>* spent) const override;
   double FastestRate() const override;
+  bool is_spring() const override { return true; }
+  void ListSprings(const RegionState& state, std::vector<JointSpring>* springs) const override;
+  Vec3 Limit(const RegionState& state, int node, const Vec3& moment) const override;
 
  private:
   // Of a ball joint, in its frame.
@@ -111,6 +114,8 @@ class SpringDrive : public ForceLaw {
   template <typename Action>
   void ForEachHinge(int node, const RegionState& state, Action&& action) const;
   small::V3 MomentOnHinges(int node, const RegionState& state) const;
+  JointSpring SpringOnBall(int node, const RegionState& state) const;
+  JointSpring SpringOnHinges(int node, const RegionState& state) const;
 
   std::vector<Spring> springs_;
 };
