@@ -26,7 +26,9 @@ class EndResolver {
     }
     if (source.object.empty()) return InWorld(own);
     if (const SceneObject* object = FindNamed(animation_.scene, source.object)) {
-      return InWorld(FrameOf(object->shape) * own);
+      ConstraintEnd end = InWorld(FrameOf(object->shape) * own);
+      end.object = static_cast<int>(object - animation_.scene.data());
+      return end;
     }
     const HeldObject& object = *FindNamed(animation_.held_objects, source.object);
     const Holder* holder = HolderDuring(object, span_, animation_, site_.Field(name));
@@ -36,9 +38,9 @@ class EndResolver {
 
  private:
   static ConstraintEnd End(std::optional<GroupIndex> joint, const Pose& at) {
-    return {false, joint, at.p, at.R};
+    return {false, joint, at.p, at.R, {}};
   }
-  static ConstraintEnd InWorld(const Pose& at) { return {true, {}, at.p, at.R}; }
+  static ConstraintEnd InWorld(const Pose& at) { return {true, {}, at.p, at.R, {}}; }
 
   Span span_;
   Site site_;
@@ -63,6 +65,7 @@ void AddConstraints(const Project& project, Animation* animation, FirstError* er
     constraint.arrive_frames = source.arrive_frames.value_or(0);
     constraint.break_force = source.break_force_n;
     constraint.break_impulse = source.break_impulse_n_s;
+    constraint.collides = source.collides;
     animation->constraints.push_back(std::move(constraint));
   }
 }

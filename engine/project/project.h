@@ -181,6 +181,7 @@ struct ProjectConstraint {
   int first_frame = 0, last_frame = 0;  // half open
   std::optional<int> arrive_frames;
   std::optional<double> break_force_n, break_impulse_n_s;
+  bool collides = false;
   ExtraFields extra;
   Identity identity = {};
   bool operator==(const ProjectConstraint&) const = default;

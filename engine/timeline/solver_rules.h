@@ -15,7 +15,11 @@ struct SolverRules {
       : keeps_speed_of_what_touches(version >= 2),
         is_causal(version >= 2),
         releases_at_keyed_speed(version >= 2),
-        stands_on_springs(version >= 2) {}
+        stands_on_springs(version >= 2),
+        parts_what_is_tied(version >= 2),
+        keeps_touching_links_apart(version >= 2),
+        lifts_plates_at_all_angles(version >= 2),
+        feels_what_is_deep(version >= 2) {}
 
   // A figure that contacts place keeps its velocity where a region begins. Before: its placement
   // pinned what touched, which stopped the figure dead. [METHOD 12.9]
@@ -30,14 +34,27 @@ struct SolverRules {
   // the ground, and springs are implicit while contacts are in time-stepping mode. Before: springs
   // counted what lies beyond their joint alone, and were explicit. [METHOD 2.6, 12.4]
   bool stands_on_springs;
+  // What a point or a weld ties does not collide. Before: a hand collided with what it gripped.
+  // [METHOD 11]
+  bool parts_what_is_tied;
+  // Links that just touch when all angles are zero stay out of each other. Before: they went
+  // through each other. [METHOD 12.7]
+  bool keeps_touching_links_apart;
+  // A plate's lift is not faded next to 0 and 90 degrees, where it is 0 anyway. [METHOD 9.1]
+  bool lifts_plates_at_all_angles;
+  // What begins more than 0.1 m deep inside a box is let out. Before: it fell through.
+  // [METHOD 12.5]
+  bool feels_what_is_deep;
 
   bool operator==(const SolverRules&) const = default;
 };
 inline auto MembersOf(const SolverRules& rules) {
-  const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs] =
-      rules;
+  const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
+               parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
+               feels_what_is_deep] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
-                  stands_on_springs);
+                  stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
+                  lifts_plates_at_all_angles, feels_what_is_deep);
 }
 
 }  // namespace hazumi

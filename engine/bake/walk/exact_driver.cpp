@@ -87,7 +87,8 @@ void ExactDriver::ListOwnPairs() {
     const DynamicsRegion* region = Carrying(figure_.links()[link].joint);
     return region && region->touches_self;
   };
-  for (const LinkPair& pair : PairsApart(figure_)) {
+  const bool with_touching = SolverRules(animation_.solver.version).keeps_touching_links_apart;
+  for (const LinkPair& pair : PairsApart(figure_, with_touching)) {
     if (asks(pair.a) || asks(pair.b)) own_pairs_.push_back(pair);
   }
 }
@@ -158,10 +159,11 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, const std::vector<L
     *constraints = ConstraintsOf(task.model, animation_, active);
     task.constraints = constraints->specs;
   }
+  const std::vector<int> acting = ActiveConstraints(animation_, t, broken_);
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };
     AddBalls(animation_.held_objects, loose, figure_, touches, &task.model);
-    task.contacts = ContactsOf(task.model, figure_, animation_, touches, own_pairs_);
+    task.contacts = ContactsOf(task.model, figure_, animation_, touches, own_pairs_, acting);
   }
   return task;
 }

@@ -117,6 +117,17 @@ void PushIsland(const RegionModel& model, std::shared_ptr<const ForceLaw> push,
 // Acts at one instant, and not in between.
 void AddForce(const PushForce&, const Figure&, const RegionModel&, std::vector<ForceSpec>*) {}
 
+// Next to 0 and 90 degrees, too, where their lift is 0 anyway.
+void LiftPlates(std::vector<ForceSpec>* forces) {
+  for (ForceSpec& force : *forces) {
+    auto* const wind = std::get_if<WindSpec>(&force);
+    if (!wind) continue;
+    for (AirSurface& own : wind->surfaces) {
+      own.surface.is_faded = own.surface.kind != LinkSurface::Kind::kPlate;
+    }
+  }
+}
+
 }  // namespace
 
 void AddOuterForces(const Animation& animation, const Figure& figure, double t,
@@ -127,6 +138,7 @@ void AddOuterForces(const Animation& animation, const Figure& figure, double t,
     if (frame < force.first_frame || frame >= force.last_frame) continue;
     std::visit([&](const auto& action) { AddForce(action, figure, model, forces); }, force.action);
   }
+  if (SolverRules(animation.solver.version).lifts_plates_at_all_angles) LiftPlates(forces);
 }
 
 bool Push(const PushForce& push, const Figure& figure, ModelRequest request, RotationState* state) {

@@ -38,7 +38,9 @@ double GapOf(const LinkPair& pair, const Figure& figure, const DynamicsWorkspace
 
 }  // namespace
 
-std::vector<LinkPair> PairsApart(const Figure& figure) {
+std::vector<LinkPair> PairsApart(const Figure& figure, bool with_touching) {
+  constexpr double kTouches = 1e-6;  // [m]
+  const double least = with_touching ? -kTouches : 0.0;
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, Pose(), VecX::Zero(figure.num_joints()), &ws);
   std::vector<LinkPair> pairs;
@@ -49,7 +51,7 @@ std::vector<LinkPair> PairsApart(const Figure& figure) {
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
       if (joint_of(a) == joint_of(b) || hangs_on(a, b) || hangs_on(b, a)) continue;
-      if (GapOf({a, b}, figure, ws) > 0.0) pairs.push_back({a, b});
+      if (GapOf({a, b}, figure, ws) > least) pairs.push_back({a, b});
     }
   }
   return pairs;

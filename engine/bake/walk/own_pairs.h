@@ -16,8 +16,9 @@ struct LinkPair {
 };
 
 // Those that can be told to stay out of each other: they are fixed to different joints, neither is
-// the one that the other hangs on, and they are apart when all angles are zero.
-std::vector<LinkPair> PairsApart(const Figure& figure);
+// the one that the other hangs on, and they are apart when all angles are zero; or just touch, if
+// that is asked for.
+std::vector<LinkPair> PairsApart(const Figure& figure, bool with_touching = true);
 
 // The pair that is deepest inside each other; none if they are all apart. Needs ComputePositions.
 struct Overlap {

@@ -71,6 +71,7 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
   const auto num_obstacles = static_cast<int>(spec_.obstacles.size());
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
     for (int o = 0; o < num_obstacles && spec_.capsules[c].meets_obstacles; ++o) {
+      if (IsExempt(c, o)) continue;
       if (LeastGap(moving_[c], spec_.obstacles[o]) <= reach) AddPairs({c, o});
     }
   }
@@ -210,6 +211,13 @@ bool ContactSet::FollowSlides(const RegionState& state) {
   return is_slow;
 }
 
+bool ContactSet::IsExempt(int capsule, int obstacle) const {
+  const auto is_it = [&](const ContactExemption& exemption) {
+    return exemption.capsule == capsule && exemption.obstacle == obstacle;
+  };
+  return std::any_of(spec_.exempt.begin(), spec_.exempt.end(), is_it);
+}
+
 bool ContactSet::IsBuried(int pair, double gap) const {
   constexpr double kMost = 0.1;      // of the axis [m]
   constexpr double kNearest = 0.25;  // of both radii, of axes to each other
@@ -218,6 +226,7 @@ bool ContactSet::IsBuried(int pair, double gap) const {
     const double radii = spec_.capsules[own.capsule].radius + spec_.capsules[*other].radius;
     return gap < (kNearest - 1.0) * radii;
   }
+  if (spec_.feels_what_is_deep) return false;
   return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
 }
 

@@ -88,6 +88,7 @@ class ContactSet {
   void AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const;
 
  private:
+  bool IsExempt(int capsule, int obstacle) const;
   MovingCapsule CapsuleAt(int capsule, const RegionState& state) const;
   const OwnContact* OwnOf(const ContactPair& pair) const;
   int NumPairsOf(const ContactPair& pair) const;

@@ -49,16 +49,27 @@ inline auto MembersOf(const OwnContact& own) {
   return std::tie(a, b, friction);
 }
 
+// A capsule and an obstacle, by their indices, that pass through each other.
+struct ContactExemption {
+  int capsule = 0, obstacle = 0;
+};
+inline auto MembersOf(const ContactExemption& exemption) {
+  const auto& [capsule, obstacle] = exemption;
+  return std::tie(capsule, obstacle);
+}
+
 // What may touch what, as plain values that caches compare.
 struct ContactSpec {
   std::vector<ContactCapsule> capsules;
   std::vector<ContactObstacle> obstacles;
   std::vector<OwnContact> own = {};
+  std::vector<ContactExemption> exempt = {};
+  bool feels_what_is_deep = true;  // however deep something is inside a box
   bool empty() const { return capsules.empty() || (obstacles.empty() && own.empty()); }
 };
 inline auto MembersOf(const ContactSpec& spec) {
-  const auto& [capsules, obstacles, own] = spec;
-  return std::tie(capsules, obstacles, own);
+  const auto& [capsules, obstacles, own, exempt, feels_what_is_deep] = spec;
+  return std::tie(capsules, obstacles, own, exempt, feels_what_is_deep);
 }
 
 }  // namespace hazumi

@@ -4,8 +4,8 @@
 // Wings [Dickinson, Lehmann, Sane 1999], alpha in degrees:
 //   C_L = 0.225 + 1.58 sin(2.13 alpha - 7.2),   C_D = 1.92 - 1.55 cos(2.04 alpha - 9.82)
 // Plates, with the drag of a square one across the flow [Hoerner 1965]: a force along N, 1.17 sin
-// alpha. C_L is faded to 0, with two derivatives, within 5 degrees of both ends, where e_L changes
-// sides.
+// alpha, whose lift is 0 at both ends. C_L of others is faded to 0, with two derivatives, within 5
+// degrees of both ends, where e_L changes sides; in solver version 1 that of plates too.
 
 #include "engine/passive/forces/air_on_surface.h"
 
@@ -55,7 +55,7 @@ AirCoefficients Unfaded(const LinkSurface& surface, double angle) {
 
 AirCoefficients CoefficientsOf(const LinkSurface& surface, double angle) {
   AirCoefficients coefficients = Unfaded(surface, angle);
-  coefficients.lift *= Fade(angle);
+  if (surface.is_faded) coefficients.lift *= Fade(angle);
   return coefficients;
 }
 

@@ -126,6 +126,12 @@ void Describe(Ar& ar, Ref<Ar, ProjectConstraint> constraint) {
                .range = kPositive,
                .step = 0.1},
               constraint.break_impulse_n_s);
+  ar.Optional({.name = "collides",
+               .label = "Ends collide",
+               .help = "true: what it ties touches, as a hand that rests on a table",
+               .details = "Default: what a point or a weld ties passes through each other, as a "
+                          "hand does that grips a bar. Solver version 1 always collides."},
+              constraint.collides);
 }
 
 }  // namespace hazumi
