@@ -127,8 +127,10 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
-  // Whether limits hold hinges, or may, from now on: how constraints yield (YieldOf).
-  void SetBlocked(bool blocked) { is_blocked_ = blocked; }
+  // What constraints yield at least from now on (YieldOf): kBlocked where limits hold hinges, or
+  // may; more where contacts leave no room.
+  static constexpr double kBlocked = 0.01;
+  void SetLeastYield(double least) { least_yield_ = least; }
   // Constraints keep their ends together, and contacts apart; where a pinned root answers, however
   // large the island is, the dense way.
   ConstraintRows& constraints() { return rows_; }
@@ -142,6 +144,7 @@ class RegionDynamics {
   void SetRules(const SolverRules& rules) { rules_ = rules; }
   // Whether springs are to be taken implicitly where contacts are.
   bool has_implicit_springs() const { return rules_.stands_on_springs && has_springs_; }
+  bool constraints_yield_to_contacts() const { return rules_.parts_what_is_tied; }
   // After AssembleHinges at the same: springs in joints.
   std::vector<JointSpring> Springs(const RegionState& state) const;
   // Its axes by hinge, world.
@@ -310,7 +313,7 @@ class RegionDynamics {
   MatX J_, P_, half_answer_, G_;
   bool any_slides_ = false;
   RowYield yield_;
-  bool is_blocked_ = true;
+  double least_yield_ = kBlocked;
   VecX row_forces_;
   LimitRows hinge_rows_, hinge_row_rates_;
   OuterLayout outer_layout_;

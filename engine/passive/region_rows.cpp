@@ -216,7 +216,7 @@ void RegionDynamics::KeepTogether(const RegionState& state, double* x) {
   MatX A = AnswerRows(layout);
   if (rows_.any_yielding()) {
     if (!is_any_locked()) {
-      yield_ = YieldOf(rows_.rows(), A, rows_.Damping(), model_.mass, is_blocked_);
+      yield_ = YieldOf(rows_.rows(), A, rows_.Damping(), model_.mass, least_yield_);
     }
     A += yield_.C;
     errors -= yield_.C * yield_.d;
@@ -259,7 +259,7 @@ void RegionDynamics::YieldAsIfFree(double t, const double* y) {
 void RegionDynamics::Yield(const RegionLayout& layout) {
   VecX unused(layout.num_dofs());
   dense_.Solve(layout, unused.data());
-  yield_ = YieldOf(rows_.rows(), AnswerRows(layout), rows_.Damping(), model_.mass, is_blocked_);
+  yield_ = YieldOf(rows_.rows(), AnswerRows(layout), rows_.Damping(), model_.mass, least_yield_);
 }
 
 // As limits need them, at rates for impacts, with the accelerations of rules for forces.

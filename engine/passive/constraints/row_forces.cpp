@@ -23,7 +23,6 @@ namespace {
 constexpr double kHold = 0.1, kNone = 1e-4;
 constexpr double kSoftest = 1e-4;  // e: what bounds C where a row has no hold
 constexpr double kArm = 0.3;       // [m]
-constexpr double kBlocked = 0.01;  // that C is at least where limits hold hinges
 
 double Step(double s) { return SmoothStep(std::clamp(s, 0.0, 1.0)); }
 
@@ -40,7 +39,7 @@ VecX UnitsOf(const std::vector<ConstraintRow>& rows, const std::vector<Eigen::In
 }  // namespace
 
 RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const VecX& damping,
-                 double mass, bool blocked) {
+                 double mass, double least) {
   std::vector<Eigen::Index> closed, others;
   for (size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_contact()) continue;  // which may open, as limits may let go
@@ -64,7 +63,7 @@ RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const Ve
     C[k] = 1.0 / (h / s + kSoftest) - 1.0 / (1.0 / s + kSoftest);
     if (const double n = Step(s / kNone); n > 0.0) d[k] = -(1.0 - h) * n / s * slows[k];
   }
-  if (blocked) C.array() += kBlocked;
+  if (least > 0.0) C.array() += least;
   const VecX back = unit.cwiseInverse();
   RowYield yield = {MatX::Zero(A.rows(), A.rows()), VecX::Zero(A.rows())};
   yield.C(others, others) =

@@ -63,8 +63,9 @@ void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later
   const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
-  dynamics_->SetBlocked(
-      std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; }));
+  const bool is_blocked =
+      std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; });
+  dynamics_->SetLeastYield(is_blocked ? RegionDynamics::kBlocked : 0.0);
   if (with_impulse || moving > 0) Collide(t, v_pin, state);
   Settle(t, later, state);
 }

@@ -4,9 +4,9 @@
 //   forces l up to the end        w+ + h (J x_0 + c + A l)            the same
 // both within the cones of friction. Springs in joints, that give M - K phi - D (w - w_0) as they
 // turn by phi and with w, are implicit: M + h D + h^2 K in the place of the mass matrix, and what
-// they give at the end for all of the while [Baraff, Witkin 1998]. What would be hit within the step is slowed down so that it
-// arrives at its end. What is inside (s < 0) is asked to come out slowly instead.
-// Nothing bounces here.
+// they give at the end for all of the while [Baraff, Witkin 1998]. What would be hit within the
+// step is slowed down so that it arrives at its end. What is inside (s < 0) is asked to come out
+// slowly instead. Nothing bounces here.
 
 #include "engine/passive/exact/frozen_contacts.h"
 
@@ -62,6 +62,7 @@ void FrozenContacts::Begin() {
 void FrozenContacts::Enter(double t) {
   calm_enough_ = t - left_ < kSoon ? std::min(2 * calm_enough_, kCalmest) : kCalm;
   calm_steps_ = 0;
+  least_yield_ = RegionDynamics::kBlocked;
   start_ = t;
   longest_ = kLongest;
   pushes_.clear();
@@ -98,7 +99,7 @@ void FrozenContacts::GiveNothing() {
 
 void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
   dynamics_->frozen().Clear();
-  dynamics_->SetBlocked(true);
+  dynamics_->SetLeastYield(least_yield_);
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   ListNear(t, *state);
   dynamics_->AssembleHinges(t, state->q, state->qd);
@@ -151,6 +152,7 @@ void FrozenContacts::SweepUpTo(double most, const VecX& start) {
     for (const ConeProblem::Block& block : problem_.cones().blocks) {
       const double push = problem_.forces()[block.row];
       if (block.kind != Kind::kContact || push <= 2.0 * most) continue;
+      has_no_room_ = true;
       problem_.cones().A(block.row, block.row) *= push / most;
       any = true;
     }
@@ -172,7 +174,8 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
   contacts.FindPairs(places, reach);
   contacts.RaiseFloors(places);
-  is_inside_ = is_deep_ = false;
+  if (has_no_room_ || is_deep_) YieldMore();
+  is_inside_ = is_deep_ = has_no_room_ = false;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, places);
     const bool is_near = point && point->gap <= reach;
@@ -189,6 +192,13 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
     const double near = kNearLimit + 2.0 * h_ * std::abs(state.qd[i]);
     if (std::min(up, down) < near) side_[i] = up < down ? 1 : -1;
   }
+}
+
+// Where contacts and constraints cannot both be kept the constraints give way.
+void FrozenContacts::YieldMore() {
+  constexpr double kMore = 10.0, kMostYield = 1e3;
+  if (!dynamics_->constraints_yield_to_contacts()) return;
+  least_yield_ = std::min(kMore * least_yield_, kMostYield);
 }
 
 double FrozenContacts::RoomOf(int hinge, const VecX& q) const {

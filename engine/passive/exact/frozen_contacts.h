@@ -66,6 +66,7 @@ class FrozenContacts {
   double SpeedFor(double s, double fastest_out) const;
   double GapOf(const ConstraintRow& row) const;
   double RoomOf(int hinge, const VecX& q) const;
+  void YieldMore();
 
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
@@ -77,6 +78,8 @@ class FrozenContacts {
   std::vector<JointSpring> springs_;  // that are taken implicitly
   VecX kick_;
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
+  bool has_no_room_ = false;  // contacts pushed with all they may in the latest while
+  double least_yield_ = RegionDynamics::kBlocked;  // of constraints
   int calm_steps_ = 0, calm_enough_ = 0;
   double left_ = 0.0;             // when [s]
   double start_ = 0.0, h_ = 0.0;  // of the latest while [s]
