@@ -26,6 +26,7 @@ void AddExact(const RegionReport& report, Json* region) {
   (*region)["bodies"] = report.bodies;
   (*region)["error_estimate_deg"] = Degrees(report.error_estimate);
   if (report.estimated_until) (*region)["estimated_until_frame"] = *report.estimated_until;
+  if (report.branches_from) (*region)["branches_from_frame"] = *report.branches_from;
 }
 
 Json EnergyAsJson(const EnergyBalance& energy) {
@@ -79,6 +80,10 @@ Json EventsAsJson(const Motion& motion) {
                     {"frame", event.frame},
                     {"time_s", event.time},
                     {"joint", event.joint}});
+    if (event.kind == EventKind::kTouchDown) {
+      list.back()["link"] = event.link;
+      list.back()["on"] = event.on;
+    }
     if (event.count == 1) continue;
     list.back()["count"] = event.count;
     list.back()["last_time_s"] = event.last_time;
@@ -149,6 +154,12 @@ void PrintPlacements(const Animation& animation) {
   }
 }
 
+// What an event is of.
+std::string SubjectOf(const MotionEvent& event) {
+  if (event.kind != EventKind::kTouchDown) return event.joint;
+  return event.link + " on " + event.on;
+}
+
 std::string AgainText(const MotionEvent& event) {
   if (event.count == 1) return "";
   return ", " + std::to_string(event.count) + " times until " + FormatShort(event.last_time) + " s";
@@ -157,7 +168,7 @@ std::string AgainText(const MotionEvent& event) {
 void PrintEvents(const Motion& motion) {
   for (const MotionEvent& event : motion.events) {
     PrintLine(stdout, "%-10s  frame %4d  %10.6f s  %s%s", NameOf(event.kind), event.frame,
-              event.time, event.joint.c_str(), AgainText(event).c_str());
+              event.time, SubjectOf(event).c_str(), AgainText(event).c_str());
   }
 }
 

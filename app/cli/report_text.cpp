@@ -43,6 +43,10 @@ std::string CostText(const RegionReport& report) {
     if (report.estimated_until) {
       text += " up to frame " + FormatShort(*report.estimated_until) + ", where it tumbles";
     }
+    if (report.branches_from) {
+      text += ", one of several likely motions from frame " + FormatShort(*report.branches_from) +
+              " on";
+    }
   }
   text += ", " + std::to_string(static_cast<long>(report.microseconds + 0.5)) + " us";
   if (report.evaluations == 0) return text;
@@ -70,8 +74,8 @@ std::string EnergyText(const EnergyBalance& energy) {
   std::string text = FromTo("kinetic", energy.kinetic_start, energy.kinetic_end) + ", " +
                      FromTo("potential", energy.potential_start, energy.potential_end);
   for (const EnergyBalance::Work& work : energy.laws) text += Work(work.law.c_str(), work.joules);
-  return text + Work("limits", energy.limits) + Work("keys and placement", energy.keyed) +
-         Work("unexplained", energy.residual());
+  return text + Work("limits", energy.limits) + Work("impacts of contacts", energy.impacts) +
+         Work("keys and placement", energy.keyed) + Work("unexplained", energy.residual());
 }
 
 std::vector<std::string> LinesOf(const RegionReport& report, bool with_root) {

@@ -9,7 +9,7 @@
 #include "engine/base/members.h"
 #include "engine/passive/exact/exact_failure.h"
 #include "engine/passive/exact/hinge_state.h"
-#include "engine/passive/exact/limit_hits.h"
+#include "engine/passive/exact/impact_log.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/spatial/wrench.h"
@@ -132,6 +132,9 @@ struct IslandProgress {
   std::vector<LimitHit> hits;
   std::vector<ConstraintBreak> breaks = {};  // by index of the task's constraints
   std::optional<double> frozen_from = {};    // as ExactSolver [s]
+  std::vector<TouchDown> touches = {};
+  ImpactWork impacts = {};
+  std::vector<EventMark> marks = {};
 };
 
 // Fewer times than asked for where it could not go on.

@@ -141,8 +141,16 @@ std::vector<ConstraintPush> IslandRun::PushesOfConstraints() const {
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
-  return {solver_.time(),       solver_.step_start(), failure, 0.0, solver_.TakeHits(),
-          solver_.TakeBreaks(), solver_.frozen_from()};
+  return {solver_.time(),
+          solver_.step_start(),
+          failure,
+          0.0,
+          solver_.TakeHits(),
+          solver_.TakeBreaks(),
+          solver_.frozen_from(),
+          solver_.TakeTouches(),
+          solver_.TakeImpactWork(),
+          solver_.TakeMarks()};
 }
 
 void IslandRun::Sample(double t, Gaps gaps, IslandSamples* samples) {

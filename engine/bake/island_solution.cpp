@@ -73,6 +73,9 @@ void IslandSolution::TakeProgress(const IslandProgress& progress) {
   step_start_ = progress.step_start;
   microseconds_ += progress.microseconds;
   hits_.insert(hits_.end(), progress.hits.begin(), progress.hits.end());
+  touches_.insert(touches_.end(), progress.touches.begin(), progress.touches.end());
+  impacts_.Add(progress.impacts);
+  for (const EventMark& mark : progress.marks) trail_.Add(mark);
   breaks_.insert(breaks_.end(), progress.breaks.begin(), progress.breaks.end());
   frozen_from_ = progress.frozen_from;
   if (progress.failure) failure_ = progress.failure;

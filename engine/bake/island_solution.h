@@ -83,6 +83,12 @@ class IslandSolution {
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
+  // What touched down since the last call.
+  std::vector<TouchDown> TakeTouches() { return std::exchange(touches_, {}); }
+  // All events since it began.
+  const EventTrail& trail() const { return trail_; }
+  // What impacts did since the last call.
+  ImpactWork TakeImpactWork() { return std::exchange(impacts_, {}); }
 
   long evaluations() const { return answers_.evaluations(); }
   long steps() const { return answers_.steps(); }
@@ -103,6 +109,9 @@ class IslandSolution {
   std::optional<ExactFailure> failure_;
   std::optional<double> frozen_from_;
   std::vector<LimitHit> hits_;
+  std::vector<TouchDown> touches_;
+  ImpactWork impacts_;
+  EventTrail trail_;
   std::vector<ConstraintBreak> breaks_;
   // What was looked ahead to, null if nothing was, and the samples there.
   double ahead_end_ = 0.0;

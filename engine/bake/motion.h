@@ -67,7 +67,16 @@ struct MotionFrame {
   SceneContacts contacts = {};
 };
 
-enum class EventKind { kTakeOff, kApex, kLanding, kPinChange, kLimit, kRelease, kBreak };
+enum class EventKind {
+  kTakeOff,
+  kApex,
+  kLanding,
+  kPinChange,
+  kLimit,
+  kRelease,
+  kBreak,
+  kTouchDown,  // a link that a region keeps out of the scene, or a ball, comes down on something
+};
 const char* NameOf(EventKind kind);
 
 struct MotionEvent {
@@ -76,9 +85,12 @@ struct MotionEvent {
   int frame = 0;      // the nearest for an apex, else the first at or after `time`
   std::string joint;  // pinned, stopped or letting go; empty if none; a constraint that breaks
   // A limit that is hit again and again, less than kChatterGap between two hits, is one event: so
-  // many hits, the last one at last_time.
+  // many hits, the last one at last_time. Likewise touch-downs of a link on one thing.
   long count = 1;
   double last_time = time;
+  // kTouchDown: the link, or the ball, and what it came down on: an object of the scene, another
+  // link or a ball. `joint` is the link's.
+  std::string link = {}, on = {};
 };
 
 // Energy of the bodies that a region's model moves, and where it went [J].
@@ -91,13 +103,14 @@ struct EnergyBalance {
     double joules = 0.0;
   };
   std::vector<Work> laws = {{"friction", 0.0}};
-  double limits = 0.0;  // of impacts on limits and on the ground
-  double keyed = 0.0;   // of the keyed joints and the placement
+  double limits = 0.0;   // of impacts on limits, and of a pin that is stopped
+  double impacts = 0.0;  // of impacts of contacts
+  double keyed = 0.0;    // of the keyed joints and the placement
   // What is left unexplained: 0 but for the error of the solution.
   double residual() const {
     double rest = kinetic_end + potential_end - kinetic_start - potential_start;
     for (const Work& work : laws) rest -= work.joules;
-    return rest - limits - keyed;
+    return rest - limits - impacts - keyed;
   }
   // 0 if no such law acts.
   double WorkOf(std::string_view law) const {
@@ -132,6 +145,9 @@ struct RegionReport {
   // It covers the frames up to there, if not all: from there on what touches tumbles, and the least
   // difference grows.
   std::optional<double> estimated_until;
+  // From this frame on its control solution has other events, or the same ones in another order:
+  // the motion is one of several that begin nearly alike, and the estimate says nothing of it.
+  std::optional<double> branches_from = {};
   std::optional<EnergyBalance> energy;
 };
 

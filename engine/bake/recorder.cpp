@@ -39,6 +39,8 @@ const char* NameOf(EventKind kind) {
       return "release";
     case EventKind::kBreak:
       return "break";
+    case EventKind::kTouchDown:
+      return "touch_down";
   }
   return "";
 }
@@ -215,6 +217,46 @@ void Recorder::AddLimit(JointIndex j, double time, double last_time, long count)
   if (count == 1) return;
   stretch_->events.back().count = count;
   stretch_->events.back().last_time = last_time;
+}
+
+// Or goes on with the event that it chatters on with.
+void Recorder::AddTouch(const TouchDown& touch) {
+  const double frame = animation_.rate.FrameAt(touch.time);
+  if (stays(frame)) return;
+  AddEvent(EventKind::kTouchDown, frame, "");
+  MotionEvent event = TouchEvent(touch);
+  event.time = stretch_->events.back().time;
+  event.frame = stretch_->events.back().frame;
+  stretch_->events.pop_back();
+  const auto is_same = [&](const MotionEvent& last) {
+    return last.kind == event.kind && last.link == event.link && last.on == event.on &&
+           event.time - last.last_time < kChatterGap;
+  };
+  const auto last = std::find_if(stretch_->events.rbegin(), stretch_->events.rend(), is_same);
+  if (last == stretch_->events.rend()) return stretch_->events.push_back(std::move(event));
+  last->count += event.count;
+  last->last_time = event.last_time;
+}
+
+// Names of what touched down, without when.
+MotionEvent Recorder::TouchEvent(const TouchDown& touch) const {
+  const auto ball_name = [&](int ball) { return animation_.held_objects[ball].name; };
+  const std::vector<Link>& links = animation_.figure->links();
+  MotionEvent event = {EventKind::kTouchDown};
+  if (touch.parts.link >= 0) {
+    const Link& link = links[touch.parts.link];
+    event.link = link.name;
+    event.joint = link.joint.is_valid() ? animation_.figure->joint(link.joint).name
+                                        : animation_.figure->root_name();
+  } else if (touch.ball >= 0) {
+    event.link = ball_name(touch.ball);
+  }
+  if (touch.parts.object >= 0) event.on = animation_.scene[touch.parts.object].name;
+  if (touch.parts.by_link >= 0) event.on = links[touch.parts.by_link].name;
+  if (touch.parts.by_ball >= 0) event.on = ball_name(touch.parts.by_ball);
+  event.count = touch.count;
+  event.last_time = touch.last_time;
+  return event;
 }
 
 void Recorder::AddWarning(Warning warning) { stretch_->warnings.push_back(std::move(warning)); }

@@ -46,6 +46,7 @@ class Recorder {
   // Frames of the animation; seconds.
   void AddEvent(EventKind kind, double frame, const std::string& joint);
   void AddLimit(JointIndex j, double time, double last_time, long count);
+  void AddTouch(const TouchDown& touch);
   void AddWarning(const std::string& place, const std::string& message) {
     AddWarning({place, message});
   }
@@ -61,6 +62,7 @@ class Recorder {
  private:
   void WarnIfStuck(size_t object, double frame, const HeldObjects& objects);
   MotionFrame* FrameToWrite(int output);
+  MotionEvent TouchEvent(const TouchDown& touch) const;
   bool stays(double frame) const { return first_written_ && frame < *first_written_ - kSameFrame; }
 
   const Animation& animation_;

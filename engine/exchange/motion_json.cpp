@@ -191,6 +191,9 @@ std::string EventText(const MotionEvent& event) {
   return "{\"kind\": " + Quote(NameOf(event.kind)) + ", \"frame\": " + std::to_string(event.frame) +
          ", \"time_s\": " + FormatNumber(event.time) +
          ", \"joint\": " + (event.joint.empty() ? "null" : Quote(event.joint)) +
+         (event.kind == EventKind::kTouchDown
+              ? ", \"link\": " + Quote(event.link) + ", \"on\": " + Quote(event.on)
+              : "") +
          (event.count == 1 ? ""
                            : ", \"count\": " + std::to_string(event.count) +
                                  ", \"last_time_s\": " + FormatNumber(event.last_time)) +
@@ -210,7 +213,9 @@ std::string ModelText(const RegionReport& region) {
          ", \"error_estimate_deg\": " + NumberOrNull(Degrees(region.error_estimate)) +
          (region.estimated_until
               ? ", \"estimated_until_frame\": " + FormatNumber(*region.estimated_until)
-              : "");
+              : "") +
+         (region.branches_from ? ", \"branches_from_frame\": " + FormatNumber(*region.branches_from)
+                               : "");
 }
 
 std::string EnergyText(const EnergyBalance& energy) {
@@ -267,6 +272,7 @@ std::vector<std::pair<std::string, double>> TermsOf(const EnergyBalance& energy)
                                                        {"potential_end", energy.potential_end}};
   for (const EnergyBalance::Work& work : energy.laws) terms.emplace_back(work.law, work.joules);
   terms.emplace_back("stops", energy.limits);
+  terms.emplace_back("impacts", energy.impacts);
   terms.emplace_back("keyed", energy.keyed);
   terms.emplace_back("residual", energy.residual());
   return terms;

@@ -28,6 +28,8 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
     has_kinks_ |= law->has_kinks();
     has_springs_ |= law->is_spring();
   }
+  const std::vector<char> weightless = WeightlessNodes(model_);
+  has_weightless_ = std::find(weightless.begin(), weightless.end(), 1) != weightless.end();
   has_outer_ |= has_rows_;
   if (has_outer_) {
     places_.resize(model_.num_nodes());

@@ -286,6 +286,7 @@ class RegionDynamics {
   double PowerInJoints(const std::vector<small::V3>& v, double* keyed);
   double PowerWithout(const ForceLaw& rule, const RegionState& state,
                       const std::vector<small::V3>& v);
+  double PowerWithoutRules(const RegionState& state, const std::vector<small::V3>& v);
   void AddStoredEnergy(double t, const std::vector<small::V3>& v, EnergyFlow* flow) const;
 
   RegionModel model_;
@@ -308,6 +309,7 @@ class RegionDynamics {
   ContactSet contacts_;
   FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false;
+  bool has_weightless_ = false;  // free joints beyond which nothing has mass
   // Of rows: what they measure, and what they push if contacts slide, else the same; half of what
   // the pushes do, R^-1 P^T. By bodies halves of the former too.
   MatX J_, P_, half_answer_, G_;

@@ -147,6 +147,15 @@ double RegionDynamics::PowerWithout(const ForceLaw& rule, const RegionState& sta
   return power;
 }
 
+// What is left of the power in the joints without the accelerations of rules: a joint that moves no
+// mass does not follow forces, whose work on it goes nowhere.
+double RegionDynamics::PowerWithoutRules(const RegionState& state, const std::vector<V3>& v) {
+  for (const auto& law : laws_) {
+    if (law->is_rule()) return PowerWithout(*law, state, v);
+  }
+  return 0.0;
+}
+
 void RegionDynamics::AddStoredEnergy(double t, const std::vector<V3>& v, EnergyFlow* flow) const {
   const auto& motion = kinematics_.motion();
   const bool is_pinned = model_.coupling == RootCoupling::kPinned;
@@ -185,6 +194,10 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
     const double power =
         law->is_rule() ? in_joints - PowerWithout(*law, state, v) : PowerOf(*law, state, v);
     flow.laws.push_back({std::string(law->name()), power});
+  }
+  if (has_weightless_) {
+    const double lost = has_rules_ ? PowerWithoutRules(state, v) : in_joints;
+    flow.laws.push_back({"weightless joints", lost});
   }
   if (!rows_.specs().empty()) {
     flow.laws.push_back({"constraints", PowerOfRows(RowsOf::kConstraints, v)});

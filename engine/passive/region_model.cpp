@@ -313,4 +313,15 @@ std::vector<RegionModel> CompileRegionModels(const Figure& figure, const ModelRe
   return models;
 }
 
+std::vector<char> WeightlessNodes(const RegionModel& model) {
+  std::vector<char> weightless(model.nodes.size(), 1);
+  for (int i = static_cast<int>(model.nodes.size()) - 1; i >= 0; --i) {
+    const ModelNode& node = model.nodes[i];
+    weightless[i] &= node.body.is_massless();
+    if (node.parent >= 0) weightless[node.parent] &= weightless[i];
+    weightless[i] &= node.role == Role::kFree;
+  }
+  return weightless;
+}
+
 }  // namespace hazumi

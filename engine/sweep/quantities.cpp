@@ -103,6 +103,14 @@ double LimitHits(const Measured& m) {
   return hits;
 }
 
+double TouchDowns(const Measured& m) {
+  double touches = 0.0;
+  for (const MotionEvent& event : m.motion.events) {
+    if (event.kind == EventKind::kTouchDown) touches += static_cast<double>(event.count);
+  }
+  return touches;
+}
+
 double LeastClearance(const Measured& m) {
   DynamicsWorkspace ws(*m.animation.figure);
   return -Largest(m.motion, [&](const MotionFrame& frame) {
@@ -151,6 +159,9 @@ double FrictionWork(const Measured& m) {
 double LimitWork(const Measured& m) {
   return Energy(m, [](const EnergyBalance& energy) { return energy.limits; });
 }
+double ImpactWork(const Measured& m) {
+  return Energy(m, [](const EnergyBalance& energy) { return energy.impacts; });
+}
 double KeyedWork(const Measured& m) {
   return Energy(m, [](const EnergyBalance& energy) { return energy.keyed; });
 }
@@ -176,6 +187,8 @@ constexpr Quantity kQuantities[] = {
     {"position_z_m", QuantityOf::kJoint, true, true, false, "z at the frame", JointPlaceAt<2>},
     {"limit_hits", QuantityOf::kHinge, false, false, false,
      "how often limits are hit, of the hinge or of all", LimitHits},
+    {"touch_downs", QuantityOf::kNothing, false, false, false,
+     "how often something comes down on something, of what regions keep apart", TouchDowns},
     {"clearance_least_m", QuantityOf::kNothing, false, false, false,
      "least distance of the figure to the scene, negative where it goes into it", LeastClearance},
     {"error_estimate_deg", QuantityOf::kRegion, false, false, false,
@@ -184,6 +197,8 @@ constexpr Quantity kQuantities[] = {
      "kinetic energy in the end, of the region or the sum", KineticEnd},
     {"friction_work_j", QuantityOf::kRegion, false, false, true, "work of friction", FrictionWork},
     {"limit_work_j", QuantityOf::kRegion, false, false, true, "work of limits", LimitWork},
+    {"impact_work_j", QuantityOf::kRegion, false, false, true, "work of impacts of contacts",
+     ImpactWork},
     {"keyed_work_j", QuantityOf::kRegion, false, false, true, "work of the keyed joints",
      KeyedWork},
     {"warnings", QuantityOf::kNothing, false, false, false, "how many the bake gives", Warnings},

@@ -19,7 +19,9 @@ struct SolverRules {
         parts_what_is_tied(version >= 2),
         keeps_touching_links_apart(version >= 2),
         lifts_plates_at_all_angles(version >= 2),
-        feels_what_is_deep(version >= 2) {}
+        feels_what_is_deep(version >= 2),
+        slides_straight_beyond_stop(version >= 2),
+        rests_without_gravity(version >= 2) {}
 
   // A figure that contacts place keeps its velocity where a region begins. Before: its placement
   // pinned what touched, which stopped the figure dead. [METHOD 12.9]
@@ -45,16 +47,25 @@ struct SolverRules {
   // What begins more than 0.1 m deep inside a box is let out. Before: it fell through.
   // [METHOD 12.5]
   bool feels_what_is_deep;
+  // A step that goes beyond the instant where sliding stops keeps the direction of friction there.
+  // Before: friction across that direction was so stiff that the step made motion of rounding, and
+  // the stop was found milliseconds late. [METHOD 12.2]
+  bool slides_straight_beyond_stop;
+  // In time-stepping mode forces may give what is at rest a speed of 0.1 mm/s. Before: without
+  // gravity they could give it nothing, and what lay still was solved in steps of 1/64 ms.
+  // [METHOD 12.4]
+  bool rests_without_gravity;
 
   bool operator==(const SolverRules&) const = default;
 };
 inline auto MembersOf(const SolverRules& rules) {
   const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
-               feels_what_is_deep] = rules;
+               feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
-                  lifts_plates_at_all_angles, feels_what_is_deep);
+                  lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
+                  rests_without_gravity);
 }
 
 }  // namespace hazumi

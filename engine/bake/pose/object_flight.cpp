@@ -67,10 +67,11 @@ ObjectFlight::Run::Run(const RegionModel& model, double gravity, const ContactSp
 }
 
 ObjectFlight::ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene,
-                           double gravity, double start, const BodyMotion& from)
+                           double gravity, double start, const BodyMotion& from, int version)
     : gravity_(gravity), start_(start), from_(from) {
   const double radius = std::get<SphereShape>(object.shape).radius;
   model_ = ModelOf(object.mass, radius, from.X_WB.R);
+  contacts_.version = version;
   contacts_.obstacles = ObstaclesOf(scene, object.friction);
   contacts_.capsules = {{0, Vec3::Zero(), Vec3::Zero(), radius, -1, object.restitution}};
   Begin();

@@ -20,9 +20,9 @@ BodyMotion Falling(const BodyMotion& start, double seconds, double gravity);
 // [METHOD 12.6]
 class ObjectFlight {
  public:
-  // From `start` seconds on. The shape is a sphere.
+  // From `start` seconds on. The shape is a sphere. `version`: of the solver.
   ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene, double gravity,
-               double start, const BodyMotion& from);
+               double start, const BodyMotion& from, int version = kSolverVersion);
 
   // Later than the start. What cannot be solved further stays where it is.
   BodyMotion At(double seconds);

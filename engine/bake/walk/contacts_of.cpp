@@ -121,7 +121,7 @@ ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Ani
     if (rules.parts_what_is_tied && constraint.parts()) parting.push_back(&constraint);
   }
   ContactSpec spec;
-  spec.feels_what_is_deep = rules.feels_what_is_deep;
+  spec.version = animation.solver.version;
   spec.obstacles = ObstaclesOf(animation.scene, SceneObject::kFriction);
   Lister lister(model, figure, &spec);
   for (size_t i = 0; i < figure.links().size(); ++i) {

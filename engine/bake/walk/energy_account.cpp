@@ -64,8 +64,8 @@ void EnergyAccount::SetCoupling(RootCoupling coupling) {
   coupling_ = coupling;
 }
 
-void EnergyAccount::JumpByPush() {
-  for (Island& island : islands_) island.is_pushed = true;
+void EnergyAccount::JumpBy(const char* cause) {
+  for (Island& island : islands_) island.jumps_by = cause;
 }
 
 // What left stays in what there is at the end, what joined was there at the start. Only sums over
@@ -87,21 +87,29 @@ void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   const double start = std::max(island.until, solution->step_start());
   if (0.5 * (t - start) <= 0.0) return;
   const EnergyFlow first = solution->Energy(start), last = solution->Energy(t);
-  AddStart(first, island);
+  AddStart(first, island, solution->TakeImpactWork());
   AddWork(start, t, first, last, solution);
   balance_.kinetic_end += last.kinetic - (island.is_accounted ? island.kinetic : 0.0);
   balance_.potential_end +=
       last.potential - (island.is_accounted ? island.stored - island.kinetic : 0.0);
-  island = {t, last.kinetic + last.potential, last.kinetic, true, false};
+  island = {t, last.kinetic + last.potential, last.kinetic, true, nullptr};
 }
 
-void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island) {
-  if (island.is_accounted && island.is_pushed) {
-    balance_.AddWork("push", first.kinetic + first.potential - island.stored);
+// Where contacts take part in an impact, limits took what their own impulses did, and contacts the
+// rest. The first impact is that of what touches where the account begins.
+void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island,
+                             const ImpactWork& impacts) {
+  const double jump = first.kinetic + first.potential - island.stored;
+  if (island.is_accounted && island.jumps_by) {
+    balance_.AddWork(island.jumps_by, jump);
   } else if (island.is_accounted) {
-    balance_.limits += first.kinetic + first.potential - island.stored;
+    const double limits = impacts.has_contacts ? impacts.limits : jump;
+    balance_.limits += limits;
+    balance_.impacts += jump - limits;
   } else {
-    balance_.kinetic_start += first.kinetic;
+    balance_.kinetic_start += first.kinetic - impacts.limits - impacts.contacts;
+    balance_.limits += impacts.limits;
+    balance_.impacts += impacts.contacts;
     balance_.potential_start += first.potential;
   }
 }

@@ -15,8 +15,9 @@ class EnergyAccount {
   void Restart(size_t num_islands);
   // The root is coupled so in the steps that follow.
   void SetCoupling(RootCoupling coupling);
-  // Whatever energies jump by before the next step, a push brought.
-  void JumpByPush();
+  // Whatever energies jump by before the next step is the work of this: "push", or "handover" where
+  // what islands hold changes hands, so that they weigh something else.
+  void JumpBy(const char* cause);
   // Of what moves with the islands: so much left, and so much joined them, before the next step.
   struct Stored {
     double kinetic = 0.0, potential = 0.0;  // [J]
@@ -34,10 +35,10 @@ class EnergyAccount {
     double until = 0.0;                  // accounted up to this time [s]
     double stored = 0.0, kinetic = 0.0;  // energy there [J]
     bool is_accounted = false;
-    bool is_pushed = false;  // since then
+    const char* jumps_by = nullptr;  // since then; null: by impacts
   };
 
-  void AddStart(const EnergyFlow& first, const Island& island);
+  void AddStart(const EnergyFlow& first, const Island& island, const ImpactWork& impacts);
   // From energies `first` at its start to `last` at its end.
   void AddWork(double start, double end, const EnergyFlow& first, const EnergyFlow& last,
                IslandSolution* solution);

@@ -222,8 +222,9 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   const auto touches = [&](JointIndex j) { return Touches(j); };
   if (!state.loose.empty()) AppendTiesForBalls(figure_, touches, &request_.ties);
   request_.lists_joints = !animation_.forces.empty() || !request_.ties.empty() || has_contacts_;
-  islands_.clear();
   std::vector<RegionModel> models = CompileRegionModels(figure_, request_);
+  AccountForMass(models);
+  islands_.clear();
   islands_.reserve(models.size());
   for (RegionModel& model : models) {
     const double tolerance = StepToleranceFor(model);
@@ -244,6 +245,28 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
     if (island.has_control) island.control.Begin(t, end, control, curves, known_);
   }
   energy_.Restart(islands_.size());
+}
+
+// What islands hold may have changed hands since their last step, and its energy with it.
+void ExactDriver::AccountForMass(const std::vector<RegionModel>& models) {
+  constexpr double kSame = 1e-12;
+  double before = 0.0, now = 0.0;
+  for (const Island& island : islands_) before += island.solution.model().mass;
+  for (const RegionModel& model : models) now += model.mass;
+  if (!islands_.empty() && std::abs(now - before) > kSame * now) energy_.JumpBy("handover");
+}
+
+std::vector<JointIndex> ExactDriver::WeightlessJoints() const {
+  std::vector<JointIndex> joints;
+  for (const Island& island : islands_) {
+    const RegionModel& model = island.solution.model();
+    const std::vector<char> weightless = WeightlessNodes(model);
+    for (size_t i = 0; i < weightless.size(); ++i) {
+      const Coordinate c = model.nodes[i].num_hinges > 0 ? model.nodes[i].hinges[0].coordinate : 0;
+      if (weightless[i] && c < figure_.num_joints()) joints.emplace_back(c);
+    }
+  }
+  return joints;
 }
 
 void ExactDriver::Drive(double end, const RotationState& state, const DrivenMotion& driven) {
@@ -282,7 +305,7 @@ void ExactDriver::FeelPin(const Vec3& v_pin) {
 bool ExactDriver::Push(const PushForce& push, const RootHold& hold, RotationState* state) {
   DrivenMotion still;
   still.angles.resize(region_of_.size());
-  energy_.JumpByPush();
+  energy_.JumpBy("push");
   return hazumi::Push(push, figure_, RequestFor(*state, hold, still), state);
 }
 

@@ -103,6 +103,12 @@ class ExactDriver {
     Coordinate coordinate;
   };
   std::vector<Hit> TakeHits();
+  // What touched down since the last call.
+  std::vector<TouchDown> TakeTouches();
+
+  // Free joints beyond which nothing has mass: forces on them move nothing. Of ball joints the
+  // first hinge.
+  std::vector<JointIndex> WeightlessJoints() const;
 
   // Constraints that act, by index of the animation's.
   std::vector<int> constraints() const;
@@ -126,6 +132,9 @@ class ExactDriver {
   struct RegionEstimate {
     double error = 0.0;                                      // the largest up to there [rad]
     double until = std::numeric_limits<double>::infinity();  // [s]
+    // From here on solution and control solution are on different branches: their events differ
+    // [s].
+    double branches_from = std::numeric_limits<double>::infinity();
   };
   RegionEstimate EstimateOf(size_t region) const;
   // The largest so far, of what tumbles as well [rad].
@@ -163,10 +172,12 @@ class ExactDriver {
                      IslandConstraints* constraints) const;
   void AddDrives(IslandTask* task) const;
   double StepToleranceFor(const RegionModel& model) const;
+  void AccountForMass(const std::vector<RegionModel>& models);
   void FinishIslands();
   void AppendLogs(IslandLogs* logs) const;
   std::optional<Failure> FirstFailure() const;
   void LeaveControl(Island* island);
+  void NoteBranches(const Island& island, double t);
   // Of solutions and control solutions.
   template <typename Action>
   void ForEachSolution(Action&& action);
@@ -192,7 +203,8 @@ class ExactDriver {
     double error = 0.0, within = 0.0;  // the largest, and of those before one beyond the tolerance
     double within_until = 0.0;         // [s]
     bool is_beyond = false;
-    double frozen_from = std::numeric_limits<double>::infinity();  // [s]
+    double frozen_from = std::numeric_limits<double>::infinity();    // [s]
+    double branches_from = std::numeric_limits<double>::infinity();  // [s]
   };
   std::vector<Estimated> estimated_;  // by index in active()
   EnergyAccount energy_;

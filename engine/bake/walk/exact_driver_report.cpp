@@ -52,6 +52,16 @@ void ExactDriver::LeaveControl(Island* island) {
   }
 }
 
+void ExactDriver::NoteBranches(const Island& island, double t) {
+  const std::optional<double> from =
+      EventTrail::Part(island.solution.trail(), island.control.trail(), t);
+  if (!from) return;
+  for (const Coordinate c : island.solution.hinges()) {
+    double& first = estimated_[region_of_[c]].branches_from;
+    first = std::min(first, *from);
+  }
+}
+
 void ExactDriver::Estimate(double t) {
   const int n = figure_.num_joints() + kRootAngles;
   RotationState state{VecX(n), VecX(n), {}}, control = state;
@@ -60,6 +70,7 @@ void ExactDriver::Estimate(double t) {
   std::vector<double> errors(active_.size(), 0.0);
   for (const Island& island : islands_) {
     if (!island.has_control) continue;
+    NoteBranches(island, t);
     const VecX distances = island.solution.Distances(state, control);
     const auto& hinges = island.solution.hinges();
     for (size_t i = 0; i < hinges.size(); ++i) {
@@ -82,9 +93,10 @@ void ExactDriver::Estimate(double t) {
 ExactDriver::RegionEstimate ExactDriver::EstimateOf(size_t region) const {
   const Estimated& estimated = estimated_[region];
   if (estimated.is_beyond && std::isfinite(estimated.frozen_from)) {
-    return {estimated.within, std::min(estimated.within_until, estimated.frozen_from)};
+    return {estimated.within, std::min(estimated.within_until, estimated.frozen_from),
+            estimated.branches_from};
   }
-  return {estimated.error, estimated.frozen_from};
+  return {estimated.error, estimated.frozen_from, estimated.branches_from};
 }
 
 std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
@@ -159,6 +171,15 @@ std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
     }
   }
   return hits;
+}
+
+std::vector<TouchDown> ExactDriver::TakeTouches() {
+  std::vector<TouchDown> touches;
+  for (Island& island : islands_) {
+    const std::vector<TouchDown> of_island = island.solution.TakeTouches();
+    touches.insert(touches.end(), of_island.begin(), of_island.end());
+  }
+  return touches;
 }
 
 void ExactDriver::ExchangeLoose(const std::vector<LooseObject>& before,

@@ -93,6 +93,7 @@ Result<int> ExactWalk::Advance(int frame) {
     if (begins && driver_) {
       WarnOfInside();
       WarnOfOverlap();
+      WarnOfWeightless();
       if (auto error = CheckGaps()) return *error;
       if (!context_.animation.constraints.empty()) {
         arrivals_.Begin(driver_->constraints(), context_.now, &context_.poses.workspace());
@@ -248,6 +249,7 @@ std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, d
 std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   const auto failure = driver_->Advance(t, last);
   AddHits(last);
+  AddTouches();
   AddBreaks();
   if (!failure) return std::nullopt;
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
@@ -259,6 +261,10 @@ void ExactWalk::AddHits(double until) {
     if (hit.time > until) continue;
     context_.recorder.AddLimit(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
+}
+
+void ExactWalk::AddTouches() {
+  for (const TouchDown& touch : driver_->TakeTouches()) context_.recorder.AddTouch(touch);
 }
 
 void ExactWalk::AddBreaks() {
@@ -406,6 +412,9 @@ void ExactWalk::WriteReports() {
     report.error_estimate = std::max(report.error_estimate, estimate.error);
     if (!report.estimated_until && std::isfinite(estimate.until)) {
       report.estimated_until = context_.animation.rate.FrameAt(estimate.until);
+    }
+    if (!report.branches_from && std::isfinite(estimate.branches_from)) {
+      report.branches_from = context_.animation.rate.FrameAt(estimate.branches_from);
     }
   }
 }

@@ -52,11 +52,13 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> AdvanceRegions(double t, double last);
   std::optional<Error> Arrive(double frame);
   void AddHits(double until);
+  void AddTouches();
   void AddBreaks();
   std::optional<Error> CheckGaps();
   void WarnOfInside();
   void WarnOfOverlap();
   void WarnOfSpentSprings(int frame);
+  void WarnOfWeightless();
   void LookAtArrivals(const FigureMotion& motion);
   void RecordPushes(int output, double t);
 

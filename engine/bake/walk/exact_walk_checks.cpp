@@ -59,6 +59,23 @@ void ExactWalk::WarnOfOverlap() {
   }
 }
 
+// Of joints that a drive or a force is to move, and that move no mass from here on.
+void ExactWalk::WarnOfWeightless() {
+  const Animation& animation = context_.animation;
+  for (const JointIndex joint : driver_->WeightlessJoints()) {
+    const int r = driver_->RegionOf(joint);
+    if (animation.forces.empty() && animation.regions[r].drives.empty()) continue;
+    const int frame = static_cast<int>(context_.now.frame);
+    context_.recorder.AddWarning(
+        {"regions[" + std::to_string(r) + "]",
+         "nothing that joint \"" + context_.poses.figure().joint(joint).name +
+             "\" carries has mass from frame " + std::to_string(frame) +
+             " on: it goes on as it moves, whatever drives it; give its links mass, let it keep " +
+             "what it holds, or leave it out of the region",
+         frame});
+  }
+}
+
 // Of regions that end in `frame`: which springs are too weak to get to where they pull.
 void ExactWalk::WarnOfSpentSprings(int frame) {
   constexpr double kNotice = 2.0 * kDegree, kSoon = 1.0;  // [rad], [s]

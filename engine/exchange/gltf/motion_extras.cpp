@@ -64,6 +64,10 @@ class ExtrasWriter {
   Json EventJson(const MotionEvent& event) const {
     Json json = {{"kind", NameOf(event.kind)}, {"time_s", event.time - start_}};
     if (!event.joint.empty()) json["joint"] = event.joint;
+    if (event.kind == EventKind::kTouchDown) {
+      json["link"] = event.link;
+      json["on"] = event.on;
+    }
     if (event.count == 1) return json;
     json["count"] = event.count;
     json["last_time_s"] = event.last_time - start_;

@@ -23,16 +23,6 @@ bool ArePairsSame(const ContactPair& a, const ContactPair& b) {
   return a.capsule == b.capsule && a.obstacle == b.obstacle && a.pair == b.pair;
 }
 
-// Along which it slides, for a velocity v of the material across n. Where it has come to rest it
-// goes on as before, until that is found.
-V3 SlideOf(const ContactPair& pair, const TouchPoint& point) {
-  const V3 v = point.v - Dot(point.n, point.v) * point.n;
-  const V3 d = pair.direction - Dot(point.n, pair.direction) * point.n;
-  const double ahead = Dot(v, d);
-  const V3 sum = ahead > 0.0 ? v + kSlow * d : v - ahead * d + kSlow * d;
-  return (1.0 / std::sqrt(Dot(sum, sum))) * sum;
-}
-
 }  // namespace
 
 Across AcrossOf(const V3& n) {
@@ -42,7 +32,9 @@ Across AcrossOf(const V3& n) {
 }
 
 ContactSet::ContactSet(ContactSpec spec)
-    : spec_(std::move(spec)), thinnest_(std::numeric_limits<double>::infinity()) {
+    : spec_(std::move(spec)),
+      rules_(spec_.version),
+      thinnest_(std::numeric_limits<double>::infinity()) {
   for (const ContactCapsule& own : spec_.capsules) thinnest_ = std::min(thinnest_, own.radius);
   pairs_.reserve(64);
   before_.reserve(64);
@@ -226,7 +218,7 @@ bool ContactSet::IsBuried(int pair, double gap) const {
     const double radii = spec_.capsules[own.capsule].radius + spec_.capsules[*other].radius;
     return gap < (kNearest - 1.0) * radii;
   }
-  if (spec_.feels_what_is_deep) return false;
+  if (SolverRules(spec_.version).feels_what_is_deep) return false;
   return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
 }
 
@@ -245,6 +237,19 @@ std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const Mov
   const bool is_touching = pair.mode != ContactMode::kOpen;
   if (other) return TouchPointOf(pair.pair, moving, *other, is_touching);
   return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);
+}
+
+// Direction of sliding, for the velocity v of the material across n. Where the step has passed the
+// stop, the direction stays that of the step's beginning until the stop is found: what moves across
+// it would else be damped at a rate of friction / kSlow, which no step follows, and which makes
+// centimetres a second of rounding within one step.
+V3 ContactSet::SlideOf(const ContactPair& pair, const TouchPoint& point) const {
+  const V3 v = point.v - Dot(point.n, point.v) * point.n;
+  const V3 d = pair.direction - Dot(point.n, pair.direction) * point.n;
+  const double ahead = Dot(v, d);
+  const V3 across = rules_.slides_straight_beyond_stop ? V3() : v - ahead * d;
+  const V3 sum = ahead > 0.0 ? v + kSlow * d : across + kSlow * d;
+  return (1.0 / std::sqrt(Dot(sum, sum))) * sum;
 }
 
 void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const {

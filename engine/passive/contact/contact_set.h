@@ -42,6 +42,7 @@ class ContactSet {
   explicit ContactSet(ContactSpec spec);
 
   const ContactSpec& spec() const { return spec_; }
+  const SolverRules& rules() const { return rules_; }
   bool is_possible() const { return !spec_.empty(); }
   bool any_closed() const { return num_closed_ > 0; }
 
@@ -78,6 +79,8 @@ class ContactSet {
   // The capsule that it is with, if it is not with an obstacle.
   std::optional<int> OtherCapsule(const ContactPair& pair) const;
   double RestitutionOf(int pair) const;
+  // The held object that its first capsule is; -1: it is one of the figure.
+  int BallOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].ball; }
   // With a ball that may have been let go inside.
   bool MayStayInside(const ContactPair& pair) const;
 
@@ -96,7 +99,10 @@ class ContactSet {
                                     const MovingCapsule* other) const;
   void AddPairs(ContactPair pair);
 
+  small::V3 SlideOf(const ContactPair& pair, const TouchPoint& point) const;
+
   ContactSpec spec_;
+  SolverRules rules_;
   double thinnest_;
   std::vector<ContactPair> pairs_, before_;
   std::vector<MovingCapsule> moving_;  // by capsule, in FindPairs

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/collision/shapes.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -64,12 +65,12 @@ struct ContactSpec {
   std::vector<ContactObstacle> obstacles;
   std::vector<OwnContact> own = {};
   std::vector<ContactExemption> exempt = {};
-  bool feels_what_is_deep = true;  // however deep something is inside a box
+  int version = kSolverVersion;  // of the solver
   bool empty() const { return capsules.empty() || (obstacles.empty() && own.empty()); }
 };
 inline auto MembersOf(const ContactSpec& spec) {
-  const auto& [capsules, obstacles, own, exempt, feels_what_is_deep] = spec;
-  return std::tie(capsules, obstacles, own, exempt, feels_what_is_deep);
+  const auto& [capsules, obstacles, own, exempt, version] = spec;
+  return std::tie(capsules, obstacles, own, exempt, version);
 }
 
 }  // namespace hazumi

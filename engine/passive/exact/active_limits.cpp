@@ -46,6 +46,26 @@ bool ActiveLimits::is_chattering(double t) {
   return std::count_if(events_.begin(), events_.end(), recent) > kContactChatter;
 }
 
+uint64_t ActiveLimits::StateSum() const {
+  uint64_t sum = 0;
+  for (size_t i = 0; i < held_.size(); ++i) {
+    if (held_[i]) sum += HashOf(i, side_[i]);
+  }
+  const std::vector<ContactPair>& pairs = dynamics_->contacts().pairs();
+  for (size_t i = 0; i < pairs.size();) {  // points of one capsule on one thing are one
+    bool touches = false, slides = false;
+    const ContactPair& first = pairs[i];
+    for (; i < pairs.size() && first.capsule == pairs[i].capsule &&
+           first.obstacle == pairs[i].obstacle;
+         ++i) {
+      touches |= pairs[i].mode != ContactMode::kOpen;
+      slides |= pairs[i].mode == ContactMode::kSlide;
+    }
+    if (touches) sum += HashOf(-1, first.capsule, first.obstacle, slides);
+  }
+  return sum;
+}
+
 void ActiveLimits::LetGo() {
   is_touching_ = false;
   any_ = false;
@@ -54,7 +74,7 @@ void ActiveLimits::LetGo() {
 }
 
 void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-                           LimitHits* hits) {
+                           ImpactLog* log) {
   is_touching_ = false;
   if (dynamics_->contacts().is_possible()) {
     contact_forces_.SetTouch(kTouchGap, kRestSpeed);
@@ -62,17 +82,17 @@ void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later
   }
   const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
   kick_.setZero(dynamics_->outer_layout().num_jumps());
-  const int moving = limits_->any() ? FindSides(t, with_impulse, *state, hits) : 0;
+  const int moving = limits_->any() ? FindSides(t, with_impulse, *state, log) : 0;
   const bool is_blocked =
       std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; });
   dynamics_->SetLeastYield(is_blocked ? RegionDynamics::kBlocked : 0.0);
-  if (with_impulse || moving > 0) Collide(t, v_pin, state);
+  if (with_impulse || moving > 0) Collide(t, v_pin, state, log);
   Settle(t, later, state);
 }
 
 // The hinges at a limit; those on their way in only where an impulse or another hinge's impact may
 // send them out. Returns how many are not at rest there.
-int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits) {
+int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state, ImpactLog* log) {
   const VecX &q = state.q, &qd = state.qd;
   int moving = 0;
   bool is_struck = with_impulse;
@@ -94,21 +114,31 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
     if (out < -rest_rate() && !is_struck) side_[i] = 0;
     sticks_[i] = side_[i] != 0 && out < 0.0 && out >= -rest_rate();
     moving += side_[i] != 0 && out != 0.0;
-    if (out > rest_rate()) hits->Add(i, t);
+    if (out > rest_rate()) log->AddHit(i, t);
   }
   return moving;
 }
 
-void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state) {
+void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state, ImpactLog* log) {
   if (dynamics_->constraints().any() || is_touching_) {
     CollideTied(t, v_pin, state);
   } else {
     Strike(t, v_pin, state);
   }
+  if (is_touching_) TellOfContacts(t, log);
   const bool may_fall_back = dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_;
   for (size_t i = 0; i < side_.size(); ++i) {
     if (side_[i] * state->qd[i] >= -rest_rate()) continue;
     if (!may_fall_back || !FallsBack(t, static_cast<int>(i), *state)) side_[i] = 0;  // pushed off
+  }
+}
+
+void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
+  const ContactSet& contacts = dynamics_->contacts();
+  const double limits = contact_forces_.limit_work();
+  log->AddWork({limits, contact_forces_.work() - limits, /*has_contacts=*/true});
+  for (const int pair : contact_forces_.struck()) {
+    log->AddTouch(contacts.PartsOf(contacts.pairs()[pair]), contacts.BallOf(pair), t);
   }
 }
 

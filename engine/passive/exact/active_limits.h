@@ -4,8 +4,8 @@
 
 #include "engine/passive/exact/contact_forces.h"
 #include "engine/passive/exact/hinge_state.h"
+#include "engine/passive/exact/impact_log.h"
 #include "engine/passive/exact/limit_forces.h"
-#include "engine/passive/exact/limit_hits.h"
 #include "engine/passive/exact/limit_range.h"
 
 namespace hazumi {
@@ -34,12 +34,14 @@ class ActiveLimits {
   void ForgetEvents() { events_.clear(); }
   // So many events that contacts are to be frozen from t on.
   bool is_chattering(double t);
+  // The same number where the same limits hold hinges, and the same things touch and slide.
+  uint64_t StateSum() const;
   // Nothing holds a hinge that has room.
   void LetGo();
   // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].
   // What rests is told from `later`, if there is one.
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-               LimitHits* hits);
+               ImpactLog* log);
 
   // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
   const VecX& kick() const { return kick_; }
@@ -61,8 +63,9 @@ class ActiveLimits {
  private:
   double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   const VecX& T() const { return is_touching_ ? contact_forces_.T() : forces_.T(); }
-  int FindSides(double t, bool with_impulse, const HingeState& state, LimitHits* hits);
-  void Collide(double t, const Vec3& v_pin, HingeState* state);
+  int FindSides(double t, bool with_impulse, const HingeState& state, ImpactLog* log);
+  void Collide(double t, const Vec3& v_pin, HingeState* state, ImpactLog* log);
+  void TellOfContacts(double t, ImpactLog* log) const;
   void CollideTied(double t, const Vec3& v_pin, HingeState* state);
   void Strike(double t, const Vec3& v_pin, HingeState* state);
   bool FallsBack(double t, int hinge, const HingeState& state);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passive/exact/impact_log.h"
 #include "engine/passive/semidefinite.h"
 
 namespace hazumi {
@@ -59,10 +60,23 @@ void ContactForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std
   problem_.SetUp(side, sticks, rows, *qd);
   Solve();
   Bounce(rows.c);
+  ListStruck(rows.c);
+  const VecX before = *qd;
+  work_ = problem_.Gain();
   *qd += problem_.Answer();
+  limit_work_ = problem_.WorkOfLimits(side, before, *qd);
   for (size_t k = 0; k < problem_.limits().size(); ++k) {
     const int hinge = problem_.limits()[k];
     if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 || sticks[hinge]) (*qd)[hinge] = 0.0;
+  }
+}
+
+void ContactForces::ListStruck(const VecX& came) {
+  struck_.clear();
+  for (const ConeProblem::Block& block : problem_.cones().blocks) {
+    if (block.kind != Kind::kContact || came[block.row] > -kTouchDownSpeed) continue;
+    if (problem_.forces()[block.row] <= 0.0) continue;
+    struck_.push_back(dynamics_->rows()[static_cast<size_t>(block.row)].contact);
   }
 }
 

@@ -26,6 +26,11 @@ class ContactForces {
   // pin that moved with v_pin [m/s].
   void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* qd);
+  // What it did to the energy [J], and limits of that; and the pairs that came down and were pushed
+  // back.
+  double work() const { return work_; }
+  double limit_work() const { return limit_work_; }
+  const std::vector<int>& struck() const { return struck_; }
   // Impulses of the rows [N s, N m s].
   const VecX& row_impulses() const { return l_; }
   // Then: which hinges at a limit stay there, and which pairs stay closed, sticking or sliding.
@@ -38,13 +43,15 @@ class ContactForces {
   void Close(int pair, const TouchPoint& point, bool may_slide);
   bool Solve();
   void Bounce(const VecX& came);
+  void ListStruck(const VecX& came);
   VecX ImpulsesOfBounce(const VecX& came) const;
   bool IsFelt(Eigen::Index row) const;
   void SetModes();
 
   RegionDynamics* dynamics_;
   double touch_ = 0.0, rest_speed_ = 0.0;
-  std::vector<int> touching_;  // pairs
+  std::vector<int> touching_, struck_;  // pairs
+  double work_ = 0.0, limit_work_ = 0.0;
   ContactProblem problem_;
   VecX l_, T_;
 };

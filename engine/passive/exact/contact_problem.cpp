@@ -34,6 +34,16 @@ VecX ContactProblem::Answer() const {
   return x;
 }
 
+double ContactProblem::WorkOfLimits(const std::vector<int>& side, const VecX& before,
+                                    const VecX& after) const {
+  double work = 0.0;
+  for (size_t k = 0; k < limits_.size(); ++k) {
+    const int hinge = limits_[k];
+    work -= side[hinge] * forces_[RowOfLimit(k)] * 0.5 * (before[hinge] + after[hinge]);
+  }
+  return work;
+}
+
 void ContactProblem::SolveBeside(const VecX& known) {
   const VecX b = cones_.b;
   cones_.b += cones_.A * known;

@@ -32,6 +32,9 @@ class ContactProblem {
   void SolveBeside(const VecX& known);
   // Of velocities that forces() change: the energy that goes into them [J].
   double Gain() const { return forces_.dot(0.5 * (cones_.A * forces_) + cones_.b); }
+  // Of velocities: what the limits' impulses do to hinges whose rates they change from `before`
+  // to `after` [J].
+  double WorkOfLimits(const std::vector<int>& side, const VecX& before, const VecX& after) const;
   // For less, from forces that are as near as the caller knows; from inside of the cones where
   // that does not come near, unless that is not worth it.
   void Sweep(VecX start, bool is_worth_it);

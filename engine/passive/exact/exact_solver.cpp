@@ -24,7 +24,7 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       contact_search_(dynamics, &step_),
       kink_search_(dynamics, &step_),
       frozen_(dynamics, &range_),
-      hits_(dynamics->num_hinges()) {}
+      log_(dynamics->num_hinges()) {}
 
 void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const OuterMotion& outer) {
   if (steps_ == 0) first_start_ = t;
@@ -55,13 +55,14 @@ void ExactSolver::Resolve(Vec3 v_pin) {
   dynamics_->frozen().Clear();
   dynamics_->SetOuter(step_.outer());
   do {
-    held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &hits_);
+    held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &log_);
     step_.Kick(held_.kick());
     release_search_.Begin();
     dynamics_->SetLocked(held_.held(), q());
     step_.Begin();
     v_pin.setZero();
   } while (BreakOverloaded());
+  log_.Mark(time(), held_.StateSum());
 }
 
 bool ExactSolver::BreakOverloaded() {
@@ -170,7 +171,10 @@ void ExactSolver::FindHits() {
 
 // A limit was hit or lets go, a contact changes, or a constraint breaks.
 void ExactSolver::MakeEventHappen() {
-  if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
+  if (breaks_next_ >= 0) {
+    log_.AddBreak(breaks_next_);
+    dynamics_->constraints().Break(breaks_next_, time());
+  }
   breaks_next_ = -1;
   range_.Widen(q());
   if (frozen_until_) return frozen_.is_calm() ? Thaw() : Freeze();
@@ -201,7 +205,7 @@ void ExactSolver::Freeze() {
   }
   do {
     dynamics_->SetOuter(step_.outer());
-    frozen_.Set(time(), &step_.now(), &hits_);
+    frozen_.Set(time(), &step_.now(), &log_);
     step_.Kick(frozen_.kick());
     dynamics_->SetLocked(held_.held(), q());
     step_.Begin();

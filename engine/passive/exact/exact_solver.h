@@ -65,7 +65,12 @@ class ExactSolver {
   std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->constraints().TakeBreaks(); }
 
   // Hits since the last call.
-  std::vector<LimitHit> TakeHits() { return hits_.Take(); }
+  std::vector<LimitHit> TakeHits() { return log_.TakeHits(); }
+  // The same of what touched down; and what impacts did with the energy.
+  std::vector<TouchDown> TakeTouches() { return log_.TakeTouches(); }
+  // Events since the last call.
+  std::vector<EventMark> TakeMarks() { return log_.TakeMarks(); }
+  ImpactWork TakeImpactWork() { return log_.TakeWork(); }
   long steps() const { return steps_; }
   // When contacts came too fast for the first time: from there on motions that begin nearly the
   // same end differently, however well they are solved.
@@ -103,7 +108,7 @@ class ExactSolver {
   ContactSearch contact_search_;
   KinkSearch kink_search_;
   FrozenContacts frozen_;
-  LimitHits hits_;
+  ImpactLog log_;
   Next next_ = Next::kGoOn;
   int breaks_next_ = -1;  // a constraint that is overloaded at `time`
   // Contacts are frozen until then [s]; none: they are not. When they were the first time.

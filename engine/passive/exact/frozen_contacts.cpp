@@ -39,6 +39,7 @@ constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
 constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
 constexpr double kGiven = 0.01;                      // of the kinetic energy is too much
+constexpr double kStill = 1e-4;                      // what is as slow as that is at rest [m/s]
 
 }  // namespace
 
@@ -78,7 +79,9 @@ void FrozenContacts::Leave(double t) {
 // what lets them out.
 bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
   const double out = is_inside_ ? kFastestOut : 0.0;
-  const double lift = dynamics_->gravity() * (kOff + out * h_) + 0.5 * out * out;
+  const double still = dynamics_->contacts().rules().rests_without_gravity ? kStill : 0.0;
+  const double lift =
+      dynamics_->gravity() * (kOff + out * h_) + 0.5 * out * out + 0.5 * still * still;
   const FrozenForces& frozen = dynamics_->frozen();
   const double work = frozen.WorkOfPushes(state) + 0.5 * seconds * frozen.PowerOfMoments(state);
   return work > kGiven * kinetic_ + dynamics_->model().mass * lift;
@@ -97,14 +100,15 @@ void FrozenContacts::GiveNothing() {
   pushes_.clear();
 }
 
-void FrozenContacts::Set(double t, HingeState* state, LimitHits* hits) {
+void FrozenContacts::Set(double t, HingeState* state, ImpactLog* log) {
   dynamics_->frozen().Clear();
   dynamics_->SetLeastYield(least_yield_);
   kick_.setZero(dynamics_->outer_layout().num_jumps());
+  log->AddWork({0.0, 0.0, /*has_contacts=*/true});
   ListNear(t, *state);
   dynamics_->AssembleHinges(t, state->q, state->qd);
   problem_.Factor();
-  const bool is_struck = Strike(t, state, hits);
+  const bool is_struck = Strike(t, state, log);
   if (is_struck) dynamics_->AssembleHinges(t, state->q, state->qd);
   kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
              0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
@@ -211,10 +215,11 @@ double FrozenContacts::GapOf(const ConstraintRow& row) const {
   return dynamics_->contacts().MayStayInside(pair) ? row.gap : row.gap + pair.floor;
 }
 
-bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
+bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
   LimitRows rows;
   rows.J.resize(0, state->q.size());
   if (const LimitRows* known = dynamics_->RowsOfImpulses()) rows = *known;
+  const VecX came = rows.c;
   bool any = false;
   for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
@@ -242,15 +247,18 @@ bool FrozenContacts::Strike(double t, HingeState* state, LimitHits* hits) {
     constraints.Break(worst.constraint, t);
     dynamics_->AssembleHinges(t, state->q, state->qd);
     problem_.Factor();
-    return Strike(t, state, hits);
+    return Strike(t, state, log);
   }
   for (size_t k = 0; k < problem_.limits().size(); ++k) {
     const int hinge = problem_.limits()[k];
     if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 && speed_left(hinge) < -kNoBlowTurn) {
-      hits->Add(hinge, t);
+      log->AddHit(hinge, t);
     }
   }
+  const VecX before = state->qd;
   state->qd += problem_.Answer();
+  TellOfContacts(t, came, log);
+  log->AddWork({problem_.WorkOfLimits(side_, before, state->qd), 0.0, /*has_contacts=*/true});
   kick_ = dynamics_->KickOf(problem_.row_forces());
   dynamics_->JumpOuter(kick_);
   return true;
@@ -279,6 +287,17 @@ void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
     own.moment -= h_ * (own.stiffness * (dynamics_->TurningOf(own) + by)) + own.damping * by;
   }
   dynamics_->FreezeSprings(springs_, state);
+}
+
+// Those that came down and were pushed back. `came`: the rows' velocities before.
+void FrozenContacts::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
+  const ContactSet& contacts = dynamics_->contacts();
+  for (const ConeProblem::Block& block : problem_.cones().blocks) {
+    if (block.kind != Kind::kContact || came[block.row] > -kNoBlow) continue;
+    if (problem_.forces()[block.row] <= 0.0) continue;
+    const int pair = dynamics_->rows()[static_cast<size_t>(block.row)].contact;
+    log->AddTouch(contacts.PartsOf(contacts.pairs()[pair]), contacts.BallOf(pair), t);
+  }
 }
 
 // For rates after impacts.

@@ -5,7 +5,7 @@
 
 #include "engine/passive/exact/contact_problem.h"
 #include "engine/passive/exact/hinge_state.h"
-#include "engine/passive/exact/limit_hits.h"
+#include "engine/passive/exact/impact_log.h"
 #include "engine/passive/exact/limit_range.h"
 
 namespace hazumi {
@@ -29,7 +29,7 @@ class FrozenContacts {
   void Leave(double t);
   // For a while from t on: rates after the impacts of all that would be hit within it, and
   // RegionDynamics::frozen().
-  void Set(double t, HingeState* state, LimitHits* hits);
+  void Set(double t, HingeState* state, ImpactLog* log);
   // Whether its forces give energy in a step of so many seconds that ends so.
   bool GivesTooMuch(double seconds, const RegionState& state) const;
   // The next while is to be half as long as the latest. False: that is too short.
@@ -57,7 +57,8 @@ class FrozenContacts {
   void GiveWay();
   void SweepUpTo(double most, const VecX& start);
   void ListNear(double t, const HingeState& state);
-  bool Strike(double t, HingeState* state, LimitHits* hits);
+  bool Strike(double t, HingeState* state, ImpactLog* log);
+  void TellOfContacts(double t, const VecX& came, ImpactLog* log) const;
   void Press(double t, const HingeState& state);
   void SoftenBySprings(VecX* b);
   void KeepSprings(const VecX& x_0, const RegionState& state);

@@ -170,6 +170,7 @@ void DrawEnergy(Editor* editor, const EnergyBalance& energy) {
   row("Potential energy", energy.potential_end - energy.potential_start);
   for (const EnergyBalance::Work& work : energy.laws) row("By " + work.law, work.joules);
   row("By limits", energy.limits);
+  row("By impacts of contacts", energy.impacts);
   row("By keyed joints", energy.keyed);
   row("Unexplained", energy.residual());
 }

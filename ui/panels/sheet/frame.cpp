@@ -40,7 +40,14 @@ std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame)
     const double last = event.last_time / motion.rate.SecondsAt(1.0);
     if (at < frame.axis.first || at > frame.axis.last) continue;
     const float y = frame.ruler.bottom() - static_cast<float>(5.0 * frame.scale);
-    marks.push_back({event.kind, {frame.axis.XOf(at), y}, at, event.joint, event.count, last});
+    marks.push_back({event.kind,
+                     {frame.axis.XOf(at), y},
+                     at,
+                     event.joint,
+                     event.count,
+                     last,
+                     event.link,
+                     event.on});
   }
   return marks;
 }

@@ -34,6 +34,8 @@ void DrawEvent(ImDrawList* list, const EventMark& mark, float r, ImU32 color) {
       return list->AddTriangleFilled({c.x, c.y + r}, {c.x - r, c.y - r}, {c.x + r, c.y - r}, color);
     case EventKind::kApex:
       return list->AddCircle(c, r, color, 12, 1.5f);
+    case EventKind::kTouchDown:
+      return list->AddRectFilled({c.x - r, c.y + r - 2.0f}, {c.x + r, c.y + r}, color);
     case EventKind::kLimit:
       return list->AddRectFilled({c.x - 1.0f, c.y - r}, {c.x + 1.0f, c.y + r}, color);
     case EventKind::kPinChange:
@@ -70,13 +72,17 @@ const char* Describe(EventKind kind) {
       return "Object is let go";
     case EventKind::kBreak:
       return "Constraint breaks";
+    case EventKind::kTouchDown:
+      return "Touches down";
   }
   return "";
 }
 
 std::string TextOf(const EventMark& mark) {
   std::string text = Tr(Describe(mark.kind));
-  if (!mark.joint.empty()) text += "  " + mark.joint;
+  const std::string& name = mark.link.empty() ? mark.joint : mark.link;
+  if (!name.empty()) text += "  " + name;
+  if (!mark.on.empty()) text += " - " + mark.on;
   text += std::string("\n") + Tr("frame") + " " + FormatShort(mark.frame);
   if (mark.count == 1) return text;
   return text + " - " + FormatShort(mark.last_frame) + "\n" + Tr("times in a row:") + " " +

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "engine/passive/contact/contact_push.h"
+#include "engine/passive/exact/event_trail.h"
+#include "engine/passive/exact/limit_hits.h"
+
+namespace hazumi {
+
+// Slower than this what closes is no touch-down [m/s].
+inline constexpr double kTouchDownSpeed = 1e-3;
+
+// Something that touched down, `count` times from `time` to `last_time` [s].
+struct TouchDown {
+  double time = 0.0, last_time = 0.0;
+  long count = 1;
+  ContactParts parts;
+  int ball = -1;  // held object, where it is no link that came down
+};
+
+// Energy that impacts took, or brought [J].
+struct ImpactWork {
+  // Where contacts take part; what limits do without them is not told, nor what contacts do in
+  // time-stepping mode (FrozenContacts).
+  double limits = 0.0, contacts = 0.0;
+  bool has_contacts = false;
+  void Add(const ImpactWork& other) {
+    limits += other.limits;
+    contacts += other.contacts;
+    has_contacts |= other.has_contacts;
+  }
+};
+
+// What impacts did since it was last told.
+class ImpactLog {
+ public:
+  explicit ImpactLog(int num_hinges) : hits_(num_hinges) {}
+
+  void AddHit(int hinge, double time) {
+    happened_ |= BitOf(static_cast<uint64_t>(hinge));
+    hits_.Add(hinge, time);
+  }
+  std::vector<LimitHit> TakeHits() { return hits_.Take(); }
+  void AddWork(const ImpactWork& work) { work_.Add(work); }
+  ImpactWork TakeWork() { return std::exchange(work_, {}); }
+
+  void AddTouch(const ContactParts& parts, int ball, double time) {
+    happened_ |= BitOf(HashOf(parts.link, parts.object, parts.by_link, parts.by_ball, ball));
+    const auto is_same = [&](const TouchDown& touch) {
+      return touch.parts == parts && touch.ball == ball && time - touch.last_time < kChatterGap;
+    };
+    const auto last = std::find_if(touches_.rbegin(), touches_.rend(), is_same);
+    if (last == touches_.rend()) return touches_.push_back({time, time, 1, parts, ball});
+    last->count += time > last->last_time;  // several points of a link come down at once
+    last->last_time = time;
+  }
+  // A constraint broke.
+  void AddBreak(int constraint) { happened_ |= BitOf(HashOf(constraint)); }
+  // What has happened since the last mark did so at `time`, and left things in this state.
+  void Mark(double time, uint64_t state) {
+    marks_.push_back({time, time, std::exchange(happened_, 0), state});
+  }
+  std::vector<EventMark> TakeMarks() { return std::exchange(marks_, {}); }
+  std::vector<TouchDown> TakeTouches() { return std::exchange(touches_, {}); }
+
+ private:
+  LimitHits hits_;
+  std::vector<TouchDown> touches_;
+  ImpactWork work_;
+  std::vector<EventMark> marks_;
+  uint64_t happened_ = 0;
+};
+
+}  // namespace hazumi

@@ -1,0 +1,158 @@
+// What impacts of contacts do: their term of the energy account, apart from that of limits, and
+// their events. And what leaves an account of energy by no force: what is let go, and joints
+// without mass.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/unit/bake/contact_cases.h"
+
+namespace hazumi::test {
+namespace {
+
+constexpr double kHeight = 1.0;  // of a fall [m]
+
+Motion BakeWithEnergy(const Animation& animation) {
+  BakeOptions options;
+  options.energy = true;
+  return BakeOrFail(animation, options);
+}
+
+const EnergyBalance& AccountOf(const Motion& motion) { return motion.regions[0].energy.value(); }
+
+Animation FallingCapsule() {
+  Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 30);
+  SetRootAt(&animation, {0.0, 0.0, kBallRadius + kHeight});
+  AddFloor(&animation);
+  animation.scene[0].name = "floor";
+  return animation;
+}
+
+TEST(Impact, OfACapsuleOnTheFloor_IsBookedToContacts) {
+  const Motion motion = BakeWithEnergy(FallingCapsule());
+  const EnergyBalance& energy = AccountOf(motion);
+  EXPECT_NEAR(energy.impacts, -kMass * kG * kHeight, 1e-6);
+  EXPECT_EQ(energy.limits, 0.0);
+  EXPECT_NEAR(energy.residual(), 0.0, 1e-6);
+}
+
+TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
+  const Motion motion = BakeOrFail(FallingCapsule());
+  const std::vector<MotionEvent> touches = EventsOf(motion, EventKind::kTouchDown);
+  ASSERT_EQ(touches.size(), 1);
+  EXPECT_NEAR(touches[0].time, std::sqrt(2.0 * kHeight / kG), 1e-8);
+  EXPECT_EQ(touches[0].link, "rod");
+  EXPECT_EQ(touches[0].joint, "rod");
+  EXPECT_EQ(touches[0].on, "floor");
+  EXPECT_EQ(touches[0].count, 1);
+}
+
+// Two rods in a line, hinged at the middle about y, which bends up to 0.1 rad. One end is lower:
+// the floor stops it, and the hinge is driven against its limit.
+TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
+  FigureSpec spec;
+  spec.name = "rods";
+  spec.root_name = "base";
+  spec.root_links = {Rod("base", Vec3::Zero(), 0.5 * Vec3::UnitX())};
+  JointSpec hinge;
+  hinge.name = "hinge";
+  hinge.parent = "base";
+  hinge.hinges = {{"", Vec3::UnitY(), 0.0, 0.1, 0.0}};
+  hinge.links = {Rod("arm", Vec3::Zero(), -0.5 * Vec3::UnitX())};
+  spec.joints = {hinge};
+  Animation animation = Loose(BuildFigure(spec).value(), 20, {"hinge"});
+  SetRootAt(&animation, {0.0, 0.0, 0.5});
+  animation.root_keys[kRootAngleY] = {{0, 0.5, 0.0, kHold}};
+  AddFloor(&animation);
+  const Motion motion = BakeWithEnergy(animation);
+  const EnergyBalance& energy = AccountOf(motion);
+  EXPECT_LT(energy.impacts, -0.1);
+  EXPECT_LT(energy.limits, -0.001);
+  const double lost = EnergyOf(animation, motion.frames.front().after) -
+                      EnergyOf(animation, motion.frames.back().before);
+  EXPECT_NEAR(energy.impacts + energy.limits + energy.WorkOf("contact"), -lost, 1e-5 * lost);
+}
+
+// Its impact is where its region begins, and the account begins before it.
+TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
+  Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 10);
+  constexpr double kSpeed = 2.0;  // [m/s]
+  SetRootAt(&animation, {0.0, 0.0, kBallRadius});
+  animation.root_keys[kRootZ] = {{0, kBallRadius, -kSpeed, Interpolation::kCubic}};
+  AddFloor(&animation);
+  const EnergyBalance energy = AccountOf(BakeWithEnergy(animation));
+  EXPECT_NEAR(energy.impacts, -0.5 * kMass * kSpeed * kSpeed, 1e-6);
+  EXPECT_NEAR(energy.kinetic_start, 0.5 * kMass * kSpeed * kSpeed, 1e-6);
+  EXPECT_NEAR(energy.residual(), 0.0, 1e-6);
+}
+
+// A rod that swings about z holds a stick at its end, and lets it go.
+Animation Swinging(bool has_mass) {
+  FigureSpec spec;
+  spec.name = "arm";
+  spec.root_name = "base";
+  spec.root_links = {Rod("base", Vec3::Zero(), 0.1 * Vec3::UnitX())};
+  JointSpec joint;
+  joint.name = "pivot";
+  joint.parent = "base";
+  joint.hinges = {{"", Vec3::UnitZ(), -1e3, 1e3, 0.0}};
+  joint.links = {Rod("rod", Vec3::Zero(), kLength * Vec3::UnitX())};
+  if (!has_mass) joint.links[0].mass = 0.0;
+  spec.joints = {joint};
+  Animation animation = Exact(BuildFigure(spec).value(), kG);
+  HeldObject stick;
+  stick.name = "stick";
+  stick.shape = BoxShape{Vec3(0.1, 0.02, 0.02)};
+  stick.mass = 0.5;
+  Holder holder;
+  holder.joint = GroupOf(animation, "pivot");
+  holder.offset = kLength * Vec3::UnitX();
+  holder.last_frame = 10;
+  stick.holders = {holder};
+  animation.held_objects = {stick};
+  animation.joint_keys[0] = {{0, 0.5, 3.0}};
+  DynamicsRegion& region = AddRegion(&animation, "swing", 0, 30, {"pivot"});
+  region.method = Method::kExact;
+  Drive spring;
+  spring.kind = DriveKind::kSpring;
+  spring.target = SpringTarget::kRest;
+  spring.frequency = 2.0;
+  spring.joints = region.joints;
+  region.drives = {spring};
+  return animation;
+}
+
+TEST(Energy, OfWhatIsLetGo_IsATermOfItsOwn) {
+  const EnergyBalance energy = AccountOf(BakeWithEnergy(Swinging(true)));
+  EXPECT_LT(energy.WorkOf("handover"), -0.1);
+  EXPECT_EQ(energy.limits, 0.0);
+  EXPECT_NEAR(energy.residual(), 0.0, 1e-8);
+}
+
+TEST(WeightlessJoint, ClosesItsAccountAndIsWarnedOf) {
+  const Motion motion = BakeWithEnergy(Swinging(false));
+  const EnergyBalance& energy = AccountOf(motion);
+  EXPECT_GT(std::abs(energy.WorkOf("weightless joints")), 0.01);
+  EXPECT_NEAR(energy.residual(), 0.0, 1e-8);
+  const auto is_warned = [](const Warning& warning) {
+    return warning.message.find("\"pivot\" carries has mass from frame 10 on") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(motion.warnings.begin(), motion.warnings.end(), is_warned), 1);
+}
+
+// Steps of 1/64 ms would take two million evaluations.
+TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
+  Animation animation = Loose(FreeCapsule(0.5, 0.02), 30);
+  animation.gravity = 0.0;
+  animation.root_keys[kRootX] = {{0, -1.0, 100.0}};
+  animation.root_keys[kRootAngleY] = {{0, -1.2, 0.0, kHold}};
+  SceneObject wall;
+  wall.name = "wall";
+  wall.shape = Box{{Mat3::Identity(), Vec3::Zero()}, Vec3(0.001, 1.0, 1.0)};
+  animation.scene = {wall};
+  animation.solver.tolerance = 0.01 * kDegree;
+  EXPECT_LT(BakeOrFail(animation).regions[0].evaluations, 30'000);
+}
+
+}  // namespace
+}  // namespace hazumi::test
