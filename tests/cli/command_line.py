@@ -15,14 +15,19 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support"))
 import data_folder  # noqa: E402
+from skips import main  # noqa: E402,F401
 
 THROW = ROOT / "assets" / "examples" / "throw.kfa"
 JUMP = ROOT / "assets" / "examples" / "jump.kfa"
 HAZUMI = os.path.abspath(sys.argv.pop(1))
 
 
-def run(*arguments, **more):
-    command = [HAZUMI, *map(str, arguments)]
+# Before a command: root obeys the permissions of files too.
+AS_ANY_USER = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"] if os.geteuid() == 0 else []
+
+
+def run(*arguments, before=(), **more):
+    command = [*before, HAZUMI, *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=120, **more)
 
 
@@ -78,7 +83,7 @@ class InFolder(unittest.TestCase):
         mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", disk],
                                  capture_output=True, check=False)
         if mounted.returncode != 0:
-            self.skipTest("no right to mount a small disk")
+            self.skipTest("not here: no right to mount a small disk")
         try:
             yield disk
         finally:

@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from command_line import InFolder, run
+from command_line import InFolder, main, run
 
 BASH_HELPERS = "/usr/share/bash-completion/bash_completion"
 
@@ -204,4 +204,4 @@ class Zsh:
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

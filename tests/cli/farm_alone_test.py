@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from command_line import HAZUMI, ROOT, THROW, run
+from command_line import HAZUMI, ROOT, THROW, main, run
 from farm_testing import FRICTION, FarmTest, farm, missing
 
 from farm_parts import drawing
@@ -141,4 +141,4 @@ class WithoutACluster(FarmTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

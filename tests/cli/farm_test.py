@@ -9,7 +9,7 @@ import signal
 import subprocess
 import unittest
 
-from command_line import HAZUMI, ROOT, THROW, run
+from command_line import HAZUMI, ROOT, THROW, main, run
 from farm_testing import (FARM, PATIENCE, FarmTest, OnACluster, farm, heed_interrupts, missing,
                           wait_until)
 
@@ -151,4 +151,4 @@ class FakeFolder:
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -9,10 +9,9 @@ import pathlib
 import signal
 import struct
 import time
-import unittest
 import zlib
 
-from command_line import HAZUMI, THROW, InFolder, run, start
+from command_line import HAZUMI, THROW, InFolder, main, run, start
 
 
 def png(size):
@@ -310,4 +309,4 @@ class Import(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

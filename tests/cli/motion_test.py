@@ -7,7 +7,7 @@ import re
 import stat
 import unittest
 
-from command_line import JUMP, THROW, InFolder, run
+from command_line import JUMP, THROW, InFolder, main, run
 
 
 class Motion(InFolder):
@@ -158,4 +158,4 @@ class Motion(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -4,7 +4,7 @@ between these keys are. The rest of what tests/reality measures is for scripts/c
 import sys
 import unittest
 
-from command_line import HAZUMI, ROOT, InFolder
+from command_line import HAZUMI, ROOT, InFolder, main
 
 sys.path.insert(0, str(ROOT / "tests"))
 
@@ -25,4 +25,4 @@ class Walks(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

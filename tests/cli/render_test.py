@@ -5,7 +5,7 @@ usage: render_test.py HAZUMI"""
 import os
 import unittest
 
-from command_line import THROW, InFolder, run
+from command_line import THROW, InFolder, main, run
 from png_pixels import rows_of
 
 
@@ -71,4 +71,4 @@ class Render(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

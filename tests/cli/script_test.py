@@ -5,7 +5,7 @@ usage: script_test.py HAZUMI"""
 import json
 import unittest
 
-from command_line import THROW, InFolder, run
+from command_line import THROW, InFolder, main, run
 
 
 class Scripts(InFolder):
@@ -95,4 +95,4 @@ class Scripts(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -20,8 +20,8 @@ class InSweep(InFolder):
         sweep = {"format": "hazumi-sweep", "version": 1, "project": "throw.kfa", "vary": vary, **more}
         self.sweep_file.write_text(json.dumps(sweep))
 
-    def sweep(self, *more, out=None, code=0):
-        done = run("--sweep", self.sweep_file, "--out", out or self.out, *more)
+    def sweep(self, *more, out=None, code=0, before=()):
+        done = run("--sweep", self.sweep_file, "--out", out or self.out, *more, before=before)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 

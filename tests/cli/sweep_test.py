@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from command_line import THROW, run, start
+from command_line import THROW, main, run, start
 from png_pixels import rows_of
 from sweep_folder import GRAVITY, RELEASE, InSweep
 
@@ -244,4 +244,4 @@ class Pictures(InSweep):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

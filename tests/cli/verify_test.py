@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import unittest
 
-from command_line import HAZUMI, JUMP, THROW, InFolder, run
+from command_line import HAZUMI, JUMP, THROW, InFolder, main, run
 from png_pixels import change_pixel, without_text
 
 # The C library takes its routines for processors without these.
@@ -263,7 +263,7 @@ class SameEverywhere(InFolder):
 
     def test_one_thread_and_many_make_the_same_motion(self):
         if not hasattr(os, "sched_setaffinity"):
-            self.skipTest("threads cannot be kept to one processor here")
+            self.skipTest("not here: threads cannot be kept to one processor here")
         one = min(os.sched_getaffinity(0))
         for project in (THROW, JUMP):
             many = run("--bake", "-", project)
@@ -274,7 +274,7 @@ class SameEverywhere(InFolder):
     @unittest.skipUnless(shutil.which("nm"), "nm is not installed")
     def test_elementary_functions_are_not_the_c_librarys(self):
         if os.environ.get("HAZUMI_SANITIZE"):
-            self.skipTest("sanitizers take the functions' places")
+            self.skipTest("not here: sanitizers take the functions' places")
         listed = subprocess.run(["nm", "-D", "--undefined-only", HAZUMI], capture_output=True,
                                 text=True, check=True).stdout
         imported = {line.split()[-1].split("@")[0] for line in listed.splitlines()}
@@ -284,4 +284,4 @@ class SameEverywhere(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

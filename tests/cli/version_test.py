@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from command_line import ROOT, InFolder, run
+from command_line import ROOT, InFolder, main, run
 
 LINE = re.compile(r"hazumi \d+\.\d+\.\d+ \((unknown|[0-9a-f]{7,40}\+?)\)\n")
 
@@ -86,4 +86,4 @@ class Version(InFolder):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -4,7 +4,8 @@
 
 namespace hazumi::fuzz {
 
-// A flag that says "enough" some time after it was made [s]; one at a time.
+// A flag that says "enough" once the thread that made it has worked for some processor time [s],
+// whatever else the machine does; one at a time.
 class Deadline {
  public:
   explicit Deadline(double seconds);

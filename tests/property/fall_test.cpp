@@ -144,9 +144,7 @@ void Try(int seed, Terrain terrain, With with, Tally* tally) {
 
 void TryAll(Terrain terrain, With with = With::kTheScene) {
   Tally tally;
-  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
-  const int end = first + FromEnvironment("HAZUMI_CASES", 10);
-  for (int seed = first; seed < end; ++seed) Try(seed, terrain, with, &tally);
+  for (const int seed : RandomCases(1, 10)) Try(seed, terrain, with, &tally);
   std::printf(
       "%d cases, %d failed, %d begin inside themselves, %d too deep, %d still moving, %d accounts "
       "open, %d given energy, "
@@ -154,10 +152,10 @@ void TryAll(Terrain terrain, With with = With::kTheScene) {
       "%.2g mm, worst account %.1g\n",
       tally.cases, tally.failed, tally.inside, tally.deep, tally.moving, tally.unexplained,
       tally.given, 1e3 * tally.deepest, tally.worst_account);
-  const int few = (tally.cases + 49) / 50;
+  const int few = std::max(1, MostOf(tally.cases, 0.02));
   EXPECT_EQ(tally.failed, 0);
   EXPECT_LE(tally.deep, few);
-  EXPECT_LE(tally.moving, tally.cases * 2 / 5);
+  EXPECT_LE(tally.moving, MostOf(tally.cases, 0.4));
   EXPECT_EQ(tally.driven, 0);
   EXPECT_LE(tally.unexplained, few);
   EXPECT_EQ(tally.given, 0);

@@ -135,9 +135,9 @@ class RandomScripts : public ::testing::Test {
 
 // HAZUMI_CASES scripts, else forty; from HAZUMI_FIRST_CASE on.
 TEST_F(RandomScripts, NeitherCrashNorTakeLongAndHalfOfWhatTheySayIsDone) {
-  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1),
-            count = FromEnvironment("HAZUMI_CASES", 40);
-  RunAll(first, first + count - 1);
+  const RandomCases cases(1, 40);
+  const int count = cases.count();
+  RunAll(cases.first(), cases.first() + count - 1);
   std::printf(
       "%d scripts, %ld commands, %ld done, longest %.2f s (%s, seed %d), at most %.0f MiB\n", count,
       told_->tried, told_->done, told_->longest_s, told_->slowest, told_->slowest_seed,

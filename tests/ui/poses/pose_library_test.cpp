@@ -167,7 +167,7 @@ TEST_F(PoseLibrary, PicturesComeByThemselvesAndDifferFromPoseToPose) {
   ASSERT_TRUE(user.editor().poses.thumbnails);
   EXPECT_TRUE(user.editor().poses.thumbnails->is_busy());
   EXPECT_LT(user.editor().NextDeadline(), 1.0);  // the window looks for them
-  for (int i = 0; i < 600 && user.editor().poses.thumbnails->is_busy(); ++i) {
+  while (user.editor().poses.thumbnails->is_busy()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     user.Wait(1);
   }

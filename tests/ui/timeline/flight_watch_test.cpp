@@ -119,10 +119,7 @@ TEST(FlightWatch, WorksBesideAndIsThereInAWhile) {
   session.set_patience(0.02);
   FlightWatch watch;
   watch.Look(&session);
-  const auto begin = std::chrono::steady_clock::now();
-  while (watch.is_busy() && std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
-    watch.Look(&session);
-  }
+  while (watch.is_busy()) watch.Look(&session);
   EXPECT_EQ(watch.analysis().flights.size(), 1u);
 }
 

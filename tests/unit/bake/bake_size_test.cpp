@@ -51,7 +51,7 @@ double PeakBytes(const std::function<void()>& work) {
 }
 
 TEST(BakeSize, IsToldWithinATenth) {
-  if (!CanLimitMemory()) GTEST_SKIP() << "a sanitizer takes memory of its own";
+  if (!CanLimitMemory()) GTEST_SKIP() << "not here: a sanitizer takes memory of its own";
   const auto peak = [](int frames) {
     return PeakBytes([=] { ASSERT_TRUE(Bake(Standing(frames)).ok()); });
   };
@@ -103,7 +103,7 @@ TEST(Bake, RefusesTooManyStepsWithTheNumber) {
 }
 
 TEST(Bake, WithoutFramesTakesNoMemoryThatGrowsWithThem) {
-  if (!CanLimitMemory()) GTEST_SKIP() << "a sanitizer takes memory of its own";
+  if (!CanLimitMemory()) GTEST_SKIP() << "not here: a sanitizer takes memory of its own";
   for (const bool energy : {false, true}) {
     const auto peak = [&](const Animation& animation) {
       return PeakBytes([&] {
@@ -150,7 +150,7 @@ TEST(Bake, IsTheSameWhateverPartsARegionIsSolvedIn) {
 }
 
 TEST(Bake, OutOfMemoryIsAnError) {
-  if (!CanLimitMemory()) GTEST_SKIP() << "a sanitizer takes memory of its own";
+  if (!CanLimitMemory()) GTEST_SKIP() << "not here: a sanitizer takes memory of its own";
   const Animation animation = Standing(200000);
   for (const double more : {30.0, 100.0, 200.0, 300.0}) {
     const MemoryLimit limit(more * kMegabyte);

@@ -25,7 +25,7 @@ class NoAllocation : public ::testing::Test {
   }
 
   void SetUp() override {
-    if (!CanCountAllocations()) GTEST_SKIP() << "a sanitizer owns malloc";
+    if (!CanCountAllocations()) GTEST_SKIP() << "not here: a sanitizer owns malloc";
   }
 
   // Once to let scratch that is sized at first use be sized, then counted.

@@ -1,6 +1,8 @@
 #include "engine/media/decode_sound.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -70,11 +72,51 @@ TEST_F(DecodeSoundTest, WhatIsNoSoundIsSaid) {
   EXPECT_NE(complaint(folder_).find("is a folder"), std::string::npos);
 }
 
-// A list of other files is no sound: what a stranger wrote opens nothing else.
-TEST_F(DecodeSoundTest, OpensNoOtherFile) {
+// Waits for connections on a port of this machine.
+class Listener {
+ public:
+  Listener() {
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = ::htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* const any = reinterpret_cast<sockaddr*>(&address);
+    EXPECT_EQ(::bind(socket_, any, size), 0);
+    EXPECT_EQ(::listen(socket_, 8), 0);
+    EXPECT_EQ(::getsockname(socket_, any, &size), 0);
+    port_ = ::ntohs(address.sin_port);
+  }
+  ~Listener() { ::close(socket_); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  int port() const { return port_; }
+  // Whether anybody connected since the last call.
+  bool WasAsked() const {
+    const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+    if (connection >= 0) ::close(connection);
+    return connection >= 0;
+  }
+
+ private:
+  int socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  int port_ = 0;
+};
+
+// A list of sounds elsewhere, as ffmpeg follows it unless it is told not to: what a stranger wrote
+// asks no other machine.
+TEST_F(DecodeSoundTest, AListOfSoundsElsewhereAsksNobody) {
+  const Listener listener;
   const fs::path list = folder_ / "list.m3u8";
-  std::ofstream(list) << "#EXTM3U\n#EXTINF:1,\nhttp://localhost:9/tone.wav\n#EXT-X-ENDLIST\n";
+  std::ofstream(list) << "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\nhttp://127.0.0.1:"
+                      << listener.port() << "/tone.ts\n#EXT-X-ENDLIST\n";
+  const std::string follows =
+      "ffmpeg -loglevel quiet -nostdin -rw_timeout 100000 -protocol_whitelist file,http,tcp -i '" +
+      list.string() + "' -f null -";
+  EXPECT_NE(std::system(follows.c_str()), 0);
+  ASSERT_TRUE(listener.WasAsked()) << "else the next line proves nothing";
   EXPECT_FALSE(DecodeSound(list, {8000, 1}, {}).ok());
+  EXPECT_FALSE(listener.WasAsked());
 }
 
 TEST_F(DecodeSoundTest, IsCancelled) {

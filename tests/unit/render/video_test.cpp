@@ -72,7 +72,7 @@ TEST(VideoWriter, LeavesNothingWhenItIsKilled) {
   if (!Has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   TempFolder folder;
   const int unnamed = open(folder.path().c_str(), O_TMPFILE | O_RDWR, 0666);
-  if (unnamed < 0) GTEST_SKIP() << "the file system has no files without a name";
+  if (unnamed < 0) GTEST_SKIP() << "not here: the file system has no files without a name";
   close(unnamed);
   const pid_t child = fork();
   if (child == 0) {

@@ -26,10 +26,7 @@ void ExpectSameMotion(const Motion& a, const Motion& b) {
 }
 
 void WaitUntilDone(const BackgroundBake& bake) {
-  for (int i = 0; i < 20000 && bake.is_busy(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  ASSERT_FALSE(bake.is_busy());
+  while (bake.is_busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 TEST(BackgroundBake, WithoutALimitItIsDoneAtOnce) {
@@ -111,7 +108,7 @@ TEST(BackgroundBake, SaysWhatTakesTooMuchMemoryAndLivesOn) {
 }
 
 TEST(BackgroundBake, SurvivesThatMemoryRunsOut) {
-  if (!CanLimitMemory()) GTEST_SKIP() << "a sanitizer needs terabytes of addresses";
+  if (!CanLimitMemory()) GTEST_SKIP() << "not here: a sanitizer needs terabytes of addresses";
   Animation animation = LongTimeline(2000, 20);
   BackgroundBake bake(animation);
   animation.last_frame = 200000;
