@@ -68,10 +68,11 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
-// --info tells the largest effort of what is not very long.
+// --info tells the largest effort of what is not very long. Torques are those of the effort.
 bool FindsEffort(const Animation& animation, const Options& options) {
   constexpr double kLong = 100e6;  // [bytes]
-  if (options.effort || options.task != Task::kInfo) return options.effort;
+  const bool asked = options.effort || options.torques;
+  if (asked || options.task != Task::kInfo) return asked;
   return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
 }
 
@@ -85,7 +86,7 @@ bool KeepsFrames(const Animation& animation, const Options& options) {
 double BytesOfOneFrame(const Animation& animation, const Options& options) {
   const double joints = animation.figure->num_joints();
   const bool is_motion_file = options.task == Task::kBake || options.task == Task::kExport;
-  const double effort = options.effort ? 100.0 * joints + 2000.0 : 0.0;
+  const double effort = options.effort || options.torques ? 100.0 * joints + 2000.0 : 0.0;
   return effort + (is_motion_file && !IsVideo(options.output) ? 300.0 * joints + 1000.0 : 0.0);
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
 #include "engine/analysis/effort_report.h"
+#include "engine/analysis/missing_support.h"
 #include "engine/analysis/seam_report.h"
 #include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"
@@ -193,11 +194,22 @@ void Print(const BakedProject& baked, const std::string& name) {
 
 }  // namespace
 
-// The largest one alone unless all was asked for; none of a motion without frames.
-static std::vector<std::string> EffortLines(const BakedProject& baked, const Options& options) {
-  const Effort effort = EffortOf(baked.animation, baked.motion);
-  return options.effort ? EffortReport(baked.animation, baked.motion, effort)
-                        : BriefEffortReport(baked.animation, baked.motion, effort);
+struct EffortTexts {
+  // The largest one alone unless all was asked for; none of a motion without frames.
+  std::vector<std::string> effort;
+  std::vector<std::string> problems;  // frames in which nothing carries or turns the figure
+};
+
+static EffortTexts EffortTextsOf(const BakedProject& baked, const Options& options) {
+  const auto& [project, animation, motion, warnings] = baked;
+  const Effort effort = EffortOf(animation, motion);
+  EffortTexts texts;
+  texts.effort = options.effort ? EffortReport(animation, motion, effort)
+                                : BriefEffortReport(animation, motion, effort);
+  for (const MissingSupport& missing : MissingSupports(animation, motion, effort)) {
+    texts.problems.push_back(TextOf(missing, *animation.figure));
+  }
+  return texts;
 }
 
 int RunInfo(const Options& options) {
@@ -206,16 +218,18 @@ int RunInfo(const Options& options) {
   const std::string name = ShownName(baked.value().project.name, options.files[0]);
   if (options.json) {
     Json info = InfoAsJson(baked.value(), name);
-    info["effort"] = EffortLines(baked.value(), options);
+    const EffortTexts texts = EffortTextsOf(baked.value(), options);
+    info["effort"] = texts.effort;
+    info["problems"] = texts.problems;
     const auto text = info.dump(2, ' ', false, Json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
     return kExitOk;
   }
   PrintWarnings(options.files[0], baked.value().warnings);
   Print(baked.value(), name);
-  for (const std::string& line : EffortLines(baked.value(), options)) {
-    PrintLine(stdout, "effort     %s", line.c_str());
-  }
+  const EffortTexts texts = EffortTextsOf(baked.value(), options);
+  for (const std::string& line : texts.effort) PrintLine(stdout, "effort     %s", line.c_str());
+  for (const std::string& line : texts.problems) PrintLine(stdout, "problem    %s", line.c_str());
   return kExitOk;
 }
 

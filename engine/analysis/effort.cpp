@@ -1,13 +1,11 @@
-// Of each frame, all in world axes:
+// For each frame, all in world axes:
 //   tau, F, N   inverse dynamics of the whole figure with what it holds, hung on its root: the
 //               torques of the hinges, and force and moment that the root, at p_R, would need.
-//   f_k, n_k    forces at the points p_k that touch, and at the pin with its moment: those of least
-//               sum that supply F, N (contact_forces.cpp). A pin has a moment only where a sole,
-//               that is, something of its own or beyond it, touches.
-//               What constraints do at their points is known, and what regions with contacts are
-//               pushed with (MotionFrame::contacts), and what wind and pulls do: F, N are less by
-//               it.
-//   tau_i      -= axis_i . (n_k + (p_k - p_i) x f_k)   for each hinge i between the root and k
+//               Forces that are known are taken off F, N: what constraints do at their points, what
+//               pushes regions with contacts (MotionFrame::contacts), and what wind and pulls do.
+//   f_k         forces at the points p_k that touch or grip (supports.h): those that come nearest
+//               to F, N (contact_forces.cpp), about the centre of mass.
+//   tau_i      -= axis_i . (p_k - p_i) x f_k   for each hinge i between the root and k
 //                (principle of virtual work), and for all that is known alike.
 // What is left of F, N comes from nowhere.
 
@@ -15,13 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/analysis/frame_dynamics.h"
 #include "engine/analysis/outer_pushes.h"
 #include "engine/analysis/placed_frames.h"
 #include "engine/analysis/smooth_motion.h"
-#include "engine/analysis/touching.h"
+#include "engine/analysis/supports.h"
 
 namespace hazumi {
 
@@ -33,7 +30,7 @@ class EffortWalk {
              const TouchLimits& limits)
       : animation_(animation),
         options_(options),
-        touching_(animation, num_frames, limits),
+        supports_(animation, num_frames, limits),
         placed_(*animation.figure, num_frames),
         dynamics_(animation, placed_) {
     if (!animation.forces.empty()) outer_.emplace(animation);
@@ -44,11 +41,11 @@ class EffortWalk {
   }
 
   void Place(const MovedFrame& at) {
-    if (const double* four = placed_.Add(*at.X_WR, at.q)) touching_.AddFour(four);
+    if (const double* four = placed_.Add(*at.X_WR, at.q)) supports_.AddFour(four);
   }
   void Touch(double frame_time) {
-    if (const double* four = placed_.Finish()) touching_.AddFour(four);
-    touching_.Finish(frame_time);
+    if (const double* four = placed_.Finish()) supports_.AddFour(four);
+    supports_.Finish(frame_time);
   }
 
   // Of the next frames, four at most, in order.
@@ -64,8 +61,9 @@ class EffortWalk {
     for (size_t i = first; i <= last; ++i) {
       lane_ = i - first;
       const MotionFrame& frame = motion.frames[i];
-      TakeOffOuterForces(motion.rate.SecondsAt(frame.frame), at[lane_]);
-      Supply(i, frame, &effort->frames[i]);
+      const double t = motion.rate.SecondsAt(frame.frame);
+      TakeOffOuterForces(t, at[lane_]);
+      Supply({i, frame, animation_.rate.FrameAt(t), placed_[i]}, &effort->frames[i]);
     }
     dynamics_.FindTorques();
     FindShares(at);
@@ -76,23 +74,20 @@ class EffortWalk {
   }
 
  private:
-  void Supply(size_t index, const MotionFrame& frame, FrameEffort* found) {
-    const PlacedFrame placed = placed_[index];
-    TakeOffConstraints(frame, placed);
-    TakeOffContacts(frame, found);
-    points_.clear();
-    touching_.PointsAt(index, placed, &points_);
-    std::erase_if(points_, [&](const ContactPoint& point) {
-      return IsHeld(point, frame, placed) || IsKnown(point.joint, frame.contacts);
-    });
-    if (frame.pinned) AddPin(animation_.figure->group(*frame.pinned).last(), placed);
-    found->from_nowhere = solver_.Solve(dynamics_.needed(lane_), placed.p(JointIndex()), points_,
-                                        options_.friction, &forces_);
+  void Supply(const SupportedFrame& at, FrameEffort* found) {
+    TakeOffConstraints(at.frame, at.placed);
+    TakeOffContacts(at.frame, found);
+    supports_.PointsAt(at, &points_);
+    const Vec3 root = at.placed.p(JointIndex()), from_com = root - at.frame.com;
+    Wrench needed = dynamics_.needed(lane_);
+    needed.moment += from_com.cross(needed.force);
+    found->from_nowhere = solver_.Solve(needed, at.frame.com, points_, options_.friction, &forces_);
+    found->from_nowhere.moment -= from_com.cross(found->from_nowhere.force);
     PushPoints();
     found->contacts.reserve(found->contacts.size() + points_.size());
     for (size_t i = 0; i < points_.size(); ++i) {
-      const ContactPoint& at = points_[i];
-      found->contacts.push_back({at.joint, at.is_pin, at.p, forces_[i].force, forces_[i].moment});
+      const ContactPoint& point = points_[i];
+      found->contacts.push_back({point.joint, point.is_grip, point.p, forces_[i]});
     }
   }
 
@@ -102,8 +97,8 @@ class EffortWalk {
       const ContactPoint& first = points_[i];
       Wrench push;
       for (; i < points_.size() && points_[i].joint == first.joint; ++i) {
-        push.force += forces_[i].force;
-        push.moment += forces_[i].moment + (points_[i].p - first.p).cross(forces_[i].force);
+        push.force += forces_[i];
+        push.moment += (points_[i].p - first.p).cross(forces_[i]);
       }
       dynamics_.Push(lane_, first.joint, first.p, push);
     }
@@ -119,33 +114,12 @@ class EffortWalk {
     }
   }
 
-  // What touches the thing that it is held by, a hand that of a rail, is not pushed by it once
-  // more: what is beyond the end that is held, and near it.
-  bool IsHeld(const ContactPoint& point, const MotionFrame& frame,
-              const PlacedFrame& placed) const {
-    constexpr double kNear = 0.15;  // [m]
-    const auto holds = [&](const ConstraintEnd& end) {
-      if (end.is_in_world) return false;
-      const JointIndex joint = JointOf(end);
-      const bool is_beyond =
-          point.joint == joint || (joint.is_valid() && point.joint.is_valid() &&
-                                   animation_.figure->IsBeyond(point.joint, joint));
-      return is_beyond || (point.p - PlaceOf(end, placed)).norm() < kNear;
-    };
-    for (size_t i = 0; i < frame.constraint_pushes.size(); ++i) {
-      const Wrench& push = frame.constraint_pushes[i];
-      if (push.force.isZero(0.0) && push.moment.isZero(0.0)) continue;
-      if (holds(animation_.constraints[i].a) || holds(animation_.constraints[i].b)) return true;
-    }
-    return false;
-  }
-
   void TakeOffContacts(const MotionFrame& frame, FrameEffort* found) {
     for (const ContactPush& push : frame.contacts.pushes) {
       const JointIndex joint =
           push.link < 0 ? JointIndex() : animation_.figure->links()[push.link].joint;
       dynamics_.Push(lane_, joint, push.p, {push.force, Vec3::Zero()});
-      found->contacts.push_back({joint, false, push.p, push.force, Vec3::Zero()});
+      found->contacts.push_back({joint, false, push.p, push.force});
     }
   }
 
@@ -160,42 +134,10 @@ class EffortWalk {
     }
   }
 
-  // What pushes a joint's links is known, so nothing is looked for.
-  bool IsKnown(JointIndex joint, const SceneContacts& contacts) const {
-    const auto& links = animation_.figure->links();
-    for (size_t i = 0; i < contacts.is_known.size(); ++i) {
-      if (contacts.is_known[i] && links[i].joint == joint) return true;
-    }
-    return false;
-  }
-
-  Vec3 PlaceOf(const ConstraintEnd& end, const PlacedFrame& placed) const {
-    return placed.PointOf(JointOf(end), end.offset);
-  }
-
-  JointIndex JointOf(const ConstraintEnd& end) const {
-    return end.joint ? animation_.figure->group(*end.joint).last() : JointIndex();
-  }
-
   void TakeOff(const ConstraintEnd& end, const Wrench& push, const PlacedFrame& placed) {
-    if (!end.is_in_world) dynamics_.Push(lane_, JointOf(end), PlaceOf(end, placed), push);
-  }
-
-  // The body beyond the joint is what stands there.
-  void AddPin(JointIndex pinned, const PlacedFrame& placed) {
-    ContactPoint pin;
-    pin.joint = pinned;
-    pin.p = placed.p(pinned);
-    pin.is_pin = true;
-    pin.id = std::numeric_limits<int>::max();
-    pin.has_moment = std::any_of(points_.begin(), points_.end(), [&](const ContactPoint& point) {
-      return point.joint == pinned ||
-             (point.joint.is_valid() && animation_.figure->IsBeyond(point.joint, pinned));
-    });
-    // The sole carries what a sole can; the pin what pulls, or slides.
-    constexpr double kHelp = 1e-3;
-    if (pin.has_moment) pin.weight = kHelp;
-    points_.push_back(pin);
+    if (end.is_in_world) return;
+    const Figure& figure = *animation_.figure;
+    dynamics_.Push(lane_, HeldJoint(end, figure), HeldPlace(end, figure, placed), push);
   }
 
   void FindShares(const MovedFrame at[4]) {
@@ -218,7 +160,7 @@ class EffortWalk {
 
   const Animation& animation_;
   EffortOptions options_;
-  Touching touching_;
+  Supports supports_;
   PlacedFrames placed_;
   std::optional<OuterPushes> outer_;
   FrameDynamics dynamics_;
@@ -228,7 +170,7 @@ class EffortWalk {
   std::vector<HingeStrength> strengths_;  // by joint
   LaneArray shares_, least_;              // by joint and frame
   std::vector<ContactPoint> points_;
-  std::vector<ContactForce> forces_;
+  std::vector<Vec3> forces_;
 };
 
 // A capture's feet shake, and swing by low.

@@ -20,11 +20,10 @@ struct EffortOptions {
 
 // Something outside that pushes the figure in a frame.
 struct EffortContact {
-  JointIndex joint;            // whose body is pushed; invalid: the root's
-  bool is_pin = false;         // else the ground, or what stands on it
-  Vec3 p = Vec3::Zero();       // world [m]
-  Vec3 force = Vec3::Zero();   // on the figure [N]
-  Vec3 moment = Vec3::Zero();  // [N m]
+  JointIndex joint;           // whose body is pushed; invalid: the root's
+  bool is_grip = false;       // a hand that can pull; else something that the body lies on
+  Vec3 p = Vec3::Zero();      // world [m]
+  Vec3 force = Vec3::Zero();  // on the figure [N]
 };
 
 struct FrameEffort {
@@ -34,8 +33,8 @@ struct FrameEffort {
   VecX share;
   std::vector<JointIndex> least;  // hinges whose share is of the least strength there is
   std::vector<EffortContact> contacts;
-  // What neither ground nor pin can supply: force on the root, and moment about its origin. In a
-  // flight it is what keys ask for against the laws of motion.
+  // What no sole, hand or other contact can supply: force on the root, and moment about its origin,
+  // world axes. In a flight it is what keys ask for against the laws of motion.
   Wrench from_nowhere;
 };
 
@@ -49,10 +48,10 @@ struct Effort {
 bool IsCapture(const Animation& animation);
 
 // One entry a frame. Accelerations are those of the bake (BakeOptions::accelerations: exact, from
-// the right); of a motion without them those of joint_torques.h; of captures, differences of the
-// filtered motion. What is held counts as part of its holder. Gravity, the weight of what is held,
-// what constraints and regions with contacts are pushed with, and wind and pulls, on all links
-// while they act, are the known forces from outside.
+// the right); of a motion without them those of frame_accelerations.h; of captures, differences of
+// the filtered motion. What is held counts as part of its holder. Gravity, the weight of what is
+// held, what constraints and regions with contacts are pushed with, and wind and pulls, on all
+// links while they act, are the known forces from outside.
 Effort EffortOf(const Animation& animation, const Motion& motion,
                 const EffortOptions& options = {});
 

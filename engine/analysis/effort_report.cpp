@@ -88,7 +88,7 @@ std::vector<std::string> EffortReport(const Animation& animation, const Motion& 
   if (force.value > kNoted * weight || moment.value > kNoted * weight) {
     lines.push_back("from nowhere: " + FormatShort(force.value) + " N" + At(motion, force) + ", " +
                     FormatShort(moment.value) + " N m" + At(motion, moment) +
-                    ", which neither ground nor pin can supply");
+                    ", which nothing that touches or grips can supply");
   }
   if (least > 0) {
     lines.push_back("in " + std::to_string(least) +

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "engine/analysis/joint_torques.h"
+#include "engine/analysis/frame_accelerations.h"
 #include "engine/analysis/low_pass.h"
 #include "engine/spatial/degrees.h"
 #include "engine/spatial/turn.h"

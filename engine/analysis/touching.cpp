@@ -1,15 +1,17 @@
 // A point's clearance c is known in each frame. It touches from where c falls below a limit l to
 // where it rises above it, at instants found on straight lines between two frames. With d the time
-// from the nearest of these instants, positive while it touches, and f the time in which it fades,
-//   weight = u^2 (3 - 2 u),   u = d / f + 1/2 within 0 and 1:
-// half at the touch-down itself, all of it f / 2 later, and continuous, so that nothing that
-// weights share out jumps. What touches in the first or the last frame has done so, or will, for
-// long.
+// from the nearer of these instants, and f the time in which the weight rises or falls,
+//   weight = u^2 (3 - 2 u),   u = d / f within 0 and 1,
+// in frames in which the point touches, and 0 in all others: what does not touch carries nothing. A
+// frame in which it touches has at least the weight kLeast. Loads are handed over from points that
+// leave, and to points that come, without a jump. What touches in the first or the last frame has
+// done so, or will, for long.
 
 #include "engine/analysis/touching.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <variant>
 
 #include "engine/collision/distance.h"
@@ -53,6 +55,11 @@ TouchedShape Prepare(const Capsule& capsule) { return PrepareBox(Grown(capsule))
 
 }  // namespace
 
+double FadeIn(double u) {
+  const double x = std::clamp(u, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
 TouchedShape PrepareShape(const Obstacle& shape) {
   return std::visit([](const auto& of) { return Prepare(of); }, shape);
 }
@@ -65,17 +72,18 @@ Touching::Touching(const Animation& animation, size_t num_frames, const TouchLim
       num_frames_(num_frames),
       num_fours_((num_frames + 3) / 4) {
   for (const SceneObject& object : animation.scene) shapes_.push_back(PrepareShape(object.shape));
-  if (shapes_.empty()) return;
   for (const Link& link : animation.figure->links()) {
     if (!IsEndOfParent(link, *animation.figure)) AddEnd(link, link.capsule.a);
     if (link.capsule.a != link.capsule.b) AddEnd(link, link.capsule.b);
   }
+  if (shapes_.empty()) return;
   clearance_ = LaneArray::Unset(ends_.size() * num_fours_ * 4);
   touches_ = LaneArray::Unset(ends_.size() * num_fours_ * 4 * TouchField::kNumFields);
 }
 
 void Touching::AddEnd(const Link& link, const Vec3& centre) {
-  ends_.push_back({link.joint, (link.capsule.b - link.capsule.a).stableNormalized()});
+  ends_.push_back({link.joint, (link.capsule.b - link.capsule.a).stableNormalized(), centre,
+                   link.capsule.radius, static_cast<int>(2 * ends_.size())});
   TouchingBall& ball = balls_.emplace_back();
   ball.body = link.joint.is_valid() ? link.joint.value() + 1 : 0;
   std::copy_n(centre.data(), 3, ball.centre);
@@ -83,6 +91,7 @@ void Touching::AddEnd(const Link& link, const Vec3& centre) {
 }
 
 void Touching::AddFour(const double* placed) {
+  if (shapes_.empty()) return;
   kernels_.touch(balls_.data(), static_cast<int>(balls_.size()), shapes_.data(),
                  static_cast<int>(shapes_.size()), placed,
                  touches_.data() + num_added_ * ends_.size() * 4 * TouchField::kNumFields,
@@ -100,6 +109,7 @@ Vec3 Touching::FieldAt(size_t frame, size_t end, int field) const {
 
 void Touching::Finish(double frame_time) {
   weight_.assign(ends_.size() * num_frames_, 0.0f);
+  if (shapes_.empty()) return;
   FindLevels(frame_time);
   for (size_t end = 0; end < ends_.size(); ++end) Fade(end, frame_time);
 }
@@ -144,8 +154,8 @@ void Touching::Fade(size_t end, double frame_time) {
     const double share = from * to < 0.0 ? from / (from - to) : 0.5;
     return static_cast<double>(i) - 1.0 + share;
   };
+  constexpr double kLeast = 1e-3;
   const double fade = limits_.fade_frames * animation_.rate.seconds_per_frame() / frame_time;
-  const auto reach = static_cast<long>(std::ceil(0.5 * fade)) + 1;
   for (size_t first = 0; first < num_frames_;) {
     if (!touches(first)) {
       ++first;
@@ -155,37 +165,43 @@ void Touching::Fade(size_t end, double frame_time) {
     while (last + 1 < num_frames_ && touches(last + 1)) ++last;
     const double down = first == 0 ? -1e300 : crossing(first);
     const double up = last + 1 == num_frames_ ? 1e300 : crossing(last + 1);
-    const long from = std::max(0L, static_cast<long>(first) - reach);
-    const long to = std::min(static_cast<long>(num_frames_) - 1, static_cast<long>(last) + reach);
-    for (long i = from; i <= to; ++i) {
+    for (size_t i = first; i <= last; ++i) {
       const auto at = static_cast<double>(i);
-      const double u = std::clamp(std::min(at - down, up - at) / fade + 0.5, 0.0, 1.0);
-      float& weight = weight_[end * num_frames_ + static_cast<size_t>(i)];
-      weight = std::max(weight, static_cast<float>(u * u * (3.0 - 2.0 * u)));
+      const double weight = FadeIn(std::min(at - down, up - at) / fade);
+      weight_[end * num_frames_ + i] = static_cast<float>(std::max(weight, kLeast));
     }
     first = last + 1;
   }
 }
 
+std::vector<Touching::End> Touching::EndsBeyond(JointIndex joint) const {
+  std::vector<End> found;
+  std::copy_if(ends_.begin(), ends_.end(), std::back_inserter(found), [&](const End& end) {
+    return end.joint.is_valid() && animation_.figure->IsBeyond(end.joint, joint);
+  });
+  return found;
+}
+
+void Touching::AddSides(const End& end, const PlacedFrame& placed, const Vec3& normal,
+                        double weight, std::vector<ContactPoint>* points) {
+  const Vec3 across = end.radius * normal.cross(placed.Turned(end.joint, end.axis));
+  const Vec3 point = placed.PointOf(end.joint, end.centre) - end.radius * normal;
+  for (const int side : {0, 1}) {
+    ContactPoint& of_side = points->emplace_back();
+    of_side.joint = end.joint;
+    of_side.p = point + (side == 0 ? -across : across);
+    of_side.normal = normal;
+    of_side.weight = 0.5 * weight;
+    of_side.id = end.id + side;
+  }
+}
+
 void Touching::PointsAt(size_t frame, const PlacedFrame& placed,
                         std::vector<ContactPoint>* points) const {
-  constexpr float kLeast = 1e-6f;
   for (size_t i = 0; i < ends_.size(); ++i) {
     const float weight = weight_[i * num_frames_ + frame];
-    if (weight < kLeast) continue;
-    const Vec3 normal = FieldAt(frame, i, TouchField::kNormal);
-    const Vec3 axis = placed.Turned(ends_[i].joint, ends_[i].axis);
-    const double radius = balls_[i].radius;
-    const Vec3 across = radius * normal.cross(axis);
-    const Vec3 point = FieldAt(frame, i, TouchField::kCentre) - radius * normal;
-    for (const int side : {0, 1}) {
-      ContactPoint& of_side = points->emplace_back();
-      of_side.joint = ends_[i].joint;
-      of_side.p = point + (side == 0 ? -across : across);
-      of_side.normal = normal;
-      of_side.weight = 0.5 * weight;
-      of_side.id = static_cast<int>(2 * i) + side;
-    }
+    if (weight == 0.0f) continue;
+    AddSides(ends_[i], placed, FieldAt(frame, i, TouchField::kNormal), weight, points);
   }
 }
 

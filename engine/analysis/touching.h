@@ -15,15 +15,18 @@ namespace hazumi {
 // As the kernels read it.
 TouchedShape PrepareShape(const Obstacle& shape);
 
-// When a point counts as touching. touching.cpp says how its weight fades.
+// When a point counts as touching. touching.cpp says how its weight rises and falls.
 struct TouchLimits {
   double clearance = 0.01;  // [m], at most
   // The ground of a capture is not quite where the scene has it: clearances count from the lowest
   // within 0.3 s, if that is at most so far from the scene [m].
   double drift = 0.0;
   double fastest = 1e300;    // [m/s]
-  double fade_frames = 3.0;  // of the animation, about a touch-down or a lift-off
+  double fade_frames = 3.0;  // of the animation, after a touch-down and before a lift-off
 };
+
+// Rises smoothly from 0 at u = 0 to 1 at u = 1, and stays 0 before and 1 after.
+double FadeIn(double u);
 
 // Both ends of each link (of soles: heel, ball, toes) against the ground and everything else in the
 // scene: how much of each touches in each frame of a motion.
@@ -41,11 +44,21 @@ class Touching {
   // a radius to either side of its axis.
   void PointsAt(size_t frame, const PlacedFrame& placed, std::vector<ContactPoint>* points) const;
 
- private:
+  // One end of a link: a ball.
   struct End {
     JointIndex joint;
-    Vec3 axis;  // of the link, in the frame of its joint, unit; of a ball zero
+    Vec3 axis;    // of the link, in the frame of its joint, unit; of a ball zero
+    Vec3 centre;  // in the frame of its joint [m]
+    double radius = 0.0;
+    int id = 0;
   };
+  // Those of the body beyond a joint.
+  std::vector<End> EndsBeyond(JointIndex joint) const;
+  // Adds the two points of an end that touches along a normal, with half of the weight each.
+  static void AddSides(const End& end, const PlacedFrame& placed, const Vec3& normal, double weight,
+                       std::vector<ContactPoint>* points);
+
+ private:
   void AddEnd(const Link& link, const Vec3& centre);
   // Four numbers of a frame apart from each other: TouchField.
   Vec3 FieldAt(size_t frame, size_t end, int field) const;

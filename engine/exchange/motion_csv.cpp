@@ -1,7 +1,6 @@
 #include "engine/exchange/motion_csv.h"
 
 #include "engine/analysis/effort.h"
-#include "engine/analysis/joint_torques.h"
 #include "engine/base/text.h"
 #include "engine/exchange/units.h"
 
@@ -45,7 +44,7 @@ std::string Header(const Figure& figure, bool torques, bool effort) {
 }
 
 std::string Row(const Figure& figure, const Motion& motion, const MotionFrame& frame,
-                const Eigen::Quaterniond& turn, const JointTorques* torques,
+                const Eigen::Quaterniond& turn, const FrameEffort* torques,
                 const FrameEffort* effort) {
   std::string row = std::to_string(frame.frame);
   Append(&row, motion.rate.SecondsAt(frame.frame));
@@ -57,7 +56,7 @@ std::string Row(const Figure& figure, const Motion& motion, const MotionFrame& f
   for (const double qd : frame.after.qd) Append(&row, Degrees(qd));
   if (torques) {
     for (const double tau : torques->tau) Append(&row, tau);
-    Append(&row, torques->unsupported);
+    Append(&row, torques->from_nowhere);
   }
   if (effort) {
     for (const double tau : effort->tau) Append(&row, tau);
@@ -75,15 +74,13 @@ std::string Row(const Figure& figure, const Motion& motion, const MotionFrame& f
 std::string MotionToCsv(const Animation& animation, const Motion& motion, bool torques,
                         bool effort) {
   std::string text = Header(*animation.figure, torques, effort);
-  std::vector<JointTorques> needed;
-  if (torques) needed = TorquesOf(animation, motion);
   Effort asked;
-  if (effort) asked = EffortOf(animation, motion);
+  if (torques || effort) asked = EffortOf(animation, motion);
   size_t written = 0;
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   for (const MotionFrame& frame : motion.frames) {
     turn = NearQuaternion(frame.X_WR.R, turn);
-    text += Row(*animation.figure, motion, frame, turn, torques ? &needed[written] : nullptr,
+    text += Row(*animation.figure, motion, frame, turn, torques ? &asked.frames[written] : nullptr,
                 effort ? &asked.frames[written] : nullptr);
     ++written;
   }

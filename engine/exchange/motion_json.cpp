@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/analysis/effort.h"
-#include "engine/analysis/joint_torques.h"
 #include "engine/base/text.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/exchange/seam_json.h"
@@ -61,8 +60,8 @@ std::string QuaternionText(const Eigen::Quaterniond& q) {
   return Numbers(std::array{q.w(), q.x(), q.y(), q.z()});
 }
 
-std::string TorqueText(const JointTorques& torques) {
-  const Wrench& root = torques.unsupported;
+std::string TorqueText(const FrameEffort& torques) {
+  const Wrench& root = torques.from_nowhere;
   return ", \"torques_n_m\": " + Numbers(torques.tau) +
          ", \"unsupported\": {\"force_n\": " + Numbers(root.force) +
          ", \"moment_n_m\": " + Numbers(root.moment) + "}";
@@ -77,9 +76,8 @@ std::string EffortText(const Figure& figure, const FrameEffort& effort) {
   const auto contact = [&](const EffortContact& from) {
     const std::string name =
         from.joint.is_valid() ? figure.joint(from.joint).name : figure.root_name();
-    return "{\"joint\": " + Quote(name) + ", \"pin\": " + (from.is_pin ? "true" : "false") +
-           ", \"position_m\": " + Numbers(from.p) + ", \"force_n\": " + Numbers(from.force) +
-           ", \"moment_n_m\": " + Numbers(from.moment) + "}";
+    return "{\"joint\": " + Quote(name) + ", \"grip\": " + (from.is_grip ? "true" : "false") +
+           ", \"position_m\": " + Numbers(from.p) + ", \"force_n\": " + Numbers(from.force) + "}";
   };
   const auto share = [](double x) { return x < 0.0 ? "null" : FormatNumber(x); };
   const auto name = [&](JointIndex j) { return Quote(figure.joint(j).name); };
@@ -97,7 +95,7 @@ class FrameWriter {
       : animation_(animation), figure_(*animation.figure), ws_(figure_) {}
 
   // `torques` and `effort` may be null.
-  std::string Write(const MotionFrame& frame, const JointTorques* torques,
+  std::string Write(const MotionFrame& frame, const FrameEffort* torques,
                     const FrameEffort* effort) {
     ComputePositions(figure_, frame.X_WR, frame.q, &ws_);
     turn_ = NearQuaternion(frame.X_WR.R, turn_);
@@ -297,11 +295,9 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
             return Quote(animation.figure->group(joint.group).name);
           });
   FrameWriter writer(animation);
-  std::vector<JointTorques> torques;
-  if (options.torques) torques = TorquesOf(animation, motion);
   Effort effort;
+  if (options.torques || options.effort) effort = EffortOf(animation, motion);
   if (options.effort) {
-    effort = EffortOf(animation, motion);
     text += ",\n  \"effort\": {\"filtered_hz\": " +
             (effort.is_filtered ? FormatNumber(effort.cutoff) : "null") +
             ", \"friction\": " + FormatNumber(kGroundFriction) + "}";
@@ -309,8 +305,9 @@ std::string MotionToJson(const Animation& animation, const Motion& motion,
   size_t written = 0;
   text += ",\n  \"frames\": " + Lines(motion.frames, [&](const MotionFrame& frame) {
             const size_t i = written++;
-            return writer.Write(frame, torques.empty() ? nullptr : &torques[i],
-                                effort.frames.empty() ? nullptr : &effort.frames[i]);
+            const FrameEffort* asked = effort.frames.empty() ? nullptr : &effort.frames[i];
+            return writer.Write(frame, options.torques ? asked : nullptr,
+                                options.effort ? asked : nullptr);
           });
   text += ",\n  \"events\": " + Lines(motion.events, EventText);
   text += ",\n  \"regions\": " + Lines(motion.regions, [&](const RegionReport& region) {

@@ -94,7 +94,11 @@ class Motion(InFolder):
                 self.assertEqual(float(share) if share else None, effort["share"][i])
                 largest = max(largest, abs(effort["torques_n_m"][i]))
             self.assertEqual(float(row["from_nowhere_z_n"]), effort["from_nowhere"]["force_n"][2])
-        self.assertTrue(any(contact["pin"] for contact in motion["frames"][2]["effort"]["contacts"]))
+        contacts = motion["frames"][2]["effort"]["contacts"]
+        self.assertTrue(contacts)
+        for contact in contacts:
+            self.assertFalse(contact["grip"])
+            self.assertGreaterEqual(contact["force_n"][2], 0)
         info = run("--info", "--effort", JUMP).stdout
         told = re.search(r"effort +largest torque: \S+ (-?\d+) N m at F\d+, \d+ % of its strength", info)
         self.assertAlmostEqual(abs(float(told.group(1))), largest, delta=1.0)

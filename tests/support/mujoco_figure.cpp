@@ -170,6 +170,22 @@ VecX MujocoFigure::EndForceTorques(const EndForces& ends) {
   return tau;
 }
 
+VecX MujocoFigure::PointForce(JointIndex j, const Vec3& p, const Vec3& force) {
+  constexpr int kRootBody = 1;
+  const double none[3] = {};
+  VecX generalized = VecX::Zero(size());
+  mj_applyFT(model_.get(), data_.get(), force.data(), none, p.data(),
+             j.is_valid() ? BodyOf(j) : kRootBody, generalized.data());
+  return generalized;
+}
+
+Mat3 MujocoFigure::RootAxes() const {
+  HAZUMI_DEMAND_EQ(root_dof_, kRootDof);
+  Mat3 axes;
+  for (int i = 0; i < 3; ++i) axes.row(i) = Eigen::Map<const Vec3>(data_->xaxis + 3 * (3 + i));
+  return axes;
+}
+
 Eigen::Matrix3Xd MujocoFigure::OriginJacobian(JointIndex j) const {
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> J(3, size());
   mj_jac(model_.get(), data_.get(), J.data(), nullptr, data_->xpos + 3 * BodyOf(j), BodyOf(j));

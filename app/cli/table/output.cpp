@@ -58,14 +58,14 @@ constexpr OptionRule kOutputRules[] = {
      .tasks = kBake | kJson | kCsv,
      .section = Section::kOutput,
      .help = "with --bake and --export to .json and .csv: also the torque that every joint needs, "
-             "by inverse dynamics, and the force that nothing supplies",
+             "by inverse dynamics (that of --effort), and the force that nothing supplies",
      .read = Set<&Options::torques>},
     {.name = "--effort",
      .tasks = kBake | kJson | kCsv | kInfo,
      .section = Section::kOutput,
      .help =
          "with --bake and --export to .json and .csv: also the torque that muscles give in every "
-         "joint, as a share of its strength too, and what ground and pin carry; with --info: "
+         "joint, as a share of its strength too, and what soles and hands carry; with --info: "
          "more than the largest of them",
      .read = Set<&Options::effort>},
     {.name = "--json",

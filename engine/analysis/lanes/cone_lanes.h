@@ -74,17 +74,17 @@ bool Supply(const double* given, int num_fours, const double* y, double friction
     const LaneTriple arm = LoadTriple<4>(at + 4 * ConeField::kArm);
     const LaneTriple normal = LoadTriple<4>(at + 4 * ConeField::kNormal);
     const LaneReal w = Load<4>(at + 4 * ConeField::kWeight);
-    const LaneBits pin = LoadBits(at + 4 * ConeField::kPinBits);
+    const LaneBits grip = LoadBits(at + 4 * ConeField::kGripBits);
 
     const LaneTriple u = a + Cross(c, arm);
     const LaneReal n = Dot(u, normal);
     const LaneTriple tangential = u + Scaled(-n, normal);
     const LaneReal t2 = Dot(tangential, tangential), n2 = n * n;
-    const LaneBits is_inside = pin | (~Greater(zero, n) & ~Greater(t2, mu2 * n2));
+    const LaneBits is_inside = grip | (~Greater(zero, n) & ~Greater(t2, mu2 * n2));
     const LaneBits is_polar = ~Greater(n, zero) & ~Greater(mu2 * t2, n2);
     const LaneBits is_side = ~(is_inside | is_polar);
     // Without a tangential force there is no side that it could be kept on.
-    const LaneBits has_side = Greater(t2, zero), kept = keeping & has_side & ~pin;
+    const LaneBits has_side = Greater(t2, zero), kept = keeping & has_side & ~grip;
     const LaneBits inside =
         (LoadBits(own + 4 * ConeField::kInsideBits) & kept) | (is_inside & ~kept);
     const LaneBits side = (LoadBits(own + 4 * ConeField::kSideBits) & kept) | (is_side & ~kept);

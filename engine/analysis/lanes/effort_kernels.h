@@ -68,7 +68,7 @@ struct TouchField {
 // What the kernels read of four contacts, and what they leave, by field and contact: bits are all
 // set or none.
 struct ConeField {
-  enum Given { kArm = 0, kNormal = 3, kWeight = 6, kPinBits = 7 };
+  enum Given { kArm = 0, kNormal = 3, kWeight = 6, kGripBits = 7 };
   static constexpr int kNumGiven = 8;
   enum Found { kInsideBits = 0, kSideBits = 1, kForce = 2 };
   static constexpr int kNumFound = 5;

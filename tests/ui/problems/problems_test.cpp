@@ -55,6 +55,22 @@ TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
   EXPECT_TRUE(FoundWith("in the ground").empty());
 }
 
+TEST_F(Problems, AFigureWhoseMassIsBeyondItsToesIsLedTo) {
+  for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {
+    Do("key.set", {{"curve", curve}, {"frame", 0}, {"value", 14}});
+  }
+  Pin("r_ankle", 0, 30);
+  const std::vector<Problem> leaning = FoundWith("the centre of mass is ");
+  ASSERT_EQ(leaning.size(), 1u);
+  EXPECT_NE(leaning[0].text.find("_toe, and nothing keeps"), std::string::npos) << leaning[0].text;
+  GoTo(leaning[0], &editor_);
+  EXPECT_EQ(editor_.session().frame(), leaning[0].frame);
+  for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {
+    Do("key.set", {{"curve", curve}, {"frame", 0}, {"value", 1}});
+  }
+  EXPECT_TRUE(FoundWith("the centre of mass is ").empty());
+}
+
 TEST_F(Problems, AJumpOfTheSpeedIsLedTo) {
   Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0.0}});
   Do("key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 3.0}});

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/analysis/effort.h"
+#include "engine/figure/figure_builder.h"
+#include "engine/project/figure_reader.h"
 #include "tests/support/animations.h"
 
 namespace hazumi::test {
@@ -11,12 +13,43 @@ struct BakedEffort {
   Effort effort;
 };
 
-inline BakedEffort BakeEffort(const Animation& animation) {
+inline BakedEffort BakeEffort(const Animation& animation,
+                              std::optional<FrameRate> rate = std::nullopt) {
   BakeOptions options;
   options.accelerations = true;
+  options.output_rate = rate;
   BakedEffort found{BakeOrFail(animation, options), {}};
   found.effort = EffortOf(animation, found.motion);
   return found;
+}
+
+inline constexpr double kHipHeight = 0.9024;  // height of the shipped human's root [m]
+
+inline Figure ShippedHuman() {
+  return BuildFigure(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value()).value();
+}
+
+inline Animation Standing() {
+  Animation animation = Still(ShippedHuman());
+  animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic}};
+  AddFloor(&animation);
+  return animation;
+}
+
+// The sum of all contact forces on one side's leg [N].
+inline Vec3 LegForce(const Animation& animation, const FrameEffort& frame, const char* side) {
+  Vec3 sum = Vec3::Zero();
+  for (const EffortContact& contact : frame.contacts) {
+    const std::string& name = animation.figure->joint(contact.joint).name;
+    if (name.starts_with(side)) sum += contact.force;
+  }
+  return sum;
+}
+
+inline Vec3 SumOfContacts(const FrameEffort& frame) {
+  Vec3 sum = Vec3::Zero();
+  for (const EffortContact& contact : frame.contacts) sum += contact.force;
+  return sum;
 }
 
 }  // namespace hazumi::test

@@ -29,7 +29,7 @@ std::vector<ContactPoint> Square() {
 
 struct Solved {
   Wrench rest;
-  std::vector<ContactForce> forces;
+  std::vector<Vec3> forces;
 };
 
 Solved Solve(const Wrench& needed, const std::vector<ContactPoint>& points) {
@@ -40,8 +40,8 @@ Solved Solve(const Wrench& needed, const std::vector<ContactPoint>& points) {
 
 TEST(ContactForces, AreEqualUnderAWeightInTheMiddle) {
   const Solved solved = Solve({Vec3(0, 0, 100), Vec3::Zero()}, Square());
-  for (const ContactForce& force : solved.forces) {
-    EXPECT_NEAR((force.force - Vec3(0, 0, 25)).norm(), 0.0, 1e-9);
+  for (const Vec3& force : solved.forces) {
+    EXPECT_NEAR((force - Vec3(0, 0, 25)).norm(), 0.0, 1e-9);
   }
   EXPECT_LT(solved.rest.force.norm(), 1e-9);
 }
@@ -49,20 +49,20 @@ TEST(ContactForces, AreEqualUnderAWeightInTheMiddle) {
 TEST(ContactForces, GoWithTheWeights) {
   const Solved solved =
       Solve({Vec3(0, 0, 90), Vec3::Zero()}, {At(0, 0, 0.5), At(0, 0, 1.0), At(0, 0, 1e-6)});
-  EXPECT_NEAR(solved.forces[0].force.z(), 30.0, 1e-3);
-  EXPECT_NEAR(solved.forces[1].force.z(), 60.0, 1e-3);
+  EXPECT_NEAR(solved.forces[0].z(), 30.0, 1e-3);
+  EXPECT_NEAR(solved.forces[1].z(), 60.0, 1e-3);
 }
 
 TEST(ContactForces, PushAndDoNotPull) {
   const Solved solved = Solve({Vec3(0, 0, -100), Vec3::Zero()}, Square());
-  for (const ContactForce& force : solved.forces) EXPECT_EQ(force.force.norm(), 0.0);
+  for (const Vec3& force : solved.forces) EXPECT_EQ(force.norm(), 0.0);
   EXPECT_NEAR(solved.rest.force.z(), -100.0, 1e-9);
 }
 
 TEST(ContactForces, CarryAWeightAtTheEdgeByTheEdge) {
   const Vec3 p(0.1, 0.0, 0.0), F(0, 0, 100);
   const Solved solved = Solve({F, p.cross(F)}, Square());
-  EXPECT_NEAR(solved.forces[0].force.z() + solved.forces[1].force.z(), 100.0, 1e-4);
+  EXPECT_NEAR(solved.forces[0].z() + solved.forces[1].z(), 100.0, 1e-4);
   EXPECT_LT(solved.rest.moment.norm(), 1e-4);
 }
 
@@ -71,19 +71,31 @@ TEST(ContactForces, StayInTheirConesAndComeNearest) {
   // the cone.
   const Solved solved = Solve({Vec3(100, 0, 50), Vec3::Zero()}, {At(0, 0)});
   const double size = (50.0 + kMu * 100.0) / (1.0 + kMu * kMu);
-  EXPECT_NEAR(solved.forces[0].force.z(), size, 1e-3);
-  EXPECT_NEAR(solved.forces[0].force.x(), kMu * size, 1e-3);
+  EXPECT_NEAR(solved.forces[0].z(), size, 1e-3);
+  EXPECT_NEAR(solved.forces[0].x(), kMu * size, 1e-3);
 }
 
-TEST(ContactForces, OfAPinHaveAnyDirection) {
-  ContactPoint pin = At(0.2, 0.0);
-  pin.is_pin = true;
-  const Vec3 F(30, 0, -100), N = pin.p.cross(F) + Vec3(1, 2, 3);
-  EXPECT_NEAR(Solve({F, N}, {pin}).rest.moment.norm(), Vec3(1, 2, 3).norm(), 1e-4);
-  pin.has_moment = true;
-  const Solved solved = Solve({F, N}, {pin});
-  EXPECT_LT(solved.rest.force.norm() + solved.rest.moment.norm(), 1e-9);
-  EXPECT_NEAR((solved.forces[0].moment - Vec3(1, 2, 3)).norm(), 0.0, 1e-6);
+TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
+  ContactPoint grip = At(0.2, 0.0);
+  grip.is_grip = true;
+  const Vec3 F(30, 0, -100), N = grip.p.cross(F) + Vec3(1, 2, 3);
+  const Solved solved = Solve({F, N}, {grip});
+  EXPECT_LT((solved.forces[0] - F).norm(), 1e-6);
+  EXPECT_LT((solved.rest.moment - Vec3(1, 2, 3)).norm(), 1e-6);
+}
+
+// A moment that cannot be had does not change the force, which would have to act 8 cm beyond the
+// edge.
+TEST(ContactForces, SupplyTheForceWhateverMomentIsLacking) {
+  const Vec3 F(-5, 0, 100), com(0.13, 0.0, 1.0), edge(0.1, 0.0, 0.0);
+  std::vector<Vec3> forces;
+  const Wrench rest = ContactForceSolver().Solve({F, Vec3::Zero()}, com, Square(), kMu, &forces);
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& force : forces) sum += force;
+  EXPECT_LT((sum - F).norm(), 1e-6);
+  EXPECT_LT(rest.force.norm(), 1e-6);
+  EXPECT_LT((rest.moment + (edge - com).cross(F)).norm(), 1e-4);
+  EXPECT_LT(forces[2].norm() + forces[3].norm(), 1e-6);
 }
 
 // No small change of the forces that supplies the same costs less.
@@ -108,7 +120,7 @@ TEST(ContactForces, AreTheLeastThatSupplyWhatIsNeeded) {
     const Solved solved = Solve(needed, points);
     double own = 0.0, other = 0.0;
     for (size_t i = 0; i < points.size(); ++i) {
-      const Vec3& f = solved.forces[i].force;
+      const Vec3& f = solved.forces[i];
       EXPECT_LE(f.head<2>().norm(), kMu * f.z() * (1 + 1e-9) + 1e-9);
       own += f.squaredNorm() / points[i].weight;
       other += made[i].squaredNorm() / points[i].weight;

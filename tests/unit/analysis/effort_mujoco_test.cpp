@@ -1,58 +1,107 @@
-// Effort without contacts against MuJoCo's inverse dynamics: humans in random states on a root that
-// turns and accelerates.
+// Inverse dynamics of whole figures, as effort has them, against MuJoCo's with its contacts off:
+// random states on a root that turns and accelerates, with known forces at points of any links.
 
 #include "engine/analysis/effort.h"
-#include "engine/figure/figure_builder.h"
-#include "engine/project/figure_reader.h"
-#include "tests/support/animations.h"
+#include "engine/dynamics/kinematics.h"
 #include "tests/support/compare.h"
 #include "tests/support/figures.h"
 #include "tests/support/mujoco_figure.h"
 #include "tests/support/random_tree.h"
+#include "tests/unit/analysis/baked_effort.h"
 
 namespace hazumi::test {
 namespace {
 
-void ExpectMujocosEffort(Figure of, const char* claim) {
-  constexpr int kStates = 1000;
-  const Animation animation = Still(std::move(of));
-  const Figure& figure = *animation.figure;
-  const int n = figure.num_joints();
-  MujocoFigure mujoco(figure, Vec3(0, 0, -animation.gravity));
-  Random random(20261124);
-  Motion motion;
-  std::vector<VecX> torques;
-  for (int i = 0; i < kStates; ++i) {
-    const MovingRoot root = RandomMovingRoot(&random);
+constexpr double kTolerance = 1e-9;
+
+// A figure in random states, and the generalized forces of root and hinges that MuJoCo has for it.
+class AskedOfMujoco {
+ public:
+  AskedOfMujoco(Figure figure, double gravity, int states, Random* random) {
+    animation_ = Still(std::move(figure));
+    animation_.gravity = gravity;
+    mujoco_ =
+        std::make_unique<MujocoFigure>(*animation_.figure, Vec3(0.0, 0.0, -animation_.gravity));
+    for (int i = 0; i < states; ++i) AddState(i, random);
+  }
+
+  // The largest relative difference of torques, forces and moments of the states.
+  double WorstDifference() const {
+    const Effort effort = EffortOf(animation_, motion_);
+    double worst = 0.0;
+    for (size_t i = 0; i < effort.frames.size(); ++i) {
+      const FrameEffort& frame = effort.frames[i];
+      VecX own(MujocoFigure::kRootDof + frame.tau.size());
+      own << frame.from_nowhere.force, root_axes_[i] * frame.from_nowhere.moment, frame.tau;
+      worst = std::max(worst, RelativeDifference(own, asked_[i]));
+    }
+    return worst;
+  }
+
+ private:
+  void AddState(int index, Random* random) {
+    const Figure& figure = *animation_.figure;
+    const MovingRoot root = RandomMovingRoot(random);
     const RootMotion moved = root.Motion();
     MotionFrame frame;
-    frame.frame = i;
-    frame.q = RandomAngles(figure, &random);
-    frame.after = {frame.q, random.Vector(n, 5.0), root.X_WR(), moved.w, moved.v};
+    frame.frame = index;
+    frame.q = RandomAngles(figure, random);
+    frame.after = {frame.q, random->Vector(figure.num_joints(), 5.0), root.X_WR(), moved.w,
+                   moved.v};
     frame.before = frame.after;
-    frame.acceleration = {random.Vector(n, 50.0), moved.alpha, moved.a};
-    mujoco.SetState(MujocoFigure::Join(root.p, root.angle, frame.q),
-                    MujocoFigure::Join(root.v, root.rate, frame.after.qd));
-    torques.push_back(mujoco.InverseDynamics(
-        MujocoFigure::Join(root.a, root.acceleration, frame.acceleration->qdd), nullptr));
-    motion.frames.push_back(frame);
+    frame.acceleration = {random->Vector(figure.num_joints(), 50.0), moved.alpha, moved.a};
+    mujoco_->SetState(MujocoFigure::Join(root.p, root.angle, frame.q),
+                      MujocoFigure::Join(root.v, root.rate, frame.after.qd));
+    VecX asked = mujoco_->InverseDynamics(
+        MujocoFigure::Join(root.a, root.acceleration, frame.acceleration->qdd), nullptr);
+    for (int k = random->Integer(0, 5); k > 0; --k) {
+      const ContactPush push = RandomPush(frame, random);
+      asked -= mujoco_->PointForce(figure.links()[static_cast<size_t>(push.link)].joint, push.p,
+                                   push.force);
+      frame.contacts.pushes.push_back(push);
+    }
+    root_axes_.push_back(mujoco_->RootAxes());
+    asked_.push_back(asked);
+    motion_.frames.push_back(frame);
   }
-  const Effort effort = EffortOf(animation, motion);
-  Worst worst(claim);
-  for (int i = 0; i < kStates; ++i) {
-    const FrameEffort& frame = effort.frames[static_cast<size_t>(i)];
-    const VecX& other = torques[static_cast<size_t>(i)];
-    EXPECT_LE(worst((frame.tau - other.tail(n)).lpNorm<Eigen::Infinity>()), 1e-6) << i;
-    EXPECT_LE((frame.from_nowhere.force - other.head<3>()).norm(), 1e-6) << i;
-    EXPECT_TRUE(frame.contacts.empty());
+
+  // On a link, at a point within half a metre of its joint.
+  ContactPush RandomPush(const MotionFrame& frame, Random* random) const {
+    const Figure& figure = *animation_.figure;
+    DynamicsWorkspace ws(figure);
+    ComputePositions(figure, frame.after.X_WR, frame.q, &ws);
+    ContactPush push;
+    push.link = random->Integer(0, static_cast<int>(figure.links().size()) - 1);
+    push.p = ws.body(figure.links()[static_cast<size_t>(push.link)].joint).p + random->Vector3(0.5);
+    push.force = random->Vector3(500.0);
+    return push;
   }
+
+  Animation animation_;
+  std::unique_ptr<MujocoFigure> mujoco_;
+  Motion motion_;
+  std::vector<Mat3> root_axes_;  // by state
+  std::vector<VecX> asked_;      // by state
+};
+
+TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {
+  constexpr int kStates = 1000;
+  Random random(20261124);
+  Worst human("effort of the shipped human"), human37("effort of a human of 37 hinges");
+  EXPECT_LE(human(AskedOfMujoco(ShippedHuman(), kG, kStates, &random).WorstDifference()),
+            kTolerance);
+  EXPECT_LE(human37(AskedOfMujoco(Human37(), kG, kStates, &random).WorstDifference()), kTolerance);
 }
 
-TEST(Effort, OfRandomStatesIsThatOfMujoco) {
-  const std::string path = HAZUMI_SOURCE_DIR "/assets/figures/human.json";
-  ExpectMujocosEffort(BuildFigure(LoadFigure(path).value()).value(),
-                      "effort of the shipped human [N m]");
-  ExpectMujocosEffort(Human37(), "effort of a human of 37 hinges [N m]");
+TEST(Effort, OfRandomTreesInAnyGravityIsThatOfMujoco) {
+  constexpr int kTrees = 100, kStates = 5;
+  Random random(20261127);
+  Worst worst("effort of random trees");
+  for (int k = 0; k < kTrees; ++k) {
+    const double gravity = random.Uniform(0.0, 25.0);
+    const AskedOfMujoco asked(Build(RandomTreeSpec(&random)), gravity, kStates, &random);
+    EXPECT_LE(worst(asked.WorstDifference()), kTolerance) << "tree " << k;
+  }
 }
 
 }  // namespace

@@ -10,58 +10,23 @@
 
 #include "engine/analysis/effort_report.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/figure/figure_builder.h"
 #include "engine/project/compile.h"
-#include "engine/project/figure_reader.h"
 #include "engine/project/project_reader.h"
-#include "tests/support/animations.h"
 #include "tests/support/figures.h"
 #include "tests/support/odd_figures.h"
 #include "tests/support/random.h"
+#include "tests/unit/analysis/baked_effort.h"
 
 namespace hazumi::test {
 namespace {
 
-constexpr double kStanding = 0.9024;  // height of the shipped human's root [m]
-
-Figure ShippedHuman() {
-  return BuildFigure(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value()).value();
-}
-
-Animation Standing() {
-  Animation animation = Still(ShippedHuman());
-  animation.root_keys[kRootZ] = {{0, kStanding, 0.0, kCubic}};
-  AddFloor(&animation);
-  return animation;
-}
-
-struct Found {
-  Motion motion;
-  Effort effort;
-};
-
-Found EffortIn(const Animation& animation, int frames_per_second = 30) {
-  BakeOptions options;
-  options.accelerations = true;
-  options.output_rate = FrameRate{frames_per_second, 1};
-  Found found{BakeOrFail(animation, options), {}};
-  found.effort = EffortOf(animation, found.motion);
-  return found;
-}
-
-// Of all contacts of one side's leg [N].
-Vec3 LegForce(const Animation& animation, const FrameEffort& frame, const char* side) {
-  Vec3 sum = Vec3::Zero();
-  for (const EffortContact& contact : frame.contacts) {
-    const std::string& name = animation.figure->joint(contact.joint).name;
-    if (name.starts_with(side)) sum += contact.force;
-  }
-  return sum;
+BakedEffort EffortIn(const Animation& animation, int frames_per_second = 30) {
+  return BakeEffort(animation, FrameRate{frames_per_second, 1});
 }
 
 TEST(Effort, OfStandingOnTwoFeetIsHalfTheWeightOnEach) {
   const Animation animation = Standing();
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   const double weight = animation.figure->total_mass() * kG;
   for (const FrameEffort& frame : found.effort.frames) {
     for (const char* side : {"l_", "r_"}) {
@@ -75,22 +40,12 @@ TEST(Effort, OfStandingOnTwoFeetIsHalfTheWeightOnEach) {
   EXPECT_FALSE(found.effort.is_filtered);
 }
 
-TEST(Effort, OfStandingWithAPinOnOneFootIsHalfTheWeightOnEachToo) {
-  Animation animation = Standing();
-  AddPin(&animation, 0, 30, "r_ankle");
-  const Found found = EffortIn(animation);
-  const double weight = animation.figure->total_mass() * kG;
-  const FrameEffort& frame = found.effort.frames[10];
-  EXPECT_NEAR(LegForce(animation, frame, "l_").z(), 0.5 * weight, 1e-3 * weight);
-  EXPECT_NEAR(LegForce(animation, frame, "r_").z(), 0.5 * weight, 1e-3 * weight);
-}
-
 TEST(Effort, IsAShareOfTheStrengthOfItsDirection) {
   Animation animation = Standing();
   for (const char* arm : {"l_shoulder_flexion", "r_shoulder_flexion"}) {
     KeysOf(&animation, arm) = {{0, 1.2, 0.0, kCubic}};
   }
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   const FrameEffort& frame = found.effort.frames[10];
   const JointIndex ankle = JointOf(animation, "r_ankle_flexion"), toe = JointOf(animation, "r_toe");
   const double tau = frame.tau[ankle.value()];
@@ -110,7 +65,7 @@ TEST(Effort, WhatAStopGivesIsNobodysEffort) {
     const Joint& hinge = animation.figure->joint(elbow);
     KeysOf(&animation, "r_elbow_flexion") = {{0, hinge.lower, 0.0, kCubic}};
     KeysOf(&animation, "r_shoulder_flexion") = {{0, lean, 0.0, kCubic}};
-    const Found found = EffortIn(animation);
+    const BakedEffort found = EffortIn(animation);
     const FrameEffort& frame = found.effort.frames[10];
     const bool is_pressed = frame.tau[elbow.value()] > 0.0;
     EXPECT_GT(std::abs(frame.tau[elbow.value()]), 0.1) << lean;
@@ -141,11 +96,11 @@ Animation OnOneFoot(double down) {
   VecX q = figure.RestAngles();
   q[JointOf(animation, "r_hip_abduction").value()] = -b;
   DynamicsWorkspace ws(figure);
-  ComputePositions(figure, {Mat3::Identity(), Vec3(0, 0, kStanding)}, q, &ws);
+  ComputePositions(figure, {Mat3::Identity(), Vec3(0, 0, kHipHeight)}, q, &ws);
   const double leaning = ws.body(JointOf(animation, "r_ankle_flexion")).p.z();
-  ComputePositions(figure, {Mat3::Identity(), Vec3(0, 0, kStanding)}, figure.RestAngles(), &ws);
+  ComputePositions(figure, {Mat3::Identity(), Vec3(0, 0, kHipHeight)}, figure.RestAngles(), &ws);
   const double straight = ws.body(JointOf(animation, "r_ankle_flexion")).p.z();
-  animation.root_keys[kRootZ] = {{0, kStanding + straight - leaning, 0.0, kCubic}};
+  animation.root_keys[kRootZ] = {{0, kHipHeight + straight - leaning, 0.0, kCubic}};
   return animation;
 }
 
@@ -154,7 +109,7 @@ TEST(Effort, OfStandingOnOneFootIsTheWeightTimesItsLeverAtTheAnkle) {
   for (const char* hinge : {"l_hip_flexion", "l_knee", "l_ankle_flexion"}) {
     KeysOf(&animation, hinge).resize(1);  // it is held up
   }
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   const Figure& figure = *animation.figure;
   const FrameEffort& frame = found.effort.frames[0];
   ASSERT_LT(frame.from_nowhere.force.norm(), 1e-6);
@@ -182,7 +137,7 @@ TEST(Effort, OfStandingOnOneFootIsTheWeightTimesItsLeverAtTheAnkle) {
 TEST(Effort, DoesNotJumpWhereAFootTouchesDown) {
   const Animation animation = OnOneFoot(20);
   for (const int rate : {30, 240}) {
-    const Found found = EffortIn(animation, rate);
+    const BakedEffort found = EffortIn(animation, rate);
     double peak = 0.0, step = 0.0, one_foot = 0.0, both = 0.0;
     const std::vector<FrameEffort>& frames = found.effort.frames;
     for (size_t i = 0; i < frames.size(); ++i) {
@@ -262,7 +217,7 @@ TEST(Effort, OfASquatIsThatOfLagrangesEquations) {
   animation.joint_keys[1] = key(last[0] - last[1]);
   animation.joint_keys[2] = key(-last[0]);
   AddPin(&animation, 0, 30, "ankle");
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   for (int f = 0; f <= 30; ++f) {
     const double s = f / 30.0;
     const Vec3 torques = SquatTorques(last * (s * s * (3.0 - 2.0 * s)),
@@ -280,7 +235,7 @@ TEST(Effort, OfASquatIsThatOfLagrangesEquations) {
 TEST(Effort, OfAFigureThatKeysHoldInTheAirIsToldAsFromNowhere) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, 2.0, 0.0, kCubic}};
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   const FrameEffort& frame = found.effort.frames[3];
   EXPECT_TRUE(frame.contacts.empty());
   EXPECT_NEAR(frame.from_nowhere.force.z(), animation.figure->total_mass() * kG, 1e-9);
@@ -293,7 +248,7 @@ TEST(Effort, OfAFigureThatKeysHoldInTheAirIsToldAsFromNowhere) {
 TEST(Effort, OfAFlightNeedsNoForceFromNowhere) {
   const std::string path = HAZUMI_SOURCE_DIR "/assets/examples/jump.kfa";
   const Animation animation = CompileAnimation(LoadProject(path).value()).value().animation;
-  const Found found = EffortIn(animation, 240);
+  const BakedEffort found = EffortIn(animation, 240);
   const double take_off = EventsOf(found.motion, EventKind::kTakeOff).at(0).time;
   const double landing = EventsOf(found.motion, EventKind::kLanding).at(0).time;
   double worst = 0.0;
@@ -315,7 +270,7 @@ TEST(Effort, OfAFreeSwingIsNoneInItsJoints) {
   animation.solver.method = Method::kExact;
   KeysOf(&animation, "r_shoulder_y") = {{0, 0.9, 0.0, kCubic}};
   AddRegion(&animation, "arm", 0, 30, {"r_shoulder"}, 1.0).method = Method::kExact;
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   ASSERT_TRUE(EventsOf(found.motion, EventKind::kLimit).empty());
   for (size_t i = 0; i + 1 < found.motion.frames.size(); ++i) {
     for (int j = 0; j < found.effort.frames[i].tau.size(); ++j) {
@@ -337,7 +292,7 @@ TEST(Effort, OfACaptureIsThatOfTheFilteredMotion) {
     hip.push_back({f * 1.0, 0.5 * slow + random.Uniform(-0.003, 0.003), {}, kCubic});
   }
   EXPECT_TRUE(IsCapture(animation));
-  const Found found = EffortIn(animation);
+  const BakedEffort found = EffortIn(animation);
   EXPECT_TRUE(found.effort.is_filtered);
   EXPECT_EQ(found.effort.cutoff, 6.0);
   const auto lines = EffortReport(animation, found.motion, found.effort);

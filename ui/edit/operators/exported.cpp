@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/bake/bake.h"
 #include "engine/base/version.h"
 #include "ui/edit/operators/edits.h"
 
@@ -58,6 +59,17 @@ ExportSettings UsualSettings(const Session& session, MotionFormat format) {
   return settings;
 }
 
+// Torques need the accelerations of every frame, which the session's motion lacks.
+static Result<Motion> WithAccelerations(const ExportSource& source) {
+  BakeOptions options;
+  options.accelerations = true;
+  Result<Motion> baked = Bake(source.animation, options);
+  if (!baked.ok()) return baked.error();
+  Motion motion = source.motion;
+  motion.frames = std::move(baked.value().frames);
+  return motion;
+}
+
 Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings) {
   MotionExportOptions options;
   options.format = settings.format;
@@ -73,7 +85,13 @@ Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& se
       SkinFor(source, has_skin ? settings.skin : ExportSkin::kNone, &made);
   if (!skin.ok()) return skin.error();
   options.skin = skin.value();
-  return ExportMotion(source.animation, PartOf(source.motion, settings.first, settings.last),
+  if (!settings.torques) {
+    return ExportMotion(source.animation, PartOf(source.motion, settings.first, settings.last),
+                        options);
+  }
+  const Result<Motion> motion = WithAccelerations(source);
+  if (!motion.ok()) return motion.error();
+  return ExportMotion(source.animation, PartOf(motion.value(), settings.first, settings.last),
                       options);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/problems/contact_jerk.h"
 #include "ui/panels/problems/falls_through.h"
+#include "ui/panels/problems/support_problem.h"
 #include "ui/panels/problems/taken_object.h"
 #include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/flight_text.h"
@@ -66,6 +67,9 @@ class ProblemList {
     }
     for (const ContactJerk& jerk : ContactJerks(*session.animation(), *motion.value())) {
       AddJerk(jerk);
+    }
+    for (const MissingSupport& missing : editor_.effort.missing()) {
+      problems_.push_back(SupportProblem(missing, session.figure()));
     }
     AddTime(editor_.flights.analysis().time);
     return Grouped();
@@ -281,7 +285,7 @@ bool HasProblems(Editor* editor) {
   if (!motion.ok()) return false;
   // Jumps are among the warnings.
   return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
-         SlidesFar(editor->flights.analysis()) ||
+         SlidesFar(editor->flights.analysis()) || !editor->effort.missing().empty() ||
          !FallsThrough(*session.animation(), *motion.value()).empty() ||
          !ContactJerks(*session.animation(), *motion.value()).empty() ||
          !AlarmText(editor->flights.analysis().time).empty();

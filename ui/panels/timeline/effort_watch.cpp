@@ -13,13 +13,20 @@ namespace {
 
 constexpr double kQuick = 0.06;  // it may be done anew while something is dragged [s]
 
-Result<Effort> EffortIn(const Animation& animation, const std::atomic<bool>* cancel) {
+struct Found {
+  Effort effort;
+  std::vector<MissingSupport> missing;
+};
+
+Result<Found> FindIn(const Animation& animation, const std::atomic<bool>* cancel) {
   BakeOptions options;
   options.accelerations = true;
   options.cancel = cancel;
   const Result<Motion> motion = Bake(animation, options);
   if (!motion.ok()) return motion.error();
-  return EffortOf(animation, motion.value());
+  Found found{EffortOf(animation, motion.value()), {}};
+  found.missing = MissingSupports(animation, motion.value(), found.effort);
+  return found;
 }
 
 }  // namespace
@@ -45,6 +52,18 @@ void EffortWatch::Look(edit::Session* session) {
   if (!session->patience()) End();
 }
 
+void EffortWatch::LookIfQuick(edit::Session* session) {
+  constexpr long kFew = 20000;  // evaluations
+  if (session->document().is_merging() || !session->bake() || session->bake()->is_busy()) return;
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return;
+  long evaluations = 0;
+  for (const RegionReport& report : motion.value()->regions) evaluations += report.evaluations;
+  if (evaluations <= kFew) return Look(session);
+  const Version now = {session->document_number(), session->document().revision()};
+  if (is_there() && !(now == seen_)) Forget();
+}
+
 void EffortWatch::Begin(const Animation& animation, Version version) {
   job_ = std::make_unique<Job>();
   job_->of = version;
@@ -52,9 +71,10 @@ void EffortWatch::Begin(const Animation& animation, Version version) {
   job_->thread = std::thread([job = job_.get()] {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const auto find = [job] { return EffortIn(job->animation, &job->cancel); };
-    if (Result<Effort> found = WithinMemory(find); found.ok()) {
-      job->effort = std::move(found).value();
+    const auto find = [job] { return FindIn(job->animation, &job->cancel); };
+    if (Result<Found> found = WithinMemory(find); found.ok()) {
+      job->effort = std::move(found.value().effort);
+      job->missing = std::move(found.value().missing);
     }
     job->seconds = std::chrono::duration<double>(Clock::now() - start).count();
     job->has_ended = true;
@@ -67,12 +87,14 @@ void EffortWatch::End() {
   if (job->of.document != shown_ || job->cancel) return;
   first_frame_ = job->animation.first_frame;
   effort_ = std::move(job->effort);
+  missing_ = std::move(job->missing);
   seconds_ = job->seconds;
   ++number_;
 }
 
 void EffortWatch::Forget() {
   effort_ = {};
+  missing_.clear();
   seen_ = {};
   ++number_;
 }

@@ -5,12 +5,13 @@
 #include <thread>
 
 #include "engine/analysis/effort.h"
+#include "engine/analysis/missing_support.h"
 #include "ui/edit/session/session.h"
 
 namespace hazumi::ui {
 
-// Finds what the motion asks of muscles [engine/analysis], beside the interface, while somebody
-// wants to see it: a bake of its own, for it needs accelerations.
+// Finds what the motion asks of muscles and what carries the figure nowhere [engine/analysis],
+// beside the interface: a bake of its own, for it needs accelerations.
 class EffortWatch {
  public:
   EffortWatch() = default;
@@ -21,6 +22,8 @@ class EffortWatch {
   // Looks at the motion if it is another one than before; while something is dragged only where
   // that is quickly done. Waits for what it finds if the session has patience without end.
   void Look(edit::Session* session);
+  // Does so if the motion took few evaluations of the equations of motion.
+  void LookIfQuick(edit::Session* session);
   // It is at work.
   bool is_busy() const { return job_ != nullptr; }
 
@@ -28,6 +31,8 @@ class EffortWatch {
   // null where nothing is known.
   const FrameEffort* At(int frame) const;
   bool is_there() const { return !effort_.frames.empty(); }
+  // Frames in which nothing carries or turns the figure, of the motion that was looked at last.
+  const std::vector<MissingSupport>& missing() const { return missing_; }
   // Counts up with every other effort.
   long number() const { return number_; }
 
@@ -40,6 +45,7 @@ class EffortWatch {
     Version of;
     Animation animation;
     Effort effort;
+    std::vector<MissingSupport> missing;
     double seconds = 0.0;  // that it took
     std::atomic<bool> cancel = false, has_ended = false;
     std::thread thread;
@@ -52,6 +58,7 @@ class EffortWatch {
   long shown_ = -1;  // document that the effort is of
   int first_frame_ = 0;
   Effort effort_;
+  std::vector<MissingSupport> missing_;
   long number_ = 0;
   double seconds_ = 0.0;  // that the last one took
   std::unique_ptr<Job> job_;
