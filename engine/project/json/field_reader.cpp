@@ -144,7 +144,12 @@ void ReadValue(const Json& json, const Site& site, Vec3& value) {
 }
 
 void ReadValue(const Json& json, const Site& site, JointRef& value) {
-  if (!json.is_object()) return ReadValue(json, site, value.name);
+  if (!json.is_object()) {
+    std::string name;
+    ReadValue(json, site, name);
+    value = RefFrom(std::move(name));
+    return;
+  }
   value.beyond = true;
   ReadObject(json, site, value,
              [](FieldReader& in, JointRef& ref) { in.Required({"beyond"}, ref.name); });
