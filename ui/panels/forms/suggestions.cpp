@@ -8,6 +8,7 @@
 #include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/regions.h"
 #include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/forms/options.h"
 #include "ui/panels/outliner/limbs.h"
@@ -32,6 +33,16 @@ Json Frame(const std::string& name, const edit::Session& session) {
   return Json();
 }
 
+// Of the selected joints as a region.
+double FrictionOfSelected(const edit::Session& session) {
+  ProjectRegion region;
+  region.contacts.scene = TouchesWhenMade(session.project());
+  for (const std::string& name : edit::SelectedNames(session)) {
+    region.joints.push_back({name, false, {}});
+  }
+  return edit::StartFriction(region, session.figure());
+}
+
 // What the project has now, of operators that change it.
 Json Present(const std::string& id, const std::string& name, const Project& project) {
   if (id == "scene.gravity") return project.scene.gravity_m_s2;
@@ -39,7 +50,6 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "time.range") return name == "first" ? project.frames.first : project.frames.last;
   if (id == "project.rename") return project.name;
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
-  if (id == "region.add" && name == "friction") return 0.8;
   if (id == "region.add" && name == "contacts") return TouchesWhenMade(project);
   if (id.starts_with("object.add_") && name == "name")
     return edit::FreeObjectName(id.substr(11), project);
@@ -111,6 +121,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kJoint:
     case Thing::kJointOrHinge:
       return Joint(info, session);
+    case Thing::kJointOrRoot:
+      return edit::SelectedNames(*session);
     case Thing::kHinge:
     case Thing::kCurve:
       return info.kind == ParameterKind::kText ? SelectedHinge(*session) : Json();
@@ -210,6 +222,9 @@ std::string PresentValue(const FormState& form, const std::string& name,
 
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
   if (Json ahead = BoxAhead(id, info.name, session); !ahead.is_null()) return ahead;
+  if (id == "region.add" && std::string(info.name) == "friction") {
+    return FrictionOfSelected(*session);
+  }
   Json present = Present(id, info.name, session->project());
   if (!present.is_null()) return present;
   if (id == "region.start_rate" && info.offer.thing == Thing::kHinge) return StartingHinge(session);
