@@ -25,7 +25,8 @@ struct Problem {
   std::vector<Cure> cures;
 };
 
-// Why there is no motion, else what the bake warned of, velocity jumps, frames in the ground,
+// Why there is no motion, else what the bake warned of, velocity jumps, keys that hold a falling
+// body's turn, constraints that nothing feels any more, frames in the ground,
 // feet that slide, what is thrown into things, bodies that are jerked as they take off or land, and
 // what flights say of time. What takes long to find comes when it is found.
 std::vector<Problem> ProblemsOf(Editor* editor);
