@@ -97,6 +97,19 @@ void FieldReader::WarnAboutSlips(const ExtraFields& unknown) const {
   }
 }
 
+void FieldReader::ListUnknown(const ExtraFields& unknown) const {
+  for (const ExtraField& field : unknown) {
+    if (!site_.unknown || site_.unknown->size() >= kMostWarnings) return;
+    if (IsRemark(field.name)) continue;
+    const std::string nearest = NearestOf(field.name, known_);
+    site_.unknown->push_back(
+        {site_.Field(field.name).place,
+         "unknown field" +
+             (nearest.empty() ? "" : "; the nearest known one is " + Quoted(nearest)) +
+             "; correct it, or begin its name with x_"});
+  }
+}
+
 bool FieldReader::ExpectOneOf(const std::vector<std::string>& names) {
   std::string list;
   int present = 0;
