@@ -209,6 +209,9 @@ bool Baker::HandOverObjects(int frame) {
   if (changes.empty()) return false;
   const std::vector<double> jumps = context_.poses.HandOver(changes, context_.now, context_.before);
   for (size_t i = 0; i < changes.size(); ++i) WarnOfJump(frame, changes[i], jumps[i]);
+  for (const ObjectChange& change : changes) {
+    if (change.holder < 0) WarnIfLetGoInside(frame, change.object);
+  }
   context_.now.fall.reset();  // of what it was with them
   return true;
 }

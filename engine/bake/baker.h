@@ -50,6 +50,7 @@ class Baker {
   bool ChangeForces(int frame);
   std::optional<Error> Push(int frame);
   void WarnOfJump(int frame, const ObjectChange& change, double jump);
+  void WarnIfLetGoInside(int frame, size_t object);
   void ChooseWalk(int frame);
   RegionWalk& WalkOf(Method method);
 

@@ -89,5 +89,23 @@ TEST(HeldContact, DoesNotDependOnWhatIsLookedAt) {
   }
 }
 
+TEST(HeldContact, LetGoInsideTheFloor_IsWarnedOf) {
+  const auto warnings = [](double height, bool touches) {
+    Animation animation = Thrower(touches);
+    animation.root_keys[kRootZ] = {{0, height, {}, kHold}};
+    return BakeOrFail(animation).warnings;
+  };
+  const std::vector<Warning> deep = warnings(0.02, true);
+  ASSERT_EQ(deep.size(), 1u);
+  EXPECT_EQ(deep[0].place, "held_objects[0]");
+  EXPECT_EQ(deep[0].frame, kRelease);
+  EXPECT_EQ(
+      deep[0].message,
+      "\"ball\" is let go 30 mm inside \"floor\" in frame 6: it is pushed out slowly; move it "
+      "out in that frame");
+  EXPECT_TRUE(warnings(0.02, false).empty());
+  EXPECT_TRUE(warnings(kBall, true).empty());
+}
+
 }  // namespace
 }  // namespace hazumi::test
