@@ -152,6 +152,9 @@ std::optional<Error> Baker::CrossFrame(int frame) {
   const bool regions_begun = regions_.Begin(frame, *walk_);
   const bool holds_begun = BeginHolds(frame);
   const bool placed = placement_.Begin(frame, was_keyed);
+  if (released) {
+    if (auto error = ReleaseAsItSetsOut(frame)) return error;
+  }
   const bool is_moved_otherwise = regions_ended || holds_ended || regions_begun || holds_begun;
   const bool is_placed_otherwise = unplaced || placed;
   if (is_moved_otherwise) ChooseWalk(frame);

@@ -47,6 +47,7 @@ class Baker {
   bool EndHolds(int frame);
   bool BeginHolds(int frame);
   bool HandOverObjects(int frame);
+  std::optional<Error> ReleaseAsItSetsOut(int frame);
   bool ChangeForces(int frame);
   std::optional<Error> Push(int frame);
   void WarnOfJump(int frame, const ObjectChange& change, double jump);
