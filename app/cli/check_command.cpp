@@ -4,6 +4,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/terminal.h"
+#include "engine/project/figure_reader.h"
+#include "engine/project/json/text_file.h"
+#include "engine/sweep/sweep_plan.h"
 
 namespace hazumi {
 
@@ -17,16 +20,73 @@ nlohmann::ordered_json WarningsAsJson(const std::vector<Warning>& warnings) {
   return list;
 }
 
-nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<BakedProject>& baked) {
-  if (baked.ok()) {
-    return {{"file", file}, {"ok", true}, {"warnings", WarningsAsJson(baked.value().warnings)}};
+// What became of a file: its warnings, and with --strict the fields that nobody knows.
+struct Checked {
+  std::vector<Warning> warnings, unknown;
+};
+
+nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<Checked>& checked) {
+  if (checked.ok()) {
+    nlohmann::ordered_json answer = {{"file", file},
+                                     {"ok", checked.value().unknown.empty()},
+                                     {"warnings", WarningsAsJson(checked.value().warnings)}};
+    const auto unknown = WarningsAsJson(checked.value().unknown);
+    if (!unknown.empty()) answer["unknown"] = unknown;
+    return answer;
   }
-  const Error& error = baked.error();
+  const Error& error = checked.error();
   return {{"file", file},
           {"ok", false},
           {"in", error.file},
           {"place", Shortened(error.place)},
           {"message", Shortened(error.message)}};
+}
+
+// What a JSON file says that it is; empty if it says nothing.
+std::string FormatIn(const std::string& file) {
+  const Result<std::string> text = ReadTextFile(file);
+  if (!text.ok()) return "";
+  const auto json = nlohmann::ordered_json::parse(text.value(), nullptr, false);
+  if (!json.is_object() || !json.contains("format") || !json["format"].is_string()) return "";
+  return json["format"].get<std::string>();
+}
+
+// A figure file or a sweep file, by itself; nothing if it is neither.
+std::optional<Result<Checked>> CheckByItself(const std::string& file) {
+  const std::string format = file.ends_with(".json") ? FormatIn(file) : "";
+  Checked checked;
+  if (format == "hazumi-figure") {
+    const Result<FigureSpec> figure = LoadFigure(file, &checked.warnings, &checked.unknown);
+    return figure.ok() ? Result<Checked>(checked) : figure.error();
+  }
+  if (format != "hazumi-sweep") return std::nullopt;
+  const Result<SweepPlan> sweep = LoadSweep(file);
+  if (!sweep.ok()) return sweep.error();
+  return Checked{sweep.value().read.warnings, sweep.value().read.unknown};
+}
+
+Result<Checked> CheckFile(const std::string& file, const Options& options) {
+  if (options.strict) {
+    if (const auto checked = CheckByItself(file)) return *checked;
+  }
+  Result<BakedProject> baked = LoadAndBake(file, options);
+  if (!baked.ok()) return baked.error();
+  Checked checked = {std::move(baked.value().warnings), {}};
+  if (options.strict) checked.unknown = std::move(baked.value().project.read.unknown);
+  return checked;
+}
+
+void Print(const std::string& file, const Checked& checked) {
+  PrintWarnings(file, checked.warnings);
+  for (const Warning& field : checked.unknown) {
+    Complain({ErrorCode::kSchema, file, field.place, field.message});
+  }
+  if (checked.unknown.empty()) PrintLine(stdout, "%s: ok", file.c_str());
+}
+
+int ExitCodeOf(const Result<Checked>& checked) {
+  if (!checked.ok()) return ExitCodeOf(checked.error());
+  return checked.value().unknown.empty() ? kExitOk : kExitBadData;
 }
 
 }  // namespace
@@ -35,20 +95,19 @@ nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<BakedP
 int RunCheck(const Options& options) {
   int exit_code = kExitOk;
   for (const std::string& file : options.files) {
-    const Result<BakedProject> baked = LoadAndBake(file, options);
-    if (!baked.ok() && baked.error().code == ErrorCode::kInterrupted)
-      return Complain(baked.error());
+    const Result<Checked> checked = CheckFile(file, options);
+    if (!checked.ok() && checked.error().code == ErrorCode::kInterrupted)
+      return Complain(checked.error());
     if (options.json) {
-      const auto line = AnswerAsJson(file, baked)
+      const auto line = AnswerAsJson(file, checked)
                             .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
       std::printf("%s\n", line.c_str());
-    } else if (baked.ok()) {
-      PrintWarnings(file, baked.value().warnings);
-      PrintLine(stdout, "%s: ok", file.c_str());
+    } else if (checked.ok()) {
+      Print(file, checked.value());
+    } else {
+      Complain(checked.error());
     }
-    if (baked.ok()) continue;
-    const int code = options.json ? ExitCodeOf(baked.error()) : Complain(baked.error());
-    if (exit_code == kExitOk) exit_code = code;
+    if (exit_code == kExitOk) exit_code = ExitCodeOf(checked);
   }
   return exit_code;
 }

@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
+#include "engine/analysis/held_turn.h"
 #include "engine/bake/bake.h"
 #include "engine/bake/bake_size.h"
 #include "engine/base/text.h"
@@ -68,16 +69,26 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
+bool IsShort(const Animation& animation, const Options& options) {
+  constexpr double kLong = 100e6;  // [bytes]
+  return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
+}
+
 // --info tells the largest effort of what is not very long. Torques are those of the effort.
 bool FindsEffort(const Animation& animation, const Options& options) {
-  constexpr double kLong = 100e6;  // [bytes]
   const bool asked = options.effort || options.torques;
   if (asked || options.task != Task::kInfo) return asked;
-  return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
+  return IsShort(animation, options);
+}
+
+// Whether moments are looked for that come from nowhere: not in what is very long.
+bool FindsHeldTurns(const Animation& animation, const Options& options) {
+  return MayHoldTurns(animation) && IsShort(animation, options);
 }
 
 // Of --check and --info nobody sees the frames, but effort is of them.
 bool KeepsFrames(const Animation& animation, const Options& options) {
+  if (FindsHeldTurns(animation, options)) return true;
   return options.task != Task::kCheck &&
          (options.task != Task::kInfo || FindsEffort(animation, options));
 }
@@ -148,7 +159,7 @@ static BakeOptions BakeOptionsOf(const Animation& animation, const Options& opti
   baking.energy = options.task == Task::kInfo || options.task == Task::kBake ||
                   (options.task == Task::kExport && options.output.ends_with(".json"));
   baking.seams = baking.energy;
-  baking.accelerations = FindsEffort(animation, options);
+  baking.accelerations = FindsEffort(animation, options) || FindsHeldTurns(animation, options);
   baking.keep_frames = KeepsFrames(animation, options);
   return baking;
 }
@@ -178,6 +189,9 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   Add(std::move(compiled.value().warnings), &warnings);
   WarnAboutSolverOptions(options, animation, &warnings);
   Add(motion.value().warnings, &warnings);
+  if (FindsHeldTurns(animation, options)) {
+    Add(WarningsOf(FindHeldTurns(animation, motion.value()), animation), &warnings);
+  }
   return BakedProject{std::move(project).value(), std::move(animation), std::move(motion).value(),
                       std::move(warnings)};
 }

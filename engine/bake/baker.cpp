@@ -183,6 +183,9 @@ std::optional<Error> Baker::CrossFrame(int frame) {
   const bool regions_begun = regions_.Begin(frame, *walk_);
   const bool holds_begun = BeginHolds(frame);
   const bool placed = placement_.Begin(frame, was_keyed);
+  if (released) {
+    if (auto error = ReleaseAsItSetsOut(frame)) return error;
+  }
   const bool is_moved_otherwise = regions_ended || holds_ended || regions_begun || holds_begun;
   const bool is_placed_otherwise = unplaced || placed;
   if (is_moved_otherwise) ChooseWalk(frame);
@@ -241,6 +244,9 @@ bool Baker::HandOverObjects(int frame) {
   if (changes.empty()) return false;
   const std::vector<double> jumps = context_.poses.HandOver(changes, context_.now, context_.before);
   for (size_t i = 0; i < changes.size(); ++i) WarnOfJump(frame, changes[i], jumps[i]);
+  for (const ObjectChange& change : changes) {
+    if (change.holder < 0) WarnIfLetGoInside(frame, change.object);
+  }
   context_.now.fall.reset();  // of what it was with them
   return true;
 }

@@ -50,9 +50,11 @@ class Baker {
   bool BeginHolds(int frame);
   bool HandOverObjects(int frame);
   void LeaveRootToContacts(int frame);
+  std::optional<Error> ReleaseAsItSetsOut(int frame);
   bool ChangeForces(int frame);
   std::optional<Error> Push(int frame);
   void WarnOfJump(int frame, const ObjectChange& change, double jump);
+  void WarnIfLetGoInside(int frame, size_t object);
   void ChooseWalk(int frame);
   RegionWalk& WalkOf(Method method);
 

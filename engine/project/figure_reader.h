@@ -11,11 +11,13 @@
 namespace hazumi {
 
 // Reads a figure file. What it returns has been tried with BuildFigure. Errors as of LoadProject.
-// `warnings` takes what is odd.
-Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings = nullptr);
+// `warnings` takes what is odd, `unknown` the fields that this Hazumi does not know.
+Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings = nullptr,
+                              std::vector<Warning>* unknown = nullptr);
 
 // The same from text. `file_name` is named in errors.
 Result<FigureSpec> ParseFigure(std::string_view text, const std::string& file_name,
-                               std::vector<Warning>* warnings = nullptr);
+                               std::vector<Warning>* warnings = nullptr,
+                               std::vector<Warning>* unknown = nullptr);
 
 }  // namespace hazumi

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -70,6 +71,15 @@ struct JointRef {
   ExtraFields extra;  // only if `beyond`
   bool operator==(const JointRef&) const = default;
 };
+
+// Reads "r_shoulder", or "r_shoulder+" for the joint and all that lies beyond it.
+inline JointRef RefFrom(std::string name) {
+  JointRef ref;
+  ref.beyond = name.size() > 1 && name.ends_with('+');
+  if (ref.beyond) name.pop_back();
+  ref.name = std::move(name);
+  return ref;
+}
 
 // Factors in [0, 1] per 1/30 s: 0 frozen, 1 no friction.
 struct ProjectFriction {
@@ -207,6 +217,8 @@ struct ProjectSelectionSet {
 // What was odd about the file. No part of the document: never written, and always equal.
 struct ReadReport {
   std::vector<Warning> warnings;
+  // Fields that this Hazumi does not know, remarks aside, and what each may mean; 100 at most.
+  std::vector<Warning> unknown = {};
   bool operator==(const ReadReport&) const { return true; }
 };
 

@@ -29,15 +29,19 @@ Error InProject(Error error, const std::string& reference) {
 
 void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, const Site& site) {
   const fs::path folder = fs::path(project_file).parent_path();
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings, unknown;
   Result<FigureSpec> spec =
-      LoadFigure((folder / figure->file).lexically_normal().string(), &warnings);
+      LoadFigure((folder / figure->file).lexically_normal().string(), &warnings, &unknown);
   if (!spec.ok()) return site.errors->Report(InProject(spec.error(), figure->file));
   figure->spec = std::move(spec).value();
-  for (const Warning& warning : warnings) {
-    const std::string place = warning.place.empty() ? "figure" : "figure." + warning.place;
-    site.warnings->push_back({place, warning.message});
-  }
+  const auto tell = [](const std::vector<Warning>& list, std::vector<Warning>* all) {
+    for (const Warning& warning : list) {
+      const std::string place = warning.place.empty() ? "figure" : "figure." + warning.place;
+      all->push_back({place, warning.message});
+    }
+  };
+  tell(warnings, site.warnings);
+  tell(unknown, site.unknown);
 }
 
 void CheckProject(const Project& project, FirstError* errors) {
@@ -49,7 +53,7 @@ void CheckProject(const Project& project, FirstError* errors) {
 
 Project ReadProject(const Json& json, const std::string& file_name, FirstError* errors) {
   Project project;
-  const Site site{"", errors, &project.read.warnings};
+  const Site site{"", errors, &project.read.warnings, &project.read.unknown};
   if (!ExpectFormat(json, kProjectFormat, kNewestFormat, Check::kNotAProject, site)) return project;
   ReadValue(json, site, project);
   if (errors->ok() && !project.figure.file.empty()) {

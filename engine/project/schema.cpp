@@ -28,7 +28,11 @@ constexpr const char* kFigure = R"({
 })";
 constexpr const char* kJointRef = R"({
   "oneOf": [
-    {"type": "string", "minLength": 1},
+    {
+      "description": "The joint; with + behind its name everything beyond it, too.",
+      "type": "string",
+      "minLength": 1
+    },
     {
       "description": "The joint and everything beyond it; of the root, the whole figure.",
       "type": "object",

@@ -6,7 +6,7 @@ import os
 import subprocess
 import unittest
 
-from command_line import HAZUMI, JUMP, THROW, InFolder, main, run
+from command_line import HAZUMI, JUMP, ROOT, THROW, InFolder, main, run
 
 
 class CommandLine(InFolder):
@@ -126,6 +126,35 @@ class CommandLine(InFolder):
         self.assertEqual((done.returncode, done.stdout), (65, ""))
         self.assertIn('regions[0].joints[2]: no joint "r_wirst"; did you mean "r_wrist"?',
                       done.stderr)
+
+    def test_strict_check_names_every_unknown_field(self):
+        project = self.project()
+        project["regions"][0]["frction"] = project["regions"][0]["friction"]
+        project["solver"]["magic"] = 1
+        project["x_note"] = "a remark"
+        figure = json.loads((ROOT / "assets/figures/human.json").read_text())
+        figure["joints"][0]["colour"] = "red"
+        sweep = {"format": "hazumi-sweep", "version": 1, "project": "p.kfa", "sed": 2,
+                 "vary": [{"field": "solver.tolerance_deg", "values": [0.01]}]}
+        files = {"p.kfa": (project, ["regions[0].frction: unknown field; the nearest known one is "
+                                     "\"friction\"", "solver.magic: unknown field"]),
+                 "figure.json": (figure, ["joints[0].colour: unknown field"]),
+                 "sweep.json": (sweep, ["sed: unknown field; the nearest known one is \"seed\""])}
+        for name, (content, expected) in files.items():
+            path = self.folder / name
+            path.write_text(json.dumps(content))
+            done = run("--check", "--strict", path)
+            self.assertEqual((done.returncode, done.stdout), (65, ""), name)
+            errors = [line for line in done.stderr.splitlines() if "warning:" not in line]
+            self.assertEqual(len(errors), len(expected), done.stderr)
+            for line, wanted in zip(errors, expected):
+                self.assertIn(wanted, line)
+        answer = json.loads(run("--check", "--strict", "--json", self.folder / "p.kfa").stdout)
+        self.assertFalse(answer["ok"])
+        self.assertEqual(len(answer["unknown"]), 2)
+        self.assertEqual(run("--check", self.folder / "p.kfa").returncode, 0)
+        self.assertEqual(run("--check", "--strict", THROW, JUMP,
+                             ROOT / "assets/figures/human.json").returncode, 0)
 
     def test_check_answers_for_every_file(self):
         bad = self.folder / "bad.kfa"

@@ -27,7 +27,7 @@ std::vector<Operator> Collect() {
                       ExportOperators(),       SessionOperators(),      StartRateOperators(),
                       SwivelOperators(),       ThrowOperators(),        MadeThrowOperators(),
                       TimeOperators(),         DriveOperators(),        ForceOperators(),
-                      ConstraintOperators()}) {
+                      ConstraintOperators(),   RegionJointOperators()}) {
     all.insert(all.end(), list.begin(), list.end());
   }
   std::sort(all.begin(), all.end(), [](const Operator& a, const Operator& b) {

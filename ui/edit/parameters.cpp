@@ -40,6 +40,7 @@ const char* Describe(Thing thing) {
                                             "names a joint",
                                             "names a hinge",
                                             "names a joint or hinge",
+                                            "names a joint or the root",
                                             "names a curve",
                                             "names a region",
                                             "names an object",

@@ -68,6 +68,13 @@ constexpr OptionRule kOutputRules[] = {
          "joint, as a share of its strength too, and what soles and hands carry; with --info: "
          "more than the largest of them",
      .read = Set<&Options::effort>},
+    {.name = "--strict",
+     .tasks = kCheck,
+     .section = Section::kOutput,
+     .help = "with --check: fields that are not known are errors, also of figure and sweep files, "
+             "which are read by themselves then",
+     .is_silent = true,
+     .read = Set<&Options::strict>},
     {.name = "--json",
      .tasks = kCheck | kInfo | kFlight,
      .section = Section::kOutput,

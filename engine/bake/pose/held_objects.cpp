@@ -64,9 +64,9 @@ std::vector<ObjectState> HeldObjects::AtFirst() const {
   return states;
 }
 
-void HeldObjects::Release(size_t object, double seconds, const DynamicsWorkspace& ws) {
+void HeldObjects::Release(size_t object, int by, double seconds, const DynamicsWorkspace& ws) {
   ObjectState& state = states_[object];
-  const Holder& holder = animation_.held_objects[object].holders[state.holder];
+  const Holder& holder = animation_.held_objects[object].holders[by];
   const BodyScratch& body = ws.body(animation_.figure->group(holder.joint).last());
   const Vec3 arm = body.R * holder.offset;
   state.flight =

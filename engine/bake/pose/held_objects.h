@@ -46,8 +46,9 @@ class HeldObjects {
   void Resume(const std::vector<ObjectState>& states) { states_ = states; }
   void ResetCurves();  // as the animation's keys are now
 
-  // Lets go; the workspace holds the figure's positions and velocities.
-  void Release(size_t object, double seconds, const DynamicsWorkspace& ws);
+  // It flies from the hand of its holder of this index, whether that still has it or not; the
+  // workspace holds the figure's positions and velocities.
+  void Release(size_t object, int holder, double seconds, const DynamicsWorkspace& ws);
   void Take(size_t object, int holder) { states_[object].holder = holder; }
 
   Figure LoadedFigure() const;  // the animation's, with what it holds

@@ -63,7 +63,7 @@ std::vector<double> PoseEvaluator::HandOver(const std::vector<ObjectChange>& cha
   for (const ObjectChange& change : changes) {
     const Vec3 from = objects_.At(change.object, motion, ws_).X_WO.p;
     if (change.holder < 0) {
-      objects_.Release(change.object, seconds, ws_);
+      objects_.Release(change.object, objects_.states()[change.object].holder, seconds, ws_);
     } else {
       objects_.Take(change.object, change.holder);
     }
@@ -72,6 +72,12 @@ std::vector<double> PoseEvaluator::HandOver(const std::vector<ObjectChange>& cha
   LoadFigure();
   placement_->RenewFlight(seconds, motion);
   return jumps;
+}
+
+void PoseEvaluator::ReleaseWith(const FigureMotion& motion, size_t object, int holder) {
+  ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, &ws_);
+  objects_.Release(object, holder, animation_.rate.SecondsAt(motion.frame), ws_);
 }
 
 std::optional<Error> PoseEvaluator::Evaluate(double frame, Side side, FigureMotion* motion) {

@@ -23,6 +23,14 @@ constexpr double kNoted = 0.01, kLeast = 1e-3, kLeastTurn = 0.5 * kDegree;  // o
 
 constexpr double kNearlyThen = 1e-6;
 
+constexpr double kStraight = 0.2;  // lever of its hinges, as a share of a limb's length
+
+constexpr const char* kBringIt =
+    "bring its ends nearer, give it more arrive_frames, or free joints that could give way";
+constexpr const char* kBendIt =
+    "its limb is straight, so that no joint can draw it in; bend the limb in the frame where the "
+    "constraint begins";
+
 // A place that moves.
 struct Mover {
   Pose X;
@@ -90,7 +98,7 @@ void Arrivals::Begin(const std::vector<int>& acting, const FigureMotion& motion,
 }
 
 std::vector<Warning> Arrivals::Look(const std::vector<int>& acting, const FigureMotion& motion,
-                                    DynamicsWorkspace* ws) {
+                                    const std::optional<IsFree>& is_free, DynamicsWorkspace* ws) {
   std::vector<Warning> warnings;
   bool is_computed = false;
   for (Arrival& arrival : known_) {
@@ -104,12 +112,39 @@ std::vector<Warning> Arrivals::Look(const std::vector<int>& acting, const Figure
     if (late.empty()) continue;
     warnings.push_back({Place(arrival.constraint),
                         "\"" + constraint.name + "\" has not arrived in frame " +
-                            FormatShort(motion.frame) + ": " + late +
-                            "; bring its ends nearer, give it more arrive_frames, or free joints "
-                            "that could give way",
+                            FormatShort(motion.frame) + ": " + late + "; " +
+                            (is_free && IsStraight(constraint, *is_free, *ws) ? kBendIt : kBringIt),
                         static_cast<int>(std::lround(motion.frame))});
   }
   return warnings;
+}
+
+// Whether an end is to go `way`, towards the free hinges that carry it, and they are all on the
+// line through it: whichever turns, it moves across.
+bool Arrivals::IsStraight(const ConstraintEnd& end, const Vec3& way, const IsFree& is_free,
+                          const DynamicsWorkspace& ws) const {
+  if (end.is_in_world || !end.joint) return false;
+  const Figure& figure = *animation_.figure;
+  const Vec3 p = MoverOf(end, figure, ws).X.p, along = way.stableNormalized();
+  double lever = 0.0, reach = 0.0;
+  for (JointIndex j = figure.group(*end.joint).last(); j.is_valid(); j = figure.joint(j).parent) {
+    if (!is_free(j)) continue;
+    const BodyScratch& hinge = ws.body(j);
+    const Vec3 arm = p - hinge.p;
+    lever = std::max(lever, std::abs(along.dot(hinge.axis.cross(arm))));
+    reach = std::max(reach, -along.dot(arm));
+  }
+  return lever < kStraight * reach;
+}
+
+bool Arrivals::IsStraight(const Constraint& constraint, const IsFree& is_free,
+                          const DynamicsWorkspace& ws) const {
+  const Figure& figure = *animation_.figure;
+  Vec3 way = MoverOf(constraint.b, figure, ws).X.p - MoverOf(constraint.a, figure, ws).X.p;
+  const bool is_too_short =
+      constraint.kind == ConstraintKind::kDistance && way.norm() < constraint.length;
+  if (is_too_short) way = -way;
+  return IsStraight(constraint.a, way, is_free, ws) || IsStraight(constraint.b, -way, is_free, ws);
 }
 
 std::string Arrivals::LateText(const Arrival& arrival, double frame,

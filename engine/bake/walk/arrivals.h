@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,10 @@ class Arrivals {
   // from what there is of it, after whatever happened.
   void Begin(const std::vector<int>& acting, const FigureMotion& motion, DynamicsWorkspace* ws);
   // Of those of `acting` whose time is over: a warning where more is left than there should be.
+  // `is_free`: whether a region moves a hinge; hinges alone move the ends, not the root.
+  using IsFree = std::function<bool(JointIndex)>;
   std::vector<Warning> Look(const std::vector<int>& acting, const FigureMotion& motion,
-                            DynamicsWorkspace* ws);
+                            const std::optional<IsFree>& is_free, DynamicsWorkspace* ws);
   // None if its time was over.
   std::vector<Warning> Break(int constraint, double frame);
 
@@ -44,6 +48,10 @@ class Arrivals {
   // Of a figure whose positions and velocities are computed.
   Gap GapOf(const Constraint& constraint, const DynamicsWorkspace& ws) const;
   std::string LateText(const Arrival& arrival, double frame, const DynamicsWorkspace& ws) const;
+  bool IsStraight(const ConstraintEnd& end, const Vec3& way, const IsFree& is_free,
+                  const DynamicsWorkspace& ws) const;
+  bool IsStraight(const Constraint& constraint, const IsFree& is_free,
+                  const DynamicsWorkspace& ws) const;
 
   const Animation& animation_;
   std::vector<Arrival> known_;

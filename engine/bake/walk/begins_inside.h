@@ -17,4 +17,8 @@ std::optional<std::string> TellOfInside(const Animation& animation, const Figure
                                         const std::function<bool(const Link&)>& counts,
                                         DynamicsWorkspace* ws);
 
+// The same of a ball that is let go with its centre there, world [m].
+std::optional<std::string> TellOfInside(const Animation& animation, const HeldObject& ball,
+                                        const Vec3& center, double frame);
+
 }  // namespace hazumi

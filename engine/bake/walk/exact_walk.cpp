@@ -282,7 +282,11 @@ void ExactWalk::AddBreaks() {
 void ExactWalk::LookAtArrivals(const FigureMotion& motion) {
   if (!driver_ || context_.animation.constraints.empty()) return;
   DynamicsWorkspace* const ws = &context_.poses.workspace();
-  for (Warning& warning : arrivals_.Look(driver_->constraints(), motion, ws)) {
+  std::optional<Arrivals::IsFree> is_free;
+  if (context_.poses.placement().hold().coupling == RootCoupling::kPrescribed) {
+    is_free = [this](JointIndex j) { return moves(j); };
+  }
+  for (Warning& warning : arrivals_.Look(driver_->constraints(), motion, is_free, ws)) {
     context_.recorder.AddWarning(std::move(warning));
   }
 }

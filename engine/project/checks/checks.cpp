@@ -93,7 +93,8 @@ constexpr CheckText kTexts[] = {
     {Check::kFrictionNotInRegion, kSchema,
      "{} is not in this region; add it to the region's joints or remove its friction"},
     {Check::kDriveOnRoot, kSchema,
-     "{} is the root: muscles act in joints, and the root has none; remove it"},
+     "{} is the root: muscles act in joints, and the root has none; remove it, or put + behind its "
+     "name for all joints of the region"},
     {Check::kDriveNotInRegion, kSchema,
      "{} is not in this region; add it to the region's joints or take it out of the drive"},
     {Check::kDrivenTwice, kSchema, "{} has {} already; a joint has one drive"},
@@ -199,6 +200,9 @@ constexpr CheckText kTexts[] = {
      "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the force"},
     {Check::kConstraintFeltByNone, kSemantics,
      "nothing feels {}: no region moves {} in frames {} to {}; add one, or remove the constraint"},
+    {Check::kConstraintOutlasts, kSemantics,
+     "from frame {} on nothing moves {}, so that {} has no effect up to its last frame {}; let a "
+     "region move it as long, or end the constraint in frame {}"},
     {Check::kNothingToTouch, kSemantics,
      "region {} touches the scene, in which there is no plane or box; add one, or let it touch "
      "nothing"},

@@ -122,6 +122,7 @@ enum class Check {
   kKeyOutsideLimits,
   kForceFeltByNone,
   kConstraintFeltByNone,
+  kConstraintOutlasts,
   kNothingToTouch,
   kPinWhileTouching,
   // Writing

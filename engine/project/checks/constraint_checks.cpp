@@ -73,6 +73,19 @@ bool MayMove(const DynamicsRegion& region, const ConstraintEnd& end, Span span,
   return !end.is_in_world && MayMove(region, end.joint, span, animation);
 }
 
+bool MayMove(const DynamicsRegion& region, const Constraint& constraint,
+             const Animation& animation) {
+  return MayMove(region, constraint.a, SpanOf(constraint), animation) ||
+         MayMove(region, constraint.b, SpanOf(constraint), animation);
+}
+
+// The ends that could be moved: "a" or "b".
+std::string MovedOf(const Constraint& constraint, const Figure& figure) {
+  const bool has_two = !constraint.a.is_in_world && !constraint.b.is_in_world;
+  const ConstraintEnd& own = constraint.a.is_in_world ? constraint.b : constraint.a;
+  return NameOfEnd(own, figure) + (has_two ? " or " + NameOfEnd(constraint.b, figure) : "");
+}
+
 void CheckConstraint(const Constraint& constraint, const std::string& place,
                      const Animation& animation, FirstError* errors) {
   const int first = animation.first_frame, last = animation.last_frame;
@@ -126,26 +139,34 @@ void CheckConstraints(const Animation& animation, FirstError* errors) {
 }
 
 bool IsFelt(const Constraint& constraint, const Animation& animation) {
-  return std::any_of(animation.regions.begin(), animation.regions.end(),
-                     [&](const DynamicsRegion& region) {
-                       return MayMove(region, constraint.a, SpanOf(constraint), animation) ||
-                              MayMove(region, constraint.b, SpanOf(constraint), animation);
-                     });
+  return std::any_of(
+      animation.regions.begin(), animation.regions.end(),
+      [&](const DynamicsRegion& region) { return MayMove(region, constraint, animation); });
+}
+
+std::optional<int> OutlastsFrom(const Constraint& constraint, const Animation& animation) {
+  std::optional<int> last;
+  for (const DynamicsRegion& region : animation.regions) {
+    if (!MayMove(region, constraint, animation)) continue;
+    last = std::max(last.value_or(region.last_frame), region.last_frame);
+  }
+  return last && *last < constraint.last_frame ? last : std::nullopt;
 }
 
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings) {
   for (size_t i = 0; i < animation.constraints.size(); ++i) {
     const Constraint& constraint = animation.constraints[i];
-    if (IsFelt(constraint, animation)) continue;
-    const Figure& figure = *animation.figure;
-    const bool has_two = !constraint.a.is_in_world && !constraint.b.is_in_world;
-    const ConstraintEnd& own = constraint.a.is_in_world ? constraint.b : constraint.a;
-    const std::string what =
-        NameOfEnd(own, figure) + (has_two ? " or " + NameOfEnd(constraint.b, figure) : "");
-    warnings->push_back({At("constraints", i),
-                         MessageOf(Check::kConstraintFeltByNone,
-                                   {Quoted(constraint.name), what, Text(constraint.first_frame),
-                                    Text(constraint.last_frame)})});
+    const std::string name = Quoted(constraint.name), what = MovedOf(constraint, *animation.figure),
+                      last = Text(constraint.last_frame), place = At("constraints", i);
+    if (!IsFelt(constraint, animation)) {
+      warnings->push_back({place, MessageOf(Check::kConstraintFeltByNone,
+                                            {name, what, Text(constraint.first_frame), last})});
+    } else if (const auto from = OutlastsFrom(constraint, animation)) {
+      warnings->push_back(
+          {place,
+           MessageOf(Check::kConstraintOutlasts, {Text(*from), what, name, last, Text(*from)}),
+           *from});
+    }
   }
 }
 

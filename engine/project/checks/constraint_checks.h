@@ -2,6 +2,7 @@
 
 // Internal. What must hold between constraints, objects, and regions.
 
+#include <optional>
 #include <vector>
 
 #include "engine/figure/figure.h"
@@ -24,9 +25,12 @@ const Holder* HolderDuring(const HeldObject& object, Span span, const Animation&
 // As CheckAnimation.
 void CheckConstraints(const Animation& animation, FirstError* errors);
 
-// Of those that hold nothing that a region moves.
 // Whether a region may move one of its ends.
 bool IsFelt(const Constraint& constraint, const Animation& animation);
+// The frame from which no region moves its ends, if that is before its last one; none if nothing
+// feels it at all.
+std::optional<int> OutlastsFrom(const Constraint& constraint, const Animation& animation);
+// Of those that hold nothing that a region moves, or only up to a frame before their last one.
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings);
 
 }  // namespace hazumi

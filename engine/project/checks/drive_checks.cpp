@@ -16,10 +16,12 @@ void CheckDriveNames(const ProjectRegion& region, const Figure& figure, const Si
   for (size_t d = 0; d < region.drives.size(); ++d) {
     const Site joints = region_site.Field("drives").Item(d).Field("joints");
     for (size_t i = 0; i < region.drives[d].joints.size(); ++i) {
-      const JointRef& ref = region.drives[d].joints[i];
+      const JointRef ref = Meant(region.drives[d].joints[i], figure);
       const Site place = joints.Item(i);
-      if (MeansRoot(ref.name, figure)) return place.Report(Check::kDriveOnRoot, {Quoted(ref.name)});
-      if (!ExpectJoint(ref.name, figure, place)) return;
+      const bool is_root = MeansRoot(ref.name, figure);
+      // Beyond the root are all joints; it has no muscles itself.
+      if (is_root && !ref.beyond) return place.Report(Check::kDriveOnRoot, {Quoted(ref.name)});
+      if (!is_root && !ExpectJoint(ref.name, figure, place)) return;
       const std::vector<bool> meant = JointsOf({ref}, figure);
       bool any = false;
       for (size_t j = 0; j < meant.size(); ++j) {

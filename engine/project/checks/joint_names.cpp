@@ -43,7 +43,7 @@ void CheckInRegion(const std::string& name, const Figure& figure, const std::vec
 void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& figure,
                       const Site& site) {
   for (size_t i = 0; i < region.joints.size(); ++i) {
-    const std::string& name = region.joints[i].name;
+    const std::string name = Meant(region.joints[i], figure).name;
     const Site place = site.Field("joints").Item(i);
     if (MeansRoot(name, figure)) {
       if (method == Method::kPaper) return place.Report(Check::kRootInRegion, {Quoted(name)});
@@ -61,7 +61,7 @@ void CheckRegionNames(const ProjectRegion& region, Method method, const Figure& 
 
 void CheckSetNames(const ProjectSelectionSet& set, const Figure& figure, const Site& site) {
   for (size_t i = 0; i < set.joints.size(); ++i) {
-    const std::string& name = set.joints[i].name;
+    const std::string name = Meant(set.joints[i], figure).name;
     if (!MeansRoot(name, figure)) ExpectJoint(name, figure, site.Field("joints").Item(i));
   }
 }
@@ -103,6 +103,19 @@ bool MeansRoot(const std::string& name, const Figure& figure) {
   return (name == "root" || name == figure.root_name()) && !FindJoints(figure, name);
 }
 
+JointRef Meant(const JointRef& ref, const Figure& figure) {
+  const bool is_known = FindJoints(figure, ref.name) || MeansRoot(ref.name, figure);
+  if (!ref.beyond || is_known || !FindJoints(figure, ref.name + "+")) return ref;
+  return {ref.name + "+", false, ref.extra};
+}
+
+std::string NameOfRoot(const Figure& figure) {
+  for (const std::string& name : {figure.root_name(), std::string("root")}) {
+    if (MeansRoot(name, figure)) return name;
+  }
+  return "";
+}
+
 bool NameRoot(const std::vector<JointRef>& refs, const Figure& figure) {
   return std::any_of(refs.begin(), refs.end(),
                      [&](const JointRef& ref) { return MeansRoot(ref.name, figure); });
@@ -118,7 +131,8 @@ std::vector<bool> JointsOf(const ProjectRegion& region, const Figure& figure) {
 
 std::vector<bool> JointsOf(const std::vector<JointRef>& refs, const Figure& figure) {
   std::vector<bool> joints(figure.joints().size());
-  for (const JointRef& ref : refs) {
+  for (const JointRef& each : refs) {
+    const JointRef ref = Meant(each, figure);
     // Everything lies beyond the root.
     if (ref.beyond && MeansRoot(ref.name, figure)) joints.assign(joints.size(), true);
     const auto meant = FindJoints(figure, ref.name);

@@ -26,6 +26,7 @@ enum class Thing {
   kJoint,
   kHinge,
   kJointOrHinge,
+  kJointOrRoot,
   kCurve,
   kRegion,
   kObject,

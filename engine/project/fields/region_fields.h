@@ -57,13 +57,15 @@ inline constexpr StructInfo kStructInfo<ProjectDrive> = {
     "the hinges of a ball joint share a spring."};
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectDrive> drive) {
-  ar.Required({.name = "joints",
-               .label = "Joints",
-               .help = "joints of the region, with + behind the name all beyond too",
-               .details = "Of those that are meant only the region's are driven.",
-               .thing = Thing::kJoint,
-               .is_filled = true},
-              drive.joints);
+  ar.Required(
+      {.name = "joints",
+       .label = "Joints",
+       .help = "joints of the region, with + behind the name all beyond too",
+       .details = "Of those that are meant only the region's are driven: all of them, if the "
+                  "root is named with +. The root itself has no muscles.",
+       .thing = Thing::kJoint,
+       .is_filled = true},
+      drive.joints);
   ar.Required({.name = "kind",
                .label = "Kind",
                .help = "spring, torque or keys",
@@ -183,7 +185,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectRegion> region) {
                .help = "its joints, with + behind the name all beyond too",
                .details = "Hinges, or joints and all their hinges. With method exact also the "
                           "root, by its own name or as root: its orientation swings too.",
-               .thing = Thing::kJoint,
+               .thing = Thing::kJointOrRoot,
                .is_filled = true},
               region.joints);
   ar.Stated({.name = "friction", .details = "Default: no friction."}, region.friction);

@@ -23,7 +23,7 @@ Result<T> ParseDescribedFile(std::string_view text, const std::string& file_name
   const std::optional<Json> json = ParseJson(text, &errors);
   if (!json) return errors.In(file_name);
   T value;
-  const Site site{"", &errors, &value.read.warnings};
+  const Site site{"", &errors, &value.read.warnings, &value.read.unknown};
   if (ExpectFormat(*json, format, 1, other_format, site)) ReadValue(*json, site, value);
   if (errors.ok()) {
     FieldChecker fields(&errors);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 
 #include "engine/project/checks/checks.h"
 
@@ -63,6 +64,19 @@ std::optional<std::string> NearestField(std::string_view name,
     if (candidate.starts_with(name) && candidate[name.size()] == '_') return candidate;
   }
   return std::nullopt;
+}
+
+std::string NearestOf(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string_view compared = name.substr(0, kLongestName);
+  std::string nearest;
+  int least = std::numeric_limits<int>::max();
+  for (const std::string& candidate : candidates) {
+    const int distance = EditDistance(compared, candidate);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = candidate;
+  }
+  return nearest;
 }
 
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates) {

@@ -97,6 +97,19 @@ void FieldReader::WarnAboutSlips(const ExtraFields& unknown) const {
   }
 }
 
+void FieldReader::ListUnknown(const ExtraFields& unknown) const {
+  for (const ExtraField& field : unknown) {
+    if (!site_.unknown || site_.unknown->size() >= kMostWarnings) return;
+    if (IsRemark(field.name)) continue;
+    const std::string nearest = NearestOf(field.name, known_);
+    site_.unknown->push_back(
+        {site_.Field(field.name).place,
+         "unknown field" +
+             (nearest.empty() ? "" : "; the nearest known one is " + Quoted(nearest)) +
+             "; correct it, or begin its name with x_"});
+  }
+}
+
 bool FieldReader::ExpectOneOf(const std::vector<std::string>& names) {
   std::string list;
   int present = 0;
@@ -144,7 +157,12 @@ void ReadValue(const Json& json, const Site& site, Vec3& value) {
 }
 
 void ReadValue(const Json& json, const Site& site, JointRef& value) {
-  if (!json.is_object()) return ReadValue(json, site, value.name);
+  if (!json.is_object()) {
+    std::string name;
+    ReadValue(json, site, name);
+    value = RefFrom(std::move(name));
+    return;
+  }
   value.beyond = true;
   ReadObject(json, site, value,
              [](FieldReader& in, JointRef& ref) { in.Required({"beyond"}, ref.name); });

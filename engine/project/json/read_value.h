@@ -58,6 +58,7 @@ void ReadObject(const Json& json, const Site& site, T& value, Fields fields) {
   fields(in, value);
   ExtraFields unknown = in.Unknown();
   in.WarnAboutSlips(unknown);
+  in.ListUnknown(unknown);
   if constexpr (requires { value.extra; }) value.extra = std::move(unknown);
 }
 

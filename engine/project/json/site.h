@@ -17,6 +17,7 @@ struct Site {
   std::string place;
   FirstError* errors;
   std::vector<Warning>* warnings = nullptr;  // null: nobody wants to hear them
+  std::vector<Warning>* unknown = nullptr;   // unknown fields, likewise
 
   void Report(Check check, std::initializer_list<std::string_view> arguments = {}) const {
     errors->Report(check, place, arguments);
@@ -25,10 +26,10 @@ struct Site {
     if (warnings) warnings->push_back({place, MessageOf(check, arguments)});
   }
   Site Field(const std::string& name) const {
-    return {place.empty() ? name : place + "." + name, errors, warnings};
+    return {place.empty() ? name : place + "." + name, errors, warnings, unknown};
   }
   Site Item(size_t index) const {
-    return {place + "[" + std::to_string(index) + "]", errors, warnings};
+    return {place + "[" + std::to_string(index) + "]", errors, warnings, unknown};
   }
 };
 

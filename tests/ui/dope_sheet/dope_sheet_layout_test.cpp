@@ -56,8 +56,8 @@ TEST(DopeSheetLayout, HasARowForEachLimb) {
   const edit::Session session;
   std::vector<std::string> names;
   for (const SheetRow& row : SheetRows(session, {})) names.push_back(row.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"Summary", "Placement", "Torso", "Head", "Right arm",
-                                             "Left arm", "Right leg", "Left leg"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"Summary", "Placement", "Root", "Torso", "Head",
+                                             "Right arm", "Left arm", "Right leg", "Left leg"}));
 }
 
 // As captures call their joints, and characters.
@@ -209,11 +209,41 @@ TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {
 TEST(DopeSheetLayout, ARegionNamesWhatIsPainted) {
   const edit::Session session;
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
-  const RegionOnRows arms = RegionOn(layout, 5, 4);
+  const RegionOnRows arms = RegionOn(layout, 6, 5);
   EXPECT_EQ(arms.name, "arms");
   EXPECT_EQ(arms.joints, (std::vector<std::string>{"r_shoulder+", "l_shoulder+"}));
-  EXPECT_EQ(RegionOn(layout, 2, 2).joints, (std::vector<std::string>{"waist", "chest"}));
+  EXPECT_EQ(RegionOn(layout, 3, 3).joints, (std::vector<std::string>{"waist", "chest"}));
+  EXPECT_EQ(RegionOn(layout, 2, 3).joints, (std::vector<std::string>{"pelvis", "waist", "chest"}));
   EXPECT_TRUE(RegionOn(layout, 0, 1).joints.empty());
+}
+
+TEST(DopeSheetLayout, AllLimbsTogetherTakeTheRootAlong) {
+  const edit::Session session;
+  const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
+  const RegionOnRows limbs = RegionOn(layout, 3, 8);
+  const auto names_root = [](const RegionOnRows& region) {
+    return std::count(region.joints.begin(), region.joints.end(), "pelvis");
+  };
+  EXPECT_EQ(names_root(limbs), 0);
+  const RegionOnRows body = WithRootOfWhole(limbs, session.figure());
+  EXPECT_EQ(names_root(body), 1);
+  EXPECT_EQ(body.name, "body");
+  EXPECT_EQ(names_root(WithRootOfWhole(RegionOn(layout, 2, 8), session.figure())), 1);
+  EXPECT_EQ(names_root(WithRootOfWhole(RegionOn(layout, 4, 8), session.figure())), 0);
+}
+
+TEST(DopeSheetLayout, ARegionWithTheRootLiesOnItsRow) {
+  edit::Session session = Throw();
+  const auto on_root = [&] {
+    const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
+    return std::count_if(layout.bars.begin(), layout.bars.end(), [&](const RowBar& bar) {
+      return layout.rows[bar.row].id == "root" && bar.ref.kind == BarKind::kRegion;
+    });
+  };
+  EXPECT_EQ(on_root(), 0);
+  ASSERT_TRUE(
+      session.Run("region.add", {{"first", 20}, {"last", 25}, {"joints", {"pelvis"}}}).ok());
+  EXPECT_EQ(on_root(), 1);
 }
 
 TEST(DopeSheetLayout, AKeyOfARowStandsForThoseOfAllItsCurves) {

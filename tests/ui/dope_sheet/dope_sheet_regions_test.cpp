@@ -30,7 +30,7 @@ TEST_F(DopeSheet, DraggingARegionMovesItWhole) {
 
 TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {
   const ui::DopeSheetLayout layout = Layout();
-  const float right_leg = layout.row_rects[7].y + 5.0f, left_leg = layout.row_rects[8].y + 5.0f;
+  const float right_leg = layout.row_rects[8].y + 5.0f, left_leg = layout.row_rects[9].y + 5.0f;
   user.MoveTo({X(18), right_leg});
   user.Press('D');
   ASSERT_TRUE(user.editor().has_tool());
@@ -47,7 +47,7 @@ TEST_F(DopeSheet, DPaintsARegionOverRowsAndFrames) {
 
 TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
   const ui::DopeSheetLayout layout = Layout();
-  const float right_leg = layout.row_rects[7].y + 5.0f;
+  const float right_leg = layout.row_rects[8].y + 5.0f;
   user.MoveTo({X(18), right_leg});
   user.Press('D');
   user.Pull({X(18), right_leg}, {X(26), right_leg});
@@ -66,8 +66,8 @@ TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
 }
 
 TEST_F(DopeSheet, DAndEnterMarksTheSelectedJoints) {
-  user.Click({60.0f, Layout().row_rects[4].y + 5.0f});  // the head's name
-  user.MoveTo({X(2), Layout().row_rects[4].y + 5.0f});
+  user.Click({60.0f, Layout().row_rects[5].y + 5.0f});  // the head's name
+  user.MoveTo({X(2), Layout().row_rects[5].y + 5.0f});
   user.Press('D');
   user.Press(ui::kEnter);
   ASSERT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;
@@ -136,6 +136,61 @@ TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
   user.Press(ui::kEscape);  // and the window
   user.Press('X');
   EXPECT_EQ(user.num_steps(), 1u) << user.editor().message.text;
+}
+
+class WholeBody : public DopeSheet {
+ protected:
+  // The holds of the feet end before.
+  const ProjectRegion& Paint(const std::string& first_row, const std::string& last_row) {
+    const size_t before = user.project().regions.size();
+    const Point from = {X(18), RowOf(first_row)}, to = {X(26), RowOf(last_row)};
+    user.MoveTo(from);
+    user.Press('D');
+    user.Drag(from, to);
+    EXPECT_EQ(user.project().regions.size(), before + 1) << user.editor().message.text;
+    return user.project().regions.back();
+  }
+  float RowOf(const std::string& id) {
+    const ui::DopeSheetLayout layout = Layout();
+    for (size_t i = 0; i < layout.rows.size(); ++i) {
+      if (layout.rows[i].id == id) return layout.row_rects[i].y + 5.0f;
+    }
+    ADD_FAILURE() << "no row " << id;
+    return 0.0f;
+  }
+  bool Turns() { return user.session().animation()->regions.back().root; }
+};
+
+TEST_F(WholeBody, PaintedOverAllLimbs_TurnsAsItFalls) {
+  const ProjectRegion& body = Paint("limb waist", "limb l_hip");
+  EXPECT_TRUE(Turns());
+  EXPECT_EQ(body.name, "body");
+  EXPECT_EQ(body.friction.default_factor, 0.96);
+  Bar("root", ui::BarKind::kRegion);
+  EXPECT_EQ(user.num_steps(), 1u);
+}
+
+TEST_F(WholeBody, OfThePapersMethod_LeavesTheRootToItsKeys) {
+  ASSERT_TRUE(user.editor().Do("solver.set", {{"method", "paper"}}));
+  ASSERT_TRUE(user.editor().Do("region.set", {{"region", arms().name}, {"method", "paper"}}));
+  Paint("limb waist", "limb l_hip");
+  EXPECT_FALSE(Turns());
+}
+
+TEST_F(WholeBody, RootsRowIsPaintedLikeALimb) {
+  EXPECT_EQ(Paint("root", "limb waist").joints.front(), (JointRef{"pelvis", false, {}}));
+  EXPECT_TRUE(Turns());
+}
+
+TEST_F(WholeBody, RootIsTakenOutAgainByItsBar) {
+  Paint("limb waist", "limb l_hip");
+  const ui::Rect bar = Bar("root", ui::BarKind::kRegion);
+  user.Click({bar.x + 0.5f * bar.w, bar.y + 3.0f}, 1);
+  user.Wait();
+  EXPECT_EQ(user.editor().sheet.bar_row, "root");
+  user.editor().Do("region.remove_joints", {{"region", "body"}, {"joints", {"pelvis"}}});
+  EXPECT_FALSE(Turns());
+  EXPECT_EQ(user.project().regions.back().joints.size(), 7u);
 }
 
 }  // namespace

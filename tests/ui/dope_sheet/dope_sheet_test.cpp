@@ -100,7 +100,7 @@ TEST_F(DopeSheet, ScrubbingSetsTheFrame) {
 }
 
 TEST_F(DopeSheet, NamesSelectJointsAndArrowsOpenRows) {
-  const ui::Rect row = Layout().row_rects[5];
+  const ui::Rect row = Layout().row_rects[6];
   user.Click({70.0f, row.y + 5.0f});
   EXPECT_EQ(user.session().selected_joints().size(), 7u);
   EXPECT_TRUE(user.session().selected_joints().contains("r_wrist_flexion"));

@@ -25,7 +25,7 @@ class TouchingBars : public DopeSheet {
   }
   std::string Details() { return ui::DetailsOf(user.project(), {ui::BarKind::kRegion, 0}); }
   const ProjectRegion& PaintOnALeg() {
-    const float leg = Layout().row_rects[7].y + 5.0f;
+    const float leg = Layout().row_rects[8].y + 5.0f;
     user.MoveTo({X(18), leg});
     user.Press('D');
     user.Drag({X(18), leg}, {X(26), leg});
@@ -64,7 +64,7 @@ TEST_F(TouchingBars, APaintedRegionOfThePapersMethodTouchesNothing) {
 
 TEST_F(TouchingBars, ARegionOfTheSelectedJointsTouchesTheScene) {
   user.editor().Do("select.joints", {{"joints", {"neck"}}});
-  user.MoveTo({X(18), Layout().row_rects[7].y + 5.0f});
+  user.MoveTo({X(18), Layout().row_rects[8].y + 5.0f});
   user.Press('D');
   user.Press(ui::kEnter);
   ASSERT_EQ(user.project().regions.size(), 2u) << user.editor().message.text;

@@ -205,5 +205,42 @@ TEST_F(Problems, AreSaidInTheLanguageOfTheInterface) {
   }
 }
 
+TEST_F(Problems, AHeldTurnOfABodyThatIsLetGoIsFreed) {
+  Do("key.set", {{"curve", "root.angle_y"}, {"frame", 0}, {"value", 25.0}});
+  Do("placement.set", {{"kind", "gravity"}, {"first", 0}, {"last", 30}});
+  Do("region.add",
+     {{"name", "body"},
+      {"first", 0},
+      {"last", 30},
+      {"joints", {"waist", "chest", "neck+", "r_shoulder+", "l_shoulder+", "r_hip+", "l_hip+"}},
+      {"contacts", true}});
+  const std::vector<Problem> held = FoundWith("keys hold its turn");
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_EQ(held[0].region, editor_.session().project().regions[0].identity.id);
+  ASSERT_EQ(held[0].cures.size(), 1u);
+  EXPECT_EQ(held[0].cures[0].label, "Let the whole body turn freely");
+  EXPECT_TRUE(Apply(held[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_TRUE(editor_.session().animation()->regions[0].root);
+  EXPECT_TRUE(FoundWith("keys hold its turn").empty());
+}
+
+TEST_F(Problems, AConstraintThatOutlastsItsRegionIsEndedWithIt) {
+  Do("region.add", {{"name", "arm"}, {"first", 0}, {"last", 10}, {"joints", {"r_shoulder+"}}});
+  Do("constraint.add", {{"name", "grip"},
+                        {"kind", "point"},
+                        {"a_joint", "r_wrist"},
+                        {"b_x", 0.3},
+                        {"b_z", 1.0},
+                        {"first", 0},
+                        {"last", 20},
+                        {"arrive", 5}});
+  const std::vector<Problem> lasting = FoundWith("no region moves its ends");
+  ASSERT_EQ(lasting.size(), 1u);
+  EXPECT_EQ(lasting[0].frame, 10.0);
+  EXPECT_TRUE(Apply(lasting[0].cures[0], &editor_)) << editor_.message.text;
+  EXPECT_EQ(editor_.session().project().constraints[0].last_frame, 10);
+  EXPECT_TRUE(FoundWith("no region moves its ends").empty());
+}
+
 }  // namespace
 }  // namespace hazumi::ui

@@ -83,5 +83,21 @@ TEST(Arrival, OfWhatBreaksOnTheWayIsTold) {
       << late[0].message;
 }
 
+// No joint of a straight chain draws its tip in: whichever turns, the tip moves across.
+TEST(Arrival, OfAStraightLimbIsToldToBendIt) {
+  const auto told = [](const Vec3& to) {
+    Animation animation = Chain();
+    animation.gravity = 0.0;
+    ConstraintEnd tip = OnJoint(animation, "three");
+    tip.offset = 0.4 * Vec3::UnitX();
+    AddPoint(&animation, tip, InWorld(to), 0, 30).arrive_frames = 6;
+    const std::vector<Warning> late = LateIn(animation);
+    EXPECT_EQ(late.size(), 1u);
+    return late.empty() ? "" : late[0].message;
+  };
+  EXPECT_NE(told(0.9 * Vec3::UnitX()).find("bend the limb"), std::string::npos);
+  EXPECT_EQ(told(2.0 * Vec3::UnitX()).find("bend the limb"), std::string::npos);  // out of reach
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -89,5 +89,62 @@ TEST(HeldContact, DoesNotDependOnWhatIsLookedAt) {
   }
 }
 
+TEST(HeldContact, LetGoInsideTheFloor_IsWarnedOf) {
+  const auto warnings = [](double height, bool touches) {
+    Animation animation = Thrower(touches);
+    animation.root_keys[kRootZ] = {{0, height, {}, kHold}};
+    return BakeOrFail(animation).warnings;
+  };
+  const std::vector<Warning> deep = warnings(0.02, true);
+  ASSERT_EQ(deep.size(), 1u);
+  EXPECT_EQ(deep[0].place, "held_objects[0]");
+  EXPECT_EQ(deep[0].frame, kRelease);
+  EXPECT_EQ(
+      deep[0].message,
+      "\"ball\" is let go 30 mm inside \"floor\" in frame 6: it is pushed out slowly; move it "
+      "out in that frame");
+  EXPECT_TRUE(warnings(0.02, false).empty());
+  EXPECT_TRUE(warnings(kBall, true).empty());
+}
+
+// A ball that is let go on the first frame, where a key states the arm's rate.
+Animation ThrownAtOnce(int version) {
+  Animation animation = Thrower(false);
+  animation.solver.version = version;
+  KeysOf(&animation, "pivot")[0].rate = 2.0;
+  animation.held_objects[0].holders[0].last_frame = 0;
+  return animation;
+}
+
+// Of a ball that flies from the first frame on [m/s].
+Vec3 StartVelocity(const Animation& animation) {
+  const Motion motion = BakeOrFail(animation);
+  const double t = 1.0 / 30.0;
+  return (Place(motion, 1) - Place(motion, 0)) / t + 0.5 * kG * t * Vec3::UnitZ();
+}
+
+TEST(HeldContact, LetGoOnTheFirstFrame_TakesTheKeyedVelocity) {
+  const Animation animation = ThrownAtOnce(2);
+  const Vec3 axis = animation.figure->joint(JointOf(animation, "pivot")).axis;
+  const Vec3 v = 2.0 * axis.cross(Vec3(kLength, 0.0, 0.0));
+  EXPECT_LT((StartVelocity(animation) - v).norm(), 1e-9);
+  EXPECT_LT(StartVelocity(ThrownAtOnce(1)).norm(), 1e-9);  // as it was
+}
+
+TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithARegionThatBeginsThere) {
+  Animation animation = ThrownAtOnce(2);
+  const Vec3 keyed = StartVelocity(animation);
+  AddRegion(&animation, "arm", 0, 20, {"pivot"}).method = Method::kExact;
+  EXPECT_LT((StartVelocity(animation) - keyed).norm(), 1e-9);
+}
+
+TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithAPinnedFigure) {
+  Animation animation = ThrownAtOnce(2);
+  const Vec3 of_arm = StartVelocity(animation);
+  // At the pivot: root and arm move as before.
+  AddPin(&animation, 0, 90, "pivot");
+  EXPECT_LT((StartVelocity(animation) - of_arm).norm(), 1e-9);
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -112,5 +112,18 @@ TEST(DriveOperators, TorqueKeysGoAlongWhereItsRegionDoes) {
   EXPECT_EQ(DrivesOf(session)[0].torque.keys[0].frame, 5.0);
 }
 
+TEST(DriveOperators, MuscleOfAWholeBody_LeavesTheRootWithout) {
+  Session session;
+  Do(&session, "region.add",
+     {{"first", 0}, {"last", 10}, {"joints", {"pelvis", "r_hip", "waist"}}});
+  Do(&session, "drive.add", {{"region", "region"}, {"kind", "spring"}});
+  const ProjectRegion& region = session.project().regions[0];
+  EXPECT_EQ(region.drives[0].joints,
+            (std::vector<JointRef>{{"r_hip", false, {}}, {"waist", false, {}}}));
+  Do(&session, "drive.set", {{"region", "region"}, {"number", 0}, {"joints", {"pelvis+"}}});
+  EXPECT_EQ(session.animation()->regions[0].drives[0].joints,
+            session.animation()->regions[0].joints);
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -2,6 +2,8 @@
 
 #include "engine/project/project_writer.h"
 #include "tests/unit/edit/sessions.h"
+#include "ui/edit/fields/item_fields.h"
+#include "ui/edit/operators/regions.h"
 
 namespace hazumi::test {
 namespace {
@@ -221,6 +223,78 @@ TEST(RegionOperators, ARegionTakesTheProjectsMethodAgain) {
   EXPECT_NE(session.project().regions, before);
   Do(&session, "region.set", {{"region", "arms"}, {"as_project", true}});
   EXPECT_EQ(session.project().regions, before);
+}
+
+const ProjectRegion& First(const Session& session) { return session.project().regions[0]; }
+
+std::vector<std::string> NamesOf(const ProjectRegion& region) {
+  std::vector<std::string> names;
+  for (const JointRef& ref : region.joints) names.push_back(edit::NameOf(ref));
+  return names;
+}
+
+TEST(RegionOperators, AddJoints_TakesTheSelectedOnesAndTheRoot) {
+  Session session;
+  AddArms(&session);
+  session.set_selected_joints({"pelvis", "r_knee", "r_elbow_flexion"});
+  Do(&session, "region.add_joints", {{"region", "arms"}});
+  EXPECT_EQ(NamesOf(First(session)),
+            (std::vector<std::string>{"l_shoulder+", "r_shoulder+", "pelvis", "r_knee"}));
+  EXPECT_TRUE(session.animation()->regions[0].root);
+  Do(&session, "region.add_joints", {{"region", "arms"}, {"joints", {"root", "r_knee"}}});
+  EXPECT_EQ(First(session).joints.size(), 4u);  // has them already
+  session.set_selected_joints({});
+  Refused(&session, "region.add_joints", {{"region", "arms"}});
+  Refused(&session, "region.add_joints", {{"region", "arms"}, {"joints", {"wing"}}});
+}
+
+TEST(RegionOperators, RemoveJoints_LeavesTheRestOfAReference) {
+  Session session;
+  AddArms(&session);
+  Do(&session, "region.remove_joints", {{"region", "arms"}, {"joints", {"r_elbow"}}});
+  EXPECT_EQ(NamesOf(First(session)),
+            (std::vector<std::string>{"l_shoulder+", "r_shoulder", "r_wrist"}));
+  const Error all = Refused(&session, "region.remove_joints",
+                            {{"region", "arms"}, {"joints", {"l_shoulder+", "r_shoulder+"}}});
+  EXPECT_NE(all.message.find("remove the region"), std::string::npos) << all.message;
+}
+
+TEST(RegionOperators, RemoveJoints_TakesTheRootOutOfAWholeBody) {
+  Session session;
+  Do(&session, "region.add", {{"first", 0}, {"last", 10}, {"joints", {"pelvis+"}}});
+  ASSERT_TRUE(session.animation()->regions[0].root);
+  const size_t hinges = session.animation()->regions[0].joints.size();
+  session.set_selected_joints({"pelvis"});
+  Do(&session, "region.remove_joints", {{"region", "region"}});
+  EXPECT_FALSE(session.animation()->regions[0].root);
+  EXPECT_EQ(session.animation()->regions[0].joints.size(), hinges);
+}
+
+TEST(RegionOperators, RemoveJoints_TakesTheirMuscleAndFrictionAlong) {
+  Session session;
+  AddArms(&session);
+  Do(&session, "region.friction", {{"region", "arms"}, {"joint", "r_elbow"}, {"factor", 0.5}});
+  Do(&session, "drive.add",
+     {{"region", "arms"}, {"kind", "spring"}, {"joints", {"r_elbow", "l_elbow"}}});
+  Do(&session, "drive.add", {{"region", "arms"}, {"kind", "spring"}, {"joints", {"r_wrist"}}});
+  Do(&session, "region.remove_joints", {{"region", "arms"}, {"joints", {"r_elbow", "r_wrist"}}});
+  EXPECT_TRUE(First(session).friction.joints.empty());
+  ASSERT_EQ(First(session).drives.size(), 1u);
+  EXPECT_EQ(First(session).drives[0].joints, (std::vector<JointRef>{{"l_elbow", false, {}}}));
+}
+
+TEST(RegionOperators, WholeBodyThatIsLetGo_StartsWithTheFrictionOfAFall) {
+  const auto friction = [](const edit::Json& more) {
+    Session session;
+    edit::Json region = {{"first", 0}, {"last", 10}};
+    region.update(more);
+    Do(&session, "region.add", region);
+    return First(session).friction.default_factor;
+  };
+  EXPECT_EQ(friction({{"joints", {"pelvis+"}}, {"contacts", true}}), edit::kFallFriction);
+  EXPECT_EQ(friction({{"joints", {"pelvis+"}}}), edit::kLimpFriction);
+  EXPECT_EQ(friction({{"joints", {"r_hip+", "pelvis"}}, {"contacts", true}}), edit::kLimpFriction);
+  EXPECT_EQ(friction({{"joints", {"pelvis+"}}, {"contacts", true}, {"friction", 0.5}}), 0.5);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <functional>
 
+#include "engine/figure/figure_builder.h"
+#include "engine/project/checks/joint_names.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "engine/spatial/degrees.h"
@@ -54,6 +56,40 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
   EXPECT_FALSE(compiled.animation.regions[1].step.has_value());
   ASSERT_EQ(compiled.warnings.size(), 1u);
   EXPECT_EQ(compiled.warnings[0].place, "regions[0].joints");
+}
+
+TEST(CompileAnimation, PlusBehindAJoint_MeansAllBeyondIt) {
+  const auto joints = [](const char* refs) {
+    return CompileGood({{"/regions/0/joints", refs}, {"/regions/0/friction/joints", "{}"}})
+        .animation.regions[0]
+        .joints;
+  };
+  EXPECT_EQ(joints(R"(["r_elbow+"])"), joints(R"([{"beyond": "r_elbow"}])"));
+  EXPECT_EQ(joints(R"(["pelvis+"])"), joints(R"([{"beyond": "pelvis"}])"));
+  EXPECT_GT(joints(R"(["r_elbow+"])").size(), joints(R"(["r_elbow"])").size());
+}
+
+TEST(CompileAnimation, DriveBeyondTheRoot_DrivesTheJointsOfItsRegion) {
+  for (const char* root : {R"({"beyond": "pelvis"})", R"("pelvis+")", R"({"beyond": "root"})"}) {
+    const Animation animation =
+        CompileGood({{"/regions/0/drives", std::string("[{\"joints\": [") + root +
+                                               R"(], "kind": "spring", "frequency_hz": 2}])"}})
+            .animation;
+    ASSERT_EQ(animation.regions[0].drives.size(), 1u);
+    EXPECT_EQ(animation.regions[0].drives[0].joints, animation.regions[0].joints) << root;
+  }
+}
+
+TEST(JointNames, JointWhoseOwnNameEndsWithPlus_GoesBeforeAllBeyond) {
+  FigureSpec spec;
+  spec.joints = {{"arm+", "", Vec3::Zero(), Vec3::UnitX()},
+                 {"leg", "", Vec3::Zero(), Vec3::UnitX()}};
+  const Figure figure = BuildFigure(spec).value();
+  const JointRef arm = Meant(RefFrom("arm+"), figure), leg = Meant(RefFrom("leg+"), figure);
+  EXPECT_EQ(arm.name, "arm+");
+  EXPECT_FALSE(arm.beyond);
+  EXPECT_EQ(leg.name, "leg");
+  EXPECT_TRUE(leg.beyond);
 }
 
 TEST(CompileAnimation, WhatTouchesTheSceneAndHowRoughThatIs) {

@@ -41,7 +41,7 @@ std::vector<WrongProject> WrongDrives() {
        first + ".joints[0]: no joint \"r_elbo\"; did you mean \"r_elbow\"?"},
       {Check::kDriveOnRoot, Read(WithDrives(Spring(R"(["pelvis"])"))),
        first + ".joints[0]: \"pelvis\" is the root: muscles act in joints, and the root has none; "
-               "remove it"},
+               "remove it, or put + behind its name for all joints of the region"},
       {Check::kDriveNotInRegion, Read(WithDrives(Spring(R"(["r_knee"])"))),
        first + ".joints[0]: \"r_knee\" is not in this region; add it to the region's joints or "
                "take it out of the drive"},

@@ -55,14 +55,6 @@ const char* NameOfAxis(const char* parameter, char axis) {
   return names.insert(std::move(name)).first->c_str();
 }
 
-JointRef RefFrom(std::string name) {
-  JointRef ref;
-  ref.beyond = name.ends_with('+');
-  if (ref.beyond) name.pop_back();
-  ref.name = std::move(name);
-  return ref;
-}
-
 std::string NameOf(const JointRef& ref) { return ref.name + (ref.beyond ? "+" : ""); }
 
 void ParameterList::operator()(const Field& field, const Vec3&) {

@@ -36,7 +36,6 @@ Result<Done> ExpectOwn(const ParameterInfos& own, const ParameterInfos& all,
 const char* NameOfAxis(const char* parameter, char axis);
 
 // "r_shoulder+" is that joint and all beyond it.
-JointRef RefFrom(std::string name);
 std::string NameOf(const JointRef& ref);
 
 // The words of an enumeration, with spaces between them.

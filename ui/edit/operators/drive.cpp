@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/project/checks/joint_names.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/regions.h"
 
@@ -40,6 +41,12 @@ void TakeOver(size_t number, ProjectRegion* region) {
   std::erase_if(region->drives, [](const ProjectDrive& drive) { return drive.joints.empty(); });
 }
 
+// The root has no muscles.
+void LeaveOutRoot(const Figure& figure, std::vector<JointRef>* refs) {
+  std::erase_if(*refs,
+                [&](const JointRef& ref) { return !ref.beyond && MeansRoot(ref.name, figure); });
+}
+
 Result<Done> AddDrive(Session* session, const Parameters& p) {
   return ChangeRegion(session, p, "Add drive",
                       [&](Project*, ProjectRegion* region) -> Result<Done> {
@@ -47,7 +54,9 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
                         for (const std::string& name : session->selected_joints()) {
                           drive.joints.push_back(RefFrom(name));
                         }
+                        LeaveOutRoot(session->figure(), &drive.joints);
                         if (drive.joints.empty()) drive.joints = region->joints;
+                        LeaveOutRoot(session->figure(), &drive.joints);
                         if (Result<Done> set = SetFields(p, &drive); !set.ok()) return set.error();
                         region->drives.push_back(std::move(drive));
                         TakeOver(region->drives.size() - 1, region);

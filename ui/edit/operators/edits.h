@@ -35,6 +35,7 @@ std::vector<Operator> PlacementOperators();
 std::vector<Operator> PoseBlendOperators();
 std::vector<Operator> PoseOperators();
 std::vector<Operator> ReachOperators();
+std::vector<Operator> RegionJointOperators();
 std::vector<Operator> RegionOperators();
 std::vector<Operator> RootOperators();
 std::vector<Operator> SceneOperators();
@@ -80,6 +81,8 @@ std::string LikelyJoint(const Session& session);
 
 // Joints and hinges that name these hinges: a joint of which all are meant by its own name.
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure);
+// The same of what is selected, and the root first if it is.
+std::vector<std::string> SelectedNames(const Session& session);
 
 // By the parameter "curves"; not given: those of the selected joints, else all.
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p);

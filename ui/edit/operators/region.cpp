@@ -34,11 +34,13 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
         }
         ProjectRegion region;
         region.name = "region";
-        region.friction.default_factor = 0.8;
         for (const std::string& name : session->selected_joints()) {
           region.joints.push_back(RefFrom(name));
         }
         if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
+        if (!p.has("friction")) {
+          region.friction.default_factor = StartFriction(region, session->figure());
+        }
         region.name = FreeName(region.name, project->regions);
         project->regions.push_back(std::move(region));
         if (p.yes("key_start")) {
@@ -170,46 +172,45 @@ Result<Done> BakeRegionToKeys(Session* session, const Parameters& p) {
 }  // namespace
 
 std::vector<Operator> RegionOperators() {
-  return {
-      {"region.add", "Add dynamics region",
-       "Lets joints swing by their own inertia for some frames. Not given: the selected joints, "
-       "friction 0.8.",
-       Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kKeyStart, kDrag}}),
-       AddRegion},
-      {"region.set", "Change region", "Changes what is given of a region.",
-       Joined({{kOfRegion},
-               FieldsOf<ProjectRegion>(),
-               {{"as_project", kYesNo, false,
-                 "true: method, step and tolerance are the project's again"},
-                kDrag}}),
-       SetRegion},
-      {"region.friction",
-       "Change friction",
-       "Sets the factor of speed that is left after 1/30 s.",
-       {kOfRegion,
-        {"factor",
-         kNumber,
-         false,
-         "0 frozen, 1 no friction; not given: the joint has none of its own any more",
-         {},
-         "",
-         "",
-         kShare},
-        {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
-         Thing::kJointOrHinge},
-        kDrag},
-       SetFriction},
-      {"region.split",
-       "Split region",
-       "Makes two regions of one.",
-       {kOfRegion, {"frame", kInteger, true, "where the second one begins"}},
-       SplitRegion},
-      {"region.remove", "Remove region", "Takes a region away.", {kOfRegion}, RemoveRegion},
-      {"region.to_keys",
-       "Bake region to keys",
-       "Makes a key of each frame of a region and takes the region away.",
-       {kOfRegion},
-       BakeRegionToKeys}};
+  return {{"region.add", "Add dynamics region",
+           "Lets joints swing by their own inertia for some frames. Default: the selected joints; "
+           "friction 0.8, of a whole body with its root that touches the scene 0.96.",
+           Joined({Requiring({"first", "last"}, FieldsOf<ProjectRegion>()), {kKeyStart, kDrag}}),
+           AddRegion},
+          {"region.set", "Change region", "Changes what is given of a region.",
+           Joined({{kOfRegion},
+                   FieldsOf<ProjectRegion>(),
+                   {{"as_project", kYesNo, false,
+                     "true: method, step and tolerance are the project's again"},
+                    kDrag}}),
+           SetRegion},
+          {"region.friction",
+           "Change friction",
+           "Sets the factor of speed that is left after 1/30 s.",
+           {kOfRegion,
+            {"factor",
+             kNumber,
+             false,
+             "0 frozen, 1 no friction; not given: the joint has none of its own any more",
+             {},
+             "",
+             "",
+             kShare},
+            {"joint", kText, false, "a joint or hinge; not given: all without one of their own",
+             Thing::kJointOrHinge},
+            kDrag},
+           SetFriction},
+          {"region.split",
+           "Split region",
+           "Makes two regions of one.",
+           {kOfRegion, {"frame", kInteger, true, "where the second one begins"}},
+           SplitRegion},
+          {"region.remove", "Remove region", "Takes a region away.", {kOfRegion}, RemoveRegion},
+          {"region.to_keys",
+           "Bake region to keys",
+           "Makes a key of each frame of a region and takes the region away.",
+           {kOfRegion},
+           BakeRegionToKeys}};
 }
 
 }  // namespace hazumi::edit

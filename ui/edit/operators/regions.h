@@ -9,6 +9,11 @@ namespace hazumi::edit {
 inline const ParameterInfo kOfRegion = {"region", ParameterKind::kText, true, "the region's name",
                                         Thing::kRegion};
 
+// The friction factor of a region that is made in the editor: kLimpFriction, of a whole body that
+// is let go and touches the scene kFallFriction.
+inline constexpr double kLimpFriction = 0.8, kFallFriction = 0.96;
+double StartFriction(const ProjectRegion& region, const Figure& figure);
+
 // One undo step on the region of the parameter "region": action(project, region).
 template <typename Action>
 Result<Done> ChangeRegion(Session* session, const Parameters& p, const char* label, Action action) {

@@ -253,6 +253,13 @@ std::vector<std::string> JointNames(const std::set<std::string>& hinges, const F
   return names;
 }
 
+std::vector<std::string> SelectedNames(const Session& session) {
+  const Figure& figure = session.figure();
+  std::vector<std::string> names = JointNames(session.selected_joints(), figure);
+  if (session.is_root_selected()) names.insert(names.begin(), figure.root_name());
+  return names;
+}
+
 std::vector<Operator> SessionOperators() {
   return {
       {"file.new", "New", "A new project: the human, standing on the ground.", {}, New},

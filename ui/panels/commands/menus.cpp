@@ -198,6 +198,8 @@ MenuEntry RegionMenu() {
       {{"sheet.mark_region"},
        {"region.add"},
        {"region.set"},
+       {"region.add_joints"},
+       {"region.remove_joints"},
        {"region.friction"},
        {"region.start_rate"},
        Submenu(

@@ -24,7 +24,9 @@ const std::vector<ManualPart>& ManualParts() {
         "arm "
         "comes to lie on a table, and a figure whose root is in the region falls and slides as the "
         "friction of the ground says, which is among the properties of the object. A ball on a "
-        "line marks the bars of such regions in the dope sheet.",
+        "line marks the bars of such regions in the dope sheet. The root has a row there like any "
+        "limb: painting all limbs takes it along, so that the body turns as it falls, and the "
+        "right button on a bar takes its row out of the region.",
         "Scene > Forces adds wind, a pull towards a place, and a push, which is a blow at one "
         "instant. Joints in regions give way to them, and so does a figure that flies while it "
         "has a region; what keys move does not.",

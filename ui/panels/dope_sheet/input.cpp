@@ -76,11 +76,19 @@ SheetPopup PopupOf(BarKind kind) {
   return SheetPopup::kHold;
 }
 
-void ClickBar(Editor* editor, const RowBar& bar, SheetPart part, Point mouse) {
+// Opens what can be done with it, on the row where it was clicked.
+void OpenBar(Editor* editor, const DopeSheetLayout& layout, const RowBar& bar) {
+  ChooseBar(editor, bar.ref);
+  editor->sheet.popup = PopupOf(bar.ref.kind);
+  editor->sheet.bar_row = layout.rows[bar.row].id;
+}
+
+void ClickBar(Editor* editor, const DopeSheetLayout& layout, const RowBar& bar, SheetPart part,
+              Point mouse) {
   ChooseBar(editor, bar.ref);
   if (!editor->session().selected_keys().empty()) SelectKeys(editor, {}, "replace");
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    editor->sheet.popup = PopupOf(bar.ref.kind);
+    OpenBar(editor, layout, bar);
   } else if (!ImGui::GetIO().KeyShift) {
     editor->Take(part == SheetPart::kBarStrength ? MakeDragStrength(editor, mouse, bar)
                                                  : MakeDragBar(editor, mouse, part));
@@ -105,7 +113,7 @@ void Click(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit, P
     case SheetPart::kBarStart:
     case SheetPart::kBarEnd:
     case SheetPart::kBarStrength:
-      return ClickBar(editor, layout.bars[hit.index], hit.part, mouse);
+      return ClickBar(editor, layout, layout.bars[hit.index], hit.part, mouse);
     case SheetPart::kTrack:
     case SheetPart::kNothing:
       ChooseNoBar(&editor->sheet);
@@ -126,9 +134,7 @@ bool IsOfBar(SheetPart part) {
 // The right button opens what can be done with what is under it.
 void RightClick(Editor* editor, const DopeSheetLayout& layout, const SheetHit& hit) {
   if (IsOfBar(hit.part)) {
-    ChooseBar(editor, layout.bars[hit.index].ref);
-    editor->sheet.popup = PopupOf(layout.bars[hit.index].ref.kind);
-    return;
+    return OpenBar(editor, layout, layout.bars[hit.index]);
   }
   if (hit.part == SheetPart::kKey && !layout.keys[hit.index].is_selected) {
     SelectKeys(editor, KeysOf(layout, layout.keys[hit.index], editor->session().project()),

@@ -20,7 +20,7 @@ constexpr double kHold = 6.0, kTallHold = 15.0;  // bars of holds, at most
 
 bool IsTall(const SheetRow& row) {
   return row.kind == RowKind::kLimb || row.kind == RowKind::kPlacement ||
-         row.kind == RowKind::kObject;
+         row.kind == RowKind::kRoot || row.kind == RowKind::kObject;
 }
 
 float Px(const DopeSheetLayout& layout, double at_scale_1) {
@@ -76,7 +76,7 @@ class BarList {
     const ProjectRegion& region = project_.regions[index];
     if (!region.mute) bar.muscle = MuscleOf(region, drives_[index], held);
     bar.touches = region.contacts.is_any() && !region.mute;
-    const bool turns_root = row.kind == RowKind::kPlacement && DrivesRoot(region, figure_);
+    const bool turns_root = row.kind == RowKind::kRoot && DrivesRoot(region, figure_);
     if (bar.num_held > 0 || turns_root) bars->push_back(bar);
   }
 
@@ -89,7 +89,7 @@ class BarList {
     });
   }
 
-  // On the rows of both its joints, or of what holds them; the root's is that of placement.
+  // On the rows of both its joints, or of what holds them.
   bool IsOn(const ProjectConstraint& constraint, const SheetRow& row) const {
     return IsOn(constraint.a, row) || IsOn(constraint.b, row);
   }
@@ -99,7 +99,7 @@ class BarList {
       return held >= 0 && project_.held_objects[held].name == end.object;
     }
     if (end.joint.empty()) return false;
-    return row.kind == RowKind::kPlacement ? MeansRoot(end.joint, figure_) : IsOn(end.joint, row);
+    return row.kind == RowKind::kRoot ? MeansRoot(end.joint, figure_) : IsOn(end.joint, row);
   }
 
   const Figure& figure_;

@@ -9,7 +9,7 @@
 
 namespace hazumi::ui {
 
-enum class RowKind { kSummary, kPlacement, kLimb, kJoint, kCurve, kObject };
+enum class RowKind { kSummary, kPlacement, kRoot, kLimb, kJoint, kCurve, kObject };
 
 // A row of the dope sheet: the curves whose keys it shows.
 struct SheetRow {
@@ -20,11 +20,11 @@ struct SheetRow {
   bool has_parts = false, is_open = false;
   std::vector<std::string> curves = {};
   std::vector<JointIndex> hinges = {};
-  // What a region of this row names: "r_shoulder+"; empty for rows that hold no joints.
+  // What a region of this row names: "r_shoulder+", or the root; empty for rows that none moves.
   std::vector<std::string> refs = {};
   ItemId object = {};  // whose row it is
 };
-// Of placement, or a curve of the root.
+// Of placement, of the root's turn, or one of their curves.
 bool IsOfRoot(const SheetRow& row);
 std::vector<SheetRow> SheetRows(const edit::Session& session, const SheetState& state);
 
@@ -104,5 +104,8 @@ struct RegionOnRows {
   std::vector<std::string> joints;
 };
 RegionOnRows RegionOn(const DopeSheetLayout& layout, int first_row, int last_row);
+// The same, and the root with all hinges of the figure: a body that is let go as a whole turns as
+// it falls.
+RegionOnRows WithRootOfWhole(RegionOnRows region, const Figure& figure);
 
 }  // namespace hazumi::ui

@@ -74,7 +74,7 @@ class PaintRegionTool : public SheetDrag {
     paint.first_frame = std::min(a, b);
     paint.last_frame = std::max(a, b);
     painted_ = SpanText(paint.first_frame, paint.last_frame);
-    Show(editor, paint, RegionOn(layout, paint.first_row, paint.last_row));
+    Show(editor, paint, Painted(editor->session(), layout, paint));
     // As soon as the region is there its own bar shows it.
     editor->sheet.paint.reset();
     if (!is_there_) editor->sheet.paint = paint;
@@ -98,6 +98,14 @@ class PaintRegionTool : public SheetDrag {
   }
 
  private:
+  // The method "paper" leaves the root to its keys.
+  static RegionOnRows Painted(const edit::Session& session, const DopeSheetLayout& layout,
+                              const SheetState::Paint& paint) {
+    RegionOnRows on = RegionOn(layout, paint.first_row, paint.last_row);
+    if (session.project().solver.method != Method::kExact) return on;
+    return WithRootOfWhole(std::move(on), session.figure());
+  }
+
   // While it is painted the region is there already, and what it moves swings.
   void Show(Editor* editor, const SheetState::Paint& paint, const RegionOnRows& on) {
     const bool is_one = paint.first_frame < paint.last_frame && !on.joints.empty();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held/object_curves.h"
 #include "ui/edit/operators/placement/root_curves.h"
@@ -23,6 +24,7 @@ class RowList {
     AddSummary();
     AddPlacement();
     for (const ProjectHeldObject& object : session_.project().held_objects) AddObject(object);
+    AddRoot();
     for (const Limb& limb : LimbsOf(figure_)) AddLimb(limb);
     return std::move(rows_);
   }
@@ -36,12 +38,22 @@ class RowList {
   }
 
   void AddPlacement() {
-    SheetRow row{RowKind::kPlacement, "placement", Tr("Placement")};
+    AddOfRoot({RowKind::kPlacement, "placement", Tr("Placement")}, 0, kRootAngleZ);
+  }
+
+  // Its turn. Regions hold it as they hold a limb.
+  void AddRoot() {
+    if (!IsShown(edit::kRootCurveNames[kRootAngleZ])) return;
+    SheetRow row{RowKind::kRoot, "root", Tr("Root")};
+    if (const std::string name = NameOfRoot(figure_); !name.empty()) row.refs = {name};
+    AddOfRoot(std::move(row), kRootAngleZ, kNumRootCurves);
+  }
+
+  // With the root's curves from first to before end.
+  void AddOfRoot(SheetRow row, int first, int end) {
     row.has_parts = true;
     row.is_open = state_.open.contains(row.id);
-    for (const std::string& name : edit::CurveNames(session_.project())) {
-      if (edit::RootCurveNamed(name)) row.curves.push_back(name);
-    }
+    row.curves.assign(edit::kRootCurveNames + first, edit::kRootCurveNames + end);
     const bool is_open = row.is_open;
     const std::vector<std::string> curves = row.curves;
     rows_.push_back(std::move(row));
@@ -155,14 +167,26 @@ RegionOnRows RegionOn(const DopeSheetLayout& layout, int first_row, int last_row
     const SheetRow& row = layout.rows[i];
     // What a row holds its parts need not say again.
     const bool is_said = std::any_of(rows.begin(), rows.end(), [&](const SheetRow* above) {
-      return std::includes(above->hinges.begin(), above->hinges.end(), row.hinges.begin(),
-                           row.hinges.end());
+      return !row.hinges.empty() && std::includes(above->hinges.begin(), above->hinges.end(),
+                                                  row.hinges.begin(), row.hinges.end());
     });
     if (row.refs.empty() || is_said) continue;
     rows.push_back(&row);
     region.joints.insert(region.joints.end(), row.refs.begin(), row.refs.end());
   }
   if (!rows.empty()) region.name = NameOfRegion(rows);
+  return region;
+}
+
+RegionOnRows WithRootOfWhole(RegionOnRows region, const Figure& figure) {
+  std::vector<JointRef> refs;
+  for (const std::string& name : region.joints) refs.push_back(RefFrom(name));
+  const std::vector<bool> moved = JointsOf(refs, figure);
+  const std::string root = NameOfRoot(figure);
+  const bool is_whole = std::find(moved.begin(), moved.end(), false) == moved.end();
+  if (!is_whole || refs.empty() || root.empty()) return region;
+  if (!NameRoot(refs, figure)) region.joints.insert(region.joints.begin(), root);
+  region.name = "body";
   return region;
 }
 

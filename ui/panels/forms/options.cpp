@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "engine/base/text.h"
+#include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/placement/root_curves.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/outliner/limbs.h"
@@ -41,6 +42,13 @@ std::vector<FormOption> Joints(const Figure& figure, bool with_joints, bool with
       }
     }
   }
+  return options;
+}
+
+std::vector<FormOption> JointsAndRoot(const Figure& figure) {
+  std::vector<FormOption> options = Joints(figure, true, false);
+  const std::string root = NameOfRoot(figure);
+  if (!root.empty()) options.insert(options.begin(), {root, root, "Root"});
   return options;
 }
 
@@ -90,6 +98,8 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return Joints(session.figure(), false, true);
     case Thing::kJointOrHinge:
       return Joints(session.figure(), true, true);
+    case Thing::kJointOrRoot:
+      return JointsAndRoot(session.figure());
     case Thing::kCurve:
       return Curves(session.figure());
     case Thing::kRegion:

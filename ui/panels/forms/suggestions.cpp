@@ -39,7 +39,6 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "time.range") return name == "first" ? project.frames.first : project.frames.last;
   if (id == "project.rename") return project.name;
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
-  if (id == "region.add" && name == "friction") return 0.8;
   if (id == "region.add" && name == "contacts") return TouchesWhenMade(project);
   if (id.starts_with("object.add_") && name == "name")
     return edit::FreeObjectName(id.substr(11), project);
@@ -111,6 +110,8 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
     case Thing::kJoint:
     case Thing::kJointOrHinge:
       return Joint(info, session);
+    case Thing::kJointOrRoot:
+      return edit::SelectedNames(*session);
     case Thing::kHinge:
     case Thing::kCurve:
       return info.kind == ParameterKind::kText ? SelectedHinge(*session) : Json();

@@ -87,6 +87,7 @@ std::vector<std::vector<FormOption>> ByGroup(const std::vector<FormOption>& opti
 Names SelectedOf(const FormField& field, const std::vector<FormOption>& options,
                  const edit::Session& session) {
   const std::set<std::string>& selected = session.selected_joints();
+  if (field.info.offer.thing == Thing::kJointOrRoot) return edit::SelectedNames(session);
   if (field.info.offer.thing != Thing::kCurve) {
     return WithSelected({}, session.figure(), selected);
   }

@@ -8,6 +8,7 @@
 #include "ui/edit/operators/placement/jumps.h"
 #include "ui/panels/problems/contact_jerk.h"
 #include "ui/panels/problems/falls_through.h"
+#include "ui/panels/problems/region_problems.h"
 #include "ui/panels/problems/support_problem.h"
 #include "ui/panels/problems/taken_object.h"
 #include "ui/panels/text/filled.h"
@@ -35,6 +36,14 @@ bool SlidesFar(const FlightAnalysis& analysis) {
   });
 }
 
+// A ball that is let go in something: the bake says so.
+bool IsWarnedOf(const FallThrough& fall, const Motion& motion) {
+  return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
+    return IndexIn("held_objects", warning.place) == static_cast<size_t>(fall.object) &&
+           warning.frame == fall.frame;
+  });
+}
+
 class ProblemList {
  public:
   explicit ProblemList(Editor* editor) : editor_(*editor), project_(editor->session().project()) {}
@@ -56,6 +65,8 @@ class ProblemList {
         AddTaking(static_cast<int>(*object), warning, *motion.value());
       }
     }
+    editor_.turns.Look(&session);
+    AddRegionProblems(editor_.turns.turns(), session, &problems_);
     for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
     for (const FootSkate& skate : editor_.flights.analysis().skates) {
       for (const FootSlide& slide : skate.slides) {
@@ -63,7 +74,7 @@ class ProblemList {
       }
     }
     for (const FallThrough& fall : FallsThrough(*session.animation(), *motion.value())) {
-      AddFall(fall);
+      if (!IsWarnedOf(fall, *motion.value())) AddFall(fall);
     }
     for (const ContactJerk& jerk : ContactJerks(*session.animation(), *motion.value())) {
       AddJerk(jerk);
@@ -283,8 +294,10 @@ bool HasProblems(Editor* editor) {
   if (session.KnownError()) return true;
   const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
   if (!motion.ok()) return false;
+  editor->turns.Look(&session);
   // Jumps are among the warnings.
-  return !motion.value()->warnings.empty() || !editor->ground.sinkings().empty() ||
+  return !motion.value()->warnings.empty() || !editor->turns.turns().empty() ||
+         AnyOutlasts(*session.animation()) || !editor->ground.sinkings().empty() ||
          SlidesFar(editor->flights.analysis()) || !editor->effort.missing().empty() ||
          !FallsThrough(*session.animation(), *motion.value()).empty() ||
          !ContactJerks(*session.animation(), *motion.value()).empty() ||

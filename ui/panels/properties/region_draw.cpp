@@ -75,14 +75,19 @@ void DrawJoints(Editor* editor, const ProjectRegion& region) {
   ImGui::Dummy({ImGui::GetContentRegionAvail().x, 0.0f});
   for (const std::string& joint : names) {
     if (!DrawChip(joint)) continue;
-    std::vector<std::string> rest = names;
-    std::erase(rest, joint);
-    return Set(editor, region.name, {{"joints", rest}});
+    editor->Do("region.remove_joints", {{"region", region.name}, {"joints", Json::array({joint})}});
+    return;
   }
-  if (!DrawButton(Tr("Add selected joints"), Tr("Adds the selected joints to the region."))) return;
-  const edit::Session& session = editor->session();
-  Set(editor, region.name,
-      {{"joints", WithSelected(names, session.figure(), session.selected_joints())}});
+  if (DrawButton(Tr("Add selected"), Tr("Adds the selected joints, or the root, to the region."),
+                 2)) {
+    editor->Do("region.add_joints", {{"region", region.name}});
+    return;
+  }
+  ImGui::SameLine();
+  if (DrawButton(Tr("Take out selected"), Tr("Takes the selected joints, or the root, out of it."),
+                 2)) {
+    editor->Do("region.remove_joints", {{"region", region.name}});
+  }
 }
 
 void DrawFactor(Editor* editor, const ProjectRegion& region, const std::string& joint,

@@ -6,6 +6,7 @@
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/dope_sheet/input.h"
+#include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/properties/span_fields.h"
 #include "ui/panels/sheet/key_kinds.h"
 #include "ui/panels/sheet/marker.h"
@@ -129,6 +130,18 @@ void MuteItem(Editor* editor, bool is_muted) {
   Tooltip(HelpOf("sheet.mute"));
 }
 
+// What the row holds on which the bar was clicked goes back to its keys.
+void TakeOutItem(Editor* editor, const ProjectRegion& region) {
+  const std::vector<SheetRow> rows = SheetRows(editor->session(), editor->sheet);
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const SheetRow& each) {
+    return each.id == editor->sheet.bar_row && !each.refs.empty();
+  });
+  if (row == rows.end()) return;
+  const std::string label = std::string(Tr("Take out")) + ": " + row->name;
+  Item(editor, label.c_str(), "region.remove_joints",
+       {{"region", region.name}, {"joints", row->refs}});
+}
+
 void RegionItems(Editor* editor) {
   const ProjectRegion* region = ChosenRegion(*editor);
   if (!region) return ImGui::CloseCurrentPopup();
@@ -154,6 +167,7 @@ void RegionItems(Editor* editor) {
   const int now = static_cast<int>(std::lround(editor->session().frame()));
   const bool is_inside = now > region->first_frame && now < region->last_frame;
   MuteItem(editor, region->mute);
+  TakeOutItem(editor, *region);
   Item(editor, Tr("Split at the playhead"), "region.split", {{"region", name}, {"frame", now}},
        is_inside);
   Item(editor, LabelOf("region.to_keys"), "region.to_keys", {{"region", name}});
@@ -221,8 +235,8 @@ void DrawSheetPopups(Editor* editor) {
   if (wanted != SheetPopup::kNone) ImGui::OpenPopup(IdOf(wanted));
   wanted = SheetPopup::kNone;
   using enum SheetPopup;
-  for (const SheetPopup popup :
-       {kInterpolation, kHandles, kKeyType, kRegion, kPlacement, kHold, kHolder, kKeys, kMarker}) {
+  for (const SheetPopup popup : {kInterpolation, kHandles, kKeyType, kRegion, kPlacement, kHold,
+                                 kHolder, kConstraint, kKeys, kMarker}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
     Items(editor, popup);
     ImGui::EndPopup();

@@ -29,6 +29,7 @@ std::vector<std::string> SelectedNames(const edit::Session& session) {
 Json RegionOutwards(const edit::Session& session) {
   Json joints = Json::array();
   for (const std::string& name : SelectedNames(session)) joints.push_back(name + "+");
+  if (session.is_root_selected()) joints.push_back(session.figure().root_name() + "+");
   const ProjectFrames frames = FramesToMark(session);
   return {{"first", frames.first},
           {"last", frames.last},
@@ -48,10 +49,11 @@ Items JointItems(const edit::Session& session) {
           {{"view.frame_selected"}, {"view.properties", {{"section", "pose"}}, "Properties"}}};
 }
 
-Items RootItems() {
+Items RootItems(const edit::Session& session) {
   return {{{"key.insert"}, {"key.delete"}},
           {{"tool.move"}, {"tool.rotate"}, {"root.to_ground"}, {"tool.jump"}},
-          {{"span.gravity"}},
+          {{"region.add", RegionOutwards(session), "Dynamics region from here outwards"},
+           {"span.gravity"}},
           {{"joint.hide"}},
           {{"view.frame_selected"}, {"view.properties", {{"section", "pose"}}, "Properties"}}};
 }
@@ -88,7 +90,7 @@ Items ItemsOf(ViewportPopup popup, const Editor& editor) {
     case ViewportPopup::kJoint:
       return JointItems(editor.session());
     case ViewportPopup::kRoot:
-      return RootItems();
+      return RootItems(editor.session());
     case ViewportPopup::kObject:
       return ObjectItems(editor);
     case ViewportPopup::kAdd:

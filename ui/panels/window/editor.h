@@ -26,6 +26,7 @@
 #include "ui/panels/timeline/ground_watch.h"
 #include "ui/panels/timeline/playback.h"
 #include "ui/panels/timeline/sound_watch.h"
+#include "ui/panels/timeline/turn_watch.h"
 #include "ui/panels/viewport/state.h"
 #include "ui/panels/window/layout.h"
 #include "ui/panels/window/theme.h"
@@ -114,6 +115,7 @@ class Editor {
   RecoveryState recovery;
   DialogsState dialogs;
   GroundWatch ground;
+  TurnWatch turns;
   FlightWatch flights;
   EffortWatch effort;
   SoundWatch sound;

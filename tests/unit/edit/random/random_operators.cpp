@@ -73,6 +73,11 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       names.insert(names.end(), hinges.begin(), hinges.end());
       return names;
     }
+    case Thing::kJointOrRoot: {
+      std::vector<std::string> names = NamesOf(figure.groups());
+      names.push_back(figure.root_name());
+      return names;
+    }
     case Thing::kCurve:
       return edit::CurveNames(project);
     case Thing::kRegion:

@@ -11,10 +11,7 @@ using enum ParameterKind;
 
 std::vector<JointRef> SelectedRefs(const Session& session) {
   std::vector<JointRef> refs;
-  if (session.is_root_selected()) refs.push_back({session.figure().root_name(), false, {}});
-  for (const std::string& name : JointNames(session.selected_joints(), session.figure())) {
-    refs.push_back({name, false, {}});
-  }
+  for (const std::string& name : SelectedNames(session)) refs.push_back({name, false, {}});
   return refs;
 }
 

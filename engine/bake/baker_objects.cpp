@@ -1,0 +1,38 @@
+// What a bake does with objects where they are let go.
+
+#include <algorithm>
+
+#include "engine/bake/baker.h"
+#include "engine/bake/walk/begins_inside.h"
+#include "engine/timeline/solver_rules.h"
+
+namespace hazumi {
+
+// Nothing leads to the first frame. What is let go there takes the velocity with which the figure
+// sets out, of keys, regions and pins.
+std::optional<Error> Baker::ReleaseAsItSetsOut(int frame) {
+  const bool takes_it = SolverRules(animation_.solver.version).releases_at_keyed_speed;
+  if (frame != animation_.first_frame || !takes_it) return std::nullopt;
+  FigureMotion out = context_.now;
+  if (auto error = context_.poses.Evaluate(frame, Side::kAfter, &out)) return error;
+  for (const auto& [at, i] : context_.schedule.HandOvers(frame)) {
+    const std::vector<Holder>& holders = animation_.held_objects[i].holders;
+    const auto by = std::find_if(holders.begin(), holders.end(),
+                                 [&](const Holder& h) { return h.last_frame == frame; });
+    context_.poses.ReleaseWith(out, static_cast<size_t>(i), static_cast<int>(by - holders.begin()));
+  }
+  return std::nullopt;
+}
+
+// Of a ball that stays out of the scene, and begins in something of it.
+void Baker::WarnIfLetGoInside(int frame, size_t object) {
+  const HeldObject& ball = animation_.held_objects[object];
+  PoseEvaluator& poses = context_.poses;
+  if (!ball.touches_scene) return;
+  const Vec3 center = poses.objects().At(object, context_.now, poses.workspace()).X_WO.p;
+  const auto inside = TellOfInside(animation_, ball, center, frame);
+  if (!inside) return;
+  context_.recorder.AddWarning({"held_objects[" + std::to_string(object) + "]", *inside, frame});
+}
+
+}  // namespace hazumi
