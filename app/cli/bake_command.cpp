@@ -38,6 +38,7 @@ int RunBake(const Options& options) {
   if (!baked.ok()) return Complain(baked.error());
   const auto& [project, animation, motion, warnings] = baked.value();
   PrintWarnings(options.files[0], warnings);
+  PrintNotes(options.files[0], motion);
   const std::string text =
       IsCsv(out)
           ? MotionToCsv(animation, motion, options.torques, options.effort)

@@ -196,6 +196,17 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
                       std::move(warnings)};
 }
 
+void PrintNotes(const std::string& file, const Motion& motion) {
+  for (size_t r = 0; r < motion.regions.size(); ++r) {
+    const std::optional<double> from = motion.regions[r].OneOfSeveralFrom();
+    if (!from) continue;
+    PrintLine(stderr,
+              "hazumi: %s: regions[%zu]: note: from frame %s on this is one of several likely "
+              "motions; after hard contacts the least difference decides which",
+              file.c_str(), r, FormatShort(*from).c_str());
+  }
+}
+
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) {
     PrintLine(stderr, "hazumi: %s: %s: warning: %s", file.c_str(), warning.place.c_str(),

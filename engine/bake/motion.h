@@ -149,6 +149,12 @@ struct RegionReport {
   // the motion is one of several that begin nearly alike, and the estimate says nothing of it.
   std::optional<double> branches_from = {};
   std::optional<EnergyBalance> energy;
+
+  // The frame from which on it is one of several likely motions, if there is one.
+  std::optional<double> OneOfSeveralFrom() const {
+    if (!estimated_until || !branches_from) return estimated_until ? estimated_until : branches_from;
+    return *estimated_until < *branches_from ? estimated_until : branches_from;
+  }
 };
 
 // The root at a frame where a placement begins or ends, if it does not go on as it came.

@@ -242,7 +242,7 @@ void Recorder::AddTouch(const TouchDown& touch) {
 MotionEvent Recorder::TouchEvent(const TouchDown& touch) const {
   const auto ball_name = [&](int ball) { return animation_.held_objects[ball].name; };
   const std::vector<Link>& links = animation_.figure->links();
-  MotionEvent event = {EventKind::kTouchDown};
+  MotionEvent event = {EventKind::kTouchDown, 0.0, 0, ""};
   if (touch.parts.link >= 0) {
     const Link& link = links[touch.parts.link];
     event.link = link.name;

@@ -26,7 +26,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr int kShort = 6;  // frames
+constexpr int kShort = 6;                            // frames
 constexpr double kGaps[] = {0.0, 1e-7, 1e-6, 1e-5};  // [m]
 
 double ClearanceAt(const Animation& animation, double height) {

@@ -52,9 +52,9 @@ bool RegionHandover::Begin(int frame, const RegionWalk& walk) {
     context_.recorder.ClearReport(r);
     const bool stands = SolverRules(context_.animation.solver.version).stands_on_springs &&
                         region.root && region.touches_scene;
-    context_.starts[r] = StartOf(region, context_.poses.figure(), context_.now,
-                                 stands ? &context_.animation.scene : nullptr,
-                                 &context_.poses.workspace());
+    context_.starts[r] =
+        StartOf(region, context_.poses.figure(), context_.now,
+                stands ? &context_.animation.scene : nullptr, &context_.poses.workspace());
     if (region.root) BeginRoot(frame);
     for (const JointIndex j : region.joints) BeginJoint(j, frame, walk.moves(j));
   }

@@ -240,8 +240,8 @@ void DrivenCurves::FitForward(double from, double to) {
   const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
   std::vector<ForwardTorques> found;
   found.reserve(kPoints);
-  const bool stands = SolverRules(context_.animation.solver.version).stands_on_springs &&
-                      stands_by_contacts_;
+  const bool stands =
+      SolverRules(context_.animation.solver.version).stands_on_springs && stands_by_contacts_;
   if (stands) forward_->StandAsIn(context_.now, context_.animation.scene);
   for (int i = 0; i < kPoints; ++i) {
     found.push_back(forward_->Of(KeyedAt(middle + s[i]), context_.poses.placement().hold()));

@@ -89,7 +89,8 @@ struct FrozenForces {
  private:
   static void AddMoments(const std::vector<Moment>& moments, NodeKinematics* kinematics) {
     for (const Moment& own : moments) {
-      kinematics->AddJointMoment(own.node, kinematics->motion()[own.node].R * small::V3(own.moment_N));
+      kinematics->AddJointMoment(own.node,
+                                 kinematics->motion()[own.node].R * small::V3(own.moment_N));
     }
   }
   static Mat3 OrientationOf(const Push& push, const RegionState& state) {

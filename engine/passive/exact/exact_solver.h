@@ -84,9 +84,7 @@ class ExactSolver {
   bool has_implicit_springs() const {
     return dynamics_->has_implicit_springs() && dynamics_->contacts().is_possible();
   }
-  bool may_freeze() const {
-    return has_implicit_springs() || dynamics_->contacts().any_closed();
-  }
+  bool may_freeze() const { return has_implicit_springs() || dynamics_->contacts().any_closed(); }
   bool Crawls();
   void Freeze();
   void Thaw();

@@ -39,7 +39,7 @@ constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
 constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
 constexpr double kGiven = 0.01;                      // of the kinetic energy is too much
-constexpr double kStill = 1e-4;                      // what is as slow as that is at rest [m/s]
+constexpr double kAtRest = 1e-4;                      // what is as slow as that is at rest [m/s]
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void FrozenContacts::Leave(double t) {
 // what lets them out.
 bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
   const double out = is_inside_ ? kFastestOut : 0.0;
-  const double still = dynamics_->contacts().rules().rests_without_gravity ? kStill : 0.0;
+  const double still = dynamics_->contacts().rules().rests_without_gravity ? kAtRest : 0.0;
   const double lift =
       dynamics_->gravity() * (kOff + out * h_) + 0.5 * out * out + 0.5 * still * still;
   const FrozenForces& frozen = dynamics_->frozen();

@@ -44,9 +44,9 @@ struct SpentDrive {
 // by phi and with w: moment - stiffness phi - damping (w - w_0). World axes.
 struct JointSpring {
   int node = 0;
-  Vec3 moment = Vec3::Zero();      // [N m]
-  Mat3 stiffness = Mat3::Zero();   // symmetric, not negative [N m]
-  Mat3 damping = Mat3::Zero();     // likewise [N m s]
+  Vec3 moment = Vec3::Zero();     // [N m]
+  Mat3 stiffness = Mat3::Zero();  // symmetric, not negative [N m]
+  Mat3 damping = Mat3::Zero();    // likewise [N m s]
 };
 
 // What acts on the links of a region's model, one after the other. A law acts in one of two ways:

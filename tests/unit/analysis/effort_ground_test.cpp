@@ -61,8 +61,9 @@ TEST(GroundEffort, OfAFlightHasNoContacts) {
 // Keys alone, no placement says that it flies.
 TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
   Animation animation = Standing();
-  animation.root_keys[kRootZ] = {
-      {0, kHipHeight, 0.0, kCubic}, {10, kHipHeight + 0.3, {}, kCubic}, {20, kHipHeight, 0.0, kCubic}};
+  animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic},
+                                 {10, kHipHeight + 0.3, {}, kCubic},
+                                 {20, kHipHeight, 0.0, kCubic}};
   const BakedEffort found = BakeEffort(animation, FrameRate{240, 1});
   int above = 0;
   for (size_t i = 0; i < found.motion.frames.size(); ++i) {

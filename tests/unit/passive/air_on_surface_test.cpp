@@ -89,5 +89,17 @@ TEST(AirOnSurface, OfAPlateIsAlongItsNormal) {
   }
 }
 
+// With solver version 2, next to its ends as well: no fading bends its glide.
+TEST(AirOnSurface, OfAPlateThatIsNotFadedIsAlongItsNormalAtAllAngles) {
+  LinkSurface plate = Of(LinkSurface::Kind::kPlate);
+  plate.is_faded = false;
+  for (const double angle : {0.1, 1.0, 4.0, 45.0, 88.0, 89.9}) {
+    const AirCoefficients found = CoefficientsOf(plate, angle * kDegree);
+    const double s = std::sin(angle * kDegree), c = std::cos(angle * kDegree);
+    EXPECT_NEAR(found.lift, 1.17 * s * c, 1e-15) << angle;
+    EXPECT_NEAR(found.drag, 1.17 * s * s, 1e-15) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -55,7 +55,7 @@ TEST(MovingBase, IsTheChainToRoundingHoweverFastItMoves) {
   for (const double b : {0.0, 1.0, 20.0, 300.0, 5000.0}) {
     for (const double end : {1e-5, 1.0 / 30.0, 1.0}) {
       const Shaker chain{0.3 * b, b};
-      const MovingBase moving_base(-0.5, -0.5 + end, chain);
+      const MovingBase moving_base(-0.5, -0.5 + end, -0.5 + end, chain);
       EXPECT_TRUE(moving_base.Covers(-0.5 + end));
       EXPECT_LE(WorstDifference(moving_base, chain, -0.5, -0.5 + end), 1e-9)
           << b << " 1/s for " << end << " s";
@@ -92,13 +92,13 @@ TEST(MovingBase, IsTheChainOfARandomTree) {
 // Half a turn changes the sign of a quaternion's parts.
 TEST(MovingBase, TurnsRoundAndRound) {
   const Shaker chain{40.0, 0.0};
-  const MovingBase moving_base(0.0, 2.0, chain);
+  const MovingBase moving_base(0.0, 2.0, 2.0, chain);
   EXPECT_LE(WorstDifference(moving_base, chain, 0.0, 2.0), 1e-10);
 }
 
 TEST(MovingBase, NeedsNoTime) {
   const Shaker chain{3.0, 2.0};
-  const MovingBase moving_base(0.7, 0.7, chain);
+  const MovingBase moving_base(0.7, 0.7, 0.7, chain);
   EXPECT_TRUE(moving_base.Covers(0.7));
   EXPECT_LE(Difference(moving_base.At(0.7), chain(0.7), 1.0), 1e-12);
 }
@@ -107,10 +107,10 @@ TEST(MovingBase, NeedsNoTime) {
 // more but for what was tried in vain.
 TEST(MovingBase, AsksTheChainForFourteenPointsAFit) {
   int calls = 0;
-  const MovingBase slow(0.0, 1.0, Shaker{1.0, 1.0, &calls});
+  const MovingBase slow(0.0, 1.0, 1.0, Shaker{1.0, 1.0, &calls});
   EXPECT_EQ(calls, 7 * 14);
   int fast_calls = 0;
-  const MovingBase fast(0.0, 1.0, Shaker{1.0, 300.0, &fast_calls});
+  const MovingBase fast(0.0, 1.0, 1.0, Shaker{1.0, 300.0, &fast_calls});
   EXPECT_GT(fast_calls, 10 * calls);
   EXPECT_LT(fast_calls, 300 * calls);
 }
@@ -123,7 +123,7 @@ TEST(MovingBase, GoesOnBehindAPlaceThatNoPolynomialFits) {
     if (t > 0.31415) frame.a.y = 5.0;
     return frame;
   };
-  const MovingBase moving_base(0.0, 1.0, chain);
+  const MovingBase moving_base(0.0, 1.0, 1.0, chain);
   EXPECT_TRUE(moving_base.Covers(1.0));
   EXPECT_LT(calls, 14 * 100);
   for (const double t : {0.1, 0.313, 0.3155, 0.7, 1.0}) {
@@ -133,12 +133,25 @@ TEST(MovingBase, GoesOnBehindAPlaceThatNoPolynomialFits) {
 
 TEST(MovingBase, GivesUpLateInAMotionThatIsTooWild) {
   const Shaker chain{1.0, 1e6};
-  const MovingBase moving_base(0.0, 10.0, chain);
+  const MovingBase moving_base(0.0, 10.0, 10.0, chain);
   EXPECT_TRUE(moving_base.Covers(0.0));
   EXPECT_FALSE(moving_base.Covers(10.0));
   double t = 10.0;
   while (!moving_base.Covers(t)) t *= 0.5;
   EXPECT_GT(t, 0.0);
+}
+
+// So that nothing depends on where a motion is cut.
+TEST(MovingBase, DoesNotDependOnWhereItIsAskedToEnd) {
+  int calls = 0;
+  const Shaker chain{1.0, 3.0, &calls};
+  const MovingBase shorter(0.0, 0.4, 2.0, chain), longer(0.0, 1.1, 2.0, chain);
+  for (double t = 0.0; t <= 0.4 + MovingBase::kLongestCut; t += 0.01) {
+    const MovingBase::Frame a = shorter.At(t), b = longer.At(t);
+    EXPECT_EQ(a.R.eigen(), b.R.eigen()) << t;
+    EXPECT_EQ(a.alpha.eigen(), b.alpha.eigen()) << t;
+    EXPECT_EQ(a.a.eigen(), b.a.eigen()) << t;
+  }
 }
 
 TEST(MovingBase, EndsWhereTheChainGivesNoNumbers) {
@@ -147,7 +160,7 @@ TEST(MovingBase, EndsWhereTheChainGivesNoNumbers) {
     frame.a.x = std::numeric_limits<double>::quiet_NaN();
     return frame;
   };
-  const MovingBase moving_base(0.0, 0.1, chain);
+  const MovingBase moving_base(0.0, 0.1, 0.1, chain);
   EXPECT_TRUE(std::isnan(moving_base.At(0.05).a.x));
 }
 

@@ -193,8 +193,8 @@ void DrawReport(Editor* editor, const ProjectRegion& region) {
   DrawFact(editor, Tr("Time"), Filled("%.0f µs", report->microseconds));
   if (report->method == Method::kExact) {
     DrawFact(editor, Tr("Error"), Filled("%.2g°", report->error_estimate / kDegree));
-    if (report->estimated_until) {
-      DrawFact(editor, Tr("Tumbles from"), Filled("%.1f", *report->estimated_until));
+    if (const auto from = report->OneOfSeveralFrom()) {
+      DrawFact(editor, Tr("One of several from"), Filled("F%.1f", *from));
     }
   }
   if (report->energy) DrawEnergy(editor, *report->energy);

@@ -1,0 +1,120 @@
+// A figure that stands on springs: it stands, sways, and falls where it is pushed hard enough.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/kinematics.h"
+#include "engine/placement/support.h"
+#include "tests/support/animations.h"
+#include "tests/unit/bake/loose_human.h"
+
+namespace hazumi::test {
+namespace {
+
+constexpr double kSolesBelow = 0.9024;  // of the pelvis in the zero pose [m]
+
+Animation Standing(int frames, double frequency) {
+  Animation animation = LooseHuman(frames, kSolesBelow);
+  DynamicsRegion& region = animation.regions[0];
+  Drive spring;
+  spring.kind = DriveKind::kSpring;
+  spring.joints = region.joints;
+  spring.frequency = frequency;
+  spring.damping_ratio = 1.0;
+  spring.feed_forward = true;
+  region.drives = {spring};
+  return animation;
+}
+
+void PushChest(Animation* animation, int frame, double impulse) {
+  OuterForce shove;
+  shove.name = "shove";
+  shove.first_frame = frame;
+  shove.last_frame = frame + 1;
+  shove.action = PushForce{{GroupOf(*animation, "chest"), Vec3::Zero()}, Vec3(impulse, 0.0, 0.0)};
+  animation->forces.push_back(shove);
+}
+
+double FurthestOf(const Motion& motion) {
+  double most = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    most = std::max(most, (frame.com - motion.frames[0].com).norm());
+  }
+  return most;
+}
+
+TEST(Standing, AHumanOnSpringsOfTwoHertzStandsForFiveSeconds) {
+  const Motion motion = BakeOrFail(Standing(150, 2.0));
+  EXPECT_LE(FurthestOf(motion), 0.001);
+}
+
+TEST(Standing, APushOfFiveNewtonSecondsSwaysHimAndHeComesBack) {
+  Animation animation = Standing(150, 2.0);
+  PushChest(&animation, 10, 5.0);
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_GE(FurthestOf(motion), 0.002);
+  EXPECT_LE(FurthestOf(motion), 0.02);
+  EXPECT_LE((motion.frames.back().com - motion.frames[0].com).norm(), 0.001);
+}
+
+TEST(Standing, APushOfSixtyNewtonSecondsTopplesHim) {
+  Animation animation = Standing(90, 2.0);
+  PushChest(&animation, 10, 60.0);
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_LE(motion.frames.back().com.z(), 0.4);
+  EXPECT_GE(motion.frames.back().com.x(), 0.5);
+}
+
+// In time-stepping mode springs are no part of what bounds steps: 127,000 evaluations before.
+TEST(Standing, SixFramesTakeFewEvaluations) {
+  EXPECT_LE(BakeOrFail(Standing(6, 2.0)).regions[0].evaluations, 10000);
+  EXPECT_LE(BakeOrFail(Standing(60, 5.0)).regions[0].evaluations, 40000);
+}
+
+TEST(Standing, TheAccountOfEnergyCloses) {
+  Animation animation = Standing(60, 2.0);
+  PushChest(&animation, 10, 5.0);
+  BakeOptions options;
+  options.energy = true;
+  const EnergyBalance energy = BakeOrFail(animation, options).regions[0].energy.value();
+  EXPECT_LE(std::abs(energy.residual()), 1e-6);
+}
+
+TEST(Support, TwoFeetCarryHalfTheWeightEach) {
+  const Animation animation = Standing(6, 2.0);
+  const Figure& figure = *animation.figure;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
+                   &ws);
+  const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
+  const std::vector<double> shares = CarriedShares(figure, points, ws);
+  for (const char* ankle : {"r_ankle_flexion", "l_ankle_flexion", "r_hip_flexion"}) {
+    EXPECT_NEAR(shares[figure.FindJoint(ankle)->value()], 0.5, 1e-6) << ankle;
+  }
+  EXPECT_EQ(shares[figure.FindJoint("waist_flexion")->value()], 0.0);
+}
+
+TEST(Support, PointsPushAndSupplyForceAndMoment) {
+  const Animation animation = Standing(6, 2.0);
+  const Figure& figure = *animation.figure;
+  DynamicsWorkspace ws(figure);
+  ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
+                   &ws);
+  const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
+  const Vec3 about = CenterOfMass(figure, ws);
+  const Wrench needed = {Vec3(20.0, -10.0, 700.0), Vec3(30.0, 10.0, 2.0)};
+  const std::vector<Vec3> forces = SupportForces(points, needed, about, ws);
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  for (size_t i = 0; i < points.size(); ++i) {
+    EXPECT_GE(forces[i].dot(points[i].normal), 0.0);
+    force += forces[i];
+    moment += (points[i].Place(ws) - about).cross(forces[i]);
+  }
+  EXPECT_LE((force - needed.force).norm(), 1e-8);
+  EXPECT_LE((moment - needed.moment).norm(), 1e-8);
+}
+
+}  // namespace
+}  // namespace hazumi::test

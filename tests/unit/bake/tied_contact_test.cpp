@@ -1,0 +1,121 @@
+// Contacts beside constraints: what is tied passes through each other, and a constraint gives way
+// to what stands in its way. And two of what began wrong: deep inside a box, and just touching.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/bake/walk/own_pairs.h"
+#include "tests/unit/bake/constraint_cases.h"
+#include "tests/unit/bake/contact_cases.h"
+
+namespace hazumi::test {
+namespace {
+
+void AddBox(Animation* animation, const Vec3& center, const Vec3& half) {
+  SceneObject box;
+  box.name = "box";
+  box.shape = Box{{Mat3::Identity(), center}, half};
+  animation->scene.push_back(box);
+}
+
+// A rod along x that swings about y at the origin, above a box under its end.
+constexpr double kTop = -0.2;  // of the box [m]
+Animation RodAboveBox() {
+  Animation animation = Exact(RodAbout(Vec3::UnitY()), kG);
+  animation.solver.tolerance = 0.01 * kDegree;
+  DynamicsRegion& region = AddRegion(&animation, "arm", 0, 30, {"pivot"}, 0.9);
+  region.method = Method::kExact;
+  region.touches_scene = true;
+  AddBox(&animation, Vec3(kLength, 0.0, kTop - 0.3), Vec3(0.2, 0.2, 0.3));
+  return animation;
+}
+
+Constraint& DrawTipTo(const Vec3& place, Animation* animation) {
+  ConstraintEnd tip = OnJoint(*animation, "pivot");
+  tip.offset = kLength * Vec3::UnitX();
+  Constraint& constraint = AddPoint(animation, tip, InWorld(place), 0, 30);
+  constraint.arrive_frames = 10;
+  return constraint;
+}
+
+double DepthOf(const Animation& animation, const Motion& motion) {
+  double depth = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    depth = std::max(depth, -ClearanceOf(animation, frame));
+  }
+  return depth;
+}
+
+// Half a radian below level, where the tip is 0.18 m inside the box.
+Vec3 InsideTheBox() { return kLength * Vec3(std::cos(0.5), 0.0, -std::sin(0.5)); }
+
+TEST(TiedContact, ATipDrawnToTheObjectItGripsGoesThrough) {
+  Animation animation = RodAboveBox();
+  DrawTipTo(InsideTheBox(), &animation).b.object = 0;
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_GE(DepthOf(animation, motion), 0.1);
+  EXPECT_TRUE(motion.frames[15].contacts.pushes.empty());
+  EXPECT_LE(GapAt(animation, animation.constraints[0], motion.frames[30]), 0.005);
+}
+
+TEST(TiedContact, ATipThatCollidesStaysOutAndTheConstraintSaysSo) {
+  Animation animation = RodAboveBox();
+  Constraint& constraint = DrawTipTo(InsideTheBox(), &animation);
+  constraint.b.object = 0;
+  constraint.collides = true;
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_LE(DepthOf(animation, motion), 5e-4);
+  const auto names_it = [](const Warning& warning) {
+    return warning.message.find("\"held\" has not arrived") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(motion.warnings.begin(), motion.warnings.end(), names_it));
+}
+
+TEST(TiedContact, ATipDrawnIntoWhatItIsNotTiedToStaysOut) {
+  Animation animation = RodAboveBox();
+  DrawTipTo(InsideTheBox(), &animation);
+  EXPECT_LE(DepthOf(animation, BakeOrFail(animation)), 5e-4);
+}
+
+TEST(DeepStart, ACapsuleFarInsideABoxComesOutSlowly) {
+  Animation animation = Loose(FreeCapsule(0.1, 0.05), 60);
+  AddBox(&animation, Vec3(0.0, 0.0, -1.0), Vec3(3.0, 3.0, 1.0));
+  SetRootAt(&animation, Vec3(0.0, 0.0, -0.25));
+  const Motion motion = BakeOrFail(animation);
+  double fastest = 0.0;
+  for (const MotionFrame& frame : motion.frames) {
+    fastest = std::max(fastest, frame.after.root_v.norm());
+  }
+  EXPECT_GE(motion.frames.back().com.z(), -0.15);
+  EXPECT_LE(fastest, 0.12);
+}
+
+TEST(SelfContact, LinksThatJustTouchAtRestStayOutOfEachOther) {
+  FigureSpec spec;
+  spec.name = "cradle";
+  spec.root_name = "beam";
+  for (int i = 0; i < 2; ++i) {
+    JointSpec joint;
+    joint.name = i == 0 ? "a" : "b";
+    joint.parent = "beam";
+    joint.offset = Vec3(kThickness * i, 0.0, 0.0);
+    joint.hinges = {{"", Vec3::UnitY(), -1e3, 1e3, 0.0}};
+    joint.links = {Rod(joint.name.c_str(), Vec3::Zero(), -kLength * Vec3::UnitZ())};
+    spec.joints.push_back(joint);
+  }
+  spec.root_links = {Rod("beam", 5.0 * Vec3::UnitZ(), 5.1 * Vec3::UnitZ())};
+  const Figure figure = BuildFigure(spec).value();
+  const auto has_both = [&](bool with_touching) {
+    const std::vector<LinkPair> pairs = PairsApart(figure, with_touching);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const LinkPair& pair) {
+      return figure.links()[pair.a].name == "a" && figure.links()[pair.b].name == "b";
+    });
+  };
+  EXPECT_TRUE(has_both(/*with_touching=*/true));
+  EXPECT_FALSE(has_both(/*with_touching=*/false));
+}
+
+}  // namespace
+}  // namespace hazumi::test
