@@ -54,7 +54,7 @@ class EffortWalk {
     MovedFrame at[4];
     for (size_t lane = 0; lane < 4; ++lane) {
       const size_t i = std::min(first + lane, last);
-      at[lane] = smooth->At(i);
+      at[lane] = first + lane <= last ? smooth->At(i) : at[last - first];
       dynamics_.Set(lane, motion.frames[i], at[lane]);
     }
     dynamics_.Demand(first);

@@ -125,6 +125,22 @@ void AddBinds(Json* json) {
   }
 }
 
+// The first skin whose matrices are no list of at least one 4x4 matrix of floats a joint, of which
+// assimp makes whatever its memory holds.
+std::optional<size_t> SkinWithWrongBinds(const Json& json) {
+  const Json& skins = Member(json, "skins");
+  for (size_t i = 0; skins.is_array() && i < skins.size(); ++i) {
+    const Json& accessor =
+        Element(Member(json, "accessors"), Member(skins[i], "inverseBindMatrices"));
+    const bool are_matrices = Member(accessor, "type") == "MAT4" &&
+                              Count(accessor, "componentType", 0) == kFloat &&
+                              accessor.contains("bufferView") && !accessor.contains("sparse") &&
+                              Count(accessor, "count", 0) >= Member(skins[i], "joints").size();
+    if (skins[i].contains("inverseBindMatrices") && !are_matrices) return i;
+  }
+  return std::nullopt;
+}
+
 void NameNodes(Json* document, std::vector<Warning>* warnings) {
   if (!Member(*document, "nodes").is_array()) return;
   std::set<std::string> names;
@@ -148,6 +164,12 @@ Result<Done> RepairGltf(GltfDocument* document, SceneFiles* files, const std::st
                         std::vector<Warning>* warnings) {
   NameNodes(&document->json, warnings);
   AddBinds(&document->json);
+  if (const auto skin = SkinWithWrongBinds(document->json)) {
+    return Error{
+        ErrorCode::kSchema, file, "skins[" + std::to_string(*skin) + "]",
+        "its inverse bind matrices are no list of one 4x4 matrix of 32-bit floats for each "
+        "joint; export it again"};
+  }
   if (Result<Done> chosen = ChooseScene(document, file, warnings); !chosen.ok()) return chosen;
   if (WeightRepair(document, files).Run()) return Done{};
   return Error{ErrorCode::kSchema, file, "meshes",

@@ -2,6 +2,7 @@
 // the meshes of a thing, from FILE (character_bytes.h) or decodes the pictures of standard input
 // (picture_bytes.h); writes them, or the error, to descriptor kChildOutput. Started by RunReader.
 
+#include <malloc.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -93,6 +94,9 @@ bool Do(const std::string& task, const char* file) {
 int main(int argc, char** argv) {
   if (argc < 5) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
+  // Memory that a library reads and has not set is zero in every run, so that a file has one
+  // answer.
+  ::mallopt(M_PERTURB, 0xff);
   if (argc > 5) MakeTrouble(argv[5]);
   const bool done = Do(argv[1], argv[4]);
   // Without destructors: a library's may stumble over what a broken file made of its data.

@@ -33,7 +33,10 @@ TEST(GroundEffort, OfASymmetricCrouchIsTheSameOnBothSidesThoughOneFootIsPinned) 
   for (const size_t i : {0, 1, 2, 3}) {
     const FrameEffort& frame = found.effort.frames[i];
     ASSERT_TRUE(found.motion.frames[i].pinned) << i;
-    ExpectInCones(frame);
+    for (const EffortContact& contact : frame.contacts) {
+      EXPECT_FALSE(contact.is_grip) << i;
+      EXPECT_GE(contact.force.z(), 0.0) << i;
+    }
     for (const char* hinge : {"ankle_flexion", "knee", "hip_flexion"}) {
       const int right = JointOf(animation, (std::string("r_") + hinge).c_str()).value();
       const int left = JointOf(animation, (std::string("l_") + hinge).c_str()).value();

@@ -179,8 +179,8 @@ Figure PlanarLeg() {
   joint("hip", "trunk", Vec3::Zero(), Lump("thigh", kM[1], {0, 0, kD[1] - kL[1]}, kI[1]));
   joint("knee", "hip", {0, 0, -kL[1]}, Lump("shank", kM[0], {0, 0, kD[0] - kL[0]}, kI[0]));
   LinkSpec foot = Lump("foot", 1.0, {0.05, 0, -0.05}, 0.003);
-  foot.from = {-0.06, 0, -0.05};
-  foot.to = {0.16, 0, -0.05};
+  foot.from = {-0.1, 0, -0.05};
+  foot.to = {0.2, 0, -0.05};
   foot.radius = 0.03;
   joint("ankle", "knee", {0, 0, -kL[0]}, foot);
   return Build(spec);

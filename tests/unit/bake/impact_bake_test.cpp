@@ -10,7 +10,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kHeight = 1.0;  // of a fall [m]
+constexpr double kDrop = 1.0;  // of a fall [m]
 
 Motion BakeWithEnergy(const Animation& animation) {
   BakeOptions options;
@@ -22,7 +22,7 @@ const EnergyBalance& AccountOf(const Motion& motion) { return motion.regions[0].
 
 Animation FallingCapsule() {
   Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 30);
-  SetRootAt(&animation, {0.0, 0.0, kBallRadius + kHeight});
+  SetRootAt(&animation, {0.0, 0.0, kBallRadius + kDrop});
   AddFloor(&animation);
   animation.scene[0].name = "floor";
   return animation;
@@ -31,7 +31,7 @@ Animation FallingCapsule() {
 TEST(Impact, OfACapsuleOnTheFloor_IsBookedToContacts) {
   const Motion motion = BakeWithEnergy(FallingCapsule());
   const EnergyBalance& energy = AccountOf(motion);
-  EXPECT_NEAR(energy.impacts, -kMass * kG * kHeight, 1e-6);
+  EXPECT_NEAR(energy.impacts, -kMass * kG * kDrop, 1e-6);
   EXPECT_EQ(energy.limits, 0.0);
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6);
 }
@@ -40,7 +40,7 @@ TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
   const Motion motion = BakeOrFail(FallingCapsule());
   const std::vector<MotionEvent> touches = EventsOf(motion, EventKind::kTouchDown);
   ASSERT_EQ(touches.size(), 1);
-  EXPECT_NEAR(touches[0].time, std::sqrt(2.0 * kHeight / kG), 1e-8);
+  EXPECT_NEAR(touches[0].time, std::sqrt(2.0 * kDrop / kG), 1e-8);
   EXPECT_EQ(touches[0].link, "rod");
   EXPECT_EQ(touches[0].joint, "rod");
   EXPECT_EQ(touches[0].on, "floor");
@@ -145,7 +145,8 @@ TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
   Animation animation = Loose(FreeCapsule(0.5, 0.02), 30);
   animation.gravity = 0.0;
   animation.root_keys[kRootX] = {{0, -1.0, 100.0}};
-  animation.root_keys[kRootAngleY] = {{0, -1.2, 0.0, kHold}};
+  animation.root_keys[kRootZ] = {{0, 0.2, 0.0, kHold}};
+  animation.root_keys[kRootAngleY] = {{0, -70.0 * kDegree, 0.0, kHold}};
   SceneObject wall;
   wall.name = "wall";
   wall.shape = Box{{Mat3::Identity(), Vec3::Zero()}, Vec3(0.001, 1.0, 1.0)};

@@ -74,7 +74,7 @@ struct Fitter {
     ++fits;
     MovingBase::Frame still;
     still.R = small::ToSmall(Mat3::Identity());
-    return std::make_shared<const MovingBase>(0.0, 0.1, [&](double) { return still; });
+    return std::make_shared<const MovingBase>(0.0, 0.1, 0.1, [&](double) { return still; });
   }
 };
 

@@ -8,14 +8,14 @@ namespace hazumi::test {
 
 namespace {
 
-FigureSpec ShippedHuman() {
+FigureSpec ShippedHumanSpec() {
   return LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value();
 }
 
 }  // namespace
 
 Figure LimberHuman() {
-  FigureSpec spec = ShippedHuman();
+  FigureSpec spec = ShippedHumanSpec();
   for (JointSpec& joint : spec.joints) {
     for (HingeSpec& hinge : joint.hinges) {
       hinge.lower = -1000.0;
@@ -26,7 +26,7 @@ Figure LimberHuman() {
 }
 
 Animation LooseHuman(int frames, double height, double tilt) {
-  Animation animation = Still(Build(ShippedHuman()));
+  Animation animation = Still(Build(ShippedHumanSpec()));
   animation.solver.method = Method::kExact;
   animation.gravity = kG;
   animation.last_frame = frames;

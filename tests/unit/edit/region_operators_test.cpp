@@ -283,6 +283,16 @@ TEST(RegionOperators, RemoveJoints_TakesTheirMuscleAndFrictionAlong) {
   EXPECT_EQ(First(session).drives[0].joints, (std::vector<JointRef>{{"l_elbow", false, {}}}));
 }
 
+TEST(RegionOperators, RemoveJoints_LeavesMuscleOfTheWholeBodyWithoutTheRoot) {
+  Session session;
+  Do(&session, "region.add", {{"first", 0}, {"last", 10}, {"joints", {"pelvis+"}}});
+  Do(&session, "drive.add", {{"region", "region"}, {"kind", "spring"}, {"joints", {"pelvis+"}}});
+  Do(&session, "region.remove_joints", {{"region", "region"}, {"joints", {"r_shoulder+"}}});
+  EXPECT_EQ(session.animation()->regions[0].drives[0].joints,
+            session.animation()->regions[0].joints);
+  EXPECT_TRUE(session.animation()->regions[0].root);
+}
+
 TEST(RegionOperators, WholeBodyThatIsLetGo_StartsWithTheFrictionOfAFall) {
   const auto friction = [](const edit::Json& more) {
     Session session;

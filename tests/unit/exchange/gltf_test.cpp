@@ -140,6 +140,18 @@ TEST(Gltf, SkinsWithoutMatricesAreBoundAtTheOrigin) {
     EXPECT_TRUE(bind.inverse_bind.isIdentity(1e-6)) << bind.inverse_bind;
 }
 
+TEST(Gltf, SkinsWhoseMatricesAreNoneAreRefused) {
+  for (const Json& change : {Json{{"type", "SCALAR"}}, Json{{"type", nullptr}},
+                             Json{{"componentType", 5123}}, Json{{"count", 1}}}) {
+    Json document = test::SmallGltf();
+    const size_t binds = document["skins"][0]["inverseBindMatrices"];
+    document["accessors"][binds].update(change);
+    const Error error = test::ErrorOfSmall("a.gltf", document.dump());
+    EXPECT_EQ(error.place, "skins[0]") << change;
+    EXPECT_NE(error.message.find("inverse bind matrices"), std::string::npos) << change;
+  }
+}
+
 TEST(Gltf, OtherVersionsAreNamed) {
   Json document = test::SmallGltf();
   document["asset"]["version"] = "1.0";

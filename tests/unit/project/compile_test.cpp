@@ -81,9 +81,14 @@ TEST(CompileAnimation, DriveBeyondTheRoot_DrivesTheJointsOfItsRegion) {
 }
 
 TEST(JointNames, JointWhoseOwnNameEndsWithPlus_GoesBeforeAllBeyond) {
+  const auto hinged = [](const char* name) {
+    JointSpec joint;
+    joint.name = name;
+    joint.hinges = {{"", Vec3::UnitX(), -1.0, 1.0, 0.0}};
+    return joint;
+  };
   FigureSpec spec;
-  spec.joints = {{"arm+", "", Vec3::Zero(), Vec3::UnitX()},
-                 {"leg", "", Vec3::Zero(), Vec3::UnitX()}};
+  spec.joints = {hinged("arm+"), hinged("leg")};
   const Figure figure = BuildFigure(spec).value();
   const JointRef arm = Meant(RefFrom("arm+"), figure), leg = Meant(RefFrom("leg+"), figure);
   EXPECT_EQ(arm.name, "arm+");
@@ -235,7 +240,7 @@ TEST(CompileAnimation, EndsOfConstraintsAreFixedToBodiesOrInTheWorld) {
   ASSERT_EQ(animation.constraints.size(), 3u);
   const auto group = [&](const char* name) { return animation.figure->FindGroup(name); };
   const Constraint& grip = animation.constraints[0];
-  EXPECT_EQ(grip.a, (ConstraintEnd{false, group("r_wrist"), Vec3(1, 2, 3), Mat3::Identity()}));
+  EXPECT_EQ(grip.a, (ConstraintEnd{false, group("r_wrist"), Vec3(1, 2, 3), Mat3::Identity(), {}}));
   EXPECT_TRUE(grip.b.is_in_world);
   EXPECT_TRUE(grip.b.offset.isApprox(Vec3(-0.2, 0, 0.1), 1e-12));
   EXPECT_EQ(grip.arrive_frames, 4);

@@ -74,7 +74,12 @@ void Remove(const Moved& gone, const Figure& figure, std::vector<JointRef>* refs
 
 // Muscles and friction of joints that the region has no longer go with them.
 void DropWhatIsGone(const Moved& gone, const Figure& figure, ProjectRegion* region) {
-  for (ProjectDrive& drive : region->drives) Remove(gone, figure, &drive.joints);
+  for (ProjectDrive& drive : region->drives) {
+    Remove({gone.hinges, false}, figure, &drive.joints);
+    // The root has no muscles.
+    std::erase_if(drive.joints,
+                  [&](const JointRef& ref) { return !ref.beyond && MeansRoot(ref.name, figure); });
+  }
   std::erase_if(region->drives, [](const ProjectDrive& drive) { return drive.joints.empty(); });
   const Moved rest = MovedBy(region->joints, figure);
   std::erase_if(region->friction.joints, [&](const Named<double>& factor) {

@@ -8,6 +8,7 @@
 #include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
+#include "ui/edit/operators/regions.h"
 #include "ui/panels/dope_sheet/region_tools.h"
 #include "ui/panels/forms/options.h"
 #include "ui/panels/outliner/limbs.h"
@@ -30,6 +31,16 @@ Json Frame(const std::string& name, const edit::Session& session) {
   if (name == "first" || name == "to_first") return now < all.last ? now : all.first;
   if (name == "last" || name == "to_last") return all.last;
   return Json();
+}
+
+// Of the selected joints as a region.
+double FrictionOfSelected(const edit::Session& session) {
+  ProjectRegion region;
+  region.contacts.scene = TouchesWhenMade(session.project());
+  for (const std::string& name : edit::SelectedNames(session)) {
+    region.joints.push_back({name, false, {}});
+  }
+  return edit::StartFriction(region, session.figure());
 }
 
 // What the project has now, of operators that change it.
@@ -211,6 +222,9 @@ std::string PresentValue(const FormState& form, const std::string& name,
 
 Json Suggestion(const std::string& id, const ParameterInfo& info, edit::Session* session) {
   if (Json ahead = BoxAhead(id, info.name, session); !ahead.is_null()) return ahead;
+  if (id == "region.add" && std::string(info.name) == "friction") {
+    return FrictionOfSelected(*session);
+  }
   Json present = Present(id, info.name, session->project());
   if (!present.is_null()) return present;
   if (id == "region.start_rate" && info.offer.thing == Thing::kHinge) return StartingHinge(session);

@@ -66,7 +66,7 @@ class ProblemList {
       }
     }
     editor_.turns.Look(&session);
-    AddRegionProblems(editor_.turns.turns(), session, &problems_);
+    AddRegionProblems(editor_.turns.turns(), &session, &problems_);
     for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
     for (const FootSkate& skate : editor_.flights.analysis().skates) {
       for (const FootSlide& slide : skate.slides) {

@@ -41,15 +41,15 @@ Problem ProblemOf(const Constraint& constraint, int from) {
 
 }  // namespace
 
-void AddRegionProblems(const std::vector<HeldTurn>& turns, const edit::Session& session,
+void AddRegionProblems(const std::vector<HeldTurn>& turns, edit::Session* session,
                        std::vector<Problem>* problems) {
-  const std::vector<ProjectRegion>& regions = session.project().regions;
+  const std::vector<ProjectRegion>& regions = session->project().regions;
   for (const HeldTurn& turn : turns) {
     if (turn.region >= regions.size()) continue;  // it went in the edit that is going on
-    problems->push_back(ProblemOf(turn, regions[turn.region], session.figure()));
+    problems->push_back(ProblemOf(turn, regions[turn.region], session->figure()));
   }
-  for (const Constraint& constraint : session.animation()->constraints) {
-    const std::optional<int> from = OutlastsFrom(constraint, *session.animation());
+  for (const Constraint& constraint : session->animation()->constraints) {
+    const std::optional<int> from = OutlastsFrom(constraint, *session->animation());
     if (from) problems->push_back(ProblemOf(constraint, *from));
   }
 }

@@ -10,7 +10,7 @@ namespace hazumi::ui {
 // What of the project's regions holds the body where nothing could, or leaves a constraint alone:
 // adds a problem for each turn of a root that keys hold, and each constraint that outlasts the
 // regions that move its ends.
-void AddRegionProblems(const std::vector<HeldTurn>& turns, const edit::Session& session,
+void AddRegionProblems(const std::vector<HeldTurn>& turns, edit::Session* session,
                        std::vector<Problem>* problems);
 bool AnyOutlasts(const Animation& animation);
 

@@ -2,7 +2,6 @@
 // starts as fast as it has to.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -101,9 +100,8 @@ void LieUntilTaken(const ThrowCase& of, Project* project) {
   }
 }
 
-std::chrono::steady_clock::time_point After(int seconds) {
-  return std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-}
+// Of the equations of motion, a few seconds of an arm's.
+constexpr long kMostEvaluations = 1'000'000, kMostForAdvice = 500'000;
 
 // What would help where a throw misses: a region that takes no speed away, if that does.
 Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& height,
@@ -114,7 +112,7 @@ Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& hei
     return error;
   }
   std::fill(friction.begin(), friction.end(), 1.0);
-  if (ThrowAim(animation, of, After(4)).At(spot, height).ok()) {
+  if (ThrowAim(animation, of, kMostForAdvice).At(spot, height).ok()) {
     error.message += "; it gets there if \"" + animation.regions[of.region].name +
                      "\" takes no speed away (friction 1)";
   }
@@ -169,7 +167,7 @@ Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<co
       FreeHinges(animation.regions[of.region], *animation.figure->FindGroup(joint), animation);
   const double radius = InnerRadius(animation.held_objects[of.object]);
   const Vec3 spot = target.ground + radius * Vec3::UnitZ();
-  ThrowAim aim(animation, of, After(8));
+  ThrowAim aim(animation, of, kMostEvaluations);
   const Result<AimedThrow> aimed = aim.At(spot, target.height);
   if (!aimed.ok()) return WithAdvice(aimed.error(), spot, target.height, of, animation);
   ClearFlight(std::min(of.release, aimed.value().release), of, project);

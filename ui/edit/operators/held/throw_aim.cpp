@@ -13,7 +13,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -47,9 +46,10 @@ Error Whirls() {
           "speed"};
 }
 
-Error NotInTime() {
+Error TooMuchWork() {
   return {ErrorCode::kInterrupted, "", "x",
-          "no such throw was found in a few seconds; choose another spot or a shorter region"};
+          "the search for a throw was given up, because its motions take too much work; choose "
+          "another spot or a shorter region"};
 }
 
 // As `of`, and never let go of again by who throws it.
@@ -72,11 +72,10 @@ Result<AimedThrow> Given(const std::optional<AimedThrow>& found, const Error& er
 
 }  // namespace
 
-ThrowAim::ThrowAim(const Animation& animation, ThrowCase of,
-                   std::chrono::steady_clock::time_point until)
+ThrowAim::ThrowAim(const Animation& animation, ThrowCase of, long most_evaluations)
     : animation_(HeldOn(animation, of)),
       case_(std::move(of)),
-      until_(until),
+      evaluations_left_(most_evaluations),
       bake_(animation_),
       radius_(InnerRadius(animation_.held_objects[static_cast<size_t>(case_.object)])) {}
 
@@ -124,14 +123,19 @@ void ThrowAim::Set(const VecX& swing) {
   }
 }
 
+bool ThrowAim::IsOver() { return bakes_left_ ? (*bakes_left_)-- <= 0 : evaluations_left_ <= 0; }
+
 // Where it is, and how fast, as it is let go.
 Result<ThrowPath> ThrowAim::Let(const VecX& swing, int release) {
-  const bool is_over =
-      bakes_left_ ? (*bakes_left_)-- <= 0 : std::chrono::steady_clock::now() > until_;
-  if (is_over) return NotInTime();
+  constexpr long kOfABake = 500;      // evaluations that take as long as all else of a bake
+  constexpr long kOfAFailure = 5000;  // a bake that fails does not report how many it took
+  if (IsOver()) return TooMuchWork();
   Set(swing);
   bake_.Update(animation_);
-  if (const auto error = bake_.BakeTo(release)) return *error;
+  const auto error = bake_.BakeTo(release);
+  const RegionReport& report = bake_.motion().regions[static_cast<size_t>(case_.region)];
+  evaluations_left_ -= kOfABake + (error ? kOfAFailure : report.evaluations);
+  if (error) return *error;
   return PathFrom(release);
 }
 

@@ -3,7 +3,6 @@
 // Internal: how fast a dynamics region has to let its joints go for a thrown object to come down on
 // a spot. The equations are in throw_aim.cpp.
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,15 +57,16 @@ struct ThrowStart {
 
 class ThrowAim {
  public:
-  // It gives up after `until`, and never finds another throw for it. Once one is found only so many
-  // more bakes are made for a better one.
-  ThrowAim(const Animation& animation, ThrowCase of, std::chrono::steady_clock::time_point until);
+  // Gives up after so many evaluations of the equations of motion: the same throw is found on every
+  // machine. Once one is found only so many more bakes are made for a better one.
+  ThrowAim(const Animation& animation, ThrowCase of, long most_evaluations);
 
   // The centre of the object comes to `spot`, rising so high above the hand [m] or, not given, as
   // the least change has it; higher where something of the scene is in the way. If need be it is
   // let go in another frame of the region. Of the throws that are found the one of least cost is
   // taken. Errors: kSchema, with what is in the way; else kSemantics, by how much it
-  // misses if it is let go in the frame that was given; kInterrupted if there was no time for that.
+  // misses if it is let go in the frame that was given; kInterrupted if that takes too many
+  // evaluations.
   Result<AimedThrow> At(const Vec3& spot, std::optional<double> height);
 
   // Of the region, once At has found a throw.
@@ -78,6 +78,7 @@ class ThrowAim {
 
   Result<Done> TakeStart();
   void Set(const VecX& swing);
+  bool IsOver();
   Result<ThrowPath> Let(const VecX& swing, int release);
   ThrowPath PathFrom(int release) const;  // as it is baked
   Result<std::vector<int>> Releases(const Vec3& spot, const VecX& swing, bool given_first);
@@ -93,7 +94,7 @@ class ThrowAim {
 
   Animation animation_;
   ThrowCase case_;
-  std::chrono::steady_clock::time_point until_;
+  long evaluations_left_;
   std::optional<int> bakes_left_;  // once a throw is found
   IncrementalBake bake_;
   std::optional<ThrowStart> start_;
