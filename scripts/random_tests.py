@@ -30,11 +30,15 @@ WORKING = RandomTest("working regions", "property/working_region_test", 30,
                      "WorkingRegion.ClosesItsAccountAndKeepsItsTolerance")
 FALLS = RandomTest("falls", "property/fall_test", 6, "Fall.*EndsAtRest")
 REGIONS = RandomTest("regions", "property/exact_region_test", 40, "ExactRegion.Of*")
+TRIMMED = RandomTest("trimmed ends", "property/causal_test", 15)
+TOUCHING = RandomTest("touching starts", "property/touching_start_test", 40,
+                      "TouchingStart.KeepsItsVelocityAndClosesItsAccount")
+SLIDING = RandomTest("slide to roll", "property/slide_to_roll_test", 50)
 IMPORTS = RandomTest("import twice", "cli/import_twice_test.py", 20)
 SCRIPTS = RandomTest("random scripts", "ui/ui_headless_test", 60, "RandomScripts.*")
 OPERATORS = RandomTest("random operators", "unit/edit/edit_test", 40, "RandomOperators.*")
 KILLS = RandomTest("kills", "unit/edit/kill_test", 10)
-TESTS = [WORKING, FALLS, REGIONS, IMPORTS, SCRIPTS, OPERATORS, KILLS]
+TESTS = [WORKING, FALLS, REGIONS, TRIMMED, TOUCHING, SLIDING, IMPORTS, SCRIPTS, OPERATORS, KILLS]
 
 
 def first_case():

@@ -76,9 +76,7 @@ void Compare(int seed, const Animation& animation, int other_end, Tally* tally) 
 template <typename Draw>
 void TryAll(int most_cases, Draw&& draw) {
   Tally tally;
-  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
-  const int end = first + FromEnvironment("HAZUMI_CASES", most_cases);
-  for (int seed = first; seed < end; ++seed) {
+  for (const int seed : RandomCases(1, most_cases)) {
     const Animation animation = draw(static_cast<uint64_t>(seed));
     constexpr int kBy[] = {1, 5, 20};
     const int by = kBy[seed % 3], sign = seed % 2 == 0 ? 1 : -1;

@@ -168,11 +168,9 @@ double WorstError(const Roller& roller, const Motion& motion) {
 }
 
 TEST(SlideToRoll, FollowsTheAnalyticSolution) {
-  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
-  const int cases = FromEnvironment("HAZUMI_CASES", 40);
-  int rolled = 0;
   double worst = 0.0, worst_unexplained = 0.0;
-  for (int seed = first; seed < first + cases; ++seed) {
+  const RandomCases cases(1, 40);
+  for (const int seed : cases) {
     const Roller roller = RandomRoller(static_cast<uint64_t>(seed));
     BakeOptions options;
     options.energy = true;
@@ -188,8 +186,8 @@ TEST(SlideToRoll, FollowsTheAnalyticSolution) {
     EXPECT_LE(unexplained, 1e-6) << "HAZUMI_FIRST_CASE=" << seed;
     worst_unexplained = std::max(worst_unexplained, unexplained);
   }
-  std::printf("cases %d to %d: worst %.3g deg, unexplained %.3g of the energy\n", first,
-              first + cases - 1, worst, worst_unexplained);
+  std::printf("%d cases: worst %.3g deg, unexplained %.3g of the energy\n", cases.count(), worst,
+              worst_unexplained);
 }
 
 }  // namespace

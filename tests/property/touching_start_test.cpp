@@ -119,9 +119,7 @@ void Try(int seed, Tally* tally) {
 
 TEST(TouchingStart, KeepsItsVelocityAndClosesItsAccount) {
   Tally tally;
-  const int first = FromEnvironment("HAZUMI_FIRST_CASE", 1);
-  const int end = first + FromEnvironment("HAZUMI_CASES", 24);
-  for (int seed = first; seed < end; ++seed) Try(seed, &tally);
+  for (const int seed : RandomCases(1, 24)) Try(seed, &tally);
   std::printf("%d cases, %d failed, %d do not keep their velocity, %d accounts open\n", tally.cases,
               tally.failed, tally.stopped, tally.open);
   EXPECT_EQ(tally.failed, 0);
