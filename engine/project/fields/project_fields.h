@@ -91,7 +91,13 @@ void Describe(Ar& ar, Ref<Ar, ProjectSolver> solver) {
   ar.Required(kMethodField, solver.method);
   ar.Optional(kStepField, solver.step_s);
   ar.Optional(kToleranceField, solver.tolerance_deg);
-  ar.Required({.name = "version", .help = "of the solver", .range = kPositive}, solver.version);
+  ar.Required({.name = "version",
+               .label = "Version",
+               .help = "of the solver",
+               .details = "A file keeps the motion of the version that it states; later ones mend "
+                          "faults.",
+               .range = kPositive},
+              solver.version);
 }
 
 // By RootCurve.
