@@ -238,6 +238,10 @@ HAZUMI_INLINE void ArticulatedBodies::MoveWithParent(int i, const V3& r) {
   }
 }
 
+S3 ArticulatedBodies::RootResponse() const {
+  return root_flies_ ? CarefulInverse(bodies_[0].M, 0.0) : S3();
+}
+
 void ArticulatedBodies::Begin(const std::vector<NodeMotion>& motion) {
   for (size_t i = 0; i < bodies_.size(); ++i) {
     if (!is_dynamic_[i]) continue;

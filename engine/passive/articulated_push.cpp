@@ -70,6 +70,14 @@ void ArticulatedBodies::Pass(const RegionLayout& layout, const std::vector<NodeM
   Distribute(layout, motion, x);
 }
 
+void ArticulatedBodies::CopyJoint(int node, std::array<V3, 3>* UI, std::array<V3, 3>* UF,
+                                  S3* D_inverse) const {
+  const Body& body = bodies_[node];
+  *UI = is_base_[node] ? std::array<V3, 3>() : body.UI;
+  *UF = is_base_[node] ? std::array<V3, 3>() : body.UF;
+  *D_inverse = body.D_inverse;
+}
+
 V3 ArticulatedBodies::AccelerationAt(int node, const V3& r) const {
   return bodies_[node].da + Cross(bodies_[node].dalpha, r);
 }

@@ -10,6 +10,45 @@ namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
+void RegionDynamics::AssembleByTree(double t, const VecX& q, const VecX& qd, VecX* x_0,
+                                    VecX* of_rows) {
+  ++evaluations_;
+  Move(t, hinge_layout_, q.data(), qd.data());
+  by_bodies_ = true;
+  x_0->resize(num_hinges());
+  tree_.Solve(hinge_layout_, kinematics_.motion(), x_0->data());
+  const RegionState state = StateAt(t, hinge_layout_, q.data(), qd.data());
+  MeasureRows(state);
+  VecX x = *x_0;
+  AddRules(state, x.data());
+  *of_rows = RowErrors(t, hinge_layout_, x.data());
+}
+
+// With (w, v) what the rates alone do to each node: sum (m v v / 2 + v . (w x h) + w . I w / 2),
+// less what moves the centre of mass.
+double RegionDynamics::KineticEnergyOf(const VecX& qd) const {
+  const auto& motion = kinematics_.motion();
+  std::vector<V3> w(motion.size()), v(motion.size());
+  V3 momentum;
+  double energy = 0.0;
+  for (int i = 0; i < kinematics_.size(); ++i) {
+    if (!model_.nodes[i].is_dynamic) continue;
+    const NodeMotion& own = motion[i];
+    const int parent = model_.nodes[i].parent;
+    if (parent >= 0) {
+      w[i] = w[parent];
+      v[i] = v[parent] + Cross(w[parent], own.r);
+    }
+    const RegionLayout::Node& where = hinge_layout_.node(i);
+    for (int k = 0; k < where.num_dofs; ++k) w[i] += qd[where.dof + k] * own.axis[k];
+    const V3 p = own.m * v[i] + Cross(w[i], own.h);
+    momentum += p;
+    energy += 0.5 * (Dot(v[i], p) + Dot(w[i], own.I * w[i] + Cross(own.h, v[i])));
+  }
+  const bool flies = model_.root_answers && model_.coupling == RootCoupling::kFlight;
+  return flies ? energy - 0.5 * Dot(momentum, momentum) / model_.mass : energy;
+}
+
 void RegionDynamics::Freeze(const VecX& torques) {
   const auto& motion = kinematics_.motion();
   for (int i = 0; i < kinematics_.size(); ++i) {

@@ -7,6 +7,13 @@ namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
+namespace {
+
+// Free hinges of an island, beyond which its contacts are solved without matrices.
+constexpr int kMostByMatrices = 64;
+
+}  // namespace
+
 RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity,
                                std::vector<ConstraintSpec> constraints, ContactSpec contacts)
     : model_(std::move(model)),
@@ -39,6 +46,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
   outer_.balls.resize(model_.balls.size());
   falls_.setZero(outer_layout_.num_jumps());
   added_.setZero(num_hinges());
+  contacts_by_tree_ = SolvesContactsByTree();
 }
 
 double RegionDynamics::FastestRate() const {
@@ -79,6 +87,15 @@ bool RegionDynamics::UsesArticulatedBodies() const {
   const bool answers_rules = has_rules_ && model_.nodes[0].role == Role::kFree;
   if (model_.coupling == RootCoupling::kFlight) return has_rows_ || !answers_rules;
   return !has_any_rows() && !answers_rules && model_.num_free > most_dense_;
+}
+
+// Constraints, links that meet each other or balls, and a pin that the root answers tie two bodies.
+bool RegionDynamics::SolvesContactsByTree() const {
+  const bool has_pin = model_.root_answers && model_.coupling != RootCoupling::kFlight;
+  const bool ties = rows_.any() || !contacts_.spec().own.empty() || !model_.balls.empty();
+  const SolverRules rules(contacts_.spec().version);
+  return rules.sweeps_large_islands && contacts_.is_possible() && !has_pin && !ties &&
+         !(rules.stands_on_springs && has_springs_) && model_.num_free > kMostByMatrices;
 }
 
 // x_0 of nodes that have been moved.
@@ -162,6 +179,8 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
 }
 
 RegionState RegionDynamics::PlaceAt(double t, const double* y) {
+  constexpr double kPlacing = 0.3;  // of an evaluation
+  other_work_.searches += kPlacing;
   SetOuterOf(y);
   const double* velocities = y + layout_.num_positions();
   Move(t, layout_, y, velocities);

@@ -19,7 +19,9 @@
 #include "engine/passive/outer_motion.h"
 #include "engine/passive/region_layout.h"
 #include "engine/passive/tree_equations.h"
+#include "engine/passive/tree_impulses.h"
 #include "engine/timeline/solver_rules.h"
+#include "engine/passive/work.h"
 
 namespace hazumi {
 
@@ -113,9 +115,22 @@ class RegionDynamics {
   // The same of an island that is large, and not solved the dense way: of some hinges alone, with
   // the others following freely. Counts as one evaluation.
   bool is_large() const {
+    if (contacts_by_tree_) return true;
     return !has_rows_ && model_.num_free > most_dense_ && UsesArticulatedBodies();
   }
   void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
+  // Whether contacts and limits of the island are solved together without M: large ones that touch
+  // nothing but what does not move, in time steps alone. [METHOD 12.10]
+  bool solves_contacts_by_tree() const { return contacts_by_tree_; }
+  // The rows of such an island, with the rates of all free hinges: x_0 of the hinges, without
+  // rules, and of the rows with them. Counts as one evaluation.
+  void AssembleByTree(double t, const VecX& q, const VecX& qd, VecX* x_0, VecX* of_rows);
+  // After it, for the same q.
+  void BeginImpulses(TreeImpulses* impulses) const {
+    impulses->Begin(hinge_layout_, kinematics_.motion(), tree_.bodies());
+  }
+  // After it: of rates of the free hinges, seen from the centre of mass in flight [J].
+  double KineticEnergyOf(const VecX& qd) const;
   // Assembled last.
   const MatX& M() const { return assembled().M; }
   const VecX& b() const { return assembled().b; }
@@ -159,7 +174,7 @@ class RegionDynamics {
   // After the nodes have been placed: of a contact's row, with a force on its end a.
   FrozenForces::Push PushOf(const ConstraintRow& row, const small::V3& force) const;
   // Others' work on this island, in evaluations.
-  void AddWork(double evaluations) { other_work_ += evaluations; }
+  void AddWork(const Work& evaluations) { other_work_ += evaluations; }
   bool closes_gaps() const { return rows_.any_closed() || contacts_.any_closed(); }
   // Where the nodes are and how they move in state y; not counted as an evaluation.
   RegionState PlaceAt(double t, const double* y);
@@ -216,9 +231,12 @@ class RegionDynamics {
   long evaluations() const { return evaluations_; }
   // What they took, in evaluations of accelerations: the equations of all hinges, with what limits
   // make of them, take about one more for each 250 entries of their matrix.
-  double work() const {
+  Work work() const {
     const double entries = static_cast<double>(num_hinges()) * num_hinges();
-    return static_cast<double>(evaluations_) + entries / 250.0 * num_assembled_ + other_work_;
+    Work work = other_work_;
+    work.motion += static_cast<double>(evaluations_);
+    work.limits += entries / 250.0 * num_assembled_;
+    return work;
   }
 
  private:
@@ -226,6 +244,7 @@ class RegionDynamics {
     return assembled_some_ ? tree_.some() : dense_.equations();
   }
   bool UsesArticulatedBodies() const;
+  bool SolvesContactsByTree() const;
   void SolveWithoutRows(const RegionLayout& layout, double* x);
   void Move(double t, const RegionLayout& layout, const double* positions,
             const double* velocities);
@@ -308,7 +327,7 @@ class RegionDynamics {
   ConstraintRows rows_;
   ContactSet contacts_;
   FrozenForces frozen_;
-  bool has_rows_ = false, adds_rows_ = false;
+  bool has_rows_ = false, adds_rows_ = false, contacts_by_tree_ = false;
   bool has_weightless_ = false;  // free joints beyond which nothing has mass
   // Of rows: what they measure, and what they push if contacts slide, else the same; half of what
   // the pushes do, R^-1 P^T. By bodies halves of the former too.
@@ -330,7 +349,7 @@ class RegionDynamics {
   std::vector<small::V3> answer_alpha_, answer_a_;  // scratch, by node
   long evaluations_ = 0;
   double num_assembled_ = 0.0;  // of them by AssembleHinges
-  double other_work_ = 0.0;
+  Work other_work_;
 };
 
 }  // namespace hazumi

@@ -21,7 +21,8 @@ struct SolverRules {
         lifts_plates_at_all_angles(version >= 2),
         feels_what_is_deep(version >= 2),
         slides_straight_beyond_stop(version >= 2),
-        rests_without_gravity(version >= 2) {}
+        rests_without_gravity(version >= 2),
+        sweeps_large_islands(version >= 2) {}
 
   // A figure that contacts place keeps its velocity where a region begins. Before: its placement
   // pinned what touched, which stopped the figure dead. [METHOD 12.9]
@@ -55,17 +56,21 @@ struct SolverRules {
   // gravity they could give it nothing, and what lay still was solved in steps of 1/64 ms.
   // [METHOD 12.4]
   bool rests_without_gravity;
+  // Contacts of large islands are solved by sweeps from body to body, in time-stepping mode alone.
+  // Before: by matrices, whose time grows by the cube. [METHOD 12.10]
+  bool sweeps_large_islands;
 
   bool operator==(const SolverRules&) const = default;
 };
 inline auto MembersOf(const SolverRules& rules) {
   const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
-               feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity] = rules;
+               feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
+               sweeps_large_islands] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity);
+                  rests_without_gravity, sweeps_large_islands);
 }
 
 }  // namespace hazumi

@@ -73,13 +73,15 @@ void ActiveLimits::LetGo() {
   for (int i = 0; i < static_cast<int>(held_.size()); ++i) held_[i] = limits_->is_fixed(i);
 }
 
+bool ActiveLimits::Touches(double t, const HingeState& state) {
+  if (!dynamics_->contacts().is_possible()) return false;
+  contact_forces_.SetTouch(kTouchGap, kRestSpeed);
+  return contact_forces_.FindTouching(t, state.q, state.qd);
+}
+
 void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                            ImpactLog* log) {
-  is_touching_ = false;
-  if (dynamics_->contacts().is_possible()) {
-    contact_forces_.SetTouch(kTouchGap, kRestSpeed);
-    is_touching_ = contact_forces_.FindTouching(t, state->q, state->qd);
-  }
+  is_touching_ = Touches(t, *state);
   const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, log) : 0;

@@ -36,6 +36,8 @@ class ActiveLimits {
   bool is_chattering(double t);
   // The same number where the same limits hold hinges, and the same things touch and slide.
   uint64_t StateSum() const;
+  // Whether anything touches, with contacts that are kept open.
+  bool Touches(double t, const HingeState& state);
   // Nothing holds a hinge that has room.
   void LetGo();
   // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].

@@ -106,7 +106,8 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
     const bool both = sticks[limits_[k - own]];
     cones_.blocks.push_back({both ? Kind::kBoth : Kind::kPush, static_cast<int>(k)});
   }
-  dynamics_->AddWork(static_cast<double>(count * count) * static_cast<double>(n + count) * 1e-5);
+  const double products = static_cast<double>(count * count) * static_cast<double>(n + count);
+  dynamics_->AddWork({.contacts = products * 1e-5});
 }
 
 }  // namespace hazumi

@@ -125,7 +125,9 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
 
 // All pairs, where the nodes have been placed by Glance.
 void ContactSearch::See(double t) {
+  constexpr double kPoint = 0.03;  // of an evaluation
   const ContactSet& contacts = dynamics_->contacts();
+  dynamics_->AddWork({.searches = kPoint * static_cast<double>(contacts.pairs().size())});
   seen_.assign(contacts.pairs().size(), {});
   for (int i = 0; i < static_cast<int>(seen_.size()); ++i) {
     if (contacts.pairs()[i].mode != ContactMode::kOpen) {

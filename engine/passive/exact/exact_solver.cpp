@@ -54,6 +54,7 @@ void ExactSolver::Resolve(Vec3 v_pin) {
   frozen_until_.reset();
   dynamics_->frozen().Clear();
   dynamics_->SetOuter(step_.outer());
+  if (dynamics_->solves_contacts_by_tree() && held_.Touches(time(), step_.now())) return Freeze();
   do {
     held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &log_);
     step_.Kick(held_.kick());
@@ -108,7 +109,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
 }
 
 std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
-  if (dynamics_->work() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
+  if (dynamics_->work().total() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
     return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooManyEvaluations};
   }
   if (next_ == Next::kEvent) MakeEventHappen();

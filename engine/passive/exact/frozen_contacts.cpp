@@ -12,6 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "engine/passive/exact/tree_step_problem.h"
 
 namespace hazumi {
 
@@ -49,9 +52,15 @@ double FrozenContacts::SpeedFor(double s, double fastest_out) const {
 }
 
 FrozenContacts::FrozenContacts(RegionDynamics* dynamics, const LimitRange* limits)
-    : dynamics_(dynamics), limits_(limits), problem_(dynamics) {
+    : dynamics_(dynamics), limits_(limits) {
+  if (dynamics->solves_contacts_by_tree()) {
+    problem_ = std::make_unique<TreeStepProblem>(dynamics);
+  } else {
+    auto dense = std::make_unique<DenseStepProblem>(dynamics);
+    dense_ = dense.get();
+    problem_ = std::move(dense);
+  }
   side_.assign(static_cast<size_t>(dynamics->num_hinges()), 0);
-  none_.assign(static_cast<size_t>(dynamics->num_hinges()), 0);
   torques_.setZero(dynamics->num_hinges());
 }
 
@@ -106,11 +115,11 @@ void FrozenContacts::Set(double t, HingeState* state, ImpactLog* log) {
   kick_.setZero(dynamics_->outer_layout().num_jumps());
   log->AddWork({0.0, 0.0, /*has_contacts=*/true});
   ListNear(t, *state);
-  dynamics_->AssembleHinges(t, state->q, state->qd);
-  problem_.Factor();
+  problem_->Assemble(t, state->q, state->qd);
+  problem_->Factor();
   const bool is_struck = Strike(t, state, log);
-  if (is_struck) dynamics_->AssembleHinges(t, state->q, state->qd);
-  kinetic_ = 0.5 * state->qd.dot(dynamics_->M() * state->qd) +
+  if (is_struck) problem_->Assemble(t, state->q, state->qd);
+  kinetic_ = problem_->KineticEnergy(state->qd) +
              0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
              dynamics_->KineticOfBalls();
   Press(t, *state);
@@ -134,15 +143,15 @@ bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
 // Contacts give way by a share of what their own force does to them: where there is no room it
 // stays finite. Of what has been inside from the beginning, and is not deeper now, it is more.
 void FrozenContacts::GiveWay() {
-  ConeProblem& cones = problem_.cones();
   // Of a body that nothing but it holds: what a joint lets go less far counts as that.
   const double least = 1.0 / dynamics_->model().mass;
-  for (const ConeProblem::Block& block : cones.blocks) {
+  for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact) continue;
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
     const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
-    double& hold = cones.A(block.row, block.row);
-    hold += (kGivesWay + kGivesMoreWay * sunk * sunk) * std::max(hold, least);
+    const double hold = problem_->Response(block.row);
+    const double more = (kGivesWay + kGivesMoreWay * sunk * sunk) * std::max(hold, least);
+    problem_->SetResponse(block.row, hold + more);
   }
 }
 
@@ -150,18 +159,18 @@ void FrozenContacts::GiveWay() {
 // than `most` give way so far that they push with about that.
 void FrozenContacts::SweepUpTo(double most, const VecX& start) {
   constexpr int kMostTimes = 4;
-  problem_.Sweep(start, !is_deep_);
+  problem_->Sweep(start, !is_deep_);
   for (int i = 0; i < kMostTimes; ++i) {
     bool any = false;
-    for (const ConeProblem::Block& block : problem_.cones().blocks) {
-      const double push = problem_.forces()[block.row];
+    for (const ConeProblem::Block& block : problem_->blocks()) {
+      const double push = problem_->forces()[block.row];
       if (block.kind != Kind::kContact || push <= 2.0 * most) continue;
       has_no_room_ = true;
-      problem_.cones().A(block.row, block.row) *= push / most;
+      problem_->SetResponse(block.row, problem_->Response(block.row) * (push / most));
       any = true;
     }
     if (!any) return;
-    problem_.Sweep(problem_.forces(), !is_deep_);
+    problem_->Sweep(problem_->forces(), !is_deep_);
   }
 }
 
@@ -216,16 +225,14 @@ double FrozenContacts::GapOf(const ConstraintRow& row) const {
 }
 
 bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
-  LimitRows rows;
-  rows.J.resize(0, state->q.size());
-  if (const LimitRows* known = dynamics_->RowsOfImpulses()) rows = *known;
-  const VecX came = rows.c;
+  const VecX came = problem_->Rates();
+  VecX rates = came;
   bool any = false;
-  for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
+  for (Eigen::Index k = 0; k < rates.size(); ++k) {
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
     if (!row.is_contact() || row.is_across) continue;
-    rows.c[k] += std::max(0.0, GapOf(row)) / h_;
-    any |= rows.c[k] < -kNoBlow;
+    rates[k] += std::max(0.0, GapOf(row)) / h_;
+    any |= rates[k] < -kNoBlow;
   }
   const auto speed_left = [&](int hinge) {
     return std::max(0.0, RoomOf(hinge, state->q)) / h_ - side_[hinge] * state->qd[hinge];
@@ -234,53 +241,54 @@ bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
     any |= side_[i] != 0 && speed_left(i) < -kNoBlowTurn;
   }
   if (!any) return false;
-  problem_.SetUp(side_, none_, rows, state->qd);
-  VecX& b = problem_.cones().b;
-  for (size_t k = 0; k < problem_.limits().size(); ++k) {
-    b[problem_.RowOfLimit(k)] = speed_left(problem_.limits()[k]);
+  problem_->SetUp(StepProblem::Acting::kImpulses, side_, rates, state->qd);
+  VecX& b = problem_->b();
+  for (size_t k = 0; k < problem_->limits().size(); ++k) {
+    b[problem_->RowOfLimit(k)] = speed_left(problem_->limits()[k]);
   }
   GiveWay();
   SweepUpTo(kMostBlow * dynamics_->model().mass * std::max(1.0, fastest_), VecX::Zero(b.size()));
   ConstraintRows& constraints = dynamics_->constraints();
-  const auto worst = constraints.WorstOverload(problem_.row_forces(), /*are_impulses=*/true);
+  const auto worst = constraints.WorstOverload(problem_->row_forces(), /*are_impulses=*/true);
   if (worst.excess > 0.0) {
     constraints.Break(worst.constraint, t);
-    dynamics_->AssembleHinges(t, state->q, state->qd);
-    problem_.Factor();
+    problem_->Assemble(t, state->q, state->qd);
+    problem_->Factor();
     return Strike(t, state, log);
   }
-  for (size_t k = 0; k < problem_.limits().size(); ++k) {
-    const int hinge = problem_.limits()[k];
-    if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 && speed_left(hinge) < -kNoBlowTurn) {
+  for (size_t k = 0; k < problem_->limits().size(); ++k) {
+    const int hinge = problem_->limits()[k];
+    if (problem_->forces()[problem_->RowOfLimit(k)] > 0.0 && speed_left(hinge) < -kNoBlowTurn) {
       log->AddHit(hinge, t);
     }
   }
   const VecX before = state->qd;
-  state->qd += problem_.Answer();
+  state->qd += problem_->Jump();
   TellOfContacts(t, came, log);
-  log->AddWork({problem_.WorkOfLimits(side_, before, state->qd), 0.0, /*has_contacts=*/true});
-  kick_ = dynamics_->KickOf(problem_.row_forces());
+  log->AddWork({problem_->WorkOfLimits(side_, before, state->qd), 0.0, /*has_contacts=*/true});
+  kick_ = dynamics_->KickOf(problem_->row_forces());
   dynamics_->JumpOuter(kick_);
   return true;
 }
 
 // Their part of the matrix and of b.
-void FrozenContacts::SoftenBySprings(VecX* b) {
+void FrozenContacts::SoftenBySprings() {
+  VecX b = dynamics_->b();
   MatX M = dynamics_->M();
   for (const JointSpring& own : springs_) {
     const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
     const Eigen::Index first = dynamics_->FirstHingeOf(own), n = axes.cols();
     M.block(first, first, n, n) +=
         axes.transpose() * (h_ * (own.damping + h_ * own.stiffness)) * axes;
-    b->segment(first, n) += axes.transpose() * (h_ * (own.stiffness * dynamics_->TurningOf(own)));
+    b.segment(first, n) += axes.transpose() * (h_ * (own.stiffness * dynamics_->TurningOf(own)));
   }
-  problem_.Factor(M);
+  dense_->FactorInstead(M, b);
 }
 
 // What they give at the end of the while, where forces have been found and hinges would have x_0
 // without them.
 void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
-  const VecX jump = h_ * x_0 + problem_.Answer();
+  const VecX jump = h_ * x_0 + problem_->Jump();
   for (JointSpring& own : springs_) {
     const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
     const Vec3 by = axes * jump.segment(dynamics_->FirstHingeOf(own), axes.cols());
@@ -292,9 +300,9 @@ void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
 // Those that came down and were pushed back. `came`: the rows' velocities before.
 void FrozenContacts::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
   const ContactSet& contacts = dynamics_->contacts();
-  for (const ConeProblem::Block& block : problem_.cones().blocks) {
+  for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact || came[block.row] > -kNoBlow) continue;
-    if (problem_.forces()[block.row] <= 0.0) continue;
+    if (problem_->forces()[block.row] <= 0.0) continue;
     const int pair = dynamics_->rows()[static_cast<size_t>(block.row)].contact;
     log->AddTouch(contacts.PartsOf(contacts.pairs()[pair]), contacts.BallOf(pair), t);
   }
@@ -302,45 +310,45 @@ void FrozenContacts::TellOfContacts(double t, const VecX& came, ImpactLog* log) 
 
 // For rates after impacts.
 void FrozenContacts::Press(double t, const HingeState& state) {
-  VecX x_0, b = dynamics_->b();
+  VecX x_0;
   const RegionState places = dynamics_->PlacedHinges(t, state.q, state.qd);
   springs_.clear();
   if (dynamics_->has_implicit_springs()) {
     springs_ = dynamics_->Springs(places);
-    SoftenBySprings(&b);
+    SoftenBySprings();
   }
-  LimitRows rows = problem_.Unheld(b, &x_0);
-  rows.c *= h_;
-  for (Eigen::Index k = 0; k < rows.c.size(); ++k) {
+  VecX rows = problem_->Accelerations(&x_0);
+  rows *= h_;
+  for (Eigen::Index k = 0; k < rows.size(); ++k) {
     const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
     if (!row.is_contact()) continue;
-    rows.c[k] += row.rate;
-    if (!row.is_across) rows.c[k] += SpeedFor(GapOf(row), kFastestOut);
+    rows[k] += row.rate;
+    if (!row.is_across) rows[k] += SpeedFor(GapOf(row), kFastestOut);
   }
-  problem_.SetUp(side_, none_, rows, state.qd + h_ * x_0);
-  for (size_t k = 0; k < problem_.limits().size(); ++k) {
-    const double room = RoomOf(problem_.limits()[k], state.q);
-    problem_.cones().b[problem_.RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
+  problem_->SetUp(StepProblem::Acting::kForces, side_, rows, state.qd + h_ * x_0);
+  for (size_t k = 0; k < problem_->limits().size(); ++k) {
+    const double room = RoomOf(problem_->limits()[k], state.q);
+    problem_->b()[problem_->RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
   }
   GiveWay();
   SweepUpTo(kMostPush * dynamics_->model().mass * h_, h_ * LastForces());
-  Keep(problem_.forces());
+  Keep(problem_->forces());
   if (dynamics_->has_implicit_springs()) KeepSprings(x_0, places);
 }
 
 // What was found for the while before, of what is there again.
 VecX FrozenContacts::LastForces() const {
-  VecX forces = VecX::Zero(problem_.cones().b.size());
+  VecX forces = VecX::Zero(problem_->b().size());
   const std::vector<ConstraintRow>& rows = dynamics_->rows();
-  for (Eigen::Index k = 0; k < problem_.num_rows(); ++k) {
+  for (Eigen::Index k = 0; k < problem_->num_rows(); ++k) {
     const ConstraintRow& row = rows[static_cast<size_t>(k)];
     if (row.is_contact()) {
       forces[k] = Dot(dynamics_->contacts().pairs()[row.contact].frozen, row.n);
     }
   }
-  for (size_t k = 0; k < problem_.limits().size(); ++k) {
-    const int hinge = problem_.limits()[k];
-    forces[problem_.RowOfLimit(k)] = std::max(0.0, -side_[hinge] * torques_[hinge]);
+  for (size_t k = 0; k < problem_->limits().size(); ++k) {
+    const int hinge = problem_->limits()[k];
+    forces[problem_->RowOfLimit(k)] = std::max(0.0, -side_[hinge] * torques_[hinge]);
   }
   return forces;
 }
@@ -349,10 +357,10 @@ void FrozenContacts::Keep(const VecX& impulses) {
   ContactSet& contacts = dynamics_->contacts();
   FrozenForces& frozen = dynamics_->frozen();
   const std::vector<ConstraintRow>& rows = dynamics_->rows();
-  const VecX w = problem_.cones().A * impulses + problem_.cones().b;
+  const VecX w = problem_->Velocities();
   std::vector<Pushing> pushes;
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) contacts.SetFrozen(i, V3());
-  for (const ConeProblem::Block& block : problem_.cones().blocks) {
+  for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact || impulses[block.row] <= 0.0) continue;
     const ConstraintRow& row = rows[static_cast<size_t>(block.row)];
     V3 force;
@@ -366,9 +374,9 @@ void FrozenContacts::Keep(const VecX& impulses) {
     pushes.push_back({pair.capsule, pair.obstacle, slides});
   }
   torques_.setZero();
-  for (size_t k = 0; k < problem_.limits().size(); ++k) {
-    const int hinge = problem_.limits()[k];
-    const double impulse = impulses[problem_.RowOfLimit(k)];
+  for (size_t k = 0; k < problem_->limits().size(); ++k) {
+    const int hinge = problem_->limits()[k];
+    const double impulse = impulses[problem_->RowOfLimit(k)];
     if (impulse <= 0.0) continue;
     torques_[hinge] = -side_[hinge] * impulse / h_;
     pushes.push_back({-1, hinge, false});

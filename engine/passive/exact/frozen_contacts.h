@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <tuple>
 #include <vector>
 
-#include "engine/passive/exact/contact_problem.h"
+#include "engine/passive/exact/dense_step_problem.h"
 #include "engine/passive/exact/hinge_state.h"
 #include "engine/passive/exact/impact_log.h"
 #include "engine/passive/exact/limit_range.h"
@@ -41,7 +42,11 @@ class FrozenContacts {
   // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
   const VecX& kick() const { return kick_; }
   // Nothing has been hit for long enough, and the same things push: events can be followed again.
-  bool is_calm() const { return calm_steps_ >= calm_enough_; }
+  // Where contacts are solved by the tree, which knows no events of them: nothing pushes any more.
+  bool is_calm() const {
+    const bool may_follow = !dynamics_->solves_contacts_by_tree() || pushes_.empty();
+    return calm_steps_ >= calm_enough_ && may_follow;
+  }
 
  private:
   // What pushes: a capsule's obstacle, or with no capsule (-1) a hinge's limit.
@@ -60,7 +65,7 @@ class FrozenContacts {
   bool Strike(double t, HingeState* state, ImpactLog* log);
   void TellOfContacts(double t, const VecX& came, ImpactLog* log) const;
   void Press(double t, const HingeState& state);
-  void SoftenBySprings(VecX* b);
+  void SoftenBySprings();
   void KeepSprings(const VecX& x_0, const RegionState& state);
   void Keep(const VecX& impulses);
   VecX LastForces() const;
@@ -71,9 +76,9 @@ class FrozenContacts {
 
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
-  ContactProblem problem_;
+  std::unique_ptr<StepProblem> problem_;
+  DenseStepProblem* dense_ = nullptr;  // the same, unless contacts are solved by the tree
   std::vector<int> side_;   // by hinge: the limit that it may reach, as LimitSolver
-  std::vector<char> none_;  // by hinge
   VecX torques_;            // of limits, by hinge, the latest [N m]
   std::vector<Pushing> pushes_;
   std::vector<JointSpring> springs_;  // that are taken implicitly

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/passive/exact/limit_rows.h"
@@ -39,6 +40,8 @@ class LimitSolver {
   const VecX& x() const { return x_; }
   const VecX& T() const { return T_; }
   const VecX& l() const { return l_; }  // what the rows give
+  // What the calls since the last one took, in evaluations of accelerations.
+  double TakeWork() { return std::exchange(work_, 0.0); }
 
  private:
   // Fills x_ and T_: x = given where held, T = 0 elsewhere.
@@ -54,6 +57,7 @@ class LimitSolver {
   VecX x_, T_, right_, given_, zero_, reached_, against_;
   std::vector<int> free_;
   std::vector<char> held_;
+  double work_ = 0.0;
 };
 
 }  // namespace hazumi

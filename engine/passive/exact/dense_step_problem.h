@@ -1,0 +1,64 @@
+#pragma once
+
+#include <utility>
+
+#include "engine/passive/exact/contact_problem.h"
+#include "engine/passive/exact/step_problem.h"
+
+namespace hazumi {
+
+// With A as a matrix, by ContactProblem: the time of a step grows by the cube of rows and hinges.
+class DenseStepProblem : public StepProblem {
+ public:
+  // `dynamics` must outlive it.
+  explicit DenseStepProblem(RegionDynamics* dynamics)
+      : dynamics_(dynamics), problem_(dynamics), none_(dynamics->hinges().size(), 0) {}
+
+  void Assemble(double t, const VecX& q, const VecX& qd) override {
+    dynamics_->AssembleHinges(t, q, qd);
+    b_ = dynamics_->b();
+  }
+  void Factor() override { problem_.Factor(); }
+  // With other equations than those that are assembled, up to the next Assemble and Factor.
+  void FactorInstead(const MatX& M, const VecX& b) {
+    problem_.Factor(M);
+    b_ = b;
+  }
+  VecX Rates() const override {
+    const LimitRows* rows = dynamics_->RowsOfImpulses();
+    return rows ? rows->c : VecX();
+  }
+  VecX Accelerations(VecX* x_0) const override { return problem_.Unheld(b_, x_0).c; }
+  double KineticEnergy(const VecX& qd) const override { return 0.5 * qd.dot(dynamics_->M() * qd); }
+  void SetUp(Acting acting, const std::vector<int>& side, const VecX& rows,
+             const VecX& hinges) override {
+    const LimitRows* known =
+        acting == Acting::kImpulses ? dynamics_->RowsOfImpulses() : dynamics_->RowsOfForces();
+    LimitRows own;
+    own.J.resize(0, hinges.size());
+    if (known) own = *known;
+    own.c = rows;
+    ListLimits(side, rows.size());
+    problem_.SetUp(side, none_, own, hinges);
+  }
+  VecX& b() override { return problem_.cones().b; }
+  const std::vector<ConeProblem::Block>& blocks() const override { return problem_.cones().blocks; }
+  double Response(int row) const override { return problem_.cones().A(row, row); }
+  void SetResponse(int row, double response) override { problem_.cones().A(row, row) = response; }
+  void Sweep(VecX start, bool is_worth_it) override {
+    problem_.Sweep(std::move(start), is_worth_it);
+  }
+  const VecX& forces() const override { return problem_.forces(); }
+  VecX Velocities() const override {
+    return problem_.cones().A * problem_.forces() + problem_.cones().b;
+  }
+  VecX Jump() const override { return problem_.Answer(); }
+
+ private:
+  RegionDynamics* dynamics_;
+  ContactProblem problem_;
+  std::vector<char> none_;  // by hinge
+  VecX b_;                  // of M x = -b
+};
+
+}  // namespace hazumi
