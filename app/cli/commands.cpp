@@ -151,6 +151,9 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   return imported;
 }
 
+// Of a check, which is to take a fifth of a second at most (Work).
+static constexpr double kMostCheckWork = 3e5;
+
 // Energy is what --info and JSON tell.
 static BakeOptions BakeOptionsOf(const Animation& animation, const Options& options) {
   BakeOptions baking;
@@ -161,6 +164,7 @@ static BakeOptions BakeOptionsOf(const Animation& animation, const Options& opti
   baking.seams = baking.energy;
   baking.accelerations = FindsEffort(animation, options) || FindsHeldTurns(animation, options);
   baking.keep_frames = KeepsFrames(animation, options);
+  if (options.task == Task::kCheck) baking.most_work = kMostCheckWork;
   return baking;
 }
 

@@ -37,8 +37,12 @@ Result<Motion> BakeWhole(const Animation& animation, const BakeOptions& options)
   stretch.start = std::move(first.value());
   for (;;) {
     Result<std::optional<Checkpoint>> next = baker.BakeStretch(nullptr, &stretch);
-    if (!next.ok()) return next.error();
+    if (!next.ok() && !baker.ended_early()) return next.error();
     stretch.AppendTo(&motion);
+    if (!next.ok()) {
+      motion.warnings.push_back(*baker.ended_early());
+      return motion;
+    }
     if (!next.value()) break;
     stretch.start = std::move(*next.value());
   }

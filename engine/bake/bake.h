@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <limits>
 #include <optional>
 
 #include "engine/bake/motion.h"
@@ -29,6 +30,9 @@ struct BakeOptions {
   bool accelerations = false;
   // Solve exact regions again, with finer steps, where their error estimates miss their tolerances.
   bool refine = true;
+  // The bake ends, with a warning that says in which frame, where exact regions have taken so much
+  // (Work): what comes after is not looked at.
+  double most_work = std::numeric_limits<double>::infinity();
 };
 
 // Computes the motion of an animation. Fails (ErrorCode::kSemantics, naming joint, frame and cause)

@@ -56,7 +56,9 @@ struct BakeContext {
   PoseEvaluator poses;
   std::map<int, RegionStart> starts;  // of the regions that have begun, by index
   FigureMotion now;
-  MotionLimit before;        // from the left at now.frame
+  MotionLimit before;  // from the left at now.frame
+  // Where it ended early, because of BakeOptions::most_work.
+  std::optional<Warning> ended_early;
   bool wants_start = false;  // the accelerations with which a walk sets out
 };
 

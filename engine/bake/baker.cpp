@@ -84,6 +84,8 @@ void Baker::Restore(const Checkpoint& checkpoint) {
 Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Stretch* stretch) {
   exact_.UseLogs(known);
   refinements_.Reset();
+  exact_.Reset();
+  exact_.BeginStretch(stretch->start.frame);
   if (rules_.is_causal) return BakeWithRefinements(stretch);
   for (;;) {
     context_.recorder.BeginStretch(stretch);

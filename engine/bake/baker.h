@@ -29,6 +29,9 @@ class Baker {
   // null: nothing will be asked again, and no logs are kept.
   Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
+  // Why it ended before the animation does, if it did (BakeOptions::most_work): not an error.
+  const std::optional<Warning>& ended_early() const { return context_.ended_early; }
+
   // A curve of the animation is about to change its keys, or has changed them.
   void RemoveKeys(const Keys& keys) { context_.schedule.RemoveKeys(keys); }
   void AddKeys(const Keys& keys) { context_.schedule.AddKeys(keys); }

@@ -48,6 +48,7 @@ const IslandResult& IslandAnswers::Ask(IslandRequest request) {
   const IslandCall& call = own_ ? own_->back() : (*known_)[num_calls_ - 1];
   evaluations_ = call.evaluations;
   steps_ = call.steps;
+  work_ = call.work;
   return call.result;
 }
 
@@ -58,6 +59,7 @@ void IslandAnswers::DoWhatWasAsked() {
     call.result = run_->Do(call.request, cancel_);
     call.evaluations = run_->evaluations();
     call.steps = run_->steps();
+    call.work = run_->work();
   }
 }
 

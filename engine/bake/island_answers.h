@@ -38,6 +38,7 @@ class IslandAnswers {
   // That the results so far took.
   long evaluations() const { return evaluations_; }
   long steps() const { return steps_; }
+  const Work& work() const { return work_; }
   std::shared_ptr<const IslandLog> log() const { return own_ ? own_ : known_; }
 
  private:
@@ -53,6 +54,7 @@ class IslandAnswers {
   std::unique_ptr<IslandRun> run_;  // null as long as nothing is solved
   size_t num_done_ = 0;             // of own_
   long evaluations_ = 0, steps_ = 0;
+  Work work_;
 };
 
 }  // namespace hazumi

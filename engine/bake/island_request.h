@@ -168,7 +168,9 @@ struct IslandResult {
 struct IslandCall {
   IslandRequest request;
   IslandResult result;
-  long evaluations = 0, steps = 0;  // up to here, from the beginning on
+  // Up to here, from the beginning on.
+  long evaluations = 0, steps = 0;
+  Work work = {};
 };
 // All that an island was asked, from the beginning on.
 using IslandLog = std::vector<IslandCall>;

@@ -20,6 +20,7 @@ class IslandRun {
   // So far.
   long evaluations() const { return dynamics_.evaluations(); }
   long steps() const { return solver_.steps(); }
+  Work work() const { return dynamics_.model().num_bodies * dynamics_.work(); }
 
  private:
   IslandResult Do(const BeginIsland& request);

@@ -92,6 +92,7 @@ class IslandSolution {
 
   long evaluations() const { return answers_.evaluations(); }
   long steps() const { return answers_.steps(); }
+  const Work& work() const { return answers_.work(); }
   // It took to solve [us], whenever that was.
   double microseconds() const { return microseconds_; }
   std::shared_ptr<const IslandLog> log() const { return answers_.log(); }

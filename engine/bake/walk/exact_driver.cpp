@@ -202,6 +202,7 @@ double ExactDriver::StepToleranceFor(const RegionModel& model) const {
 void ExactDriver::FinishIslands() {
   finished_.evaluations = evaluations();
   finished_.steps = steps();
+  finished_.work = work();
   finished_.microseconds = microseconds();
   AppendLogs(&finished_.logs);
 }

@@ -141,6 +141,9 @@ class ExactDriver {
   double LargestEstimateOf(size_t region) const { return estimated_[region].error; }
   long evaluations() const;
   long steps() const;
+  Work work() const;
+  // The first joint of the island that takes most of it.
+  JointIndex CostliestJoint() const;
   std::vector<int> island_sizes() const;
   int num_bodies() const;
   // It took to solve all islands [us], whenever that was.
@@ -158,6 +161,7 @@ class ExactDriver {
   // Of islands that are no more.
   struct Finished {
     long evaluations = 0, steps = 0;
+    Work work;
     double microseconds = 0.0;
     IslandLogs logs;
   };

@@ -209,6 +209,29 @@ long ExactDriver::evaluations() const {
   return sum;
 }
 
+Work ExactDriver::work() const {
+  Work sum = finished_.work;
+  for (const Island& island : islands_) {
+    sum += island.solution.work();
+    sum += island.control.work();
+  }
+  return sum;
+}
+
+JointIndex ExactDriver::CostliestJoint() const {
+  JointIndex costliest;
+  double most = -1.0;
+  for (const Island& island : islands_) {
+    Work work = island.solution.work();
+    work += island.control.work();
+    const Coordinate first = island.solution.hinges().front();
+    if (work.total() <= most) continue;
+    most = work.total();
+    costliest = first < figure_.num_joints() ? JointIndex(first) : JointIndex();
+  }
+  return costliest;
+}
+
 long ExactDriver::steps() const {
   long sum = finished_.steps;
   for (const Island& island : islands_) sum += island.solution.steps();

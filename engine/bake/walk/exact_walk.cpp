@@ -31,7 +31,7 @@ ExactWalk::ExactWalk(BakeContext* context, Refinements* refinements, ThreadPool*
 }
 
 void ExactWalk::Reset() {
-  driver_.reset();
+  DropDriver();
   curves_.SetRegions({});
   has_begun_ = false;
   std::fill(has_control_.begin(), has_control_.end(), 0);
@@ -40,6 +40,7 @@ void ExactWalk::Reset() {
 void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
   curves_.SetRegions(regions);
   arrivals_.Forget();
+  DropDriver();
   driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
                                           context_.starts, refinements_.SharpnessOf(regions),
                                           context_.now.broken, known_, pool_);
@@ -48,7 +49,7 @@ void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
 
 void ExactWalk::End() {
   if (driver_) WriteReports();
-  driver_.reset();
+  DropDriver();
   curves_.SetRegions({});
   RootPlacement& placement = context_.poses.placement();
   const double t = context_.Seconds(context_.now.frame);
@@ -242,7 +243,7 @@ std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, d
   const double reached = failure ? failure->time : context_.Seconds(to);
   AddHits(reached);
   if (auto error = RecordUpTo(from, std::min(next, FrameOf(reached, from, to)), end)) return error;
-  if (!failure) return std::nullopt;
+  if (!failure) return CheckWork(context_.animation.rate.FrameAt(reached));
   return CannotGoOnAfter(context_.animation.rate.FrameAt(reached), failure->joint, failure->cause);
 }
 
@@ -251,7 +252,7 @@ std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   AddHits(last);
   AddTouches();
   AddBreaks();
-  if (!failure) return std::nullopt;
+  if (!failure) return CheckWork(context_.animation.rate.FrameAt(driver_->time()));
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
 }
 
