@@ -152,7 +152,8 @@ struct RegionReport {
 
   // The frame from which on it is one of several likely motions, if there is one.
   std::optional<double> OneOfSeveralFrom() const {
-    if (!estimated_until || !branches_from) return estimated_until ? estimated_until : branches_from;
+    if (!estimated_until || !branches_from)
+      return estimated_until ? estimated_until : branches_from;
     return *estimated_until < *branches_from ? estimated_until : branches_from;
   }
 };

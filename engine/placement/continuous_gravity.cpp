@@ -12,7 +12,8 @@ namespace hazumi {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kDeeper = 1e-9;        // [m]
+// So deep is a landing found [m]. Contacts of a region close 1e-9 m deep.
+constexpr double kDeeper = 1e-10, kDeeperOnce = 1e-9;
 constexpr double kSameInstant = 1e-10;  // [s]
 // More landings than this in one window, and the pin holds on for one, even if it has to pull: the
 // joint that is pinned is not the point that touches, so what lifts off may go deeper at once.
@@ -28,8 +29,13 @@ double Root(double t0, double f0, double t1, double f1, Function&& f) {
 }  // namespace
 
 ContinuousGravity::ContinuousGravity(const Figure& figure, const std::vector<SceneObject>& scene,
-                                     const PlacementSpan& span, double gravity)
-    : figure_(figure), scene_(scene), span_(span), g_(0.0, 0.0, -gravity) {}
+                                     const PlacementSpan& span, double gravity,
+                                     const SolverRules& rules)
+    : figure_(figure),
+      scene_(scene),
+      span_(span),
+      g_(0.0, 0.0, -gravity),
+      deeper_(rules.lands_before_contacts ? kDeeper : kDeeperOnce) {}
 
 void ContinuousGravity::PinAt(std::optional<GroupIndex> named, const Contact& contact,
                               const DynamicsWorkspace& ws) {
@@ -191,7 +197,7 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
     const double next = std::min(t1, t + std::max(gap / speed, least));
     const double next_gap = -depth(next);
-    if (next_gap < -kDeeper) {
+    if (next_gap < -deeper_) {
       const auto deeper = [&](double s) { return depth(s); };
       return GravityEvent{GravityEvent::Kind::kLanding, Root(t, -gap, next, -next_gap, deeper)};
     }

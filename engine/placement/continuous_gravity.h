@@ -7,6 +7,7 @@
 #include "engine/placement/contact.h"
 #include "engine/placement/figure_motion.h"
 #include "engine/timeline/placement_span.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -27,7 +28,8 @@ class ContinuousGravity {
   using Pose = std::function<void(double seconds, FigureMotion* motion)>;
 
   ContinuousGravity(const Figure& figure, const std::vector<SceneObject>& scene,
-                    const PlacementSpan& span, double gravity);
+                    const PlacementSpan& span, double gravity,
+                    const SolverRules& rules = SolverRules(kSolverVersion));
 
   // Begins at `motion`: pinned if it touches something, else in flight.
   void Start(double t, const FigureMotion& motion, DynamicsWorkspace* ws);
@@ -86,6 +88,7 @@ class ContinuousGravity {
   const std::vector<SceneObject>& scene_;
   const PlacementSpan& span_;
   Vec3 g_;
+  double deeper_;  // than this it has landed [m]
   State state_;
 };
 

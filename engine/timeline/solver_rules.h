@@ -22,6 +22,7 @@ struct SolverRules {
         feels_what_is_deep(version >= 2),
         slides_straight_beyond_stop(version >= 2),
         rests_without_gravity(version >= 2),
+        lands_before_contacts(version >= 2),
         sweeps_large_islands(version >= 2) {}
 
   // A figure that contacts place keeps its velocity where a region begins. Before: its placement
@@ -56,6 +57,9 @@ struct SolverRules {
   // gravity they could give it nothing, and what lay still was solved in steps of 1/64 ms.
   // [METHOD 12.4]
   bool rests_without_gravity;
+  // What lands by a placement is found before contacts of a region close there. Before: both were
+  // found equally deep, and rounding decided whether the figure landed. [METHOD 5.6]
+  bool lands_before_contacts;
   // Contacts of large islands are solved by sweeps from body to body, in time-stepping mode alone.
   // Before: by matrices, whose time grows by the cube. [METHOD 12.10]
   bool sweeps_large_islands;
@@ -66,11 +70,11 @@ inline auto MembersOf(const SolverRules& rules) {
   const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
-               sweeps_large_islands] = rules;
+               lands_before_contacts, sweeps_large_islands] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity, sweeps_large_islands);
+                  rests_without_gravity, lands_before_contacts, sweeps_large_islands);
 }
 
 }  // namespace hazumi

@@ -103,8 +103,8 @@ TEST(BothMethods, LandOnTwoFeetAtOnce) {
   }
 }
 
-// Knees that give way: the leg that is not pinned swings on.
-TEST(BothMethods, LandOnTwoFeetAtOnceWithFreeLegs) {
+// Both legs are free. Until they land nothing turns them, as all of the figure falls alike.
+TEST(BothMethods, WithFreeLegsFallStraightAndLandInAFewEvents) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
     Animation animation = Falling(Human(), 1.15, 0.0, method);
     AddFloor(&animation);
@@ -114,6 +114,10 @@ TEST(BothMethods, LandOnTwoFeetAtOnceWithFreeLegs) {
     const Motion motion = BakeFinite(animation);
     const auto landings = EventsOf(motion, EventKind::kLanding);
     ASSERT_GE(landings.size(), 1u) << NameOf(method);
+    EXPECT_NEAR(landings[0].time, FallTime(0.20), 1e-6) << NameOf(method);
+    for (int f = 0; f < landings[0].frame; ++f) {
+      EXPECT_LE((motion.frames[f].q - motion.frames[0].q).norm(), 1e-9) << NameOf(method) << f;
+    }
     EXPECT_LE(motion.events.size(), 40u) << NameOf(method);
   }
 }

@@ -49,7 +49,8 @@ bool PaperBallisticRoot::PlaceWithinStep(double seconds_before_end, FigureMotion
 ExactBallisticRoot::ExactBallisticRoot(const PlacementSpan& span, const RootPlacementSite& site)
     : BallisticRoot(site),
       rate_(site.animation.rate),
-      gravity_(site.figure, site.animation.scene, span, site.animation.gravity) {}
+      gravity_(site.figure, site.animation.scene, span, site.animation.gravity,
+               SolverRules(site.animation.solver.version)) {}
 
 RootEvent ExactBallisticRoot::Happen(const GravityEvent& event, const FigureMotion& motion) {
   const std::optional<GroupIndex> before = gravity_.pin();

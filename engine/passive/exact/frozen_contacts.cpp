@@ -42,7 +42,7 @@ constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
 constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
 constexpr double kGiven = 0.01;                      // of the kinetic energy is too much
-constexpr double kAtRest = 1e-4;                      // what is as slow as that is at rest [m/s]
+constexpr double kAtRest = 1e-4;                     // what is as slow as that is at rest [m/s]
 
 }  // namespace
 

@@ -155,5 +155,38 @@ TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
   EXPECT_LT(BakeOrFail(animation).regions[0].evaluations, 30'000);
 }
 
+// The root's turn is keyed, and it lands: on a leg that a region keeps out of the scene. The
+// contact and the landing are at the same instant.
+TEST(Landing, OnALimbWithContacts_ComesBeforeItsContact) {
+  FigureSpec spec;
+  spec.name = "legged";
+  spec.root_name = "trunk";
+  spec.root_links = {Rod("trunk", Vec3::Zero(), 0.3 * Vec3::UnitZ())};
+  JointSpec hip;
+  hip.name = "hip";
+  hip.parent = "trunk";
+  hip.hinges = {{"", Vec3::UnitY(), -1.0, 1.0, 0.0}};
+  hip.links = {Rod("leg", Vec3::Zero(), -kLength * Vec3::UnitZ())};
+  spec.joints = {hip};
+  const Figure figure = BuildFigure(spec).value();
+  for (int i = 0; i < 40; ++i) {
+    const double height = 0.1 + 0.0173 * i;
+    Animation animation = Exact(figure, kG);
+    animation.solver.tolerance = 0.01 * kDegree;
+    AddGravity(&animation, 0, 30);
+    AddFloor(&animation);
+    SetRootAt(&animation, {0.0, 0.0, kLength + 0.5 * kThickness + height});
+    animation.joint_keys[0] = {{0, 0.2, 0.5}};
+    DynamicsRegion& region = AddRegion(&animation, "leg", 0, 30, {"hip"});
+    region.method = Method::kExact;
+    region.touches_scene = true;
+    const Motion motion = BakeOrFail(animation);
+    const std::vector<MotionEvent> touches = EventsOf(motion, EventKind::kTouchDown),
+                                   landings = EventsOf(motion, EventKind::kLanding);
+    ASSERT_FALSE(landings.empty()) << height;
+    if (!touches.empty()) EXPECT_LE(landings[0].time, touches[0].time) << height;
+  }
+}
+
 }  // namespace
 }  // namespace hazumi::test
