@@ -84,10 +84,10 @@ Fall Measure(const Animation& animation, const Motion& motion) {
               std::max(0.0, fall.depth);
   const EnergyBalance& energy = motion.regions[0].energy.value();
   fall.unexplained = std::abs(energy.residual());
-  fall.turned = fall.largest + std::abs(energy.limits);
+  fall.turned = fall.largest + std::abs(energy.limits) + std::abs(energy.impacts);
   for (const auto& work : energy.laws) fall.turned += std::abs(work.joules);
   const double contacts = energy.WorkOf("contact");
-  fall.given = std::max(contacts, contacts + energy.limits);
+  fall.given = std::max(contacts, contacts + energy.impacts + energy.limits);
   return fall;
 }
 

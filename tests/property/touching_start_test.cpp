@@ -104,7 +104,8 @@ void Try(int seed, Tally* tally) {
   const Vec3 velocity = start.com_v;
   const bool is_kept = (velocity - v).norm() <= 1e-9 * (1.0 + v.norm());
   const EnergyBalance& energy = motion.value().regions[0].energy.value();
-  double turned = std::max(energy.kinetic_start, energy.kinetic_end) + std::abs(energy.limits);
+  double turned = std::max(energy.kinetic_start, energy.kinetic_end) + std::abs(energy.limits) +
+                  std::abs(energy.impacts);
   for (const auto& work : energy.laws) turned += std::abs(work.joules);
   const bool is_open = !(std::abs(energy.residual()) <= 1e-6 * std::max(turned, 1e-6));
   tally->stopped += !is_kept;

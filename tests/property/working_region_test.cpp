@@ -88,7 +88,7 @@ double Unexplained(const Motion& motion) {
   const EnergyBalance& energy = *motion.regions[0].energy;
   double turned = std::max(energy.kinetic_start, energy.kinetic_end) +
                   std::abs(energy.potential_end - energy.potential_start) +
-                  std::abs(energy.limits) + std::abs(energy.keyed);
+                  std::abs(energy.limits) + std::abs(energy.impacts) + std::abs(energy.keyed);
   for (const auto& work : energy.laws) turned += std::abs(work.joules);
   return std::abs(energy.residual()) / std::max(turned, kNothing);
 }

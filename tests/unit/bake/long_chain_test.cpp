@@ -67,7 +67,7 @@ void ExpectItFallsAndLies(const Animation& animation) {
   EXPECT_LT(DeepestOf(animation, motion), kMostDepth);
   const EnergyBalance& energy = motion.regions[0].energy.value();
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * energy.potential_start);
-  EXPECT_LT(energy.WorkOf("contact") + energy.limits, 0.0);
+  EXPECT_LT(energy.WorkOf("contact") + energy.impacts + energy.limits, 0.0);
   double before = HUGE_VAL;
   for (const MotionFrame& frame : motion.frames) {
     const double now = EnergyOf(animation, frame.after);

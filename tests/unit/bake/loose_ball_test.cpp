@@ -107,7 +107,7 @@ TEST(LooseBall, ItsEnergyIsPartOfTheAccount) {
   options.energy = true;
   const Motion motion = BakeOrFail(animation, options);
   const EnergyBalance& energy = motion.regions[0].energy.value();
-  EXPECT_LT(energy.limits, -0.1);  // blows
+  EXPECT_LT(energy.impacts, -0.1);  // blows
   EXPECT_NEAR(energy.residual(), 0.0, 1e-7);
 }
 
@@ -172,7 +172,7 @@ TEST(LooseBall, ARodComesToRestOnABall) {
   options.energy = true;
   const Motion motion = BakeOrFail(animation, options);
   const EnergyBalance& energy = motion.regions[0].energy.value();
-  EXPECT_LT(energy.limits, -1.0);
+  EXPECT_LT(energy.impacts, -1.0);
   EXPECT_NEAR(energy.residual(), 0.0, 1e-7);
   const MotionFrame& last = motion.frames.back();
   const int pivot = animation.figure->FindJoint("pivot")->value();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/edit/operators/edits.h"
 #include "ui/panels/forms/parts.h"
 #include "ui/panels/properties/layout.h"
 
