@@ -11,7 +11,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kLink = 0.1, kThin = 0.02, kMostDepth = 5e-4;  // [m]
+constexpr double kLink = 0.1, kThin = 0.02, kDeepestLink = 5e-4;  // [m]
 
 // Along x, its hinges about y and z in turn.
 Figure LongChain(int links, double limit) {
@@ -52,7 +52,7 @@ Animation FallingChain(int links, int frames, double limit, int version) {
   return animation;
 }
 
-double DeepestOf(const Animation& animation, const Motion& motion) {
+double DeepestLinkOf(const Animation& animation, const Motion& motion) {
   double depth = 0.0;
   for (const MotionFrame& frame : motion.frames) {
     depth = std::max(depth, -ClearanceOf(animation, frame));
@@ -64,7 +64,7 @@ void ExpectItFallsAndLies(const Animation& animation) {
   BakeOptions options;
   options.energy = true;
   const Motion motion = BakeOrFail(animation, options);
-  EXPECT_LT(DeepestOf(animation, motion), kMostDepth);
+  EXPECT_LT(DeepestLinkOf(animation, motion), kDeepestLink);
   const EnergyBalance& energy = motion.regions[0].energy.value();
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * energy.potential_start);
   EXPECT_LT(energy.WorkOf("contact") + energy.impacts + energy.limits, 0.0);
@@ -97,7 +97,7 @@ TEST(LongChain, DroppedFlat_StopsAsTheDenseOneDoes) {
     options.energy = true;
     const Motion motion = BakeOrFail(animation, options);
     EXPECT_NEAR(motion.frames.back().X_WR.p.z(), kThin, 1e-6) << "version " << version;
-    EXPECT_LT(DeepestOf(animation, motion), 1e-6);
+    EXPECT_LT(DeepestLinkOf(animation, motion), 1e-6);
     const EnergyBalance& energy = motion.regions[0].energy.value();
     EXPECT_NEAR(energy.kinetic_end, 0.0, 1e-9);
     EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * energy.potential_start);

@@ -87,7 +87,8 @@ class AnyUser {
     EXPECT_EQ(::seteuid(kNobody), 0);
   }
   ~AnyUser() {
-    if (was_root_) EXPECT_EQ(::seteuid(0), 0);
+    if (!was_root_) return;
+    EXPECT_EQ(::seteuid(0), 0);
   }
   AnyUser(const AnyUser&) = delete;
   AnyUser& operator=(const AnyUser&) = delete;
