@@ -341,7 +341,7 @@ class RegionMaker {
       if (arrives) constraint.length *= random_.Uniform(0.7, 1.2);
     }
     target = X_WB.Inverse() * target;
-    constraint.b = {is_in_world, is_in_world ? std::nullopt : b, target.p, target.R};
+    constraint.b = {is_in_world, is_in_world ? std::nullopt : b, target.p, target.R, {}};
     if (random_.Chance(0.25)) constraint.break_force = random_.LogUniform(20.0, 2000.0);
     if (random_.Chance(0.25)) constraint.break_impulse = random_.LogUniform(0.5, 50.0);
     animation_.constraints.push_back(constraint);
