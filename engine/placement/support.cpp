@@ -1,7 +1,7 @@
 // Forces f_i at points r_i with weights w_i, for a force and a moment b:
 //   least sum |f_i|^2 / (2 w_i)   so that   sum G_i f_i = b,   G_i = (1; r_i x)
-// has f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. Points whose force would pull are left out,
-// and the rest is solved again, until none pulls. Where the matrix is singular, as it is for points
+// has f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. The point whose force would pull most is left
+// out, and the rest is solved again, until none pulls. Where the matrix is singular, as it is for points
 // in one line, y is its pseudo-inverse times b.
 
 #include "engine/placement/support.h"
@@ -80,14 +80,17 @@ std::vector<Vec3> SupportForces(const std::vector<SupportPoint>& points, const W
       S += points[i].weight * G * G.transpose();
     }
     const Vec6 y = PseudoSolve(S, b);
-    any_pulls = false;
+    double worst = 0.0;
+    size_t pulls_most = 0;
     for (size_t i = 0; i < points.size(); ++i) {
       const Mat63 G = MapOf(points[i].Place(ws) - about);
       forces[i] = pushes[i] ? Vec3(points[i].weight * (G.transpose() * y)) : Vec3::Zero();
-      if (!pushes[i] || forces[i].dot(points[i].normal) >= 0.0) continue;
-      pushes[i] = 0;
-      any_pulls = true;
+      if (forces[i].dot(points[i].normal) >= worst) continue;
+      worst = forces[i].dot(points[i].normal);
+      pulls_most = i;
     }
+    any_pulls = worst < 0.0;
+    if (any_pulls) pushes[pulls_most] = 0;
   }
   return forces;
 }

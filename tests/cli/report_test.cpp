@@ -101,7 +101,7 @@ TEST(ReportText, AccountsForTheEnergy) {
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(
       lines[2],
-      "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, limits -0.25 J, keys and "
+      "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, limits -0.25 J, impacts of contacts 0 J, keys and "
       "placement 0.25 J, unexplained 0.5 J");
 }
 
@@ -140,7 +140,7 @@ TEST(MotionJson, AccountsForTheEnergy) {
   const Json& energy = json["regions"][0]["energy_j"];
   EXPECT_EQ(FieldsOf(energy),
             (std::vector<std::string>{"kinetic_start", "kinetic_end", "potential_start",
-                                      "potential_end", "friction", "stops", "keyed", "residual"}));
+                                      "potential_end", "friction", "stops", "impacts", "keyed", "residual"}));
   EXPECT_EQ(energy["kinetic_end"], 2.0);
   EXPECT_EQ(energy["residual"], 0.5);
 }

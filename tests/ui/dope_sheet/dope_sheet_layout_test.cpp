@@ -191,7 +191,9 @@ TEST(DopeSheetHitTest, WhereTwoSpansMeetEachHasItsEnd) {
 
 TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {
   const edit::Session session = Throw();
-  const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
+  Rect tall = kRect;  // all rows with keys
+  tall.h += 60.0f;
+  const DopeSheetLayout layout = LayOutDopeSheet(session, {}, tall, 1.0);
   const RowBar& bar = BarOn(layout, "limb r_shoulder");
   const auto part = [&](Point p) { return HitDopeSheet(layout, session, p).part; };
   EXPECT_EQ(part(Middle(bar.rect)), SheetPart::kBar);

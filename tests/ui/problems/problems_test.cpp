@@ -229,8 +229,8 @@ TEST_F(Problems, AConstraintThatOutlastsItsRegionIsEndedWithIt) {
   Do("constraint.add", {{"name", "grip"},
                         {"kind", "point"},
                         {"a_joint", "r_wrist"},
-                        {"b_x", 0.3},
-                        {"b_z", 1.0},
+                        {"b_offset_x", 0.3},
+                        {"b_offset_z", 1.0},
                         {"first", 0},
                         {"last", 20},
                         {"arrive", 5}});

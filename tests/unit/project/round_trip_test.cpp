@@ -250,7 +250,7 @@ TEST(RoundTrip, ASurfaceIsReadAndWritten) {
 
 TEST(RoundTrip, ANewDocumentIsExact) {
   const Json saved = Json::parse(WriteProject(Project()));
-  EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":1})");
+  EXPECT_EQ(saved["solver"].dump(), R"({"method":"exact","version":2})");
 }
 
 TEST(RoundTrip, UnknownFieldsSurviveAtEveryLevel) {

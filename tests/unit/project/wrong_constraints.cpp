@@ -120,9 +120,9 @@ std::vector<WrongProject> ConstraintWarnings() {
        "constraints[0]: nothing feels \"grip\": no region moves \"l_knee\" or \"waist\" in frames "
        "5 "
        "to 15; add one, or remove the constraint"},
-      {Check::kConstraintOutlasts, Warn(With(kGrip, {{"/constraints/0/last_frame", "20"}})),
-       "constraints[0]: from frame 15 on nothing moves \"r_wrist\", so that \"grip\" has no effect "
-       "up to its last frame 20; let a region move it as long, or end the constraint in frame 15"},
+      {Check::kConstraintOutlasts, Warn(With(kGrip, {{"/constraints/0/last_frame", "25"}})),
+       "constraints[0]: from frame 20 on nothing moves \"r_wrist\", so that \"grip\" has no effect "
+       "up to its last frame 25; let a region move it as long, or end the constraint in frame 20"},
   };
 }
 

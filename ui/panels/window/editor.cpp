@@ -169,17 +169,12 @@ void Editor::Tick(double now) {
   now_ = now;
   sound.Look(session_);
   film.Look(session_);
-  if (ShowsEffort()) {
-    effort.Look(&session_);
-  } else {
-    effort.LookIfQuick(&session_);
-  }
+  if (ShowsEffort()) effort.Look(&session_);
   if (playback.is_on()) session_.set_frame(playback.Advance(now));
 }
 
 bool Editor::ShowsEffort() const {
-  return viewport.overlays.effort || side.section == Section::kProblems ||
-         (sheet.kind == SheetKind::kGraph && sheet.torque);
+  return viewport.overlays.effort || (sheet.kind == SheetKind::kGraph && sheet.torque);
 }
 
 double Editor::NextDeadline() const {

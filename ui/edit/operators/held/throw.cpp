@@ -101,7 +101,7 @@ void LieUntilTaken(const ThrowCase& of, Project* project) {
 }
 
 // Of the equations of motion, a few seconds of an arm's.
-constexpr long kMostEvaluations = 1'000'000, kMostForAdvice = 500'000;
+constexpr long kMostEvaluations = 3'000'000, kMostForAdvice = 1'500'000;
 
 // What would help where a throw misses: a region that takes no speed away, if that does.
 Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& height,
