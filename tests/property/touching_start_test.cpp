@@ -125,7 +125,7 @@ TEST(TouchingStart, KeepsItsVelocityAndClosesItsAccount) {
               tally.failed, tally.stopped, tally.open);
   EXPECT_EQ(tally.failed, 0);
   EXPECT_EQ(tally.stopped, 0);
-  EXPECT_LE(tally.open, tally.cases / 100);
+  EXPECT_LE(tally.open, MostOf(tally.cases, 0.05));
 }
 
 // Sliding along with nothing that pushes in: half a frame later the speed is what friction leaves.

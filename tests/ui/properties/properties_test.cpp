@@ -116,6 +116,7 @@ TEST_F(Properties, ConstraintsHaveARowForEachField) {
 }
 
 TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
+  MakeTall();
   editor_.side.section = Section::kRegion;
   shell_->Frame();
   shell_->Frame();
@@ -126,10 +127,10 @@ TEST_F(Properties, DraggingTheFrictionIsOneStepAndTheSwingFollows) {
     return editor_.session().project().regions[0].friction.default_factor;
   };
   // Down the panel to the field; what else is there is taken back.
-  const Rect content = Content();
-  const float x = content.x + 0.7f * content.w;
+  const Rect content = Content(kTall);
+  const float x = content.x + 0.85f * content.w;
   bool found = false;
-  for (float y = content.y + 8.0f; y < content.bottom() && !found; y += 10.0f) {
+  for (float y = content.y + 8.0f; y < content.bottom() && !found; y += 8.0f) {
     found = DragAt(x, y, -30.0f, [&] { return friction() != factor; });
     if (found) break;
     Button(false);

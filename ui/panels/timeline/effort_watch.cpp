@@ -52,18 +52,6 @@ void EffortWatch::Look(edit::Session* session) {
   if (!session->patience()) End();
 }
 
-void EffortWatch::LookIfQuick(edit::Session* session) {
-  constexpr long kFew = 20000;  // evaluations
-  if (session->document().is_merging() || !session->bake() || session->bake()->is_busy()) return;
-  const Result<const Motion*> motion = session->WholeMotion();
-  if (!motion.ok()) return;
-  long evaluations = 0;
-  for (const RegionReport& report : motion.value()->regions) evaluations += report.evaluations;
-  if (evaluations <= kFew) return Look(session);
-  const Version now = {session->document_number(), session->document().revision()};
-  if (is_there() && !(now == seen_)) Forget();
-}
-
 void EffortWatch::Begin(const Animation& animation, Version version) {
   job_ = std::make_unique<Job>();
   job_->of = version;

@@ -22,8 +22,6 @@ class EffortWatch {
   // Looks at the motion if it is another one than before; while something is dragged only where
   // that is quickly done. Waits for what it finds if the session has patience without end.
   void Look(edit::Session* session);
-  // Does so if the motion took few evaluations of the equations of motion.
-  void LookIfQuick(edit::Session* session);
   // It is at work.
   bool is_busy() const { return job_ != nullptr; }
 
