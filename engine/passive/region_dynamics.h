@@ -20,8 +20,8 @@
 #include "engine/passive/region_layout.h"
 #include "engine/passive/tree_equations.h"
 #include "engine/passive/tree_impulses.h"
-#include "engine/timeline/solver_rules.h"
 #include "engine/passive/work.h"
+#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 

@@ -1,8 +1,8 @@
 // Forces f_i at points r_i with weights w_i, for a force and a moment b:
 //   least sum |f_i|^2 / (2 w_i)   so that   sum G_i f_i = b,   G_i = (1; r_i x)
-// has f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. The point whose force would pull most is left
-// out, and the rest is solved again, until none pulls. Where the matrix is singular, as it is for points
-// in one line, y is its pseudo-inverse times b.
+// has f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. The point whose force would pull most is
+// left out, and the rest is solved again, until none pulls. Where the matrix is singular, as it is
+// for points in one line, y is its pseudo-inverse times b.
 
 #include "engine/placement/support.h"
 

@@ -99,10 +99,10 @@ TEST(ReportText, AccountsForTheEnergy) {
   report.energy = SomeEnergy();
   const std::vector<std::string> lines = LinesOf(report, false);
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(
-      lines[2],
-      "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, limits -0.25 J, impacts of contacts 0 J, keys and "
-      "placement 0.25 J, unexplained 0.5 J");
+  EXPECT_EQ(lines[2],
+            "energy: kinetic 1 to 2 J, potential 2 to 1 J, friction -0.5 J, limits -0.25 J, "
+            "impacts of contacts 0 J, keys and "
+            "placement 0.25 J, unexplained 0.5 J");
 }
 
 TEST(ReportText, NamesTheNumberThatTheMethodHeeds) {
@@ -138,9 +138,10 @@ TEST(MotionJson, AccountsForTheEnergy) {
   report.energy = SomeEnergy();
   const Json json = BakedJson(report);
   const Json& energy = json["regions"][0]["energy_j"];
-  EXPECT_EQ(FieldsOf(energy),
-            (std::vector<std::string>{"kinetic_start", "kinetic_end", "potential_start",
-                                      "potential_end", "friction", "stops", "impacts", "keyed", "residual"}));
+  EXPECT_EQ(
+      FieldsOf(energy),
+      (std::vector<std::string>{"kinetic_start", "kinetic_end", "potential_start", "potential_end",
+                                "friction", "stops", "impacts", "keyed", "residual"}));
   EXPECT_EQ(energy["kinetic_end"], 2.0);
   EXPECT_EQ(energy["residual"], 0.5);
 }

@@ -78,8 +78,8 @@ class FrozenContacts {
   const LimitRange* limits_;
   std::unique_ptr<StepProblem> problem_;
   DenseStepProblem* dense_ = nullptr;  // the same, unless contacts are solved by the tree
-  std::vector<int> side_;   // by hinge: the limit that it may reach, as LimitSolver
-  VecX torques_;            // of limits, by hinge, the latest [N m]
+  std::vector<int> side_;              // by hinge: the limit that it may reach, as LimitSolver
+  VecX torques_;                       // of limits, by hinge, the latest [N m]
   std::vector<Pushing> pushes_;
   std::vector<JointSpring> springs_;  // that are taken implicitly
   VecX kick_;
