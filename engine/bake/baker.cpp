@@ -16,7 +16,7 @@ namespace hazumi {
 Baker::Baker(const Animation& animation, const BakeOptions& options, Motion* motion,
              ThreadPool* pool)
     : animation_(animation),
-      rules_(animation.solver.version),
+      rules_(animation.solver.rules()),
       motion_(motion),
       context_(animation, options, motion),
       regions_(&context_),

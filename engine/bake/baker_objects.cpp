@@ -4,14 +4,13 @@
 
 #include "engine/bake/baker.h"
 #include "engine/bake/walk/begins_inside.h"
-#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
 // Nothing leads to the first frame. What is let go there takes the velocity with which the figure
 // sets out, of keys, regions and pins.
 std::optional<Error> Baker::ReleaseAsItSetsOut(int frame) {
-  const bool takes_it = SolverRules(animation_.solver.version).releases_at_keyed_speed;
+  const bool takes_it = animation_.solver.rules().releases_at_keyed_speed;
   if (frame != animation_.first_frame || !takes_it) return std::nullopt;
   FigureMotion out = context_.now;
   if (auto error = context_.poses.Evaluate(frame, Side::kAfter, &out)) return error;

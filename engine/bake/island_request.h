@@ -13,7 +13,6 @@
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
 #include "engine/spatial/wrench.h"
-#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -25,15 +24,14 @@ struct IslandTask {
   double gravity = 0.0;  // along -z [m/s^2]
   std::vector<ConstraintSpec> constraints = {};
   ContactSpec contacts = {};
-  SolverRules rules{kSolverVersion};
   // Whether anything holds it from outside, so that it matters where it is in the world.
   bool is_placed() const {
     return ActsFromOutside(forces) || !constraints.empty() || !contacts.empty();
   }
 };
 inline auto MembersOf(const IslandTask& task) {
-  const auto& [model, lower, upper, forces, gravity, constraints, contacts, rules] = task;
-  return std::tie(model, lower, upper, forces, gravity, constraints, contacts, rules);
+  const auto& [model, lower, upper, forces, gravity, constraints, contacts] = task;
+  return std::tie(model, lower, upper, forces, gravity, constraints, contacts);
 }
 
 // What an island is asked to do, one after the other; its answers depend on nothing else. Times

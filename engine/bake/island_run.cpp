@@ -28,7 +28,6 @@ IslandRun::IslandRun(const IslandTask& task, MovingBaseCache* moving_bases)
       dynamics_(WithOwnCurves(task.model), MakeLaws(task.forces), task.gravity, task.constraints,
                 task.contacts),
       solver_(&dynamics_, task.lower, task.upper) {
-  dynamics_.SetRules(task.rules);
   if (const double rate = dynamics_.FastestRate(); rate > 0.0) longest_step_ = kMostDecay / rate;
 }
 

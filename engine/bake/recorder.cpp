@@ -76,6 +76,7 @@ void Recorder::BeginStretch(Stretch* stretch) {
   stretch->seams.clear();
   stretch->logs.clear();
   last_limit_.assign(animation_.figure->num_joints(), std::nullopt);
+  last_touch_.clear();
   first_written_.reset();
 }
 
@@ -223,19 +224,21 @@ void Recorder::AddLimit(JointIndex j, double time, double last_time, long count)
 void Recorder::AddTouch(const TouchDown& touch) {
   const double frame = animation_.rate.FrameAt(touch.time);
   if (stays(frame)) return;
-  AddEvent(EventKind::kTouchDown, frame, "");
   MotionEvent event = TouchEvent(touch);
+  const auto [entry, is_new] = last_touch_.try_emplace({event.link, event.on});
+  if (!is_new) {
+    MotionEvent& last = stretch_->events[entry->second];
+    if (touch.time - last.last_time < kChatterGap) {
+      last.count += event.count;
+      last.last_time = event.last_time;
+      return;
+    }
+  }
+  entry->second = stretch_->events.size();
+  AddEvent(EventKind::kTouchDown, frame, event.joint);
   event.time = stretch_->events.back().time;
   event.frame = stretch_->events.back().frame;
-  stretch_->events.pop_back();
-  const auto is_same = [&](const MotionEvent& last) {
-    return last.kind == event.kind && last.link == event.link && last.on == event.on &&
-           event.time - last.last_time < kChatterGap;
-  };
-  const auto last = std::find_if(stretch_->events.rbegin(), stretch_->events.rend(), is_same);
-  if (last == stretch_->events.rend()) return stretch_->events.push_back(std::move(event));
-  last->count += event.count;
-  last->last_time = event.last_time;
+  stretch_->events.back() = std::move(event);
 }
 
 // Names of what touched down, without when.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,8 @@ class Recorder {
   std::optional<int> first_written_;  // what is before this frame stays
   int first_output_ = 0;
   std::vector<std::optional<size_t>> last_limit_;  // by JointIndex: its latest event in the stretch
+  // The latest touch-down of a link or ball on something, by their names, likewise.
+  std::map<std::pair<std::string, std::string>, size_t> last_touch_;
 };
 
 }  // namespace hazumi

@@ -93,9 +93,8 @@ bool RegionDynamics::UsesArticulatedBodies() const {
 bool RegionDynamics::SolvesContactsByTree() const {
   const bool has_pin = model_.root_answers && model_.coupling != RootCoupling::kFlight;
   const bool ties = rows_.any() || !contacts_.spec().own.empty() || !model_.balls.empty();
-  const SolverRules rules(contacts_.spec().version);
-  return rules.sweeps_large_islands && contacts_.is_possible() && !has_pin && !ties &&
-         !(rules.stands_on_springs && has_springs_) && model_.num_free > kMostByMatrices;
+  return contacts_.rules().sweeps_large_islands && contacts_.is_possible() && !has_pin && !ties &&
+         !has_implicit_springs() && model_.num_free > kMostByMatrices;
 }
 
 // x_0 of nodes that have been moved.

@@ -21,7 +21,6 @@
 #include "engine/passive/tree_equations.h"
 #include "engine/passive/tree_impulses.h"
 #include "engine/passive/work.h"
-#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -156,10 +155,8 @@ class RegionDynamics {
   FrozenForces& frozen() { return frozen_; }
   // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
   void Freeze(const VecX& torques);
-  void SetRules(const SolverRules& rules) { rules_ = rules; }
   // Whether springs are to be taken implicitly where contacts are.
-  bool has_implicit_springs() const { return rules_.stands_on_springs && has_springs_; }
-  bool constraints_yield_to_contacts() const { return rules_.parts_what_is_tied; }
+  bool has_implicit_springs() const { return contacts_.rules().stands_on_springs && has_springs_; }
   // After AssembleHinges at the same: springs in joints.
   std::vector<JointSpring> Springs(const RegionState& state) const;
   // Its axes by hinge, world.
@@ -322,7 +319,6 @@ class RegionDynamics {
   // Laws that give forces, that act from outside, that are rules.
   bool has_forces_ = false, has_outer_ = false, has_rules_ = false, has_kinks_ = false;
   bool has_springs_ = false;
-  SolverRules rules_{kSolverVersion};
   // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
   ConstraintRows rows_;
   ContactSet contacts_;

@@ -22,6 +22,7 @@ struct SolverSettings {
   double step = 1.0 / 30.0;     // kPaper [s]
   double tolerance = 1.745e-4;  // kExact: greatest error of an angle in a region [rad]
   int version = kSolverVersion;
+  SolverRules rules() const { return SolverRules(version); }
   bool operator==(const SolverSettings&) const = default;
 };
 

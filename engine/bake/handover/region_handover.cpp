@@ -50,8 +50,8 @@ bool RegionHandover::Begin(int frame, const RegionWalk& walk) {
     active_.insert(r);
     begun_.push_back(r);
     context_.recorder.ClearReport(r);
-    const bool stands = SolverRules(context_.animation.solver.version).stands_on_springs &&
-                        region.root && region.touches_scene;
+    const bool stands =
+        context_.animation.solver.rules().stands_on_springs && region.root && region.touches_scene;
     context_.starts[r] =
         StartOf(region, context_.poses.figure(), context_.now,
                 stands ? &context_.animation.scene : nullptr, &context_.poses.workspace());

@@ -50,7 +50,7 @@ ExactBallisticRoot::ExactBallisticRoot(const PlacementSpan& span, const RootPlac
     : BallisticRoot(site),
       rate_(site.animation.rate),
       gravity_(site.figure, site.animation.scene, span, site.animation.gravity,
-               SolverRules(site.animation.solver.version)) {}
+               site.animation.solver.rules()) {}
 
 RootEvent ExactBallisticRoot::Happen(const GravityEvent& event, const FigureMotion& motion) {
   const std::optional<GroupIndex> before = gravity_.pin();

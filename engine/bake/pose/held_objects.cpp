@@ -83,7 +83,7 @@ BodyMotion HeldObjects::InFlight(size_t object, double seconds) {
   std::optional<ObjectFlight>& way = flights_[object];
   if (!way || way->start() != flight.start || way->from() != flight.from) {
     way.emplace(of, animation_.scene, animation_.gravity, flight.start, flight.from,
-                animation_.solver.version);
+                animation_.solver.rules());
   }
   return way->At(seconds);
 }

@@ -67,11 +67,12 @@ ObjectFlight::Run::Run(const RegionModel& model, double gravity, const ContactSp
 }
 
 ObjectFlight::ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene,
-                           double gravity, double start, const BodyMotion& from, int version)
+                           double gravity, double start, const BodyMotion& from,
+                           const SolverRules& rules)
     : gravity_(gravity), start_(start), from_(from) {
   const double radius = std::get<SphereShape>(object.shape).radius;
   model_ = ModelOf(object.mass, radius, from.X_WB.R);
-  contacts_.version = version;
+  contacts_.rules = rules;
   contacts_.obstacles = ObstaclesOf(scene, object.friction);
   contacts_.capsules = {{0, Vec3::Zero(), Vec3::Zero(), radius, -1, object.restitution}};
   Begin();

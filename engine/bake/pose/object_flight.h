@@ -20,9 +20,10 @@ BodyMotion Falling(const BodyMotion& start, double seconds, double gravity);
 // [METHOD 12.6]
 class ObjectFlight {
  public:
-  // From `start` seconds on. The shape is a sphere. `version`: of the solver.
+  // From `start` seconds on. The shape is a sphere.
   ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene, double gravity,
-               double start, const BodyMotion& from, int version = kSolverVersion);
+               double start, const BodyMotion& from,
+               const SolverRules& rules = SolverRules(kSolverVersion));
 
   // Later than the start. What cannot be solved further stays where it is.
   BodyMotion At(double seconds);

@@ -114,14 +114,14 @@ class Lister {
 ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Animation& animation,
                        const std::function<bool(JointIndex)>& touches,
                        const std::vector<LinkPair>& own, const std::vector<int>& constraints) {
-  const SolverRules rules(animation.solver.version);
+  const SolverRules rules = animation.solver.rules();
   std::vector<const Constraint*> parting;
   for (const int i : constraints) {
     const Constraint& constraint = animation.constraints[i];
     if (rules.parts_what_is_tied && constraint.parts()) parting.push_back(&constraint);
   }
   ContactSpec spec;
-  spec.version = animation.solver.version;
+  spec.rules = rules;
   spec.obstacles = ObstaclesOf(animation.scene, SceneObject::kFriction);
   Lister lister(model, figure, &spec);
   for (size_t i = 0; i < figure.links().size(); ++i) {

@@ -15,7 +15,6 @@
 
 #include "engine/base/text.h"
 #include "engine/timeline/frame_time.h"
-#include "engine/timeline/solver_rules.h"
 
 namespace hazumi {
 
@@ -132,7 +131,7 @@ void DrivenCurves::TakeLimp(const FromTo& span, double* to) {
 Result<double> DrivenCurves::Take(double from, int end, bool with_holds) {
   PoseEvaluator& poses = context_.poses;
   const FromTo span = {from, end};
-  const bool is_causal = SolverRules(context_.animation.solver.version).is_causal;
+  const bool is_causal = context_.animation.solver.rules().is_causal;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double to = is_causal ? kInfinity : end;
   const auto take = [&](CurveTrack& track, DrivenCurve* curve) {
@@ -240,8 +239,7 @@ void DrivenCurves::FitForward(double from, double to) {
   const Points s = ChebyshevPoints(0.5 * context_.Seconds(to - from));
   std::vector<ForwardTorques> found;
   found.reserve(kPoints);
-  const bool stands =
-      SolverRules(context_.animation.solver.version).stands_on_springs && stands_by_contacts_;
+  const bool stands = context_.animation.solver.rules().stands_on_springs && stands_by_contacts_;
   if (stands) forward_->StandAsIn(context_.now, context_.animation.scene);
   for (int i = 0; i < kPoints; ++i) {
     found.push_back(forward_->Of(KeyedAt(middle + s[i]), context_.poses.placement().hold()));

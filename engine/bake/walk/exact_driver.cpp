@@ -87,7 +87,7 @@ void ExactDriver::ListOwnPairs() {
     const DynamicsRegion* region = Carrying(figure_.links()[link].joint);
     return region && region->touches_self;
   };
-  const bool with_touching = SolverRules(animation_.solver.version).keeps_touching_links_apart;
+  const bool with_touching = animation_.solver.rules().keeps_touching_links_apart;
   for (const LinkPair& pair : PairsApart(figure_, with_touching)) {
     if (asks(pair.a) || asks(pair.b)) own_pairs_.push_back(pair);
   }
@@ -141,7 +141,6 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, const std::vector<L
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const int k = model.num_free;
   IslandTask task{std::move(model), VecX(k), VecX(k), {}, animation_.gravity};
-  task.rules = SolverRules(animation_.solver.version);
   VecX rates(k);
   int i = 0;
   ForEachFreeHinge(task.model, [&](Coordinate c) {
@@ -154,12 +153,11 @@ IslandTask ExactDriver::TaskFor(RegionModel model, double t, const std::vector<L
   if (!rates.isZero(0.0)) task.forces.emplace_back(RetentionSpec{std::move(rates)});
   if (!drives_.empty()) AddDrives(&task);
   AddOuterForces(animation_, figure_, t, task.model, &task.forces);
+  const std::vector<int> acting = ActiveConstraints(animation_, t, broken_);
   if (!request_.ties.empty()) {
-    const std::vector<int> active = ActiveConstraints(animation_, t, broken_);
-    *constraints = ConstraintsOf(task.model, animation_, active);
+    *constraints = ConstraintsOf(task.model, animation_, acting);
     task.constraints = constraints->specs;
   }
-  const std::vector<int> acting = ActiveConstraints(animation_, t, broken_);
   if (has_contacts_) {
     const auto touches = [&](JointIndex j) { return Touches(j); };
     AddBalls(animation_.held_objects, loose, figure_, touches, &task.model);

@@ -138,7 +138,7 @@ void AddOuterForces(const Animation& animation, const Figure& figure, double t,
     if (frame < force.first_frame || frame >= force.last_frame) continue;
     std::visit([&](const auto& action) { AddForce(action, figure, model, forces); }, force.action);
   }
-  if (SolverRules(animation.solver.version).lifts_plates_at_all_angles) LiftPlates(forces);
+  if (animation.solver.rules().lifts_plates_at_all_angles) LiftPlates(forces);
 }
 
 bool Push(const PushForce& push, const Figure& figure, ModelRequest request, RotationState* state) {

@@ -32,9 +32,7 @@ Across AcrossOf(const V3& n) {
 }
 
 ContactSet::ContactSet(ContactSpec spec)
-    : spec_(std::move(spec)),
-      rules_(spec_.version),
-      thinnest_(std::numeric_limits<double>::infinity()) {
+    : spec_(std::move(spec)), thinnest_(std::numeric_limits<double>::infinity()) {
   for (const ContactCapsule& own : spec_.capsules) thinnest_ = std::min(thinnest_, own.radius);
   pairs_.reserve(64);
   before_.reserve(64);
@@ -218,7 +216,7 @@ bool ContactSet::IsBuried(int pair, double gap) const {
     const double radii = spec_.capsules[own.capsule].radius + spec_.capsules[*other].radius;
     return gap < (kNearest - 1.0) * radii;
   }
-  if (SolverRules(spec_.version).feels_what_is_deep) return false;
+  if (rules().feels_what_is_deep) return false;
   return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
 }
 
@@ -247,7 +245,7 @@ V3 ContactSet::SlideOf(const ContactPair& pair, const TouchPoint& point) const {
   const V3 v = point.v - Dot(point.n, point.v) * point.n;
   const V3 d = pair.direction - Dot(point.n, pair.direction) * point.n;
   const double ahead = Dot(v, d);
-  const V3 across = rules_.slides_straight_beyond_stop ? V3() : v - ahead * d;
+  const V3 across = rules().slides_straight_beyond_stop ? V3() : v - ahead * d;
   const V3 sum = ahead > 0.0 ? v + kSlow * d : across + kSlow * d;
   return (1.0 / std::sqrt(Dot(sum, sum))) * sum;
 }

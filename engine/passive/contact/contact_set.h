@@ -42,7 +42,7 @@ class ContactSet {
   explicit ContactSet(ContactSpec spec);
 
   const ContactSpec& spec() const { return spec_; }
-  const SolverRules& rules() const { return rules_; }
+  const SolverRules& rules() const { return spec_.rules; }
   bool is_possible() const { return !spec_.empty(); }
   bool any_closed() const { return num_closed_ > 0; }
 
@@ -102,7 +102,6 @@ class ContactSet {
   small::V3 SlideOf(const ContactPair& pair, const TouchPoint& point) const;
 
   ContactSpec spec_;
-  SolverRules rules_;
   double thinnest_;
   std::vector<ContactPair> pairs_, before_;
   std::vector<MovingCapsule> moving_;  // by capsule, in FindPairs

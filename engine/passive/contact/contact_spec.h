@@ -65,12 +65,12 @@ struct ContactSpec {
   std::vector<ContactObstacle> obstacles;
   std::vector<OwnContact> own = {};
   std::vector<ContactExemption> exempt = {};
-  int version = kSolverVersion;  // of the solver
+  SolverRules rules{kSolverVersion};
   bool empty() const { return capsules.empty() || (obstacles.empty() && own.empty()); }
 };
 inline auto MembersOf(const ContactSpec& spec) {
-  const auto& [capsules, obstacles, own, exempt, version] = spec;
-  return std::tie(capsules, obstacles, own, exempt, version);
+  const auto& [capsules, obstacles, own, exempt, rules] = spec;
+  return std::tie(capsules, obstacles, own, exempt, rules);
 }
 
 }  // namespace hazumi

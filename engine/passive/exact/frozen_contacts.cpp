@@ -210,7 +210,7 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
 // Where contacts and constraints cannot both be kept the constraints give way.
 void FrozenContacts::YieldMore() {
   constexpr double kMore = 10.0, kMostYield = 1e3;
-  if (!dynamics_->constraints_yield_to_contacts()) return;
+  if (!dynamics_->contacts().rules().parts_what_is_tied) return;
   least_yield_ = std::min(kMore * least_yield_, kMostYield);
 }
 

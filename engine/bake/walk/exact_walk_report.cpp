@@ -1,0 +1,70 @@
+// Writes down what a walk's driver did: limits and contacts that were hit, constraints that broke
+// or did not arrive, and the reports of its regions.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/bake/walk/exact_walk.h"
+
+namespace hazumi {
+
+// Those up to a time [s].
+void ExactWalk::AddHits(double until) {
+  for (const ExactDriver::Hit& hit : driver_->TakeHits()) {
+    if (hit.time > until) continue;
+    context_.recorder.AddLimit(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
+  }
+}
+
+void ExactWalk::AddTouches() {
+  for (const TouchDown& touch : driver_->TakeTouches()) context_.recorder.AddTouch(touch);
+}
+
+void ExactWalk::AddBreaks() {
+  for (const ConstraintBreak& of : driver_->TakeBreaks()) {
+    context_.now.broken.push_back(of.constraint);
+    const double frame = context_.animation.rate.FrameAt(of.time);
+    context_.recorder.AddEvent(EventKind::kBreak, frame,
+                               context_.animation.constraints[of.constraint].name);
+    for (Warning& warning : arrivals_.Break(of.constraint, frame)) {
+      context_.recorder.AddWarning(std::move(warning));
+    }
+  }
+}
+
+void ExactWalk::LookAtArrivals(const FigureMotion& motion) {
+  if (!driver_ || context_.animation.constraints.empty()) return;
+  DynamicsWorkspace* const ws = &context_.poses.workspace();
+  std::optional<Arrivals::IsFree> is_free;
+  if (context_.poses.placement().hold().coupling == RootCoupling::kPrescribed) {
+    is_free = [this](JointIndex j) { return moves(j); };
+  }
+  for (Warning& warning : arrivals_.Look(driver_->constraints(), motion, is_free, ws)) {
+    context_.recorder.AddWarning(std::move(warning));
+  }
+}
+
+void ExactWalk::WriteReports() {
+  const auto regions = static_cast<double>(driver_->active().size());
+  driver_->MoveLogsTo(&context_.recorder.logs());
+  for (size_t a = 0; a < driver_->active().size(); ++a) {
+    RegionReport& report = context_.recorder.report(driver_->active()[a]);
+    report.steps += static_cast<int>(driver_->steps());
+    report.evaluations += static_cast<int>(driver_->evaluations());
+    report.microseconds += driver_->microseconds() / regions;
+    report.islands = driver_->island_sizes();
+    report.bodies = driver_->num_bodies();
+    report.energy = driver_->energy();
+    const ExactDriver::RegionEstimate estimate = driver_->EstimateOf(a);
+    report.error_estimate = std::max(report.error_estimate, estimate.error);
+    if (!report.estimated_until && std::isfinite(estimate.until)) {
+      report.estimated_until = context_.animation.rate.FrameAt(estimate.until);
+    }
+    if (!report.branches_from && std::isfinite(estimate.branches_from)) {
+      report.branches_from = context_.animation.rate.FrameAt(estimate.branches_from);
+    }
+  }
+}
+
+}  // namespace hazumi
