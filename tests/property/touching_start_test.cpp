@@ -4,9 +4,9 @@
 // move by their keys in any direction. Where the region begins
 //   what slides or separates keeps its velocity, if it does not push in elsewhere,
 //   what approaches is stopped by one impact, whose loss is the contacts',
-// so that with no velocity into the ground the centre of mass goes on as it came, and the account
-// of energy closes. A plain ctest tries a few; 500 are tried by `ctest -C Slow -L slow -R
-// touching -V`. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// so that the centre of mass goes on as it came, but for what friction takes in the first frame,
+// and the account of energy closes. A plain ctest tries a few; 500 are tried by `ctest -C Slow -L
+// slow -R touching -V`. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,7 @@
 #include "engine/placement/contact.h"
 #include "engine/placement/root_placement.h"
 #include "tests/property/random_fall.h"
+#include "tests/support/animations.h"
 #include "tests/support/from_environment.h"
 #include "tests/support/momentum.h"
 #include "tests/support/random.h"
@@ -80,7 +81,7 @@ Animation Touching(uint64_t seed, double gap, const Vec3& v) {
 }
 
 struct Tally {
-  int cases = 0, failed = 0, stopped = 0, open = 0, unlost = 0;
+  int cases = 0, failed = 0, stopped = 0, open = 0;
 };
 
 void Try(int seed, Tally* tally) {
@@ -102,8 +103,13 @@ void Try(int seed, Tally* tally) {
   const Momentum start = MomentumOf(*animation.figure, motion.value().frames[0].after);
   // The frame tells the velocity with which the region takes the figure over.
   const Vec3 velocity = start.com_v;
-  const bool is_kept = (velocity - v).norm() <= 1e-9 * (1.0 + v.norm());
   const EnergyBalance& energy = motion.value().regions[0].energy.value();
+  const bool is_taken_over = (velocity - v).norm() <= 1e-9 * (1.0 + v.norm());
+  // Friction takes as much as it may of what pushes: the weight, what lands, and falling limbs.
+  const Vec3 next = MomentumOf(*animation.figure, motion.value().frames[1].after).com_v;
+  const double pushes = std::max(0.0, -v.z()) + 2.0 * kG / 30.0;
+  const bool goes_on = (next - v).head<2>().norm() <= 0.9 * pushes;
+  const bool is_kept = is_taken_over && goes_on && (up >= 0.0 || energy.impacts < 0.0);
   double turned = std::max(energy.kinetic_start, energy.kinetic_end) + std::abs(energy.limits) +
                   std::abs(energy.impacts);
   for (const auto& work : energy.laws) turned += std::abs(work.joules);
@@ -125,7 +131,7 @@ TEST(TouchingStart, KeepsItsVelocityAndClosesItsAccount) {
               tally.failed, tally.stopped, tally.open);
   EXPECT_EQ(tally.failed, 0);
   EXPECT_EQ(tally.stopped, 0);
-  EXPECT_LE(tally.open, MostOf(tally.cases, 0.05));
+  EXPECT_LE(tally.open, MostOf(tally.cases, 0.01));
 }
 
 // Sliding along with nothing that pushes in: half a frame later the speed is what friction leaves.
