@@ -1,6 +1,7 @@
 #!/usr/bin/env -S /usr/bin/python3
 """Two imports of one file end the same: exit code, complaint and, byte for byte, project. Memory that
-the allocator hands out has other contents in each, so that memory nobody has set shows.
+the allocator hands to hazumi has other contents in each; what it hands to the reader, which opens the
+file, is mostly zero in both.
 usage: import_twice_test.py HAZUMI
 
 HAZUMI_CASES and HAZUMI_FIRST_CASE: how many changed files are tried, and from which seed on."""
