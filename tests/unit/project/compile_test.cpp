@@ -60,7 +60,9 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
 
 TEST(CompileAnimation, PlusBehindAJoint_MeansAllBeyondIt) {
   const auto joints = [](const char* refs) {
-    return CompileGood({{"/regions/0/joints", refs}, {"/regions/0/friction/joints", "{}"}})
+    return CompileGood({{"/regions/0/joints", refs},
+                        {"/regions/0/method", "\"exact\""},
+                        {"/regions/0/friction/joints", "{}"}})
         .animation.regions[0]
         .joints;
   };
