@@ -63,7 +63,8 @@ class EffortWalk {
       const MotionFrame& frame = motion.frames[i];
       const double t = motion.rate.SecondsAt(frame.frame);
       TakeOffOuterForces(t, at[lane_]);
-      Supply({i, frame, animation_.rate.FrameAt(t), placed_[i]}, &effort->frames[i]);
+      const double at_frame = FrameAtRate(frame.frame, motion.rate, animation_.rate);
+      Supply({i, frame, at_frame, placed_[i]}, &effort->frames[i]);
     }
     dynamics_.FindTorques();
     FindShares(at);

@@ -14,15 +14,11 @@ namespace {
 constexpr double kLeastMoment = 0.02;  // of the weight, on an arm as long as the figure
 constexpr int kBesideRegion = 2;       // frames that accelerations and touch-downs are told by
 
-bool Covers(int first, int last, double frame, int end) {
-  return frame >= first && (frame < last || (last == end && frame == last));
-}
-
 bool IsByGravity(const Animation& animation, double frame) {
   return std::any_of(
       animation.placements.begin(), animation.placements.end(), [&](const PlacementSpan& span) {
         return span.kind == PlacementKind::kGravity &&
-               Covers(span.first_frame, span.last_frame, frame, animation.last_frame);
+               HasInstant(span.first_frame, span.last_frame, frame, animation.last_frame);
       });
 }
 
@@ -30,7 +26,7 @@ bool IsRootFree(const Animation& animation, double frame) {
   return std::any_of(
       animation.regions.begin(), animation.regions.end(), [&](const DynamicsRegion& region) {
         return region.root &&
-               Covers(region.first_frame, region.last_frame, frame, animation.last_frame);
+               HasInstant(region.first_frame, region.last_frame, frame, animation.last_frame);
       });
 }
 
@@ -98,16 +94,17 @@ class RegionFrames {
 
  private:
   double OutputAt(int frame, const Motion& motion) const {
-    return motion.rate.FrameAt(animation_.rate.SecondsAt(frame));
+    return FrameAtRate(frame, animation_.rate, motion.rate);
   }
   // Of the animation.
   double FrameOf(const MotionFrame& frame) const {
-    return animation_.rate.FrameAt(part_.rate.SecondsAt(frame.frame));
+    return FrameAtRate(frame.frame, part_.rate, animation_.rate);
   }
 
   bool LetsGo(const MotionFrame& frame, bool moves_most) const {
     const double at = FrameOf(frame);
-    if (!Covers(region_.first_frame, region_.last_frame, at, animation_.last_frame)) return false;
+    if (!HasInstant(region_.first_frame, region_.last_frame, at, animation_.last_frame))
+      return false;
     if (!IsByGravity(animation_, at) || IsRootFree(animation_, at)) return false;
     const Figure& figure = *animation_.figure;
     if (!frame.pinned) return moves_most;

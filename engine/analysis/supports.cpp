@@ -56,16 +56,14 @@ void Supports::PointsAt(const SupportedFrame& at, std::vector<ContactPoint>* poi
             [](const ContactPoint& a, const ContactPoint& b) { return a.id < b.id; });
 }
 
-// Gravity places it and pins nothing. A placement's last frame belongs to what comes after it; that
-// of the animation is known from the left.
+// Gravity places it and pins nothing. A placement's last frame belongs to what comes after it.
 bool Supports::IsInFlight(const SupportedFrame& at) const {
   if (at.frame.pinned) return false;
-  constexpr double kSame = 1e-9;  // [frames]
-  const double frame = std::min(at.animation_frame, animation_.last_frame - kSame);
   return std::any_of(animation_.placements.begin(), animation_.placements.end(),
                      [&](const PlacementSpan& span) {
-                       return span.kind == PlacementKind::kGravity && span.first_frame <= frame &&
-                              frame < span.last_frame;
+                       return span.kind == PlacementKind::kGravity &&
+                              HasInstant(span.first_frame, span.last_frame, at.animation_frame,
+                                         animation_.last_frame);
                      });
 }
 

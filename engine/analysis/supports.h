@@ -13,7 +13,7 @@ namespace hazumi {
 struct SupportedFrame {
   size_t index = 0;  // in Motion::frames
   const MotionFrame& frame;
-  double animation_frame = 0.0;  // its time in frames of the animation
+  double animation_frame = 0.0;  // its time in frames of the animation [FrameAtRate]
   PlacedFrame placed;
 };
 

@@ -64,22 +64,15 @@ struct Named {
 };
 
 // Joints of a region: a hinge, a group (all its hinges), the root (its orientation), or any of them
-// with everything beyond it.
+// with everything beyond it. A file states the last as "r_shoulder+" or as {"beyond":
+// "r_shoulder"}; `name` is what it states, so that the figure decides what a + means [Meant in
+// joint_names.h].
 struct JointRef {
   std::string name;
   bool beyond = false;
   ExtraFields extra;  // only if `beyond`
   bool operator==(const JointRef&) const = default;
 };
-
-// Reads "r_shoulder", or "r_shoulder+" for the joint and all that lies beyond it.
-inline JointRef RefFrom(std::string name) {
-  JointRef ref;
-  ref.beyond = name.size() > 1 && name.ends_with('+');
-  if (ref.beyond) name.pop_back();
-  ref.name = std::move(name);
-  return ref;
-}
 
 // Factors in [0, 1] per 1/30 s: 0 frozen, 1 no friction.
 struct ProjectFriction {

@@ -104,9 +104,11 @@ bool MeansRoot(const std::string& name, const Figure& figure) {
 }
 
 JointRef Meant(const JointRef& ref, const Figure& figure) {
-  const bool is_known = FindJoints(figure, ref.name) || MeansRoot(ref.name, figure);
-  if (!ref.beyond || is_known || !FindJoints(figure, ref.name + "+")) return ref;
-  return {ref.name + "+", false, ref.extra};
+  const bool has_plus = ref.name.size() > 1 && ref.name.ends_with('+');
+  if (ref.beyond || !has_plus || FindJoints(figure, ref.name) || MeansRoot(ref.name, figure)) {
+    return ref;
+  }
+  return {ref.name.substr(0, ref.name.size() - 1), true, {}};
 }
 
 std::string NameOfRoot(const Figure& figure) {
@@ -117,8 +119,9 @@ std::string NameOfRoot(const Figure& figure) {
 }
 
 bool NameRoot(const std::vector<JointRef>& refs, const Figure& figure) {
-  return std::any_of(refs.begin(), refs.end(),
-                     [&](const JointRef& ref) { return MeansRoot(ref.name, figure); });
+  return std::any_of(refs.begin(), refs.end(), [&](const JointRef& ref) {
+    return MeansRoot(Meant(ref, figure).name, figure);
+  });
 }
 
 bool DrivesRoot(const ProjectRegion& region, const Figure& figure) {

@@ -25,7 +25,8 @@ std::optional<MeantJoints> FindJoints(const Figure& figure, const std::string& n
 // True if the name means the root: its own name, or "root", unless a joint is called so.
 bool MeansRoot(const std::string& name, const Figure& figure);
 
-// What a reference means: itself, but a joint whose own name ends with + goes before "name+".
+// What a reference means: itself, but "name+" is "name" with everything beyond it, unless a joint
+// or the root has the whole name.
 JointRef Meant(const JointRef& ref, const Figure& figure);
 
 // The name by which lists of joints mean the root: its own, or "root" where a joint has that name;

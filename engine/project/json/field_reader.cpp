@@ -158,9 +158,7 @@ void ReadValue(const Json& json, const Site& site, Vec3& value) {
 
 void ReadValue(const Json& json, const Site& site, JointRef& value) {
   if (!json.is_object()) {
-    std::string name;
-    ReadValue(json, site, name);
-    value = RefFrom(std::move(name));
+    ReadValue(json, site, value.name);
     return;
   }
   value.beyond = true;

@@ -73,6 +73,37 @@ TEST_F(Problems, AFigureWhoseMassIsBeyondItsToesIsLedTo) {
   EXPECT_TRUE(FoundWith("the centre of mass is ").empty());
 }
 
+TEST_F(Problems, MissingSupportIsNotListedOnceEffortsAreHidden) {
+  Do("view.overlay", {{"name", "effort"}});
+  Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 2.0}});
+  EXPECT_EQ(FoundWith("nothing carries the figure").size(), 1u);
+  Do("view.overlay", {{"name", "effort"}});
+  EXPECT_TRUE(FoundWith("nothing carries the figure").empty());
+  Do("key.set", {{"curve", "root.z"}, {"frame", 0}, {"value", 0.9024}});
+  EXPECT_TRUE(Found().empty());
+  EXPECT_FALSE(editor_.effort.is_busy());
+  Do("view.overlay", {{"name", "effort"}});
+  EXPECT_TRUE(Found().empty());
+  EXPECT_TRUE(editor_.effort.is_there());
+}
+
+// The edge of the support is a toe, which the smaller figure does not have.
+TEST_F(Problems, MissingSupportOfALargerFigureIsNotListedOfASmallerOne) {
+  for (const bool are_hidden : {false, true}) {
+    if (!editor_.viewport.overlays.effort) Do("view.overlay", {{"name", "effort"}});
+    Do("file.new", Json::object());
+    for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {
+      Do("key.set", {{"curve", curve}, {"frame", 0}, {"value", 14}});
+    }
+    ASSERT_EQ(FoundWith("the centre of mass is ").size(), 1u);
+    if (are_hidden) Do("view.overlay", {{"name", "effort"}});
+    Do("file.open", {{"path", HAZUMI_SOURCE_DIR "/assets/examples/wings.kfa"}});
+    for (const Problem& problem : ProblemsOf(&editor_)) {
+      EXPECT_EQ(problem.text.find("the centre of mass is "), problem.text.npos) << problem.text;
+    }
+  }
+}
+
 TEST_F(Problems, AJumpOfTheSpeedIsLedTo) {
   Do("key.set", {{"curve", "root.x"}, {"frame", 0}, {"value", 0.0}});
   Do("key.set", {{"curve", "root.x"}, {"frame", 30}, {"value", 3.0}});

@@ -155,7 +155,7 @@ TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
   EXPECT_NEAR(missing[0].force, animation.figure->total_mass() * kG, 1e-6);
 }
 
-// Pulled down by keys at 3 g while its foot is pinned: it would leave the ground.
+// Pulled down by keys at 3 g: it would leave the ground.
 TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
   Animation animation = Standing();
   const double drop = -1.5 * kG * 0.1 * 0.1;
@@ -165,6 +165,65 @@ TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
   ASSERT_FALSE(missing.empty());
   EXPECT_EQ(missing[0].fault, SupportFault::kPulled);
   for (const FrameEffort& frame : found.effort.frames) ExpectInCones(frame);
+}
+
+// Both feet stay where they are on the ground.
+Animation StandingFast() {
+  Animation animation = Standing();
+  for (const char* foot : {"l_ankle", "r_ankle"}) AddHold(&animation, 0, 30, foot, false);
+  return animation;
+}
+
+SupportFault WorstFaultOf(const Animation& animation, double friction) {
+  BakedEffort found = BakeEffort(animation);
+  EffortOptions options;
+  options.friction = friction;
+  found.effort = EffortOf(animation, found.motion, options);
+  const auto missing = MissingSupports(animation, found.motion, found.effort);
+  EXPECT_FALSE(missing.empty());
+  if (missing.empty()) return SupportFault::kFloats;
+  return std::max_element(missing.begin(), missing.end(),
+                          [](const auto& a, const auto& b) { return a.moment < b.moment; })
+      ->fault;
+}
+
+TEST(MissingSupport, OfASwayOnIce_IsASlide) {
+  Animation animation = StandingFast();
+  animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
+  EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kSlides);
+}
+
+// 0.3 g forwards, with the centre of mass over the feet.
+TEST(MissingSupport, OfAFastSwayOfAMassOverTheFeet_IsAPushFromBeyondThem) {
+  Animation animation = StandingFast();
+  animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
+  EXPECT_EQ(WorstFaultOf(animation, kGroundFriction), SupportFault::kPushedOff);
+}
+
+TEST(MissingSupport, OfATwistOnIce_IsATurn) {
+  Animation animation = StandingFast();
+  animation.root_keys[kRootAngleZ] = {{0, 0.0, 0.0, kCubic}, {6, 0.3, 0.0, kCubic}};
+  EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kTurned);
+}
+
+TEST(MissingSupport, OfAFlightThatSpinsUp_IsATurnInTheAir) {
+  Animation animation = Standing();
+  animation.root_keys[kRootZ] = {{0, 8.0, 0.0, kCubic}};
+  animation.root_keys[kRootAngleY] = {{0, 0.0, 0.0, kCubic}, {15, 1.0, {}, kCubic}};
+  AddGravity(&animation, 0, 30);
+  EXPECT_EQ(WorstFaultOf(animation, kGroundFriction), SupportFault::kTurnsInAir);
+}
+
+// Without weight it stays on the ground while gravity places it.
+TEST(GroundEffort, OfTheFrameOnWhichAFlightEnds_HasContacts) {
+  Animation animation = Standing();
+  animation.gravity = 0.0;
+  animation.last_frame = 130;
+  AddGravity(&animation, 0, 123);
+  const BakedEffort found = BakeEffort(animation);
+  EXPECT_NE(animation.rate.FrameAt(animation.rate.SecondsAt(123)), 123.0);
+  EXPECT_FALSE(found.motion.frames[123].pinned);
+  EXPECT_FALSE(found.effort.frames[123].contacts.empty());
 }
 
 // The arm of a figure that hangs by a hand: nothing but the hand is near the bar.

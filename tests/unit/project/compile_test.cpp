@@ -60,7 +60,9 @@ TEST(CompileAnimation, ResolvesTheJointsOfARegion) {
 
 TEST(CompileAnimation, PlusBehindAJoint_MeansAllBeyondIt) {
   const auto joints = [](const char* refs) {
-    return CompileGood({{"/regions/0/joints", refs}, {"/regions/0/friction/joints", "{}"}})
+    return CompileGood({{"/regions/0/joints", refs},
+                        {"/regions/0/method", "\"exact\""},
+                        {"/regions/0/friction/joints", "{}"}})
         .animation.regions[0]
         .joints;
   };
@@ -81,16 +83,26 @@ TEST(CompileAnimation, DriveBeyondTheRoot_DrivesTheJointsOfItsRegion) {
 }
 
 TEST(JointNames, JointWhoseOwnNameEndsWithPlus_GoesBeforeAllBeyond) {
-  const auto hinged = [](const char* name) {
+  LinkSpec link;
+  link.name = "rod";
+  link.to = Vec3::UnitZ();
+  link.radius = 0.1;
+  link.mass = 1.0;
+  const auto hinged = [&](const char* name) {
     JointSpec joint;
     joint.name = name;
+    joint.parent = "hips";
+    joint.links = {link};
     joint.hinges = {{"", Vec3::UnitX(), -1.0, 1.0, 0.0}};
     return joint;
   };
   FigureSpec spec;
+  spec.root_name = "hips";
+  spec.root_links = {link};
   spec.joints = {hinged("arm+"), hinged("leg")};
   const Figure figure = BuildFigure(spec).value();
-  const JointRef arm = Meant(RefFrom("arm+"), figure), leg = Meant(RefFrom("leg+"), figure);
+  const JointRef arm = Meant({"arm+", false, {}}, figure);
+  const JointRef leg = Meant({"leg+", false, {}}, figure);
   EXPECT_EQ(arm.name, "arm+");
   EXPECT_FALSE(arm.beyond);
   EXPECT_EQ(leg.name, "leg");

@@ -89,7 +89,7 @@ void FieldSetter::operator()(const Field& field, Vec3& value) {
 void FieldSetter::operator()(const Field& field, std::vector<JointRef>& value) {
   if (!p_.has(Name(field))) return;
   value.clear();
-  for (std::string& name : p_.names(Name(field))) value.push_back(RefFrom(std::move(name)));
+  for (std::string& name : p_.names(Name(field))) value.push_back({std::move(name), false, {}});
 }
 
 void FieldSetter::Refuse(const Field& field, const std::string& word, const char* words) {

@@ -52,7 +52,7 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
                       [&](Project*, ProjectRegion* region) -> Result<Done> {
                         ProjectDrive drive;
                         for (const std::string& name : session->selected_joints()) {
-                          drive.joints.push_back(RefFrom(name));
+                          drive.joints.push_back({name, false, {}});
                         }
                         LeaveOutRoot(session->figure(), &drive.joints);
                         if (drive.joints.empty()) drive.joints = region->joints;

@@ -35,7 +35,7 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
         ProjectRegion region;
         region.name = "region";
         for (const std::string& name : session->selected_joints()) {
-          region.joints.push_back(RefFrom(name));
+          region.joints.push_back({name, false, {}});
         }
         if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
         if (!p.has("friction")) {

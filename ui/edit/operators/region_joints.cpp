@@ -89,7 +89,7 @@ void DropWhatIsGone(const Moved& gone, const Figure& figure, ProjectRegion* regi
 
 Result<std::vector<JointRef>> Chosen(const Session& session, const Parameters& p) {
   std::vector<JointRef> refs;
-  for (std::string& name : p.names("joints")) refs.push_back(RefFrom(std::move(name)));
+  for (std::string& name : p.names("joints")) refs.push_back({std::move(name), false, {}});
   if (p.has("joints")) {
     for (const JointRef& each : refs) {
       const JointRef ref = Meant(each, session.figure());

@@ -180,7 +180,7 @@ RegionOnRows RegionOn(const DopeSheetLayout& layout, int first_row, int last_row
 
 RegionOnRows WithRootOfWhole(RegionOnRows region, const Figure& figure) {
   std::vector<JointRef> refs;
-  for (const std::string& name : region.joints) refs.push_back(RefFrom(name));
+  for (const std::string& name : region.joints) refs.push_back({name, false, {}});
   const std::vector<bool> moved = JointsOf(refs, figure);
   const std::string root = NameOfRoot(figure);
   const bool is_whole = std::find(moved.begin(), moved.end(), false) == moved.end();

@@ -36,6 +36,10 @@ bool SlidesFar(const FlightAnalysis& analysis) {
   });
 }
 
+bool IsOf(const MissingSupport& missing, const Figure& figure) {
+  return missing.joint.value() < figure.num_joints();
+}
+
 // A ball that is let go in something: the bake says so.
 bool IsWarnedOf(const FallThrough& fall, const Motion& motion) {
   return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
@@ -80,6 +84,7 @@ class ProblemList {
       AddJerk(jerk);
     }
     for (const MissingSupport& missing : editor_.effort.missing()) {
+      if (!IsOf(missing, session.figure())) continue;  // another one was opened in this frame
       problems_.push_back(SupportProblem(missing, session.figure()));
     }
     AddTime(editor_.flights.analysis().time);

@@ -27,9 +27,9 @@ struct Problem {
 
 // Why there is no motion, else what the bake warned of, velocity jumps, keys that hold a falling
 // body's turn, constraints that nothing feels any more, frames in the ground, feet that slide, what
-// is thrown into things, bodies that are jerked as they take off or land, frames in which the
-// figure is carried or turned by nothing, and what flights say of time. What takes long to find
-// comes when it is found.
+// is thrown into things, bodies that are jerked as they take off or land, while efforts are shown
+// the frames in which the figure is carried or turned by nothing, and what flights say of time.
+// What takes long to find comes when it is found.
 std::vector<Problem> ProblemsOf(Editor* editor);
 // Whether there are any; costs a redraw next to nothing.
 bool HasProblems(Editor* editor);

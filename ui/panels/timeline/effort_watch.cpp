@@ -81,6 +81,11 @@ void EffortWatch::End() {
 }
 
 void EffortWatch::Forget() {
+  if (job_) {
+    job_->cancel = true;
+    if (job_->has_ended) End();
+  }
+  if (!is_there() && missing_.empty() && seen_ == Version()) return;
   effort_ = {};
   missing_.clear();
   seen_ = {};

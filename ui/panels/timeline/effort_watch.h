@@ -22,6 +22,9 @@ class EffortWatch {
   // Looks at the motion if it is another one than before; while something is dragged only where
   // that is quickly done. Waits for what it finds if the session has patience without end.
   void Look(edit::Session* session);
+  // Drops what is known of the motion, and ends the work on it; nothing happens if there is
+  // neither.
+  void Forget();
   // It is at work.
   bool is_busy() const { return job_ != nullptr; }
 
@@ -50,7 +53,6 @@ class EffortWatch {
   };
   void Begin(const Animation& animation, Version version);
   void End();
-  void Forget();
 
   Version seen_;
   long shown_ = -1;  // document that the effort is of

@@ -169,7 +169,11 @@ void Editor::Tick(double now) {
   now_ = now;
   sound.Look(session_);
   film.Look(session_);
-  if (ShowsEffort()) effort.Look(&session_);
+  if (ShowsEffort()) {
+    effort.Look(&session_);
+  } else {
+    effort.Forget();
+  }
   if (playback.is_on()) session_.set_frame(playback.Advance(now));
 }
 

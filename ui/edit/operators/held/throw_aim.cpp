@@ -132,10 +132,12 @@ Result<ThrowPath> ThrowAim::Let(const VecX& swing, int release) {
   if (IsOver()) return TooMuchWork();
   Set(swing);
   bake_.Update(animation_);
-  const auto error = bake_.BakeTo(release);
-  const RegionReport& report = bake_.motion().regions[static_cast<size_t>(case_.region)];
-  evaluations_left_ -= kOfABake + (error ? kOfAFailure : report.evaluations);
-  if (error) return *error;
+  evaluations_left_ -= kOfABake;
+  if (const auto error = bake_.BakeTo(release)) {
+    evaluations_left_ -= kOfAFailure;  // the motion may have no reports
+    return *error;
+  }
+  evaluations_left_ -= bake_.motion().regions[static_cast<size_t>(case_.region)].evaluations;
   return PathFrom(release);
 }
 
