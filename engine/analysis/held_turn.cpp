@@ -11,8 +11,8 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kLeastMoment = 0.02;  // of the weight, on an arm as long as the figure
-constexpr int kBesideRegion = 2;       // frames that accelerations and touch-downs are told by
+constexpr double kLeastMoment = 0.02;  // share of the weight on an arm as long as the figure
+constexpr int kBesideRegion = 2;       // frames that accelerations and touch-downs depend on
 
 bool Covers(int first, int last, double frame, int end) {
   return frame >= first && (frame < last || (last == end && frame == last));
@@ -39,7 +39,7 @@ bool IsMoved(JointIndex j, const DynamicsRegion& region, const Figure& figure) {
                      [&](JointIndex moved) { return figure.IsBeyond(j, moved); });
 }
 
-// More than half of the mass.
+// Returns whether the region moves more than half of the mass.
 bool MovesMost(const DynamicsRegion& region, const Figure& figure) {
   double mass = 0.0;
   for (int j = 0; j < figure.num_joints(); ++j) {
@@ -48,7 +48,7 @@ bool MovesMost(const DynamicsRegion& region, const Figure& figure) {
   return mass > 0.5 * figure.total_mass();
 }
 
-// The longest way from the root to the end of a link [m].
+// Longest distance from the root to the end of a link [m].
 double ReachOf(const Figure& figure, const MotionFrame& frame) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, frame.X_WR, frame.q, &ws);
@@ -62,7 +62,7 @@ double ReachOf(const Figure& figure, const MotionFrame& frame) {
   return reach;
 }
 
-// A region's frames, and some beside them.
+// Frames of a region, and some frames before and after it.
 class RegionFrames {
  public:
   RegionFrames(const Animation& animation, const Motion& motion, size_t region)
@@ -100,7 +100,7 @@ class RegionFrames {
   double OutputAt(int frame, const Motion& motion) const {
     return motion.rate.FrameAt(animation_.rate.SecondsAt(frame));
   }
-  // Of the animation.
+  // Converts to frames of the animation.
   double FrameOf(const MotionFrame& frame) const {
     return animation_.rate.FrameAt(part_.rate.SecondsAt(frame.frame));
   }
