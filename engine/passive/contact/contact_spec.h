@@ -50,7 +50,7 @@ inline auto MembersOf(const OwnContact& own) {
   return std::tie(a, b, friction);
 }
 
-// A capsule and an obstacle, by their indices, that pass through each other.
+// Capsule and obstacle, by index, that do not collide.
 struct ContactExemption {
   int capsule = 0, obstacle = 0;
 };
@@ -65,7 +65,7 @@ struct ContactSpec {
   std::vector<ContactObstacle> obstacles;
   std::vector<OwnContact> own = {};
   std::vector<ContactExemption> exempt = {};
-  int version = kSolverVersion;  // of the solver
+  int version = kSolverVersion;  // solver version
   bool empty() const { return capsules.empty() || (obstacles.empty() && own.empty()); }
 };
 inline auto MembersOf(const ContactSpec& spec) {
