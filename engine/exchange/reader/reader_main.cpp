@@ -94,8 +94,8 @@ bool Do(const std::string& task, const char* file) {
 int main(int argc, char** argv) {
   if (argc < 5) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  // Memory that a library reads and has not set is zero in every run, so that a file has one
-  // answer.
+  // Fill allocated memory with zeros, so that libraries that read uninitialized memory give the
+  // same result in every run.
   ::mallopt(M_PERTURB, 0xff);
   if (argc > 5) MakeTrouble(argv[5]);
   const bool done = Do(argv[1], argv[4]);
