@@ -36,7 +36,7 @@ bool SlidesFar(const FlightAnalysis& analysis) {
   });
 }
 
-// A ball that is let go in something: the bake says so.
+// Returns whether the bake warns of a ball that is released inside an object.
 bool IsWarnedOf(const FallThrough& fall, const Motion& motion) {
   return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
     return IndexIn("held_objects", warning.place) == static_cast<size_t>(fall.object) &&
