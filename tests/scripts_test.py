@@ -1,5 +1,5 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""What scripts/lint checks of a clone, and what scripts/soak says of a soak."""
+"""Tests of the sources that scripts/lint checks in a clone, and of the reports of scripts/soak."""
 
 import importlib.machinery
 import importlib.util
@@ -28,7 +28,7 @@ def git(folder, *words):
 
 
 class Lint(unittest.TestCase):
-    """A repository of one source, its header, and a source that includes that."""
+    """Repository of one source, its header, and another source that includes the header."""
 
     def setUp(self):
         self.place = tempfile.TemporaryDirectory()

@@ -1,9 +1,10 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""Two imports of one file end the same: exit code, complaint and, byte for byte, project. Memory that
-the allocator hands out has other contents in each, so that memory nobody has set shows.
+"""Compares two imports of one file: exit code, message and, byte for byte, project must be equal.
+The allocator fills memory with different values in each, so that reads of uninitialized memory
+differ.
 usage: import_twice_test.py HAZUMI
 
-HAZUMI_CASES and HAZUMI_FIRST_CASE: how many changed files are tried, and from which seed on."""
+HAZUMI_CASES and HAZUMI_FIRST_CASE: number of changed files, and first seed."""
 
 import os
 import pathlib
@@ -36,7 +37,7 @@ class ImportTwice(InFolder):
                 self.assertTrue(self.assert_same(path, path.name), path.name)
 
     def test_changed_characters_give_the_same_bytes_or_the_same_complaint(self):
-        """A few bytes of a small character are others."""
+        """Changes a few bytes of a small character."""
         print(f"seeds {FIRST} to {FIRST + CASES - 1}: HAZUMI_FIRST_CASE={FIRST} HAZUMI_CASES={CASES} "
               "tries them again", flush=True)
         changed = self.folder / "changed.gltf"

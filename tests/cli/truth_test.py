@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""What the command line says of scenes whose truth is a closed form. A program that reports
-something else, or that does not take a number from the file, fails. usage: truth_test.py HAZUMI"""
+"""Compares reports of the command line with analytic solutions. Fails if a report differs or
+ignores a number of the file. usage: truth_test.py HAZUMI"""
 
 import csv
 import json
@@ -11,8 +11,8 @@ import unittest
 from command_line import ROOT, InFolder, run
 
 MOON, EARTH = 1.62, 9.81
-# A rod of mass m [kg] on a pivot, its centre of mass d [m] below, its moment of inertia about the
-# pivot [kg m^2].
+# Rod on a pivot: mass [kg], distance of the centre of mass below the pivot [m], moment of inertia
+# about the centre of mass and about the pivot [kg m^2].
 MASS, LEVER, ABOUT_CENTRE = 2.0, 0.5, 0.18
 INERTIA = ABOUT_CENTRE + MASS * LEVER * LEVER
 FPS, LAST = 30, 30
@@ -74,7 +74,7 @@ def falls():
 
 class Truth(InFolder):
     def told(self, project, *options):
-        """By a task, as JSON."""
+        """Output of a task on a project."""
         file = self.folder / "scene.kfa"
         file.write_text(json.dumps(project))
         done = run(*options, file)
@@ -85,7 +85,7 @@ class Truth(InFolder):
         return json.loads(self.told(project, "--bake", "-", *options))
 
     def informed(self, project):
-        """--info in words and in JSON."""
+        """Output of --info as text and as JSON."""
         return (self.told(project, "--info", "--effort"),
                 json.loads(self.told(project, "--info", "--json")))
 
@@ -98,7 +98,7 @@ class Truth(InFolder):
 
 class Energy(Truth):
     def accounts(self, project):
-        """The same account three times."""
+        """Energy account of a project from three reports: a line of text, --info and --bake."""
         text, info = self.informed(project)
         line = re.search(r"energy: (.*)", text)[1]
         bake = self.baked(project)
@@ -287,7 +287,8 @@ class Forces(Truth):
             self.assert_close(abs(drag), 0.5 * density * 1.1 * 0.04 * 1.0 * 36)
 
     def test_a_drive_is_reported_as_the_torque_that_it_gives(self):
-        """A chain of three: the first is keyed, the second driven by a curve, the third limp."""
+        """Chain of three joints: the first is keyed, the second driven by a curve, the third
+        limp."""
         names, links = ["u", "v", "w"], []
         for i, name in enumerate(names):
             link = dict(rod()["joints"][0]["links"][0], name="l" + name)

@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""The fuzzers know every field and every operator of today: dictionaries have their words, and a
-file of the corpora uses each. usage: words_test.py HAZUMI"""
+"""Checks that the fuzzers cover every field and every operator: a dictionary must contain its
+words, and a file of the corpora must use it. usage: words_test.py HAZUMI"""
 
 import pathlib
 import subprocess
@@ -48,7 +48,7 @@ class Corpora(unittest.TestCase):
 
 
 class Schema(unittest.TestCase):
-    """A field that is added to the schema is found."""
+    """Search for a field that is added to the schema."""
 
     def test_a_new_field_is_missing_in_the_dictionary_and_the_corpus(self):
         with tempfile.TemporaryDirectory() as folder:

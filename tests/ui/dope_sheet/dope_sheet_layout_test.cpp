@@ -191,7 +191,7 @@ TEST(DopeSheetHitTest, WhereTwoSpansMeetEachHasItsEnd) {
 
 TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {
   const edit::Session session = Throw();
-  Rect tall = kRect;  // all rows with keys
+  Rect tall = kRect;  // room for all rows with keys
   tall.h += 60.0f;
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, tall, 1.0);
   const RowBar& bar = BarOn(layout, "limb r_shoulder");

@@ -66,7 +66,7 @@ TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
 }
 
 TEST_F(DopeSheet, DAndEnterMarksTheSelectedJoints) {
-  user.Click({60.0f, Layout().row_rects[5].y + 5.0f});  // the head's name
+  user.Click({60.0f, Layout().row_rects[5].y + 5.0f});  // name of the head
   user.MoveTo({X(2), Layout().row_rects[5].y + 5.0f});
   user.Press('D');
   user.Press(ui::kEnter);
@@ -140,7 +140,7 @@ TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
 
 class WholeBody : public DopeSheet {
  protected:
-  // The holds of the feet end before.
+  // Paints a region after the end of the holds of the feet.
   const ProjectRegion& Paint(const std::string& first_row, const std::string& last_row) {
     const size_t before = user.project().regions.size();
     const Point from = {X(18), RowOf(first_row)}, to = {X(26), RowOf(last_row)};

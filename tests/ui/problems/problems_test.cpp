@@ -55,7 +55,7 @@ TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
   EXPECT_TRUE(FoundWith("in the ground").empty());
 }
 
-// While efforts are shown.
+// Problem that is found while efforts are shown.
 TEST_F(Problems, AFigureWhoseMassIsBeyondItsToesIsLedTo) {
   Do("view.overlay", {{"name", "effort"}});
   for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {

@@ -84,8 +84,7 @@ TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
   EXPECT_LT((solved.rest.moment - Vec3(1, 2, 3)).norm(), 1e-6);
 }
 
-// A moment that cannot be had does not change the force, which would have to act 8 cm beyond the
-// edge.
+// Moment that cannot be supplied: the force would have to act 8 cm beyond the edge.
 TEST(ContactForces, SupplyTheForceWhateverMomentIsLacking) {
   const Vec3 F(-5, 0, 100), com(0.13, 0.0, 1.0), edge(0.1, 0.0, 0.0);
   std::vector<Vec3> forces;

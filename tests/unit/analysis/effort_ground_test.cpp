@@ -1,4 +1,4 @@
-// What soles and hands can give, and what is missing where they cannot.
+// Contact forces of soles and hands, and residual wrenches that no contact can supply.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(GroundEffort, OfAFlightHasNoContacts) {
   EXPECT_GT(flying, 40);
 }
 
-// Keys alone, no placement says that it flies.
+// Flight by keys alone, without a placement by gravity.
 TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic},
@@ -77,14 +77,14 @@ TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
   EXPECT_GT(above, 80);
 }
 
-// How far the centre of mass is in front of all that touches [m].
+// Distance of the centre of mass in front of all contact points [m].
 double BeyondToes(const MotionFrame& frame, const FrameEffort& effort) {
   double toes = -1e300;
   for (const EffortContact& contact : effort.contacts) toes = std::max(toes, contact.p.x());
   return frame.com.x() - toes;
 }
 
-// Soles flat on the ground, the legs and the trunk lean forward from the ankles.
+// Figure with flat soles whose legs and trunk lean forward from the ankles.
 Animation Leaning(double lean, bool is_pinned) {
   Animation animation = Standing();
   const auto ankle_height = [&] {
@@ -155,7 +155,8 @@ TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
   EXPECT_NEAR(missing[0].force, animation.figure->total_mass() * kG, 1e-6);
 }
 
-// Pulled down by keys at 3 g while its foot is pinned: it would leave the ground.
+// Keys pull the figure down at 3 g while its foot is pinned, although the figure would leave the
+// ground.
 TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
   Animation animation = Standing();
   const double drop = -1.5 * kG * 0.1 * 0.1;
@@ -167,7 +168,7 @@ TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
   for (const FrameEffort& frame : found.effort.frames) ExpectInCones(frame);
 }
 
-// The arm of a figure that hangs by a hand: nothing but the hand is near the bar.
+// Figure that hangs by a hand. Only the hand is near the bar.
 Animation Hanging() {
   Animation animation = Still(ShippedHuman());
   KeysOf(&animation, "r_shoulder_flexion") = {{0, 3.0, 0.0, kCubic}};
@@ -201,7 +202,7 @@ TEST(GripEffort, OfAHeldHandOnABarCarriesTheWeight) {
   EXPECT_LT(found.effort.frames[4].from_nowhere.force.norm(), 1e-6);
 }
 
-// Without the hold the hand is beside the bar.
+// Hand beside the bar, without a hold.
 TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
   const BakedEffort found = BakeEffort(Hanging());
   for (const EffortContact& contact : found.effort.frames[4].contacts) {
@@ -210,7 +211,7 @@ TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
   EXPECT_GT(found.effort.frames[4].from_nowhere.force.norm(), 100.0);
 }
 
-// A foot that is pinned where the scene shows no ground stands all the same, and does not pull.
+// Pinned foot in a scene without ground. The foot supports the figure and cannot pull.
 TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
   Animation animation = Leaning(0.24, true);
   const BakedEffort on_ground = BakeEffort(animation);
@@ -224,7 +225,7 @@ TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
   EXPECT_GT(on_ground.effort.frames[3].contacts.size(), frame.contacts.size());
 }
 
-// A block in the hand of a figure on a block: each carries what is above it.
+// Block in the hand of a figure on a block. Each contact carries the weight above it.
 TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
   Animation animation = Standing();
   SceneObject block;
@@ -247,7 +248,7 @@ TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
   }
 }
 
-// All that is weighed goes with the gravity of the scene.
+// All weights scale with the gravity of the scene.
 TEST(GroundEffort, OnTheMoonIsASixthOfThatOnTheEarth) {
   Animation animation = Standing();
   animation.gravity = 1.62;

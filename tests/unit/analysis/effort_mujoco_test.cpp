@@ -1,5 +1,5 @@
-// Inverse dynamics of whole figures, as effort has them, against MuJoCo's with its contacts off:
-// random states on a root that turns and accelerates, with known forces at points of any links.
+// Inverse dynamics of whole figures as in effort, against MuJoCo with its contacts disabled. Random
+// states on a root that rotates and accelerates, with known forces at points of any links.
 
 #include "engine/analysis/effort.h"
 #include "engine/dynamics/kinematics.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;
 
-// A figure in random states, and the generalized forces of root and hinges that MuJoCo has for it.
+// Figure in random states, with the generalized forces of root and hinges that MuJoCo computes.
 class AskedOfMujoco {
  public:
   AskedOfMujoco(Figure figure, double gravity, int states, Random* random) {
@@ -25,7 +25,7 @@ class AskedOfMujoco {
     for (int i = 0; i < states; ++i) AddState(i, random);
   }
 
-  // The largest relative difference of torques, forces and moments of the states.
+  // Largest relative difference of torques, forces and moments over the states.
   double WorstDifference() const {
     const Effort effort = EffortOf(animation_, motion_);
     double worst = 0.0;
@@ -65,7 +65,7 @@ class AskedOfMujoco {
     motion_.frames.push_back(frame);
   }
 
-  // On a link, at a point within half a metre of its joint.
+  // Force on a link at a point within half a metre of its joint.
   ContactPush RandomPush(const MotionFrame& frame, Random* random) const {
     const Figure& figure = *animation_.figure;
     DynamicsWorkspace ws(figure);
@@ -80,8 +80,8 @@ class AskedOfMujoco {
   Animation animation_;
   std::unique_ptr<MujocoFigure> mujoco_;
   Motion motion_;
-  std::vector<Mat3> root_axes_;  // by state
-  std::vector<VecX> asked_;      // by state
+  std::vector<Mat3> root_axes_;  // one per state
+  std::vector<VecX> asked_;      // one per state
 };
 
 TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {

@@ -1,4 +1,4 @@
-// Torques of motions whose bake told no accelerations: those of cubics from frame to frame.
+// Torques of motions without accelerations of the bake, from cubics between frames.
 
 #include "engine/analysis/frame_accelerations.h"
 
@@ -49,7 +49,7 @@ TEST(FrameAccelerations, OfKeysAreThoseOfTheirCurveToItsLastFrame) {
   }
 }
 
-// The largest torque of any hinge of arms that swing freely.
+// Largest torque of any hinge of arms that swing freely.
 double LargestOfASwing(int frames_per_second) {
   Animation animation = Still(Human37());
   KeysOf(&animation, "r_shoulder_y") = {{0, 0.9, 0.0, kCubic}};
@@ -77,7 +77,7 @@ TEST(FrameAccelerations, OfAFreeSwingErrWithTheSquareOfTheFrameTime) {
   EXPECT_LT(fine, 0.02);
 }
 
-// A ball is part of its holder's body until it is let go.
+// Ball that is part of its holder's body until its release.
 TEST(Effort, OfAHandThatHoldsABallCarriesIt) {
   Animation animation = Still(Human37());
   KeysOf(&animation, "r_shoulder_y") = {{0, -1.5, 0.0, kCubic}};

@@ -1,6 +1,5 @@
-// What impacts of contacts do: their term of the energy account, apart from that of limits, and
-// their events. And what leaves an account of energy by no force: what is let go, and joints
-// without mass.
+// Impacts of contacts: their term of the energy account, separate from that of limits, and their
+// events. Changes of energy without a force: released objects, and joints without mass.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kDrop = 1.0;  // of a fall [m]
+constexpr double kDrop = 1.0;  // height of a fall [m]
 
 Motion BakeWithEnergy(const Animation& animation) {
   BakeOptions options;
@@ -47,8 +46,8 @@ TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
   EXPECT_EQ(touches[0].count, 1);
 }
 
-// Two rods in a line, hinged at the middle about y, which bends up to 0.1 rad. One end is lower:
-// the floor stops it, and the hinge is driven against its limit.
+// Two rods in a line with a hinge about y between them, which bends up to 0.1 rad. The floor stops
+// the lower end, and the impact drives the hinge to its limit.
 TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
   FigureSpec spec;
   spec.name = "rods";
@@ -73,7 +72,7 @@ TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
   EXPECT_NEAR(energy.impacts + energy.limits + energy.WorkOf("contact"), -lost, 1e-5 * lost);
 }
 
-// Its impact is where its region begins, and the account begins before it.
+// Impact at the start of a region. The energy account begins before the impact.
 TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
   Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 10);
   constexpr double kSpeed = 2.0;  // [m/s]
@@ -86,7 +85,7 @@ TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6);
 }
 
-// A rod that swings about z holds a stick at its end, and lets it go.
+// Rod that swings about z and releases a stick from its end.
 Animation Swinging(bool has_mass) {
   FigureSpec spec;
   spec.name = "arm";
@@ -140,7 +139,7 @@ TEST(WeightlessJoint, ClosesItsAccountAndIsWarnedOf) {
   EXPECT_EQ(std::count_if(motion.warnings.begin(), motion.warnings.end(), is_warned), 1);
 }
 
-// Steps of 1/64 ms would take two million evaluations.
+// Bounds the evaluations: steps of 1/64 ms would take two million.
 TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
   Animation animation = Loose(FreeCapsule(0.5, 0.02), 30);
   animation.gravity = 0.0;
@@ -155,8 +154,8 @@ TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
   EXPECT_LT(BakeOrFail(animation).regions[0].evaluations, 30'000);
 }
 
-// The root's turn is keyed, and it lands: on a leg that a region keeps out of the scene. The
-// contact and the landing are at the same instant.
+// Landing of a figure with a keyed root orientation on a leg with contacts. The contact and the
+// landing are simultaneous.
 TEST(Landing, OnALimbWithContacts_ComesBeforeItsContact) {
   FigureSpec spec;
   spec.name = "legged";

@@ -1,4 +1,4 @@
-// A figure that stands on springs: it stands, sways, and falls where it is pushed hard enough.
+// Figure that stands on springs, sways, and topples after a large enough impulse.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kSolesBelow = 0.9024;  // of the pelvis in the zero pose [m]
+constexpr double kSolesBelow = 0.9024;  // depth of the soles below the pelvis in the zero pose [m]
 
 Animation Standing(int frames, double frequency) {
   Animation animation = LooseHuman(frames, kSolesBelow);
@@ -67,7 +67,8 @@ TEST(Standing, APushOfSixtyNewtonSecondsTopplesHim) {
   EXPECT_GE(motion.frames.back().com.x(), 0.5);
 }
 
-// In time-stepping mode springs are no part of what bounds steps: 127,000 evaluations before.
+// Bounds the evaluations, since springs do not limit steps in time-stepping mode: 127,000 with
+// explicit springs.
 TEST(Standing, SixFramesTakeFewEvaluations) {
   EXPECT_LE(BakeOrFail(Standing(6, 2.0)).regions[0].evaluations, 10000);
   EXPECT_LE(BakeOrFail(Standing(60, 5.0)).regions[0].evaluations, 40000);
@@ -90,7 +91,8 @@ TEST(Support, TwoFeetCarryHalfTheWeightEach) {
                    &ws);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
   const std::vector<double> shares = CarriedShares(figure, points, ws);
-  // His mass is 2 mm behind the heels' points, which carry next to all of it.
+  // Centre of mass 2 mm behind the contact points of the heels, which carry almost all of the
+  // weight.
   for (const char* ankle : {"r_ankle_flexion", "l_ankle_flexion", "r_hip_flexion"}) {
     EXPECT_NEAR(shares[figure.FindJoint(ankle)->value()], 0.5, 0.005) << ankle;
   }
@@ -106,7 +108,7 @@ TEST(Support, PointsPushAndSupplyForceAndMoment) {
   ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
                    &ws);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
-  Vec3 about = Vec3::Zero();  // their middle
+  Vec3 about = Vec3::Zero();  // mean of the points
   for (const SupportPoint& point : points) about += point.Place(ws) / points.size();
   const Wrench needed = {Vec3(20.0, -10.0, 700.0), Vec3(10.0, 5.0, 1.0)};
   const std::vector<Vec3> forces = SupportForces(points, needed, about, ws);

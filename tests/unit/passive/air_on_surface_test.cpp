@@ -89,7 +89,7 @@ TEST(AirOnSurface, OfAPlateIsAlongItsNormal) {
   }
 }
 
-// With solver version 2, next to its ends as well: no fading bends its glide.
+// Plate of solver version 2, whose lift is not faded next to 0 and 90 degrees.
 TEST(AirOnSurface, OfAPlateThatIsNotFadedIsAlongItsNormalAtAllAngles) {
   LinkSurface plate = Of(LinkSurface::Kind::kPlate);
   plate.is_faded = false;

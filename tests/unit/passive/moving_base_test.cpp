@@ -141,7 +141,7 @@ TEST(MovingBase, GivesUpLateInAMotionThatIsTooWild) {
   EXPECT_GT(t, 0.0);
 }
 
-// So that nothing depends on where a motion is cut.
+// Independence of the end of a motion, which may be cut anywhere.
 TEST(MovingBase, DoesNotDependOnWhereItIsAskedToEnd) {
   int calls = 0;
   const Shaker chain{1.0, 3.0, &calls};

@@ -1,5 +1,5 @@
 // Impulses on several bodies of a tree, all at once and one after the other on a tour, against
-// articulated bodies that are pushed one by one.
+// impulses on articulated bodies one at a time.
 
 #include "engine/passive/tree_impulses.h"
 
@@ -81,7 +81,7 @@ TEST(TreeImpulses, SettledTogether_AddUpToPushesOneByOne) {
   });
 }
 
-// Impulses so far.
+// Impulses applied so far.
 struct Given {
   std::vector<std::pair<int, TreeImpulses::Impulse>> on_nodes;
   std::vector<std::pair<FreeHinge, double>> about_hinges;
@@ -97,7 +97,8 @@ TreeImpulses::Motion MotionBy(const Given& given, const RandomIsland& island, in
   return tree.impulses.Of(node);
 }
 
-// Hinges are pushed before their node is reached and after it is left, nodes in between.
+// Applies impulses to hinges before a tour reaches their node and after it leaves the node, and to
+// nodes in between.
 TEST(TreeImpulses, NodeThatATourReaches_MovesByAllImpulsesSoFar) {
   Worst worst("tour");
   ForEachIsland([&](RandomIsland* island) {

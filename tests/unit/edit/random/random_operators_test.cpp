@@ -170,7 +170,7 @@ TEST(RandomOperators, AreUndoneAndDoneAgainToTheByte) {
   EXPECT_GE(2 * all.done, all.tried) << "at least half are to be done";
   if (cases.count() < kRuns) return;
   EXPECT_EQ(counts.size(), edit::AllOperators().size()) << "each is tried";
-  // Chance leaves out the odd one, which needs others to be done before it.
+  // Allow for an operator that chance leaves out because it requires others before it.
   EXPECT_LE(num_never, counts.size() / 100) << "hardly any is never done:" << never;
 }
 
