@@ -104,7 +104,7 @@ class Energy(Truth):
         bake = self.baked(project)
         return line, info["regions"][0]["energy_j"], bake["regions"][0]["energy_j"]
 
-    def test_friction_loses_what_its_decay_says(self):
+    def test_friction_loses_the_energy_of_its_analytic_decay(self):
         factor, rate = 0.97, 3.0
         project = scene(rod(), 0, joints=keyed(0, math.degrees(rate)), regions=swing(factor))
         decay = -30 * math.log(factor)
@@ -119,7 +119,7 @@ class Energy(Truth):
         self.assert_close(self.joules(line, "friction"), after - before, 1e-2)
         self.assert_close(float(re.search(r"kinetic (\S+) to", line)[1]), before, 1e-2)
 
-    def test_a_limit_takes_all_energy_of_a_blow(self):
+    def test_a_limit_takes_all_energy_of_an_impact(self):
         rate = 2.0
         project = scene(rod((-1000, 60)), 0, joints=keyed(0, math.degrees(rate)), regions=swing())
         line, *accounts = self.accounts(project)
@@ -132,7 +132,7 @@ class Energy(Truth):
         self.assert_close(hit["time_s"], math.radians(60) / rate)
         self.assertEqual(hit["frame"], math.ceil(hit["time_s"] * FPS))
 
-    def test_gravity_gives_what_the_height_says(self):
+    def test_gravity_does_the_work_of_the_height(self):
         for gravity in (MOON, EARTH):
             project = scene(rod(), gravity, joints=keyed(80, 0), regions=swing())
             frame = self.baked(project)["frames"][-1]
@@ -146,7 +146,7 @@ class Energy(Truth):
                               MASS * gravity * fallen)
 
 
-    def test_keys_do_the_work_of_what_they_lift(self):
+    def test_keys_do_the_work_of_lifting(self):
         root = {"z": {"keys": [{"frame": 0, "position_m": 1, "rate_m_s": 0},
                                {"frame": LAST, "position_m": 2, "rate_m_s": 3}]}}
         project = scene(rod(), MOON, root=root, joints=keyed(0, 0), regions=swing())
@@ -177,7 +177,7 @@ class Gravity(Truth):
                     self.assert_close(frame["com"][2], 20 - gravity * t * t / 2,
                                       1e-6 if method == "exact" else 0.01)
 
-    def test_a_fall_lands_when_and_as_fast_as_it_should(self):
+    def test_a_fall_lands_at_the_analytic_time(self):
         for gravity in (MOON, EARTH):
             project = scene(ball(), gravity, [floor()], root=root_at(0.3), placements=falls())
             landing = [e for e in self.baked(project)["events"] if e["kind"] == "landing"][0]
@@ -192,7 +192,7 @@ class Gravity(Truth):
             frame = self.baked(project)["frames"][-1]
             self.assert_close(frame["com"][2], 20 - gravity * SECONDS ** 2 / 2)
 
-    def test_what_is_let_go_falls_by_half_of_g_t_squared(self):
+    def test_a_released_object_falls_by_half_of_g_t_squared(self):
         for gravity in (MOON, EARTH):
             thing = {"name": "thing", "sphere": {"radius_m": 0.05}, "mass_kg": 1, "joint": "pivot",
                      "offset_m": [0, 0, -1], "release_frame": 5}
@@ -202,7 +202,7 @@ class Gravity(Truth):
             t = (LAST - 5) / FPS
             self.assert_close(place[2], 49 - gravity * t * t / 2)
 
-    def test_effort_weighs_as_much_as_gravity_says(self):
+    def test_effort_carries_the_weight_under_each_gravity(self):
         for gravity in (MOON, EARTH):
             project = scene(human(), gravity, [floor()], root=root_at(0.9024))
             effort = self.baked(project, "--effort")["frames"][10]["effort"]
@@ -255,7 +255,7 @@ class Figures(Truth):
 
 
 class Forces(Truth):
-    def test_what_lies_is_pushed_by_its_weight(self):
+    def test_contact_forces_of_a_lying_figure_are_its_weight(self):
         regions = [{"name": "all", "first_frame": 0, "last_frame": LAST,
                     "joints": ["base", "tail"], "contacts": {"scene": True}}]
         for gravity in (MOON, EARTH):
@@ -265,7 +265,7 @@ class Forces(Truth):
             self.assert_close(sum(contact["force_n"][2] for contact in contacts), MASS * gravity,
                               1e-3)
 
-    def test_a_constraint_carries_what_hangs_on_it(self):
+    def test_a_constraint_carries_the_hanging_weight(self):
         for gravity in (MOON, EARTH):
             tie = {"name": "tie", "kind": "point", "first_frame": 0, "last_frame": LAST,
                    "a": {"joint": "base", "offset_m": [0, 0, 0]},

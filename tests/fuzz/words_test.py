@@ -42,7 +42,7 @@ class Corpora(unittest.TestCase):
                                   check=False, timeout=120)
             self.assertEqual(done.returncode, 0, f"{path.name}: {done.stderr}")
 
-    def test_every_file_is_as_short_as_what_fuzzers_try(self):
+    def test_every_file_is_within_the_length_that_fuzzers_try(self):
         for path in (words.FUZZ / "corpus").rglob("*.*"):
             self.assertLessEqual(path.stat().st_size, 8192, path.name)
 

@@ -129,7 +129,7 @@ TEST(TouchingStart, KeepsItsVelocityAndClosesItsAccount) {
 }
 
 // Slides without approaching contacts: half a frame later, friction alone has changed the speed.
-TEST(TouchingStart, AtGapsUpToTenMicrometresDiffersAsTheGapDoes) {
+TEST(TouchingStart, SmallGap_ChangesTheMotionInProportion) {
   for (int seed = 1; seed <= 4; ++seed) {
     Vec3 first = Vec3::Zero();
     for (const double gap : kGaps) {

@@ -105,7 +105,7 @@ TEST(BothMethods, LandOnTwoFeetAtOnce) {
 
 // Falls with both legs free. Nothing turns the legs before the landing, since all of the figure
 // falls alike.
-TEST(BothMethods, WithFreeLegsFallStraightAndLandInAFewEvents) {
+TEST(BothMethods, FigureWithFreeLegs_FallsStraightAndLandsInAFewEvents) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
     Animation animation = Falling(Human(), 1.15, 0.0, method);
     AddFloor(&animation);

@@ -219,7 +219,7 @@ TEST(DopeSheetLayout, ARegionNamesWhatIsPainted) {
   EXPECT_TRUE(RegionOn(layout, 0, 1).joints.empty());
 }
 
-TEST(DopeSheetLayout, AllLimbsTogetherTakeTheRootAlong) {
+TEST(DopeSheetLayout, RegionOverAllLimbs_IncludesTheRoot) {
   const edit::Session session;
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
   const RegionOnRows limbs = RegionOn(layout, 3, 8);

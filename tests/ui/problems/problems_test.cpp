@@ -56,7 +56,7 @@ TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
 }
 
 // Problem that is found while efforts are shown.
-TEST_F(Problems, AFigureWhoseMassIsBeyondItsToesIsLedTo) {
+TEST_F(Problems, FigureThatTips_IsAProblemThatShowsItsFrame) {
   Do("view.overlay", {{"name", "effort"}});
   for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {
     Do("key.set", {{"curve", curve}, {"frame", 0}, {"value", 14}});

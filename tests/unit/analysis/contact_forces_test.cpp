@@ -75,7 +75,7 @@ TEST(ContactForces, StayInTheirConesAndComeNearest) {
   EXPECT_NEAR(solved.forces[0].x(), kMu * size, 1e-3);
 }
 
-TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
+TEST(ContactForces, GripForces_HaveAnyDirectionAndNoMoment) {
   ContactPoint grip = At(0.2, 0.0);
   grip.is_grip = true;
   const Vec3 F(30, 0, -100), N = grip.p.cross(F) + Vec3(1, 2, 3);
@@ -85,7 +85,7 @@ TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
 }
 
 // Moment that cannot be supplied: the force would have to act 8 cm beyond the edge.
-TEST(ContactForces, SupplyTheForceWhateverMomentIsLacking) {
+TEST(ContactForces, ResidualMoment_DoesNotChangeTheForce) {
   const Vec3 F(-5, 0, 100), com(0.13, 0.0, 1.0), edge(0.1, 0.0, 0.0);
   std::vector<Vec3> forces;
   const Wrench rest = ContactForceSolver().Solve({F, Vec3::Zero()}, com, Square(), kMu, &forces);

@@ -27,7 +27,7 @@ void ExpectInCones(const FrameEffort& frame) {
   }
 }
 
-TEST(GroundEffort, OfASymmetricCrouchIsTheSameOnBothSidesThoughOneFootIsPinned) {
+TEST(GroundEffort, SymmetricCrouchWithOnePinnedFoot_HasEqualEffortOnBothSides) {
   const Animation animation = Jump();
   const BakedEffort found = BakeEffort(animation);
   for (const size_t i : {0, 1, 2, 3}) {
@@ -45,7 +45,7 @@ TEST(GroundEffort, OfASymmetricCrouchIsTheSameOnBothSidesThoughOneFootIsPinned) 
   }
 }
 
-TEST(GroundEffort, OfAFlightHasNoContacts) {
+TEST(GroundEffort, Flight_HasNoContacts) {
   const Animation animation = Jump();
   const BakedEffort found = BakeEffort(animation, FrameRate{240, 1});
   const double take_off = EventsOf(found.motion, EventKind::kTakeOff).at(0).time;
@@ -62,7 +62,7 @@ TEST(GroundEffort, OfAFlightHasNoContacts) {
 }
 
 // Flight by keys alone, without a placement by gravity.
-TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
+TEST(GroundEffort, FigureAboveTheGround_HasNoContacts) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic},
                                  {10, kHipHeight + 0.3, {}, kCubic},
@@ -102,7 +102,7 @@ Animation Leaning(double lean, bool is_pinned) {
 
 class LeaningEffort : public ::testing::TestWithParam<bool> {};
 
-TEST_P(LeaningEffort, IsTheWeightAtTheToesAndTheRestIsMissing) {
+TEST_P(LeaningEffort, Toes_CarryTheWeightAndLeaveAResidualMoment) {
   const Animation animation = Leaning(0.24, GetParam());
   const BakedEffort found = BakeEffort(animation);
   const FrameEffort& frame = found.effort.frames[7];
@@ -125,7 +125,7 @@ TEST_P(LeaningEffort, IsTheWeightAtTheToesAndTheRestIsMissing) {
 
 INSTANTIATE_TEST_SUITE_P(Roots, LeaningEffort, ::testing::Bool());
 
-TEST(MissingSupport, IsNoneWhereTheMassIsOverTheFeet) {
+TEST(MissingSupport, MassOverTheFeet_IsSupported) {
   for (const bool is_pinned : {false, true}) {
     const Animation animation = Leaning(0.02, is_pinned);
     const BakedEffort found = BakeEffort(animation);
@@ -134,7 +134,7 @@ TEST(MissingSupport, IsNoneWhereTheMassIsOverTheFeet) {
   }
 }
 
-TEST(MissingSupport, SaysHowFarTheMassIsOutAndWhatToDo) {
+TEST(MissingSupport, Text_StatesTheDistanceAndTheRemedy) {
   const Animation animation = Leaning(0.24, true);
   const BakedEffort found = BakeEffort(animation);
   const std::string text =
@@ -145,7 +145,7 @@ TEST(MissingSupport, SaysHowFarTheMassIsOutAndWhatToDo) {
   EXPECT_TRUE(text.ends_with("; move the weight back, or step there")) << text;
 }
 
-TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
+TEST(MissingSupport, FloatingFigure_LacksItsWeight) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, 2.0, 0.0, kCubic}};
   const BakedEffort found = BakeEffort(animation);
@@ -157,7 +157,7 @@ TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
 
 // Keys pull the figure down at 3 g while its foot is pinned, although the figure would leave the
 // ground.
-TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
+TEST(MissingSupport, DropFasterThanAFall_IsPulled) {
   Animation animation = Standing();
   const double drop = -1.5 * kG * 0.1 * 0.1;
   animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic}, {3, kHipHeight + drop, {}, kCubic}};
@@ -182,7 +182,7 @@ Animation Hanging() {
   return animation;
 }
 
-TEST(GripEffort, OfAPinnedHandOnABarCarriesTheWeight) {
+TEST(GripEffort, PinnedHandOnABar_CarriesTheWeight) {
   Animation animation = Hanging();
   AddPin(&animation, 0, 30, "r_wrist");
   const BakedEffort found = BakeEffort(animation);
@@ -194,7 +194,7 @@ TEST(GripEffort, OfAPinnedHandOnABarCarriesTheWeight) {
   EXPECT_LT(frame.from_nowhere.force.norm(), 1e-6);
 }
 
-TEST(GripEffort, OfAHeldHandOnABarCarriesTheWeight) {
+TEST(GripEffort, HeldHandOnABar_CarriesTheWeight) {
   Animation animation = Hanging();
   AddHold(&animation, 0, 30, "r_wrist", false);
   const BakedEffort found = BakeEffort(animation);
@@ -203,7 +203,7 @@ TEST(GripEffort, OfAHeldHandOnABarCarriesTheWeight) {
 }
 
 // Hand beside the bar, without a hold.
-TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
+TEST(GripEffort, FreeHand_DoesNotGrip) {
   const BakedEffort found = BakeEffort(Hanging());
   for (const EffortContact& contact : found.effort.frames[4].contacts) {
     EXPECT_FALSE(contact.is_grip);
@@ -212,7 +212,7 @@ TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
 }
 
 // Pinned foot in a scene without ground. The foot supports the figure and cannot pull.
-TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
+TEST(PinnedEffort, PinnedFootWithoutAGround_CarriesAsOnTheGround) {
   Animation animation = Leaning(0.24, true);
   const BakedEffort on_ground = BakeEffort(animation);
   animation.scene.clear();
@@ -226,7 +226,7 @@ TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
 }
 
 // Block in the hand of a figure on a block. Each contact carries the weight above it.
-TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
+TEST(GroundEffort, EachContactOfAStack_CarriesTheWeightAbove) {
   Animation animation = Standing();
   SceneObject block;
   block.name = "block";
@@ -249,7 +249,7 @@ TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
 }
 
 // All weights scale with the gravity of the scene.
-TEST(GroundEffort, OnTheMoonIsASixthOfThatOnTheEarth) {
+TEST(GroundEffort, EffortOnTheMoon_IsASixthOfThatOnEarth) {
   Animation animation = Standing();
   animation.gravity = 1.62;
   const BakedEffort found = BakeEffort(animation);

@@ -84,7 +84,7 @@ class AskedOfMujoco {
   std::vector<VecX> asked_;      // one per state
 };
 
-TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {
+TEST(Effort, RandomStatesOfHumans_MatchMujoco) {
   constexpr int kStates = 1000;
   Random random(20261124);
   Worst human("effort of the shipped human"), human37("effort of a human of 37 hinges");
@@ -93,7 +93,7 @@ TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {
   EXPECT_LE(human37(AskedOfMujoco(Human37(), kG, kStates, &random).WorstDifference()), kTolerance);
 }
 
-TEST(Effort, OfRandomTreesInAnyGravityIsThatOfMujoco) {
+TEST(Effort, RandomTreesInAnyGravity_MatchMujoco) {
   constexpr int kTrees = 100, kStates = 5;
   Random random(20261127);
   Worst worst("effort of random trees");

@@ -27,7 +27,7 @@ std::vector<HeldTurn> TurnsIn(const Animation& animation) {
   return FindHeldTurns(animation, BakeOrFail(animation, options));
 }
 
-TEST(HeldTurn, OfABodyThatLeans_TakesTheMomentOfItsWeight) {
+TEST(HeldTurn, LeaningBody_NeedsTheMomentOfItsWeight) {
   const Animation animation = Leaning();
   const BakedEffort found = BakeEffort(animation);
   const std::vector<HeldTurn> turns = FindHeldTurns(animation, found.motion);
@@ -44,11 +44,11 @@ TEST(HeldTurn, OfABodyThatLeans_TakesTheMomentOfItsWeight) {
   EXPECT_EQ(warnings[0].frame, turns[0].frame);
 }
 
-TEST(HeldTurn, IsNoneOfABodyThatTurnsFreely) {
+TEST(HeldTurn, FreelyTurningBody_HasNoHeldTurn) {
   EXPECT_TRUE(TurnsIn(LooseHuman(20, kUpright, kLean)).empty());
 }
 
-TEST(HeldTurn, IsNoneOfARegionThatDoesNotMoveWhatStands) {
+TEST(HeldTurn, RegionThatKeepsTheStance_HasNoHeldTurn) {
   Animation animation = Leaning();
   std::vector<JointIndex>& joints = animation.regions[0].joints;
   const JointIndex arm = animation.figure->group(GroupOf(animation, "r_shoulder")).first;
@@ -57,7 +57,7 @@ TEST(HeldTurn, IsNoneOfARegionThatDoesNotMoveWhatStands) {
   EXPECT_TRUE(TurnsIn(animation).empty());
 }
 
-TEST(HeldTurn, IsLookedForUnderGravityAndContactsAlone) {
+TEST(HeldTurn, Search_NeedsGravityAndContacts) {
   Animation animation = Leaning();
   EXPECT_TRUE(MayHoldTurns(animation));
   animation.regions[0].touches_scene = false;

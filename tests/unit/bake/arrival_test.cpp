@@ -84,7 +84,7 @@ TEST(Arrival, OfWhatBreaksOnTheWayIsTold) {
 }
 
 // Straight chain. No joint can draw its tip in, since each moves the tip across the chain.
-TEST(Arrival, OfAStraightLimbIsToldToBendIt) {
+TEST(Arrival, StraightLimb_GetsAdviceToBend) {
   const auto told = [](const Vec3& to) {
     Animation animation = Chain();
     animation.gravity = 0.0;

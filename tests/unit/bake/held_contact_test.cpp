@@ -89,7 +89,7 @@ TEST(HeldContact, DoesNotDependOnWhatIsLookedAt) {
   }
 }
 
-TEST(HeldContact, LetGoInsideTheFloor_IsWarnedOf) {
+TEST(HeldContact, BallReleasedInsideTheFloor_IsWarnedOf) {
   const auto warnings = [](double height, bool touches) {
     Animation animation = Thrower(touches);
     animation.root_keys[kRootZ] = {{0, height, {}, kHold}};
@@ -123,7 +123,7 @@ Vec3 StartVelocity(const Animation& animation) {
   return (Place(motion, 1) - Place(motion, 0)) / t + 0.5 * kG * t * Vec3::UnitZ();
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_TakesTheKeyedVelocity) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_TakesTheKeyedVelocity) {
   const Animation animation = ThrownAtOnce(2);
   const Vec3 axis = animation.figure->joint(JointOf(animation, "pivot")).axis;
   const Vec3 v = 2.0 * axis.cross(Vec3(kLength, 0.0, 0.0));
@@ -131,14 +131,14 @@ TEST(HeldContact, LetGoOnTheFirstFrame_TakesTheKeyedVelocity) {
   EXPECT_LT(StartVelocity(ThrownAtOnce(1)).norm(), 1e-9);  // solver version 1: at rest
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithARegionThatBeginsThere) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_MovesWithARegionThatBeginsThere) {
   Animation animation = ThrownAtOnce(2);
   const Vec3 keyed = StartVelocity(animation);
   AddRegion(&animation, "arm", 0, 20, {"pivot"}).method = Method::kExact;
   EXPECT_LT((StartVelocity(animation) - keyed).norm(), 1e-9);
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithAPinnedFigure) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_MovesWithAPinnedFigure) {
   Animation animation = ThrownAtOnce(2);
   const Vec3 of_arm = StartVelocity(animation);
   // Pin at the pivot, which does not change the motion of root and arm.

@@ -27,7 +27,7 @@ Animation FallingCapsule() {
   return animation;
 }
 
-TEST(Impact, OfACapsuleOnTheFloor_IsBookedToContacts) {
+TEST(Impact, ImpactOfACapsuleOnTheFloor_IsBookedToContacts) {
   const Motion motion = BakeWithEnergy(FallingCapsule());
   const EnergyBalance& energy = AccountOf(motion);
   EXPECT_NEAR(energy.impacts, -kMass * kG * kDrop, 1e-6);
@@ -48,7 +48,7 @@ TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
 
 // Two rods in a line with a hinge about y between them, which bends up to 0.1 rad. The floor stops
 // the lower end, and the impact drives the hinge to its limit.
-TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
+TEST(Impact, ImpactThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
   FigureSpec spec;
   spec.name = "rods";
   spec.root_name = "base";
@@ -73,7 +73,7 @@ TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
 }
 
 // Impact at the start of a region. The energy account begins before the impact.
-TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
+TEST(Impact, ImpactAtTheStartOfARegion_IsBookedToContacts) {
   Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 10);
   constexpr double kSpeed = 2.0;  // [m/s]
   SetRootAt(&animation, {0.0, 0.0, kBallRadius});
@@ -121,7 +121,7 @@ Animation Swinging(bool has_mass) {
   return animation;
 }
 
-TEST(Energy, OfWhatIsLetGo_IsATermOfItsOwn) {
+TEST(Energy, ReleasedObject_HasATermOfItsOwn) {
   const EnergyBalance energy = AccountOf(BakeWithEnergy(Swinging(true)));
   EXPECT_LT(energy.WorkOf("handover"), -0.1);
   EXPECT_NEAR(energy.limits, 0.0, 1e-7);
@@ -140,7 +140,7 @@ TEST(WeightlessJoint, ClosesItsAccountAndIsWarnedOf) {
 }
 
 // Bounds the evaluations: steps of 1/64 ms would take two million.
-TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
+TEST(Impact, ImpactWithoutGravity_CostsNoMoreThanWithGravity) {
   Animation animation = Loose(FreeCapsule(0.5, 0.02), 30);
   animation.gravity = 0.0;
   animation.root_keys[kRootX] = {{0, -1.0, 100.0}};
@@ -156,7 +156,7 @@ TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
 
 // Landing of a figure with a keyed root orientation on a leg with contacts. The contact and the
 // landing are simultaneous.
-TEST(Landing, OnALimbWithContacts_ComesBeforeItsContact) {
+TEST(Landing, LandingOnALimbWithContacts_PrecedesItsContact) {
   FigureSpec spec;
   spec.name = "legged";
   spec.root_name = "trunk";

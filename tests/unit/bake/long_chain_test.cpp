@@ -78,16 +78,16 @@ void ExpectItFallsAndLies(const Animation& animation) {
   EXPECT_LT(EnergyOf(animation, motion.frames.back().after), 1.5 * lies);
 }
 
-TEST(LongChain, OnTheFloor_LosesEnergyAndStaysOutside) {
+TEST(LongChain, ChainOnTheFloor_LosesEnergyAndStaysOutside) {
   ExpectItFallsAndLies(FallingChain(120, 60, 1e3, kSolverVersion));
 }
 
-TEST(LongChain, WithLimits_LosesEnergyAndStaysOutside) {
+TEST(LongChain, ChainWithLimits_LosesEnergyAndStaysOutside) {
   ExpectItFallsAndLies(FallingChain(120, 60, 0.4, kSolverVersion));
 }
 
 // Flat chain that stops at once, with known height and energy loss.
-TEST(LongChain, DroppedFlat_StopsAsTheDenseOneDoes) {
+TEST(LongChain, ChainDroppedFlat_StopsLikeTheDenseSolution) {
   for (const int version : {1, kSolverVersion}) {
     Animation animation = Loose(LongChain(100, 1e3), 20, {"j1"});
     animation.solver.version = version;

@@ -45,12 +45,12 @@ double FurthestOf(const Motion& motion) {
   return most;
 }
 
-TEST(Standing, AHumanOnSpringsOfTwoHertzStandsForFiveSeconds) {
+TEST(Standing, HumanOnSpringsOfTwoHertz_StandsForFiveSeconds) {
   const Motion motion = BakeOrFail(Standing(150, 2.0));
   EXPECT_LE(FurthestOf(motion), 0.001);
 }
 
-TEST(Standing, APushOfFiveNewtonSecondsSwaysHimAndHeComesBack) {
+TEST(Standing, ImpulseOfFiveNewtonSeconds_SwaysAFigureThatRecovers) {
   Animation animation = Standing(150, 2.0);
   PushChest(&animation, 10, 5.0);
   const Motion motion = BakeOrFail(animation);
@@ -59,7 +59,7 @@ TEST(Standing, APushOfFiveNewtonSecondsSwaysHimAndHeComesBack) {
   EXPECT_LE((motion.frames.back().com - motion.frames[0].com).norm(), 0.001);
 }
 
-TEST(Standing, APushOfSixtyNewtonSecondsTopplesHim) {
+TEST(Standing, ImpulseOfSixtyNewtonSeconds_TopplesTheFigure) {
   Animation animation = Standing(90, 2.0);
   PushChest(&animation, 10, 60.0);
   const Motion motion = BakeOrFail(animation);
@@ -69,7 +69,7 @@ TEST(Standing, APushOfSixtyNewtonSecondsTopplesHim) {
 
 // Bounds the evaluations, since springs do not limit steps in time-stepping mode: 127,000 with
 // explicit springs.
-TEST(Standing, SixFramesTakeFewEvaluations) {
+TEST(Standing, SixFrames_TakeFewEvaluations) {
   EXPECT_LE(BakeOrFail(Standing(6, 2.0)).regions[0].evaluations, 10000);
   EXPECT_LE(BakeOrFail(Standing(60, 5.0)).regions[0].evaluations, 40000);
 }
@@ -101,7 +101,7 @@ TEST(Support, TwoFeetCarryHalfTheWeightEach) {
   EXPECT_EQ(shares[figure.FindJoint("waist_flexion")->value()], 0.0);
 }
 
-TEST(Support, PointsPushAndSupplyForceAndMoment) {
+TEST(Support, PointForces_PushAndSupplyForceAndMoment) {
   const Animation animation = Standing(6, 2.0);
   const Figure& figure = *animation.figure;
   DynamicsWorkspace ws(figure);

@@ -51,7 +51,7 @@ double DepthOf(const Animation& animation, const Motion& motion) {
 // Target of the tip half a radian below level, 0.18 m inside the box.
 Vec3 InsideTheBox() { return kLength * Vec3(std::cos(0.5), 0.0, -std::sin(0.5)); }
 
-TEST(TiedContact, ATipDrawnToTheObjectItGripsGoesThrough) {
+TEST(TiedContact, TipDrawnToTheObjectItGrips_PassesThrough) {
   Animation animation = RodAboveBox();
   DrawTipTo(InsideTheBox(), &animation).b.object = 0;
   const Motion motion = BakeOrFail(animation);
@@ -60,7 +60,7 @@ TEST(TiedContact, ATipDrawnToTheObjectItGripsGoesThrough) {
   EXPECT_LE(GapAt(animation, animation.constraints[0], motion.frames[30]), 0.005);
 }
 
-TEST(TiedContact, ATipThatCollidesStaysOutAndTheConstraintSaysSo) {
+TEST(TiedContact, TipThatCollides_StaysOutAndTheConstraintWarns) {
   Animation animation = RodAboveBox();
   Constraint& constraint = DrawTipTo(InsideTheBox(), &animation);
   constraint.b.object = 0;
@@ -73,13 +73,13 @@ TEST(TiedContact, ATipThatCollidesStaysOutAndTheConstraintSaysSo) {
   EXPECT_TRUE(std::any_of(motion.warnings.begin(), motion.warnings.end(), names_it));
 }
 
-TEST(TiedContact, ATipDrawnIntoWhatItIsNotTiedToStaysOut) {
+TEST(TiedContact, TipDrawnIntoAnUntiedObject_StaysOut) {
   Animation animation = RodAboveBox();
   DrawTipTo(InsideTheBox(), &animation);
   EXPECT_LE(DepthOf(animation, BakeOrFail(animation)), 5e-4);
 }
 
-TEST(DeepStart, ACapsuleFarInsideABoxComesOutSlowly) {
+TEST(DeepStart, CapsuleDeepInsideABox_ComesOutSlowly) {
   Animation animation = Loose(FreeCapsule(0.1, 0.05), 60);
   AddBox(&animation, Vec3(0.0, 0.0, -1.0), Vec3(3.0, 3.0, 1.0));
   SetRootAt(&animation, Vec3(0.0, 0.0, -0.25));

@@ -105,7 +105,7 @@ class Listener {
 
 // Playlist with a remote sound, which ffmpeg opens by default. A file must not open connections to
 // other machines.
-TEST_F(DecodeSoundTest, AListOfSoundsElsewhereAsksNobody) {
+TEST_F(DecodeSoundTest, RemotePlaylist_OpensNoConnection) {
   const Listener listener;
   const fs::path list = folder_ / "list.m3u8";
   std::ofstream(list) << "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\nhttp://127.0.0.1:"

@@ -90,7 +90,7 @@ TEST(AirOnSurface, OfAPlateIsAlongItsNormal) {
 }
 
 // Plate of solver version 2, whose lift is not faded next to 0 and 90 degrees.
-TEST(AirOnSurface, OfAPlateThatIsNotFadedIsAlongItsNormalAtAllAngles) {
+TEST(AirOnSurface, UnfadedPlate_HasAForceAlongItsNormalAtAllAngles) {
   LinkSurface plate = Of(LinkSurface::Kind::kPlate);
   plate.is_faded = false;
   for (const double angle : {0.1, 1.0, 4.0, 45.0, 88.0, 89.9}) {

@@ -142,7 +142,7 @@ TEST(MovingBase, GivesUpLateInAMotionThatIsTooWild) {
 }
 
 // Independence of the end of a motion, which may be cut anywhere.
-TEST(MovingBase, DoesNotDependOnWhereItIsAskedToEnd) {
+TEST(MovingBase, DoesNotDependOnTheRequestedEnd) {
   int calls = 0;
   const Shaker chain{1.0, 3.0, &calls};
   const MovingBase shorter(0.0, 0.4, 2.0, chain), longer(0.0, 1.1, 2.0, chain);

@@ -60,7 +60,7 @@ void ForEachIsland(Check&& check) {
 
 TreeImpulses::Impulse At(const V3& r, const V3& f) { return {Cross(r, f), f}; }
 
-TEST(TreeImpulses, SettledTogether_AddUpToPushesOneByOne) {
+TEST(TreeImpulses, ImpulsesSettledTogether_EqualImpulsesOneByOne) {
   Worst worst("settled");
   ForEachIsland([&](RandomIsland* island) {
     Pushed tree(*island);
