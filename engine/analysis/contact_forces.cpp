@@ -40,14 +40,14 @@ namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kSoftness = 1e-8;        // regularization e, in units of the sum of weights
-constexpr double kLeastSoftness = 1e-12;  // regularization where b can be met
-constexpr double kMet = 1e-10;            // tolerance, as a share of b
+constexpr double kRegularization = 1e-8;        // regularization e, in units of the sum of weights
+constexpr double kLeastRegularization = 1e-12;  // regularization where b can be met
+constexpr double kMet = 1e-10;                  // tolerance, as a share of b
 
 // Solves s(y) = b from *y on; leaves what belongs to it. False: it was not met.
 bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
   constexpr int kMostSteps = 8, kKept = 1;
-  const double met = kMet * b.norm(), softness = kLeastSoftness * cones->weights();
+  const double met = kMet * b.norm(), regularization = kLeastRegularization * cones->weights();
   double before = 1e300;
   const int kept = cones->knows_parts() ? kKept : 0;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -57,7 +57,7 @@ bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
     if (now <= met && cones->are_parts_right()) return true;
     if (step > kept && !(now < before)) return false;
     before = now;
-    *y += cones->Solve(softness, rest);
+    *y += cones->Solve(regularization, rest);
   }
   return false;
 }
@@ -66,13 +66,13 @@ bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
 void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
   constexpr int kMostSteps = 100, kMostParts = 15, kKept = 3;
   constexpr double kNearer = 0.5, kLeastPart = 0.1;
-  const double softness = kSoftness * cones->weights(), met = kMet * b.norm();
+  const double regularization = kRegularization * cones->weights(), met = kMet * b.norm();
   Vec6 rest;
   double merit;
   const auto move_to = [&](const Vec6& at, ConeParts parts) {
     cones->Evaluate(at, parts);
-    rest = b - cones->supplied() - softness * (at - start);
-    merit = cones->potential() + 0.5 * softness * (at - start).squaredNorm() - b.dot(at);
+    rest = b - cones->supplied() - regularization * (at - start);
+    merit = cones->potential() + 0.5 * regularization * (at - start).squaredNorm() - b.dot(at);
   };
   const int kept = cones->knows_parts() ? kKept : 0;
   for (int step = 0; step < kept; ++step) {
@@ -81,13 +81,13 @@ void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
       if (cones->are_parts_right()) return;
       break;
     }
-    *y += cones->Solve(softness, rest);
+    *y += cones->Solve(regularization, rest);
   }
   move_to(*y, ConeParts::kFound);
   for (int step = 0; step < kMostSteps; ++step) {
     const double size = rest.norm();
     if (size <= met) return;
-    const Vec6 from = *y, way = cones->Solve(softness, rest);
+    const Vec6 from = *y, way = cones->Solve(regularization, rest);
     const double fall = rest.dot(way), before = merit, rounding = 1e-14 * std::abs(merit);
     double part = 1.0;
     move_to(*y = from + way, ConeParts::kFound);
@@ -96,7 +96,7 @@ void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
         break;
       }
       // Too far: back to where the merit's parabola there has its least.
-      const double bend = cones->Bend(way) + softness * way.squaredNorm();
+      const double bend = cones->Bend(way) + regularization * way.squaredNorm();
       const double next = part + rest.dot(way) / bend;
       part = std::max(kLeastPart * part, next < part ? next : 0.0);
       move_to(*y = from + part * way, ConeParts::kFound);

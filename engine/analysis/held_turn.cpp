@@ -12,7 +12,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kLeastMoment = 0.02;  // share of the weight on an arm as long as the figure
-constexpr int kBesideRegion = 2;       // frames that accelerations and touch-downs depend on
+constexpr int kMarginFrames = 2;       // frames that accelerations and touch-downs depend on
 
 bool Covers(int first, int last, double frame, int end) {
   return frame >= first && (frame < last || (last == end && frame == last));
@@ -68,8 +68,8 @@ class RegionFrames {
   RegionFrames(const Animation& animation, const Motion& motion, size_t region)
       : animation_(animation), region_(animation.regions[region]) {
     part_.rate = motion.rate;
-    const double first = OutputAt(region_.first_frame, motion) - kBesideRegion,
-                 last = OutputAt(region_.last_frame, motion) + kBesideRegion;
+    const double first = OutputAt(region_.first_frame, motion) - kMarginFrames,
+                 last = OutputAt(region_.last_frame, motion) + kMarginFrames;
     for (const MotionFrame& frame : motion.frames) {
       if (frame.frame >= first && frame.frame <= last) part_.frames.push_back(frame);
     }

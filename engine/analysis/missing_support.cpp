@@ -139,10 +139,10 @@ class MissingFinder {
     }
     const std::vector<HullPoint> hull = ConvexHull(std::move(points));
     const Vec2 below = com.head<2>();
-    const Vec2 push = below + Vec2(-needed.moment.y() - height * needed.force.x(),
-                                   needed.moment.x() - height * needed.force.y()) /
-                                  needed.force.z();
-    const Beyond beyond = BeyondHull(push, hull), of_mass = BeyondHull(below, hull);
+    const Vec2 zmp = below + Vec2(-needed.moment.y() - height * needed.force.x(),
+                                  needed.moment.x() - height * needed.force.y()) /
+                                 needed.force.z();
+    const Beyond beyond = BeyondHull(zmp, hull), of_mass = BeyondHull(below, hull);
     if (beyond.distance < 0.5 * kMissing * size_) return;
     const bool is_mass = std::abs(beyond.distance - of_mass.distance) < kAlike * beyond.distance;
     missing->fault = is_mass ? SupportFault::kTips : SupportFault::kPushedOff;

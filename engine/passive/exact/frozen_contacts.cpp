@@ -209,9 +209,9 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
 
 // Increases the compliance of constraints that conflict with contacts.
 void FrozenContacts::YieldMore() {
-  constexpr double kMore = 10.0, kMostYield = 1e3;
+  constexpr double kMore = 10.0, kMaxCompliance = 1e3;
   if (!dynamics_->constraints_yield_to_contacts()) return;
-  least_yield_ = std::min(kMore * least_yield_, kMostYield);
+  least_yield_ = std::min(kMore * least_yield_, kMaxCompliance);
 }
 
 double FrozenContacts::RoomOf(int hinge, const VecX& q) const {

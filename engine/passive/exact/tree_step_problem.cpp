@@ -21,10 +21,10 @@ constexpr int kMostTours = 60;
 // Tolerance of the velocity correction of a block, relative to the largest velocity without forces.
 // Nearly dependent rows, as of two links at their joint, may redistribute their force for long
 // without moving anything.
-constexpr double kEnough = 1e-4;
-constexpr double kGivesWay = 1e-6;  // compliance relative to the diagonal of a block
+constexpr double kTolerance = 1e-4;
+constexpr double kRelativeCompliance = 1e-6;  // compliance relative to the diagonal of a block
 
-double StepOf(double own) { return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0; }
+double StepOf(double own) { return own > 0.0 ? 1.0 / ((1.0 + kRelativeCompliance) * own) : 0.0; }
 
 }  // namespace
 
@@ -119,7 +119,7 @@ V3 TreeStepProblem::VelocitiesAt(const Contact& contact) const {
 void TreeStepProblem::Sweep(VecX start, bool) {
   forces_ = std::move(start);
   Settle();
-  const double enough = kEnough * (b_.size() > 0 ? b_.lpNorm<Eigen::Infinity>() : 0.0);
+  const double enough = kTolerance * (b_.size() > 0 ? b_.lpNorm<Eigen::Infinity>() : 0.0);
   int tours = 0;
   for (; tours < kMostTours; ++tours) {
     change_ = 0.0;

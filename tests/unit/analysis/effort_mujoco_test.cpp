@@ -55,10 +55,10 @@ class AskedOfMujoco {
     VecX asked = mujoco_->InverseDynamics(
         MujocoFigure::Join(root.a, root.acceleration, frame.acceleration->qdd), nullptr);
     for (int k = random->Integer(0, 5); k > 0; --k) {
-      const ContactPush push = RandomPush(frame, random);
-      asked -= mujoco_->PointForce(figure.links()[static_cast<size_t>(push.link)].joint, push.p,
-                                   push.force);
-      frame.contacts.pushes.push_back(push);
+      const ContactPush applied = RandomForce(frame, random);
+      asked -= mujoco_->PointForce(figure.links()[static_cast<size_t>(applied.link)].joint,
+                                   applied.p, applied.force);
+      frame.contacts.pushes.push_back(applied);
     }
     root_axes_.push_back(mujoco_->RootAxes());
     asked_.push_back(asked);
@@ -66,15 +66,16 @@ class AskedOfMujoco {
   }
 
   // Force on a link at a point within half a metre of its joint.
-  ContactPush RandomPush(const MotionFrame& frame, Random* random) const {
+  ContactPush RandomForce(const MotionFrame& frame, Random* random) const {
     const Figure& figure = *animation_.figure;
     DynamicsWorkspace ws(figure);
     ComputePositions(figure, frame.after.X_WR, frame.q, &ws);
-    ContactPush push;
-    push.link = random->Integer(0, static_cast<int>(figure.links().size()) - 1);
-    push.p = ws.body(figure.links()[static_cast<size_t>(push.link)].joint).p + random->Vector3(0.5);
-    push.force = random->Vector3(500.0);
-    return push;
+    ContactPush applied;
+    applied.link = random->Integer(0, static_cast<int>(figure.links().size()) - 1);
+    applied.p =
+        ws.body(figure.links()[static_cast<size_t>(applied.link)].joint).p + random->Vector3(0.5);
+    applied.force = random->Vector3(500.0);
+    return applied;
   }
 
   Animation animation_;

@@ -28,13 +28,14 @@ Animation Standing(int frames, double frequency) {
   return animation;
 }
 
-void PushChest(Animation* animation, int frame, double impulse) {
-  OuterForce shove;
-  shove.name = "shove";
-  shove.first_frame = frame;
-  shove.last_frame = frame + 1;
-  shove.action = PushForce{{GroupOf(*animation, "chest"), Vec3::Zero()}, Vec3(impulse, 0.0, 0.0)};
-  animation->forces.push_back(shove);
+void ApplyImpulseToChest(Animation* animation, int frame, double impulse) {
+  OuterForce impulse_force;
+  impulse_force.name = "impulse";
+  impulse_force.first_frame = frame;
+  impulse_force.last_frame = frame + 1;
+  impulse_force.action =
+      PushForce{{GroupOf(*animation, "chest"), Vec3::Zero()}, Vec3(impulse, 0.0, 0.0)};
+  animation->forces.push_back(impulse_force);
 }
 
 double FurthestOf(const Motion& motion) {
@@ -52,7 +53,7 @@ TEST(Standing, HumanOnSpringsOfTwoHertz_StandsForFiveSeconds) {
 
 TEST(Standing, ImpulseOfFiveNewtonSeconds_SwaysAFigureThatRecovers) {
   Animation animation = Standing(150, 2.0);
-  PushChest(&animation, 10, 5.0);
+  ApplyImpulseToChest(&animation, 10, 5.0);
   const Motion motion = BakeOrFail(animation);
   EXPECT_GE(FurthestOf(motion), 0.002);
   EXPECT_LE(FurthestOf(motion), 0.02);
@@ -61,7 +62,7 @@ TEST(Standing, ImpulseOfFiveNewtonSeconds_SwaysAFigureThatRecovers) {
 
 TEST(Standing, ImpulseOfSixtyNewtonSeconds_TopplesTheFigure) {
   Animation animation = Standing(90, 2.0);
-  PushChest(&animation, 10, 60.0);
+  ApplyImpulseToChest(&animation, 10, 60.0);
   const Motion motion = BakeOrFail(animation);
   EXPECT_LE(motion.frames.back().com.z(), 0.4);
   EXPECT_GE(motion.frames.back().com.x(), 0.5);
@@ -76,7 +77,7 @@ TEST(Standing, SixFrames_TakeFewEvaluations) {
 
 TEST(Standing, TheAccountOfEnergyCloses) {
   Animation animation = Standing(60, 2.0);
-  PushChest(&animation, 10, 5.0);
+  ApplyImpulseToChest(&animation, 10, 5.0);
   BakeOptions options;
   options.energy = true;
   const EnergyBalance energy = BakeOrFail(animation, options).regions[0].energy.value();
