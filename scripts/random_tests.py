@@ -1,6 +1,6 @@
-"""Random tests that new seeds are tried of, by .ci/run (scripts/new_seeds) and scripts/soak. A test
-takes its seeds from HAZUMI_FIRST_CASE and HAZUMI_CASES: RandomCases of
-tests/support/from_environment.h. A new property is one more entry."""
+"""Random tests that .ci/run (scripts/new_seeds) and scripts/soak run with new seeds. A test takes
+its seeds from HAZUMI_FIRST_CASE and HAZUMI_CASES: RandomCases of tests/support/from_environment.h.
+Add an entry for each new property."""
 
 import dataclasses
 import os
@@ -14,12 +14,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 @dataclasses.dataclass(frozen=True)
 class RandomTest:
     name: str
-    program: str  # in build/PRESET/tests, or a script in tests that is given hazumi
-    cases: int  # of a run of .ci/run
-    only: str = ""  # a filter of GTest
+    program: str  # program in build/PRESET/tests, or script in tests that takes the path of hazumi
+    cases: int  # number of cases in .ci/run
+    only: str = ""  # GTest filter
 
     def command(self, build):
-        """For the folder of a build."""
+        """Command line for the folder of a build."""
         if self.program.endswith(".py"):
             return [sys.executable, ROOT / "tests" / self.program, build / "hazumi"]
         return [build / "tests" / self.program, "--gtest_brief=1",
@@ -42,7 +42,7 @@ TESTS = [WORKING, FALLS, REGIONS, TRIMMED, TOUCHING, SLIDING, IMPORTS, SCRIPTS, 
 
 
 def first_case():
-    """A seed that no run before has begun with, unless HAZUMI_FIRST_CASE says which: runs that begin
-    in different minutes share none."""
+    """First seed: HAZUMI_FIRST_CASE, or a new one. Runs that begin in different minutes share no
+    seeds."""
     stated = os.environ.get("HAZUMI_FIRST_CASE")
     return int(stated) if stated else int(time.time()) // 60 % 1_000_000 * 1000

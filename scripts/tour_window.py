@@ -22,7 +22,7 @@ IN_LIST = {"waist": (1040, 85), "chest": (1050, 105), "r_shoulder": (1070, 145),
            "r_elbow": (1075, 165), "l_shoulder": (1070, 205), "l_elbow": (1075, 225)}
 # The colours of their rings: red is x.
 AXES = {"flexion": "y", "abduction": "x", "rotation": "z"}
-ROWS = {"right arm": 685, "left arm": 715}  # of the dope sheet
+ROWS = {"right arm": 685, "left arm": 715}  # y of rows in the dope sheet [px]
 RULER = 516
 ON_BOX = (484, 366)  # what the middle of the box is seen at, from the front
 BEHIND_BOX = (800, 420)  # on the floor, as the view is at first

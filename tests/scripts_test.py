@@ -1,5 +1,5 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""What scripts/lint checks of a clone, and what scripts/soak says of a soak."""
+"""Tests of the sources that scripts/lint checks in a clone, and of the reports of scripts/soak."""
 
 import importlib.machinery
 import importlib.util
@@ -28,7 +28,7 @@ def git(folder, *words):
 
 
 class Lint(unittest.TestCase):
-    """A repository of one source, its header, and a source that includes that."""
+    """Repository of one source, its header, and another source that includes the header."""
 
     def setUp(self):
         self.place = tempfile.TemporaryDirectory()
@@ -56,7 +56,7 @@ class Lint(unittest.TestCase):
         flags = {"engine/a.cpp": "", "engine/b.cpp": ""}
         return self.lint.to_check(self.lint.changed_since(commit), flags)
 
-    def test_a_branch_is_compared_with_where_it_left_main(self):
+    def test_a_branch_is_compared_with_its_fork_from_main(self):
         left = git(self.origin, "rev-parse", "HEAD")
         git(self.origin, "checkout", "-q", "-b", "work")
         self.commit("engine/b.cpp", "// changed\n")
@@ -76,7 +76,7 @@ class Lint(unittest.TestCase):
         self.clone("--depth", "1")
         self.assertIsNone(self.lint.base(None)[0])
 
-    def test_a_commit_that_is_not_there_is_said(self):
+    def test_a_missing_commit_is_reported(self):
         with self.assertRaisesRegex(SystemExit, "nowhere is no commit of this clone"):
             self.lint.base("nowhere")
 
@@ -96,7 +96,7 @@ class Soak(unittest.TestCase):
     def setUp(self):
         self.soak = script("soak")
 
-    def test_the_last_half_is_told_from_the_first(self):
+    def test_the_last_half_is_distinguished_from_the_first(self):
         row = self.soak.Row("fuzz kfa")
         self.assertEqual(self.soak.last_half([row], 90), "The last half found nothing.")
         row.findings, row.found_at = ["a"], [44 * 60.0]
@@ -114,7 +114,7 @@ class Soak(unittest.TestCase):
         self.assertEqual((row.executions, row.coverage, row.findings),
                          (2, "skipped: A.C", ["A.D: Failed"]))
 
-    def test_an_old_soak_is_said(self):
+    def test_an_old_soak_is_reported(self):
         self.soak.last_commit = lambda: "abc"
         self.soak.git = lambda *_: "151"
         said, is_old = self.soak.age()

@@ -20,7 +20,7 @@ nlohmann::ordered_json WarningsAsJson(const std::vector<Warning>& warnings) {
   return list;
 }
 
-// What became of a file: its warnings, and with --strict the fields that nobody knows.
+// Result of checking a file: its warnings and, with --strict, its unknown fields.
 struct Checked {
   std::vector<Warning> warnings, unknown;
 };
@@ -42,7 +42,7 @@ nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<Checke
           {"message", Shortened(error.message)}};
 }
 
-// What a JSON file says that it is; empty if it says nothing.
+// Format that a JSON file states; empty if it states none.
 std::string FormatIn(const std::string& file) {
   const Result<std::string> text = ReadTextFile(file);
   if (!text.ok()) return "";
@@ -51,7 +51,7 @@ std::string FormatIn(const std::string& file) {
   return json["format"].get<std::string>();
 }
 
-// A figure file or a sweep file, by itself; nothing if it is neither.
+// Result for a figure file or a sweep file; nullopt for any other file.
 std::optional<Result<Checked>> CheckByItself(const std::string& file) {
   const std::string format = file.ends_with(".json") ? FormatIn(file) : "";
   Checked checked;

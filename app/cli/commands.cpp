@@ -74,14 +74,15 @@ bool IsShort(const Animation& animation, const Options& options) {
   return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
 }
 
-// --info tells the largest effort of what is not very long. Torques are those of the effort.
+// Returns whether to compute the effort. --info reports the largest effort of a short animation.
+// The torques are part of the effort.
 bool FindsEffort(const Animation& animation, const Options& options) {
   const bool asked = options.effort || options.torques;
   if (asked || options.task != Task::kInfo) return asked;
   return IsShort(animation, options);
 }
 
-// Whether moments are looked for that come from nowhere: not in what is very long.
+// Returns whether to search for residual moments. Long animations are not searched.
 bool FindsHeldTurns(const Animation& animation, const Options& options) {
   return MayHoldTurns(animation) && IsShort(animation, options);
 }
@@ -151,7 +152,7 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   return imported;
 }
 
-// Of a check, which is to take a fifth of a second at most (Work).
+// Work limit of --check, which should take at most a fifth of a second (Work).
 static constexpr double kMostCheckWork = 3e5;
 
 // Energy is what --info and JSON tell.

@@ -43,7 +43,7 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
 Result<Imported> Import(const std::string& file, const ImportOptions& options);
 // Prints the warnings to standard error.
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings);
-// From which frame on regions of the motion are one of several likely ones.
+// Prints from which frame the motion of a region is one of several likely motions.
 void PrintNotes(const std::string& file, const Motion& motion);
 // For a bake that the user broke off.
 Error InterruptedError();

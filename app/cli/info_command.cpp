@@ -155,7 +155,7 @@ void PrintPlacements(const Animation& animation) {
   }
 }
 
-// What an event is of.
+// Subject of an event: a joint, or for a touch-down the link and what the link touches.
 std::string SubjectOf(const MotionEvent& event) {
   if (event.kind != EventKind::kTouchDown) return event.joint;
   return event.link + " on " + event.on;
@@ -195,9 +195,9 @@ void Print(const BakedProject& baked, const std::string& name) {
 }  // namespace
 
 struct EffortTexts {
-  // The largest one alone unless all was asked for; none of a motion without frames.
+  // Largest effort, or all efforts if requested; empty for a motion without frames.
   std::vector<std::string> effort;
-  std::vector<std::string> problems;  // frames in which nothing carries or turns the figure
+  std::vector<std::string> problems;  // frames with a residual wrench
 };
 
 static EffortTexts EffortTextsOf(const BakedProject& baked, const Options& options) {

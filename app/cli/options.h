@@ -72,7 +72,7 @@ struct Options {
 
   ImportOptions import;  // how files of other programs are read
   bool all_warnings = false;
-  bool strict = false;  // of --check
+  bool strict = false;  // option of --check
 
   std::optional<Method> method;
   std::optional<double> step_s;

@@ -1,7 +1,6 @@
 #pragma once
 
-// The forces of a frame's contacts as functions of six multipliers: contact_forces.cpp has the
-// equations.
+// Contact forces of a frame as functions of six multipliers. contact_forces.cpp has the equations.
 
 #include <algorithm>
 #include <bit>
@@ -14,17 +13,17 @@ namespace hazumi {
 
 using ContactMultipliers = Eigen::Matrix<double, 6, 1>;
 
-inline constexpr double kMomentArm = 10.0;  // moments are divided by it [m]
+inline constexpr double kMomentArm = 10.0;  // length that moments are divided by [m]
 
-// Of each force: the part of its cone that is found at y, or the one that it had the last time,
-// where it goes on as it does there.
+// Selects the formula of each force: of the part of the cone found at y, or of the part found in
+// the previous evaluation, extrapolated beyond that part.
 enum class ConeParts { kFound, kKept };
 
 inline double* ConeFieldsOf(LaneArray* array, int num_fields, size_t i) {
   return array->data() + i / 4 * 4 * static_cast<size_t>(num_fields) + i % 4;
 }
 
-// Room for so many fields of contacts; what is there stays where it is.
+// Enlarges the array to hold the fields of that many contacts. Existing values keep their place.
 inline void FitCones(int num_fields, size_t contacts, LaneArray* array) {
   const size_t size = (contacts + 3) / 4 * 4 * static_cast<size_t>(num_fields);
   if (array->size() >= size) return;
@@ -33,7 +32,8 @@ inline void FitCones(int num_fields, size_t contacts, LaneArray* array) {
   *array = std::move(larger);
 }
 
-// The contacts of a frame. Arms are from `about`, in units of kMomentArm.
+// Friction cones of the contacts of a frame. Arms are measured from `about`, in units of
+// kMomentArm.
 class ContactCones {
  public:
   ContactCones(const EffortKernels& kernels, const std::vector<ContactPoint>& points,
@@ -48,7 +48,7 @@ class ContactCones {
         found_(found) {
     for (const ContactPoint& point : points) weights_ += point.weight;
     for (size_t i = 0; i < points.size(); ++i) Set(i, points[i]);
-    ContactPoint nothing;  // in lanes without a contact
+    ContactPoint nothing;  // fills lanes without a contact
     nothing.p = about_;
     nothing.weight = 0.0;
     nothing.is_grip = true;
@@ -57,7 +57,7 @@ class ContactCones {
 
   double weights() const { return weights_; }
 
-  // At y: the forces, s, its derivative, and the function that s is the gradient of.
+  // Evaluates at y the forces, s, the derivative of s, and the function whose gradient is s.
   void Evaluate(const ContactMultipliers& y, ConeParts parts) {
     are_parts_right_ = kernels_.supply(given_->data(), num_fours_, y.data(), friction_,
                                        parts == ConeParts::kKept, found_->data(), sums_);
@@ -65,12 +65,12 @@ class ContactCones {
     supplied_ = Eigen::Map<const ContactMultipliers>(sums_ + ConeField::kSupplied);
   }
 
-  // (derivative + softness 1)^-1 x
+  // Returns (derivative + softness 1)^-1 x.
   ContactMultipliers Solve(double softness, ContactMultipliers x) const {
     kernels_.solve(sums_ + ConeField::kSlope, softness, x.data());
     return x;
   }
-  // x . derivative x
+  // Returns x . derivative x.
   double Bend(const ContactMultipliers& x) const {
     const double* lower = sums_ + ConeField::kSlope;
     double bend = 0.0;
@@ -82,9 +82,9 @@ class ContactCones {
     return bend;
   }
 
-  // Whether there was a last time.
+  // Returns whether Evaluate has been called before.
   bool knows_parts() const { return knows_parts_; }
-  // Whether all are in the part that they were taken for.
+  // Returns whether each force lies in the part of its cone whose formula was used.
   bool are_parts_right() const { return are_parts_right_; }
   const ContactMultipliers& supplied() const { return supplied_; }
   double potential() const { return sums_[ConeField::kPotential]; }

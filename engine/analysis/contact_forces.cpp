@@ -1,13 +1,12 @@
 // Forces f_i at points r_i with weights w_i, in cones K_i = {f : |tangential| <= mu normal}:
-//   least sum |f_i|^2 / (2 w_i)   so that   sum G_i f_i = b,   f_i in K_i,   G_i = (1; r_i x)
-// with b the force needed and its moment. To each point belongs, for the multipliers y = (a, c) of
-// the two rows, u_i = G_i^T y = a + c x r_i, the force that is wanted there of each unit of weight,
-// and
-//   f_i = w_i P_i(u_i),   P_i the projection on K_i,
-// so that six equations are left,
+//   minimize sum |f_i|^2 / (2 w_i)   subject to   sum G_i f_i = b,   f_i in K_i,   G_i = (1; r_i x)
+// with b the required force and moment. The multipliers y = (a, c) of the two constraints give each
+// point the unconstrained force per unit of weight u_i = G_i^T y = a + c x r_i, and
+//   f_i = w_i P_i(u_i),   P_i the projection on K_i.
+// Six equations remain,
 //   s(y) = sum w_i G_i P_i(G_i^T y) = b,
-// the gradient of the convex function sum w_i |P_i(u_i)|^2 / 2. A grip has all of space for its
-// cone.
+// where s is the gradient of the convex function sum w_i |P_i(u_i)|^2 / 2. The cone of a grip is
+// all of space.
 //
 // The projection of u = n N + T, T tangential along the unit vector e, and its derivative:
 //   u                                           1         mu n >= |T|   (inside)
@@ -15,15 +14,16 @@
 //   q d, q = (n + mu |T|) / (1 + mu^2), d = N + mu e      else, on the cone's side:
 //                     d d^T / (1 + mu^2) + mu q / |T| (N x e)(N x e)^T
 //
-// Newton's method begins at the y of the frames before, extrapolated, with each force in the part
-// of its cone where it was then, whose formula goes on beyond that part: where none changes it, two
-// or three steps do. What the cones cannot supply has no solution: s(y) + e (y - y_0) = b, with e
-// small, always has one, which a line search finds. It is the one with the least
+// Newton's method starts at y extrapolated from the previous frames. Each force starts in the part
+// of its cone of the previous frame, and the formula of that part is extrapolated beyond the part.
+// Two or three iterations suffice where no force changes its part. The equations have no solution
+// where the cones cannot supply b. The regularized equations s(y) + e (y - y_0) = b, with e small,
+// always have one, which a line search finds. The solution minimizes
 //   |b + e y_0 - s|^2,   moments divided by kMomentArm,
-// so a moment that is lacking changes the forces by its square over kMomentArm^2. Where there is a
-// solution, y_0 is the y before, until b is met (augmented Lagrangian). Where there is none, only
-// the three numbers a of y_0 are the y before: the force then comes as near as the cones allow,
-// whatever moment is lacking, and the moment comes as near as these forces allow.
+// so a residual moment changes the forces by its square over kMomentArm^2. Where b can be supplied,
+// y_0 is the previous y, until b is met (augmented Lagrangian). Where b cannot be supplied, only
+// the three numbers a of y_0 come from the previous y: the force then comes as near to b as the
+// cones allow, whatever the residual moment, and the moment comes as near as these forces allow.
 
 #include "engine/analysis/contact_forces.h"
 
@@ -40,14 +40,14 @@ namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr double kSoftness = 1e-8;        // e, in units of the sum of weights
-constexpr double kLeastSoftness = 1e-12;  // where all is thought to be met: no division by zero
-constexpr double kMet = 1e-10;            // share of b
+constexpr double kRegularization = 1e-8;        // regularization e, in units of the sum of weights
+constexpr double kLeastRegularization = 1e-12;  // regularization where b can be met
+constexpr double kMet = 1e-10;                  // tolerance, as a share of b
 
 // Solves s(y) = b from *y on; leaves what belongs to it. False: it was not met.
 bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
   constexpr int kMostSteps = 8, kKept = 1;
-  const double met = kMet * b.norm(), softness = kLeastSoftness * cones->weights();
+  const double met = kMet * b.norm(), regularization = kLeastRegularization * cones->weights();
   double before = 1e300;
   const int kept = cones->knows_parts() ? kKept : 0;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -57,7 +57,7 @@ bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
     if (now <= met && cones->are_parts_right()) return true;
     if (step > kept && !(now < before)) return false;
     before = now;
-    *y += cones->Solve(softness, rest);
+    *y += cones->Solve(regularization, rest);
   }
   return false;
 }
@@ -66,13 +66,13 @@ bool Follow(const Vec6& b, ContactCones* cones, Vec6* y) {
 void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
   constexpr int kMostSteps = 100, kMostParts = 15, kKept = 3;
   constexpr double kNearer = 0.5, kLeastPart = 0.1;
-  const double softness = kSoftness * cones->weights(), met = kMet * b.norm();
+  const double regularization = kRegularization * cones->weights(), met = kMet * b.norm();
   Vec6 rest;
   double merit;
   const auto move_to = [&](const Vec6& at, ConeParts parts) {
     cones->Evaluate(at, parts);
-    rest = b - cones->supplied() - softness * (at - start);
-    merit = cones->potential() + 0.5 * softness * (at - start).squaredNorm() - b.dot(at);
+    rest = b - cones->supplied() - regularization * (at - start);
+    merit = cones->potential() + 0.5 * regularization * (at - start).squaredNorm() - b.dot(at);
   };
   const int kept = cones->knows_parts() ? kKept : 0;
   for (int step = 0; step < kept; ++step) {
@@ -81,13 +81,13 @@ void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
       if (cones->are_parts_right()) return;
       break;
     }
-    *y += cones->Solve(softness, rest);
+    *y += cones->Solve(regularization, rest);
   }
   move_to(*y, ConeParts::kFound);
   for (int step = 0; step < kMostSteps; ++step) {
     const double size = rest.norm();
     if (size <= met) return;
-    const Vec6 from = *y, way = cones->Solve(softness, rest);
+    const Vec6 from = *y, way = cones->Solve(regularization, rest);
     const double fall = rest.dot(way), before = merit, rounding = 1e-14 * std::abs(merit);
     double part = 1.0;
     move_to(*y = from + way, ConeParts::kFound);
@@ -96,17 +96,17 @@ void Approach(const Vec6& b, const Vec6& start, ContactCones* cones, Vec6* y) {
         break;
       }
       // Too far: back to where the merit's parabola there has its least.
-      const double bend = cones->Bend(way) + softness * way.squaredNorm();
+      const double bend = cones->Bend(way) + regularization * way.squaredNorm();
       const double next = part + rest.dot(way) / bend;
       part = std::max(kLeastPart * part, next < part ? next : 0.0);
       move_to(*y = from + part * way, ConeParts::kFound);
     }
-    if (rest.norm() >= size && merit >= before - rounding) return;  // no nearer, by rounding
+    if (rest.norm() >= size && merit >= before - rounding) return;  // converged up to rounding
   }
 }
 
-// Comes as near in force, and then in moment, as the cones do. Ends when the force that is lacking
-// changes by less than kSame of b.
+// Minimizes the residual force, then the residual moment. Ends when the residual force changes by
+// less than kSame of b.
 void ComeNearestInForce(const Vec6& b, ContactCones* cones, Vec6* y) {
   constexpr int kMostTimes = 6;
   constexpr double kSame = 1e-10;

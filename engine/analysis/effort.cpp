@@ -1,13 +1,13 @@
-// For each frame, all in world axes:
-//   tau, F, N   inverse dynamics of the whole figure with what it holds, hung on its root: the
-//               torques of the hinges, and force and moment that the root, at p_R, would need.
-//               Forces that are known are taken off F, N: what constraints do at their points, what
-//               pushes regions with contacts (MotionFrame::contacts), and what wind and pulls do.
-//   f_k         forces at the points p_k that touch or grip (supports.h): those that come nearest
-//               to F, N (contact_forces.cpp), about the centre of mass.
+// Quantities of each frame, in world axes:
+//   tau, F, N   inverse dynamics of the whole figure and the objects that it holds, with the root
+//               as base: the torques of the hinges, and the force and moment required on the root
+//               at p_R. The known external forces are subtracted from F, N: constraint forces,
+//               contact forces of regions (MotionFrame::contacts), wind and pulls.
+//   f_k         contact forces at the points p_k that touch or grip (supports.h). Their wrench is
+//               the nearest to F, N about the centre of mass (contact_forces.cpp).
 //   tau_i      -= axis_i . (p_k - p_i) x f_k   for each hinge i between the root and k
-//                (principle of virtual work), and for all that is known alike.
-// What is left of F, N comes from nowhere.
+//               (principle of virtual work), and likewise for the known forces.
+// The remainder of F, N is the residual wrench.
 
 #include "engine/analysis/effort.h"
 

@@ -18,12 +18,12 @@ struct EffortOptions {
   double cutoff = 6.0;
 };
 
-// Something outside that pushes the figure in a frame.
+// Contact force on the figure in a frame.
 struct EffortContact {
-  JointIndex joint;           // whose body is pushed; invalid: the root's
-  bool is_grip = false;       // a hand that can pull; else something that the body lies on
+  JointIndex joint;           // joint of the body in contact; invalid: the root's body
+  bool is_grip = false;       // hand that can pull; else a contact that can only push
   Vec3 p = Vec3::Zero();      // world [m]
-  Vec3 force = Vec3::Zero();  // on the figure [N]
+  Vec3 force = Vec3::Zero();  // acts on the figure [N]
 };
 
 struct FrameEffort {
@@ -33,8 +33,8 @@ struct FrameEffort {
   VecX share;
   std::vector<JointIndex> least;  // hinges whose share is of the least strength there is
   std::vector<EffortContact> contacts;
-  // What no sole, hand or other contact can supply: force on the root, and moment about its origin,
-  // world axes. In a flight it is what keys ask for against the laws of motion.
+  // Residual wrench, which no contact can supply: force on the root, and moment about its origin,
+  // world axes. In flight it is the deviation of the keys from ballistic motion.
   Wrench from_nowhere;
 };
 
@@ -47,11 +47,11 @@ struct Effort {
 // Whether a clip has a key on nearly every frame, as captures have.
 bool IsCapture(const Animation& animation);
 
-// One entry a frame. Accelerations are those of the bake (BakeOptions::accelerations: exact, from
-// the right); of a motion without them those of frame_accelerations.h; of captures, differences of
-// the filtered motion. What is held counts as part of its holder. Gravity, the weight of what is
-// held, what constraints and regions with contacts are pushed with, and wind and pulls, on all
-// links while they act, are the known forces from outside.
+// Returns one entry per frame. The accelerations are those of the bake (BakeOptions::accelerations:
+// exact, right-sided). A motion without accelerations uses frame_accelerations.h; a capture uses
+// differences of the filtered motion. A held object counts as part of its holder. The known
+// external forces are gravity, the weight of held objects, the forces of constraints and of regions
+// with contacts, wind, and pulls on links while they act.
 Effort EffortOf(const Animation& animation, const Motion& motion,
                 const EffortOptions& options = {});
 

@@ -11,8 +11,8 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kLeastMoment = 0.02;  // of the weight, on an arm as long as the figure
-constexpr int kBesideRegion = 2;       // frames that accelerations and touch-downs are told by
+constexpr double kLeastMoment = 0.02;  // share of the weight on an arm as long as the figure
+constexpr int kMarginFrames = 2;       // frames that accelerations and touch-downs depend on
 
 bool IsByGravity(const Animation& animation, double frame) {
   return std::any_of(
@@ -35,7 +35,7 @@ bool IsMoved(JointIndex j, const DynamicsRegion& region, const Figure& figure) {
                      [&](JointIndex moved) { return figure.IsBeyond(j, moved); });
 }
 
-// More than half of the mass.
+// Returns whether the region moves more than half of the mass.
 bool MovesMost(const DynamicsRegion& region, const Figure& figure) {
   double mass = 0.0;
   for (int j = 0; j < figure.num_joints(); ++j) {
@@ -44,7 +44,7 @@ bool MovesMost(const DynamicsRegion& region, const Figure& figure) {
   return mass > 0.5 * figure.total_mass();
 }
 
-// The longest way from the root to the end of a link [m].
+// Longest distance from the root to the end of a link [m].
 double ReachOf(const Figure& figure, const MotionFrame& frame) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, frame.X_WR, frame.q, &ws);
@@ -58,14 +58,14 @@ double ReachOf(const Figure& figure, const MotionFrame& frame) {
   return reach;
 }
 
-// A region's frames, and some beside them.
+// Frames of a region, and some frames before and after it.
 class RegionFrames {
  public:
   RegionFrames(const Animation& animation, const Motion& motion, size_t region)
       : animation_(animation), region_(animation.regions[region]) {
     part_.rate = motion.rate;
-    const double first = OutputAt(region_.first_frame, motion) - kBesideRegion,
-                 last = OutputAt(region_.last_frame, motion) + kBesideRegion;
+    const double first = OutputAt(region_.first_frame, motion) - kMarginFrames,
+                 last = OutputAt(region_.last_frame, motion) + kMarginFrames;
     for (const MotionFrame& frame : motion.frames) {
       if (frame.frame >= first && frame.frame <= last) part_.frames.push_back(frame);
     }
@@ -96,7 +96,7 @@ class RegionFrames {
   double OutputAt(int frame, const Motion& motion) const {
     return FrameAtRate(frame, animation_.rate, motion.rate);
   }
-  // Of the animation.
+  // Converts to frames of the animation.
   double FrameOf(const MotionFrame& frame) const {
     return FrameAtRate(frame.frame, part_.rate, animation_.rate);
   }

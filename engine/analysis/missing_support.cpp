@@ -1,7 +1,8 @@
-// The force F and the moment M about the centre of mass, at a height h above the ground, that a
-// frame needs act like a force through one point of the ground, beside a moment about z:
-//   (x, y) = ((-M_y - h F_x) / F_z, (M_x - h F_y) / F_z)   from below the centre of mass,
-// the zero-moment point. Soles supply them if it is within the convex hull of what touches.
+// Zero-moment point: a frame requires the force F and the moment M about the centre of mass, which
+// is at a height h above the ground. They are equivalent to a force through one point of the ground
+// and a moment about z. Relative to the projection of the centre of mass, that point is
+//   (x, y) = ((-M_y - h F_x) / F_z, (M_x - h F_y) / F_z).
+// Soles can supply F and M if the point lies within the convex hull of the contact points.
 
 #include "engine/analysis/missing_support.h"
 
@@ -25,7 +26,7 @@ struct HullPoint {
   JointIndex joint;
 };
 
-// Counterclockwise: lower and upper half as monotone chains.
+// Returns the hull counterclockwise. Builds the lower and the upper half as monotone chains.
 std::vector<HullPoint> ConvexHull(std::vector<HullPoint> points) {
   std::sort(points.begin(), points.end(), [](const HullPoint& a, const HullPoint& b) {
     return a.p.x() != b.p.x() ? a.p.x() < b.p.x() : a.p.y() < b.p.y();
@@ -46,8 +47,8 @@ std::vector<HullPoint> ConvexHull(std::vector<HullPoint> points) {
 }
 
 struct Beyond {
-  double distance = 0.0;  // [m]; 0 within
-  JointIndex joint;       // of the nearest corner
+  double distance = 0.0;  // 0 within the hull [m]
+  JointIndex joint;       // joint of the nearest corner
 };
 
 Beyond BeyondHull(const Vec2& p, const std::vector<HullPoint>& hull) {
@@ -68,7 +69,7 @@ Beyond BeyondHull(const Vec2& p, const std::vector<HullPoint>& hull) {
   return beyond;
 }
 
-// Force and moment about the centre of mass, which is `from_root` from the root's origin.
+// Moves the wrench to the centre of mass, at `from_root` from the root's origin.
 Wrench AboutCom(const Wrench& on_root, const Vec3& from_root) {
   return {on_root.force, on_root.moment - from_root.cross(on_root.force)};
 }
@@ -80,7 +81,7 @@ class MissingFinder {
         weight_(figure_.total_mass() * std::max(std::abs(animation.gravity), 1.0)),
         size_(SizeOf(figure_)) {}
 
-  // How much is lacking, in units of kMissing: 1 or less is not worth a word.
+  // Residual wrench in units of kMissing. Values up to 1 are not reported.
   double Severity(const MissingSupport& missing) const {
     const double moment = size_ > 0.0 ? missing.moment / (size_ * weight_) : 0.0;
     return std::max(missing.force / weight_, moment) / kMissing;
@@ -138,10 +139,10 @@ class MissingFinder {
     }
     const std::vector<HullPoint> hull = ConvexHull(std::move(points));
     const Vec2 below = com.head<2>();
-    const Vec2 push = below + Vec2(-needed.moment.y() - height * needed.force.x(),
-                                   needed.moment.x() - height * needed.force.y()) /
-                                  needed.force.z();
-    const Beyond beyond = BeyondHull(push, hull), of_mass = BeyondHull(below, hull);
+    const Vec2 zmp = below + Vec2(-needed.moment.y() - height * needed.force.x(),
+                                  needed.moment.x() - height * needed.force.y()) /
+                                 needed.force.z();
+    const Beyond beyond = BeyondHull(zmp, hull), of_mass = BeyondHull(below, hull);
     if (beyond.distance < 0.5 * kMissing * size_) return;
     const bool is_mass = std::abs(beyond.distance - of_mass.distance) < kAlike * beyond.distance;
     missing->fault = is_mass ? SupportFault::kTips : SupportFault::kPushedOff;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Frames in which a figure is carried, held back or turned by nothing.
+// Frames with a residual wrench: the keys ask for a force or moment that no contact supplies.
 
 #include <string>
 #include <vector>
@@ -10,36 +10,35 @@
 namespace hazumi {
 
 enum class SupportFault {
-  kFloats,     // nothing touches or grips, and it does not fall
-  kPulled,     // it would have to be pulled down
-  kSlides,     // it would have to be pushed sideways harder than friction does
-  kTips,       // the centre of mass is beyond what it stands on, and it does not fall over
-  kPushedOff,  // the ground would have to push from beyond what the figure stands on
-  kTurned,     // some other moment is lacking
-  kTurnsInAir  // it spins up or down in flight
+  kFloats,     // the figure has no contact and does not fall
+  kPulled,     // the required force pulls the figure down
+  kSlides,     // the required horizontal force exceeds friction
+  kTips,       // the centre of mass is outside the support, and the figure does not topple
+  kPushedOff,  // the zero-moment point is outside the support
+  kTurned,     // any other residual moment
+  kTurnsInAir  // the angular momentum changes in flight
 };
 
-// Frames in a row in which what comes from nowhere is more than kMissing, with the frame in which
-// it is most.
+// Consecutive frames whose residual wrench exceeds kMissing, with the frame of the largest one.
 struct MissingSupport {
-  SupportFault fault = SupportFault::kFloats;  // in the worst frame, as all below
+  SupportFault fault = SupportFault::kFloats;  // fault in the worst frame
   int first = 0, last = 0;                     // frames of the motion, both inclusive
-  int worst = 0;                               // frame of the motion
-  double force = 0.0;                          // from nowhere [N]
-  double moment = 0.0;                         // from nowhere, about the centre of mass [N m]
-  double distance = 0.0;                       // kTips, kPushedOff: beyond the support [m]
-  JointIndex joint;                            // kTips, kPushedOff: whose body is the edge there
+  int worst = 0;                               // worst frame of the motion
+  double force = 0.0;                          // residual force [N]
+  double moment = 0.0;                         // residual moment about the centre of mass [N m]
+  double distance = 0.0;                       // kTips, kPushedOff: distance from the support [m]
+  JointIndex joint;                            // kTips, kPushedOff: joint of the body at the edge
 };
 
-// Share of the weight, or of the weight on an arm of the figure's size, which is the distance from
-// the root to the farthest joint of the rest pose.
+// Threshold as a share of the weight, or of the weight on an arm of the figure's size. The size is
+// the distance from the root to the farthest joint of the rest pose.
 inline constexpr double kMissing = 0.02;
 
-// `effort` is that of the motion. In order of frames.
+// Returns the spans in order of frames. `effort` is that of the motion.
 std::vector<MissingSupport> MissingSupports(const Animation& animation, const Motion& motion,
                                             const Effort& effort);
 
-// A sentence: when, what is lacking, and what to do.
+// Sentence with the frames, the missing force or moment, and the remedy.
 std::string TextOf(const MissingSupport& missing, const Figure& figure);
 
 }  // namespace hazumi

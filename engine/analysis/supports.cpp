@@ -1,7 +1,7 @@
-// A pin that touches nothing says that something carries the body beyond its joint which the scene
-// does not show. Below the centre of mass that is ground: the lowest points of the body stand on
-// it, with weights that fall from 1 at the lowest one to 0 at kRoll above that. Above the centre of
-// mass it is a grip.
+// Contact points of a pin that touches nothing: something outside the scene supports the body
+// beyond the joint. Below the centre of mass the support is ground: the lowest points of the body
+// stand on it, with weights that fall from 1 at the lowest point to 0 at kRoll above. Above the
+// centre of mass the support is a grip.
 
 #include "engine/analysis/supports.h"
 
@@ -15,7 +15,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kThin = 0.06;  // thickness that a hand closes around, at most [m]
+constexpr double kThin = 0.06;  // largest thickness that a hand can close around [m]
 
 bool IsThin(const Obstacle& shape) {
   if (const auto* rod = std::get_if<Capsule>(&shape)) return 2.0 * rod->radius <= kThin;
@@ -56,7 +56,8 @@ void Supports::PointsAt(const SupportedFrame& at, std::vector<ContactPoint>* poi
             [](const ContactPoint& a, const ContactPoint& b) { return a.id < b.id; });
 }
 
-// Gravity places it and pins nothing. A placement's last frame belongs to what comes after it.
+// Returns whether gravity places the figure without a pin. The last frame of a placement belongs to
+// the next placement.
 bool Supports::IsInFlight(const SupportedFrame& at) const {
   if (at.frame.pinned) return false;
   return std::any_of(animation_.placements.begin(), animation_.placements.end(),
@@ -67,8 +68,8 @@ bool Supports::IsInFlight(const SupportedFrame& at) const {
                      });
 }
 
-// What touches the thing that a constraint holds it by, as a hand that hangs on a rail, is not
-// pushed by it once more: the body beyond the end that is held, and what is near that end.
+// Returns whether a constraint already supplies the force at a point, as for a hand that hangs on a
+// rail. Such points lie on the body beyond the constrained joint or near the constrained end.
 bool Supports::IsHeld(const ContactPoint& point, const SupportedFrame& at) const {
   constexpr double kNear = 0.15;  // [m]
   const Figure& figure = *animation_.figure;
@@ -87,7 +88,7 @@ bool Supports::IsHeld(const ContactPoint& point, const SupportedFrame& at) const
   return false;
 }
 
-// What pushes a joint's links is known, so nothing is looked for.
+// Returns whether the contact forces on a joint's links are known, so that none are solved for.
 bool Supports::IsKnown(JointIndex joint, const SceneContacts& contacts) const {
   const auto& links = animation_.figure->links();
   for (size_t i = 0; i < contacts.is_known.size(); ++i) {
@@ -161,7 +162,7 @@ void Supports::StandOn(JointIndex joint, const SupportedFrame& at,
     Touching::AddSides(end, at.placed, Vec3::UnitZ(), FadeIn(1.0 - above), points);
   }
   if (!ends.empty()) return;
-  AddGrip(joint, at, points);  // a body without a shape stands on its joint
+  AddGrip(joint, at, points);  // place a body without a shape on its joint
   points->back().is_grip = false;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What may push a figure besides the forces that are known: soles, hands and whatever else touches
-// the scene, and hands that grip.
+// Contacts of a figure with unknown forces: soles, hands and other links that touch the scene, and
+// hands that grip.
 
 #include <vector>
 
@@ -9,23 +9,24 @@
 
 namespace hazumi {
 
-// One frame of a motion, as Supports sees it.
+// Input of Supports for one frame of a motion.
 struct SupportedFrame {
-  size_t index = 0;  // in Motion::frames
+  size_t index = 0;  // index in Motion::frames
   const MotionFrame& frame;
-  double animation_frame = 0.0;  // its time in frames of the animation [FrameAtRate]
+  double animation_frame = 0.0;  // time in frames of the animation [FrameAtRate]
   PlacedFrame placed;
 };
 
-// The contact points of each frame of a motion [METHOD 10.2]. A sole, and whatever lies on
-// something, can push and not pull, whether it is pinned, held or neither. A pinned or held hand
-// that reaches something thin grips it, and can pull. A figure in flight has none.
+// Contact points of each frame of a motion [METHOD 10.2]. A sole, or any link that lies on
+// something, can push but not pull, whether it is pinned, held or neither. A pinned or held hand
+// that reaches a thin object grips the object and can pull. A figure in flight has no contact
+// points.
 class Supports {
  public:
-  // The animation must outlive it.
+  // Requires that the animation outlives this object.
   Supports(const Animation& animation, size_t num_frames, const TouchLimits& limits);
 
-  // First AddFour for all frames, then Finish, as those of Touching; then PointsAt.
+  // Requires AddFour for all frames, then Finish, as Touching does; then PointsAt.
   void AddFour(const double* placed) { touching_.AddFour(placed); }
   void Finish(double frame_time) { touching_.Finish(frame_time); }
   void PointsAt(const SupportedFrame& at, std::vector<ContactPoint>* points) const;
@@ -36,7 +37,7 @@ class Supports {
   bool IsKnown(JointIndex joint, const SceneContacts& contacts) const;
   void AddPin(const SupportedFrame& at, std::vector<ContactPoint>* points) const;
   void AddHolds(const SupportedFrame& at, std::vector<ContactPoint>* points) const;
-  // False: nothing thin is in reach of the body beyond the joint.
+  // Returns false if no thin object is in reach of the body beyond the joint.
   bool Grip(JointIndex joint, const SupportedFrame& at, std::vector<ContactPoint>* points) const;
   void AddGrip(JointIndex joint, const SupportedFrame& at, std::vector<ContactPoint>* points) const;
   void StandOn(JointIndex joint, const SupportedFrame& at, std::vector<ContactPoint>* points) const;
@@ -44,12 +45,12 @@ class Supports {
   const Animation& animation_;
   TouchLimits limits_;
   Touching touching_;
-  std::vector<Obstacle> thin_;  // of the scene: what a hand can close around
+  std::vector<Obstacle> thin_;  // objects of the scene that a hand can close around
 };
 
-// The joint that an end of a constraint is on: invalid where that is the root.
+// Joint of an end of a constraint; invalid: the root.
 JointIndex HeldJoint(const ConstraintEnd& end, const Figure& figure);
-// The end's place in the world [m]; of an end that is not in the world itself.
+// Place of the end in the world [m]. The end must not be fixed to the world.
 Vec3 HeldPlace(const ConstraintEnd& end, const Figure& figure, const PlacedFrame& placed);
 
 }  // namespace hazumi

@@ -1,11 +1,10 @@
-// A point's clearance c is known in each frame. It touches from where c falls below a limit l to
-// where it rises above it, at instants found on straight lines between two frames. With d the time
-// from the nearer of these instants, and f the time in which the weight rises or falls,
-//   weight = u^2 (3 - 2 u),   u = d / f within 0 and 1,
-// in frames in which the point touches, and 0 in all others: what does not touch carries nothing. A
-// frame in which it touches has at least the weight kLeast. Loads are handed over from points that
-// leave, and to points that come, without a jump. What touches in the first or the last frame has
-// done so, or will, for long.
+// Contact weights from clearances. A point with the clearance c touches from the instant when c
+// falls below a limit l to the instant when c rises above l. The instants are interpolated linearly
+// between frames. With d the time from the nearer instant and f the fade time, the weight is
+//   weight = u^2 (3 - 2 u),   u = d / f clamped to [0, 1],
+// in frames in which the point touches, and 0 in all others. A frame in which the point touches has
+// at least the weight kLeast. Loads thus move between points continuously. A point that touches in
+// the first or the last frame is assumed to touch long before or after.
 
 #include "engine/analysis/touching.h"
 

@@ -15,14 +15,14 @@ namespace hazumi {
 // As the kernels read it.
 TouchedShape PrepareShape(const Obstacle& shape);
 
-// When a point counts as touching. touching.cpp says how its weight rises and falls.
+// Limits within which a point counts as touching. touching.cpp describes the fading of its weight.
 struct TouchLimits {
-  double clearance = 0.01;  // [m], at most
+  double clearance = 0.01;  // largest clearance [m]
   // The ground of a capture is not quite where the scene has it: clearances count from the lowest
   // within 0.3 s, if that is at most so far from the scene [m].
   double drift = 0.0;
   double fastest = 1e300;    // [m/s]
-  double fade_frames = 3.0;  // of the animation, after a touch-down and before a lift-off
+  double fade_frames = 3.0;  // frames of the animation, after touch-down and before lift-off
 };
 
 // Rises smoothly from 0 at u = 0 to 1 at u = 1, and stays 0 before and 1 after.
@@ -44,17 +44,17 @@ class Touching {
   // a radius to either side of its axis.
   void PointsAt(size_t frame, const PlacedFrame& placed, std::vector<ContactPoint>* points) const;
 
-  // One end of a link: a ball.
+  // Ball at one end of a link.
   struct End {
     JointIndex joint;
-    Vec3 axis;    // of the link, in the frame of its joint, unit; of a ball zero
-    Vec3 centre;  // in the frame of its joint [m]
+    Vec3 axis;    // unit axis of the link in the joint's frame; zero for a ball
+    Vec3 centre;  // in the joint's frame [m]
     double radius = 0.0;
     int id = 0;
   };
-  // Those of the body beyond a joint.
+  // Returns the ends of the body beyond a joint.
   std::vector<End> EndsBeyond(JointIndex joint) const;
-  // Adds the two points of an end that touches along a normal, with half of the weight each.
+  // Adds the two contact points of an end along a normal, each with half of the weight.
   static void AddSides(const End& end, const PlacedFrame& placed, const Vec3& normal, double weight,
                        std::vector<ContactPoint>* points);
 

@@ -30,8 +30,8 @@ struct BakeOptions {
   bool accelerations = false;
   // Solve exact regions again, with finer steps, where their error estimates miss their tolerances.
   bool refine = true;
-  // The bake ends, with a warning that says in which frame, where exact regions have taken so much
-  // (Work): what comes after is not looked at.
+  // Work limit of exact regions (Work). A bake that reaches the limit ends early, with a warning
+  // that names the frame.
   double most_work = std::numeric_limits<double>::infinity();
 };
 

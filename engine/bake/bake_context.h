@@ -56,10 +56,10 @@ struct BakeContext {
   PoseEvaluator poses;
   std::map<int, RegionStart> starts;  // of the regions that have begun, by index
   FigureMotion now;
-  MotionLimit before;  // from the left at now.frame
-  // Where it ended early, because of BakeOptions::most_work.
+  MotionLimit before;  // left-sided limit at now.frame
+  // Warning with the frame where the bake ended early, because of BakeOptions::most_work.
   std::optional<Warning> ended_early;
-  bool wants_start = false;  // the accelerations with which a walk sets out
+  bool wants_start = false;  // requests the accelerations at the start of a walk
 };
 
 }  // namespace hazumi

@@ -95,7 +95,7 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Str
   }
 }
 
-// The next checkpoint; none: the animation ends before.
+// Returns the next checkpoint; nullopt if the animation ends before.
 Result<std::optional<Checkpoint>> Baker::BakeOnce(const Checkpoint& start) {
   Restore(start);
   const Result<int> end = AdvanceToCheckpoint(start.frame);
@@ -104,7 +104,8 @@ Result<std::optional<Checkpoint>> Baker::BakeOnce(const Checkpoint& start) {
   return std::optional(Save(end.value()));
 }
 
-// Again and again with finer steps from where they are missing on; what was found before stays.
+// Repeats the bake with finer steps from the first frame that misses its tolerance. Earlier frames
+// keep their values.
 Result<std::optional<Checkpoint>> Baker::BakeWithRefinements(Stretch* stretch) {
   context_.recorder.BeginStretch(stretch);
   Result<std::optional<Checkpoint>> next = BakeOnce(stretch->start);
@@ -253,7 +254,7 @@ bool Baker::HandOverObjects(int frame) {
   return true;
 }
 
-// Contacts that place the figure from here on take it over as it moves: nothing is pinned.
+// Lets contacts that place the figure take over its velocity without a pin.
 void Baker::LeaveRootToContacts(int frame) {
   if (!walk_->leaves_root_to_contacts()) return;
   PoseEvaluator& poses = context_.poses;

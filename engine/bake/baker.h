@@ -29,7 +29,7 @@ class Baker {
   // null: nothing will be asked again, and no logs are kept.
   Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
-  // Why it ended before the animation does, if it did (BakeOptions::most_work): not an error.
+  // Warning of a bake that ended early because of BakeOptions::most_work. Not an error.
   const std::optional<Warning>& ended_early() const { return context_.ended_early; }
 
   // A curve of the animation is about to change its keys, or has changed them.

@@ -1,4 +1,4 @@
-// What a bake does with objects where they are let go.
+// Release of held objects during a bake.
 
 #include <algorithm>
 
@@ -7,8 +7,8 @@
 
 namespace hazumi {
 
-// Nothing leads to the first frame. What is let go there takes the velocity with which the figure
-// sets out, of keys, regions and pins.
+// Gives an object that is released on the first frame the initial velocity of the figure, from
+// keys, regions and pins. No earlier frame defines a velocity there.
 std::optional<Error> Baker::ReleaseAsItSetsOut(int frame) {
   const bool takes_it = animation_.solver.rules().releases_at_keyed_speed;
   if (frame != animation_.first_frame || !takes_it) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<Error> Baker::ReleaseAsItSetsOut(int frame) {
   return std::nullopt;
 }
 
-// Of a ball that stays out of the scene, and begins in something of it.
+// Warns of a ball with contacts that is released inside an object of the scene.
 void Baker::WarnIfLetGoInside(int frame, size_t object) {
   const HeldObject& ball = animation_.held_objects[object];
   PoseEvaluator& poses = context_.poses;

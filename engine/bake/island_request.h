@@ -166,7 +166,7 @@ struct IslandResult {
 struct IslandCall {
   IslandRequest request;
   IslandResult result;
-  // Up to here, from the beginning on.
+  // Totals up to this call, from the beginning.
   long evaluations = 0, steps = 0;
   Work work = {};
 };

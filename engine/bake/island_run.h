@@ -45,7 +45,8 @@ class IslandRun {
   std::shared_ptr<const DrivenMotion> curves_;
   RegionDynamics dynamics_;
   ExactSolver solver_;
-  double longest_step_ = std::numeric_limits<double>::infinity();  // that laws allow [s]
+  // Largest step that the force laws allow [s].
+  double longest_step_ = std::numeric_limits<double>::infinity();
   VecX q_, qd_;
 };
 

@@ -83,11 +83,11 @@ class IslandSolution {
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
-  // What touched down since the last call.
+  // Touch-downs since the last call.
   std::vector<TouchDown> TakeTouches() { return std::exchange(touches_, {}); }
-  // All events since it began.
+  // All events since the beginning.
   const EventTrail& trail() const { return trail_; }
-  // What impacts did since the last call.
+  // Work of impacts since the last call.
   ImpactWork TakeImpactWork() { return std::exchange(impacts_, {}); }
 
   long evaluations() const { return answers_.evaluations(); }

@@ -75,7 +75,7 @@ enum class EventKind {
   kLimit,
   kRelease,
   kBreak,
-  kTouchDown,  // a link that a region keeps out of the scene, or a ball, comes down on something
+  kTouchDown,  // a link or a ball with contacts touches down
 };
 const char* NameOf(EventKind kind);
 
@@ -84,12 +84,13 @@ struct MotionEvent {
   double time = 0.0;  // since frame 0 [s]
   int frame = 0;      // the nearest for an apex, else the first at or after `time`
   std::string joint;  // pinned, stopped or letting go; empty if none; a constraint that breaks
-  // A limit that is hit again and again, less than kChatterGap between two hits, is one event: so
-  // many hits, the last one at last_time. Likewise touch-downs of a link on one thing.
+  // Number of impacts that this event combines; the last one is at last_time. Repeated impacts on a
+  // limit that are less than kChatterGap apart are one event, and so are repeated touch-downs of a
+  // link on one object.
   long count = 1;
   double last_time = time;
-  // kTouchDown: the link, or the ball, and what it came down on: an object of the scene, another
-  // link or a ball. `joint` is the link's.
+  // Bodies of a kTouchDown: the link or ball, and the object of the scene, other link or ball that
+  // it touches. `joint` is the joint of the link.
   std::string link = {}, on = {};
 };
 
@@ -103,9 +104,9 @@ struct EnergyBalance {
     double joules = 0.0;
   };
   std::vector<Work> laws = {{"friction", 0.0}};
-  double limits = 0.0;   // of impacts on limits, and of a pin that is stopped
-  double impacts = 0.0;  // of impacts of contacts
-  double keyed = 0.0;    // of the keyed joints and the placement
+  double limits = 0.0;   // work of impacts on limits, and of a pin that is stopped
+  double impacts = 0.0;  // work of contact impacts
+  double keyed = 0.0;    // work of the keyed joints and the placement
   // What is left unexplained: 0 but for the error of the solution.
   double residual() const {
     double rest = kinetic_end + potential_end - kinetic_start - potential_start;
@@ -145,12 +146,12 @@ struct RegionReport {
   // It covers the frames up to there, if not all: from there on what touches tumbles, and the least
   // difference grows.
   std::optional<double> estimated_until;
-  // From this frame on its control solution has other events, or the same ones in another order:
-  // the motion is one of several that begin nearly alike, and the estimate says nothing of it.
+  // Frame from which the events of the control solution differ. The motion is then one of several
+  // that begin nearly alike, and the error estimate does not apply.
   std::optional<double> branches_from = {};
   std::optional<EnergyBalance> energy;
 
-  // The frame from which on it is one of several likely motions, if there is one.
+  // Returns the frame from which the motion is one of several likely motions, if any.
   std::optional<double> OneOfSeveralFrom() const {
     if (!estimated_until || !branches_from)
       return estimated_until ? estimated_until : branches_from;

@@ -93,7 +93,7 @@ void Recorder::BeginAgain(Stretch* stretch, int first_frame) {
   stretch->logs = std::move(logs);
 }
 
-// Null: it is not kept, or stays what it is.
+// Returns null for a frame that is not recorded or keeps its value.
 MotionFrame* Recorder::FrameToWrite(int output) {
   if (!keep_frames_ || stays(output / outputs_per_frame())) return nullptr;
   return &motion_->frames[output - first_output_];
@@ -220,7 +220,7 @@ void Recorder::AddLimit(JointIndex j, double time, double last_time, long count)
   stretch_->events.back().last_time = last_time;
 }
 
-// Or goes on with the event that it chatters on with.
+// Adds a touch-down, or counts it to the event that it repeats within kChatterGap.
 void Recorder::AddTouch(const TouchDown& touch) {
   const double frame = animation_.rate.FrameAt(touch.time);
   if (stays(frame)) return;
@@ -241,7 +241,7 @@ void Recorder::AddTouch(const TouchDown& touch) {
   stretch_->events.back() = std::move(event);
 }
 
-// Names of what touched down, without when.
+// Returns an event with the names of the bodies and without the time.
 MotionEvent Recorder::TouchEvent(const TouchDown& touch) const {
   const auto ball_name = [&](int ball) { return animation_.held_objects[ball].name; };
   const std::vector<Link>& links = animation_.figure->links();

@@ -23,8 +23,8 @@ class Recorder {
 
   // From here on events and warnings go to this stretch, which has none.
   void BeginStretch(Stretch* stretch);
-  // The same where a stretch is solved again: frames and events before a frame of the animation
-  // stay what they are.
+  // Begins a stretch that is solved again. Frames and events before `first_frame` keep their
+  // values.
   void BeginAgain(Stretch* stretch, int first_frame);
 
   bool keeps_frames() const { return keep_frames_; }
@@ -70,7 +70,7 @@ class Recorder {
   bool keep_frames_;
   Motion* motion_;
   Stretch* stretch_ = nullptr;
-  std::optional<int> first_written_;  // what is before this frame stays
+  std::optional<int> first_written_;  // earlier frames keep their values
   int first_output_ = 0;
   std::vector<std::optional<size_t>> last_limit_;  // by JointIndex: its latest event in the stretch
   // The latest touch-down of a link or ball on something, by their names, likewise.

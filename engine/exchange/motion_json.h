@@ -14,7 +14,7 @@ struct MotionJsonOptions {
   // Also write how long each region took. Off by default: it differs from run to run, and two bakes
   // of one file should be equal bytes.
   bool timings = false;
-  bool torques = false;  // also write each frame's torques: those of analysis/effort.h
+  bool torques = false;  // write the torques of each frame, of analysis/effort.h
   // What makes it, for those who want to make it again; empty: not said.
   struct Maker {
     std::string program;               // with version and commit

@@ -18,7 +18,7 @@ struct LinkSurface {
   Kind kind = Kind::kPlate;
   // kTable: coefficients at equal steps of the angle from 0 to 90 degrees; one: the same at any.
   std::vector<double> lift, drag;
-  bool is_faded = true;  // its lift, next to 0 and 90 degrees
+  bool is_faded = true;  // fades the lift next to 0 and 90 degrees
 };
 inline auto MembersOf(const LinkSurface& surface) {
   const auto& [area, normal, center, kind, lift, drag, is_faded] = surface;

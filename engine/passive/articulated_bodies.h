@@ -41,8 +41,8 @@ class ArticulatedBodies {
   // The other half: x of pushes, by the sum of their halves.
   void FinishHalf(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                   const double* half, double* x);
-  // After Solve: what a dynamic node's joint passes on [I; H^T] s, none of it where nothing carries
-  // it, and D^-1 (below).
+  // Copies the factors of the joint of a dynamic node: [I; H^T] s, zero where nothing carries the
+  // joint, and D^-1 (below). Requires Solve.
   void CopyJoint(int node, std::array<small::V3, 3>* UI, std::array<small::V3, 3>* UF,
                  small::S3* D_inverse) const;
   // The root's acceleration for a unit force on it; 0 where it does not fly.

@@ -23,11 +23,11 @@ class MovingBase {
     small::V3 w, alpha, a;  // `a` is that of its origin, minus gravity
   };
 
-  // Steps that may be cut go on for so long at most beyond where they are cut [s].
+  // Largest length of a step beyond the time where it may be cut [s].
   static constexpr double kLongestCut = 0.15;
 
-  // Fits the motion, smooth from `start` to `smooth_until` [s], as far as `end`, and a little more
-  // for steps that may be cut. No fit depends on `end`. `chain`: Frame(double t).
+  // Fits the motion, smooth from `start` to `smooth_until` [s], up to `end`, and up to kLongestCut
+  // beyond for steps that may be cut. No fit depends on `end`. `chain`: Frame(double t).
   template <typename Chain>
   MovingBase(double start, double end, double smooth_until, Chain&& chain) {
     double length = kLongest;

@@ -33,9 +33,9 @@ struct DrivenMotion {
   // if there are no drives.
   std::vector<DrivenCurve> drives = {};
   std::vector<SpringCurves> springs = {};  // likewise; none if no spring reads any of it
-  // Up to here the polynomials hold, although they may be asked for less: steps go on to here and
-  // are cut where less is asked for, so that none depends on where that is [s]. Default: steps end
-  // where they are asked to.
+  // Time up to which the polynomials hold, although a shorter motion may be requested [s]. Steps
+  // extend up to here and are cut at the requested end, so that no step depends on that end.
+  // Default: steps end at the requested end.
   double holds_until = -std::numeric_limits<double>::infinity();
   bool may_be_cut() const { return holds_until > -std::numeric_limits<double>::infinity(); }
 };

@@ -24,8 +24,8 @@ void RegionDynamics::AssembleByTree(double t, const VecX& q, const VecX& qd, Vec
   *of_rows = RowErrors(t, hinge_layout_, x.data());
 }
 
-// With (w, v) what the rates alone do to each node: sum (m v v / 2 + v . (w x h) + w . I w / 2),
-// less what moves the centre of mass.
+// Kinetic energy of the rates alone. The motion (w, v) of each node contributes (m v v / 2 + v . (w
+// x h) + w . I w / 2), and the energy of the centre of mass is subtracted.
 double RegionDynamics::KineticEnergyOf(const VecX& qd) const {
   const auto& motion = kinematics_.motion();
   std::vector<V3> w(motion.size()), v(motion.size());

@@ -9,7 +9,7 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-// Free hinges of an island, beyond which its contacts are solved without matrices.
+// Largest number of free hinges of an island whose contacts are solved with matrices.
 constexpr int kMostByMatrices = 64;
 
 }  // namespace
@@ -89,7 +89,9 @@ bool RegionDynamics::UsesArticulatedBodies() const {
   return !has_any_rows() && !answers_rules && model_.num_free > most_dense_;
 }
 
-// Constraints, links that meet each other or balls, and a pin that the root answers tie two bodies.
+// Returns whether contacts are solved by the tree. Excludes islands in which rows couple two
+// bodies: constraints, contacts of links with each other or with balls, and a pin whose root is
+// dynamic.
 bool RegionDynamics::SolvesContactsByTree() const {
   const bool has_pin = model_.root_answers && model_.coupling != RootCoupling::kFlight;
   const bool ties = rows_.any() || !contacts_.spec().own.empty() || !model_.balls.empty();
@@ -178,7 +180,7 @@ V3 RegionDynamics::BaseAcceleration(double t) const {
 }
 
 RegionState RegionDynamics::PlaceAt(double t, const double* y) {
-  constexpr double kPlacing = 0.3;  // of an evaluation
+  constexpr double kPlacing = 0.3;  // cost of a placement in evaluations
   other_work_.searches += kPlacing;
   SetOuterOf(y);
   const double* velocities = y + layout_.num_positions();

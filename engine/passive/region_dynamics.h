@@ -68,9 +68,10 @@ class RegionDynamics {
   void SetCurves(const DrivenMotion* driven, double start);
   bool needs_moving_base() const { return first_moved_ > 0 && !is_carrier_still_ && !has_outer_; }
   int first_moved() const { return first_moved_; }
-  // Up to `end`, and beyond as far as a step may go that is cut there.
+  // Fits the moving base up to `end`, and beyond for a step that may be cut there.
   std::shared_ptr<const MovingBase> FitMovingBase(double start, double end);
-  // The curves are polynomials up to here, where it is asked for the motion up to `end` [s].
+  // Returns the time up to which the curves are polynomials, for a motion that is requested up to
+  // `end` [s].
   double SmoothUntil(double end) const { return std::max(end, driven_->holds_until); }
   void UseMovingBase(std::shared_ptr<const MovingBase> moving_base) {
     moving_base_ = std::move(moving_base);
@@ -118,17 +119,18 @@ class RegionDynamics {
     return !has_rows_ && model_.num_free > most_dense_ && UsesArticulatedBodies();
   }
   void AssembleSome(const std::vector<int>& hinges, double t, const VecX& q, const VecX& qd);
-  // Whether contacts and limits of the island are solved together without M: large ones that touch
-  // nothing but what does not move, in time steps alone. [METHOD 12.10]
+  // Returns whether contacts and limits of the island are solved together without M: for large
+  // islands with contacts with fixed obstacles only, in time-stepping mode. [METHOD 12.10]
   bool solves_contacts_by_tree() const { return contacts_by_tree_; }
-  // The rows of such an island, with the rates of all free hinges: x_0 of the hinges, without
-  // rules, and of the rows with them. Counts as one evaluation.
+  // Assembles the rows of such an island for the rates of all free hinges. x_0: accelerations of
+  // the hinges without rules; of_rows: those of the rows with rules. Counts as one evaluation.
   void AssembleByTree(double t, const VecX& q, const VecX& qd, VecX* x_0, VecX* of_rows);
-  // After it, for the same q.
+  // Begins impulses for the same q. Requires AssembleByTree.
   void BeginImpulses(TreeImpulses* impulses) const {
     impulses->Begin(hinge_layout_, kinematics_.motion(), tree_.bodies());
   }
-  // After it: of rates of the free hinges, seen from the centre of mass in flight [J].
+  // Kinetic energy for rates of the free hinges, in flight relative to the centre of mass [J].
+  // Requires AssembleByTree.
   double KineticEnergyOf(const VecX& qd) const;
   // Assembled last.
   const MatX& M() const { return assembled().M; }
@@ -141,8 +143,8 @@ class RegionDynamics {
     return tree_.JumpOfPin(hinge_layout_, kinematics_.motion(), v_pin);
   }
 
-  // What constraints yield at least from now on (YieldOf): kBlocked where limits hold hinges, or
-  // may; more where contacts leave no room.
+  // Sets the smallest compliance of constraints from now on (YieldOf): kBlocked where limits hold
+  // or may hold hinges, more where contacts leave no feasible motion.
   static constexpr double kBlocked = 0.01;
   void SetLeastYield(double least) { least_yield_ = least; }
   // Constraints keep their ends together, and contacts apart; where a pinned root answers, however
@@ -155,18 +157,18 @@ class RegionDynamics {
   FrozenForces& frozen() { return frozen_; }
   // After AssembleHinges: adds a moment that gives the hinges these torques [N m].
   void Freeze(const VecX& torques);
-  // Whether springs are to be taken implicitly where contacts are.
+  // Returns whether springs are implicit in time-stepping mode.
   bool has_implicit_springs() const { return contacts_.rules().stands_on_springs && has_springs_; }
-  // After AssembleHinges at the same: springs in joints.
+  // Springs in joints at this state. Requires AssembleHinges at the same state.
   std::vector<JointSpring> Springs(const RegionState& state) const;
-  // Its axes by hinge, world.
+  // Axes of the hinges of a spring, world.
   Eigen::Matrix3Xd AxesOf(const JointSpring& spring) const;
   int FirstHingeOf(const JointSpring& spring) const {
     return hinge_layout_.node(spring.node).first_hinge;
   }
-  // Of its node against the parent [rad/s].
+  // Angular velocity of the node of a spring relative to the parent [rad/s].
   Vec3 TurningOf(const JointSpring& spring) const;
-  // Springs give these moments for a while, as far as they may.
+  // Holds these spring moments constant in time-stepping mode, within their limits.
   void FreezeSprings(const std::vector<JointSpring>& springs, const RegionState& state);
   // After the nodes have been placed: of a contact's row, with a force on its end a.
   FrozenForces::Push PushOf(const ConstraintRow& row, const small::V3& force) const;
@@ -324,7 +326,7 @@ class RegionDynamics {
   ContactSet contacts_;
   FrozenForces frozen_;
   bool has_rows_ = false, adds_rows_ = false, contacts_by_tree_ = false;
-  bool has_weightless_ = false;  // free joints beyond which nothing has mass
+  bool has_weightless_ = false;  // some free joint moves no mass
   // Of rows: what they measure, and what they push if contacts slide, else the same; half of what
   // the pushes do, R^-1 P^T. By bodies halves of the former too.
   MatX J_, P_, half_answer_, G_;

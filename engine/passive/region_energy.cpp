@@ -147,8 +147,8 @@ double RegionDynamics::PowerWithout(const ForceLaw& rule, const RegionState& sta
   return power;
 }
 
-// What is left of the power in the joints without the accelerations of rules: a joint that moves no
-// mass does not follow forces, whose work on it goes nowhere.
+// Power in the joints without the accelerations of rules. A joint that moves no mass does not
+// respond to forces, so their work on it is not part of the energy balance.
 double RegionDynamics::PowerWithoutRules(const RegionState& state, const std::vector<V3>& v) {
   for (const auto& law : laws_) {
     if (law->is_rule()) return PowerWithout(*law, state, v);

@@ -123,8 +123,8 @@ struct RegionModel {
   int NodeOfBall(int ball) const { return static_cast<int>(nodes.size()) + ball; }
   bool is_ball(int node) const { return node >= static_cast<int>(nodes.size()); }
 };
-// By node: free, and nothing at or beyond it has mass. Forces on it move nothing: it goes on as it
-// moves.
+// Returns, for each node, whether the node is free and nothing at or beyond it has mass. Forces do
+// not change the motion of such a node.
 std::vector<char> WeightlessNodes(const RegionModel& model);
 inline auto MembersOf(const RegionModel& model) {
   const auto& [nodes, R_root, coupling, pin_node, p_pin, root_answers, mass, num_free, num_bodies,

@@ -1,12 +1,12 @@
-// With U = [I; H^T] s and D of a joint [articulated_bodies.cpp], an impulse (n, f) on its node, and
-// u about its hinges, passes on to its parent's origin
+// Propagation of impulses. With U = [I; H^T] s and D of a joint [articulated_bodies.cpp], an
+// impulse (n, f) on its node and u about its hinges transmit to the origin of its parent
 //   y = D^-1 (s.n + u),   n := n - UI y,   f := f - UF y,   n := n + r x f
-// and a parent that moves with (w, v) at the node's origin makes the hinges follow:
+// and a parent that moves with (w, v) at the node's origin moves the hinges by
 //   x = y - D^-1 (UI.w + UF.v),   w := w + s x
-// What an impulse on a node does to it is R = Phi R_parent Phi^T + s D^-1 s^T, Phi the second rule
-// with y = 0, and its transpose the first with u = 0. So a tour that comes from a node to its
-// parent has to bring along only what was added below, and one that goes down only how the parent
-// moves.
+// The response of a node to an impulse on it is R = Phi R_parent Phi^T + s D^-1 s^T, where Phi is
+// the second rule with y = 0, and its transpose is the first rule with u = 0. A tour step from a
+// node to its parent therefore transmits only the impulses added beyond the parent, and a step to a
+// node only the motion of its parent.
 
 #include "engine/passive/tree_impulses.h"
 
@@ -46,7 +46,7 @@ TreeImpulses::TreeImpulses(const RegionModel& model)
 
 void TreeImpulses::ListTour() {
   std::vector<std::vector<int>> children(joints_.size() + 1);
-  for (int i = ground_ - 1; i >= 0; --i) {  // the first child last, where it is taken from
+  for (int i = ground_ - 1; i >= 0; --i) {  // reverse order: children are taken from the back
     if (joints_[i].is_dynamic) children[joints_[i].parent].push_back(i);
   }
   std::vector<int> path = {ground_};
@@ -78,7 +78,7 @@ void TreeImpulses::Begin(const RegionLayout& layout, const std::vector<NodeMotio
   }
 }
 
-// Column by column.
+// Computes the response column by column.
 void TreeImpulses::FindResponse(int node) {
   const auto to = [&](const Impulse& impulse) {
     const Joint& joint = joints_[node];
@@ -110,7 +110,7 @@ V3 TreeImpulses::AlongAxes(const Joint& joint, const V3& n) {
   return along;
 }
 
-// How a parent moves at the node's origin.
+// Motion of the parent at the node's origin.
 TreeImpulses::Motion TreeImpulses::ParentAt(const Joint& joint, const Motion& parent) {
   return {parent.w, parent.v + Cross(parent.w, joint.r)};
 }
@@ -128,7 +128,8 @@ TreeImpulses::Impulse TreeImpulses::Passed(int node, const Impulse& impulse,
   return passed;
 }
 
-// Of its hinges, which impulses turn with `u` about them, where its parent moves so at its origin.
+// Rates of the hinges of a joint under the impulses `u` about them, with the motion `at` of the
+// parent at the node's origin.
 V3 TreeImpulses::RatesOf(const Joint& joint, V3 u, const Motion& at) {
   for (int k = 0; k < joint.dofs; ++k) {
     Entry(&u, k) -= Dot(joint.UI[k], at.w) + Dot(joint.UF[k], at.v);
@@ -143,7 +144,7 @@ TreeImpulses::Motion TreeImpulses::Carried(const Joint& joint, const V3& u, cons
   return motion;
 }
 
-// About its hinges, of all impulses on it and beyond.
+// Sum of the impulses on the node and beyond it, about the hinges of the node.
 V3 TreeImpulses::TotalAbout(int node) const {
   return AlongAxes(joints_[node], total_[node].n) + about_hinges_[node];
 }

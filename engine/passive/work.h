@@ -4,15 +4,15 @@
 
 namespace hazumi {
 
-// What solving a motion took, by what it was spent on. Counted and never measured, so that it is
-// the same on every machine; in evaluations of the accelerations of one body.
+// Cost of solving a motion, by kind. Work is counted, not timed, so that it is equal on every
+// machine. Unit: evaluations of the accelerations of one body.
 struct Work {
   enum class On { kMotion, kSearches, kLimits, kContacts };
 
   double motion = 0.0;    // accelerations
-  double searches = 0.0;  // for what touches
-  double limits = 0.0;    // which hinges their limits hold
-  double contacts = 0.0;  // what pushes and what slides
+  double searches = 0.0;  // contact detection
+  double limits = 0.0;    // finding active limits
+  double contacts = 0.0;  // contact forces and friction
 
   double total() const { return motion + searches + limits + contacts; }
   On largest() const {

@@ -12,7 +12,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// So deep is a landing found [m]. Contacts of a region close 1e-9 m deep.
+// Penetration at which a landing is detected [m]. Contacts of a region become active at 1e-9 m.
 constexpr double kDeeper = 1e-10, kDeeperOnce = 1e-9;
 constexpr double kSameInstant = 1e-10;  // [s]
 // More landings than this in one window, and the pin holds on for one, even if it has to pull: the

@@ -88,7 +88,7 @@ class ContinuousGravity {
   const std::vector<SceneObject>& scene_;
   const PlacementSpan& span_;
   Vec3 g_;
-  double deeper_;  // than this it has landed [m]
+  double deeper_;  // penetration at which a landing is detected [m]
   State state_;
 };
 

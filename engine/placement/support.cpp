@@ -1,8 +1,8 @@
-// Forces f_i at points r_i with weights w_i, for a force and a moment b:
-//   least sum |f_i|^2 / (2 w_i)   so that   sum G_i f_i = b,   G_i = (1; r_i x)
-// has f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. The point whose force would pull most is
-// left out, and the rest is solved again, until none pulls. Where the matrix is singular, as it is
-// for points in one line, y is its pseudo-inverse times b.
+// Forces f_i at points r_i with weights w_i that supply a force and moment b:
+//   minimize sum |f_i|^2 / (2 w_i)   subject to   sum G_i f_i = b,   G_i = (1; r_i x)
+// The solution is f_i = w_i G_i^T y with (sum w_i G_i G_i^T) y = b. The point with the largest
+// tensile force is removed and the rest is solved again, until no force pulls. Where the matrix is
+// singular, as for collinear points, y is its pseudo-inverse times b.
 
 #include "engine/placement/support.h"
 
@@ -18,7 +18,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kNear = 0.02;  // [m]
-constexpr double kArm = 0.3;    // of moments, which are divided by it [m]
+constexpr double kArm = 0.3;    // length that moments are divided by [m]
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -10,8 +10,8 @@
 
 namespace hazumi {
 
-// Reads a figure file. What it returns has been tried with BuildFigure. Errors as of LoadProject.
-// `warnings` takes what is odd, `unknown` the fields that this Hazumi does not know.
+// Reads a figure file and validates it with BuildFigure. Errors as of LoadProject. `warnings`
+// receives warnings, `unknown` the unknown fields.
 Result<FigureSpec> LoadFigure(const std::string& path, std::vector<Warning>* warnings = nullptr,
                               std::vector<Warning>* unknown = nullptr);
 

@@ -210,7 +210,7 @@ struct ProjectSelectionSet {
 // What was odd about the file. No part of the document: never written, and always equal.
 struct ReadReport {
   std::vector<Warning> warnings;
-  // Fields that this Hazumi does not know, remarks aside, and what each may mean; 100 at most.
+  // Unknown fields except remarks, with the nearest known names; at most 100.
   std::vector<Warning> unknown = {};
   bool operator==(const ReadReport&) const { return true; }
 };

@@ -31,7 +31,7 @@ struct ConstraintEnd {
   std::optional<GroupIndex> joint;   // none: the root, unless it is in the world
   Vec3 offset = Vec3::Zero();        // of its origin in the joint's frame, or the world's [m]
   Mat3 rotation = Mat3::Identity();  // of its axes there; read by welds
-  std::optional<int> object;         // of the scene, if it is fixed to one
+  std::optional<int> object;         // object of the scene that the end is fixed to
   bool operator==(const ConstraintEnd&) const = default;
 };
 
@@ -47,8 +47,8 @@ struct Constraint {
   // It breaks under more, and is gone from then on.
   std::optional<double> break_force;    // [N]
   std::optional<double> break_impulse;  // [N s]
-  bool collides = false;                // what it ties, unless that is a distance, touches
-  // Whether what it ties passes through each other.
+  bool collides = false;                // whether the tied bodies collide; always for distances
+  // Returns whether the tied bodies do not collide.
   bool parts() const { return !collides && kind != ConstraintKind::kDistance; }
   bool operator==(const Constraint&) const = default;
 };

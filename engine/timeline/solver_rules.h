@@ -4,12 +4,12 @@
 
 namespace hazumi {
 
-// The newest version of the solver, which new projects ask for.
+// Newest version of the solver, which new projects use.
 inline constexpr int kSolverVersion = 2;
 
-// What a version of the solver does. A file states its version and keeps its motion, bit for bit,
-// until somebody raises it. Each rule is a mend that changed motions; the comment says what the
-// versions before did.
+// Rules of a solver version. A file states its version and keeps its motion, bit for bit, until the
+// user raises it. Each rule is a correction that changed motions; its comment states the behaviour
+// of previous versions.
 struct SolverRules {
   explicit constexpr SolverRules(int version)
       : keeps_speed_of_what_touches(version >= 2),
@@ -25,43 +25,42 @@ struct SolverRules {
         lands_before_contacts(version >= 2),
         sweeps_large_islands(version >= 2) {}
 
-  // A figure that contacts place keeps its velocity where a region begins. Before: its placement
-  // pinned what touched, which stopped the figure dead. [METHOD 12.9]
+  // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
+  // pinned the contacts, which stopped the figure. [METHOD 12.9]
   bool keeps_speed_of_what_touches;
-  // No frame depends on what comes after it. Before: steps, fits and refinements looked ahead to
-  // the next end, whose place changed frames before it in their last bits. [METHOD 8.6]
+  // Frames do not depend on later frames. Before: steps, fits and refinements depended on the next
+  // end, whose place changed the last bits of earlier frames. [METHOD 8.6]
   bool is_causal;
-  // An object that is let go on the first frame takes its keyed velocity. Before: it was at rest.
-  // [METHOD 5.9]
+  // Objects that are released on the first frame take their keyed velocity. Before: they were at
+  // rest. [METHOD 5.9]
   bool releases_at_keyed_speed;
-  // Springs of joints that carry weight count the inertia of what they carry, feed-forward knows
-  // the ground, and springs are implicit while contacts are in time-stepping mode. Before: springs
-  // counted what lies beyond their joint alone, and were explicit. [METHOD 2.6, 12.4]
+  // Springs of joints that carry weight use the inertia of the carried bodies, feed-forward
+  // includes the ground, and springs are implicit in time-stepping mode. Before: springs used the
+  // inertia beyond their joint and were explicit. [METHOD 2.6, 12.4]
   bool stands_on_springs;
-  // What a point or a weld ties does not collide. Before: a hand collided with what it gripped.
-  // [METHOD 11]
+  // Bodies that a point or a weld ties do not collide. Before: a hand collided with the object that
+  // it gripped. [METHOD 11]
   bool parts_what_is_tied;
-  // Links that just touch when all angles are zero stay out of each other. Before: they went
-  // through each other. [METHOD 12.7]
+  // Links that just touch when all angles are zero collide. Before: they passed through each other.
+  // [METHOD 12.7]
   bool keeps_touching_links_apart;
-  // A plate's lift is not faded next to 0 and 90 degrees, where it is 0 anyway. [METHOD 9.1]
+  // Lift of a plate is not faded next to 0 and 90 degrees, where the lift is 0. [METHOD 9.1]
   bool lifts_plates_at_all_angles;
-  // What begins more than 0.1 m deep inside a box is let out. Before: it fell through.
-  // [METHOD 12.5]
+  // Bodies that begin more than 0.1 m deep inside a box are depenetrated. Before: they fell
+  // through. [METHOD 12.5]
   bool feels_what_is_deep;
-  // A step that goes beyond the instant where sliding stops keeps the direction of friction there.
-  // Before: friction across that direction was so stiff that the step made motion of rounding, and
-  // the stop was found milliseconds late. [METHOD 12.2]
+  // Direction of friction is kept for the rest of a step in which sliding stops. Before: friction
+  // across that direction was so stiff that the step amplified rounding, and the stop was located
+  // milliseconds late. [METHOD 12.2]
   bool slides_straight_beyond_stop;
-  // In time-stepping mode forces may give what is at rest a speed of 0.1 mm/s. Before: without
-  // gravity they could give it nothing, and what lay still was solved in steps of 1/64 ms.
-  // [METHOD 12.4]
+  // Forces in time-stepping mode may give a body at rest a speed of 0.1 mm/s. Before: without
+  // gravity they could give none, and resting bodies were solved in steps of 1/64 ms. [METHOD 12.4]
   bool rests_without_gravity;
-  // What lands by a placement is found before contacts of a region close there. Before: both were
-  // found equally deep, and rounding decided whether the figure landed. [METHOD 5.6]
+  // Landings of a placement are detected before contacts of a region become active. Before: both
+  // had the same threshold, and rounding decided whether the figure landed. [METHOD 5.6]
   bool lands_before_contacts;
   // Contacts of large islands are solved by sweeps from body to body, in time-stepping mode alone.
-  // Before: by matrices, whose time grows by the cube. [METHOD 12.10]
+  // Before: by matrices, in cubic time. [METHOD 12.10]
   bool sweeps_large_islands;
 
   bool operator==(const SolverRules&) const = default;

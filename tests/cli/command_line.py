@@ -22,7 +22,7 @@ JUMP = ROOT / "assets" / "examples" / "jump.kfa"
 HAZUMI = os.path.abspath(sys.argv.pop(1))
 
 
-# Before a command: root obeys the permissions of files too.
+# Prefix of a command that makes root obey file permissions.
 AS_ANY_USER = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"] if os.geteuid() == 0 else []
 
 

@@ -26,7 +26,7 @@ def read_glb(path):
 
 
 def frames_of_bvh(path):
-    """As many as it says, each a row with a number for each channel."""
+    """Number of frames; checks that each frame is a row with a number for each channel."""
     lines = path.read_text().split("\n")
     channels = sum(int(line.split()[1]) for line in lines if line.strip().startswith("CHANNELS"))
     start = lines.index("MOTION")
@@ -38,7 +38,7 @@ def frames_of_bvh(path):
 
 
 def frames_of_animation(gltf, buffer):
-    """Of all channels; everything that is referred to is in the buffer."""
+    """Number of frames of all channels; checks that every reference is within the buffer."""
     for view in gltf["bufferViews"]:
         assert view.get("byteOffset", 0) + view["byteLength"] <= len(buffer), view
     [animation] = gltf["animations"]
@@ -62,7 +62,7 @@ def frames_of_gltf(path):
 
 
 def frames_of_csv(path):
-    """Each row has a cell below each name."""
+    """Number of rows; checks that each row has a cell for each name."""
     head, *rows, end = path.read_text().split("\n")
     assert end == "" and rows, end
     assert all(row.count(",") == head.count(",") for row in rows)
@@ -81,7 +81,7 @@ class Export(InFolder):
         return path
 
     def test_every_format_has_all_frames_and_ends_where_it_should(self):
-        """Of 31 frames. A file that is cut off anywhere is not read by its check."""
+        """Exports 31 frames. The reader of each format rejects truncated files."""
         for suffix, num_frames in (("bvh", frames_of_bvh), ("gltf", frames_of_gltf),
                                    ("glb", frames_of_glb), ("csv", frames_of_csv),
                                    ("json", frames_of_json), ("GLB", frames_of_glb)):

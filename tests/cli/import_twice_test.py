@@ -1,10 +1,10 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""Two imports of one file end the same: exit code, complaint and, byte for byte, project. Memory that
-the allocator hands to hazumi has other contents in each; what it hands to the reader, which opens the
-file, is mostly zero in both.
+"""Compares two imports of one file: exit code, message and, byte for byte, project must be equal.
+The allocator fills the memory of hazumi with different values in each; memory of the reader, which
+opens the file, is mostly zero in both.
 usage: import_twice_test.py HAZUMI
 
-HAZUMI_CASES and HAZUMI_FIRST_CASE: how many changed files are tried, and from which seed on."""
+HAZUMI_CASES and HAZUMI_FIRST_CASE: number of changed files, and first seed."""
 
 import os
 import pathlib
@@ -37,7 +37,7 @@ class ImportTwice(InFolder):
                 self.assertTrue(self.assert_same(path, path.name), path.name)
 
     def test_changed_characters_give_the_same_bytes_or_the_same_complaint(self):
-        """A few bytes of a small character are others."""
+        """Changes a few bytes of a small character."""
         print(f"seeds {FIRST} to {FIRST + CASES - 1}: HAZUMI_FIRST_CASE={FIRST} HAZUMI_CASES={CASES} "
               "tries them again", flush=True)
         changed = self.folder / "changed.gltf"

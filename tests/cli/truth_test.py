@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""What the command line says of scenes whose truth is a closed form. A program that reports
-something else, or that does not take a number from the file, fails. usage: truth_test.py HAZUMI"""
+"""Compares reports of the command line with analytic solutions. Fails if a report differs or
+ignores a number of the file. usage: truth_test.py HAZUMI"""
 
 import csv
 import json
@@ -11,8 +11,8 @@ import unittest
 from command_line import ROOT, InFolder, run
 
 MOON, EARTH = 1.62, 9.81
-# A rod of mass m [kg] on a pivot, its centre of mass d [m] below, its moment of inertia about the
-# pivot [kg m^2].
+# Rod on a pivot: mass [kg], distance of the centre of mass below the pivot [m], moment of inertia
+# about the centre of mass and about the pivot [kg m^2].
 MASS, LEVER, ABOUT_CENTRE = 2.0, 0.5, 0.18
 INERTIA = ABOUT_CENTRE + MASS * LEVER * LEVER
 FPS, LAST = 30, 30
@@ -74,7 +74,7 @@ def falls():
 
 class Truth(InFolder):
     def told(self, project, *options):
-        """By a task, as JSON."""
+        """Output of a task on a project."""
         file = self.folder / "scene.kfa"
         file.write_text(json.dumps(project))
         done = run(*options, file)
@@ -85,7 +85,7 @@ class Truth(InFolder):
         return json.loads(self.told(project, "--bake", "-", *options))
 
     def informed(self, project):
-        """--info in words and in JSON."""
+        """Output of --info as text and as JSON."""
         return (self.told(project, "--info", "--effort"),
                 json.loads(self.told(project, "--info", "--json")))
 
@@ -98,13 +98,13 @@ class Truth(InFolder):
 
 class Energy(Truth):
     def accounts(self, project):
-        """The same account three times."""
+        """Energy account of a project from three reports: a line of text, --info and --bake."""
         text, info = self.informed(project)
         line = re.search(r"energy: (.*)", text)[1]
         bake = self.baked(project)
         return line, info["regions"][0]["energy_j"], bake["regions"][0]["energy_j"]
 
-    def test_friction_loses_what_its_decay_says(self):
+    def test_friction_loses_the_energy_of_its_analytic_decay(self):
         factor, rate = 0.97, 3.0
         project = scene(rod(), 0, joints=keyed(0, math.degrees(rate)), regions=swing(factor))
         decay = -30 * math.log(factor)
@@ -119,7 +119,7 @@ class Energy(Truth):
         self.assert_close(self.joules(line, "friction"), after - before, 1e-2)
         self.assert_close(float(re.search(r"kinetic (\S+) to", line)[1]), before, 1e-2)
 
-    def test_a_limit_takes_all_energy_of_a_blow(self):
+    def test_a_limit_takes_all_energy_of_an_impact(self):
         rate = 2.0
         project = scene(rod((-1000, 60)), 0, joints=keyed(0, math.degrees(rate)), regions=swing())
         line, *accounts = self.accounts(project)
@@ -132,7 +132,7 @@ class Energy(Truth):
         self.assert_close(hit["time_s"], math.radians(60) / rate)
         self.assertEqual(hit["frame"], math.ceil(hit["time_s"] * FPS))
 
-    def test_gravity_gives_what_the_height_says(self):
+    def test_gravity_does_the_work_of_the_height(self):
         for gravity in (MOON, EARTH):
             project = scene(rod(), gravity, joints=keyed(80, 0), regions=swing())
             frame = self.baked(project)["frames"][-1]
@@ -146,7 +146,7 @@ class Energy(Truth):
                               MASS * gravity * fallen)
 
 
-    def test_keys_do_the_work_of_what_they_lift(self):
+    def test_keys_do_the_work_of_lifting(self):
         root = {"z": {"keys": [{"frame": 0, "position_m": 1, "rate_m_s": 0},
                                {"frame": LAST, "position_m": 2, "rate_m_s": 3}]}}
         project = scene(rod(), MOON, root=root, joints=keyed(0, 0), regions=swing())
@@ -177,7 +177,7 @@ class Gravity(Truth):
                     self.assert_close(frame["com"][2], 20 - gravity * t * t / 2,
                                       1e-6 if method == "exact" else 0.01)
 
-    def test_a_fall_lands_when_and_as_fast_as_it_should(self):
+    def test_a_fall_lands_at_the_analytic_time(self):
         for gravity in (MOON, EARTH):
             project = scene(ball(), gravity, [floor()], root=root_at(0.3), placements=falls())
             landing = [e for e in self.baked(project)["events"] if e["kind"] == "landing"][0]
@@ -192,7 +192,7 @@ class Gravity(Truth):
             frame = self.baked(project)["frames"][-1]
             self.assert_close(frame["com"][2], 20 - gravity * SECONDS ** 2 / 2)
 
-    def test_what_is_let_go_falls_by_half_of_g_t_squared(self):
+    def test_a_released_object_falls_by_half_of_g_t_squared(self):
         for gravity in (MOON, EARTH):
             thing = {"name": "thing", "sphere": {"radius_m": 0.05}, "mass_kg": 1, "joint": "pivot",
                      "offset_m": [0, 0, -1], "release_frame": 5}
@@ -202,7 +202,7 @@ class Gravity(Truth):
             t = (LAST - 5) / FPS
             self.assert_close(place[2], 49 - gravity * t * t / 2)
 
-    def test_effort_weighs_as_much_as_gravity_says(self):
+    def test_effort_carries_the_weight_under_each_gravity(self):
         for gravity in (MOON, EARTH):
             project = scene(human(), gravity, [floor()], root=root_at(0.9024))
             effort = self.baked(project, "--effort")["frames"][10]["effort"]
@@ -255,7 +255,7 @@ class Figures(Truth):
 
 
 class Forces(Truth):
-    def test_what_lies_is_pushed_by_its_weight(self):
+    def test_contact_forces_of_a_lying_figure_are_its_weight(self):
         regions = [{"name": "all", "first_frame": 0, "last_frame": LAST,
                     "joints": ["base", "tail"], "contacts": {"scene": True}}]
         for gravity in (MOON, EARTH):
@@ -265,7 +265,7 @@ class Forces(Truth):
             self.assert_close(sum(contact["force_n"][2] for contact in contacts), MASS * gravity,
                               1e-3)
 
-    def test_a_constraint_carries_what_hangs_on_it(self):
+    def test_a_constraint_carries_the_hanging_weight(self):
         for gravity in (MOON, EARTH):
             tie = {"name": "tie", "kind": "point", "first_frame": 0, "last_frame": LAST,
                    "a": {"joint": "base", "offset_m": [0, 0, 0]},
@@ -287,7 +287,8 @@ class Forces(Truth):
             self.assert_close(abs(drag), 0.5 * density * 1.1 * 0.04 * 1.0 * 36)
 
     def test_a_drive_is_reported_as_the_torque_that_it_gives(self):
-        """A chain of three: the first is keyed, the second driven by a curve, the third limp."""
+        """Chain of three joints: the first is keyed, the second driven by a curve, the third
+        limp."""
         names, links = ["u", "v", "w"], []
         for i, name in enumerate(names):
             link = dict(rod()["joints"][0]["links"][0], name="l" + name)

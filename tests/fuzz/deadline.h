@@ -4,8 +4,8 @@
 
 namespace hazumi::fuzz {
 
-// A flag that says "enough" once the thread that made it has worked for some processor time [s],
-// whatever else the machine does; one at a time.
+// Flag that is set once the thread that made it has used the given processor time [s], whatever the
+// load of the machine. Only one may exist at a time.
 class Deadline {
  public:
   explicit Deadline(double seconds);

@@ -1,5 +1,5 @@
-// Any text as a file of poses: it is read or refused; what was read is written and read again as
-// the same.
+// Reads any text as a file of poses. An accepted file must be equal after writing and reading it
+// again.
 
 #include <cstdint>
 #include <string_view>

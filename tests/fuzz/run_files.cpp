@@ -1,5 +1,5 @@
-// Runs a fuzzer's inputs without a fuzzer: fuzz_NAME FILE_OR_FOLDER ... Each that crashed once, or
-// that shows what files may look like, is run in every build. None may take ten seconds of
+// Runs a fuzzer's inputs without a fuzzer: fuzz_NAME FILE_OR_FOLDER ... Every build runs all inputs
+// that once crashed and those that show the format. An input may take at most ten seconds of
 // processor time.
 
 #include <algorithm>

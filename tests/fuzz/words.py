@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""Fields of the schemas and operators of the program, as the fuzzers' dictionaries and corpora have
-to know them. words_test.py fails where one is missing.
+"""Fields of the schemas and operators of the program that the fuzzers' dictionaries and corpora
+must contain. words_test.py fails if one is missing.
 
 usage: tests/fuzz/words.py HAZUMI      adds the missing words to the dictionaries"""
 
@@ -12,9 +12,9 @@ import sys
 
 FUZZ = pathlib.Path(__file__).resolve().parent
 SCHEMAS = FUZZ.parents[1] / "assets/schema"
-# Schemas whose words a dictionary has.
+# Schemas whose words each dictionary contains.
 DICTIONARIES = {"kfa": ["kfa", "figure"], "sweep": ["sweep"], "poses": ["poses"]}
-CORPORA = ["kfa", "figure", "sweep", "poses"]  # and the schema of that name
+CORPORA = ["kfa", "figure", "sweep", "poses"]  # names of corpora and of their schemas
 CURVES = ("keys", "frequency_keys", "strength_keys")
 
 
@@ -23,18 +23,19 @@ def load(name):
 
 
 class Schema:
-    """A field is a tuple: the definition it belongs to and its names from there on. Keys of all
-    curves are one definition. An enumerated value is its field and the value."""
+    """Schema whose fields are tuples: a definition, and the names from that definition to the
+    field. The keys of all curves are one definition. An enumerated value is its field and the
+    value."""
 
     def __init__(self, name):
         self.files = {name: load(name), "figure": load("figure")}
         self.name = name
 
     def resolved(self, schema, owner):
-        """The schema behind a reference, and the definition whose fields it has."""
+        """Schema behind a reference, and the definition that its fields belong to."""
         while "$ref" in schema:
             file, _, place = schema["$ref"].partition("#")
-            if file:  # another schema, which has a corpus of its own
+            if file:  # reference to another schema, which has its own corpus
                 return {}, owner
             owner = (place.split("/")[-1],)
             schema = self.files[self.name]
@@ -44,7 +45,7 @@ class Schema:
 
     @staticmethod
     def choices(schema):
-        """The schema and its alternatives."""
+        """Schema and its alternatives."""
         return [schema, *schema.get("oneOf", []), *schema.get("allOf", [])]
 
     def fields(self):
@@ -70,7 +71,7 @@ class Schema:
         return found
 
     def used(self, document):
-        """Those of them that a document has."""
+        """Fields and enumerated values that a document uses."""
         found = set()
 
         def walk(schema, value, owner):
@@ -101,7 +102,7 @@ def values_of(schema, owner):
 
 
 def fits(choice, value):
-    """Whether a document's value can be of this alternative, as far as names and kinds say."""
+    """Returns whether the names and kinds of a document's value fit this alternative."""
     if not isinstance(value, dict):
         return choice.get("type") in (None, {list: "array", str: "string"}.get(type(value)))
     if choice.get("type") not in (None, "object"):
@@ -113,7 +114,7 @@ def fits(choice, value):
 
 
 def schema_words(name):
-    """Names of fields and enumerated texts, as they stand in a file."""
+    """Names of fields and enumerated texts as written in a file."""
     words = set()
 
     def walk(part):
@@ -133,7 +134,7 @@ def schema_words(name):
 
 
 def operators(hazumi):
-    """Parameters by operator. Commands of the window, which are listed from app. on, are none."""
+    """Parameters by operator. Excludes commands of the window, which are listed from app. on."""
     said = subprocess.run([hazumi, "--operators"], capture_output=True, text=True, check=True).stdout
     return parse_operators(said)
 
@@ -160,7 +161,7 @@ def dictionary(name):
 
 
 def words_in(name):
-    """Texts of a dictionary that stand in quotes there."""
+    """Quoted texts of a dictionary."""
     path = dictionary(name)
     return set(re.findall(r'^"\\"(.*)\\""$', path.read_text(), re.M)) if path.exists() else set()
 
@@ -176,7 +177,7 @@ def missing_words(name, hazumi):
 
 
 def add_missing(name, hazumi):
-    """Sorted among the words that are there; what is no quoted word stays at the end."""
+    """Adds the missing words in sorted order. Lines that are no quoted words stay at the end."""
     lines = dictionary(name).read_text().splitlines() if dictionary(name).exists() else []
     is_word = re.compile(r'"\\".*\\""$').match
     words = {line for line in lines if is_word(line)}
@@ -187,7 +188,7 @@ def add_missing(name, hazumi):
 
 
 def documents(corpus):
-    """The files of a corpus that are JSON, by name."""
+    """JSON files of a corpus, by name."""
     found = {}
     for path in sorted((FUZZ / "corpus" / corpus).iterdir()):
         try:

@@ -1,6 +1,6 @@
 #!/usr/bin/env -S /usr/bin/python3
-"""The fuzzers know every field and every operator of today: dictionaries have their words, and a
-file of the corpora uses each. usage: words_test.py HAZUMI"""
+"""Checks that the fuzzers cover every field and every operator: a dictionary must contain its
+words, and a file of the corpora must use it. usage: words_test.py HAZUMI"""
 
 import pathlib
 import subprocess
@@ -42,13 +42,13 @@ class Corpora(unittest.TestCase):
                                   check=False, timeout=120)
             self.assertEqual(done.returncode, 0, f"{path.name}: {done.stderr}")
 
-    def test_every_file_is_as_short_as_what_fuzzers_try(self):
+    def test_every_file_is_within_the_length_that_fuzzers_try(self):
         for path in (words.FUZZ / "corpus").rglob("*.*"):
             self.assertLessEqual(path.stat().st_size, 8192, path.name)
 
 
 class Schema(unittest.TestCase):
-    """A field that is added to the schema is found."""
+    """Search for a field that is added to the schema."""
 
     def test_a_new_field_is_missing_in_the_dictionary_and_the_corpus(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,10 +1,10 @@
-// Motion is causal: trimming or extending what ends changes no byte of the frames before.
+// Causality of motion: a change of an end time does not change any earlier frame.
 //
-// Random working regions (random figures with drives, forces, contacts, constraints) of 30 frames:
-// their regions, placements, forces and constraints, and the animation itself, are made 1, 5 or 20
-// frames shorter or longer; angles, rates and the root of all frames before the earlier end are
-// compared bit by bit. A plain ctest tries a few; 500 are tried by `ctest -C Slow -L slow -R
-// causal -V`. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// Random working regions (random figures with drives, forces, contacts, constraints) of 30 frames.
+// Their regions, placements, forces and constraints, and the animation, become 1, 5 or 20 frames
+// shorter or longer. Angles, rates and the root of all frames before the earlier end must be equal
+// bit by bit. A plain ctest runs a few cases; `ctest -C Slow -L slow -R causal -V` runs 500.
+// HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ bool AreSame(const MotionFrame& a, const MotionFrame& b) {
          a.after.root_v == b.after.root_v && a.after.root_w == b.after.root_w;
 }
 
-// All that lasts up to `from` lasts up to `to`.
+// Extends or trims all items that last up to `from` to last up to `to`.
 Animation WithEnd(Animation animation, int from, int to) {
   const auto move = [&](int* end) {
     if (*end >= from) *end = to;
@@ -57,7 +57,7 @@ void Compare(int seed, const Animation& animation, int other_end, Tally* tally) 
   const int end = animation.last_frame;
   ++tally->cases;
   const Result<Motion> one = Bake(animation), two = Bake(WithEnd(animation, end, other_end));
-  if (!one.ok() || !two.ok()) {  // one may end before it fails
+  if (!one.ok() || !two.ok()) {  // the shorter one may end before the failure
     ++tally->failed;
     return;
   }

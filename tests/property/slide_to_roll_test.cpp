@@ -1,13 +1,13 @@
 // Random cylinders, capsules and spheres that slide on a plane until they roll, against the
-// analytic solution: with u the velocity of the point that touches, friction mu g against u until u
-// is 0, then none.
+// analytic solution. With u the velocity of the contact point, friction decelerates by mu g against
+// u until u is 0:
 //   v' = -mu g u / |u|,   w' = (m r / I) mu g (n x u) / |u|,   u' = -mu g (1 + m r^2 / I) u / |u|
-// Each falls by `drop` first, and its impact takes what friction allows: as much as it would have
-// taken while it fell.
+// Each body first falls by `drop`. The friction impulse of its impact equals the impulse of
+// friction over the time of the fall.
 //
-// No angle of a thousand cases is off by more than 0.01 degrees, or than its own estimate. A place
-// is off by an angle too: by how far it would have rolled. HAZUMI_CASES and HAZUMI_FIRST_CASE as
-// everywhere; `ctest -C Slow -L slow -R slide -V` tries a thousand.
+// No angle of a thousand cases may be off by more than 0.01 degrees, nor by more than its own error
+// estimate. Errors of positions count as the angle of rolling that far. HAZUMI_CASES and
+// HAZUMI_FIRST_CASE as everywhere; `ctest -C Slow -L slow -R slide -V` runs a thousand.
 
 #include <gtest/gtest.h>
 
@@ -30,11 +30,12 @@ constexpr double kTolerance = 0.01;  // [deg]
 constexpr int kStart = 10, kEnd = 70;
 
 struct Roller {
-  double radius, half, mass, inertia;  // about the axis; half the axis's length, along y [m, kg]
-  double friction;                     // coefficient with the plane
-  double drop;                         // [m]
+  // Half the length of the axis, along y [m]; inertia about the axis.
+  double radius, half, mass, inertia;
+  double friction;  // coefficient against the plane
+  double drop;      // [m]
   double fps;
-  Vec3 v, w;  // where the region begins; w along y [m/s, rad/s]
+  Vec3 v, w;  // start of the region; w along y [m/s, rad/s]
 };
 
 Roller RandomRoller(uint64_t seed) {
@@ -54,7 +55,7 @@ Roller RandomRoller(uint64_t seed) {
   return roller;
 }
 
-// In the air, and on the plane.
+// State of the body in the air and on the plane.
 struct Rolling {
   Vec3 p = Vec3::Zero(), v, w;
 };
@@ -84,7 +85,7 @@ class Analytic {
   double StopsAfter(const Rolling& at) const {
     return SlipOf(at).norm() / (roller_.friction * kG * (1.0 + roller_.radius * gain()));
   }
-  // By so many seconds of friction, or until it rolls.
+  // Applies friction for that many seconds, or until the body rolls.
   void Slow(double seconds, bool moves, Rolling* at) const {
     const Vec3 slip = SlipOf(*at);
     if (slip.norm() == 0.0) return;
@@ -114,7 +115,7 @@ Figure FigureOf(const Roller& roller) {
                             : roller.inertia;
   link.inertia = Vec3(across, roller.inertia, across).asDiagonal();
   spec.root_links = {link};
-  JointSpec tip;  // a placement by gravity needs a joint
+  JointSpec tip;  // joint that a placement by gravity needs
   tip.name = "tip";
   tip.parent = "roller";
   tip.hinges = {{"", Vec3::UnitX(), 0.0, 0.0, 0.0}};
@@ -122,7 +123,7 @@ Figure FigureOf(const Roller& roller) {
   return BuildFigure(spec).value();
 }
 
-// Keyed up to the region, which takes over what its keys move with.
+// Animation with keys up to the region, which takes over their velocities.
 Animation AnimationOf(const Roller& roller) {
   Animation animation = Still(FigureOf(roller));
   animation.rate = {static_cast<int>(roller.fps), 1};
@@ -147,7 +148,8 @@ Animation AnimationOf(const Roller& roller) {
   return animation;
 }
 
-// The largest over all frames [deg]: of places, and of turns about y where that stays the axis.
+// Largest error over all frames [deg], of positions and of rotations about y where the axis stays
+// along y.
 double WorstError(const Roller& roller, const Motion& motion) {
   const Analytic analytic(roller);
   const Vec3 start(0.0, 0.0, roller.radius + roller.drop);
@@ -158,7 +160,7 @@ double WorstError(const Roller& roller, const Motion& motion) {
     const Rolling at = analytic.At(t);
     worst = std::max(worst, (frame.X_WR.p - start - at.p).norm() / roller.radius);
     if (roller.half == 0.0) continue;
-    // What friction took of v it gave to w.
+    // Rotation from the impulse of friction, which acts on v and w.
     const double gain = roller.mass * roller.radius / roller.inertia;
     const double turn = roller.w.y() * t + gain * (roller.v.x() * t - at.p.x());
     const Mat3 R = Eigen::AngleAxisd(turn, Vec3::UnitY()).toRotationMatrix();

@@ -1,12 +1,12 @@
-// A region that begins while something touches keeps its velocity.
+// Velocity at the start of a region while contacts touch.
 //
-// Random figures of a few links that stand on a plane, with gaps of -0.5 mm to 10 micrometres, and
-// move by their keys in any direction. Where the region begins
-//   what slides or separates keeps its velocity, if it does not push in elsewhere,
-//   what approaches is stopped by one impact, whose loss is the contacts',
-// so that the centre of mass goes on as it came, but for what friction takes in the first frame,
-// and the account of energy closes. A plain ctest tries a few; 500 are tried by `ctest -C Slow -L
-// slow -R touching -V`. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// Random figures of a few links stand on a plane, with gaps of -0.5 mm to 10 micrometres, and move
+// by their keys in any direction. At the start of the region
+//   sliding and separating contacts keep their velocity, unless another contact approaches,
+//   approaching contacts are stopped by one impact, whose energy loss is booked to contacts.
+// The centre of mass keeps its velocity but for friction during the first frame, and the energy
+// account closes. A plain ctest runs a few cases; `ctest -C Slow -L slow -R touching -V` runs 500.
+// HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr int kShort = 6;                            // frames
+constexpr int kShort = 6;                            // length in frames
 constexpr double kGaps[] = {0.0, 1e-7, 1e-6, 1e-5};  // [m]
 
 double ClearanceAt(const Animation& animation, double height) {
@@ -58,7 +58,7 @@ void SetRoot(RootCurve curve, double value, double rate, Animation* animation) {
   animation->root_keys[curve] = {key};
 }
 
-// A figure that falls, put down so far above the plane, that moves as a whole with v.
+// Falling figure, placed at that gap above the plane, that moves as a whole with v.
 Animation Touching(uint64_t seed, double gap, const Vec3& v) {
   Animation animation = RandomFall(seed, Terrain::kPlane);
   animation.last_frame = kShort;
@@ -101,7 +101,7 @@ void Try(int seed, Tally* tally) {
     return;
   }
   const Momentum start = MomentumOf(*animation.figure, motion.value().frames[0].after);
-  // The frame tells the velocity with which the region takes the figure over.
+  // Velocity with which the region takes the figure over.
   const Vec3 velocity = start.com_v;
   const EnergyBalance& energy = motion.value().regions[0].energy.value();
   const bool is_taken_over = (velocity - v).norm() <= 1e-9 * (1.0 + v.norm());
@@ -134,8 +134,8 @@ TEST(TouchingStart, KeepsItsVelocityAndClosesItsAccount) {
   EXPECT_LE(tally.open, MostOf(tally.cases, 0.01));
 }
 
-// Sliding along with nothing that pushes in: half a frame later the speed is what friction leaves.
-TEST(TouchingStart, AtGapsUpToTenMicrometresDiffersAsTheGapDoes) {
+// Slides without approaching contacts: half a frame later, friction alone has changed the speed.
+TEST(TouchingStart, SmallGap_ChangesTheMotionInProportion) {
   for (int seed = 1; seed <= 4; ++seed) {
     Vec3 first = Vec3::Zero();
     for (const double gap : kGaps) {

@@ -103,8 +103,9 @@ TEST(BothMethods, LandOnTwoFeetAtOnce) {
   }
 }
 
-// Both legs are free. Until they land nothing turns them, as all of the figure falls alike.
-TEST(BothMethods, WithFreeLegsFallStraightAndLandInAFewEvents) {
+// Falls with both legs free. Nothing turns the legs before the landing, since all of the figure
+// falls alike.
+TEST(BothMethods, FigureWithFreeLegs_FallsStraightAndLandsInAFewEvents) {
   for (const Method method : {Method::kExact, Method::kPaper}) {
     Animation animation = Falling(Human(), 1.15, 0.0, method);
     AddFloor(&animation);

@@ -7,15 +7,15 @@
 
 namespace hazumi::test {
 
-// A number that the environment states, else another one.
+// Number from the environment, or `otherwise`.
 inline int FromEnvironment(const char* name, int otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : otherwise;
 }
 
-// Seeds of a random test, printed: `for (const int seed : RandomCases(1, 10))`. HAZUMI_FIRST_CASE
-// and HAZUMI_CASES replace the first seed and the count. A plain ctest tries the same seeds in
-// every run; .ci/run and scripts/soak try new ones in each.
+// Seeds of a random test: `for (const int seed : RandomCases(1, 10))`. Prints the seeds.
+// HAZUMI_FIRST_CASE and HAZUMI_CASES replace the first seed and the count. A plain ctest uses the
+// same seeds in every run; .ci/run and scripts/soak use new ones.
 class RandomCases {
  public:
   RandomCases(int first, int count)
@@ -49,9 +49,9 @@ class RandomCases {
   int first_, count_;
 };
 
-// The most of `count` cases that may miss what a share of all cases misses. Of the seeds that a
-// plain ctest tries the share itself. Of new seeds as many as chance exceeds once in a hundred
-// thousand runs: a Poisson distribution with that mean.
+// Largest number of `count` cases that may fail where a share of all cases fails. For the seeds of
+// a plain ctest, that share. For new seeds, the number that a Poisson distribution with that mean
+// exceeds once in a hundred thousand runs.
 inline int MostOf(int count, double share) {
   const double mean = count * share;
   if (std::getenv("HAZUMI_FIRST_CASE") == nullptr) return static_cast<int>(mean + 1e-9);

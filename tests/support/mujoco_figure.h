@@ -36,15 +36,15 @@ class MujocoFigure {
 
   VecX InverseDynamics(const VecX& qdd, const EndForces* ends);
   VecX Bias() const;
-  // Rows of a moving root that turn a moment about its origin, along the world's axes, into the
+  // Rows of a moving root that map a moment about its origin, along the world's axes, to the
   // generalized forces of its three hinges.
   Mat3 RootAxes() const;
   MatX InertiaMatrix() const;
   VecX ForwardDynamics(const VecX& tau, const EndForces* ends);
   // Torques that balance forces on the end links, J^T (Kf, Kn).
   VecX EndForceTorques(const EndForces& ends);
-  // Generalized forces of a force at p on the body of a joint, an invalid one being the root's.
-  // World axes [N, m]. J^T f.
+  // Generalized forces J^T f of a force at p on the body of a joint; an invalid joint is the root.
+  // World axes [N, m].
   VecX PointForce(JointIndex j, const Vec3& p, const Vec3& force);
   Eigen::Matrix3Xd OriginJacobian(JointIndex j) const;  // velocity of its origin for unit rates
   Vec3 OriginBiasAcceleration(JointIndex j);            // and its acceleration at qdd = 0

@@ -19,8 +19,8 @@ void SetStep(Animation* animation, double seconds);
 bool IsFinite(const Motion& motion);
 // True if a failed bake says which joint, after which frame, and why.
 bool SaysJointFrameAndCause(const Error& error);
-// Bakes, and demands one of the two, and of a motion at most a million evaluations of the equations
-// of motion. Bakes bound their own work; CTest ends one that hangs.
+// Bakes, and requires an error or a motion of at most a million evaluations of the equations of
+// motion. A bake limits its own work; CTest ends one that hangs.
 Result<Motion> BakeSoundly(const Animation& animation);
 // Bakes, and demands finite frames. Empty if there are none.
 Motion BakeFinite(const Animation& animation);

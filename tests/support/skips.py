@@ -1,14 +1,14 @@
-"""Runs the tests of a script, as unittest.main does, except that a skipped test does not count as
-passed: where HAZUMI_DATA is set, all that tests need is promised, and a skipped test fails. Skips
-whose reason begins with "not here: " (a sanitizer, a right that a user lacks) stay skips, which ctest
-shows by SKIPPED."""
+"""Runs the tests of a script as unittest.main does, but a skipped test does not count as passed. A
+skipped test fails if HAZUMI_DATA is set, since all requirements of tests are then available. Skips
+whose reason begins with "not here: " (a sanitizer, a missing permission) stay skips, which CTest
+shows because of SKIPPED."""
 
 import sys
 import unittest
 
 import data_folder
 
-SKIPPED = "hazumi test: skipped"  # also in tests/CMakeLists.txt
+SKIPPED = "hazumi test: skipped"  # same text in tests/CMakeLists.txt
 ALLOWED = "not here: "
 
 

@@ -1,7 +1,7 @@
-// Runs the tests of a program, as GTest's own main does, except that a skipped test does not count
-// as passed: where HAZUMI_DATA is set, all that tests need is promised, and a skipped test fails.
-// Skips whose reason begins with "not here: " (a sanitizer, a right that a user lacks) stay skips.
-// CTest shows those by kSkipped.
+// Runs the tests of a program as GTest's own main does, but a skipped test does not count as
+// passed. A skipped test fails if HAZUMI_DATA is set, since all requirements of tests are then
+// available. Skips whose reason begins with "not here: " (a sanitizer, a missing permission) stay
+// skips, which CTest shows because of kSkipped.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr const char* kSkipped = "hazumi test: skipped";  // also in tests/CMakeLists.txt
+constexpr const char* kSkipped = "hazumi test: skipped";  // same text in tests/CMakeLists.txt
 constexpr const char* kAllowed = "not here: ";
 
 bool IsPromised() {
@@ -27,7 +27,7 @@ bool IsAllowed(const testing::TestResult& result) {
   return true;
 }
 
-// How many tests were skipped that may not be; says which.
+// Returns the number of tests whose skip is not allowed, and prints their names.
 int NumWronglySkipped(const testing::UnitTest& all) {
   int num_wrong = 0;
   for (int i = 0; i < all.total_test_suite_count(); ++i) {

@@ -1,7 +1,8 @@
-// J about a joint's origin o of all bodies that lie beyond it, of mass m, with their centre of mass
-// at c and the inertia I about it:
-//   J = I + m (|c - o|^2 1 - (c - o)(c - o)^T),    about a hinge's axis a   a . J a.
-// Where a share s of the figure's weight is carried beyond the joint, with J_all of all bodies:
+// Inertia J about the origin o of a joint. The bodies beyond the joint have the mass m, the centre
+// of mass c and the inertia I about c:
+//   J = I + m (|c - o|^2 1 - (c - o)(c - o)^T),    about the axis a of a hinge:   a . J a.
+// Bodies beyond the joint that carry the share s of the figure's weight give, with J_all of all
+// bodies,
 //   (1 - s) J + s (J_all - J).
 
 #include "engine/bake/handover/region_start.h"

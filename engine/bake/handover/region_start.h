@@ -13,14 +13,14 @@ namespace hazumi {
 // all if it has no springs.
 struct RegionStart {
   std::vector<double> angles;    // [rad]
-  std::vector<double> inertias;  // about the hinge, of what its spring moves [kg m^2]
+  std::vector<double> inertias;  // about the hinge, of the bodies that its spring moves [kg m^2]
   // The same about the joint's origin, of a ball joint; in the ball's frame (BallAxes).
   std::vector<Mat3> of_balls;
 };
 
-// Of a figure that is in that motion there. A spring moves what lies beyond its joint or, where
-// that stands on `scene` (null: nothing is stood on), the rest of the figure, each by the share of
-// the weight that is not, or is, carried there. [METHOD 2.6]
+// Returns the start of a region for a figure in this motion [METHOD 2.6]. A spring moves the bodies
+// beyond its joint and, if these stand on `scene` (null: no support), the rest of the figure. The
+// two are weighted by the share of the weight that is not carried, or carried, beyond the joint.
 RegionStart StartOf(const DynamicsRegion& region, const Figure& figure, const FigureMotion& motion,
                     const std::vector<SceneObject>* scene, DynamicsWorkspace* ws);
 

@@ -46,8 +46,8 @@ class HeldObjects {
   void Resume(const std::vector<ObjectState>& states) { states_ = states; }
   void ResetCurves();  // as the animation's keys are now
 
-  // It flies from the hand of its holder of this index, whether that still has it or not; the
-  // workspace holds the figure's positions and velocities.
+  // Releases an object from the hand of the holder with this index, even if the holder no longer
+  // has the object. The workspace holds the positions and velocities of the figure.
   void Release(size_t object, int holder, double seconds, const DynamicsWorkspace& ws);
   void Take(size_t object, int holder) { states_[object].holder = holder; }
 

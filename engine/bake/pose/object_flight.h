@@ -20,7 +20,7 @@ BodyMotion Falling(const BodyMotion& start, double seconds, double gravity);
 // [METHOD 12.6]
 class ObjectFlight {
  public:
-  // From `start` seconds on. The shape is a sphere.
+  // Starts the flight at `start` seconds. The shape is a sphere.
   ObjectFlight(const HeldObject& object, const std::vector<SceneObject>& scene, double gravity,
                double start, const BodyMotion& from,
                const SolverRules& rules = SolverRules(kSolverVersion));

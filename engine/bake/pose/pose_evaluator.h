@@ -39,8 +39,8 @@ class PoseEvaluator {
   // far each jumps [m].
   std::vector<double> HandOver(const std::vector<ObjectChange>& changes, const FigureMotion& motion,
                                const MotionLimit& before);
-  // An object that a holder has let go of on the frame of `motion` flies off with the velocity
-  // there.
+  // Releases an object that a holder has let go of on the frame of `motion`, with its velocity in
+  // that motion.
   void ReleaseWith(const FigureMotion& motion, size_t object, int holder);
   // A region drives the joint from here on, or no longer.
   void SetFree(JointIndex j, bool is_free) { free_[j.value()] = is_free; }

@@ -23,7 +23,7 @@ constexpr double kNoted = 0.01, kLeast = 1e-3, kLeastTurn = 0.5 * kDegree;  // o
 
 constexpr double kNearlyThen = 1e-6;
 
-constexpr double kStraight = 0.2;  // lever of its hinges, as a share of a limb's length
+constexpr double kStraight = 0.2;  // largest lever of a straight limb, as a share of its length
 
 constexpr const char* kBringIt =
     "bring its ends nearer, give it more arrive_frames, or free joints that could give way";
@@ -119,8 +119,8 @@ std::vector<Warning> Arrivals::Look(const std::vector<int>& acting, const Figure
   return warnings;
 }
 
-// Whether an end is to go `way`, towards the free hinges that carry it, and they are all on the
-// line through it: whichever turns, it moves across.
+// Returns whether an end cannot move along `way` because all free hinges that carry it lie on the
+// line through it: each hinge moves the end across that line.
 bool Arrivals::IsStraight(const ConstraintEnd& end, const Vec3& way, const IsFree& is_free,
                           const DynamicsWorkspace& ws) const {
   if (end.is_in_world || !end.joint) return false;

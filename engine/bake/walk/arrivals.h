@@ -22,8 +22,9 @@ class Arrivals {
   // Those of `acting` that are new begin to close the gap that there is in `motion`, others go on
   // from what there is of it, after whatever happened.
   void Begin(const std::vector<int>& acting, const FigureMotion& motion, DynamicsWorkspace* ws);
-  // Of those of `acting` whose time is over: a warning where more is left than there should be.
-  // `is_free`: whether a region moves a hinge; hinges alone move the ends, not the root.
+  // Warns of each constraint of `acting` whose arrival time is over and whose gap is still too
+  // large. `is_free`: whether a region moves a hinge; set only if hinges alone, not the root, move
+  // the ends.
   using IsFree = std::function<bool(JointIndex)>;
   std::vector<Warning> Look(const std::vector<int>& acting, const FigureMotion& motion,
                             const std::optional<IsFree>& is_free, DynamicsWorkspace* ws);

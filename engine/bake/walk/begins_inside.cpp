@@ -9,7 +9,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr double kDeepEnough = 1e-4;  // to be told of [m]
+constexpr double kDeepEnough = 1e-4;  // smallest depth that is reported [m]
 
 std::string InsideText(const std::string& what, double clearance, const std::string& obstacle,
                        double frame, const char* begins) {

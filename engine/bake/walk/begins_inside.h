@@ -17,7 +17,7 @@ std::optional<std::string> TellOfInside(const Animation& animation, const Figure
                                         const std::function<bool(const Link&)>& counts,
                                         DynamicsWorkspace* ws);
 
-// The same of a ball that is let go with its centre there, world [m].
+// Reports the same for a ball that is released with its centre there, world [m].
 std::optional<std::string> TellOfInside(const Animation& animation, const HeldObject& ball,
                                         const Vec3& center, double frame);
 

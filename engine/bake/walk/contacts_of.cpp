@@ -23,7 +23,8 @@ class Lister {
     if (seat && IsMoved(*seat)) spec_->capsules[CapsuleOf(link, *seat)].meets_obstacles = true;
   }
 
-  // What a constraint ties passes through each other: the links of its ends, and all beyond them.
+  // Removes contacts between the two ends of a constraint: the links of its ends, and all links
+  // beyond them.
   void Part(const Constraint& constraint) {
     for (const ConstraintEnd* end : {&constraint.a, &constraint.b}) {
       const ConstraintEnd& other = end == &constraint.a ? constraint.b : constraint.a;

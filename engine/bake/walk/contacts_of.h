@@ -11,10 +11,10 @@
 
 namespace hazumi {
 
-// What of an island, whose model lists its joints, may touch: with planes and boxes of the scene,
-// the capsules of all joints that `touches` says so of, and its balls; with each other, those of
-// `own`, and each ball with all capsules that it knows of. What those of the animation's
-// `constraints` tie that act then passes through each other.
+// Returns the contacts of an island, whose model lists its joints. The capsules of all joints for
+// which `touches` returns true, and the balls, collide with planes and boxes of the scene. The
+// pairs `own` collide with each other, and each ball with all capsules. Bodies that active
+// `constraints` of the animation tie do not collide.
 ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Animation& animation,
                        const std::function<bool(JointIndex)>& touches,
                        const std::vector<LinkPair>& own, const std::vector<int>& constraints);

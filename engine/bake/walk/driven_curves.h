@@ -19,10 +19,10 @@ class DrivenCurves {
   // From here on these regions are active, and their drives are told of.
   void SetRegions(const std::vector<int>& regions);
 
-  // Takes the curves of what no region drives from a frame on; returns up to which frame, `end` at
-  // the latest, they are one polynomial each. With holds the joints that they move are fitted,
-  // which goes to the next frame at most; an error where one is out of reach. How long they hold
-  // does not depend on `end` where the solver is causal (DrivenMotion::holds_until).
+  // Fits the curves of the coordinates that no region drives, from a frame on. Returns the frame,
+  // `end` at the latest, up to which each curve is one polynomial. With holds, the curves of the
+  // held joints are fitted up to the next frame at most; an error where a hold is out of reach. The
+  // interval does not depend on `end` where the solver is causal (DrivenMotion::holds_until).
   Result<double> Take(double from, int end, bool with_holds);
 
   // By Coordinate.

@@ -95,8 +95,9 @@ void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
   island = {t, last.kinetic + last.potential, last.kinetic, true, nullptr};
 }
 
-// Where contacts take part in an impact, limits took what their own impulses did, and contacts the
-// rest. The first impact is that of what touches where the account begins.
+// Adds the first step of an island. In an impact with contacts, limits take the work of their own
+// impulses, and contacts take the rest. The first impact belongs to contacts that exist where the
+// account begins.
 void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island,
                              const ImpactWork& impacts) {
   const double jump = first.kinetic + first.potential - island.stored;

@@ -15,8 +15,8 @@ class EnergyAccount {
   void Restart(size_t num_islands);
   // The root is coupled so in the steps that follow.
   void SetCoupling(RootCoupling coupling);
-  // Whatever energies jump by before the next step is the work of this: "push", or "handover" where
-  // what islands hold changes hands, so that they weigh something else.
+  // Books any energy jump before the next step as the work of `cause`: "push", or "handover" where
+  // held objects change hands and the mass of the islands changes.
   void JumpBy(const char* cause);
   // Of what moves with the islands: so much left, and so much joined them, before the next step.
   struct Stored {
@@ -35,7 +35,7 @@ class EnergyAccount {
     double until = 0.0;                  // accounted up to this time [s]
     double stored = 0.0, kinetic = 0.0;  // energy there [J]
     bool is_accounted = false;
-    const char* jumps_by = nullptr;  // since then; null: by impacts
+    const char* jumps_by = nullptr;  // cause of a jump since then; null: impacts
   };
 
   void AddStart(const EnergyFlow& first, const Island& island, const ImpactWork& impacts);

@@ -246,7 +246,7 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
   energy_.Restart(islands_.size());
 }
 
-// What islands hold may have changed hands since their last step, and its energy with it.
+// Accounts for objects that changed hands since the last step of the islands, with their energy.
 void ExactDriver::AccountForMass(const std::vector<RegionModel>& models) {
   constexpr double kSame = 1e-12;
   double before = 0.0, now = 0.0;

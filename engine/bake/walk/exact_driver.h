@@ -103,11 +103,11 @@ class ExactDriver {
     Coordinate coordinate;
   };
   std::vector<Hit> TakeHits();
-  // What touched down since the last call.
+  // Touch-downs since the last call.
   std::vector<TouchDown> TakeTouches();
 
-  // Free joints beyond which nothing has mass: forces on them move nothing. Of ball joints the
-  // first hinge.
+  // Free joints without mass beyond them: forces do not move these joints. A ball joint is listed
+  // by its first hinge.
   std::vector<JointIndex> WeightlessJoints() const;
 
   // Constraints that act, by index of the animation's.
@@ -132,17 +132,16 @@ class ExactDriver {
   struct RegionEstimate {
     double error = 0.0;                                      // the largest up to there [rad]
     double until = std::numeric_limits<double>::infinity();  // [s]
-    // From here on solution and control solution are on different branches: their events differ
-    // [s].
+    // Time from which the events of the solution and the control solution differ [s].
     double branches_from = std::numeric_limits<double>::infinity();
   };
   RegionEstimate EstimateOf(size_t region) const;
-  // The largest so far, of what tumbles as well [rad].
+  // Returns the largest estimate so far, also while the figure tumbles [rad].
   double LargestEstimateOf(size_t region) const { return estimated_[region].error; }
   long evaluations() const;
   long steps() const;
   Work work() const;
-  // The first joint of the island that takes most of it.
+  // First joint of the island that takes the most work.
   JointIndex CostliestJoint() const;
   std::vector<int> island_sizes() const;
   int num_bodies() const;

@@ -116,7 +116,7 @@ Result<int> ExactWalk::Advance(int frame) {
   return end;
 }
 
-// An error where a finer solution turns out to be none: it is given up.
+// Returns an error where a finer solution does not exist; the refinement is then abandoned.
 std::optional<Error> ExactWalk::EstimateAt(int frame) {
   driver_->Estimate(context_.Seconds(frame));
   for (size_t a = 0; a < driver_->active().size(); ++a) {

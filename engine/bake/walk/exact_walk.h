@@ -21,7 +21,7 @@ class ExactWalk : public RegionWalk {
   // Regions are not solved anew where one of these logs tells what they do; null: nothing will be
   // asked again, and no logs are kept.
   void UseLogs(const KnownLogs* known) { known_ = known; }
-  // A stretch begins at this frame: what it may take is counted from here on.
+  // Begins a stretch at this frame. The work of the stretch counts from this frame.
   void BeginStretch(int frame) {
     stretch_start_ = frame;
     work_before_stretch_ = work_before_;
@@ -55,7 +55,7 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> AdvanceAhead(const std::vector<double>& times, double from, double next,
                                     double to, double end);
   void DropDriver();
-  // After a frame: whether that took more than it may.
+  // Checks the work after a frame; returns an error above the limit.
   std::optional<Error> CheckWork(double frame);
   std::optional<Error> AdvanceRegions(double t, double last);
   std::optional<Error> Arrive(double frame);
@@ -87,7 +87,7 @@ class ExactWalk : public RegionWalk {
   ThreadPool* pool_;
   const KnownLogs* known_ = nullptr;
   DrivenCurves curves_;
-  // Of drivers that are gone: of all, and of those up to the stretch.
+  // Work of previous drivers: in total, and before the stretch.
   double work_before_ = 0.0, work_before_stretch_ = 0.0;
   int stretch_start_ = 0;
   std::unique_ptr<ExactDriver> driver_;  // null: no region is active

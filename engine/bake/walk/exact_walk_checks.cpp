@@ -59,7 +59,7 @@ void ExactWalk::WarnOfOverlap() {
   }
 }
 
-// Of joints that a drive or a force is to move, and that move no mass from here on.
+// Warns of joints that a drive or a force acts on but that move no mass from this frame on.
 void ExactWalk::WarnOfWeightless() {
   const Animation& animation = context_.animation;
   for (const JointIndex joint : driver_->WeightlessJoints()) {

@@ -66,11 +66,11 @@ void FeedForward::StandAsIn(const FigureMotion& motion, const std::vector<SceneO
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   support_ = FindSupport(figure_, scene, ws_);
   const auto by_root = [](const SupportPoint& point) { return !point.joint.is_valid(); };
-  std::erase_if(support_, by_root);  // what it sits on moves no joint
+  std::erase_if(support_, by_root);  // support of the root's own body moves no joint
   if (support_.empty()) return;
   const Wrench lift = {Vec3::UnitZ(), Vec3::Zero()};
   const std::vector<Vec3> forces = SupportForces(support_, lift, CenterOfMass(figure_, ws_), ws_);
-  std::map<int, double> loads;  // by joint
+  std::map<int, double> loads;  // share of the weight, by joint
   for (size_t i = 0; i < support_.size(); ++i) loads[support_[i].joint.value()] += forces[i].z();
   const auto is_less = [](const auto& a, const auto& b) { return a.second < b.second; };
   stance_ = JointIndex(std::max_element(loads.begin(), loads.end(), is_less)->first);

@@ -23,8 +23,8 @@ class FeedForward {
   // Regions of the animation are active, with their friction. The figure must outlive it.
   FeedForward(const Animation& animation, const Figure& figure, const std::vector<int>& active);
 
-  // From here on a figure in flight, which contacts place, stands where it touches the scene in
-  // `motion`, on the points that carry it there; on nothing: it falls.
+  // Supports the figure from now on at the points where it touches the scene in `motion`. Applies
+  // to a figure that contacts place. The figure falls if no point touches.
   void StandAsIn(const FigureMotion& motion, const std::vector<SceneObject>& scene);
 
   // Of a figure whose joints and root's orientation move so: accelerations are read, of all joints;
@@ -35,7 +35,7 @@ class FeedForward {
   // A pin gives the force that hangs the figure on its root otherwise.
   void HangOnPin(JointIndex pin, ForwardTorques* forward);
   void AddMoments(JointIndex pin, ForwardTorques* forward);
-  // The forces of the points that the figure stands on give the wrench that it hangs on.
+  // Supplies the wrench on the stance body by forces at the support points.
   void StandOnSupport(ForwardTorques* forward);
 
   const Figure& figure_;
@@ -44,7 +44,7 @@ class FeedForward {
   DynamicsWorkspace ws_;
   std::map<GroupIndex, BallAxes> balls_;
   std::vector<SupportPoint> support_;
-  JointIndex stance_;  // its body stands still: the one that carries most
+  JointIndex stance_;  // joint of the fixed body, which carries the largest load
 };
 
 }  // namespace hazumi

@@ -117,7 +117,7 @@ void PushIsland(const RegionModel& model, std::shared_ptr<const ForceLaw> push,
 // Acts at one instant, and not in between.
 void AddForce(const PushForce&, const Figure&, const RegionModel&, std::vector<ForceSpec>*) {}
 
-// Next to 0 and 90 degrees, too, where their lift is 0 anyway.
+// Disables the fading of the lift of plates next to 0 and 90 degrees, where the lift is 0.
 void LiftPlates(std::vector<ForceSpec>* forces) {
   for (ForceSpec& force : *forces) {
     auto* const wind = std::get_if<WindSpec>(&force);

@@ -15,9 +15,9 @@ struct LinkPair {
   int a = 0, b = 0;
 };
 
-// Those that can be told to stay out of each other: they are fixed to different joints, neither is
-// the one that the other hangs on, and they are apart when all angles are zero; or just touch, if
-// that is asked for.
+// Pairs of links that can be kept apart. The links belong to different joints, neither of which is
+// the parent of the other, and they are apart when all angles are zero. `with_touching` includes
+// pairs that just touch.
 std::vector<LinkPair> PairsApart(const Figure& figure, bool with_touching = true);
 
 // The pair that is deepest inside each other; none if they are all apart. Needs ComputePositions.

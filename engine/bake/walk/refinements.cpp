@@ -1,11 +1,11 @@
-// A region is solved with steps of one sharpness after the other, S_0 = 1, S_1 = 30, S_2 = 900 ...
-// Up to the frame where the error estimate of S_i first is above a fifth of the tolerance (a miss)
-// the motion is that of S_i, from there on that of S_(i+1), as long as this takes the estimate at
-// that frame down to 0.3 of what it was: the error is at times a few times the estimate, and some
-// motions are so sensitive that no step tells their end. So no frame depends on what comes after
-// it. [METHOD 8.2, 8.3]
-// Version 1 of the solver solved the whole stretch again, with steps finer by three times what was
-// missing at its end.
+// Refinement of a region with steps of increasing sharpness, S_0 = 1, S_1 = 30, S_2 = 900 ... The
+// motion is that of S_i up to the first frame where the error estimate of S_i exceeds a fifth of
+// the tolerance (a miss), and that of S_(i+1) from there on. A refinement has to reduce the
+// estimate at that frame to 0.3 of its value: the error is at times a few times the estimate, and
+// some motions are so sensitive that no step size predicts their end. Therefore no frame depends on
+// later frames. [METHOD 8.2, 8.3]
+// Version 1 of the solver solves the whole stretch again. Its steps are finer by three times the
+// factor by which the end misses the tolerance.
 
 #include "engine/bake/walk/refinements.h"
 

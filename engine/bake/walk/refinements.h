@@ -14,35 +14,36 @@ class Refinements {
   explicit Refinements(const Animation& animation)
       : animation_(animation), of_region_(animation.regions.size()) {}
 
-  // A new stretch begins.
+  // Begins a new stretch.
   void Reset() { of_region_.assign(animation_.regions.size(), Refinement()); }
   // The largest of some regions, which divides the tolerances of their steps.
   double SharpnessOf(const std::vector<int>& regions) const;
 
   // Notes the largest estimate [rad] of a region's error up to a whole frame.
   void Note(int region, int frame, double estimate);
-  // Asks for finer steps in the regions that miss their tolerance first, of those that began in
-  // the stretch. Returns the frame where they do: what was found before it stays. None: nothing
-  // is to be done again.
+  // Requests finer steps in the regions that miss their tolerance first, among those that began in
+  // the stretch. Returns the frame of that miss; earlier frames keep their values. Returns nullopt
+  // if no region has to be solved again.
   std::optional<int> SharpenFromFirstMiss(const std::vector<int>& regions);
-  // The finer steps that were asked for last did not help: they are not asked for any more.
+  // Returns whether the finer steps requested last did not help. No more are requested then.
   bool has_given_up() const { return has_given_up_; }
-  // Writes what is known of the errors when all is done, and warns.
+  // Records the known errors after the last solution, and warns.
   void Report(const std::vector<int>& regions, Recorder* recorder) const;
 
-  // Solver version 1: after a stretch in which these regions began, asks for finer steps in all of
-  // it. False if there is nothing to ask for.
+  // Requests finer steps in the whole stretch, in which these regions began (solver version 1).
+  // Returns false if no region needs them.
   bool SharpenAll(const std::vector<int>& regions, Recorder* recorder);
 
  private:
   struct Refinement {
     double sharpness = 1.0;
     double last_estimate = std::numeric_limits<double>::infinity();  // with the one before [rad]
-    std::vector<double> estimates;  // by frame since the region's first one [rad]
-    // Of the solution before the present one: where it missed, and by how much; what it leaves.
+    std::vector<double> estimates;  // one per frame of the region [rad]
+    // Previous solution: frame of its first miss, factor of the miss, sharpness, and the estimate
+    // of the frames that it keeps.
     std::optional<int> missed_at;
     double missed_by = 0.0, sharpness_before = 1.0, kept_estimate = 0.0;
-    bool is_settled = false;  // finer steps do not help
+    bool is_settled = false;  // whether finer steps do not help
   };
   double SafeFor(int region) const;
   std::optional<int> FirstMiss(int region) const;

@@ -43,7 +43,7 @@ class RegionWalk {
 
   bool has_regions() const { return active() != nullptr; }
   virtual bool moves(JointIndex j) const = 0;
-  // Whether contacts of its regions are to place the figure, where a placement by gravity does.
+  // Returns whether contacts of the regions place the figure instead of a placement by gravity.
   virtual bool leaves_root_to_contacts() const { return false; }
 
  protected:

@@ -1,5 +1,5 @@
-// How much a bake may take. It is counted, so that the same project ends in the same frame
-// everywhere.
+// Work limit of a bake. Work is counted, not timed, so that a project ends in the same frame on
+// every machine.
 
 #include "engine/bake/walk/exact_walk.h"
 #include "engine/base/text.h"
@@ -8,7 +8,7 @@ namespace hazumi {
 
 namespace {
 
-// In accelerations of one body: with all that is counted (Work) some seconds of computing.
+// Limits in accelerations of one body. Some seconds of computing with all that Work counts.
 constexpr double kMostWork = 2e7, kMostWorkPerSecond = 1e7, kMostForBody = 1e5;
 
 std::string WhatItTakes(const Work& work) {

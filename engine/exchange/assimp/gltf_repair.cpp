@@ -125,8 +125,8 @@ void AddBinds(Json* json) {
   }
 }
 
-// The first skin whose matrices are no list of at least one 4x4 matrix of floats a joint, of which
-// assimp makes whatever its memory holds.
+// First skin whose matrices are not a list of at least one 4x4 matrix of floats per joint. Assimp
+// would read uninitialized memory for such a skin.
 std::optional<size_t> SkinWithWrongBinds(const Json& json) {
   const Json& skins = Member(json, "skins");
   for (size_t i = 0; skins.is_array() && i < skins.size(); ++i) {

@@ -5,11 +5,11 @@
 
 namespace hazumi {
 
-// Writes correct glTF in a way that assimp 5.2.5 reads correctly: skin weights of 8 or 16 bits,
-// whose bytes it takes for floats, as floats; with a default scene (gltf_scene.h); skins without
-// matrices, at which it crashes, with identities; nodes with names of their own, by which it tells
-// bones apart ("node_7" for those without any). Warns of renaming. Errors: such weights that cannot
-// be read; skins whose matrices are none; no nodes.
+// Rewrites correct glTF so that assimp 5.2.5 reads it correctly. Skin weights of 8 or 16 bits
+// become floats, since assimp misreads their bytes as floats. Adds a default scene (gltf_scene.h),
+// identity matrices to skins without matrices, on which assimp crashes, and unique node names, by
+// which assimp identifies bones ("node_7" for an unnamed node). Warns of renaming. Errors:
+// unreadable weights; skins with invalid matrices; no nodes.
 Result<Done> RepairGltf(GltfDocument* document, SceneFiles* files, const std::string& file,
                         std::vector<Warning>* warnings);
 

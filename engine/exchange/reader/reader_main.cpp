@@ -94,8 +94,8 @@ bool Do(const std::string& task, const char* file) {
 int main(int argc, char** argv) {
   if (argc < 5) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  // Zeroes most memory that a library reads and has not set, so that few files have more than one
-  // answer. Small blocks that were freed before keep what was in them.
+  // Zero most memory that a library reads without setting it, so that few files have more than one
+  // result. Small blocks that were freed before keep their contents.
   ::mallopt(M_PERTURB, 0xff);
   if (argc > 5) MakeTrouble(argv[5]);
   const bool done = Do(argv[1], argv[4]);

@@ -16,12 +16,11 @@ struct RowYield {
   VecX d;
 };
 
-// For A = J M^-1 J^T + G of joints none of which is held by a limit: what a limit or a contact
-// holds changes what the rows do, and not how they yield. `damping`: what of the errors slows down.
-// A force has hold as far as it moves its end as it would move `mass` [kg]; a torque as far as it
-// would turn that at an arm of 0.3 m. `least`: what C is at least, as a part of 1 / mass. Where
-// limits hold hinges, or contacts leave no room, there may be no way to go at all: some of the
-// forces is held back then, which bounds them.
+// Returns the compliance for A = J M^-1 J^T + G, where no joint is held by a limit. Limits and
+// contacts change the response of the rows, not their compliance. `damping`: part of the errors
+// that damps. The rank of a row compares the motion of its end with that of `mass` [kg], and for a
+// torque with that of `mass` at an arm of 0.3 m. `least`: lower bound of C, as a part of 1 / mass.
+// The bound limits the forces where limits and contacts leave no feasible motion.
 RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const VecX& damping,
                  double mass, double least);
 

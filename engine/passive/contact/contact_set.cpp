@@ -237,10 +237,10 @@ std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const Mov
   return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);
 }
 
-// Direction of sliding, for the velocity v of the material across n. Where the step has passed the
-// stop, the direction stays that of the step's beginning until the stop is found: what moves across
-// it would else be damped at a rate of friction / kSlow, which no step follows, and which makes
-// centimetres a second of rounding within one step.
+// Direction of sliding for the velocity v of the material across n. After sliding stops within a
+// step, the direction of the beginning of the step is kept until the stop is located. A current
+// direction would damp the motion across it at a rate of friction / kSlow, which no step resolves
+// and which amplifies rounding to centimetres per second within one step.
 V3 ContactSet::SlideOf(const ContactPair& pair, const TouchPoint& point) const {
   const V3 v = point.v - Dot(point.n, point.v) * point.n;
   const V3 d = pair.direction - Dot(point.n, pair.direction) * point.n;

@@ -79,7 +79,7 @@ class ContactSet {
   // The capsule that it is with, if it is not with an obstacle.
   std::optional<int> OtherCapsule(const ContactPair& pair) const;
   double RestitutionOf(int pair) const;
-  // The held object that its first capsule is; -1: it is one of the figure.
+  // Returns the held object of the first capsule; -1 for a capsule of the figure.
   int BallOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].ball; }
   // With a ball that may have been let go inside.
   bool MayStayInside(const ContactPair& pair) const;

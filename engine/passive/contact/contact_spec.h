@@ -50,7 +50,7 @@ inline auto MembersOf(const OwnContact& own) {
   return std::tie(a, b, friction);
 }
 
-// A capsule and an obstacle, by their indices, that pass through each other.
+// Capsule and obstacle, by index, that do not collide.
 struct ContactExemption {
   int capsule = 0, obstacle = 0;
 };

@@ -28,7 +28,7 @@ struct FrozenForces {
   };
   std::vector<Push> pushes;
   std::vector<Moment> moments;
-  // Of springs, if these are taken implicitly: they stay what they are for as long.
+  // Moments of implicit springs, constant for the same time.
   std::vector<Moment> springs;
   bool holds_springs = false;
 

@@ -52,7 +52,7 @@ uint64_t ActiveLimits::StateSum() const {
     if (held_[i]) sum += HashOf(i, side_[i]);
   }
   const std::vector<ContactPair>& pairs = dynamics_->contacts().pairs();
-  for (size_t i = 0; i < pairs.size();) {  // points of one capsule on one thing are one
+  for (size_t i = 0; i < pairs.size();) {  // points of one capsule on one obstacle count once
     bool touches = false, slides = false;
     const ContactPair& first = pairs[i];
     for (; i < pairs.size() && first.capsule == pairs[i].capsule &&

@@ -34,9 +34,9 @@ class ActiveLimits {
   void ForgetEvents() { events_.clear(); }
   // So many events that contacts are to be frozen from t on.
   bool is_chattering(double t);
-  // The same number where the same limits hold hinges, and the same things touch and slide.
+  // Returns a hash of the state: hinges held by limits, and touching and sliding contacts.
   uint64_t StateSum() const;
-  // Whether anything touches, with contacts that are kept open.
+  // Returns whether any contact touches, including open contacts.
   bool Touches(double t, const HingeState& state);
   // Nothing holds a hinge that has room.
   void LetGo();

@@ -26,8 +26,7 @@ class ContactForces {
   // pin that moved with v_pin [m/s].
   void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
               const std::vector<char>& sticks, VecX* qd);
-  // What it did to the energy [J], and limits of that; and the pairs that came down and were pushed
-  // back.
+  // Work of the impact [J], the part of limits, and the pairs that touched down with an impulse.
   double work() const { return work_; }
   double limit_work() const { return limit_work_; }
   const std::vector<int>& struck() const { return struck_; }
@@ -50,7 +49,7 @@ class ContactForces {
 
   RegionDynamics* dynamics_;
   double touch_ = 0.0, rest_speed_ = 0.0;
-  std::vector<int> touching_, struck_;  // pairs
+  std::vector<int> touching_, struck_;  // indices of pairs
   double work_ = 0.0, limit_work_ = 0.0;
   ContactProblem problem_;
   VecX l_, T_;

@@ -17,9 +17,10 @@ class ContactProblem {
 
   // Of M; before the others.
   void Factor() { Factor(dynamics_->M()); }
-  // Of another matrix in its place.
+  // Factors another matrix instead.
   void Factor(const MatX& M);
-  // x_0, and the rows of forces with what they would do under it; with another b in its place.
+  // Returns the rows of forces with their accelerations without constraint forces, and x_0;
+  // optionally for another b.
   LimitRows Unheld(VecX* x_0) const { return Unheld(dynamics_->b(), x_0); }
   LimitRows Unheld(const VecX& b, VecX* x_0) const;
   // For rows that would do rows.c. A hinge at a limit, by free hinge as LimitSolver has `side` and
@@ -32,8 +33,8 @@ class ContactProblem {
   void SolveBeside(const VecX& known);
   // Of velocities that forces() change: the energy that goes into them [J].
   double Gain() const { return forces_.dot(0.5 * (cones_.A * forces_) + cones_.b); }
-  // Of velocities: what the limits' impulses do to hinges whose rates they change from `before`
-  // to `after` [J].
+  // Work of the impulses of limits on hinges whose rates change from `before` to `after` [J]. Valid
+  // if the problem is one of velocities.
   double WorkOfLimits(const std::vector<int>& side, const VecX& before, const VecX& after) const;
   // For less, from forces that are as near as the caller knows; from inside of the cones where
   // that does not come near, unless that is not worth it.

@@ -125,7 +125,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
 
 // All pairs, where the nodes have been placed by Glance.
 void ContactSearch::See(double t) {
-  constexpr double kPoint = 0.03;  // of an evaluation
+  constexpr double kPoint = 0.03;  // cost of a point in evaluations
   const ContactSet& contacts = dynamics_->contacts();
   dynamics_->AddWork({.searches = kPoint * static_cast<double>(contacts.pairs().size())});
   seen_.assign(contacts.pairs().size(), {});

@@ -7,10 +7,11 @@
 
 namespace hazumi {
 
-// With A as a matrix, by ContactProblem: the time of a step grows by the cube of rows and hinges.
+// Solves the step with a dense A, by ContactProblem. The time of a step grows with the cube of rows
+// and hinges.
 class DenseStepProblem : public StepProblem {
  public:
-  // `dynamics` must outlive it.
+  // Requires that `dynamics` outlives this object.
   explicit DenseStepProblem(RegionDynamics* dynamics)
       : dynamics_(dynamics), problem_(dynamics), none_(dynamics->hinges().size(), 0) {}
 
@@ -19,7 +20,7 @@ class DenseStepProblem : public StepProblem {
     b_ = dynamics_->b();
   }
   void Factor() override { problem_.Factor(); }
-  // With other equations than those that are assembled, up to the next Assemble and Factor.
+  // Factors other equations instead of the assembled ones, until the next Assemble and Factor.
   void FactorInstead(const MatX& M, const VecX& b) {
     problem_.Factor(M);
     b_ = b;
@@ -57,8 +58,8 @@ class DenseStepProblem : public StepProblem {
  private:
   RegionDynamics* dynamics_;
   ContactProblem problem_;
-  std::vector<char> none_;  // by hinge
-  VecX b_;                  // of M x = -b
+  std::vector<char> none_;  // one per hinge
+  VecX b_;                  // right-hand side of M x = -b
 };
 
 }  // namespace hazumi

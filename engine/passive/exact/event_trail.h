@@ -7,7 +7,7 @@
 
 namespace hazumi {
 
-// Of whole numbers, well mixed.
+// Hash of integers.
 template <typename... Numbers>
 uint64_t HashOf(Numbers... numbers) {
   uint64_t sum = 0;
@@ -18,29 +18,28 @@ uint64_t HashOf(Numbers... numbers) {
   (add(static_cast<uint64_t>(numbers)), ...);
   return sum;
 }
-// One bit of 64, so that what happens several times happens once.
+// Returns one of 64 bits, so that repeated events count once.
 inline uint64_t BitOf(uint64_t hash) { return uint64_t{1} << (HashOf(hash) >> 58); }
 
-// Events that follow each other more closely than this are one: their order means nothing [s].
+// Interval within which events count as one, since their order is not significant [s].
 constexpr double kOneEvent = 2e-3;
 
-// What happened from `time` to `last_time` [s], as sums that are the same for the same events: of
-// limits that were hit and things that touched down or broke, in any order, and of what holds, what
-// sticks and what slides from then on.
+// Events between `time` and `last_time` [s] as hashes, which are equal for equal events. `happened`
+// combines limit impacts, touch-downs and breaks in any order. `state` combines the held hinges,
+// the sticking and the sliding contacts afterwards.
 struct EventMark {
   double time = 0.0, last_time = 0.0;
   uint64_t happened = 0, state = 0;
 };
 
-// The events of a solution in their order. Two solutions of one motion whose events differ are on
-// different branches of it: how near they are tells nothing of what is right from there on.
-// [METHOD 8.2]
+// Events of a solution in order. Two solutions of one motion whose events differ are on different
+// branches: their difference is no error estimate from there on. [METHOD 8.2]
 class EventTrail {
  public:
-  // Joins marks that are one.
+  // Adds a mark, or merges it with the last one if both are within kOneEvent.
   void Add(const EventMark& mark) {
     if (marks_.empty() || mark.time - marks_.back().last_time > kOneEvent) {
-      // What changes nothing is no event.
+      // Skip a mark that changes nothing.
       const uint64_t state = marks_.empty() ? 0 : marks_.back().state;
       if (mark.happened != 0 || mark.state != state) marks_.push_back(mark);
       return;
@@ -50,8 +49,8 @@ class EventTrail {
     marks_.back().state = mark.state;
   }
 
-  // From when on the two differ, as far as that is certain at t, up to which both are known [s]:
-  // one of them may not have come yet to an event that the other one has had.
+  // Returns the time from which two trails differ [s], as far as that is certain at t. Both trails
+  // are known up to t, but one may not have reached an event of the other yet.
   static std::optional<double> Part(const EventTrail& a, const EventTrail& b, double t) {
     const size_t count = std::max(a.marks_.size(), b.marks_.size());
     for (size_t i = 0; i < count; ++i) {

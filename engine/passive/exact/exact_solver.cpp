@@ -124,8 +124,8 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     return AdvanceFrozen(end);
   }
   if (const std::optional<ExactFailure> failure = Take(dynamics_->SmoothUntil(end))) {
-    // Contacts that slide may jam: no finite forces keep them from it, but a blow does. And
-    // springs may be too stiff for any step.
+    // Switch to time-stepping mode: sliding contacts may jam, which needs an impulse since no
+    // finite forces prevent it, and springs may be too stiff for any step.
     if (!may_freeze()) return failure;
     Freeze();
     return AdvanceFrozen(end);
@@ -143,7 +143,7 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   return std::nullopt;
 }
 
-// What would happen beyond is not looked at, nor what an event there would change.
+// Cuts a step at `end`. Discards the part beyond it, with its events.
 void ExactSolver::CutAt(double end) {
   const bool is_there = time() > end || (next_ == Next::kGoOn && time() > end - kSameTime);
   if (time() == end || !is_there) return;
@@ -183,8 +183,8 @@ void ExactSolver::MakeEventHappen() {
   held_.is_chattering(time()) ? Freeze() : Resolve(Vec3::Zero());
 }
 
-// So many steps in so little time: what slides turns faster than steps can follow, or springs are
-// so stiff that taking them implicitly costs less.
+// Returns whether steps are so short that time-stepping mode costs less: sliding directions turn
+// too fast, or springs are stiff and cheaper to integrate implicitly.
 bool ExactSolver::Crawls() {
   constexpr int kMostSteps = 30, kMostOnSprings = 5;
   constexpr double kWhile = 5e-3;  // [s]

@@ -38,9 +38,10 @@ class ExactSolver {
   // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
   void FeelPin(const Vec3& v_pin);
 
-  // One step, at most to `end`; it ends early where a limit is hit or lets go, which happens at the
-  // beginning of the next step. Where the curves hold for longer (DrivenMotion::holds_until) the
-  // step is one that does not know of `end`, and is cut there.
+  // Advances by one step, at most to `end`. The step ends early where a limit is hit or released,
+  // which the next step handles at its beginning. Where the curves hold for longer
+  // (DrivenMotion::holds_until), the length of the step does not depend on `end`, and the step is
+  // cut there.
   std::optional<ExactFailure> Advance(double end);
 
   double step_start() const { return step_.start_time(); }
@@ -66,10 +67,11 @@ class ExactSolver {
 
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return log_.TakeHits(); }
-  // The same of what touched down; and what impacts did with the energy.
+  // Touch-downs since the last call.
   std::vector<TouchDown> TakeTouches() { return log_.TakeTouches(); }
   // Events since the last call.
   std::vector<EventMark> TakeMarks() { return log_.TakeMarks(); }
+  // Work of impacts since the last call.
   ImpactWork TakeImpactWork() { return log_.TakeWork(); }
   long steps() const { return steps_; }
   // When contacts came too fast for the first time: from there on motions that begin nearly the

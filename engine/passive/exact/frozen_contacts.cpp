@@ -1,12 +1,12 @@
-// Steps of h seconds with forces that stay [Moreau 1988]. With w = J v the velocities of what is
-// near, of which each has a gap (or a hinge its room) s >= 0:
-//   impulses p at the beginning   w+ = w + A p         w+ >= -s / h,  p >= 0, one of them 0
-//   forces l up to the end        w+ + h (J x_0 + c + A l)            the same
-// both within the cones of friction. Springs in joints, that give M - K phi - D (w - w_0) as they
-// turn by phi and with w, are implicit: M + h D + h^2 K in the place of the mass matrix, and what
-// they give at the end for all of the while [Baraff, Witkin 1998]. What would be hit within the
-// step is slowed down so that it arrives at its end. What is inside (s < 0) is asked to come out
-// slowly instead. Nothing bounces here.
+// Time stepping with constant forces over a step of h seconds [Moreau 1988]. w = J v are the
+// velocities of the nearby rows, each with a gap (or a hinge's distance to its limit) s >= 0:
+//   impulses p at the beginning   w+ = w + A p         w+ >= -s / h,  p >= 0, complementary
+//   forces l up to the end        w+ + h (J x_0 + c + A l)            likewise
+// both within the friction cones. Springs in joints give the moment M - K phi - D (w - w_0) as they
+// turn by phi and with w. They are implicit: M + h D + h^2 K replaces the mass matrix, and the
+// moment at the end acts during the whole step [Baraff, Witkin 1998]. A row that would close within
+// the step is slowed down to close at the end of the step. A penetrating row (s < 0) is
+// depenetrated slowly. Restitution is zero in this mode.
 
 #include "engine/passive/exact/frozen_contacts.h"
 
@@ -40,9 +40,9 @@ constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
 constexpr double kHalved = kShortest / 64.0;         // at least [s]
 constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
 constexpr double kSoon = 0.1;                        // [s]
-constexpr double kSlides = 1e-3;                     // what moves across slides [m/s]
-constexpr double kGiven = 0.01;                      // of the kinetic energy is too much
-constexpr double kAtRest = 1e-4;                     // what is as slow as that is at rest [m/s]
+constexpr double kSlides = 1e-3;                     // tangential speed of sliding [m/s]
+constexpr double kGiven = 0.01;                      // largest gain of kinetic energy
+constexpr double kAtRest = 1e-4;                     // largest speed of a body at rest [m/s]
 
 }  // namespace
 
@@ -207,11 +207,11 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   }
 }
 
-// Where contacts and constraints cannot both be kept the constraints give way.
+// Increases the compliance of constraints that conflict with contacts.
 void FrozenContacts::YieldMore() {
-  constexpr double kMore = 10.0, kMostYield = 1e3;
+  constexpr double kMore = 10.0, kMaxCompliance = 1e3;
   if (!dynamics_->contacts().rules().parts_what_is_tied) return;
-  least_yield_ = std::min(kMore * least_yield_, kMostYield);
+  least_yield_ = std::min(kMore * least_yield_, kMaxCompliance);
 }
 
 double FrozenContacts::RoomOf(int hinge, const VecX& q) const {
@@ -271,7 +271,7 @@ bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
   return true;
 }
 
-// Their part of the matrix and of b.
+// Adds the springs to the matrix and to b.
 void FrozenContacts::SoftenBySprings() {
   VecX b = dynamics_->b();
   MatX M = dynamics_->M();
@@ -285,8 +285,8 @@ void FrozenContacts::SoftenBySprings() {
   dense_->FactorInstead(M, b);
 }
 
-// What they give at the end of the while, where forces have been found and hinges would have x_0
-// without them.
+// Stores the moments of the springs at the end of the step. Requires solved forces; x_0 are the
+// accelerations of the hinges without them.
 void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
   const VecX jump = h_ * x_0 + problem_->Jump();
   for (JointSpring& own : springs_) {
@@ -297,7 +297,8 @@ void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
   dynamics_->FreezeSprings(springs_, state);
 }
 
-// Those that came down and were pushed back. `came`: the rows' velocities before.
+// Reports touch-downs: contacts that approached and received an impulse. `came`: velocities of the
+// rows before the impact.
 void FrozenContacts::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
   const ContactSet& contacts = dynamics_->contacts();
   for (const ConeProblem::Block& block : problem_->blocks()) {

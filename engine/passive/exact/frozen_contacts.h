@@ -41,8 +41,9 @@ class FrozenContacts {
   double length() const { return h_; }
   // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
   const VecX& kick() const { return kick_; }
-  // Nothing has been hit for long enough, and the same things push: events can be followed again.
-  // Where contacts are solved by the tree, which knows no events of them: nothing pushes any more.
+  // Returns whether event-driven mode can resume: no recent impact, and the same contacts and
+  // limits active. Contacts that are solved by the tree have no event-driven mode; all of them have
+  // to separate first.
   bool is_calm() const {
     const bool may_follow = !dynamics_->solves_contacts_by_tree() || pushes_.empty();
     return calm_steps_ >= calm_enough_ && may_follow;
@@ -77,15 +78,15 @@ class FrozenContacts {
   RegionDynamics* dynamics_;
   const LimitRange* limits_;
   std::unique_ptr<StepProblem> problem_;
-  DenseStepProblem* dense_ = nullptr;  // the same, unless contacts are solved by the tree
-  std::vector<int> side_;              // by hinge: the limit that it may reach, as LimitSolver
-  VecX torques_;                       // of limits, by hinge, the latest [N m]
+  DenseStepProblem* dense_ = nullptr;  // same as problem_; null if contacts are solved by the tree
+  std::vector<int> side_;              // limit that each hinge may reach, as in LimitSolver
+  VecX torques_;                       // latest torques of limits, by hinge [N m]
   std::vector<Pushing> pushes_;
-  std::vector<JointSpring> springs_;  // that are taken implicitly
+  std::vector<JointSpring> springs_;  // implicit springs
   VecX kick_;
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
-  bool has_no_room_ = false;  // contacts pushed with all they may in the latest while
-  double least_yield_ = RegionDynamics::kBlocked;  // of constraints
+  bool has_no_room_ = false;  // contact forces reached their bound in the latest step
+  double least_yield_ = RegionDynamics::kBlocked;  // smallest compliance of constraints
   int calm_steps_ = 0, calm_enough_ = 0;
   double left_ = 0.0;             // when [s]
   double start_ = 0.0, h_ = 0.0;  // of the latest while [s]

@@ -10,21 +10,21 @@
 
 namespace hazumi {
 
-// Slower than this what closes is no touch-down [m/s].
+// Smallest approach speed of a touch-down [m/s].
 inline constexpr double kTouchDownSpeed = 1e-3;
 
-// Something that touched down, `count` times from `time` to `last_time` [s].
+// Touch-downs of a body: `count` of them from `time` to `last_time` [s].
 struct TouchDown {
   double time = 0.0, last_time = 0.0;
   long count = 1;
   ContactParts parts;
-  int ball = -1;  // held object, where it is no link that came down
+  int ball = -1;  // held object that touched down; -1: a link
 };
 
-// Energy that impacts took, or brought [J].
+// Work of impacts [J], negative where energy is lost.
 struct ImpactWork {
-  // Where contacts take part; what limits do without them is not told, nor what contacts do in
-  // time-stepping mode (FrozenContacts).
+  // Work of impacts with contacts. Excludes impacts of limits alone, and contacts in time-stepping
+  // mode (FrozenContacts).
   double limits = 0.0, contacts = 0.0;
   bool has_contacts = false;
   void Add(const ImpactWork& other) {
@@ -34,7 +34,7 @@ struct ImpactWork {
   }
 };
 
-// What impacts did since it was last told.
+// Impacts since the last report.
 class ImpactLog {
  public:
   explicit ImpactLog(int num_hinges) : hits_(num_hinges) {}
@@ -54,12 +54,12 @@ class ImpactLog {
     };
     const auto last = std::find_if(touches_.rbegin(), touches_.rend(), is_same);
     if (last == touches_.rend()) return touches_.push_back({time, time, 1, parts, ball});
-    last->count += time > last->last_time;  // several points of a link come down at once
+    last->count += time > last->last_time;  // several points of a link may touch down at once
     last->last_time = time;
   }
-  // A constraint broke.
+  // Records a broken constraint.
   void AddBreak(int constraint) { happened_ |= BitOf(HashOf(constraint)); }
-  // What has happened since the last mark did so at `time`, and left things in this state.
+  // Adds a mark at `time` with the events since the last mark, and the state after them.
   void Mark(double time, uint64_t state) {
     marks_.push_back({time, time, std::exchange(happened_, 0), state});
   }

@@ -27,7 +27,7 @@ void LimitForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted
 
 void LimitForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
                          const std::vector<char>& sticks, VecX* qd) {
-  dynamics_->AddWork({.limits = solver_.TakeWork()});  // of the call before
+  dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, *qd);
     dynamics_->PinImpulse(v_pin, &impulse_);
@@ -51,7 +51,7 @@ void LimitForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::
 
 void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
                        const std::vector<char>& fixed, std::vector<char>* held) {
-  dynamics_->AddWork({.limits = solver_.TakeWork()});  // of the call before
+  dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
     return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held,
@@ -71,7 +71,7 @@ void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vecto
 }
 
 void LimitForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
-  dynamics_->AddWork({.limits = solver_.TakeWork()});  // of the call before
+  dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   if (!dynamics_->is_large()) {
     dynamics_->AssembleHinges(t, q, qd);
     return solver_.Solve(dynamics_->M(), dynamics_->b(), held, dynamics_->RowsOfForces());

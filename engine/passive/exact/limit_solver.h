@@ -40,7 +40,7 @@ class LimitSolver {
   const VecX& x() const { return x_; }
   const VecX& T() const { return T_; }
   const VecX& l() const { return l_; }  // what the rows give
-  // What the calls since the last one took, in evaluations of accelerations.
+  // Work since the last call, in evaluations of accelerations.
   double TakeWork() { return std::exchange(work_, 0.0); }
 
  private:

@@ -7,46 +7,46 @@
 
 namespace hazumi {
 
-// The problem of one time step [METHOD 12.4]: velocities w = A l + b of what is near, for impulses
-// l. A row for each that RegionDynamics lists, then one for each hinge near a limit.
+// Problem of one time step [METHOD 12.4]: velocities w = A l + b of the nearby rows for impulses l.
+// One row for each row of RegionDynamics, then one for each hinge near a limit.
 class StepProblem {
  public:
   virtual ~StepProblem() = default;
 
-  // The rows for angles q and rates qd of the free hinges, at t; and, for the same q, what impulses
-  // do, which comes after it.
+  // Assembles the rows for angles q and rates qd of the free hinges at t; Factor then prepares
+  // their response to impulses for the same q.
   virtual void Assemble(double t, const VecX& q, const VecX& qd) = 0;
   virtual void Factor() = 0;
-  // After both: velocities of the rows, but limits'; and their accelerations while nothing that has
-  // a row acts, with those of the free hinges, without friction's, in x_0.
+  // Velocities of the rows except those of limits. Accelerations without the forces of the rows and
+  // without friction; x_0: those of the free hinges. Require Assemble and Factor.
   virtual VecX Rates() const = 0;
   virtual VecX Accelerations(VecX* x_0) const = 0;
-  // Of rates qd of the free hinges, as far as these move bodies [J].
+  // Kinetic energy for rates qd of the free hinges, as far as these move bodies [J].
   virtual double KineticEnergy(const VecX& qd) const = 0;
 
-  // Rows that are kept closed act by impulses, those with a gap to close by forces alone.
+  // Selects how rows act: active rows by impulses, rows with a gap by forces alone.
   enum class Acting { kImpulses, kForces };
-  // b: `rows`, then for hinges that may reach a limit (`side`, as LimitSolver has it) what
-  // `hinges`, by free hinge, says.
+  // Sets b: `rows`, then the entries of `hinges` (by free hinge) for hinges that may reach a limit
+  // (`side`, as in LimitSolver).
   virtual void SetUp(Acting acting, const std::vector<int>& side, const VecX& rows,
                      const VecX& hinges) = 0;
   virtual VecX& b() = 0;
   virtual const std::vector<ConeProblem::Block>& blocks() const = 0;
-  // A's diagonal; more of it is compliance.
+  // Diagonal of A. An increase is compliance.
   virtual double Response(int row) const = 0;
   virtual void SetResponse(int row, double response) = 0;
-  // Finds forces() from `start`; better ones where that `is_worth_it`.
+  // Solves for forces() from `start`. More accurate where that `is_worth_it`.
   virtual void Sweep(VecX start, bool is_worth_it) = 0;
   virtual const VecX& forces() const = 0;
-  // With them: w; and by how much the rates of the free hinges change.
+  // Velocities w with these forces; change of the rates of the free hinges.
   virtual VecX Velocities() const = 0;
   virtual VecX Jump() const = 0;
 
-  // Hinges that have a row, after the others.
+  // Hinges with a row, which follow the other rows.
   const std::vector<int>& limits() const { return limits_; }
   Eigen::Index num_rows() const { return num_rows_; }
   Eigen::Index RowOfLimit(size_t k) const { return num_rows_ + static_cast<Eigen::Index>(k); }
-  // What the limits' impulses do to hinges whose rates they change from `before` to `after` [J].
+  // Work of the impulses of limits on hinges whose rates change from `before` to `after` [J].
   double WorkOfLimits(const std::vector<int>& side, const VecX& before, const VecX& after) const {
     double work = 0.0;
     for (size_t k = 0; k < limits_.size(); ++k) {
@@ -58,7 +58,7 @@ class StepProblem {
   VecX row_forces() const { return forces().head(num_rows_); }
 
  protected:
-  // In SetUp.
+  // Lists the hinges near limits. Called by SetUp.
   void ListLimits(const std::vector<int>& side, Eigen::Index num_rows) {
     num_rows_ = num_rows;
     limits_.clear();

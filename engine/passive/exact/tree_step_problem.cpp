@@ -1,6 +1,6 @@
-// Blocks one after the other [Gauss, Seidel], as SweepCones has them, each with the velocities that
-// it has by all impulses so far. A tour comes to each node twice, on its way out and on its way
-// back, so that one tour is a sweep there and one back.
+// Block Gauss-Seidel iteration as in SweepCones. Each block uses its current velocities under all
+// impulses so far. A tour visits each node twice, on its way out and on its way back, and so
+// performs a forward and a backward sweep.
 
 #include "engine/passive/exact/tree_step_problem.h"
 
@@ -18,13 +18,13 @@ using Impulse = TreeImpulses::Impulse;
 namespace {
 
 constexpr int kMostTours = 60;
-// What a block may still correct of its velocity, as a part of the largest that there would be
-// without forces. How nearly dependent rows, as of two links at their joint, share a force may
-// change for long, which moves nothing.
-constexpr double kEnough = 1e-4;
-constexpr double kGivesWay = 1e-6;  // of what a block does to itself
+// Tolerance of the velocity correction of a block, relative to the largest velocity without forces.
+// Nearly dependent rows, as of two links at their joint, may redistribute their force for long
+// without moving anything.
+constexpr double kTolerance = 1e-4;
+constexpr double kRelativeCompliance = 1e-6;  // compliance relative to the diagonal of a block
 
-double StepOf(double own) { return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0; }
+double StepOf(double own) { return own > 0.0 ? 1.0 / ((1.0 + kRelativeCompliance) * own) : 0.0; }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void TreeStepProblem::SetUp(Acting, const std::vector<int>& side, const VecX& ro
   }
 }
 
-// Nodes that do not answer have no part in it.
+// Lists a contact. Nodes that are not dynamic have no response.
 void TreeStepProblem::ListContact(int row, double friction) {
   const auto rows = dynamics_->rows().begin() + row;
   blocks_.push_back({Kind::kContact, row, friction});
@@ -109,7 +109,7 @@ Impulse TreeStepProblem::ImpulseOf(const Contact& contact, const V3& l) const {
   return {Cross(contact.r, f), f};
 }
 
-// By impulses, along the rows.
+// Velocities along the rows of a contact due to impulses.
 V3 TreeStepProblem::VelocitiesAt(const Contact& contact) const {
   const TreeImpulses::Motion& motion = tree_.Of(contact.node);
   const V3 v = motion.v + Cross(motion.w, contact.r);
@@ -119,7 +119,7 @@ V3 TreeStepProblem::VelocitiesAt(const Contact& contact) const {
 void TreeStepProblem::Sweep(VecX start, bool) {
   forces_ = std::move(start);
   Settle();
-  const double enough = kEnough * (b_.size() > 0 ? b_.lpNorm<Eigen::Infinity>() : 0.0);
+  const double enough = kTolerance * (b_.size() > 0 ? b_.lpNorm<Eigen::Infinity>() : 0.0);
   int tours = 0;
   for (; tours < kMostTours; ++tours) {
     change_ = 0.0;
@@ -130,7 +130,7 @@ void TreeStepProblem::Sweep(VecX start, bool) {
   dynamics_->AddWork({.contacts = static_cast<double>(tours + 2)});
 }
 
-// All nodes move as all forces have it, and w_ with them.
+// Updates the motion of all nodes, and w_, for the current forces.
 void TreeStepProblem::Settle() {
   tree_.Clear();
   for (const auto& contacts : contacts_) {

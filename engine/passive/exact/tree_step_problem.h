@@ -5,11 +5,11 @@
 
 namespace hazumi {
 
-// Without A, for contacts of bodies with what does not move and for limits: sweeps from body to
+// Solves the step without A, for limits and for contacts with fixed obstacles. Sweeps from body to
 // body on tours of TreeImpulses, in O(nodes + rows) each. [METHOD 12.10]
 class TreeStepProblem : public StepProblem {
  public:
-  // `dynamics` must outlive it.
+  // Requires that `dynamics` outlives this object.
   explicit TreeStepProblem(RegionDynamics* dynamics);
 
   void Assemble(double t, const VecX& q, const VecX& qd) override;
@@ -29,12 +29,12 @@ class TreeStepProblem : public StepProblem {
   VecX Jump() const override { return tree_.Rates(); }
 
  private:
-  // Three rows of a contact with a node.
+  // Three rows of a contact of a node.
   struct Contact {
     int row, node;
     double friction;
-    small::V3 r, n, s, t;     // from the node's origin [m]; along the rows
-    double own[3], mixed[3];  // A of the three, A of n and s, n and t, s and t
+    small::V3 r, n, s, t;     // r from the node's origin [m]; n, s, t along the rows
+    double own[3], mixed[3];  // diagonal of A; its entries for n and s, n and t, s and t
   };
   struct Limit {
     int row, node, hinge;
@@ -56,9 +56,9 @@ class TreeStepProblem : public StepProblem {
   VecX x_0_, accelerations_;
   VecX b_, own_, compliance_, forces_, w_;
   std::vector<ConeProblem::Block> blocks_;
-  std::vector<std::vector<Contact>> contacts_;  // by node
-  std::vector<std::vector<Limit>> limits_of_;   // by node
-  double change_ = 0.0;                         // of any velocity, in the latest tour
+  std::vector<std::vector<Contact>> contacts_;  // one per node
+  std::vector<std::vector<Limit>> limits_of_;   // one per node
+  double change_ = 0.0;                         // largest velocity change in the latest tour
 };
 
 }  // namespace hazumi

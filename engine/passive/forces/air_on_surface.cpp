@@ -1,11 +1,12 @@
-// With alpha between the surface and the flow u, 0 to 90 degrees, and N its normal on the side that
-// the flow leaves:
+// Force of the air on a surface, with alpha the angle between the surface and the flow u, 0 to 90
+// degrees, and N the normal on the lee side:
 //   F = rho A |u|^2 (C_L e_L + C_D e_D) / 2,   e_D = u / |u|,   e_L along N - (N . e_D) e_D
 // Wings [Dickinson, Lehmann, Sane 1999], alpha in degrees:
 //   C_L = 0.225 + 1.58 sin(2.13 alpha - 7.2),   C_D = 1.92 - 1.55 cos(2.04 alpha - 9.82)
-// Plates, with the drag of a square one across the flow [Hoerner 1965]: a force along N, 1.17 sin
-// alpha, whose lift is 0 at both ends. C_L of others is faded to 0, with two derivatives, within 5
-// degrees of both ends, where e_L changes sides; in solver version 1 that of plates too.
+// Plates have the drag of a square one across the flow [Hoerner 1965], which is a force along N,
+// 1.17 sin alpha, whose lift is 0 at both ends of the range. The C_L of other surfaces is faded to
+// 0 within 5 degrees of both ends, with two continuous derivatives, since e_L changes sides there.
+// Solver version 1 fades that of plates too.
 
 #include "engine/passive/forces/air_on_surface.h"
 

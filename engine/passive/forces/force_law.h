@@ -40,12 +40,12 @@ struct SpentDrive {
   double lag = 0.0, approach = 0.0;   // from what it pulls to; how fast that shrinks [rad, rad/s]
 };
 
-// A moment in a joint, on its node against the parent, and how it changes as the node turns there
-// by phi and with w: moment - stiffness phi - damping (w - w_0). World axes.
+// Moment in a joint on its node against the parent, linearized for a turn of the node by phi and
+// with w: moment - stiffness phi - damping (w - w_0). World axes.
 struct JointSpring {
   int node = 0;
   Vec3 moment = Vec3::Zero();     // [N m]
-  Mat3 stiffness = Mat3::Zero();  // symmetric, not negative [N m]
+  Mat3 stiffness = Mat3::Zero();  // symmetric, positive semidefinite [N m]
   Mat3 damping = Mat3::Zero();    // likewise [N m s]
 };
 
@@ -73,10 +73,10 @@ class ForceLaw {
   // each time.
   virtual void AppendKinks(const RegionState&, std::vector<double>* /*kinks*/) const {}
   virtual bool has_kinks() const { return false; }
-  // What of it is springs in joints, that may be taken implicitly: all of it then.
+  // Returns whether the whole law consists of springs in joints that may be implicit.
   virtual bool is_spring() const { return false; }
   virtual void ListSprings(const RegionState&, std::vector<JointSpring>*) const {}
-  // What of such a moment on a node, world axes, is no more than it may give [N m].
+  // Limits such a moment on a node to its largest magnitude, world axes [N m].
   virtual Vec3 Limit(const RegionState&, int /*node*/, const Vec3& moment) const { return moment; }
   // How fast it changes a motion, at most [1/s]: steps are not much longer than the inverse.
   virtual double FastestRate() const { return 0.0; }

@@ -173,7 +173,7 @@ void SpringDrive::AddForces(const RegionState& state, NodeKinematics* kinematics
   }
 }
 
-// One that gives all it may is as soft as can be.
+// Returns the spring of a ball joint. A spring at its largest moment has no stiffness.
 JointSpring SpringDrive::SpringOnBall(int node, const RegionState& state) const {
   const Spring& spring = springs_[state.layout.node(node).first_hinge];
   const SpringNow now = Now(state.layout.node(node).first_hinge, state);

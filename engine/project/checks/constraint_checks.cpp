@@ -79,7 +79,7 @@ bool MayMove(const DynamicsRegion& region, const Constraint& constraint,
          MayMove(region, constraint.b, SpanOf(constraint), animation);
 }
 
-// The ends that could be moved: "a" or "b".
+// Names of the ends that could be moved: "a" or "b".
 std::string MovedOf(const Constraint& constraint, const Figure& figure) {
   const bool has_two = !constraint.a.is_in_world && !constraint.b.is_in_world;
   const ConstraintEnd& own = constraint.a.is_in_world ? constraint.b : constraint.a;

@@ -27,10 +27,11 @@ void CheckConstraints(const Animation& animation, FirstError* errors);
 
 // Whether a region may move one of its ends.
 bool IsFelt(const Constraint& constraint, const Animation& animation);
-// The frame from which no region moves its ends, if that is before its last one; none if nothing
-// feels it at all.
+// Returns the frame from which no region moves the ends of a constraint, if that is before its last
+// frame; nullopt if no region moves them at all.
 std::optional<int> OutlastsFrom(const Constraint& constraint, const Animation& animation);
-// Of those that hold nothing that a region moves, or only up to a frame before their last one.
+// Warns of constraints without effect, whose ends no region moves or only up to a frame before the
+// last one.
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings);
 
 }  // namespace hazumi

@@ -19,7 +19,7 @@ void CheckDriveNames(const ProjectRegion& region, const Figure& figure, const Si
       const JointRef ref = Meant(region.drives[d].joints[i], figure);
       const Site place = joints.Item(i);
       const bool is_root = MeansRoot(ref.name, figure);
-      // Beyond the root are all joints; it has no muscles itself.
+      // References beyond the root mean all joints; the root itself has no muscles.
       if (is_root && !ref.beyond) return place.Report(Check::kDriveOnRoot, {Quoted(ref.name)});
       if (!is_root && !ExpectJoint(ref.name, figure, place)) return;
       const std::vector<bool> meant = JointsOf({ref}, figure);

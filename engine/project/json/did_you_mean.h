@@ -21,7 +21,7 @@ std::optional<std::string> Nearest(std::string_view name,
 std::optional<std::string> NearestField(std::string_view name,
                                         const std::vector<std::string>& candidates);
 
-// The candidate nearest to `name`, however far that is; empty if there is none.
+// Candidate nearest to `name`, at any distance; empty if there is none.
 std::string NearestOf(std::string_view name, const std::vector<std::string>& candidates);
 
 // What to do about a wrong name: `did you mean "x"?`, else `use one of "x", "y"`.

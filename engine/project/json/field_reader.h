@@ -38,7 +38,7 @@ class FieldReader {
   ExtraFields Unknown() const;  // the fields not asked for so far
   // Warns of those among them that are probably misspelled.
   void WarnAboutSlips(const ExtraFields& unknown) const;
-  // Tells of all of them, with the nearest known name (Site::unknown).
+  // Lists all unknown fields, each with the nearest known name (Site::unknown).
   void ListUnknown(const ExtraFields& unknown) const;
 
   template <typename T>

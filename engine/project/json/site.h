@@ -17,7 +17,7 @@ struct Site {
   std::string place;
   FirstError* errors;
   std::vector<Warning>* warnings = nullptr;  // null: nobody wants to hear them
-  std::vector<Warning>* unknown = nullptr;   // unknown fields, likewise
+  std::vector<Warning>* unknown = nullptr;   // unknown fields; null: not collected
 
   void Report(Check check, std::initializer_list<std::string_view> arguments = {}) const {
     errors->Report(check, place, arguments);

@@ -191,7 +191,7 @@ TEST(DopeSheetHitTest, WhereTwoSpansMeetEachHasItsEnd) {
 
 TEST(DopeSheetHitTest, TellsKeysBarsAndTheirEnds) {
   const edit::Session session = Throw();
-  Rect tall = kRect;  // all rows with keys
+  Rect tall = kRect;  // room for all rows with keys
   tall.h += 60.0f;
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, tall, 1.0);
   const RowBar& bar = BarOn(layout, "limb r_shoulder");
@@ -219,7 +219,7 @@ TEST(DopeSheetLayout, ARegionNamesWhatIsPainted) {
   EXPECT_TRUE(RegionOn(layout, 0, 1).joints.empty());
 }
 
-TEST(DopeSheetLayout, AllLimbsTogetherTakeTheRootAlong) {
+TEST(DopeSheetLayout, RegionOverAllLimbs_IncludesTheRoot) {
   const edit::Session session;
   const DopeSheetLayout layout = LayOutDopeSheet(session, {}, kRect, 1.0);
   const RegionOnRows limbs = RegionOn(layout, 3, 8);

@@ -66,7 +66,7 @@ TEST_F(DopeSheet, APaintedRegionIsThereBeforeTheButtonIsLetGo) {
 }
 
 TEST_F(DopeSheet, DAndEnterMarksTheSelectedJoints) {
-  user.Click({60.0f, Layout().row_rects[5].y + 5.0f});  // the head's name
+  user.Click({60.0f, Layout().row_rects[5].y + 5.0f});  // name of the head
   user.MoveTo({X(2), Layout().row_rects[5].y + 5.0f});
   user.Press('D');
   user.Press(ui::kEnter);
@@ -140,7 +140,7 @@ TEST_F(DopeSheet, ADoubleClickOpensWhatCanBeDoneWithARegion) {
 
 class WholeBody : public DopeSheet {
  protected:
-  // The holds of the feet end before.
+  // Paints a region after the end of the holds of the feet.
   const ProjectRegion& Paint(const std::string& first_row, const std::string& last_row) {
     const size_t before = user.project().regions.size();
     const Point from = {X(18), RowOf(first_row)}, to = {X(26), RowOf(last_row)};
@@ -161,7 +161,7 @@ class WholeBody : public DopeSheet {
   bool Turns() { return user.session().animation()->regions.back().root; }
 };
 
-TEST_F(WholeBody, PaintedOverAllLimbs_TurnsAsItFalls) {
+TEST_F(WholeBody, RegionOverAllLimbs_TurnsAsItFalls) {
   const ProjectRegion& body = Paint("limb waist", "limb l_hip");
   EXPECT_TRUE(Turns());
   EXPECT_EQ(body.name, "body");
@@ -170,7 +170,7 @@ TEST_F(WholeBody, PaintedOverAllLimbs_TurnsAsItFalls) {
   EXPECT_EQ(user.num_steps(), 1u);
 }
 
-TEST_F(WholeBody, OfThePapersMethod_LeavesTheRootToItsKeys) {
+TEST_F(WholeBody, PaperMethod_LeavesTheRootToItsKeys) {
   ASSERT_TRUE(user.editor().Do("solver.set", {{"method", "paper"}}));
   ASSERT_TRUE(user.editor().Do("region.set", {{"region", arms().name}, {"method", "paper"}}));
   Paint("limb waist", "limb l_hip");
@@ -182,7 +182,7 @@ TEST_F(WholeBody, RootsRowIsPaintedLikeALimb) {
   EXPECT_TRUE(Turns());
 }
 
-TEST_F(WholeBody, RootIsTakenOutAgainByItsBar) {
+TEST_F(WholeBody, BarOfTheRoot_RemovesTheRoot) {
   Paint("limb waist", "limb l_hip");
   const ui::Rect bar = Bar("root", ui::BarKind::kRegion);
   user.Click({bar.x + 0.5f * bar.w, bar.y + 3.0f}, 1);

@@ -55,8 +55,8 @@ TEST_F(Problems, AFigureInTheGroundIsPutOnIt) {
   EXPECT_TRUE(FoundWith("in the ground").empty());
 }
 
-// While efforts are shown.
-TEST_F(Problems, AFigureWhoseMassIsBeyondItsToesIsLedTo) {
+// Problem that is found while efforts are shown.
+TEST_F(Problems, FigureThatTips_IsAProblemThatShowsItsFrame) {
   Do("view.overlay", {{"name", "effort"}});
   for (const char* curve : {"l_ankle_flexion", "r_ankle_flexion", "root.angle_y"}) {
     Do("key.set", {{"curve", curve}, {"frame", 0}, {"value", 14}});

@@ -1,5 +1,5 @@
-// The project's sound is heard in time: by OpenAL's null device, whose time passes as that of a
-// real one, while the editor's is made up.
+// Synchronization of the project's sound with playback. OpenAL's null device runs in real time; the
+// time of the editor is simulated.
 
 #include "ui/shell/sound_player.h"
 
@@ -45,7 +45,7 @@ class SoundPlayerTest : public ::testing::Test {
   }
 
   const test::TemporaryFolder folder_;
-  double now_ = 0.0;  // of the editor, made up [s]
+  double now_ = 0.0;  // simulated time of the editor [s]
   Editor editor_;
   SoundPlayer player_;
 };
@@ -56,7 +56,8 @@ TEST_F(SoundPlayerTest, IsInTimeWithPlaybackAndSilentAfterIt) {
   Follow();
   EXPECT_FALSE(player_.position());  // it begins on frame 6
   Pass(0.6);
-  // Where it should be once it was set there; later wherever the device's own time has come.
+  // Expected position once the sound has been started; increases until the time of the device
+  // reaches it.
   double seconds = 0.4;
   while (!player_.position() || std::abs(*player_.position() - seconds) > 0.06) {
     seconds += 0.2;

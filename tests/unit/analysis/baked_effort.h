@@ -23,7 +23,7 @@ inline BakedEffort BakeEffort(const Animation& animation,
   return found;
 }
 
-inline constexpr double kHipHeight = 0.9024;  // height of the shipped human's root [m]
+inline constexpr double kHipHeight = 0.9024;  // root height of the shipped human [m]
 
 inline Figure ShippedHuman() {
   return BuildFigure(LoadFigure(HAZUMI_SOURCE_DIR "/assets/figures/human.json").value()).value();
@@ -36,7 +36,7 @@ inline Animation Standing() {
   return animation;
 }
 
-// The sum of all contact forces on one side's leg [N].
+// Sum of all contact forces on the leg of one side [N].
 inline Vec3 LegForce(const Animation& animation, const FrameEffort& frame, const char* side) {
   Vec3 sum = Vec3::Zero();
   for (const EffortContact& contact : frame.contacts) {

@@ -75,7 +75,7 @@ TEST(ContactForces, StayInTheirConesAndComeNearest) {
   EXPECT_NEAR(solved.forces[0].x(), kMu * size, 1e-3);
 }
 
-TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
+TEST(ContactForces, GripForces_HaveAnyDirectionAndNoMoment) {
   ContactPoint grip = At(0.2, 0.0);
   grip.is_grip = true;
   const Vec3 F(30, 0, -100), N = grip.p.cross(F) + Vec3(1, 2, 3);
@@ -84,9 +84,8 @@ TEST(ContactForces, OfAGripHaveAnyDirectionAndNoMoment) {
   EXPECT_LT((solved.rest.moment - Vec3(1, 2, 3)).norm(), 1e-6);
 }
 
-// A moment that cannot be had does not change the force, which would have to act 8 cm beyond the
-// edge.
-TEST(ContactForces, SupplyTheForceWhateverMomentIsLacking) {
+// Moment that cannot be supplied: the force would have to act 8 cm beyond the edge.
+TEST(ContactForces, ResidualMoment_DoesNotChangeTheForce) {
   const Vec3 F(-5, 0, 100), com(0.13, 0.0, 1.0), edge(0.1, 0.0, 0.0);
   std::vector<Vec3> forces;
   const Wrench rest = ContactForceSolver().Solve({F, Vec3::Zero()}, com, Square(), kMu, &forces);

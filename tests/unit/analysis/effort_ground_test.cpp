@@ -1,4 +1,4 @@
-// What soles and hands can give, and what is missing where they cannot.
+// Contact forces of soles and hands, and residual wrenches that no contact can supply.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ void ExpectInCones(const FrameEffort& frame) {
   }
 }
 
-TEST(GroundEffort, OfASymmetricCrouchIsTheSameOnBothSidesThoughOneFootIsPinned) {
+TEST(GroundEffort, SymmetricCrouchWithOnePinnedFoot_HasEqualEffortOnBothSides) {
   const Animation animation = Jump();
   const BakedEffort found = BakeEffort(animation);
   for (const size_t i : {0, 1, 2, 3}) {
@@ -45,7 +45,7 @@ TEST(GroundEffort, OfASymmetricCrouchIsTheSameOnBothSidesThoughOneFootIsPinned) 
   }
 }
 
-TEST(GroundEffort, OfAFlightHasNoContacts) {
+TEST(GroundEffort, Flight_HasNoContacts) {
   const Animation animation = Jump();
   const BakedEffort found = BakeEffort(animation, FrameRate{240, 1});
   const double take_off = EventsOf(found.motion, EventKind::kTakeOff).at(0).time;
@@ -61,8 +61,8 @@ TEST(GroundEffort, OfAFlightHasNoContacts) {
   EXPECT_GT(flying, 40);
 }
 
-// Keys alone, no placement says that it flies.
-TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
+// Flight by keys alone, without a placement by gravity.
+TEST(GroundEffort, FigureAboveTheGround_HasNoContacts) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic},
                                  {10, kHipHeight + 0.3, {}, kCubic},
@@ -77,14 +77,14 @@ TEST(GroundEffort, OfWhatIsAboveTheGroundHasNoContacts) {
   EXPECT_GT(above, 80);
 }
 
-// How far the centre of mass is in front of all that touches [m].
+// Distance of the centre of mass in front of all contact points [m].
 double BeyondToes(const MotionFrame& frame, const FrameEffort& effort) {
   double toes = -1e300;
   for (const EffortContact& contact : effort.contacts) toes = std::max(toes, contact.p.x());
   return frame.com.x() - toes;
 }
 
-// Soles flat on the ground, the legs and the trunk lean forward from the ankles.
+// Figure with flat soles whose legs and trunk lean forward from the ankles.
 Animation Leaning(double lean, bool is_pinned) {
   Animation animation = Standing();
   const auto ankle_height = [&] {
@@ -102,7 +102,7 @@ Animation Leaning(double lean, bool is_pinned) {
 
 class LeaningEffort : public ::testing::TestWithParam<bool> {};
 
-TEST_P(LeaningEffort, IsTheWeightAtTheToesAndTheRestIsMissing) {
+TEST_P(LeaningEffort, Toes_CarryTheWeightAndLeaveAResidualMoment) {
   const Animation animation = Leaning(0.24, GetParam());
   const BakedEffort found = BakeEffort(animation);
   const FrameEffort& frame = found.effort.frames[7];
@@ -125,7 +125,7 @@ TEST_P(LeaningEffort, IsTheWeightAtTheToesAndTheRestIsMissing) {
 
 INSTANTIATE_TEST_SUITE_P(Roots, LeaningEffort, ::testing::Bool());
 
-TEST(MissingSupport, IsNoneWhereTheMassIsOverTheFeet) {
+TEST(MissingSupport, MassOverTheFeet_IsSupported) {
   for (const bool is_pinned : {false, true}) {
     const Animation animation = Leaning(0.02, is_pinned);
     const BakedEffort found = BakeEffort(animation);
@@ -134,7 +134,7 @@ TEST(MissingSupport, IsNoneWhereTheMassIsOverTheFeet) {
   }
 }
 
-TEST(MissingSupport, SaysHowFarTheMassIsOutAndWhatToDo) {
+TEST(MissingSupport, Text_StatesTheDistanceAndTheRemedy) {
   const Animation animation = Leaning(0.24, true);
   const BakedEffort found = BakeEffort(animation);
   const std::string text =
@@ -145,7 +145,7 @@ TEST(MissingSupport, SaysHowFarTheMassIsOutAndWhatToDo) {
   EXPECT_TRUE(text.ends_with("; move the weight back, or step there")) << text;
 }
 
-TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
+TEST(MissingSupport, FloatingFigure_LacksItsWeight) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, 2.0, 0.0, kCubic}};
   const BakedEffort found = BakeEffort(animation);
@@ -155,8 +155,8 @@ TEST(MissingSupport, IsTheWeightOfAFigureThatFloats) {
   EXPECT_NEAR(missing[0].force, animation.figure->total_mass() * kG, 1e-6);
 }
 
-// Pulled down by keys at 3 g: it would leave the ground.
-TEST(MissingSupport, OfADropThatIsFasterThanAFallIsAPull) {
+// Keys pull the figure down at 3 g, faster than it would fall.
+TEST(MissingSupport, DropFasterThanAFall_IsPulled) {
   Animation animation = Standing();
   const double drop = -1.5 * kG * 0.1 * 0.1;
   animation.root_keys[kRootZ] = {{0, kHipHeight, 0.0, kCubic}, {3, kHipHeight + drop, {}, kCubic}};
@@ -187,26 +187,26 @@ SupportFault WorstFaultOf(const Animation& animation, double friction) {
       ->fault;
 }
 
-TEST(MissingSupport, OfASwayOnIce_IsASlide) {
+TEST(MissingSupport, SwayOnIce_Slides) {
   Animation animation = StandingFast();
   animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kSlides);
 }
 
 // 0.3 g forwards, with the centre of mass over the feet.
-TEST(MissingSupport, OfAFastSwayOfAMassOverTheFeet_IsAPushFromBeyondThem) {
+TEST(MissingSupport, FastSwayOfAMassOverTheFeet_IsPushedOff) {
   Animation animation = StandingFast();
   animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, kGroundFriction), SupportFault::kPushedOff);
 }
 
-TEST(MissingSupport, OfATwistOnIce_IsATurn) {
+TEST(MissingSupport, TwistOnIce_Turns) {
   Animation animation = StandingFast();
   animation.root_keys[kRootAngleZ] = {{0, 0.0, 0.0, kCubic}, {6, 0.3, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kTurned);
 }
 
-TEST(MissingSupport, OfAFlightThatSpinsUp_IsATurnInTheAir) {
+TEST(MissingSupport, FlightThatSpinsUp_TurnsInTheAir) {
   Animation animation = Standing();
   animation.root_keys[kRootZ] = {{0, 8.0, 0.0, kCubic}};
   animation.root_keys[kRootAngleY] = {{0, 0.0, 0.0, kCubic}, {15, 1.0, {}, kCubic}};
@@ -215,7 +215,7 @@ TEST(MissingSupport, OfAFlightThatSpinsUp_IsATurnInTheAir) {
 }
 
 // Without weight it stays on the ground while gravity places it.
-TEST(GroundEffort, OfTheFrameOnWhichAFlightEnds_HasContacts) {
+TEST(GroundEffort, FrameOnWhichAFlightEnds_HasContacts) {
   Animation animation = Standing();
   animation.gravity = 0.0;
   animation.last_frame = 130;
@@ -226,7 +226,7 @@ TEST(GroundEffort, OfTheFrameOnWhichAFlightEnds_HasContacts) {
   EXPECT_FALSE(found.effort.frames[123].contacts.empty());
 }
 
-// The arm of a figure that hangs by a hand: nothing but the hand is near the bar.
+// Figure that hangs by a hand. Only the hand is near the bar.
 Animation Hanging() {
   Animation animation = Still(ShippedHuman());
   KeysOf(&animation, "r_shoulder_flexion") = {{0, 3.0, 0.0, kCubic}};
@@ -240,7 +240,7 @@ Animation Hanging() {
   return animation;
 }
 
-TEST(GripEffort, OfAPinnedHandOnABarCarriesTheWeight) {
+TEST(GripEffort, PinnedHandOnABar_CarriesTheWeight) {
   Animation animation = Hanging();
   AddPin(&animation, 0, 30, "r_wrist");
   const BakedEffort found = BakeEffort(animation);
@@ -252,7 +252,7 @@ TEST(GripEffort, OfAPinnedHandOnABarCarriesTheWeight) {
   EXPECT_LT(frame.from_nowhere.force.norm(), 1e-6);
 }
 
-TEST(GripEffort, OfAHeldHandOnABarCarriesTheWeight) {
+TEST(GripEffort, HeldHandOnABar_CarriesTheWeight) {
   Animation animation = Hanging();
   AddHold(&animation, 0, 30, "r_wrist", false);
   const BakedEffort found = BakeEffort(animation);
@@ -260,8 +260,8 @@ TEST(GripEffort, OfAHeldHandOnABarCarriesTheWeight) {
   EXPECT_LT(found.effort.frames[4].from_nowhere.force.norm(), 1e-6);
 }
 
-// Without the hold the hand is beside the bar.
-TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
+// Hand beside the bar, without a hold.
+TEST(GripEffort, FreeHand_DoesNotGrip) {
   const BakedEffort found = BakeEffort(Hanging());
   for (const EffortContact& contact : found.effort.frames[4].contacts) {
     EXPECT_FALSE(contact.is_grip);
@@ -269,8 +269,8 @@ TEST(GripEffort, IsNoneOfAHandThatNothingHolds) {
   EXPECT_GT(found.effort.frames[4].from_nowhere.force.norm(), 100.0);
 }
 
-// A foot that is pinned where the scene shows no ground stands all the same, and does not pull.
-TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
+// Pinned foot in a scene without ground. The foot supports the figure and cannot pull.
+TEST(PinnedEffort, PinnedFootWithoutAGround_CarriesAsOnTheGround) {
   Animation animation = Leaning(0.24, true);
   const BakedEffort on_ground = BakeEffort(animation);
   animation.scene.clear();
@@ -283,8 +283,8 @@ TEST(PinnedEffort, OfAFootWithoutAGroundIsThatOfOneOnTheGround) {
   EXPECT_GT(on_ground.effort.frames[3].contacts.size(), frame.contacts.size());
 }
 
-// A block in the hand of a figure on a block: each carries what is above it.
-TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
+// Block in the hand of a figure on a block. Each contact carries the weight above it.
+TEST(GroundEffort, EachContactOfAStack_CarriesTheWeightAbove) {
   Animation animation = Standing();
   SceneObject block;
   block.name = "block";
@@ -306,8 +306,8 @@ TEST(GroundEffort, OfAStackIsTheWeightOfAllThatIsAbove) {
   }
 }
 
-// All that is weighed goes with the gravity of the scene.
-TEST(GroundEffort, OnTheMoonIsASixthOfThatOnTheEarth) {
+// All weights scale with the gravity of the scene.
+TEST(GroundEffort, EffortOnTheMoon_IsASixthOfThatOnEarth) {
   Animation animation = Standing();
   animation.gravity = 1.62;
   const BakedEffort found = BakeEffort(animation);

@@ -1,5 +1,5 @@
-// Inverse dynamics of whole figures, as effort has them, against MuJoCo's with its contacts off:
-// random states on a root that turns and accelerates, with known forces at points of any links.
+// Inverse dynamics of whole figures as in effort, against MuJoCo with its contacts disabled. Random
+// states on a root that rotates and accelerates, with known forces at points of any links.
 
 #include "engine/analysis/effort.h"
 #include "engine/dynamics/kinematics.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;
 
-// A figure in random states, and the generalized forces of root and hinges that MuJoCo has for it.
+// Figure in random states, with the generalized forces of root and hinges that MuJoCo computes.
 class AskedOfMujoco {
  public:
   AskedOfMujoco(Figure figure, double gravity, int states, Random* random) {
@@ -25,7 +25,7 @@ class AskedOfMujoco {
     for (int i = 0; i < states; ++i) AddState(i, random);
   }
 
-  // The largest relative difference of torques, forces and moments of the states.
+  // Largest relative difference of torques, forces and moments over the states.
   double WorstDifference() const {
     const Effort effort = EffortOf(animation_, motion_);
     double worst = 0.0;
@@ -55,36 +55,37 @@ class AskedOfMujoco {
     VecX asked = mujoco_->InverseDynamics(
         MujocoFigure::Join(root.a, root.acceleration, frame.acceleration->qdd), nullptr);
     for (int k = random->Integer(0, 5); k > 0; --k) {
-      const ContactPush push = RandomPush(frame, random);
-      asked -= mujoco_->PointForce(figure.links()[static_cast<size_t>(push.link)].joint, push.p,
-                                   push.force);
-      frame.contacts.pushes.push_back(push);
+      const ContactPush applied = RandomForce(frame, random);
+      asked -= mujoco_->PointForce(figure.links()[static_cast<size_t>(applied.link)].joint,
+                                   applied.p, applied.force);
+      frame.contacts.pushes.push_back(applied);
     }
     root_axes_.push_back(mujoco_->RootAxes());
     asked_.push_back(asked);
     motion_.frames.push_back(frame);
   }
 
-  // On a link, at a point within half a metre of its joint.
-  ContactPush RandomPush(const MotionFrame& frame, Random* random) const {
+  // Force on a link at a point within half a metre of its joint.
+  ContactPush RandomForce(const MotionFrame& frame, Random* random) const {
     const Figure& figure = *animation_.figure;
     DynamicsWorkspace ws(figure);
     ComputePositions(figure, frame.after.X_WR, frame.q, &ws);
-    ContactPush push;
-    push.link = random->Integer(0, static_cast<int>(figure.links().size()) - 1);
-    push.p = ws.body(figure.links()[static_cast<size_t>(push.link)].joint).p + random->Vector3(0.5);
-    push.force = random->Vector3(500.0);
-    return push;
+    ContactPush applied;
+    applied.link = random->Integer(0, static_cast<int>(figure.links().size()) - 1);
+    applied.p =
+        ws.body(figure.links()[static_cast<size_t>(applied.link)].joint).p + random->Vector3(0.5);
+    applied.force = random->Vector3(500.0);
+    return applied;
   }
 
   Animation animation_;
   std::unique_ptr<MujocoFigure> mujoco_;
   Motion motion_;
-  std::vector<Mat3> root_axes_;  // by state
-  std::vector<VecX> asked_;      // by state
+  std::vector<Mat3> root_axes_;  // one per state
+  std::vector<VecX> asked_;      // one per state
 };
 
-TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {
+TEST(Effort, RandomStatesOfHumans_MatchMujoco) {
   constexpr int kStates = 1000;
   Random random(20261124);
   Worst human("effort of the shipped human"), human37("effort of a human of 37 hinges");
@@ -93,7 +94,7 @@ TEST(Effort, OfRandomStatesOfHumansIsThatOfMujoco) {
   EXPECT_LE(human37(AskedOfMujoco(Human37(), kG, kStates, &random).WorstDifference()), kTolerance);
 }
 
-TEST(Effort, OfRandomTreesInAnyGravityIsThatOfMujoco) {
+TEST(Effort, RandomTreesInAnyGravity_MatchMujoco) {
   constexpr int kTrees = 100, kStates = 5;
   Random random(20261127);
   Worst worst("effort of random trees");

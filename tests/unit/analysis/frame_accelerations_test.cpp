@@ -1,4 +1,4 @@
-// Torques of motions whose bake told no accelerations: those of cubics from frame to frame.
+// Torques of motions without accelerations of the bake, from cubics between frames.
 
 #include "engine/analysis/frame_accelerations.h"
 
@@ -27,7 +27,7 @@ std::vector<FrameEffort> EffortsOf(const Animation& animation) {
 
 double GravityTorque(double angle) { return kMass * kG * 0.5 * kLength * std::sin(angle); }
 
-TEST(FrameAccelerations, OfAPendulumThatIsHeldAreNone) {
+TEST(FrameAccelerations, HeldPendulum_HasNoAccelerations) {
   const Animation animation = PendulumWith({{0, 1.2, 0.0, kCubic}});
   for (const FrameEffort& effort : EffortsOf(animation)) {
     EXPECT_NEAR(effort.tau[0], GravityTorque(1.2), 1e-9);
@@ -35,7 +35,7 @@ TEST(FrameAccelerations, OfAPendulumThatIsHeldAreNone) {
   }
 }
 
-TEST(FrameAccelerations, OfKeysAreThoseOfTheirCurveToItsLastFrame) {
+TEST(FrameAccelerations, KeyedMotion_MatchesItsCurveToTheLastFrame) {
   const double a = 0.3, b = 1.4, T = 1.0;
   const Animation animation = PendulumWith({{0, a, 0.0, kCubic}, {30, b, 0.0, kCubic}});
   const std::vector<FrameEffort> torques = EffortsOf(animation);
@@ -49,7 +49,7 @@ TEST(FrameAccelerations, OfKeysAreThoseOfTheirCurveToItsLastFrame) {
   }
 }
 
-// The largest torque of any hinge of arms that swing freely.
+// Largest torque of any hinge of arms that swing freely.
 double LargestOfASwing(int frames_per_second) {
   Animation animation = Still(Human37());
   KeysOf(&animation, "r_shoulder_y") = {{0, 0.9, 0.0, kCubic}};
@@ -70,15 +70,15 @@ double LargestOfASwing(int frames_per_second) {
   return largest;
 }
 
-TEST(FrameAccelerations, OfAFreeSwingErrWithTheSquareOfTheFrameTime) {
+TEST(FrameAccelerations, FreeSwing_HasErrorsOfSecondOrderInTheFrameTime) {
   const double coarse = LargestOfASwing(60), fine = LargestOfASwing(240);
   EXPECT_GT(coarse, 0.0);
   EXPECT_LT(fine, coarse / 13.0);
   EXPECT_LT(fine, 0.02);
 }
 
-// A ball is part of its holder's body until it is let go.
-TEST(Effort, OfAHandThatHoldsABallCarriesIt) {
+// Ball that is part of its holder's body until its release.
+TEST(Effort, HandThatHoldsABall_CarriesItsWeight) {
   Animation animation = Still(Human37());
   KeysOf(&animation, "r_shoulder_y") = {{0, -1.5, 0.0, kCubic}};
   const FrameEffort without = EffortsOf(animation)[0];

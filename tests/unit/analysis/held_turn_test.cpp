@@ -1,4 +1,4 @@
-// Regions in which keys hold the root's turn against gravity and contacts.
+// Regions in which keys hold the root's orientation against gravity and contacts.
 
 #include "engine/analysis/held_turn.h"
 
@@ -11,9 +11,10 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kUpright = 0.9024, kLean = 0.4363;  // of the shipped human's root [m, rad]
+// Height [m] and lean [rad] of the shipped human's root.
+constexpr double kUpright = 0.9024, kLean = 0.4363;
 
-// Leans forward by 25 degrees and is let go, but for the turn of its root.
+// Figure that leans forward by 25 degrees and is released, except for its root's orientation.
 Animation Leaning() {
   Animation animation = LooseHuman(20, kUpright, kLean);
   animation.regions[0].root = false;
@@ -26,7 +27,7 @@ std::vector<HeldTurn> TurnsIn(const Animation& animation) {
   return FindHeldTurns(animation, BakeOrFail(animation, options));
 }
 
-TEST(HeldTurn, OfABodyThatLeans_TakesTheMomentOfItsWeight) {
+TEST(HeldTurn, LeaningBody_NeedsTheMomentOfItsWeight) {
   const Animation animation = Leaning();
   const BakedEffort found = BakeEffort(animation);
   const std::vector<HeldTurn> turns = FindHeldTurns(animation, found.motion);
@@ -43,11 +44,11 @@ TEST(HeldTurn, OfABodyThatLeans_TakesTheMomentOfItsWeight) {
   EXPECT_EQ(warnings[0].frame, turns[0].frame);
 }
 
-TEST(HeldTurn, IsNoneOfABodyThatTurnsFreely) {
+TEST(HeldTurn, FreelyTurningBody_HasNoHeldTurn) {
   EXPECT_TRUE(TurnsIn(LooseHuman(20, kUpright, kLean)).empty());
 }
 
-TEST(HeldTurn, IsNoneOfARegionThatDoesNotMoveWhatStands) {
+TEST(HeldTurn, RegionThatKeepsTheStance_HasNoHeldTurn) {
   Animation animation = Leaning();
   std::vector<JointIndex>& joints = animation.regions[0].joints;
   const JointIndex arm = animation.figure->group(GroupOf(animation, "r_shoulder")).first;
@@ -56,7 +57,7 @@ TEST(HeldTurn, IsNoneOfARegionThatDoesNotMoveWhatStands) {
   EXPECT_TRUE(TurnsIn(animation).empty());
 }
 
-TEST(HeldTurn, IsLookedForUnderGravityAndContactsAlone) {
+TEST(HeldTurn, Search_NeedsGravityAndContacts) {
   Animation animation = Leaning();
   EXPECT_TRUE(MayHoldTurns(animation));
   animation.regions[0].touches_scene = false;
@@ -66,7 +67,7 @@ TEST(HeldTurn, IsLookedForUnderGravityAndContactsAlone) {
   EXPECT_FALSE(MayHoldTurns(animation));
 }
 
-// Of the window's motion, which has no accelerations: by differences.
+// Motion of the window, which has no accelerations; they come from differences.
 TEST(HeldTurn, IsFoundWithoutAccelerations) {
   const Animation animation = Leaning();
   const std::vector<HeldTurn> turns = FindHeldTurns(animation, BakeOrFail(animation));

@@ -83,8 +83,8 @@ TEST(Arrival, OfWhatBreaksOnTheWayIsTold) {
       << late[0].message;
 }
 
-// No joint of a straight chain draws its tip in: whichever turns, the tip moves across.
-TEST(Arrival, OfAStraightLimbIsToldToBendIt) {
+// Straight chain. No joint can draw its tip in, since each moves the tip across the chain.
+TEST(Arrival, StraightLimb_GetsAdviceToBend) {
   const auto told = [](const Vec3& to) {
     Animation animation = Chain();
     animation.gravity = 0.0;
@@ -96,7 +96,7 @@ TEST(Arrival, OfAStraightLimbIsToldToBendIt) {
     return late.empty() ? "" : late[0].message;
   };
   EXPECT_NE(told(0.9 * Vec3::UnitX()).find("bend the limb"), std::string::npos);
-  EXPECT_EQ(told(2.0 * Vec3::UnitX()).find("bend the limb"), std::string::npos);  // out of reach
+  EXPECT_EQ(told(2.0 * Vec3::UnitX()).find("bend the limb"), std::string::npos);  // unreachable
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(HeldContact, DoesNotDependOnWhatIsLookedAt) {
   }
 }
 
-TEST(HeldContact, LetGoInsideTheFloor_IsWarnedOf) {
+TEST(HeldContact, BallReleasedInsideTheFloor_IsWarnedOf) {
   const auto warnings = [](double height, bool touches) {
     Animation animation = Thrower(touches);
     animation.root_keys[kRootZ] = {{0, height, {}, kHold}};
@@ -107,7 +107,7 @@ TEST(HeldContact, LetGoInsideTheFloor_IsWarnedOf) {
   EXPECT_TRUE(warnings(kBall, true).empty());
 }
 
-// A ball that is let go on the first frame, where a key states the arm's rate.
+// Ball that is released on the first frame, where a key states the rate of the arm.
 Animation ThrownAtOnce(int version) {
   Animation animation = Thrower(false);
   animation.solver.version = version;
@@ -116,32 +116,32 @@ Animation ThrownAtOnce(int version) {
   return animation;
 }
 
-// Of a ball that flies from the first frame on [m/s].
+// Initial velocity of a ball that flies from the first frame on [m/s].
 Vec3 StartVelocity(const Animation& animation) {
   const Motion motion = BakeOrFail(animation);
   const double t = 1.0 / 30.0;
   return (Place(motion, 1) - Place(motion, 0)) / t + 0.5 * kG * t * Vec3::UnitZ();
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_TakesTheKeyedVelocity) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_TakesTheKeyedVelocity) {
   const Animation animation = ThrownAtOnce(2);
   const Vec3 axis = animation.figure->joint(JointOf(animation, "pivot")).axis;
   const Vec3 v = 2.0 * axis.cross(Vec3(kLength, 0.0, 0.0));
   EXPECT_LT((StartVelocity(animation) - v).norm(), 1e-9);
-  EXPECT_LT(StartVelocity(ThrownAtOnce(1)).norm(), 1e-9);  // as it was
+  EXPECT_LT(StartVelocity(ThrownAtOnce(1)).norm(), 1e-9);  // solver version 1: at rest
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithARegionThatBeginsThere) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_MovesWithARegionThatBeginsThere) {
   Animation animation = ThrownAtOnce(2);
   const Vec3 keyed = StartVelocity(animation);
   AddRegion(&animation, "arm", 0, 20, {"pivot"}).method = Method::kExact;
   EXPECT_LT((StartVelocity(animation) - keyed).norm(), 1e-9);
 }
 
-TEST(HeldContact, LetGoOnTheFirstFrame_GoesWithAPinnedFigure) {
+TEST(HeldContact, BallReleasedOnTheFirstFrame_MovesWithAPinnedFigure) {
   Animation animation = ThrownAtOnce(2);
   const Vec3 of_arm = StartVelocity(animation);
-  // At the pivot: root and arm move as before.
+  // Pin at the pivot, which does not change the motion of root and arm.
   AddPin(&animation, 0, 90, "pivot");
   EXPECT_LT((StartVelocity(animation) - of_arm).norm(), 1e-9);
 }

@@ -1,6 +1,5 @@
-// What impacts of contacts do: their term of the energy account, apart from that of limits, and
-// their events. And what leaves an account of energy by no force: what is let go, and joints
-// without mass.
+// Impacts of contacts: their term of the energy account, separate from that of limits, and their
+// events. Changes of energy without a force: released objects, and joints without mass.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kDrop = 1.0;  // of a fall [m]
+constexpr double kDrop = 1.0;  // height of a fall [m]
 
 Motion BakeWithEnergy(const Animation& animation) {
   BakeOptions options;
@@ -28,7 +27,7 @@ Animation FallingCapsule() {
   return animation;
 }
 
-TEST(Impact, OfACapsuleOnTheFloor_IsBookedToContacts) {
+TEST(Impact, ImpactOfACapsuleOnTheFloor_IsBookedToContacts) {
   const Motion motion = BakeWithEnergy(FallingCapsule());
   const EnergyBalance& energy = AccountOf(motion);
   EXPECT_NEAR(energy.impacts, -kMass * kG * kDrop, 1e-6);
@@ -47,9 +46,9 @@ TEST(TouchDown, IsOneEventThatNamesWhatTouches) {
   EXPECT_EQ(touches[0].count, 1);
 }
 
-// Two rods in a line, hinged at the middle about y, which bends up to 0.1 rad. One end is lower:
-// the floor stops it, and the hinge is driven against its limit.
-TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
+// Two rods in a line with a hinge about y between them, which bends up to 0.1 rad. The floor stops
+// the lower end, and the impact drives the hinge to its limit.
+TEST(Impact, ImpactThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
   FigureSpec spec;
   spec.name = "rods";
   spec.root_name = "base";
@@ -73,8 +72,8 @@ TEST(Impact, ThatDrivesAHingeToItsLimit_IsSharedWithTheLimit) {
   EXPECT_NEAR(energy.impacts + energy.limits + energy.WorkOf("contact"), -lost, 1e-5 * lost);
 }
 
-// Its impact is where its region begins, and the account begins before it.
-TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
+// Impact at the start of a region. The energy account begins before the impact.
+TEST(Impact, ImpactAtTheStartOfARegion_IsBookedToContacts) {
   Animation animation = Loose(FreeCapsule(0.3, kBallRadius), 10);
   constexpr double kSpeed = 2.0;  // [m/s]
   SetRootAt(&animation, {0.0, 0.0, kBallRadius});
@@ -86,7 +85,7 @@ TEST(Impact, WhereARegionBegins_IsBookedToContacts) {
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6);
 }
 
-// A rod that swings about z holds a stick at its end, and lets it go.
+// Rod that swings about z and releases a stick from its end.
 Animation Swinging(bool has_mass) {
   FigureSpec spec;
   spec.name = "arm";
@@ -122,7 +121,7 @@ Animation Swinging(bool has_mass) {
   return animation;
 }
 
-TEST(Energy, OfWhatIsLetGo_IsATermOfItsOwn) {
+TEST(Energy, ReleasedObject_HasATermOfItsOwn) {
   const EnergyBalance energy = AccountOf(BakeWithEnergy(Swinging(true)));
   EXPECT_LT(energy.WorkOf("handover"), -0.1);
   EXPECT_NEAR(energy.limits, 0.0, 1e-7);
@@ -140,8 +139,8 @@ TEST(WeightlessJoint, ClosesItsAccountAndIsWarnedOf) {
   EXPECT_EQ(std::count_if(motion.warnings.begin(), motion.warnings.end(), is_warned), 1);
 }
 
-// Steps of 1/64 ms would take two million evaluations.
-TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
+// Bounds the evaluations: steps of 1/64 ms would take two million.
+TEST(Impact, ImpactWithoutGravity_CostsNoMoreThanWithGravity) {
   Animation animation = Loose(FreeCapsule(0.5, 0.02), 30);
   animation.gravity = 0.0;
   animation.root_keys[kRootX] = {{0, -1.0, 100.0}};
@@ -155,9 +154,9 @@ TEST(Impact, WithoutGravity_CostsNoMoreThanWithIt) {
   EXPECT_LT(BakeOrFail(animation).regions[0].evaluations, 30'000);
 }
 
-// The root's turn is keyed, and it lands: on a leg that a region keeps out of the scene. The
-// contact and the landing are at the same instant.
-TEST(Landing, OnALimbWithContacts_ComesBeforeItsContact) {
+// Landing of a figure with a keyed root orientation on a leg with contacts. The contact and the
+// landing are simultaneous.
+TEST(Landing, LandingOnALimbWithContacts_PrecedesItsContact) {
   FigureSpec spec;
   spec.name = "legged";
   spec.root_name = "trunk";

@@ -1,4 +1,4 @@
-// Chains with more hinges than are solved by matrices, which fall on a floor and lie there.
+// Chains with more hinges than the dense solver takes, which fall on a floor and come to rest.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLink = 0.1, kThin = 0.02, kDeepestLink = 5e-4;  // [m]
 
-// Along x, its hinges about y and z in turn.
+// Chain along x with hinges about y and z in turn.
 Figure LongChain(int links, double limit) {
   FigureSpec spec;
   spec.name = "chain";
@@ -39,7 +39,7 @@ Figure LongChain(int links, double limit) {
   return BuildFigure(spec).value();
 }
 
-// Let go above the floor, every fourth joint bent, and turned a little.
+// Chain above the floor with every fourth joint bent, turned a little.
 Animation FallingChain(int links, int frames, double limit, int version) {
   Animation animation = Loose(LongChain(links, limit), frames, {"j1"});
   animation.solver.version = version;
@@ -78,16 +78,16 @@ void ExpectItFallsAndLies(const Animation& animation) {
   EXPECT_LT(EnergyOf(animation, motion.frames.back().after), 1.5 * lies);
 }
 
-TEST(LongChain, OnTheFloor_LosesEnergyAndStaysOutside) {
+TEST(LongChain, ChainOnTheFloor_LosesEnergyAndStaysOutside) {
   ExpectItFallsAndLies(FallingChain(120, 60, 1e3, kSolverVersion));
 }
 
-TEST(LongChain, WithLimits_LosesEnergyAndStaysOutside) {
+TEST(LongChain, ChainWithLimits_LosesEnergyAndStaysOutside) {
   ExpectItFallsAndLies(FallingChain(120, 60, 0.4, kSolverVersion));
 }
 
-// Flat, it stops at once: the height and the energy that it loses are known.
-TEST(LongChain, DroppedFlat_StopsAsTheDenseOneDoes) {
+// Flat chain that stops at once, with known height and energy loss.
+TEST(LongChain, ChainDroppedFlat_StopsLikeTheDenseSolution) {
   for (const int version : {1, kSolverVersion}) {
     Animation animation = Loose(LongChain(100, 1e3), 20, {"j1"});
     animation.solver.version = version;

@@ -107,7 +107,7 @@ TEST(LooseBall, ItsEnergyIsPartOfTheAccount) {
   options.energy = true;
   const Motion motion = BakeOrFail(animation, options);
   const EnergyBalance& energy = motion.regions[0].energy.value();
-  EXPECT_LT(energy.impacts, -0.1);  // blows
+  EXPECT_LT(energy.impacts, -0.1);  // loss by impacts
   EXPECT_NEAR(energy.residual(), 0.0, 1e-7);
 }
 

@@ -1,4 +1,4 @@
-// Bakes that end early, because they take more work than they may.
+// Bakes that end early because they reach the work limit.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(MostWork, BakeThatTakesMore_EndsWithAWarningThatNamesTheFrame) {
   EXPECT_NE(last.message.find("are not checked"), std::string::npos);
 }
 
-// Nothing is measured: the same frame each time.
+// Work is counted, not timed: each bake ends in the same frame.
 TEST(MostWork, BakeThatEndsEarly_EndsInTheSameFrame) {
   const Animation animation = LooseHuman(60, 1.4, 1.0);
   BakeOptions options;

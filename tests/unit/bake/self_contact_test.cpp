@@ -148,7 +148,7 @@ TEST(SelfContact, WhatABodyInFlightKeepsIsKept) {
   EXPECT_LT(DeepestOf(animation, motion), 1e-4);
   ExpectFlight(animation, motion);
   const EnergyBalance& energy = motion.regions[0].energy.value();
-  EXPECT_LT(energy.impacts, -0.05 * energy.kinetic_start);  // blows
+  EXPECT_LT(energy.impacts, -0.05 * energy.kinetic_start);  // loss by impacts
   EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * energy.kinetic_start);
   // Begins inside itself, so that forces are frozen.
   const Animation curled = CurlingChain(1.5);

@@ -1,4 +1,4 @@
-// A figure that stands on springs: it stands, sways, and falls where it is pushed hard enough.
+// Figure that stands on springs, sways, and topples after a large enough impulse.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kSolesBelow = 0.9024;  // of the pelvis in the zero pose [m]
+constexpr double kSolesBelow = 0.9024;  // depth of the soles below the pelvis in the zero pose [m]
 
 Animation Standing(int frames, double frequency) {
   Animation animation = LooseHuman(frames, kSolesBelow);
@@ -28,13 +28,14 @@ Animation Standing(int frames, double frequency) {
   return animation;
 }
 
-void PushChest(Animation* animation, int frame, double impulse) {
-  OuterForce shove;
-  shove.name = "shove";
-  shove.first_frame = frame;
-  shove.last_frame = frame + 1;
-  shove.action = PushForce{{GroupOf(*animation, "chest"), Vec3::Zero()}, Vec3(impulse, 0.0, 0.0)};
-  animation->forces.push_back(shove);
+void ApplyImpulseToChest(Animation* animation, int frame, double impulse) {
+  OuterForce impulse_force;
+  impulse_force.name = "impulse";
+  impulse_force.first_frame = frame;
+  impulse_force.last_frame = frame + 1;
+  impulse_force.action =
+      PushForce{{GroupOf(*animation, "chest"), Vec3::Zero()}, Vec3(impulse, 0.0, 0.0)};
+  animation->forces.push_back(impulse_force);
 }
 
 double FurthestOf(const Motion& motion) {
@@ -45,37 +46,38 @@ double FurthestOf(const Motion& motion) {
   return most;
 }
 
-TEST(Standing, AHumanOnSpringsOfTwoHertzStandsForFiveSeconds) {
+TEST(Standing, HumanOnSpringsOfTwoHertz_StandsForFiveSeconds) {
   const Motion motion = BakeOrFail(Standing(150, 2.0));
   EXPECT_LE(FurthestOf(motion), 0.001);
 }
 
-TEST(Standing, APushOfFiveNewtonSecondsSwaysHimAndHeComesBack) {
+TEST(Standing, ImpulseOfFiveNewtonSeconds_SwaysAFigureThatRecovers) {
   Animation animation = Standing(150, 2.0);
-  PushChest(&animation, 10, 5.0);
+  ApplyImpulseToChest(&animation, 10, 5.0);
   const Motion motion = BakeOrFail(animation);
   EXPECT_GE(FurthestOf(motion), 0.002);
   EXPECT_LE(FurthestOf(motion), 0.02);
   EXPECT_LE((motion.frames.back().com - motion.frames[0].com).norm(), 0.001);
 }
 
-TEST(Standing, APushOfSixtyNewtonSecondsTopplesHim) {
+TEST(Standing, ImpulseOfSixtyNewtonSeconds_TopplesTheFigure) {
   Animation animation = Standing(90, 2.0);
-  PushChest(&animation, 10, 60.0);
+  ApplyImpulseToChest(&animation, 10, 60.0);
   const Motion motion = BakeOrFail(animation);
   EXPECT_LE(motion.frames.back().com.z(), 0.4);
   EXPECT_GE(motion.frames.back().com.x(), 0.5);
 }
 
-// In time-stepping mode springs are no part of what bounds steps: 127,000 evaluations before.
-TEST(Standing, SixFramesTakeFewEvaluations) {
+// Bounds the evaluations, since springs do not limit steps in time-stepping mode: 127,000 with
+// explicit springs.
+TEST(Standing, SixFrames_TakeFewEvaluations) {
   EXPECT_LE(BakeOrFail(Standing(6, 2.0)).regions[0].evaluations, 10000);
   EXPECT_LE(BakeOrFail(Standing(60, 5.0)).regions[0].evaluations, 40000);
 }
 
 TEST(Standing, TheAccountOfEnergyCloses) {
   Animation animation = Standing(60, 2.0);
-  PushChest(&animation, 10, 5.0);
+  ApplyImpulseToChest(&animation, 10, 5.0);
   BakeOptions options;
   options.energy = true;
   const EnergyBalance energy = BakeOrFail(animation, options).regions[0].energy.value();
@@ -90,7 +92,8 @@ TEST(Support, TwoFeetCarryHalfTheWeightEach) {
                    &ws);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
   const std::vector<double> shares = CarriedShares(figure, points, ws);
-  // His mass is 2 mm behind the heels' points, which carry next to all of it.
+  // Centre of mass 2 mm behind the contact points of the heels, which carry almost all of the
+  // weight.
   for (const char* ankle : {"r_ankle_flexion", "l_ankle_flexion", "r_hip_flexion"}) {
     EXPECT_NEAR(shares[figure.FindJoint(ankle)->value()], 0.5, 0.005) << ankle;
   }
@@ -99,14 +102,14 @@ TEST(Support, TwoFeetCarryHalfTheWeightEach) {
   EXPECT_EQ(shares[figure.FindJoint("waist_flexion")->value()], 0.0);
 }
 
-TEST(Support, PointsPushAndSupplyForceAndMoment) {
+TEST(Support, PointForces_PushAndSupplyForceAndMoment) {
   const Animation animation = Standing(6, 2.0);
   const Figure& figure = *animation.figure;
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
                    &ws);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
-  Vec3 about = Vec3::Zero();  // their middle
+  Vec3 about = Vec3::Zero();  // mean of the points
   for (const SupportPoint& point : points) about += point.Place(ws) / points.size();
   const Wrench needed = {Vec3(20.0, -10.0, 700.0), Vec3(10.0, 5.0, 1.0)};
   const std::vector<Vec3> forces = SupportForces(points, needed, about, ws);

@@ -1,5 +1,5 @@
-// Contacts beside constraints: what is tied passes through each other, and a constraint gives way
-// to what stands in its way. And two of what began wrong: deep inside a box, and just touching.
+// Contacts with constraints: bodies that a constraint ties do not collide, and a constraint is
+// compliant where contacts block it. Two starts with contact: deep inside a box, and just touching.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ void AddBox(Animation* animation, const Vec3& center, const Vec3& half) {
   animation->scene.push_back(box);
 }
 
-// A rod along x that swings about y at the origin, above a box under its end.
-constexpr double kTop = -0.2;  // of the box [m]
+// Rod along x that swings about y at the origin, above a box under its end.
+constexpr double kTop = -0.2;  // height of the top of the box [m]
 Animation RodAboveBox() {
   Animation animation = Exact(RodAbout(Vec3::UnitY()), kG);
   animation.solver.tolerance = 0.01 * kDegree;
@@ -48,10 +48,10 @@ double DepthOf(const Animation& animation, const Motion& motion) {
   return depth;
 }
 
-// Half a radian below level, where the tip is 0.18 m inside the box.
+// Target of the tip half a radian below level, 0.18 m inside the box.
 Vec3 InsideTheBox() { return kLength * Vec3(std::cos(0.5), 0.0, -std::sin(0.5)); }
 
-TEST(TiedContact, ATipDrawnToTheObjectItGripsGoesThrough) {
+TEST(TiedContact, TipDrawnToTheObjectItGrips_PassesThrough) {
   Animation animation = RodAboveBox();
   DrawTipTo(InsideTheBox(), &animation).b.object = 0;
   const Motion motion = BakeOrFail(animation);
@@ -60,7 +60,7 @@ TEST(TiedContact, ATipDrawnToTheObjectItGripsGoesThrough) {
   EXPECT_LE(GapAt(animation, animation.constraints[0], motion.frames[30]), 0.005);
 }
 
-TEST(TiedContact, ATipThatCollidesStaysOutAndTheConstraintSaysSo) {
+TEST(TiedContact, TipThatCollides_StaysOutAndTheConstraintWarns) {
   Animation animation = RodAboveBox();
   Constraint& constraint = DrawTipTo(InsideTheBox(), &animation);
   constraint.b.object = 0;
@@ -73,13 +73,13 @@ TEST(TiedContact, ATipThatCollidesStaysOutAndTheConstraintSaysSo) {
   EXPECT_TRUE(std::any_of(motion.warnings.begin(), motion.warnings.end(), names_it));
 }
 
-TEST(TiedContact, ATipDrawnIntoWhatItIsNotTiedToStaysOut) {
+TEST(TiedContact, TipDrawnIntoAnUntiedObject_StaysOut) {
   Animation animation = RodAboveBox();
   DrawTipTo(InsideTheBox(), &animation);
   EXPECT_LE(DepthOf(animation, BakeOrFail(animation)), 5e-4);
 }
 
-TEST(DeepStart, ACapsuleFarInsideABoxComesOutSlowly) {
+TEST(DeepStart, CapsuleDeepInsideABox_ComesOutSlowly) {
   Animation animation = Loose(FreeCapsule(0.1, 0.05), 60);
   AddBox(&animation, Vec3(0.0, 0.0, -1.0), Vec3(3.0, 3.0, 1.0));
   SetRootAt(&animation, Vec3(0.0, 0.0, -0.25));

@@ -242,7 +242,7 @@ TEST(RegionOperators, AddJoints_TakesTheSelectedOnesAndTheRoot) {
             (std::vector<std::string>{"l_shoulder+", "r_shoulder+", "pelvis", "r_knee"}));
   EXPECT_TRUE(session.animation()->regions[0].root);
   Do(&session, "region.add_joints", {{"region", "arms"}, {"joints", {"root", "r_knee"}}});
-  EXPECT_EQ(First(session).joints.size(), 4u);  // has them already
+  EXPECT_EQ(First(session).joints.size(), 4u);  // the region has them already
   session.set_selected_joints({});
   Refused(&session, "region.add_joints", {{"region", "arms"}});
   Refused(&session, "region.add_joints", {{"region", "arms"}, {"joints", {"wing"}}});

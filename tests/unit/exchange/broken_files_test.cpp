@@ -1,4 +1,4 @@
-// Files that are broken, and files made broken: an error or a sound character.
+// Broken files and files with random changes. Each must give an error or a valid character.
 
 #include <gtest/gtest.h>
 

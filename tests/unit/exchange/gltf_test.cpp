@@ -140,7 +140,7 @@ TEST(Gltf, SkinsWithoutMatricesAreBoundAtTheOrigin) {
     EXPECT_TRUE(bind.inverse_bind.isIdentity(1e-6)) << bind.inverse_bind;
 }
 
-TEST(Gltf, SkinsWhoseMatricesAreNoneAreRefused) {
+TEST(Gltf, SkinsWithInvalidMatrices_AreRefused) {
   for (const Json& change : {Json{{"type", "SCALAR"}}, Json{{"type", nullptr}},
                              Json{{"componentType", 5123}}, Json{{"count", 1}}}) {
     Json document = test::SmallGltf();

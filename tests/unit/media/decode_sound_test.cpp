@@ -72,7 +72,7 @@ TEST_F(DecodeSoundTest, WhatIsNoSoundIsSaid) {
   EXPECT_NE(complaint(folder_).find("is a folder"), std::string::npos);
 }
 
-// Waits for connections on a port of this machine.
+// Server that waits for connections on a port of this machine.
 class Listener {
  public:
   Listener() {
@@ -91,7 +91,7 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   int port() const { return port_; }
-  // Whether anybody connected since the last call.
+  // Returns whether a client has connected since the last call.
   bool WasAsked() const {
     const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
     if (connection >= 0) ::close(connection);
@@ -103,9 +103,9 @@ class Listener {
   int port_ = 0;
 };
 
-// A list of sounds elsewhere, as ffmpeg follows it unless it is told not to: what a stranger wrote
-// asks no other machine.
-TEST_F(DecodeSoundTest, AListOfSoundsElsewhereAsksNobody) {
+// Playlist with a remote sound, which ffmpeg opens by default. A file must not open connections to
+// other machines.
+TEST_F(DecodeSoundTest, RemotePlaylist_OpensNoConnection) {
   const Listener listener;
   const fs::path list = folder_ / "list.m3u8";
   std::ofstream(list) << "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\nhttp://127.0.0.1:"

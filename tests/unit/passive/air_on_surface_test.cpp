@@ -89,8 +89,8 @@ TEST(AirOnSurface, OfAPlateIsAlongItsNormal) {
   }
 }
 
-// With solver version 2, next to its ends as well: no fading bends its glide.
-TEST(AirOnSurface, OfAPlateThatIsNotFadedIsAlongItsNormalAtAllAngles) {
+// Plate of solver version 2, whose lift is not faded next to 0 and 90 degrees.
+TEST(AirOnSurface, UnfadedPlate_HasAForceAlongItsNormalAtAllAngles) {
   LinkSurface plate = Of(LinkSurface::Kind::kPlate);
   plate.is_faded = false;
   for (const double angle : {0.1, 1.0, 4.0, 45.0, 88.0, 89.9}) {

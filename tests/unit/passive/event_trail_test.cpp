@@ -39,12 +39,12 @@ TEST(EventTrail, AnEventThatOneHasAlone_PartsOnceItIsCertain) {
   EXPECT_EQ(EventTrail::Part(a, b, 0.2), 0.1);
 }
 
-TEST(EventTrail, WhatIsHeldAfterwards_Counts) {
+TEST(EventTrail, StateAfterAnEvent_Counts) {
   const EventTrail a = Trail({Hit(0.1, kElbow, 7)}), b = Trail({Hit(0.1, kElbow, 8)});
   EXPECT_EQ(EventTrail::Part(a, b, 1.0), 0.1);
 }
 
-TEST(EventTrail, WhatChangesNothing_IsNoEvent) {
+TEST(EventTrail, MarkWithoutAChange_IsNoEvent) {
   const EventTrail a = Trail({Hit(0.1, kElbow, 7), Hit(0.2, 0, 7)}),
                    b = Trail({Hit(0.1, kElbow, 7)});
   EXPECT_FALSE(EventTrail::Part(a, b, 1.0));

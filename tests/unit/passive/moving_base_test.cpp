@@ -141,8 +141,8 @@ TEST(MovingBase, GivesUpLateInAMotionThatIsTooWild) {
   EXPECT_GT(t, 0.0);
 }
 
-// So that nothing depends on where a motion is cut.
-TEST(MovingBase, DoesNotDependOnWhereItIsAskedToEnd) {
+// Independence of the end of a motion, which may be cut anywhere.
+TEST(MovingBase, DoesNotDependOnTheRequestedEnd) {
   int calls = 0;
   const Shaker chain{1.0, 3.0, &calls};
   const MovingBase shorter(0.0, 0.4, 2.0, chain), longer(0.0, 1.1, 2.0, chain);

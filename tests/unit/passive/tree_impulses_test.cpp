@@ -1,5 +1,5 @@
 // Impulses on several bodies of a tree, all at once and one after the other on a tour, against
-// articulated bodies that are pushed one by one.
+// impulses on articulated bodies one at a time.
 
 #include "engine/passive/tree_impulses.h"
 
@@ -31,11 +31,11 @@ struct Pushed {
     impulses.Begin(layout, kinematics.motion(), bodies);
     impulses.Clear();
   }
-  VecX RatesOfPush(int node, const V3& r, const V3& f) {
+  VecX RatesOfImpulse(int node, const V3& r, const V3& f) {
     bodies.Push(layout, kinematics.motion(), node, r, f, x.data());
     return x;
   }
-  VecX RatesOfTwist(const FreeHinge& hinge) {
+  VecX RatesOfHingeImpulse(const FreeHinge& hinge) {
     bodies.Twist(layout, kinematics.motion(), hinge.node, hinge.slot, x.data());
     return x;
   }
@@ -60,7 +60,7 @@ void ForEachIsland(Check&& check) {
 
 TreeImpulses::Impulse At(const V3& r, const V3& f) { return {Cross(r, f), f}; }
 
-TEST(TreeImpulses, SettledTogether_AddUpToPushesOneByOne) {
+TEST(TreeImpulses, ImpulsesSettledTogether_EqualImpulsesOneByOne) {
   Worst worst("settled");
   ForEachIsland([&](RandomIsland* island) {
     Pushed tree(*island);
@@ -68,12 +68,12 @@ TEST(TreeImpulses, SettledTogether_AddUpToPushesOneByOne) {
     for (int i = 0; i < static_cast<int>(island->model.nodes.size()); ++i) {
       if (!island->model.nodes[i].is_dynamic) continue;
       const V3 r(island->random.Vector3(0.3)), f(island->random.Vector3(5.0));
-      expected += tree.RatesOfPush(i, r, f);
+      expected += tree.RatesOfImpulse(i, r, f);
       tree.impulses.Add(i, At(r, f));
     }
     for (const FreeHinge& hinge : tree.layout.hinges()) {
       const double twist = island->random.Uniform(-1.0, 1.0);
-      expected += twist * tree.RatesOfTwist(hinge);
+      expected += twist * tree.RatesOfHingeImpulse(hinge);
       tree.impulses.AddAboutHinge(hinge.node, hinge.slot, twist);
     }
     tree.impulses.Settle();
@@ -81,7 +81,7 @@ TEST(TreeImpulses, SettledTogether_AddUpToPushesOneByOne) {
   });
 }
 
-// Impulses so far.
+// Impulses applied so far.
 struct Given {
   std::vector<std::pair<int, TreeImpulses::Impulse>> on_nodes;
   std::vector<std::pair<FreeHinge, double>> about_hinges;
@@ -97,13 +97,14 @@ TreeImpulses::Motion MotionBy(const Given& given, const RandomIsland& island, in
   return tree.impulses.Of(node);
 }
 
-// Hinges are pushed before their node is reached and after it is left, nodes in between.
+// Applies impulses to hinges before a tour reaches their node and after it leaves the node, and to
+// nodes in between.
 TEST(TreeImpulses, NodeThatATourReaches_MovesByAllImpulsesSoFar) {
   Worst worst("tour");
   ForEachIsland([&](RandomIsland* island) {
     Pushed tree(*island);
     Given given;
-    const auto push_hinges = [&](int node) {
+    const auto apply_hinge_impulses = [&](int node) {
       for (const FreeHinge& hinge : tree.layout.hinges()) {
         if (hinge.node != node) continue;
         const double impulse = island->random.Uniform(-1.0, 1.0);
@@ -113,7 +114,7 @@ TEST(TreeImpulses, NodeThatATourReaches_MovesByAllImpulsesSoFar) {
     };
     tree.impulses.Settle();
     for (const TreeImpulses::Step& step : tree.impulses.tour()) {
-      if (!step.up) push_hinges(step.node);
+      if (!step.up) apply_hinge_impulses(step.node);
       if (!step.up) tree.impulses.Take(step);
       const auto impulse = At(V3(island->random.Vector3(0.3)), V3(island->random.Vector3(5.0)));
       tree.impulses.Push(step.node, impulse);
@@ -123,7 +124,7 @@ TEST(TreeImpulses, NodeThatATourReaches_MovesByAllImpulsesSoFar) {
       EXPECT_LE(worst(RelativeDifference(actual.w.eigen(), expected.w.eigen())), kTreeTolerance);
       EXPECT_LE(worst(RelativeDifference(actual.v.eigen(), expected.v.eigen())), kTreeTolerance);
       if (step.up) tree.impulses.Take(step);
-      if (step.up) push_hinges(step.node);
+      if (step.up) apply_hinge_impulses(step.node);
     }
   });
 }
@@ -134,7 +135,7 @@ TEST(TreeImpulses, ResponseOfAHinge_IsTheInverseInertia) {
     Pushed tree(*island);
     for (int i = 0; i < tree.layout.num_dofs(); ++i) {
       const FreeHinge& hinge = tree.layout.hinges()[i];
-      const double expected = tree.RatesOfTwist(hinge)[i];
+      const double expected = tree.RatesOfHingeImpulse(hinge)[i];
       const double actual = tree.impulses.ResponseOfHinge(hinge.node, hinge.slot);
       EXPECT_LE(worst(std::abs(actual - expected) / std::abs(expected)), kTreeTolerance);
     }

@@ -78,7 +78,8 @@ TEST(SaveProject, CannotReplaceAFolderOrWriteIntoNone) {
   EXPECT_EQ(folder.num_entries(), 1u);
 }
 
-// While it lives, root is a user like any other, who owns the folder: root may write anywhere.
+// Runs as an ordinary user who owns the folder while this object exists, since root may write
+// anywhere.
 class AnyUser {
  public:
   explicit AnyUser(const std::string& folder) {

@@ -41,7 +41,7 @@ void TakeOver(size_t number, ProjectRegion* region) {
   std::erase_if(region->drives, [](const ProjectDrive& drive) { return drive.joints.empty(); });
 }
 
-// The root has no muscles.
+// Removes the root, which has no muscles.
 void LeaveOutRoot(const Figure& figure, std::vector<JointRef>* refs) {
   std::erase_if(*refs,
                 [&](const JointRef& ref) { return !ref.beyond && MeansRoot(ref.name, figure); });

@@ -81,7 +81,7 @@ std::string LikelyJoint(const Session& session);
 
 // Joints and hinges that name these hinges: a joint of which all are meant by its own name.
 std::vector<std::string> JointNames(const std::set<std::string>& hinges, const Figure& figure);
-// The same of what is selected, and the root first if it is.
+// Names of the selected hinges, and the root first if it is selected.
 std::vector<std::string> SelectedNames(const Session& session);
 
 // By the parameter "curves"; not given: those of the selected joints, else all.

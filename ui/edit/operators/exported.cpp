@@ -59,7 +59,7 @@ ExportSettings UsualSettings(const Session& session, MotionFormat format) {
   return settings;
 }
 
-// Torques need the accelerations of every frame, which the session's motion lacks.
+// Bakes with the accelerations of every frame, which torques need and the session's motion lacks.
 static Result<Motion> WithAccelerations(const ExportSource& source) {
   BakeOptions options;
   options.accelerations = true;

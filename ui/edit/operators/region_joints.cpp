@@ -1,4 +1,4 @@
-// Which joints a region has: some more, or some less. The root is one of them.
+// Operators that add joints to a region or remove them. The root counts as a joint.
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ const ParameterInfo kTheJoints = {"joints", kNames, false,
                                   "default: the selected ones",
                                   Thing::kJointOrRoot};
 
-// Hinges by index, and whether the root is there.
+// Hinges by index, and whether the root is included.
 struct Moved {
   std::vector<bool> hinges;
   bool root = false;
@@ -57,7 +57,8 @@ std::vector<JointRef> RefsOf(const Moved& moved, const Figure& figure) {
   return refs;
 }
 
-// A reference of which only a part goes becomes the joints that are left of it.
+// Removes joints from references. A reference that loses some joints is replaced by its remaining
+// joints.
 void Remove(const Moved& gone, const Figure& figure, std::vector<JointRef>* refs) {
   std::vector<JointRef> left;
   for (const JointRef& ref : *refs) {
@@ -72,11 +73,11 @@ void Remove(const Moved& gone, const Figure& figure, std::vector<JointRef>* refs
   *refs = std::move(left);
 }
 
-// Muscles and friction of joints that the region has no longer go with them.
+// Removes muscles and friction of joints that the region no longer has.
 void DropWhatIsGone(const Moved& gone, const Figure& figure, ProjectRegion* region) {
   for (ProjectDrive& drive : region->drives) {
     Remove({gone.hinges, false}, figure, &drive.joints);
-    // The root has no muscles.
+    // Remove the root, which has no muscles.
     std::erase_if(drive.joints,
                   [&](const JointRef& ref) { return !ref.beyond && MeansRoot(ref.name, figure); });
   }

@@ -9,8 +9,8 @@ namespace hazumi::edit {
 inline const ParameterInfo kOfRegion = {"region", ParameterKind::kText, true, "the region's name",
                                         Thing::kRegion};
 
-// The friction factor of a region that is made in the editor: kLimpFriction, of a whole body that
-// is let go and touches the scene kFallFriction.
+// Friction factor of a new region of the editor: kLimpFriction, or kFallFriction for a whole body
+// that is released and touches the scene.
 inline constexpr double kLimpFriction = 0.8, kFallFriction = 0.96;
 double StartFriction(const ProjectRegion& region, const Figure& figure);
 

@@ -76,7 +76,7 @@ SheetPopup PopupOf(BarKind kind) {
   return SheetPopup::kHold;
 }
 
-// Opens what can be done with it, on the row where it was clicked.
+// Opens the menu of a bar on the row where it was clicked.
 void OpenBar(Editor* editor, const DopeSheetLayout& layout, const RowBar& bar) {
   ChooseBar(editor, bar.ref);
   editor->sheet.popup = PopupOf(bar.ref.kind);

@@ -89,7 +89,8 @@ class BarList {
     });
   }
 
-  // On the rows of both its joints, or of what holds them.
+  // Returns whether a constraint is shown on a row: on those of both its joints, or of the objects
+  // that it ties.
   bool IsOn(const ProjectConstraint& constraint, const SheetRow& row) const {
     return IsOn(constraint.a, row) || IsOn(constraint.b, row);
   }

@@ -20,11 +20,12 @@ struct SheetRow {
   bool has_parts = false, is_open = false;
   std::vector<std::string> curves = {};
   std::vector<JointIndex> hinges = {};
-  // What a region of this row names: "r_shoulder+", or the root; empty for rows that none moves.
+  // Joint references of a region on this row: "r_shoulder+", or the root; empty for rows that no
+  // region moves.
   std::vector<std::string> refs = {};
-  ItemId object = {};  // whose row it is
+  ItemId object = {};  // object of an object row
 };
-// Of placement, of the root's turn, or one of their curves.
+// Returns whether a row shows the placement, the orientation of the root, or one of their curves.
 bool IsOfRoot(const SheetRow& row);
 std::vector<SheetRow> SheetRows(const edit::Session& session, const SheetState& state);
 
@@ -104,8 +105,8 @@ struct RegionOnRows {
   std::vector<std::string> joints;
 };
 RegionOnRows RegionOn(const DopeSheetLayout& layout, int first_row, int last_row);
-// The same, and the root with all hinges of the figure: a body that is let go as a whole turns as
-// it falls.
+// Adds the root to a region that has all hinges of the figure, since a body that is released as a
+// whole rotates as it falls.
 RegionOnRows WithRootOfWhole(RegionOnRows region, const Figure& figure);
 
 }  // namespace hazumi::ui

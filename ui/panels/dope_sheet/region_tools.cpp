@@ -98,7 +98,7 @@ class PaintRegionTool : public SheetDrag {
   }
 
  private:
-  // The method "paper" leaves the root to its keys.
+  // Region of the painted rows. The method "paper" does not move the root.
   static RegionOnRows Painted(const edit::Session& session, const DopeSheetLayout& layout,
                               const SheetState::Paint& paint) {
     RegionOnRows on = RegionOn(layout, paint.first_row, paint.last_row);

@@ -41,7 +41,7 @@ class RowList {
     AddOfRoot({RowKind::kPlacement, "placement", Tr("Placement")}, 0, kRootAngleZ);
   }
 
-  // Its turn. Regions hold it as they hold a limb.
+  // Adds the orientation of the root. Regions move it like a limb.
   void AddRoot() {
     if (!IsShown(edit::kRootCurveNames[kRootAngleZ])) return;
     SheetRow row{RowKind::kRoot, "root", Tr("Root")};
@@ -49,7 +49,7 @@ class RowList {
     AddOfRoot(std::move(row), kRootAngleZ, kNumRootCurves);
   }
 
-  // With the root's curves from first to before end.
+  // Adds a row with the curves of the root from `first` to before `end`.
   void AddOfRoot(SheetRow row, int first, int end) {
     row.has_parts = true;
     row.is_open = state_.open.contains(row.id);

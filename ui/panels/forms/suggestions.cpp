@@ -33,7 +33,7 @@ Json Frame(const std::string& name, const edit::Session& session) {
   return Json();
 }
 
-// Of the selected joints as a region.
+// Suggested friction of a region of the selected joints.
 double FrictionOfSelected(const edit::Session& session) {
   ProjectRegion region;
   region.contacts.scene = TouchesWhenMade(session.project());

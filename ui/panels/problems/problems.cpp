@@ -40,7 +40,7 @@ bool IsOf(const MissingSupport& missing, const Figure& figure) {
   return missing.joint.value() < figure.num_joints();
 }
 
-// A ball that is let go in something: the bake says so.
+// Returns whether the bake warns of a ball that is released inside an object.
 bool IsWarnedOf(const FallThrough& fall, const Motion& motion) {
   return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
     return IndexIn("held_objects", warning.place) == static_cast<size_t>(fall.object) &&

@@ -25,11 +25,11 @@ struct Problem {
   std::vector<Cure> cures;
 };
 
-// Why there is no motion, else what the bake warned of, velocity jumps, keys that hold a falling
-// body's turn, constraints that nothing feels any more, frames in the ground, feet that slide, what
-// is thrown into things, bodies that are jerked as they take off or land, while efforts are shown
-// the frames in which the figure is carried or turned by nothing, and what flights say of time.
-// What takes long to find comes when it is found.
+// Problems of the project: the error that prevents a motion, or the warnings of the bake, velocity
+// jumps, keys that hold the orientation of a falling body, constraints without effect, frames below
+// the ground, sliding feet, thrown objects that enter others, jerks at take-off or landing, frames
+// with a residual wrench (while efforts are shown), and implausible flight times. Problems that
+// take long to find are added once found.
 std::vector<Problem> ProblemsOf(Editor* editor);
 // Whether there are any; costs a redraw next to nothing.
 bool HasProblems(Editor* editor);

@@ -45,7 +45,7 @@ void AddRegionProblems(const std::vector<HeldTurn>& turns, edit::Session* sessio
                        std::vector<Problem>* problems) {
   const std::vector<ProjectRegion>& regions = session->project().regions;
   for (const HeldTurn& turn : turns) {
-    if (turn.region >= regions.size()) continue;  // it went in the edit that is going on
+    if (turn.region >= regions.size()) continue;  // region removed by the current edit
     problems->push_back(ProblemOf(turn, regions[turn.region], session->figure()));
   }
   for (const Constraint& constraint : session->animation()->constraints) {

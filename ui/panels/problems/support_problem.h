@@ -5,7 +5,7 @@
 
 namespace hazumi::ui {
 
-// When, what is lacking, and what to do, led to the worst frame.
+// Problem with the frames, the missing force or moment, and the remedy. Leads to the worst frame.
 Problem SupportProblem(const MissingSupport& missing, const Figure& figure);
 
 }  // namespace hazumi::ui

@@ -31,7 +31,7 @@ struct EventMark {
   std::string joint;  // may be empty
   long count = 1;     // of times that it happens, as MotionEvent
   double last_frame = 0.0;
-  std::string link, on;  // of a touch-down, as MotionEvent
+  std::string link, on;  // bodies of a touch-down, as in MotionEvent
 };
 std::vector<EventMark> EventMarks(const Motion& motion, const SheetFrame& frame);
 // The one under a point, or null.

@@ -130,7 +130,7 @@ void MuteItem(Editor* editor, bool is_muted) {
   Tooltip(HelpOf("sheet.mute"));
 }
 
-// What the row holds on which the bar was clicked goes back to its keys.
+// Removes the joints of the row on which the bar was clicked from the region.
 void TakeOutItem(Editor* editor, const ProjectRegion& region) {
   const std::vector<SheetRow> rows = SheetRows(editor->session(), editor->sheet);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const SheetRow& each) {

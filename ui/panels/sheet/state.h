@@ -59,7 +59,7 @@ struct SheetState {
   std::set<std::string> open;        // rows whose parts are shown, by SheetRow::id
   bool only_selected = false;        // rows of the selected joints alone
   std::optional<BarId> bar;          // that was clicked last
-  std::string bar_row;               // on which its small window was opened, by SheetRow::id
+  std::string bar_row;               // row on which its popup was opened, by SheetRow::id
   ItemId marker;                     // that its small window is about
   Rect rect;                         // where it was drawn last [px]
 

@@ -10,8 +10,8 @@
 
 namespace hazumi::ui {
 
-// Finds what the motion asks of muscles and what carries the figure nowhere [engine/analysis],
-// beside the interface: a bake of its own, for it needs accelerations.
+// Computes the muscle effort and the residual wrenches of the motion in the background
+// [engine/analysis]. Uses a bake of its own, since it needs accelerations.
 class EffortWatch {
  public:
   EffortWatch() = default;
@@ -32,7 +32,7 @@ class EffortWatch {
   // null where nothing is known.
   const FrameEffort* At(int frame) const;
   bool is_there() const { return !effort_.frames.empty(); }
-  // Frames in which nothing carries or turns the figure, of the motion that was looked at last.
+  // Frames with a residual wrench, of the motion evaluated last.
   const std::vector<MissingSupport>& missing() const { return missing_; }
   // Counts up with every other effort.
   long number() const { return number_; }

@@ -7,7 +7,7 @@ void TurnWatch::Look(edit::Session* session) {
   if (document != document_) turns_.clear();
   if ((document == document_ && revision == revision_) || session->document().is_merging()) return;
   const Result<const Motion*> motion = session->WholeMotion();
-  if (!motion.ok()) return;  // it may be there the next time
+  if (!motion.ok()) return;  // retry at the next call
   document_ = document;
   revision_ = revision;
   turns_ = FindHeldTurns(*session->animation(), *motion.value());

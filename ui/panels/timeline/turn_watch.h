@@ -7,13 +7,13 @@
 
 namespace hazumi::ui {
 
-// Finds regions in which keys hold the root's turn against gravity and contacts. Looks at a
+// Finds regions in which keys hold the root's orientation against gravity and contacts. Evaluates a
 // document once after each edit, and only if it has such a region.
 class TurnWatch {
  public:
-  // While something is dragged nothing new is looked for.
+  // Updates the result; does nothing during a drag.
   void Look(edit::Session* session);
-  // Of the motion that was looked at last; none of another document.
+  // Result for the motion evaluated last; empty for another document.
   const std::vector<HeldTurn>& turns() const { return turns_; }
 
  private:

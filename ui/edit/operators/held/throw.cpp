@@ -100,7 +100,7 @@ void LieUntilTaken(const ThrowCase& of, Project* project) {
   }
 }
 
-// Of the equations of motion, a few seconds of an arm's.
+// Limits of evaluations of the equations of motion: a few seconds of computing for an arm.
 constexpr long kMostEvaluations = 3'000'000, kMostForAdvice = 1'500'000;
 
 // What would help where a throw misses: a region that takes no speed away, if that does.

@@ -127,8 +127,8 @@ bool ThrowAim::IsOver() { return bakes_left_ ? (*bakes_left_)-- <= 0 : evaluatio
 
 // Where it is, and how fast, as it is let go.
 Result<ThrowPath> ThrowAim::Let(const VecX& swing, int release) {
-  constexpr long kOfABake = 500;      // evaluations that take as long as all else of a bake
-  constexpr long kOfAFailure = 5000;  // a bake that fails does not report how many it took
+  constexpr long kOfABake = 500;      // cost of a bake besides its evaluations
+  constexpr long kOfAFailure = 5000;  // cost of a failed bake, which reports no evaluations
   if (IsOver()) return TooMuchWork();
   Set(swing);
   bake_.Update(animation_);

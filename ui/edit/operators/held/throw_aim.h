@@ -57,16 +57,16 @@ struct ThrowStart {
 
 class ThrowAim {
  public:
-  // Gives up after so many evaluations of the equations of motion: the same throw is found on every
-  // machine. Once one is found only so many more bakes are made for a better one.
+  // Limits the evaluations of the equations of motion, not the time, so that every machine finds
+  // the same throw. Once a throw is found, a limited number of further bakes searches for a better
+  // one.
   ThrowAim(const Animation& animation, ThrowCase of, long most_evaluations);
 
-  // The centre of the object comes to `spot`, rising so high above the hand [m] or, not given, as
-  // the least change has it; higher where something of the scene is in the way. If need be it is
-  // let go in another frame of the region. Of the throws that are found the one of least cost is
-  // taken. Errors: kSchema, with what is in the way; else kSemantics, by how much it
-  // misses if it is let go in the frame that was given; kInterrupted if that takes too many
-  // evaluations.
+  // Finds a throw whose object centre reaches `spot`. `height`: rise above the hand [m]; default:
+  // the height with the least change; higher if an object of the scene is in the way. The object
+  // may be released in another frame of the region. Returns the throw of least cost. Errors:
+  // kSchema, with the object in the way; kSemantics, with the distance missed when released in the
+  // given frame; kInterrupted if the search takes too many evaluations.
   Result<AimedThrow> At(const Vec3& spot, std::optional<double> height);
 
   // Of the region, once At has found a throw.
