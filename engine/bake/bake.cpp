@@ -39,14 +39,12 @@ Result<Motion> BakeWhole(const Animation& animation, const BakeOptions& options)
     Result<std::optional<Checkpoint>> next = baker.BakeStretch(nullptr, &stretch);
     if (!next.ok() && !baker.ended_early()) return next.error();
     stretch.AppendTo(&motion);
-    if (!next.ok()) {
-      motion.warnings.push_back(*baker.ended_early());
-      return motion;
-    }
-    if (!next.value()) break;
+    if (!next.ok() || !next.value()) break;
     stretch.start = std::move(*next.value());
   }
+  const std::optional<Warning> ended_early = baker.EndEarly();
   TellFlights(animation, &motion);
+  if (ended_early) motion.warnings.push_back(*ended_early);
   DropRepeated(&motion.warnings);
   return motion;
 }

@@ -32,6 +32,11 @@ RegionWalk& Baker::WalkOf(Method method) {
   return paper_;
 }
 
+std::optional<Warning> Baker::EndEarly() {
+  if (context_.ended_early) context_.recorder.DropUnwritten();
+  return context_.ended_early;
+}
+
 void Baker::RegionsChanged() {
   context_.poses.ResetCurves();
   context_.schedule.RegionsChanged();
@@ -85,7 +90,6 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Str
   exact_.UseLogs(known);
   refinements_.Reset();
   exact_.Reset();
-  exact_.BeginStretch(stretch->start.frame);
   if (rules_.is_causal) return BakeWithRefinements(stretch);
   for (;;) {
     context_.recorder.BeginStretch(stretch);
@@ -98,6 +102,7 @@ Result<std::optional<Checkpoint>> Baker::BakeStretch(const KnownLogs* known, Str
 // Returns the next checkpoint; nullopt if the animation ends before.
 Result<std::optional<Checkpoint>> Baker::BakeOnce(const Checkpoint& start) {
   Restore(start);
+  exact_.BeginStretch(start.frame);
   const Result<int> end = AdvanceToCheckpoint(start.frame);
   if (!end.ok()) return end.error();
   if (end.value() > animation_.last_frame) return std::optional<Checkpoint>();
@@ -105,7 +110,7 @@ Result<std::optional<Checkpoint>> Baker::BakeOnce(const Checkpoint& start) {
 }
 
 // Repeats the bake with finer steps from the first frame that misses its tolerance. Earlier frames
-// keep their values.
+// keep their values. Where finer steps do not help, or fail, the solution before stays.
 Result<std::optional<Checkpoint>> Baker::BakeWithRefinements(Stretch* stretch) {
   context_.recorder.BeginStretch(stretch);
   Result<std::optional<Checkpoint>> next = BakeOnce(stretch->start);
@@ -113,16 +118,16 @@ Result<std::optional<Checkpoint>> Baker::BakeWithRefinements(Stretch* stretch) {
   while (next.ok() && context_.options.refine) {
     const std::optional<int> miss = refinements_.SharpenFromFirstMiss(begun);
     if (!miss) break;
-    const Stretch kept = *stretch;
-    const std::vector<RegionReport> reports = motion_->regions;
-    context_.recorder.BeginAgain(stretch, *miss);
+    Recorder::Found found = context_.recorder.BeginAgain(stretch, *miss);
     Result<std::optional<Checkpoint>> finer = BakeOnce(stretch->start);
-    if (refinements_.has_given_up()) {
-      *stretch = kept;
-      motion_->regions = reports;
-    } else {
+    if (finer.ok() || context_.CheckCancelled()) {
       next = std::move(finer);
+      continue;
     }
+    exact_.KeepLogs();
+    context_.recorder.Restore(std::move(found));
+    context_.ended_early.reset();
+    refinements_.GiveUp();
   }
   if (next.ok()) refinements_.Report(begun, &context_.recorder);
   return next;

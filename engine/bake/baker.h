@@ -29,8 +29,10 @@ class Baker {
   // null: nothing will be asked again, and no logs are kept.
   Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
-  // Warning of a bake that ended early because of BakeOptions::most_work. Not an error.
-  const std::optional<Warning>& ended_early() const { return context_.ended_early; }
+  // Whether BakeStretch returned an error because of BakeOptions::most_work.
+  bool ended_early() const { return context_.ended_early.has_value(); }
+  // Removes the frames that were not baked, if the bake ended early; returns the warning of that.
+  std::optional<Warning> EndEarly();
 
   // A curve of the animation is about to change its keys, or has changed them.
   void RemoveKeys(const Keys& keys) { context_.schedule.RemoveKeys(keys); }

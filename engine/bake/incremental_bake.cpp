@@ -12,6 +12,7 @@
 #include "engine/bake/baker.h"
 #include "engine/bake/edit_reach.h"
 #include "engine/bake/flight_events.h"
+#include "engine/base/assert.h"
 #include "engine/base/memory.h"
 
 namespace hazumi {
@@ -84,6 +85,7 @@ class IncrementalBake::State {
 
 IncrementalBake::State::State(Animation animation, const BakeOptions& options)
     : options_(options), pool_(options.threads) {
+  HAZUMI_ASSERT(std::isinf(options.most_work));  // stretches depend on nothing but their start
   Update(animation);
 }
 

@@ -78,25 +78,65 @@ void Recorder::BeginStretch(Stretch* stretch) {
   last_limit_.assign(animation_.figure->num_joints(), std::nullopt);
   last_touch_.clear();
   first_written_.reset();
+  num_written_ = IndexFrom(stretch->start.frame);
 }
 
-void Recorder::BeginAgain(Stretch* stretch, int first_frame) {
-  std::vector<MotionEvent> events = std::move(stretch->events);
+Recorder::Found Recorder::BeginAgain(Stretch* stretch, int first_frame) {
   IslandLogs logs = std::move(stretch->logs);
+  Found found = {*stretch, motion_->regions, {}, num_written_};
+  const size_t first = std::min(IndexFrom(first_frame), num_written_);
+  if (keep_frames_) {
+    found.frames.assign(motion_->frames.begin() + static_cast<std::ptrdiff_t>(first),
+                        motion_->frames.begin() + static_cast<std::ptrdiff_t>(num_written_));
+  }
   BeginStretch(stretch);
-  first_written_ = first_frame;
-  const auto is_later = [&](const MotionEvent& event) {
-    return !stays(animation_.rate.FrameAt(event.time));
-  };
-  std::erase_if(events, is_later);
-  stretch->events = std::move(events);
   stretch->logs = std::move(logs);
+  const double end = animation_.rate.SecondsAt(first_frame);
+  for (const MotionEvent& event : found.stretch.events) {
+    if (animation_.rate.FrameAt(event.time) < first_frame - kSameFrame) Keep(event, end);
+  }
+  first_written_ = first_frame;
+  return found;
+}
+
+void Recorder::Restore(Found found) {
+  found.stretch.logs = std::move(stretch_->logs);
+  *stretch_ = std::move(found.stretch);
+  motion_->regions = std::move(found.reports);
+  std::move(found.frames.begin(), found.frames.end(),
+            motion_->frames.begin() +
+                static_cast<std::ptrdiff_t>(found.num_written - found.frames.size()));
+  num_written_ = found.num_written;
+}
+
+// Index of the first output at this frame of the animation or after it.
+size_t Recorder::IndexFrom(int frame) const {
+  const double output = std::ceil(frame * outputs_per_frame() - kSameFrame);
+  return static_cast<size_t>(std::max(0.0, output - first_output_));
+}
+
+// Adds an event of the solution before, which lasts until `end` [s] at most. Later impacts that
+// chatter on with it are counted to it.
+void Recorder::Keep(MotionEvent event, double end) {
+  const size_t index = stretch_->events.size();
+  event.last_time = std::min(event.last_time, end);
+  stretch_->events.push_back(event);
+  if (event.kind == EventKind::kTouchDown) last_touch_[{event.link, event.on}] = index;
+  if (event.kind != EventKind::kLimit) return;
+  if (const auto joint = animation_.figure->FindJoint(event.joint)) {
+    last_limit_[joint->value()] = index;
+  }
 }
 
 // Returns null for a frame that is not recorded or keeps its value.
 MotionFrame* Recorder::FrameToWrite(int output) {
   if (!keep_frames_ || stays(output / outputs_per_frame())) return nullptr;
+  num_written_ = std::max(num_written_, static_cast<size_t>(output - first_output_) + 1);
   return &motion_->frames[output - first_output_];
+}
+
+void Recorder::DropUnwritten() {
+  if (keep_frames_) motion_->frames.resize(num_written_);
 }
 
 void Recorder::ClearReport(int region) {
@@ -142,9 +182,15 @@ std::pair<int, int> Recorder::OutputsBetween(double from, double to) const {
 void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit& before,
                       std::optional<GroupIndex> pinned, PoseEvaluator* poses) {
   MotionFrame* const written = FrameToWrite(output);
-  if (!written) return;
+  if (!written && animation_.held_objects.empty()) return;
   DynamicsWorkspace& ws = poses->workspace();
   ComputePositions(poses->figure(), motion.X_WR, motion.q, &ws);
+  std::vector<ObjectPose> objects;
+  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
+    objects.push_back(poses->objects().At(i, motion, ws));
+    WarnIfStuck(i, motion.frame, poses->objects());
+  }
+  if (!written) return;
   MotionFrame& frame = *written;
   frame.frame = output;
   frame.q = motion.q;
@@ -153,11 +199,7 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
   frame.after = LimitOf(motion);
   frame.com = CenterOfMass(poses->figure(), ws);
   frame.pinned = pinned;
-  frame.objects.clear();
-  for (size_t i = 0; i < animation_.held_objects.size(); ++i) {
-    frame.objects.push_back(poses->objects().At(i, motion, ws));
-    WarnIfStuck(i, motion.frame, poses->objects());
-  }
+  frame.objects = std::move(objects);
   frame.in_region = poses->free();
   frame.acceleration.reset();
   frame.constraint_forces.assign(animation_.constraints.size(), 0.0);

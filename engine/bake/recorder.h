@@ -24,8 +24,16 @@ class Recorder {
   // From here on events and warnings go to this stretch, which has none.
   void BeginStretch(Stretch* stretch);
   // Begins a stretch that is solved again. Frames and events before `first_frame` keep their
-  // values.
-  void BeginAgain(Stretch* stretch, int first_frame);
+  // values. What the first solution found is returned, for Restore.
+  struct Found {
+    Stretch stretch;
+    std::vector<RegionReport> reports;
+    std::vector<MotionFrame> frames;  // from `first_frame` on
+    size_t num_written = 0;
+  };
+  Found BeginAgain(Stretch* stretch, int first_frame);
+  // Replaces what was found since by what was found before. The logs of both are kept.
+  void Restore(Found found);
 
   bool keeps_frames() const { return keep_frames_; }
   // Output frames a frame of the animation; they are equally spaced, and frame 0 is at frame 0.
@@ -55,6 +63,8 @@ class Recorder {
   void AddJump(PlacementJump jump, const std::string& message);
   void AddSeam(const Seam& seam) { stretch_->seams.push_back(seam); }
   IslandLogs& logs() { return stretch_->logs; }
+  // Removes the frames after the last one that was recorded, where a bake ends early.
+  void DropUnwritten();
 
   RegionReport& report(int region) { return motion_->regions[region]; }
   // As of a region that did nothing yet.
@@ -64,6 +74,8 @@ class Recorder {
   void WarnIfStuck(size_t object, double frame, const HeldObjects& objects);
   MotionFrame* FrameToWrite(int output);
   MotionEvent TouchEvent(const TouchDown& touch) const;
+  size_t IndexFrom(int frame) const;
+  void Keep(MotionEvent event, double end);
   bool stays(double frame) const { return first_written_ && frame < *first_written_ - kSameFrame; }
 
   const Animation& animation_;
@@ -72,6 +84,7 @@ class Recorder {
   Stretch* stretch_ = nullptr;
   std::optional<int> first_written_;  // earlier frames keep their values
   int first_output_ = 0;
+  size_t num_written_ = 0;  // number of frames up to the last one recorded of the stretch
   std::vector<std::optional<size_t>> last_limit_;  // by JointIndex: its latest event in the stretch
   // The latest touch-down of a link or ball on something, by their names, likewise.
   std::map<std::pair<std::string, std::string>, size_t> last_touch_;

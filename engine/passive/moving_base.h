@@ -23,16 +23,14 @@ class MovingBase {
     small::V3 w, alpha, a;  // `a` is that of its origin, minus gravity
   };
 
-  // Largest length of a step beyond the time where it may be cut [s].
-  static constexpr double kLongestCut = 0.15;
-
-  // Fits the motion, smooth from `start` to `smooth_until` [s], up to `end`, and up to kLongestCut
-  // beyond for steps that may be cut. No fit depends on `end`. `chain`: Frame(double t).
+  // Fits the motion, smooth from `start` to `smooth_until` [s], up to `end`, and up to
+  // DrivenMotion::kLongestCut beyond for steps that may be cut. No fit depends on `end`. `chain`:
+  // Frame(double t).
   template <typename Chain>
   MovingBase(double start, double end, double smooth_until, Chain&& chain) {
     double length = kLongest;
     covered_until_ = start;
-    const double least = std::min(smooth_until, end + kLongestCut);
+    const double least = std::min(smooth_until, end + DrivenMotion::kLongestCut);
     for (double& from = covered_until_; from < least || fits_.empty();) {
       if (fits_.size() == kMostFits) return;
       // Equal fits to the end rather than a tiny last one.

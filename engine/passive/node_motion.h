@@ -37,6 +37,8 @@ struct DrivenMotion {
   // extend up to here and are cut at the requested end, so that no step depends on that end.
   // Default: steps end at the requested end.
   double holds_until = -std::numeric_limits<double>::infinity();
+  // Largest length of a step that may be cut [s].
+  static constexpr double kLongestCut = 0.15;
   bool may_be_cut() const { return holds_until > -std::numeric_limits<double>::infinity(); }
 };
 inline auto MembersOf(const DrivenMotion& driven) {

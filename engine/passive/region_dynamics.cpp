@@ -33,6 +33,7 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
     (law->is_rule() ? has_rules_ : has_forces_) = true;
     has_outer_ |= law->is_outer();
     has_kinks_ |= law->has_kinks();
+    has_other_kinks_ |= law->has_kinks() && !law->is_spring();
     has_springs_ |= law->is_spring();
   }
   const std::vector<char> weightless = WeightlessNodes(model_);

@@ -219,10 +219,12 @@ class RegionDynamics {
   EnergyFlow MeasureEnergy(double t, const double* y);
 
   // Of all laws, as ForceLaw has them, in that state.
-  bool has_kinks() const { return has_kinks_ && !frozen_.holds_springs; }
+  bool has_kinks() const { return frozen_.holds_springs ? has_other_kinks_ : has_kinks_; }
   void KinksIn(const RegionState& state, std::vector<double>* kinks) const {
     kinks->clear();
-    for (const auto& law : laws_) law->AppendKinks(state, kinks);
+    for (const auto& law : laws_) {
+      if (!frozen_.holds_springs || !law->is_spring()) law->AppendKinks(state, kinks);
+    }
   }
   // Of all laws, as ForceLaw has it [1/s].
   double FastestRate() const;
@@ -321,6 +323,7 @@ class RegionDynamics {
   // Laws that give forces, that act from outside, that are rules.
   bool has_forces_ = false, has_outer_ = false, has_rules_ = false, has_kinks_ = false;
   bool has_springs_ = false;
+  bool has_other_kinks_ = false;  // kinks of other laws than springs
   // The rows of constraints: J by dof, and what else gives way to them; the same by hinge.
   ConstraintRows rows_;
   ContactSet contacts_;

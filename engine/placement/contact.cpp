@@ -16,12 +16,12 @@ Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift
 
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
                                       const DynamicsWorkspace& ws, const Vec3& shift,
-                                      const std::function<bool(const Link&)>& counts) {
+                                      const CountsContact& counts) {
   std::optional<Contact> nearest;
   for (size_t link = 0; link < figure.links().size(); ++link) {
-    if (counts && !counts(figure.links()[link])) continue;
     const Capsule capsule = InWorld(figure.links()[link], ws, shift);
     for (size_t object = 0; object < scene.size(); ++object) {
+      if (counts && !counts(static_cast<int>(link), static_cast<int>(object))) continue;
       const Distance distance = SignedDistance(capsule, scene[object].shape);
       if (nearest && nearest->clearance <= distance.value) continue;
       nearest = Contact{distance.value, distance.point_on_capsule, distance.normal,

@@ -26,10 +26,13 @@ struct Contact {
 // What touches things of a link, in the world.
 Capsule InWorld(const Link& link, const DynamicsWorkspace& ws, const Vec3& shift = Vec3::Zero());
 
+// Whether a link, and an object of the scene, by index, are a pair to look at; null: all are.
+using CountsContact = std::function<bool(int link, int object)>;
+
 // No contact if the scene or the figure has no shapes.
 std::optional<Contact> NearestContact(const Figure& figure, const std::vector<SceneObject>& scene,
                                       const DynamicsWorkspace& ws, const Vec3& shift = Vec3::Zero(),
-                                      const std::function<bool(const Link&)>& counts = {});
+                                      const CountsContact& counts = {});
 
 // Its signed distance [m], infinite without one.
 double Clearance(const Figure& figure, const std::vector<SceneObject>& scene,

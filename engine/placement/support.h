@@ -37,7 +37,7 @@ std::vector<Vec3> SupportForces(const std::vector<SupportPoint>& points, const W
 
 // Returns whether a point moves with hinge i.
 inline bool IsMovedBy(const Figure& figure, const SupportPoint& point, JointIndex i) {
-  return point.joint == i || (point.joint.is_valid() && figure.IsBeyond(point.joint, i));
+  return figure.IsBeyond(point.joint, i);  // never where the root's own body touches
 }
 
 // Shares of the figure's weight that the points beyond each joint carry at rest, from 0 to 1. Needs

@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "engine/bake/bake.h"
 #include "tests/property/random_fall.h"
@@ -33,7 +35,18 @@ bool SameBits(const Pose& a, const Pose& b) {
 
 bool AreSame(const MotionFrame& a, const MotionFrame& b) {
   return SameBits(a.q, b.q) && SameBits(a.X_WR, b.X_WR) && SameBits(a.after.qd, b.after.qd) &&
-         a.after.root_v == b.after.root_v && a.after.root_w == b.after.root_w;
+         SameBits(a.before.qd, b.before.qd) && a.after.root_v == b.after.root_v &&
+         a.after.root_w == b.after.root_w && a.contacts.pushes.size() == b.contacts.pushes.size();
+}
+
+// Events before a time [s], without what impacts they combine.
+std::vector<std::tuple<double, EventKind, std::string>> EventsBefore(double time,
+                                                                     const Motion& motion) {
+  std::vector<std::tuple<double, EventKind, std::string>> events;
+  for (const MotionEvent& event : motion.events) {
+    if (event.time < time) events.emplace_back(event.time, event.kind, event.joint);
+  }
+  return events;
 }
 
 // Extends or trims all items that last up to `from` to last up to `to`.
@@ -71,6 +84,10 @@ void Compare(int seed, const Animation& animation, int other_end, Tally* tally) 
         (one.value().frames[index].q - two.value().frames[index].q).lpNorm<Eigen::Infinity>());
     return;
   }
+  const double time = animation.rate.SecondsAt(animation.first_frame + until - 1);
+  if (EventsBefore(time, one.value()) == EventsBefore(time, two.value())) return;
+  ++tally->differ;
+  std::printf("seed %d: ends in frame %d or %d, events differ\n", seed, end, other_end);
 }
 
 template <typename Draw>

@@ -3,7 +3,6 @@
 #include "engine/base/text.h"
 #include "engine/collision/distance.h"
 #include "engine/dynamics/kinematics.h"
-#include "engine/placement/contact.h"
 
 namespace hazumi {
 
@@ -21,8 +20,7 @@ std::string InsideText(const std::string& what, double clearance, const std::str
 }  // namespace
 
 std::optional<std::string> TellOfInside(const Animation& animation, const Figure& figure,
-                                        const FigureMotion& motion,
-                                        const std::function<bool(const Link&)>& counts,
+                                        const FigureMotion& motion, const CountsContact& counts,
                                         DynamicsWorkspace* ws) {
   ComputePositions(figure, motion.X_WR, motion.q, ws);
   const auto contact = NearestContact(figure, animation.scene, *ws, Vec3::Zero(), counts);

@@ -13,6 +13,14 @@ namespace hazumi {
 
 namespace {
 
+// Whether a link is at this end, or beyond it.
+bool IsOf(const ConstraintEnd& end, int link, const Figure& figure) {
+  if (end.is_in_world) return false;
+  const JointIndex joint = figure.links()[link].joint;
+  if (!end.joint) return !joint.is_valid();
+  return figure.IsBeyond(joint, figure.group(*end.joint).last());
+}
+
 class Lister {
  public:
   Lister(const RegionModel& model, const Figure& figure, ContactSpec* spec)
@@ -23,23 +31,16 @@ class Lister {
     if (seat && IsMoved(*seat)) spec_->capsules[CapsuleOf(link, *seat)].meets_obstacles = true;
   }
 
-  // Removes contacts between the two ends of a constraint: the links of its ends, and all links
-  // beyond them.
+  // Removes contacts between the two ends of a constraint.
   void Part(const Constraint& constraint) {
-    for (const ConstraintEnd* end : {&constraint.a, &constraint.b}) {
-      const ConstraintEnd& other = end == &constraint.a ? constraint.b : constraint.a;
-      if (end->is_in_world || !other.object) continue;
-      for (size_t i = 0; i < figure_.links().size(); ++i) {
-        const int capsule = capsule_of_[i];
-        if (capsule >= 0 && IsOf(*end, static_cast<int>(i))) Exempt(capsule, *other.object);
+    for (size_t i = 0; i < figure_.links().size(); ++i) {
+      if (capsule_of_[i] < 0) continue;
+      for (size_t o = 0; o < spec_->obstacles.size(); ++o) {
+        const int object = spec_->obstacles[o].object;
+        if (!IsParted(static_cast<int>(i), object, constraint, figure_)) continue;
+        spec_->exempt.push_back({capsule_of_[i], static_cast<int>(o)});
       }
     }
-  }
-  static bool AreParted(const LinkPair& pair, const Constraint& constraint, const Figure& figure) {
-    if (constraint.a.is_in_world || constraint.b.is_in_world) return false;
-    const auto is_of = [&](const ConstraintEnd& end, int link) { return IsOf(end, link, figure); };
-    return (is_of(constraint.a, pair.a) && is_of(constraint.b, pair.b)) ||
-           (is_of(constraint.a, pair.b) && is_of(constraint.b, pair.a));
   }
 
   // In the order that what is moved comes first.
@@ -74,21 +75,6 @@ class Lister {
   }
 
  private:
-  static bool IsOf(const ConstraintEnd& end, int link, const Figure& figure) {
-    const JointIndex joint = figure.links()[link].joint;
-    if (!end.joint) return !joint.is_valid();
-    const JointIndex last = figure.group(*end.joint).last();
-    return joint == last || (joint.is_valid() && figure.IsBeyond(joint, last));
-  }
-  bool IsOf(const ConstraintEnd& end, int link) const { return IsOf(end, link, figure_); }
-  void Exempt(int capsule, int object) {
-    for (size_t o = 0; o < spec_->obstacles.size(); ++o) {
-      if (spec_->obstacles[o].object == object) {
-        spec_->exempt.push_back({capsule, static_cast<int>(o)});
-      }
-    }
-  }
-
   const NodeJoint* SeatOf(int link) const { return model_.SeatOf(figure_.links()[link].joint); }
   bool IsMoved(const NodeJoint& seat) const { return model_.nodes[seat.node].is_dynamic; }
 
@@ -112,17 +98,33 @@ class Lister {
 
 }  // namespace
 
+std::vector<const Constraint*> PartingConstraints(const Animation& animation,
+                                                  const std::vector<int>& constraints) {
+  std::vector<const Constraint*> parting;
+  if (!animation.solver.rules().parts_what_is_tied) return parting;
+  for (const int i : constraints) {
+    if (animation.constraints[i].parts()) parting.push_back(&animation.constraints[i]);
+  }
+  return parting;
+}
+
+bool AreParted(const LinkPair& pair, const Constraint& constraint, const Figure& figure) {
+  const auto is_of = [&](const ConstraintEnd& end, int link) { return IsOf(end, link, figure); };
+  return (is_of(constraint.a, pair.a) && is_of(constraint.b, pair.b)) ||
+         (is_of(constraint.a, pair.b) && is_of(constraint.b, pair.a));
+}
+
+bool IsParted(int link, int object, const Constraint& constraint, const Figure& figure) {
+  return (constraint.b.object == object && IsOf(constraint.a, link, figure)) ||
+         (constraint.a.object == object && IsOf(constraint.b, link, figure));
+}
+
 ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Animation& animation,
                        const std::function<bool(JointIndex)>& touches,
                        const std::vector<LinkPair>& own, const std::vector<int>& constraints) {
-  const SolverRules rules = animation.solver.rules();
-  std::vector<const Constraint*> parting;
-  for (const int i : constraints) {
-    const Constraint& constraint = animation.constraints[i];
-    if (rules.parts_what_is_tied && constraint.parts()) parting.push_back(&constraint);
-  }
+  const std::vector<const Constraint*> parting = PartingConstraints(animation, constraints);
   ContactSpec spec;
-  spec.rules = rules;
+  spec.rules = animation.solver.rules();
   spec.obstacles = ObstaclesOf(animation.scene, SceneObject::kFriction);
   Lister lister(model, figure, &spec);
   for (size_t i = 0; i < figure.links().size(); ++i) {
@@ -130,7 +132,7 @@ ContactSpec ContactsOf(const RegionModel& model, const Figure& figure, const Ani
   }
   for (const LinkPair& pair : own) {
     const auto parts = [&](const Constraint* constraint) {
-      return Lister::AreParted(pair, *constraint, figure);
+      return AreParted(pair, *constraint, figure);
     };
     if (std::none_of(parting.begin(), parting.end(), parts)) lister.MeetEachOther(pair);
   }

@@ -120,9 +120,10 @@ Result<int> ExactWalk::Advance(int frame) {
 std::optional<Error> ExactWalk::EstimateAt(int frame) {
   driver_->Estimate(context_.Seconds(frame));
   for (size_t a = 0; a < driver_->active().size(); ++a) {
-    refinements_.Note(driver_->active()[a], frame, driver_->LargestEstimateOf(a));
+    refinements_.Note(driver_->active()[a], frame, driver_->LargestEstimateOf(a),
+                      driver_->active());
   }
-  if (!refinements_.has_given_up()) return std::nullopt;
+  if (!refinements_.has_failed()) return std::nullopt;
   return Error{ErrorCode::kInterrupted, "", "", "finer steps do not help"};
 }
 
@@ -227,8 +228,12 @@ std::optional<Error> ExactWalk::AdvanceUndisturbed(double from, double to, doubl
     }
     const bool is_last = i + kMostAhead >= outputs.size();
     if (is_last) times.push_back(context_.Seconds(to));
-    std::sort(times.begin(), times.end());
     const double next = is_last ? to : outputs[i + kMostAhead - 1] / per_frame;
+    for (const int frame : EstimatedFrames(done, next, end)) {
+      times.push_back(context_.Seconds(frame));
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
     if (auto error = AdvanceAhead(times, done, next, to, end)) return error;
     done = next;
   }
@@ -252,7 +257,7 @@ std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   AddHits(last);
   AddTouches();
   AddBreaks();
-  if (!failure) return CheckWork(context_.animation.rate.FrameAt(driver_->time()));
+  if (!failure) return CheckWork(context_.animation.rate.FrameAt(t));
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
 }
 
@@ -343,11 +348,20 @@ double ExactWalk::FrameOf(double seconds, double from, double to) const {
   return std::clamp(context_.animation.rate.FrameAt(seconds), from, to);
 }
 
+// Whole frames after `from` up to `to`, before `end`, at which errors are estimated: all of them,
+// so that no frame depends on the output rate. Version 1 of the solver estimates at output frames.
+std::vector<int> ExactWalk::EstimatedFrames(double from, double to, double end) const {
+  std::vector<int> frames;
+  if (!driver_ || !is_causal()) return frames;
+  const auto first = static_cast<int>(std::floor(from + kSameFrame)) + 1;
+  for (int frame = first; frame <= to + kSameFrame && frame < end; ++frame) frames.push_back(frame);
+  return frames;
+}
+
 std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
   const bool can_fail = driver_ || !context_.poses.holds().empty();
   if (!context_.recorder.keeps_frames() && !can_fail) return std::nullopt;
-  const auto first_whole = static_cast<int>(std::floor(from + kSameFrame)) + 1;
-  for (int frame = first_whole; driver_ && frame <= to + kSameFrame && frame < end; ++frame) {
+  for (const int frame : EstimatedFrames(from, to, end)) {
     if (auto error = EstimateAt(frame)) return error;
   }
   for (const int output : context_.recorder.OutputsUpTo(from, to, end)) {
@@ -355,6 +369,7 @@ std::optional<Error> ExactWalk::RecordUpTo(double from, double to, double end) {
     const double frame = output / context_.recorder.outputs_per_frame();
     FigureMotion motion;
     if (auto error = PoseAt(frame, Side::kAfter, &motion)) return error;
+    if (driver_ && !is_causal()) driver_->Estimate(context_.Seconds(frame));
     LookAtArrivals(motion);
     context_.Record(output, motion, LimitOf(motion));
     RecordPushes(output, context_.Seconds(frame));

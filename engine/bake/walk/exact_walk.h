@@ -27,6 +27,11 @@ class ExactWalk : public RegionWalk {
     work_before_stretch_ = work_before_;
   }
 
+  // Moves the logs of what is not solved to its end to the recorder.
+  void KeepLogs() {
+    if (driver_) driver_->MoveLogsTo(&context_.recorder.logs());
+  }
+
   void Reset() override;
   void Begin(const std::vector<int>& regions, int frame) override;
   void End() override;
@@ -81,6 +86,8 @@ class ExactWalk : public RegionWalk {
   void PoseWithoutPlace(double frame, double seconds, Side side, Gaps gaps, FigureMotion* motion);
   double FrameOf(double seconds, double from, double to) const;
   std::optional<Error> RecordUpTo(double from, double to, double end);
+  bool is_causal() const { return context_.animation.solver.rules().is_causal; }
+  std::vector<int> EstimatedFrames(double from, double to, double end) const;
   std::optional<Error> EstimateAt(int frame);
 
   Refinements& refinements_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/bake/walk/begins_inside.h"
+#include "engine/bake/walk/contacts_of.h"
 #include "engine/bake/walk/exact_walk.h"
 #include "engine/bake/walk/own_pairs.h"
 #include "engine/base/text.h"
@@ -35,12 +36,21 @@ std::optional<Error> ExactWalk::CheckGaps() {
 
 void ExactWalk::WarnOfInside() {
   const double frame = context_.now.frame;
+  const Figure& figure = context_.poses.figure();
+  const auto parting = PartingConstraints(context_.animation, driver_->constraints());
+  const auto is_parted = [&](int link, int object) {
+    return std::any_of(parting.begin(), parting.end(), [&](const Constraint* constraint) {
+      return IsParted(link, object, *constraint, figure);
+    });
+  };
   for (const int r : driver_->active()) {
     const DynamicsRegion& region = context_.animation.regions[r];
     if (!region.touches_scene || region.first_frame != frame) continue;
-    const auto counts = [&](const Link& link) { return driver_->Touches(link.joint); };
-    const auto inside = TellOfInside(context_.animation, context_.poses.figure(), context_.now,
-                                     counts, &context_.poses.workspace());
+    const auto counts = [&](int link, int object) {
+      return driver_->Touches(figure.links()[link].joint) && !is_parted(link, object);
+    };
+    const auto inside =
+        TellOfInside(context_.animation, figure, context_.now, counts, &context_.poses.workspace());
     if (!inside) return;
     const std::string place = "regions[" + std::to_string(r) + "]";
     return context_.recorder.AddWarning({place, *inside, region.first_frame});
@@ -48,11 +58,15 @@ void ExactWalk::WarnOfInside() {
 }
 
 void ExactWalk::WarnOfOverlap() {
+  const Figure& figure = context_.poses.figure();
+  std::vector<LinkPair> pairs = driver_->own_pairs();
+  for (const Constraint* parting : PartingConstraints(context_.animation, driver_->constraints())) {
+    std::erase_if(pairs, [&](const LinkPair& pair) { return AreParted(pair, *parting, figure); });
+  }
   for (const int r : driver_->active()) {
     const DynamicsRegion& region = context_.animation.regions[r];
     if (!region.touches_self || region.first_frame != context_.now.frame) continue;
-    const auto overlap = TellOfOverlap(driver_->own_pairs(), context_.poses.figure(), context_.now,
-                                       &context_.poses.workspace());
+    const auto overlap = TellOfOverlap(pairs, figure, context_.now, &context_.poses.workspace());
     if (!overlap) return;
     const std::string place = "regions[" + std::to_string(r) + "]";
     return context_.recorder.AddWarning({place, *overlap, region.first_frame});

@@ -23,10 +23,13 @@ void ExactWalk::AddTouches() {
 
 void ExactWalk::AddBreaks() {
   for (const ConstraintBreak& of : driver_->TakeBreaks()) {
+    const Constraint& constraint = context_.animation.constraints[of.constraint];
     context_.now.broken.push_back(of.constraint);
+    // Islands list their contacts where they begin; what the constraint parted collides from now
+    // on.
+    if (context_.animation.solver.rules().parts_what_is_tied && constraint.parts()) Interrupt();
     const double frame = context_.animation.rate.FrameAt(of.time);
-    context_.recorder.AddEvent(EventKind::kBreak, frame,
-                               context_.animation.constraints[of.constraint].name);
+    context_.recorder.AddEvent(EventKind::kBreak, frame, constraint.name);
     for (Warning& warning : arrivals_.Break(of.constraint, frame)) {
       context_.recorder.AddWarning(std::move(warning));
     }

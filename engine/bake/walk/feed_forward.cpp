@@ -4,6 +4,9 @@
 // so that the centre of mass falls freely. The wrench that is left on the root is dropped, but for
 // a pin's force f, which relieves the hinges between root and pin of their part,
 //   T_i -= axis_i . ((p - p_i) x f).
+// A figure that stands is pinned at the joint that carries most, and the points p where it touches
+// the scene supply the wrench on the root, by forces f that relieve the hinges likewise
+// [METHOD 2.6].
 
 #include "engine/bake/walk/feed_forward.h"
 
@@ -38,18 +41,19 @@ FeedForward::FeedForward(const Animation& animation, const Figure& figure,
 
 ForwardTorques FeedForward::Of(FigureMotion motion, const RootHold& hold) {
   motion.qdd += friction_.cwiseProduct(motion.qd);
+  const bool flies = hold.coupling == RootCoupling::kFlight;
+  const bool stands = flies && !support_.empty();
   RootMotion& root = motion.root;
   JointIndex pin;
   if (hold.coupling == RootCoupling::kPinned) {
     pin = hold.pin;
     PinRoot(figure_, pin, Vec3::Zero(), &ws_, &motion);
-  } else if (hold.coupling == RootCoupling::kFlight && !support_.empty()) {
+  } else if (stands) {
     PinRoot(figure_, stance_, Vec3::Zero(), &ws_, &motion);
   }
   ComputePositions(figure_, motion.X_WR, motion.q, &ws_);
   root.a.z() += gravity_;
-  const bool stands = hold.coupling == RootCoupling::kFlight && !support_.empty();
-  if (hold.coupling == RootCoupling::kFlight && !stands) {
+  if (flies && !stands) {
     root.a.setZero();
     ComputeMotion(figure_, root, motion.qd, motion.qdd, &ws_);
     root.a = -CenterOfMassAcceleration(figure_, ws_);

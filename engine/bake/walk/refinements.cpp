@@ -20,11 +20,13 @@ namespace {
 
 constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
 
-void WarnOfSensitivity(int region, double estimate, Recorder* recorder) {
+constexpr const char* kIsSensitive = "the motion is so sensitive that finer steps do not help";
+constexpr const char* kFailsFiner = "finer steps cannot be solved, or take too much work";
+
+void WarnOfError(int region, double estimate, const char* why, Recorder* recorder) {
   recorder->AddWarning("regions[" + std::to_string(region) + "]",
                        "its angles may be off by " + FormatShort(estimate / kDegree) +
-                           " degrees, more than its tolerance: the motion is so sensitive that "
-                           "finer steps do not help");
+                           " degrees, more than its tolerance: " + why);
 }
 
 }  // namespace
@@ -35,19 +37,35 @@ double Refinements::SharpnessOf(const std::vector<int>& regions) const {
   return sharpness;
 }
 
+size_t Refinements::IndexOf(int region, int frame) const {
+  return static_cast<size_t>(frame - animation_.regions[region].first_frame);
+}
+
 double Refinements::SafeFor(int region) const {
   const DynamicsRegion& own = animation_.regions[region];
   return kSafely * own.tolerance.value_or(animation_.solver.tolerance);
 }
 
-void Refinements::Note(int region, int frame, double estimate) {
+void Refinements::Note(int region, int frame, double estimate, const std::vector<int>& regions) {
   Refinement& own = of_region_[region];
-  const auto index = static_cast<size_t>(frame - animation_.regions[region].first_frame);
+  const size_t index = IndexOf(region, frame);
   own.estimates.resize(std::max(own.estimates.size(), index + 1), 0.0);
+  own.solved_with.resize(own.estimates.size(), 1.0);
   own.estimates[index] = estimate;
+  own.solved_with[index] = SharpnessOf(regions);
   if (own.missed_at != frame || own.is_settled || estimate <= kHelps * own.missed_by) return;
-  own.sharpness = own.sharpness_before;
-  own.is_settled = has_given_up_ = true;
+  own.is_settled = has_failed_ = true;
+}
+
+void Refinements::GiveUp() {
+  for (size_t r = 0; r < of_region_.size(); ++r) {
+    const Refinement& own = of_region_[r];
+    const bool has_asked = own.missed_at && !before_[r].is_settled;
+    before_[r].is_settled |= has_failed_ ? own.is_settled : has_asked;
+    before_[r].has_failed |= !has_failed_ && has_asked;
+  }
+  of_region_ = before_;
+  has_failed_ = false;
 }
 
 std::optional<int> Refinements::FirstMiss(int region) const {
@@ -65,24 +83,23 @@ double Refinements::EstimateBefore(int region, int frame) const {
 }
 
 std::optional<int> Refinements::SharpenFromFirstMiss(const std::vector<int>& regions) {
-  has_given_up_ = false;
   std::optional<int> first;
   for (const int r : regions) {
     Refinement& own = of_region_[r];
-    own.is_settled |= own.sharpness * kFiner > kFinest;
     const std::optional<int> miss = own.is_settled ? std::nullopt : FirstMiss(r);
-    if (miss && (!first || *miss < *first)) first = miss;
+    own.is_settled |= miss && kFiner * own.solved_with[IndexOf(r, *miss)] > kFinest;
+    if (miss && !own.is_settled && (!first || *miss < *first)) first = miss;
   }
+  before_ = of_region_;
   for (const int r : regions) {
     Refinement& own = of_region_[r];
     own.missed_at.reset();
     if (!first || own.is_settled || FirstMiss(r) != first) continue;
-    const auto index = static_cast<size_t>(*first - animation_.regions[r].first_frame);
+    const size_t index = IndexOf(r, *first);
     own.missed_at = first;
     own.missed_by = own.estimates[index];
     own.kept_estimate = std::max(own.kept_estimate, EstimateBefore(r, *first));
-    own.sharpness_before = own.sharpness;
-    own.sharpness *= kFiner;
+    own.sharpness = kFiner * own.solved_with[index];
   }
   return first;
 }
@@ -93,7 +110,8 @@ void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) co
     if (report.method != Method::kExact) continue;
     report.error_estimate = std::max(report.error_estimate, of_region_[r].kept_estimate);
     if (report.error_estimate <= report.tolerance) continue;
-    WarnOfSensitivity(r, report.error_estimate, recorder);
+    WarnOfError(r, report.error_estimate, of_region_[r].has_failed ? kFailsFiner : kIsSensitive,
+                recorder);
   }
 }
 
@@ -108,7 +126,7 @@ bool Refinements::SharpenAll(const std::vector<int>& regions, Recorder* recorder
     // What tumbles was that sensitive before its contacts were frozen.
     const bool tumbles = report.estimated_until.has_value();
     if (tumbles || finer > kFinest || estimate > 0.3 * refinement.last_estimate) {
-      if (estimate > report.tolerance) WarnOfSensitivity(r, estimate, recorder);
+      if (estimate > report.tolerance) WarnOfError(r, estimate, kIsSensitive, recorder);
       continue;
     }
     refinement.sharpness = finer;

@@ -19,14 +19,18 @@ class Refinements {
   // The largest of some regions, which divides the tolerances of their steps.
   double SharpnessOf(const std::vector<int>& regions) const;
 
-  // Notes the largest estimate [rad] of a region's error up to a whole frame.
-  void Note(int region, int frame, double estimate);
+  // Notes the largest estimate [rad] of a region's error up to a whole frame, solved along with
+  // `regions`.
+  void Note(int region, int frame, double estimate, const std::vector<int>& regions);
   // Requests finer steps in the regions that miss their tolerance first, among those that began in
   // the stretch. Returns the frame of that miss; earlier frames keep their values. Returns nullopt
   // if no region has to be solved again.
   std::optional<int> SharpenFromFirstMiss(const std::vector<int>& regions);
-  // Returns whether the finer steps requested last did not help. No more are requested then.
-  bool has_given_up() const { return has_given_up_; }
+  // Returns whether the finer steps requested last do not help, so that GiveUp has to follow.
+  bool has_failed() const { return has_failed_; }
+  // Returns to the solution before the last request. The regions that failed, or all that asked for
+  // it where the solution failed otherwise, ask for no more.
+  void GiveUp();
   // Records the known errors after the last solution, and warns.
   void Report(const std::vector<int>& regions, Recorder* recorder) const;
 
@@ -38,20 +42,23 @@ class Refinements {
   struct Refinement {
     double sharpness = 1.0;
     double last_estimate = std::numeric_limits<double>::infinity();  // with the one before [rad]
-    std::vector<double> estimates;  // one per frame of the region [rad]
-    // Previous solution: frame of its first miss, factor of the miss, sharpness, and the estimate
-    // of the frames that it keeps.
+    std::vector<double> estimates;    // one per frame of the region [rad]
+    std::vector<double> solved_with;  // the sharpness that it was solved with, likewise
+    // Previous solution: frame of its first miss, the estimate there, and the largest estimate of
+    // the frames that it keeps.
     std::optional<int> missed_at;
-    double missed_by = 0.0, sharpness_before = 1.0, kept_estimate = 0.0;
-    bool is_settled = false;  // whether finer steps do not help
+    double missed_by = 0.0, kept_estimate = 0.0;
+    bool is_settled = false;  // no finer steps are requested
+    bool has_failed = false;  // because a solution with finer steps failed
   };
+  size_t IndexOf(int region, int frame) const;  // of estimates
   double SafeFor(int region) const;
   std::optional<int> FirstMiss(int region) const;
   double EstimateBefore(int region, int frame) const;
 
   const Animation& animation_;
-  std::vector<Refinement> of_region_;
-  bool has_given_up_ = false;
+  std::vector<Refinement> of_region_, before_;  // now, and before the last request
+  bool has_failed_ = false;
 };
 
 }  // namespace hazumi

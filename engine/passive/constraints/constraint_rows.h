@@ -45,6 +45,7 @@ class ConstraintRows {
   };
   Overload WorstOverload(const VecX& forces, bool are_impulses) const;
   void Break(int constraint, double t);
+  bool is_broken(int constraint) const { return is_broken_[static_cast<size_t>(constraint)] != 0; }
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   const std::vector<ConstraintSpec>& specs() const { return specs_; }
 

@@ -63,6 +63,10 @@ uint64_t ActiveLimits::StateSum() const {
     }
     if (touches) sum += HashOf(-1, first.capsule, first.obstacle, slides);
   }
+  const ConstraintRows& constraints = dynamics_->constraints();
+  for (int i = 0; i < static_cast<int>(constraints.specs().size()); ++i) {
+    if (constraints.is_broken(i)) sum += HashOf(-2, i);
+  }
   return sum;
 }
 

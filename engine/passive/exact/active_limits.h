@@ -34,7 +34,8 @@ class ActiveLimits {
   void ForgetEvents() { events_.clear(); }
   // So many events that contacts are to be frozen from t on.
   bool is_chattering(double t);
-  // Returns a hash of the state: hinges held by limits, and touching and sliding contacts.
+  // Returns a hash of the state: hinges held by limits, touching and sliding contacts, and broken
+  // constraints.
   uint64_t StateSum() const;
   // Returns whether any contact touches, including open contacts.
   bool Touches(double t, const HingeState& state);

@@ -61,7 +61,13 @@ bool ContactSearch::Find(bool follows_event) {
     }
     before = t;
   }
-  const RegionState state = step_->Glance(end);
+  return false;
+}
+
+bool ContactSearch::FollowToEnd() {
+  ContactSet& contacts = dynamics_->contacts();
+  if (contacts.pairs().empty()) return false;
+  const RegionState state = step_->Glance(step_->time());
   contacts.RaiseFloors(state);
   return contacts.FollowSlides(state);
 }

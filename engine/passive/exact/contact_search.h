@@ -16,6 +16,9 @@ class ContactSearch {
   // Ends the step at the first such time. False: there is none. `follows_event`: the step begins
   // with rates or forces that have jumped.
   bool Find(bool follows_event);
+  // After a Find that found nothing, or a cut of the step: updates the contacts to its end. Returns
+  // whether a sliding direction has turned too far.
+  bool FollowToEnd();
   // While contacts are frozen: ends the step, at whose end nodes are at `now`, where something new
   // has come in a little.
   bool FindBlow(const RegionState& now);

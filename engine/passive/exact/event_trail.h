@@ -25,8 +25,8 @@ inline uint64_t BitOf(uint64_t hash) { return uint64_t{1} << (HashOf(hash) >> 58
 constexpr double kOneEvent = 2e-3;
 
 // Events between `time` and `last_time` [s] as hashes, which are equal for equal events. `happened`
-// combines limit impacts, touch-downs and breaks in any order. `state` combines the held hinges,
-// the sticking and the sliding contacts afterwards.
+// combines limit impacts and touch-downs in any order. `state` combines the held hinges, the
+// sticking and the sliding contacts, and the broken constraints afterwards.
 struct EventMark {
   double time = 0.0, last_time = 0.0;
   uint64_t happened = 0, state = 0;

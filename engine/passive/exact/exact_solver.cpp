@@ -132,12 +132,19 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   }
   ++steps_;
   if (range_.any()) FindHits();
-  if (dynamics_->contacts().is_possible() && contact_search_.Find(follows_event_)) {
+  const bool is_cut = time() > end, has_contacts = dynamics_->contacts().is_possible();
+  if (has_contacts && contact_search_.Find(follows_event_)) next_ = Next::kEvent;
+  if (has_contacts && next_ != Next::kEvent && !is_cut && contact_search_.FollowToEnd()) {
     next_ = Next::kEvent;
   }
   if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   CutAt(end);
+  // Contacts and limits of a cut step go on from what they are at the cut.
+  if (is_cut && next_ == Next::kGoOnFromCut) {
+    if (has_contacts && contact_search_.FollowToEnd()) next_ = Next::kEvent;
+    if (held_.any()) release_search_.Cut();
+  }
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
@@ -172,10 +179,7 @@ void ExactSolver::FindHits() {
 
 // A limit was hit or lets go, a contact changes, or a constraint breaks.
 void ExactSolver::MakeEventHappen() {
-  if (breaks_next_ >= 0) {
-    log_.AddBreak(breaks_next_);
-    dynamics_->constraints().Break(breaks_next_, time());
-  }
+  if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
   breaks_next_ = -1;
   range_.Widen(q());
   if (frozen_until_) return frozen_.is_calm() ? Thaw() : Freeze();

@@ -75,6 +75,7 @@ void FrozenContacts::Enter(double t) {
   least_yield_ = RegionDynamics::kBlocked;
   start_ = t;
   longest_ = kLongest;
+  is_inside_ = is_deep_ = has_no_room_ = false;
   pushes_.clear();
   torques_.setZero();
 }

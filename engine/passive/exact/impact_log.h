@@ -57,8 +57,6 @@ class ImpactLog {
     last->count += time > last->last_time;  // several points of a link may touch down at once
     last->last_time = time;
   }
-  // Records a broken constraint.
-  void AddBreak(int constraint) { happened_ |= BitOf(HashOf(constraint)); }
   // Adds a mark at `time` with the events since the last mark, and the state after them.
   void Mark(double time, uint64_t state) {
     marks_.push_back({time, time, std::exchange(happened_, 0), state});

@@ -39,6 +39,11 @@ bool ReleaseSearch::Find() {
   return true;
 }
 
+void ReleaseSearch::Cut() {
+  has_later_ = false;
+  pull_before_ = Pull(step_->time());
+}
+
 // The first time between a and b at which a limit would have to pull: looked for in the middle, at
 // the end and at the top of the parabola through what is found there and at a; then in both halves,
 // unless the parabola is good enough to tell that there is nothing.

@@ -17,6 +17,8 @@ class ReleaseSearch {
   void Begin();
   // Ends the step at the first time at which a limit would have to pull. False if there is none.
   bool Find();
+  // The step was cut at its present end.
+  void Cut();
   // After that, until Begin: a moment later, from which it is told what is held. Else null.
   const HingeMoment* later() const { return has_later_ ? &later_ : nullptr; }
 

@@ -20,6 +20,9 @@ TEST(MostWork, BakeThatTakesMore_EndsWithAWarningThatNamesTheFrame) {
   EXPECT_GT(*last.frame, 0);
   EXPECT_LT(*last.frame, 60);
   EXPECT_NE(last.message.find("are not checked"), std::string::npos);
+  ASSERT_EQ(motion.frames.size(), static_cast<size_t>(*last.frame) + 1);
+  const Motion whole = BakeOrFail(animation);
+  EXPECT_TRUE(IsSame(motion.frames.back(), whole.frames[motion.frames.size() - 1]));
 }
 
 // Work is counted, not timed: each bake ends in the same frame.

@@ -68,8 +68,7 @@ TEST(Standing, ImpulseOfSixtyNewtonSeconds_TopplesTheFigure) {
   EXPECT_GE(motion.frames.back().com.x(), 0.5);
 }
 
-// Bounds the evaluations, since springs do not limit steps in time-stepping mode: 127,000 with
-// explicit springs.
+// Bounds the evaluations: implicit springs do not limit steps in time-stepping mode.
 TEST(Standing, SixFrames_TakeFewEvaluations) {
   EXPECT_LE(BakeOrFail(Standing(6, 2.0)).regions[0].evaluations, 10000);
   EXPECT_LE(BakeOrFail(Standing(60, 5.0)).regions[0].evaluations, 40000);

@@ -73,6 +73,43 @@ TEST(TiedContact, TipThatCollides_StaysOutAndTheConstraintWarns) {
   EXPECT_TRUE(std::any_of(motion.warnings.begin(), motion.warnings.end(), names_it));
 }
 
+// Rod that begins with its tip where InsideTheBox() is, tied to the box by a constraint.
+Animation RodTiedInsideTheBox() {
+  Animation animation = RodAboveBox();
+  KeysOf(&animation, "pivot") = {{0, 0.5, 0.0}};
+  ConstraintEnd tip = OnJoint(animation, "pivot");
+  tip.offset = kLength * Vec3::UnitX();
+  AddPoint(&animation, tip, InWorld(InsideTheBox()), 0, 30).b.object = 0;
+  return animation;
+}
+
+bool WarnsOfInside(const Motion& motion) {
+  return std::any_of(motion.warnings.begin(), motion.warnings.end(), [](const Warning& warning) {
+    return warning.message.find("inside \"box\"") != std::string::npos;
+  });
+}
+
+TEST(TiedContact, TipTiedInsideAnObject_StaysWithoutAWarning) {
+  const Motion motion = BakeOrFail(RodTiedInsideTheBox());
+  EXPECT_FALSE(WarnsOfInside(motion));
+  EXPECT_TRUE(motion.frames[15].contacts.pushes.empty());
+  Animation untied = RodTiedInsideTheBox();
+  untied.constraints.clear();
+  EXPECT_TRUE(WarnsOfInside(BakeOrFail(untied)));
+}
+
+TEST(TiedContact, BrokenConstraint_LetsItsEndsCollideAgain) {
+  Animation animation = RodTiedInsideTheBox();
+  animation.constraints[0].break_impulse = 0.2;
+  AddForce(&animation, 10, 11,
+           PushForce{{GroupOf(animation, "pivot"), Vec3(kLength, 0.0, 0.0)}, 0.5 * Vec3::UnitZ()});
+  const Motion motion = BakeOrFail(animation);
+  EXPECT_TRUE(motion.frames[9].contacts.pushes.empty());
+  const auto is_break = [](const MotionEvent& event) { return event.kind == EventKind::kBreak; };
+  ASSERT_TRUE(std::any_of(motion.events.begin(), motion.events.end(), is_break));
+  EXPECT_GE(ClearanceOf(animation, motion.frames[30]), -5e-4);
+}
+
 TEST(TiedContact, TipDrawnIntoAnUntiedObject_StaysOut) {
   Animation animation = RodAboveBox();
   DrawTipTo(InsideTheBox(), &animation);
