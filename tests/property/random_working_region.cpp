@@ -230,8 +230,9 @@ class RegionMaker {
   // Of what stays out of the scene, from it at the start [m].
   double ClearanceFrom(const SceneObject& object) const {
     const bool all = first().root || flies();
-    const auto counts = [&](const Link& link) {
-      return all || (link.joint.is_valid() && IsMoved(link.joint));
+    const auto counts = [&](int link, int /*object*/) {
+      const JointIndex joint = figure_.links()[link].joint;
+      return all || (joint.is_valid() && IsMoved(joint));
     };
     const auto contact = NearestContact(figure_, {object}, ws_, Vec3::Zero(), counts);
     return contact ? contact->clearance : HUGE_VAL;
