@@ -123,7 +123,7 @@ std::optional<Error> ExactWalk::EstimateAt(int frame) {
     refinements_.Note(driver_->active()[a], frame, driver_->LargestEstimateOf(a),
                       driver_->active());
   }
-  if (!refinements_.has_failed()) return std::nullopt;
+  if (!refinements_.is_no_help()) return std::nullopt;
   return Error{ErrorCode::kInterrupted, "", "", "finer steps do not help"};
 }
 

@@ -1,15 +1,16 @@
 // Refinement of a region with steps of increasing sharpness, S_0 = 1, S_1 = 30, S_2 = 900 ... The
 // motion is that of S_i up to the first frame where the error estimate of S_i exceeds a fifth of
-// the tolerance (a miss), and that of S_(i+1) from there on. A refinement has to reduce the
-// estimate at that frame to 0.3 of its value: the error is at times a few times the estimate, and
-// some motions are so sensitive that no step size predicts their end. Therefore no frame depends on
-// later frames. [METHOD 8.2, 8.3]
+// the tolerance (a miss), and that of S_(i+1) from there on, or of S_(i+2) if that does not help. A
+// refinement has to reduce the estimate at that frame to 0.3 of its value: the error is at times a
+// few times the estimate, and some motions are so sensitive that no step size predicts their end.
+// No frame depends on later frames. [METHOD 8.2, 8.3]
 // Version 1 of the solver solves the whole stretch again. Its steps are finer by three times the
 // factor by which the end misses the tolerance.
 
 #include "engine/bake/walk/refinements.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/text.h"
 #include "engine/spatial/degrees.h"
@@ -19,6 +20,7 @@ namespace hazumi {
 namespace {
 
 constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
+constexpr int kMostTries = 2;
 
 constexpr const char* kIsSensitive = "the motion is so sensitive that finer steps do not help";
 constexpr const char* kFailsFiner = "finer steps cannot be solved, or take too much work";
@@ -53,19 +55,24 @@ void Refinements::Note(int region, int frame, double estimate, const std::vector
   own.solved_with.resize(own.estimates.size(), 1.0);
   own.estimates[index] = estimate;
   own.solved_with[index] = SharpnessOf(regions);
-  if (own.missed_at != frame || own.is_settled || estimate <= kHelps * own.missed_by) return;
-  own.is_settled = has_failed_ = true;
+  if (own.missed_at != frame || own.is_settled) return;
+  own.is_no_help = estimate > kHelps * own.missed_by;
+  is_no_help_ |= own.is_no_help;
+  if (!own.is_no_help) own.tries = 0;
 }
 
 void Refinements::GiveUp() {
   for (size_t r = 0; r < of_region_.size(); ++r) {
     const Refinement& own = of_region_[r];
-    const bool has_asked = own.missed_at && !before_[r].is_settled;
-    before_[r].is_settled |= has_failed_ ? own.is_settled : has_asked;
-    before_[r].has_failed |= !has_failed_ && has_asked;
+    if (!own.missed_at || (is_no_help_ && !own.is_no_help)) continue;
+    Refinement& kept = before_[r];
+    kept.missed_at = own.missed_at;
+    kept.tries = own.tries + 1;
+    kept.has_failed |= !is_no_help_;
+    kept.is_settled |= kept.has_failed || kept.tries == kMostTries;
   }
   of_region_ = before_;
-  has_failed_ = false;
+  is_no_help_ = false;
 }
 
 std::optional<int> Refinements::FirstMiss(int region) const {
@@ -82,24 +89,32 @@ double Refinements::EstimateBefore(int region, int frame) const {
   return index < 0 ? 0.0 : of_region_[region].estimates[static_cast<size_t>(index)];
 }
 
+// Sharpness to try at a miss.
+double Refinements::FinerAt(int region, int frame) const {
+  const Refinement& own = of_region_[region];
+  const int tries = own.missed_at == frame ? own.tries : 0;
+  return std::pow(kFiner, 1 + tries) * own.solved_with[IndexOf(region, frame)];
+}
+
 std::optional<int> Refinements::SharpenFromFirstMiss(const std::vector<int>& regions) {
   std::optional<int> first;
   for (const int r : regions) {
     Refinement& own = of_region_[r];
     const std::optional<int> miss = own.is_settled ? std::nullopt : FirstMiss(r);
-    own.is_settled |= miss && kFiner * own.solved_with[IndexOf(r, *miss)] > kFinest;
+    own.is_settled |= miss && FinerAt(r, *miss) > kFinest;
     if (miss && !own.is_settled && (!first || *miss < *first)) first = miss;
   }
   before_ = of_region_;
   for (const int r : regions) {
     Refinement& own = of_region_[r];
-    own.missed_at.reset();
-    if (!first || own.is_settled || FirstMiss(r) != first) continue;
-    const size_t index = IndexOf(r, *first);
-    own.missed_at = first;
-    own.missed_by = own.estimates[index];
-    own.kept_estimate = std::max(own.kept_estimate, EstimateBefore(r, *first));
-    own.sharpness = kFiner * own.solved_with[index];
+    const bool asks = first && !own.is_settled && FirstMiss(r) == first;
+    if (asks) {
+      own.sharpness = FinerAt(r, *first);
+      own.missed_by = own.estimates[IndexOf(r, *first)];
+      own.kept_estimate = std::max(own.kept_estimate, EstimateBefore(r, *first));
+    }
+    own.missed_at = asks ? first : std::nullopt;
+    own.is_no_help = false;
   }
   return first;
 }

@@ -27,9 +27,9 @@ class Refinements {
   // if no region has to be solved again.
   std::optional<int> SharpenFromFirstMiss(const std::vector<int>& regions);
   // Returns whether the finer steps requested last do not help, so that GiveUp has to follow.
-  bool has_failed() const { return has_failed_; }
-  // Returns to the solution before the last request. The regions that failed, or all that asked for
-  // it where the solution failed otherwise, ask for no more.
+  bool is_no_help() const { return is_no_help_; }
+  // Returns to the solution before the last request. Regions that it did not help request still
+  // finer steps once; where the solution failed otherwise they request no more.
   void GiveUp();
   // Records the known errors after the last solution, and warns.
   void Report(const std::vector<int>& regions, Recorder* recorder) const;
@@ -48,17 +48,20 @@ class Refinements {
     // the frames that it keeps.
     std::optional<int> missed_at;
     double missed_by = 0.0, kept_estimate = 0.0;
+    int tries = 0;            // number of finer solutions that did not help at missed_at
+    bool is_no_help = false;  // the present one does not
     bool is_settled = false;  // no finer steps are requested
-    bool has_failed = false;  // because a solution with finer steps failed
+    bool has_failed = false;  // because a finer solution failed
   };
   size_t IndexOf(int region, int frame) const;  // of estimates
   double SafeFor(int region) const;
   std::optional<int> FirstMiss(int region) const;
+  double FinerAt(int region, int frame) const;
   double EstimateBefore(int region, int frame) const;
 
   const Animation& animation_;
   std::vector<Refinement> of_region_, before_;  // now, and before the last request
-  bool has_failed_ = false;
+  bool is_no_help_ = false;
 };
 
 }  // namespace hazumi
