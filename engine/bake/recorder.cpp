@@ -190,6 +190,7 @@ void Recorder::Record(int output, const FigureMotion& motion, const MotionLimit&
     objects.push_back(poses->objects().At(i, motion, ws));
     WarnIfStuck(i, motion.frame, poses->objects());
   }
+  WarnIfInsideEachOther(objects, motion, poses->objects());
   if (!written) return;
   MotionFrame& frame = *written;
   frame.frame = output;
@@ -216,6 +217,32 @@ void Recorder::WarnIfStuck(size_t object, double frame, const HeldObjects& objec
                   std::to_string(stuck) +
                   " with what it touches, and stays there; move what stands there",
               stuck});
+}
+
+// Warns of balls that fly through each other, which only a region with contacts prevents.
+void Recorder::WarnIfInsideEachOther(const std::vector<ObjectPose>& places,
+                                     const FigureMotion& motion, const HeldObjects& objects) {
+  constexpr double kDeep = 1e-4;  // [m]
+  const auto radius_of = [&](size_t i) {
+    const HeldObject& object = animation_.held_objects[i];
+    const auto* sphere = std::get_if<SphereShape>(&object.shape);
+    const bool flies = places[i].holder < 0 && objects.states()[i].flight.has_value();
+    return flies && object.touches_scene && sphere ? sphere->radius : 0.0;
+  };
+  if (!motion.loose.empty()) return;  // a region's contacts keep them apart
+  for (size_t i = 0; i < places.size(); ++i) {
+    for (size_t k = i + 1; k < places.size(); ++k) {
+      const double a = radius_of(i), b = radius_of(k);
+      if (a == 0.0 || b == 0.0) continue;
+      if ((places[i].X_WO.p - places[k].X_WO.p).norm() > a + b - kDeep) continue;
+      AddWarning({"held_objects[" + std::to_string(k) + "].contacts",
+                  "\"" + animation_.held_objects[i].name + "\" and \"" +
+                      animation_.held_objects[k].name +
+                      "\" fly through each other: balls collide with each other only while a "
+                      "region touches the scene; let one last until they have met",
+                  static_cast<int>(std::floor(motion.frame))});
+    }
+  }
 }
 
 void Recorder::SetAcceleration(int output, MotionAcceleration acceleration) {

@@ -72,6 +72,8 @@ class Recorder {
 
  private:
   void WarnIfStuck(size_t object, double frame, const HeldObjects& objects);
+  void WarnIfInsideEachOther(const std::vector<ObjectPose>& places, const FigureMotion& motion,
+                             const HeldObjects& objects);
   MotionFrame* FrameToWrite(int output);
   MotionEvent TouchEvent(const TouchDown& touch) const;
   size_t IndexFrom(int frame) const;

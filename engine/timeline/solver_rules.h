@@ -23,7 +23,8 @@ struct SolverRules {
         slides_straight_beyond_stop(version >= 2),
         rests_without_gravity(version >= 2),
         lands_before_contacts(version >= 2),
-        sweeps_large_islands(version >= 2) {}
+        sweeps_large_islands(version >= 2),
+        keeps_balls_apart(version >= 2) {}
 
   // Velocity of a figure that contacts place is kept where a region begins. Before: its placement
   // pinned the contacts, which stopped the figure. [METHOD 12.9]
@@ -62,6 +63,9 @@ struct SolverRules {
   // Contacts of large islands are solved by sweeps from body to body, in time-stepping mode alone.
   // Before: by matrices, in cubic time. [METHOD 12.10]
   bool sweeps_large_islands;
+  // Balls that fly collide with each other where a region touches the scene. Before: they passed
+  // through each other. [METHOD 12.8]
+  bool keeps_balls_apart;
 
   bool operator==(const SolverRules&) const = default;
 };
@@ -69,11 +73,12 @@ inline auto MembersOf(const SolverRules& rules) {
   const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
-               lands_before_contacts, sweeps_large_islands] = rules;
+               lands_before_contacts, sweeps_large_islands, keeps_balls_apart] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity, lands_before_contacts, sweeps_large_islands);
+                  rests_without_gravity, lands_before_contacts, sweeps_large_islands,
+                  keeps_balls_apart);
 }
 
 }  // namespace hazumi

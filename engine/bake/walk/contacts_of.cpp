@@ -65,6 +65,10 @@ class Lister {
     own.ball = model_.balls[ball].object;
     own.friction = std::sqrt(object.friction / SceneObject::kFriction);
     spec_->capsules.push_back(own);
+    for (const auto& [other, other_friction] : balls_) {
+      spec_->own.push_back({other, capsule, std::sqrt(object.friction * other_friction)});
+    }
+    if (spec_->rules.keeps_balls_apart) balls_.emplace_back(capsule, object.friction);
     const double friction = std::sqrt(object.friction * SceneObject::kFriction);
     for (size_t i = 0; i < figure_.links().size(); ++i) {
       const int link = static_cast<int>(i);
@@ -93,7 +97,8 @@ class Lister {
   const RegionModel& model_;
   const Figure& figure_;
   ContactSpec* spec_;
-  std::vector<int> capsule_of_;  // by link; none: -1
+  std::vector<int> capsule_of_;                // by link; none: -1
+  std::vector<std::pair<int, double>> balls_;  // capsule and friction of those that are listed
 };
 
 }  // namespace

@@ -187,6 +187,62 @@ TEST(LooseBall, ARodComesToRestOnABall) {
   EXPECT_NEAR(push.force.z(), kMass * kG * 0.5 * kLength / kAt, 1e-6);
 }
 
+// Two balls that hands bring above each other, in a region with contacts. The upper one is faster.
+Animation TwoBalls(double restitution, bool in_region) {
+  constexpr double kApart = 4.0 * kSize;
+  FigureSpec spec;
+  spec.name = "hands";
+  spec.root_name = "base";
+  spec.root_links = {Rod("base", Vec3(3.0, 0.0, 0.0), Vec3(3.1, 0.0, 0.0))};
+  spec.joints = {
+      AboutY("pivot", Vec3(5.0, 0.0, 0.0), Rod("rod", Vec3::Zero(), kLength * Vec3::UnitX())),
+      HandAt(Vec3::Zero()), HandAt(kApart * Vec3::UnitZ())};
+  spec.joints.back().name = "upper_hand";
+  for (JointSpec& joint : spec.joints) joint.parent = "base";
+  Animation animation = Exact(BuildFigure(spec).value(), 0.0);
+  if (in_region) AddTouching(&animation, "pivot");
+  Throw({Vec3::Zero(), 1.0, restitution}, &animation);
+  HeldObject upper = animation.held_objects[0];
+  upper.name = "upper";
+  upper.mass = 3.0 * kWeighs;
+  upper.holders[0].joint = GroupOf(animation, "upper_hand");
+  KeysOf(&animation, "upper_hand") = {{0, -4.0 / kHandArm / 30.0, 4.0 / kHandArm, kCubic},
+                                      {kLetGo, 0.0, 4.0 / kHandArm, kCubic}};
+  animation.held_objects.push_back(upper);
+  return animation;
+}
+
+TEST(LooseBall, TwoBalls_CollideAsInClosedForm) {
+  for (const double e : {0.0, 0.5, 1.0}) {
+    const Motion motion = BakeOrFail(TwoBalls(e, /*in_region=*/true));
+    // Down: 1 m/s for the lower ball, 4 m/s for the upper one, which weighs three times as much.
+    const double common = (1.0 + 3.0 * 4.0) / 4.0;
+    const double lower = common + 0.75 * e * 3.0, upper = common - 0.25 * e * 3.0;
+    const double met = 2.0 * kSize / 3.0, since = 14.0 / 30.0 - met;
+    const std::vector<ObjectPose>& at = motion.frames[15].objects;
+    EXPECT_NEAR(at[0].X_WO.p.z(), -1.0 * met - lower * since, 1e-8) << e;
+    EXPECT_NEAR(at[1].X_WO.p.z(), 4.0 * kSize - 4.0 * met - upper * since, 1e-8) << e;
+  }
+}
+
+TEST(LooseBall, TwoBallsWithoutARegion_PassThroughEachOtherWithAWarning) {
+  Animation animation = TwoBalls(0.5, /*in_region=*/false);
+  const auto warned = [](const Motion& motion) {
+    return std::count_if(motion.warnings.begin(), motion.warnings.end(), [](const Warning& of) {
+      return of.message.find("fly through each other") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(warned(BakeOrFail(animation)), 1);
+  EXPECT_EQ(warned(BakeOrFail(TwoBalls(0.5, /*in_region=*/true))), 0);
+}
+
+TEST(LooseBall, TwoBallsOfSolverVersionOne_PassThroughEachOther) {
+  Animation animation = TwoBalls(0.5, /*in_region=*/true);
+  animation.solver.version = 1;
+  EXPECT_NEAR(BakeOrFail(animation).frames[15].objects[1].X_WO.p.z(),
+              4.0 * kSize - 4.0 * 14.0 / 30.0, 1e-8);
+}
+
 // What lets a ball go that reaches into it lets it leave, and does not push it out.
 TEST(LooseBall, LetGoInsideAHandItLeavesUnpushed) {
   Animation animation = RodAndBall({}, 0.0);

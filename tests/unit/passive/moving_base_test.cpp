@@ -146,7 +146,7 @@ TEST(MovingBase, DoesNotDependOnTheRequestedEnd) {
   int calls = 0;
   const Shaker chain{1.0, 3.0, &calls};
   const MovingBase shorter(0.0, 0.4, 2.0, chain), longer(0.0, 1.1, 2.0, chain);
-  for (double t = 0.0; t <= 0.4 + MovingBase::kLongestCut; t += 0.01) {
+  for (double t = 0.0; t <= 0.4 + DrivenMotion::kLongestCut; t += 0.01) {
     const MovingBase::Frame a = shorter.At(t), b = longer.At(t);
     EXPECT_EQ(a.R.eigen(), b.R.eigen()) << t;
     EXPECT_EQ(a.alpha.eigen(), b.alpha.eigen()) << t;
