@@ -107,7 +107,10 @@ TEST(TiedContact, BrokenConstraint_LetsItsEndsCollideAgain) {
   EXPECT_TRUE(motion.frames[9].contacts.pushes.empty());
   const auto is_break = [](const MotionEvent& event) { return event.kind == EventKind::kBreak; };
   ASSERT_TRUE(std::any_of(motion.events.begin(), motion.events.end(), is_break));
-  EXPECT_GE(ClearanceOf(animation, motion.frames[30]), -5e-4);
+  // The box lets the rod out slowly, at 0.1 m/s at most.
+  EXPECT_FALSE(motion.frames[20].contacts.pushes.empty());
+  EXPECT_GE(ClearanceOf(animation, motion.frames[30]),
+            ClearanceOf(animation, motion.frames[10]) + 0.03);
 }
 
 TEST(TiedContact, TipDrawnIntoAnUntiedObject_StaysOut) {
