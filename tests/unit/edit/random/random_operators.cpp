@@ -358,10 +358,10 @@ static bool IsBetweenKeys(const Session& session) {
 
 bool IsSeldomPossible(const std::string& id) {
   static const char* const kIds[] = {
-      "audio.remove",     "drive.key",  "drive.remove",    "drive.remove_key", "drive.set",
-      "figure.embed",     "held.pass",  "held.set_frames", "held.set_holder",  "held.throw_onto",
-      "jump.aim",         "keys.paste", "pose.breakdown",  "pose.push",        "pose.relax",
-      "reference.remove", "throw.add"};
+      "audio.remove",    "constraint.set",   "drive.key",  "drive.remove",    "drive.remove_key",
+      "drive.set",       "figure.embed",     "held.pass",  "held.set_frames", "held.set_holder",
+      "held.throw_onto", "jump.aim",         "keys.paste", "pose.breakdown",  "pose.push",
+      "pose.relax",      "reference.remove", "throw.add"};
   return std::find(std::begin(kIds), std::end(kIds), id) != std::end(kIds);
 }
 
