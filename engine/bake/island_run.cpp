@@ -57,9 +57,11 @@ IslandResult IslandRun::Do(const StopPin& request) {
 void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
   curves_ = curves;
   dynamics_.SetCurves(curves_.get(), t);
-  solver_.SetLongestStep(curves_->may_be_cut() ? std::min(longest_step_, DrivenMotion::kLongestCut)
-                                               : longest_step_);
-  if (!dynamics_.needs_moving_base()) return;
+  const bool is_fitted = dynamics_.needs_moving_base();
+  solver_.SetLongestStep(is_fitted && curves_->may_be_cut()
+                             ? std::min(longest_step_, DrivenMotion::kLongestCut)
+                             : longest_step_);
+  if (!is_fitted) return;
   Carrier carrier =
       CarrierOf(dynamics_.model(), dynamics_.first_moved(), gravity_, *curves_, t, end);
   dynamics_.UseMovingBase(

@@ -175,7 +175,7 @@ void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<Node
 
 void DenseEquations::AddRootToRows(const RegionLayout& layout, const Eigen::Matrix3Xd& along,
                                    Eigen::Ref<MatX> rows) const {
-  if (!root_answers_) return;
+  if (!root_answers_ || rows.rows() == 0) return;  // no joint is free
   const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
   const Eigen::MatrixX3d unit = (is_pinned_ ? J_ : F_).leftCols(layout.num_dofs()).transpose();
   const DenseKernels& kernels = BestDenseKernels();

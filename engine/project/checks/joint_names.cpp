@@ -111,6 +111,10 @@ JointRef Meant(const JointRef& ref, const Figure& figure) {
   return {ref.name.substr(0, ref.name.size() - 1), true, {}};
 }
 
+void Resolve(const Figure& figure, std::vector<JointRef>* refs) {
+  for (JointRef& ref : *refs) ref = Meant(ref, figure);
+}
+
 std::string NameOfRoot(const Figure& figure) {
   for (const std::string& name : {figure.root_name(), std::string("root")}) {
     if (MeansRoot(name, figure)) return name;

@@ -28,6 +28,8 @@ bool MeansRoot(const std::string& name, const Figure& figure);
 // Resolves a reference: "name+" is "name" and everything beyond it, unless a joint or the root has
 // the whole name.
 JointRef Meant(const JointRef& ref, const Figure& figure);
+// Replaces each reference by what it means.
+void Resolve(const Figure& figure, std::vector<JointRef>* refs);
 
 // Name of the root in lists of joints: its own, or "root" where a joint has that name; empty if
 // joints have both.

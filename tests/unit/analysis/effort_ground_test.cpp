@@ -167,13 +167,6 @@ TEST(MissingSupport, DropFasterThanAFall_IsPulled) {
   for (const FrameEffort& frame : found.effort.frames) ExpectInCones(frame);
 }
 
-// Both feet stay where they are on the ground.
-Animation StandingFast() {
-  Animation animation = Standing();
-  for (const char* foot : {"l_ankle", "r_ankle"}) AddHold(&animation, 0, 30, foot, false);
-  return animation;
-}
-
 SupportFault WorstFaultOf(const Animation& animation, double friction) {
   BakedEffort found = BakeEffort(animation);
   EffortOptions options;
@@ -188,20 +181,20 @@ SupportFault WorstFaultOf(const Animation& animation, double friction) {
 }
 
 TEST(MissingSupport, SwayOnIce_Slides) {
-  Animation animation = StandingFast();
+  Animation animation = Standing();
   animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kSlides);
 }
 
 // 0.3 g forwards, with the centre of mass over the feet.
 TEST(MissingSupport, FastSwayOfAMassOverTheFeet_IsPushedOff) {
-  Animation animation = StandingFast();
+  Animation animation = Standing();
   animation.root_keys[kRootX] = {{0, 0.0, 0.0, kCubic}, {6, 0.02, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, kGroundFriction), SupportFault::kPushedOff);
 }
 
 TEST(MissingSupport, TwistOnIce_Turns) {
-  Animation animation = StandingFast();
+  Animation animation = Standing();
   animation.root_keys[kRootAngleZ] = {{0, 0.0, 0.0, kCubic}, {6, 0.3, 0.0, kCubic}};
   EXPECT_EQ(WorstFaultOf(animation, 0.02), SupportFault::kTurned);
 }

@@ -73,13 +73,16 @@ TEST(TiedContact, TipThatCollides_StaysOutAndTheConstraintWarns) {
   EXPECT_TRUE(std::any_of(motion.warnings.begin(), motion.warnings.end(), names_it));
 }
 
-// Rod that begins with its tip where InsideTheBox() is, tied to the box by a constraint.
+// Rod that begins with the end of its axis 2 cm below the top of the box, tied to the box by a
+// constraint.
 Animation RodTiedInsideTheBox() {
+  const double angle = std::asin((0.02 - kTop) / kLength);
+  const Vec3 place = kLength * Vec3(std::cos(angle), 0.0, -std::sin(angle));
   Animation animation = RodAboveBox();
-  KeysOf(&animation, "pivot") = {{0, 0.5, 0.0}};
+  KeysOf(&animation, "pivot") = {{0, angle, 0.0}};
   ConstraintEnd tip = OnJoint(animation, "pivot");
   tip.offset = kLength * Vec3::UnitX();
-  AddPoint(&animation, tip, InWorld(InsideTheBox()), 0, 30).b.object = 0;
+  AddPoint(&animation, tip, InWorld(place), 0, 30).b.object = 0;
   return animation;
 }
 

@@ -58,6 +58,7 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
                         if (drive.joints.empty()) drive.joints = region->joints;
                         LeaveOutRoot(session->figure(), &drive.joints);
                         if (Result<Done> set = SetFields(p, &drive); !set.ok()) return set.error();
+                        Resolve(session->figure(), &drive.joints);
                         region->drives.push_back(std::move(drive));
                         TakeOver(region->drives.size() - 1, region);
                         return Done();
@@ -88,7 +89,10 @@ Result<Done> SetDrive(Session* session, const Parameters& p) {
     for (const DriveCurve& what : kCurves) {
       if (drive.kind != what.kind) drive.*what.curve = {};
     }
-    if (p.has("joints")) TakeOver(static_cast<size_t>(number), region);
+    if (p.has("joints")) {
+      Resolve(session->figure(), &drive.joints);
+      TakeOver(static_cast<size_t>(number), region);
+    }
     return set;
   });
 }

@@ -38,6 +38,7 @@ Result<Done> AddRegion(Session* session, const Parameters& p) {
           region.joints.push_back({name, false, {}});
         }
         if (Result<Done> set = SetFields(p, &region); !set.ok()) return set.error();
+        Resolve(session->figure(), &region.joints);
         if (!p.has("friction")) {
           region.friction.default_factor = StartFriction(region, session->figure());
         }
@@ -59,6 +60,7 @@ Result<Done> SetRegion(Session* session, const Parameters& p) {
       region->tolerance_deg.reset();
     }
     Result<Done> set = SetFields(p, region);
+    if (p.has("joints")) Resolve(session->figure(), &region->joints);
     if (p.has("name")) region->name = FreeName(region->name, project->regions, region);
     return set;
   });

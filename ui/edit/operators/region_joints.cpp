@@ -92,8 +92,8 @@ Result<std::vector<JointRef>> Chosen(const Session& session, const Parameters& p
   std::vector<JointRef> refs;
   for (std::string& name : p.names("joints")) refs.push_back({std::move(name), false, {}});
   if (p.has("joints")) {
-    for (const JointRef& each : refs) {
-      const JointRef ref = Meant(each, session.figure());
+    Resolve(session.figure(), &refs);
+    for (const JointRef& ref : refs) {
       if (FindJoints(session.figure(), ref.name) || MeansRoot(ref.name, session.figure())) continue;
       return Refusal("joints", "the figure has no joint \"" + ref.name + "\"");
     }
