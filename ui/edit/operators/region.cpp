@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/project/checks/joint_names.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/start_keys.h"
