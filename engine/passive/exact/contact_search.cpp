@@ -34,6 +34,7 @@ bool ContactSearch::Find(bool follows_event) {
   constexpr int kFewestLooks = 4, kMostLooks = 400, kFirstLooks = 4;
   ContactSet& contacts = dynamics_->contacts();
   const double start = step_->start_time(), end = step_->time(), h = end - start;
+  has_found_ = found_stop_ = false;
   const double speed =
       std::max(contacts.FastestEnd(step_->Glance(end)), contacts.FastestEnd(step_->Glance(start)));
   contacts.FindPairs(step_->Glance(start), 2.0 * speed * h + kMargin);
@@ -57,7 +58,7 @@ bool ContactSearch::Find(bool follows_event) {
     const std::optional<double> change = FirstChange(before, t, look == looks || 2 * look == looks);
     if (change) {
       if (*change < end) step_->EndAt(*change);
-      return true;
+      return has_found_ = true;
     }
     before = t;
   }
@@ -117,6 +118,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
     const double f = std::min(change(before), 0.0), f_last = change(last);
     if (f_last <= 0.0) continue;
     first = Narrow({before, f, last, f_last}, kSameMoment, change).b;
+    found_stop_ = contacts.pairs()[changed.pair].mode == ContactMode::kSlide;
   }
   if ((!looks_at_forces && !first) || !contacts.any_closed()) return first;
   const auto excess = [&](double at) { return step_->ContactExcess(at) - allowed_; };
@@ -126,6 +128,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
     return first;
   }
   const double first_f = std::min(excess(forces_before_), 0.0);
+  found_stop_ = false;
   return Narrow({forces_before_, first_f, last, f}, kSameMoment, excess).b;
 }
 

@@ -16,6 +16,9 @@ class ContactSearch {
   // Ends the step at the first such time. False: there is none. `follows_event`: the step begins
   // with rates or forces that have jumped.
   bool Find(bool follows_event);
+  // Returns whether the latest Find found a change, and whether that is the end of sliding.
+  bool has_found() const { return has_found_; }
+  bool found_stop() const { return found_stop_; }
   // After a Find that found nothing, or a cut of the step: updates the contacts to its end. Returns
   // whether a sliding direction has turned too far.
   bool FollowToEnd();
@@ -46,6 +49,7 @@ class ContactSearch {
   std::vector<int> deep_;            // pairs
   double allowed_ = 0.0;             // excess of forces
   double forces_before_ = 0.0;       // when they were looked at last [s]
+  bool has_found_ = false, found_stop_ = false;
 };
 
 }  // namespace hazumi

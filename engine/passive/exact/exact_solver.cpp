@@ -123,7 +123,8 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     Freeze();
     return AdvanceFrozen(end);
   }
-  if (const std::optional<ExactFailure> failure = Take(dynamics_->SmoothUntil(end))) {
+  if (const std::optional<ExactFailure> failure =
+          TakeToFirstContactChange(dynamics_->SmoothUntil(end))) {
     // Switch to time-stepping mode: sliding contacts may jam, which needs an impulse since no
     // finite forces prevent it, and springs may be too stiff for any step.
     if (!may_freeze()) return failure;
@@ -131,23 +132,44 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     return AdvanceFrozen(end);
   }
   ++steps_;
-  if (range_.any()) FindHits();
   const bool is_cut = time() > end, has_contacts = dynamics_->contacts().is_possible();
-  if (has_contacts && contact_search_.Find(follows_event_)) next_ = Next::kEvent;
-  if (has_contacts && next_ != Next::kEvent && !is_cut && contact_search_.FollowToEnd()) {
-    next_ = Next::kEvent;
-  }
+  const bool contacts_go_on = has_contacts && !contact_search_.has_found();
+  if (contacts_go_on && !is_cut && contact_search_.FollowToEnd()) next_ = Next::kEvent;
   if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
   if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
   CutAt(end);
   // Contacts and limits of a cut step go on from what they are at the cut.
   if (is_cut && next_ == Next::kGoOnFromCut) {
-    if (has_contacts && contact_search_.FollowToEnd()) next_ = Next::kEvent;
+    if (contacts_go_on && contact_search_.FollowToEnd()) next_ = Next::kEvent;
     if (held_.any()) release_search_.Cut();
   }
   follows_event_ = false;
   range_.Tighten(q());
   return std::nullopt;
+}
+
+// One step, with the hits of limits and the first change of a contact. Where sliding stops early in
+// a step, the step is repeated up to a little beyond the stop: its stages beyond the stop keep the
+// direction of friction (ContactSet::SlideOf), and tell nothing of how it turns before.
+std::optional<ExactFailure> ExactSolver::TakeToFirstContactChange(double end) {
+  constexpr int kMostTries = 20;
+  constexpr double kEarly = 0.5, kBeyond = 1.5;  // of the step; of its part before the stop
+  const bool repeats = dynamics_->contacts().rules().slides_straight_beyond_stop;
+  double until = end;
+  for (int tries = 0;; ++tries) {
+    if (const std::optional<ExactFailure> failure = Take(until)) return failure;
+    const double whole = time() - step_start();
+    next_ = Next::kGoOn;
+    if (range_.any()) FindHits();
+    if (!dynamics_->contacts().is_possible()) return std::nullopt;
+    if (!contact_search_.Find(follows_event_)) return std::nullopt;
+    next_ = Next::kEvent;
+    const double part = time() - step_start();
+    const bool is_early = contact_search_.found_stop() && part < kEarly * whole;
+    if (!repeats || !is_early || tries == kMostTries) return std::nullopt;
+    until = step_start() + kBeyond * part;
+    step_.TakeBack();
+  }
 }
 
 // Cuts a step at `end`. Discards the part beyond it, with its events.

@@ -94,6 +94,7 @@ class ExactSolver {
   std::optional<ExactFailure> Take(double end);
   std::optional<ExactFailure> AdvanceFrozen(double end);
   void CutAt(double end);
+  std::optional<ExactFailure> TakeToFirstContactChange(double end);
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
   bool FindBreak();
