@@ -272,10 +272,19 @@ void Recorder::AddEvent(EventKind kind, double frame, const std::string& joint) 
   stretch_->events.push_back({kind, seconds, static_cast<int>(rounded), joint});
 }
 
+// Impacts that began in the frames that stay, of which `event` is the last one there, may go on
+// after them.
+void Recorder::Lengthen(std::optional<size_t> event, double last_time, long count) {
+  if (!event || stays(animation_.rate.FrameAt(last_time))) return;
+  MotionEvent& kept = stretch_->events[*event];
+  kept.last_time = std::max(kept.last_time, last_time);
+  kept.count = std::max(kept.count, count);
+}
+
 // Or goes on with the event that it chatters on with.
 void Recorder::AddLimit(JointIndex j, double time, double last_time, long count) {
-  if (stays(animation_.rate.FrameAt(time))) return;
   auto& last = last_limit_[j.value()];
+  if (stays(animation_.rate.FrameAt(time))) return Lengthen(last, last_time, count);
   if (last && time - stretch_->events[*last].last_time < kChatterGap) {
     MotionEvent& event = stretch_->events[*last];
     event.count += count;
@@ -292,8 +301,13 @@ void Recorder::AddLimit(JointIndex j, double time, double last_time, long count)
 // Adds a touch-down, or counts it to the event that it repeats within kChatterGap.
 void Recorder::AddTouch(const TouchDown& touch) {
   const double frame = animation_.rate.FrameAt(touch.time);
-  if (stays(frame)) return;
   MotionEvent event = TouchEvent(touch);
+  if (stays(frame)) {
+    const auto last = last_touch_.find({event.link, event.on});
+    const bool is_known = last != last_touch_.end();
+    return Lengthen(is_known ? std::optional(last->second) : std::nullopt, event.last_time,
+                    event.count);
+  }
   const auto [entry, is_new] = last_touch_.try_emplace({event.link, event.on});
   if (!is_new) {
     MotionEvent& last = stretch_->events[entry->second];

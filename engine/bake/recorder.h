@@ -78,6 +78,7 @@ class Recorder {
   MotionEvent TouchEvent(const TouchDown& touch) const;
   size_t IndexFrom(int frame) const;
   void Keep(MotionEvent event, double end);
+  void Lengthen(std::optional<size_t> event, double last_time, long count);
   bool stays(double frame) const { return first_written_ && frame < *first_written_ - kSameFrame; }
 
   const Animation& animation_;

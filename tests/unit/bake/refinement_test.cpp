@@ -10,8 +10,8 @@
 namespace hazumi::test {
 namespace {
 
-// Three rods that swing from level and meet their limits. The tolerance needs finer steps, the first
-// of which do not help.
+// Three rods that swing from level and meet their limits. The tolerance needs finer steps, the
+// first of which do not help.
 Animation SwingingChain() {
   Animation animation = Chain();
   animation.last_frame = animation.regions[0].last_frame = 120;
