@@ -191,7 +191,8 @@ void ExactWalk::KeepControl(double frame) {
 std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end) {
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
-  const bool looks_on = falls || accounts || (driver_ && driver_->has_contacts()) ||
+  const bool is_bounded = std::isfinite(context_.options.most_work);  // work is checked by steps
+  const bool looks_on = falls || accounts || is_bounded || (driver_ && driver_->has_contacts()) ||
                         context_.options.accelerations || !context_.animation.constraints.empty();
   if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);

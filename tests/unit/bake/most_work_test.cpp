@@ -25,6 +25,21 @@ TEST(MostWork, BakeThatTakesMore_EndsWithAWarningThatNamesTheFrame) {
   EXPECT_TRUE(IsSame(motion.frames.back(), whole.frames[motion.frames.size() - 1]));
 }
 
+// Without contacts whole regions are solved at once, unless work is bounded.
+TEST(MostWork, BakeWithoutContactsThatTakesMore_EndsWithAWarningThatNamesTheFrame) {
+  Animation animation = LooseHuman(60, 1.4, 1.0);
+  animation.regions[0].touches_scene = false;
+  animation.solver.tolerance = 1e-9;
+  BakeOptions options;
+  options.most_work = 1e4;
+  const Motion motion = BakeOrFail(animation, options);
+  ASSERT_FALSE(motion.warnings.empty());
+  const Warning& last = motion.warnings.back();
+  ASSERT_TRUE(last.frame.has_value());
+  EXPECT_LT(*last.frame, 60);
+  EXPECT_EQ(motion.frames.size(), static_cast<size_t>(*last.frame) + 1);
+}
+
 // Work is counted, not timed: each bake ends in the same frame.
 TEST(MostWork, BakeThatEndsEarly_EndsInTheSameFrame) {
   const Animation animation = LooseHuman(60, 1.4, 1.0);
