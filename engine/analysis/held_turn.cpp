@@ -146,6 +146,7 @@ std::vector<HeldTurn> FindHeldTurns(const Animation& animation, const Motion& mo
 
 std::vector<Warning> WarningsOf(const std::vector<HeldTurn>& turns, const Animation& animation) {
   std::vector<Warning> warnings;
+  warnings.reserve(turns.size());
   for (const HeldTurn& turn : turns) {
     warnings.push_back(
         {"regions[" + std::to_string(turn.region) + "].joints",
