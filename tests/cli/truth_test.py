@@ -237,7 +237,7 @@ class Figures(Truth):
     def test_mass_and_centre_of_mass_are_those_of_the_figure(self):
         project = scene(rod(), EARTH, root=root_at(5), joints=keyed(-90, 0))
         text, info = self.informed(project)
-        self.assertIn(f"{MASS:g} kg", text)
+        self.assertIn(f", {MASS:g} kg", text)
         self.assert_close(info["figure"]["mass_kg"], MASS)
         file = self.folder / "m.csv"
         self.told(project, "--bake", file)
