@@ -12,18 +12,32 @@ namespace hazumi {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Penetration at which a landing is detected [m]. Contacts of a region become active at 1e-9 m.
-constexpr double kDeeper = 1e-10, kDeeperOnce = 1e-9;
-constexpr double kSameInstant = 1e-10;  // [s]
+// Tolerances of events.
+struct Tolerances {
+  double depth;    // penetration at which a landing is detected [m]
+  double instant;  // [s]
+};
+// Contacts of a region become active at 1e-9 m.
+constexpr Tolerances kExact = {1e-13, 1e-14}, kVersion1 = {1e-9, 1e-10};
+const Tolerances& TolerancesOf(const SolverRules& rules) {
+  return rules.locates_landings_exactly ? kExact : kVersion1;
+}
+
 // More landings than this in one window, and the pin holds on for one, even if it has to pull: the
 // joint that is pinned is not the point that touches, so what lifts off may go deeper at once.
 constexpr int kMostLandings = 4;
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 
+// A point that rounding alone moves does not sink [m/s].
+constexpr double kNoSpeed = 1e-9;
+// A point that is less than this deeper, and does not sink, has not landed [m].
+constexpr double kHeld = 1e-9;
+
 // Between t0, where `f` is at most zero, and t1, where it is positive: where it turns positive.
 template <typename Function>
-double Root(double t0, double f0, double t1, double f1, Function&& f) {
-  return Narrow({t0, std::min(f0, 0.0), t1, f1}, kSameInstant, f).b;
+double Root(double t0, double f0, double t1, double f1, double instant, Function&& f) {
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t1);
+  return Narrow({t0, std::min(f0, 0.0), t1, f1}, std::max(instant, rounding), f).b;
 }
 
 }  // namespace
@@ -31,11 +45,7 @@ double Root(double t0, double f0, double t1, double f1, Function&& f) {
 ContinuousGravity::ContinuousGravity(const Figure& figure, const std::vector<SceneObject>& scene,
                                      const PlacementSpan& span, double gravity,
                                      const SolverRules& rules)
-    : figure_(figure),
-      scene_(scene),
-      span_(span),
-      g_(0.0, 0.0, -gravity),
-      deeper_(rules.lands_before_contacts ? kDeeper : kDeeperOnce) {}
+    : figure_(figure), scene_(scene), span_(span), g_(0.0, 0.0, -gravity), rules_(rules) {}
 
 void ContinuousGravity::PinAt(std::optional<GroupIndex> named, const Contact& contact,
                               const DynamicsWorkspace& ws) {
@@ -119,7 +129,8 @@ std::optional<double> ContinuousGravity::ApexIn(double t0, double t1, const Pose
       return -motion.fall->v.z();
     };
     const double f0 = sinks(t0), f1 = sinks(t1);
-    apex = f0 < 0.0 && f1 >= 0.0 ? Narrow({t0, f0, t1, f1}, kSameInstant, sinks).b : kNever;
+    const double instant = TolerancesOf(rules_).instant;
+    apex = f0 < 0.0 && f1 >= 0.0 ? Narrow({t0, f0, t1, f1}, instant, sinks).b : kNever;
   }
   return apex > t0 && apex <= t1 ? std::optional(apex) : std::nullopt;
 }
@@ -141,10 +152,26 @@ double ContinuousGravity::Lift(double t, double t0, double t1, const Pose& pose,
   return g_.dot(state_.normal) - acceleration;
 }
 
+// Normal speed of the point that is nearest to something, or deepest in it; positive: away [m/s].
+double ContinuousGravity::Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const {
+  const FigureMotion motion = PlacedAt(t, pose, ws);
+  const std::optional<Contact> contact = NearestContact(figure_, scene_, *ws);
+  if (!contact) return kNever;
+  ComputeVelocities(figure_, motion.root.w, motion.root.v, motion.qd, ws);
+  const BodyScratch& body = ws->body(figure_.links()[contact->link].joint);
+  return (body.v + body.w.cross(contact->point - body.p)).dot(contact->normal);
+}
+
 std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1, const Pose& pose,
                                                            DynamicsWorkspace* ws) const {
   constexpr int kLooks = 4;
-  const auto lift = [&](double t) { return Lift(t, t0, t1, pose, ws); };
+  const double instant = TolerancesOf(rules_).instant;
+  // Positive where the figure takes off.
+  const auto lift = [&](double t) {
+    const double pull = Lift(t, t0, t1, pose, ws);
+    if (pull <= 0.0 || !rules_.pins_what_would_sink) return pull;
+    return std::min(pull, Rise(t, pose, ws) + kNoSpeed);
+  };
   const auto lost = [&](double t) { return ClearanceAt(t, pose, ws) - kTouching; };
   const double from = std::max(t0, state_.hold_until);
   if (from >= t1) return std::nullopt;
@@ -155,8 +182,9 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     const double t = look == kLooks ? t1 : from + (t1 - from) * look / kLooks;
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kNever;
-    if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, lift);
-    if (lost_now > 0.0) first = std::min(first, Root(before, lost_before, t, lost_now, lost));
+    if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
+    if (lost_now > 0.0)
+      first = std::min(first, Root(before, lost_before, t, lost_now, instant, lost));
     if (first < kNever) return take_off(first);
     before = t;
     lift_before = lift_now;
@@ -190,23 +218,33 @@ double ContinuousGravity::SpeedBound(double t0, double t1, const Pose& pose,
 std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1, const Pose& pose,
                                                            DynamicsWorkspace* ws) {
   const auto depth = [&](double t) { return state_.allowed - ClearanceAt(t, pose, ws); };
+  const Tolerances& tolerances = TolerancesOf(rules_);
   const double speed = SpeedBound(t0, t1, pose, ws);
   double t = t0, gap = -depth(t0);
   bool is_leaving = true;
   while (t < t1) {
     const double least = is_leaving ? (t1 - t0) / 64.0 : 1e-6;
     const double next = std::min(t1, t + std::max(gap / speed, least));
-    const double next_gap = -depth(next);
-    if (next_gap < -deeper_) {
-      const auto deeper = [&](double s) { return depth(s); };
-      return GravityEvent{GravityEvent::Kind::kLanding, Root(t, -gap, next, -next_gap, deeper)};
+    double next_gap = -depth(next);
+    bool is_held = false;
+    if (next_gap < -tolerances.depth) {
+      const double touches = Root(t, -gap, next, -next_gap, tolerances.instant, depth);
+      const auto sinks = [&](double at) { return Rise(at, pose, ws) < -kNoSpeed; };
+      if (next_gap < -kHeld || !rules_.pins_what_would_sink || sinks(touches) || sinks(next)) {
+        return GravityEvent{GravityEvent::Kind::kLanding, touches};
+      }
+      // Contacts of a region hold such points.
+      state_.allowed += next_gap;
+      next_gap = 0.0;
+      is_held = true;
     }
-    is_leaving = next_gap > gap;
+    is_leaving = is_held || next_gap > gap;
     t = next;
     gap = next_gap;
-    // What was deep at take-off counts as ground only until it has come up.
+    // What was deep at take-off counts as ground only until it has come up: by version 1 of the
+    // solver as far as it has, where it was looked at.
     const double raised = std::min(0.0, state_.allowed + gap);
-    if (raised > state_.allowed) {
+    if (raised > state_.allowed && (raised == 0.0 || !rules_.locates_landings_exactly)) {
       gap -= raised - state_.allowed;
       state_.allowed = raised;
     }

@@ -78,6 +78,7 @@ class ContinuousGravity {
   std::optional<GravityEvent> FindTakeOff(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws) const;
   double Lift(double t, double t0, double t1, const Pose& pose, DynamicsWorkspace* ws) const;
+  double Rise(double t, const Pose& pose, DynamicsWorkspace* ws) const;
   std::optional<GravityEvent> FindLanding(double t0, double t1, const Pose& pose,
                                           DynamicsWorkspace* ws);
   std::optional<double> ApexIn(double t0, double t1, const Pose& pose) const;
@@ -88,7 +89,7 @@ class ContinuousGravity {
   const std::vector<SceneObject>& scene_;
   const PlacementSpan& span_;
   Vec3 g_;
-  double deeper_;  // penetration at which a landing is detected [m]
+  const SolverRules rules_;
   State state_;
 };
 

@@ -22,7 +22,8 @@ struct SolverRules {
         feels_what_is_deep(version >= 2),
         slides_straight_beyond_stop(version >= 2),
         rests_without_gravity(version >= 2),
-        lands_before_contacts(version >= 2),
+        locates_landings_exactly(version >= 2),
+        pins_what_would_sink(version >= 2),
         sweeps_large_islands(version >= 2),
         keeps_balls_apart(version >= 2) {}
 
@@ -57,9 +58,13 @@ struct SolverRules {
   // Forces in time-stepping mode may give a body at rest a speed of 0.1 mm/s. Before: without
   // gravity they could give none, and resting bodies were solved in steps of 1/64 ms. [METHOD 12.4]
   bool rests_without_gravity;
-  // Landings of a placement are detected before contacts of a region become active. Before: both
-  // had the same threshold, and rounding decided whether the figure landed. [METHOD 5.6]
-  bool lands_before_contacts;
+  // Landings of a placement are detected at a depth of 1e-13 m, before contacts of a region become
+  // active. Before: both had a threshold of 1e-9 m, rounding decided whether the figure landed, and
+  // landings at little speed were milliseconds late. [METHOD 5.6]
+  bool locates_landings_exactly;
+  // A pin holds while the touching point would sink if the figure took off. Before: the figure took
+  // off and landed several times in the same instant, then the pin held for 1/30 s. [METHOD 5.5]
+  bool pins_what_would_sink;
   // Contacts of large islands are solved by sweeps from body to body, in time-stepping mode alone.
   // Before: by matrices, in cubic time. [METHOD 12.10]
   bool sweeps_large_islands;
@@ -73,12 +78,13 @@ inline auto MembersOf(const SolverRules& rules) {
   const auto& [keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed, stands_on_springs,
                parts_what_is_tied, keeps_touching_links_apart, lifts_plates_at_all_angles,
                feels_what_is_deep, slides_straight_beyond_stop, rests_without_gravity,
-               lands_before_contacts, sweeps_large_islands, keeps_balls_apart] = rules;
+               locates_landings_exactly, pins_what_would_sink, sweeps_large_islands,
+               keeps_balls_apart] = rules;
   return std::tie(keeps_speed_of_what_touches, is_causal, releases_at_keyed_speed,
                   stands_on_springs, parts_what_is_tied, keeps_touching_links_apart,
                   lifts_plates_at_all_angles, feels_what_is_deep, slides_straight_beyond_stop,
-                  rests_without_gravity, lands_before_contacts, sweeps_large_islands,
-                  keeps_balls_apart);
+                  rests_without_gravity, locates_landings_exactly, pins_what_would_sink,
+                  sweeps_large_islands, keeps_balls_apart);
 }
 
 }  // namespace hazumi
