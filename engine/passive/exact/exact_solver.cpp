@@ -9,7 +9,7 @@ namespace hazumi {
 
 namespace {
 
-// From the first start on, so that what cannot be solved ends within ten seconds.
+// From the first start on, so that what cannot be solved ends within five seconds.
 constexpr double kMostWork = 1e6, kMostWorkPerSecond = 1e6;  // in evaluations
 
 }  // namespace
@@ -148,28 +148,44 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   return std::nullopt;
 }
 
-// One step, with the hits of limits and the first change of a contact. Where sliding stops early in
-// a step, the step is repeated up to a little beyond the stop: its stages beyond the stop keep the
-// direction of friction (ContactSet::SlideOf), and tell nothing of how it turns before.
+// One step, with the hits of limits and the first change of a contact. A step whose stages do not
+// show how friction turns is repeated:
+// - If sliding stops early in the step: up to a little beyond the stop. Stages beyond the stop keep
+//   the direction of friction (ContactSet::SlideOf).
+// - If the defect is large: at half the length. Friction turned between the stages, or a limb that
+//   constraints hold became straight.
 std::optional<ExactFailure> ExactSolver::TakeToFirstContactChange(double end) {
   constexpr int kMostTries = 20;
   constexpr double kEarly = 0.5, kBeyond = 1.5;  // of the step; of its part before the stop
   const bool repeats = dynamics_->contacts().rules().slides_straight_beyond_stop;
   double until = end;
   for (int tries = 0;; ++tries) {
+    next_ = Next::kGoOn;
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     const double whole = time() - step_start();
-    next_ = Next::kGoOn;
     if (range_.any()) FindHits();
     if (!dynamics_->contacts().is_possible()) return std::nullopt;
-    if (!contact_search_.Find(follows_event_)) return std::nullopt;
-    next_ = Next::kEvent;
+    const bool found = contact_search_.Find(follows_event_);
+    if (found) next_ = Next::kEvent;
+    if (!repeats || tries == kMostTries) return std::nullopt;
     const double part = time() - step_start();
-    const bool is_early = contact_search_.found_stop() && part < kEarly * whole;
-    if (!repeats || !is_early || tries == kMostTries) return std::nullopt;
-    until = step_start() + kBeyond * part;
+    if (found && contact_search_.found_stop() && part < kEarly * whole) {
+      until = step_start() + kBeyond * part;
+    } else if (HasLargeDefect()) {
+      until = step_start() + 0.5 * part;
+    } else {
+      return std::nullopt;
+    }
     step_.TakeBack();
   }
+}
+
+// The error estimate of a step uses the same stages as the step, and misses what lies between them.
+bool ExactSolver::HasLargeDefect() {
+  constexpr double kMostDefect = 30.0;  // tolerances
+  constexpr double kRounding = 1e-13;   // least tolerance for which the defect is not rounding
+  const bool is_pushed = dynamics_->contacts().any_closed() || dynamics_->constraints().any();
+  return is_pushed && step_.tolerance() > kRounding && step_.Defect() > kMostDefect;
 }
 
 // Cuts a step at `end`. Discards the part beyond it, with its events.

@@ -95,6 +95,7 @@ class ExactSolver {
   std::optional<ExactFailure> AdvanceFrozen(double end);
   void CutAt(double end);
   std::optional<ExactFailure> TakeToFirstContactChange(double end);
+  bool HasLargeDefect();
   void Resolve(Vec3 v_pin);
   bool BreakOverloaded();
   bool FindBreak();

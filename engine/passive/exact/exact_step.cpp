@@ -147,6 +147,19 @@ void ExactStep::EndAt(double t) {
   time_ = t;
 }
 
+double ExactStep::Defect() {
+  MakeDense();
+  const int size = dynamics_->state_size();
+  if (size == 0) return 0.0;
+  const double h = step_.end_time() - step_.start_time();
+  const double t = 0.5 * (step_.start_time() + time_);
+  VecX change(size), rate(size);
+  step_.ChangeAt(t, change.data());
+  step_.At(t, y_.data());
+  dynamics_->Derivative(t, y_.data(), rate.data());
+  return (change - h * rate).cwiseAbs().cwiseQuotient(scale_.head(size)).maxCoeff();
+}
+
 void ExactStep::TakeBack() {
   time_ = step_.start_time();
   now_.q = start_.q;

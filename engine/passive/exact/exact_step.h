@@ -38,6 +38,9 @@ class ExactStep {
   std::optional<ExactFailure> Take(double end, bool is_near = false);
   // Ends the step earlier, at t.
   void EndAt(double t);
+  // Defect halfway to time(): the derivative of the dense output less that of the equations, times
+  // the length of the whole step, in units of the tolerance. The largest of all components.
+  double Defect();
   // As if it had not been taken; before anything has changed it.
   void TakeBack();
   // Goes on with the state where the step was ended as it is: next to a pole angles and rates do
