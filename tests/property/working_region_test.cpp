@@ -5,9 +5,10 @@
 // against a tight reference is within the tolerance, 0.01 degrees. References are solved at 1e-4
 // and 1e-5 of the tolerance. Where these two differ by more than ten tolerances the motion is
 // chaotic and has no true value to compare with: such cases are counted apart, one in ten at most.
-// Where contacts were frozen errors are known, and compared, up to there. A plain ctest tries a
-// few; a thousand are tried by `ctest -C Slow -L slow -R working -V`, which shows the tallies by
-// what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// Where contacts were frozen, or neighbouring tolerances take another branch, errors are known, and
+// compared, up to there; errors that a warning reports are counted apart. A plain ctest
+// tries a few; a thousand are tried by `ctest -C Slow -L slow -R working -V`, which shows the
+// tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,7 @@ constexpr double kNothing = 1e-6;           // as good as no energy: all is held
 
 struct Tally {
   int cases = 0, failed = 0, refused = 0, unreferenced = 0, chaotic = 0, compared = 0, too_far = 0;
+  int reported = 0;  // beyond the tolerance, with a warning
   int accounts = 0, open = 0;
   double worst = 0.0, worst_account = 0.0;  // error [deg], part of what changed hands
 };
@@ -43,6 +45,7 @@ enum class Outcome { kNone, kFailed, kRefused, kUnreferenced, kChaotic, kCompare
 struct Trial {
   Outcome outcome = Outcome::kNone;
   double error = 0.0, apart = 0.0;  // [deg]
+  bool is_reported = false;         // a warning reports an error of that size
   double account = -1.0;            // what is left of it, of what changed hands; none: -1
   std::string message;
 };
@@ -70,13 +73,41 @@ Result<Motion> ReferenceAt(Animation animation, double share) {
   return Bake(animation, options);
 }
 
-double FurthestApart(const Animation& animation, const Motion& a, const Motion& b) {
-  double until = HUGE_VAL, worst = 0.0;
-  for (const Motion* motion : {&a, &b}) {
-    for (const RegionReport& report : motion->regions) {
-      until = std::min(until, report.estimated_until.value_or(HUGE_VAL));
-    }
+// The last frame whose error is estimated.
+double EstimatedUntil(const Motion& motion) {
+  double until = HUGE_VAL;
+  for (const RegionReport& report : motion.regions) {
+    until = std::min(until, report.estimated_until.value_or(HUGE_VAL));
   }
+  return until;
+}
+
+// The first frame from which events of neighbouring tolerances differ.
+double BranchesFrom(const Motion& motion) {
+  double from = HUGE_VAL;
+  for (const RegionReport& report : motion.regions) {
+    from = std::min(from, report.branches_from.value_or(HUGE_VAL));
+  }
+  return from;
+}
+
+// Whether a warning reports an error of that size [deg], to a factor of ten.
+bool WarnsOf(double error, const Motion& motion) {
+  const bool warns =
+      std::any_of(motion.warnings.begin(), motion.warnings.end(), [](const Warning& warning) {
+        return warning.message.find("angles may be off") != std::string::npos;
+      });
+  double estimate = 0.0;
+  for (const RegionReport& report : motion.regions) {
+    estimate = std::max(estimate, report.error_estimate / kDegree);
+  }
+  return warns && error <= 10.0 * estimate;
+}
+
+// Largest error up to a frame [deg].
+double FurthestApart(const Animation& animation, const Motion& a, const Motion& b, double until) {
+  until = std::min({until, EstimatedUntil(a), EstimatedUntil(b)});
+  double worst = 0.0;
   for (size_t r = 0; r < animation.regions.size(); ++r) {
     worst = std::max(worst, LargestError(animation, a, b, r, until) / kDegree);
   }
@@ -118,8 +149,9 @@ Trial Try(const Animation& drawn) {
     trial.message = reference->error().ToString();
     return trial;
   }
-  trial.apart = FurthestApart(animation, one.value(), two.value());
-  trial.error = FurthestApart(animation, motion.value(), two.value());
+  trial.apart = FurthestApart(animation, one.value(), two.value(), HUGE_VAL);
+  trial.error = FurthestApart(animation, motion.value(), two.value(), BranchesFrom(motion.value()));
+  trial.is_reported = WarnsOf(trial.error, motion.value());
   trial.outcome = trial.apart > kChaos ? Outcome::kChaotic : Outcome::kCompared;
   return trial;
 }
@@ -137,16 +169,20 @@ void Count(const Trial& trial, Tally* tally) {
   }
   if (trial.outcome != Outcome::kCompared) return;
   ++tally->compared;
-  tally->too_far += !(trial.error <= kTolerance);
+  const bool is_close = trial.error <= kTolerance;
+  tally->reported += !is_close && trial.is_reported;
+  tally->too_far += !is_close && !trial.is_reported;
   tally->worst = std::max(tally->worst, trial.error);
 }
 
 void Print(const char* what, const Tally& tally) {
   std::printf(
       "%-12s %4d cases, %d failed, %d refused with a reason, %d without a reference, %d chaotic, "
-      "%d compared, %d beyond the tolerance, worst %.3g deg; %d accounts, %d open, worst %.2g\n",
+      "%d compared, %d beyond the tolerance without a warning and %d with one, worst %.3g deg; %d "
+      "accounts, %d open, worst %.2g\n",
       what, tally.cases, tally.failed, tally.refused, tally.unreferenced, tally.chaotic,
-      tally.compared, tally.too_far, tally.worst, tally.accounts, tally.open, tally.worst_account);
+      tally.compared, tally.too_far, tally.reported, tally.worst, tally.accounts, tally.open,
+      tally.worst_account);
 }
 
 void PrintOdd(int seed, const WorkingRegion& region, const Trial& trial) {
@@ -158,9 +194,10 @@ void PrintOdd(int seed, const WorkingRegion& region, const Trial& trial) {
     if (region.has(each)) acting += std::string(acting.empty() ? "" : ", ") + NameOf(each);
   }
   constexpr const char* kNames[] = {"", "failed", "refused", "no reference", "chaotic", "compared"};
-  std::printf("seed %d (%s): %s, error %.3g deg, references %.3g deg apart, account %.2g %s\n",
+  std::printf("seed %d (%s): %s, error %.3g deg%s, references %.3g deg apart, account %.2g %s\n",
               seed, acting.c_str(), kNames[static_cast<int>(trial.outcome)], trial.error,
-              trial.apart, trial.account, trial.message.c_str());
+              trial.is_reported ? " (reported)" : "", trial.apart, trial.account,
+              trial.message.c_str());
   std::fflush(stdout);
 }
 
@@ -192,6 +229,7 @@ class Trials {
     EXPECT_EQ(all_.open, 0);
     EXPECT_LE(all_.chaotic, MostOf(all_.cases, 0.1));
     EXPECT_LE(all_.too_far, MostOf(all_.compared, 0.01));
+    EXPECT_LE(all_.reported, MostOf(all_.compared, 0.01));
   }
 
  private:
@@ -226,6 +264,39 @@ TEST(WorkingRegion, LetsGoWhereAnEdgeEnds) {
   Trials trials;
   trials.Add(65);
   trials.Expect();
+}
+
+// Found among a thousand: a pin whose figure would sink if it took off; landings at next to no
+// speed; take-offs from within the ground; a limb that contacts hold while the figure takes off.
+// All of these were decided by rounding.
+TEST(WorkingRegion, TakesOffAndLandsAtTheRightTime) {
+  Trials trials;
+  for (const int seed : {900004, 900452, 900500, 900519, 900843}) trials.Add(seed);
+  trials.Expect();
+}
+
+// Found among a thousand: friction that turns, and a limb that constraints hold straight, between
+// the stages of a step. Its error estimate did not show it; the account of energy did.
+TEST(WorkingRegion, ClosesItsAccountWhereFrictionTurnsWithinAStep) {
+  Trials trials;
+  for (const int seed : {900051, 900057, 900196, 900440, 900466}) trials.Add(seed);
+  trials.Expect();
+}
+
+// A pin holds what would sink at once; a take-off takes some time.
+TEST(WorkingRegion, DoesNotTakeOffAndLandInOneInstant) {
+  constexpr double kInstant = 1e-9;  // [s]
+  const Result<Motion> motion = Bake(RandomWorkingRegion(900004).animation);
+  ASSERT_TRUE(motion.ok());
+  double took_off = -1.0;
+  int landings = 0;
+  for (const MotionEvent& event : motion.value().events) {
+    if (event.kind == EventKind::kTakeOff) took_off = event.time;
+    if (event.kind != EventKind::kLanding) continue;
+    ++landings;
+    EXPECT_GT(event.time - took_off, kInstant) << "at " << event.time << " s";
+  }
+  EXPECT_GE(landings, 3);
 }
 
 // Found among a thousand: limits that push each other off in turn, whose hits come faster and

@@ -21,6 +21,9 @@ namespace {
 
 constexpr double kFinest = 1e6, kSafely = 0.2, kHelps = 0.3, kFiner = 30.0;
 constexpr int kMostTries = 2;
+// Factor of the estimate if finer steps do not help: the whole distance from the control solution,
+// in place of a fifth, since the solution need not be the better of the two.
+constexpr double kSensitive = 5.0;
 
 constexpr const char* kIsSensitive = "the motion is so sensitive that finer steps do not help";
 constexpr const char* kFailsFiner = "finer steps cannot be solved, or take too much work";
@@ -123,10 +126,11 @@ void Refinements::Report(const std::vector<int>& regions, Recorder* recorder) co
   for (const int r : regions) {
     RegionReport& report = recorder->report(r);
     if (report.method != Method::kExact) continue;
-    report.error_estimate = std::max(report.error_estimate, of_region_[r].kept_estimate);
+    const Refinement& own = of_region_[r];
+    report.error_estimate = std::max(report.error_estimate, own.kept_estimate);
+    if (own.tries == kMostTries && !own.has_failed) report.error_estimate *= kSensitive;
     if (report.error_estimate <= report.tolerance) continue;
-    WarnOfError(r, report.error_estimate, of_region_[r].has_failed ? kFailsFiner : kIsSensitive,
-                recorder);
+    WarnOfError(r, report.error_estimate, own.has_failed ? kFailsFiner : kIsSensitive, recorder);
   }
 }
 
