@@ -233,8 +233,11 @@ class RegionDynamics {
   // What they took, in evaluations of accelerations: the equations of all hinges, with what limits
   // make of them, take about one more for each 250 entries of their matrix.
   Work work() const {
+    constexpr double kSample = 0.4;  // cost of a contact point in evaluations of one body
     const double entries = static_cast<double>(num_hinges()) * num_hinges();
     Work work = other_work_;
+    work.searches +=
+        kSample / std::max(1, model_.num_bodies) * static_cast<double>(contacts_.num_samples());
     work.motion += static_cast<double>(evaluations_);
     work.limits += entries / 250.0 * num_assembled_;
     return work;

@@ -232,6 +232,7 @@ std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state
 // `other`: its other capsule, if it has one.
 std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const MovingCapsule& moving,
                                               const MovingCapsule* other) const {
+  ++num_samples_;
   const bool is_touching = pair.mode != ContactMode::kOpen;
   if (other) return TouchPointOf(pair.pair, moving, *other, is_touching);
   return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);

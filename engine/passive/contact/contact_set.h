@@ -45,6 +45,8 @@ class ContactSet {
   const SolverRules& rules() const { return spec_.rules; }
   bool is_possible() const { return !spec_.empty(); }
   bool any_closed() const { return num_closed_ > 0; }
+  // Points of pairs computed so far, for counting work.
+  long num_samples() const { return num_samples_; }
 
   // Forgets everything.
   void Begin();
@@ -106,6 +108,7 @@ class ContactSet {
   std::vector<ContactPair> pairs_, before_;
   std::vector<MovingCapsule> moving_;  // by capsule, in FindPairs
   int num_closed_ = 0;
+  mutable long num_samples_ = 0;
 };
 
 // Two unit vectors across n.

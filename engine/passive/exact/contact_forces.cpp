@@ -19,7 +19,7 @@ namespace {
 using Kind = ConeProblem::Kind;
 
 // Of the largest acceleration there would be without the forces: less is none.
-constexpr double kNone = 1e-9, kStill = 1e-4;
+constexpr double kNoForce = 1e-9, kStill = 1e-4;
 // What would be back within so long does not bounce [s]: else it would do so for ever.
 constexpr double kShortHop = 6e-3;
 constexpr int kMostHalvings = 30;
@@ -85,7 +85,7 @@ void ContactForces::Bounce(const VecX& came) {
   VecX more = ImpulsesOfBounce(came);
   if (more.size() == 0) return;
   const VecX first = problem_.forces();
-  const double slack = kNone * std::abs(problem_.cones().b.dot(first));
+  const double slack = kNoForce * std::abs(problem_.cones().b.dot(first));
   // Where things are wedged by friction all of it might give more than there was.
   for (int i = 0; i < kMostHalvings; ++i, more *= 0.5) {
     problem_.SolveBeside(first + more);
@@ -186,7 +186,7 @@ void ContactForces::Rest(double t, const VecX& q, const VecX& qd, const std::vec
 // Whether what a row pushes with changes anything.
 bool ContactForces::IsFelt(Eigen::Index row) const {
   const ConeProblem& cones = problem_.cones();
-  return problem_.forces()[row] * cones.A(row, row) > kNone * cones.b.lpNorm<Eigen::Infinity>();
+  return problem_.forces()[row] * cones.A(row, row) > kNoForce * cones.b.lpNorm<Eigen::Infinity>();
 }
 
 void ContactForces::SetModes() {
