@@ -20,7 +20,7 @@ std::string Cleaned(const std::string& bone) {
   return name.empty() ? "bone" : ValidUtf8(name);
 }
 
-class Names {
+class TakenNames {
  public:
   std::string Claim(const std::string& name, bool has_hinges) {
     std::string own = name;
@@ -53,7 +53,7 @@ class Names {
 std::string HingeName(int axis) { return std::string(1, "xyz"[axis]); }
 
 std::vector<std::string> FigureNames(const std::vector<std::string>& bones, ImportReport* report) {
-  Names taken;
+  TakenNames taken;
   std::vector<std::string> names;
   for (const std::string& bone : bones) {
     const bool has_hinges = !names.empty();

@@ -5,8 +5,9 @@
 namespace hazumi::test {
 namespace {
 
-constexpr double kHip = 0.5308, kNeck = 0.8653, kShoulder = 0.82;  // heights, of the stature
-constexpr double kHipWidth = 0.047, kShoulderWidth = 0.11;         // of one side
+constexpr double kHipHeight = 0.5308, kNeckHeight = 0.8653,
+                 kShoulderHeight = 0.82;                    // of the stature
+constexpr double kHipWidth = 0.047, kShoulderWidth = 0.11;  // of one side
 
 int Find(const std::string& name, const Character& character) {
   for (size_t b = 0; b < character.bones.size(); ++b) {
@@ -31,7 +32,7 @@ class Maker {
     character_.metres_per_unit = 1.0;
     Bone hips;
     hips.name = "Hips";
-    hips.rest.p = kPersonHeight * Vec3(0, 0, kHip + 0.02);
+    hips.rest.p = kPersonHeight * Vec3(0, 0, kHipHeight + 0.02);
     character_.bones.push_back(hips);
   }
 
@@ -65,10 +66,11 @@ class Maker {
     const double y = side * kHipWidth;
     std::string above = "Hips";
     if (bones_.hip_joints) {
-      Add(letter + "HipJoint", above, bones_.stacked ? At("Hips") : Vec3(0, 0.5 * y, kHip + 0.01));
+      Add(letter + "HipJoint", above,
+          bones_.stacked ? At("Hips") : Vec3(0, 0.5 * y, kHipHeight + 0.01));
       above = letter + "HipJoint";
     }
-    Add(name + "UpLeg", above, Vec3(0, y, kHip));
+    Add(name + "UpLeg", above, Vec3(0, y, kHipHeight));
     if (bones_.twists) Add(name + "UpLegRoll", name + "UpLeg", Vec3(0, y, 0.41));
     Add(name + "Leg", name + "UpLeg", Vec3(0, y, 0.2883));
     Add(name + "Foot", name + "Leg", Vec3(0, y, 0.039));
@@ -79,11 +81,11 @@ class Maker {
   // Gives the last of its bones.
   std::string Spine() {
     std::string above = "Hips";
-    const double low = kHip + 0.02;
+    const double low = kHipHeight + 0.02;
     for (int i = 0; i < bones_.spine; ++i) {
       const std::string name = "Spine" + (i == 0 ? std::string() : std::to_string(i));
       const double part = (i + (bones_.stacked ? 0.0 : 0.5)) / bones_.spine;
-      Add(name, above, Vec3(0, 0, low + part * (kNeck - low)));
+      Add(name, above, Vec3(0, 0, low + part * (kNeckHeight - low)));
       above = name;
     }
     return above;
@@ -94,10 +96,10 @@ class Maker {
     const double y = side * kShoulderWidth;
     std::string above = chest;
     if (bones_.collars) {
-      Add(name + "Shoulder", above, bones_.stacked ? At(chest) : Vec3(0, 0.2 * y, kShoulder));
+      Add(name + "Shoulder", above, bones_.stacked ? At(chest) : Vec3(0, 0.2 * y, kShoulderHeight));
       above = name + "Shoulder";
     }
-    Add(name + "Arm", above, Vec3(0, y, kShoulder));
+    Add(name + "Arm", above, Vec3(0, y, kShoulderHeight));
     if (bones_.twists) Add(name + "ArmRoll", name + "Arm", Vec3(0, y, 0.74));
     Add(name + "ForeArm", name + "Arm", Vec3(0, y, 0.6582));
     if (bones_.twists) Add(name + "ForeArmRoll", name + "ForeArm", Vec3(0, y, 0.58));
@@ -123,12 +125,12 @@ class Maker {
     std::string above = chest;
     for (int i = 0; i < bones_.necks; ++i) {
       const std::string name = "Neck" + (i == 0 ? std::string() : std::to_string(i));
-      const Vec3 at(0, 0, kNeck + 0.02 * i);
+      const Vec3 at(0, 0, kNeckHeight + 0.02 * i);
       Add(name, above, bones_.stacked && i == 0 ? At(chest) : at);
       above = name;
     }
     if (!bones_.head) return End(above, Vec3(0, 0, 1.0));
-    Add("Head", above, Vec3(0, 0, kNeck + 0.04));
+    Add("Head", above, Vec3(0, 0, kNeckHeight + 0.04));
     End("Head", Vec3(0, 0, 1.0));
   }
 

@@ -191,16 +191,16 @@ std::string Trouble(const FileDialogState& files) {
   return NameIn(WithProjectSuffix(files.name)) + ": " + Tr("this file exists already.");
 }
 
-void DrawOverwrite(Editor* editor) {
+void DrawAskOverwrite(Editor* editor) {
   DrawError(Trouble(editor->dialogs.files), editor->theme());
   const int clicked = DrawButtons(*editor, {{Tr("Overwrite"), ""}, {Tr("Cancel"), ""}});
   if (clicked == 0) editor->dialogs.files.purpose->take(editor);
   if (clicked == 1 || IsEscapePressed(*editor)) editor->dialogs.files.asks_overwrite = false;
 }
 
-void DrawBottom(Editor* editor) {
+void DrawFooter(Editor* editor) {
   FileDialogState& files = editor->dialogs.files;
-  if (files.asks_overwrite) return DrawOverwrite(editor);
+  if (files.asks_overwrite) return DrawAskOverwrite(editor);
   DrawError(Trouble(files), editor->theme());
   const FilePurpose& purpose = *files.purpose;
   const ButtonText choose = {Tr(purpose.button), Tr(purpose.button_help)};
@@ -232,7 +232,7 @@ void DrawFileDialog(Editor* editor) {
   ImGui::PopStyleColor();
   DrawName(editor);
   const TabStops stops(false);  // Enter and Esc are enough
-  DrawBottom(editor);
+  DrawFooter(editor);
 }
 
 }  // namespace hazumi::ui

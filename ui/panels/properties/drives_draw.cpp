@@ -15,7 +15,7 @@ namespace hazumi::ui {
 
 namespace {
 
-struct Place {
+struct DrivePlace {
   std::string region;
   int number;
   Json With(Json more) const {
@@ -41,7 +41,8 @@ double ValueNow(const ProjectCurve& curve, const edit::Session& session) {
 }
 
 // In the current frame; a change keys it there.
-void DrawKeyed(Editor* editor, const KeyedRow& row, const ProjectCurve& curve, const Place& place) {
+void DrawKeyed(Editor* editor, const KeyedRow& row, const ProjectCurve& curve,
+               const DrivePlace& place) {
   NumberField field{row.parameter, Tr(row.label), ValueNow(curve, editor->session()), row.format,
                     row.step};
   DrawNumber(editor, field, [&](double value, const std::string& drag) {
@@ -61,7 +62,7 @@ void DrawKeyed(Editor* editor, const KeyedRow& row, const ProjectCurve& curve, c
 }
 
 // Keys of them replace the one number.
-void DrawOverTime(Editor* editor, const ProjectDrive& drive, const Place& place) {
+void DrawOverTime(Editor* editor, const ProjectDrive& drive, const DrivePlace& place) {
   constexpr KeyedRow kFrequency = {"frequency", "Frequency here", "%.2f Hz", 0.02};
   constexpr KeyedRow kStrength = {"strength", "Strength here", "%.2f", 0.01};
   if (!drive.frequency_over_time.keys.empty()) {
@@ -111,7 +112,7 @@ bool DrawLimits(const ProjectDrive& drive, const SetItem& set) {
 }
 
 // True if the list has changed.
-bool DrawDrive(Editor* editor, const ProjectDrive& drive, const Place& place) {
+bool DrawDrive(Editor* editor, const ProjectDrive& drive, const DrivePlace& place) {
   std::string names;
   for (const std::string& name : NamesOf(drive.joints)) {
     names += (names.empty() ? "" : ", ") + name;

@@ -17,7 +17,7 @@ namespace {
 // Things to do, in groups that lines part.
 using Items = std::vector<std::vector<MenuEntry>>;
 
-std::vector<std::string> SelectedNames(const edit::Session& session) {
+std::vector<std::string> SelectedJointNames(const edit::Session& session) {
   std::vector<std::string> names;
   for (const GroupIndex joint : SelectedJoints(session)) {
     names.push_back(session.figure().group(joint).name);
@@ -28,7 +28,7 @@ std::vector<std::string> SelectedNames(const edit::Session& session) {
 // A region of the joints with all that is beyond them.
 Json RegionOutwards(const edit::Session& session) {
   Json joints = Json::array();
-  for (const std::string& name : SelectedNames(session)) joints.push_back(name + "+");
+  for (const std::string& name : SelectedJointNames(session)) joints.push_back(name + "+");
   if (session.is_root_selected()) joints.push_back(session.figure().root_name() + "+");
   const ProjectFrames frames = FramesToMark(session);
   return {{"first", frames.first},
@@ -108,7 +108,7 @@ std::string TitleOf(ViewportPopup popup, const Editor& editor) {
   if (popup == ViewportPopup::kObject) return NameOfSelectedObject(editor);
   if (popup == ViewportPopup::kAdd) return Tr("Add");
   if (popup != ViewportPopup::kJoint) return "";
-  const std::vector<std::string> names = SelectedNames(editor.session());
+  const std::vector<std::string> names = SelectedJointNames(editor.session());
   if (names.empty()) return "";
   return names.size() == 1 ? names[0] : names[0] + " +" + std::to_string(names.size() - 1);
 }
