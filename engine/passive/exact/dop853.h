@@ -125,13 +125,14 @@ class Dop853 {
   // Derivative of At with respect to time, times the length of the step.
   void ChangeAt(double t, double* change) const {
     const double s = h_ > 0.0 ? (t - t0_) / h_ : 0.0, s1 = 1.0 - s;
-    for (int i = 0; i < n_; ++i) {
-      double sum = dense_[static_cast<size_t>(7 * n_ + i)], slope = 0.0;
+    const double* d = dense_.data();
+    for (int i = 0; i < n_; ++i, ++d) {
+      double sum = d[7 * n_], slope = 0.0;
       for (int row = 6; row >= 0; --row) {
         const bool is_even = row % 2 == 0;
         const double by = is_even ? s : s1;
         slope = (is_even ? sum : -sum) + by * slope;
-        sum = dense_[static_cast<size_t>(row * n_ + i)] + by * sum;
+        sum = d[row * n_] + by * sum;
       }
       change[i] = slope;
     }
