@@ -183,8 +183,9 @@ std::optional<GravityEvent> ContinuousGravity::FindTakeOff(double t0, double t1,
     const double lift_now = lift(t), lost_now = lost(t);
     double first = kNever;
     if (lift_now > 0.0) first = Root(before, lift_before, t, lift_now, instant, lift);
-    if (lost_now > 0.0)
+    if (lost_now > 0.0) {
       first = std::min(first, Root(before, lost_before, t, lost_now, instant, lost));
+    }
     if (first < kNever) return take_off(first);
     before = t;
     lift_before = lift_now;
@@ -241,8 +242,8 @@ std::optional<GravityEvent> ContinuousGravity::FindLanding(double t0, double t1,
     is_leaving = is_held || next_gap > gap;
     t = next;
     gap = next_gap;
-    // What was deep at take-off counts as ground only until it has come up: by version 1 of the
-    // solver as far as it has, where it was looked at.
+    // Depth at take-off counts as ground until the figure has been outside. Version 1 of the solver
+    // raised it to the least depth at the samples.
     const double raised = std::min(0.0, state_.allowed + gap);
     if (raised > state_.allowed && (raised == 0.0 || !rules_.locates_landings_exactly)) {
       gap -= raised - state_.allowed;

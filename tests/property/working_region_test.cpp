@@ -5,8 +5,8 @@
 // against a tight reference is within the tolerance, 0.01 degrees. References are solved at 1e-4
 // and 1e-5 of the tolerance. Where these two differ by more than ten tolerances the motion is
 // chaotic and has no true value to compare with: such cases are counted apart, one in ten at most.
-// Where contacts were frozen, or neighbouring tolerances take another branch, errors are known, and
-// compared, up to there; errors that a warning reports are counted apart. A plain ctest
+// Errors are compared up to the frame where contacts were frozen, or from which neighbouring
+// tolerances take another branch; errors that a warning reports are counted apart. A plain ctest
 // tries a few; a thousand are tried by `ctest -C Slow -L slow -R working -V`, which shows the
 // tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
