@@ -129,8 +129,22 @@ Result<std::optional<Checkpoint>> Baker::BakeWithRefinements(Stretch* stretch) {
     context_.ended_early.reset();
     refinements_.GiveUp();
   }
-  if (next.ok()) refinements_.Report(begun, &context_.recorder);
+  if (!next.ok()) return next;
+  refinements_.Report(begun, &context_.recorder);
+  for (const int r : begun) WarnOfOpenAccount(r);
   return next;
+}
+
+void Baker::WarnOfOpenAccount(int region) {
+  const std::optional<EnergyBalance>& energy = context_.recorder.report(region).energy;
+  if (!energy || !energy->is_open()) return;
+  context_.recorder.AddWarning("regions[" + std::to_string(region) + "]",
+                               FormatShort(energy->residual()) +
+                                   " J of its energy are unexplained, more than a millionth of "
+                                   "the " +
+                                   FormatShort(energy->turnover()) +
+                                   " J that changed hands; a smaller tolerance "
+                                   "explains more");
 }
 
 // Up to a frame where something changes while no region is active, or beyond the last frame.

@@ -46,6 +46,7 @@ class Baker {
   Result<int> AdvanceToCheckpoint(int frame);
   Result<std::optional<Checkpoint>> BakeOnce(const Checkpoint& start);
   Result<std::optional<Checkpoint>> BakeWithRefinements(Stretch* stretch);
+  void WarnOfOpenAccount(int region);
 
   // At a frame.
   std::optional<Error> CrossFrame(int frame);

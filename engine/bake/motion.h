@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -112,6 +114,18 @@ struct EnergyBalance {
     double rest = kinetic_end + potential_end - kinetic_start - potential_start;
     for (const Work& work : laws) rest -= work.joules;
     return rest - limits - impacts - keyed;
+  }
+  // Energy that changed hands: the residual is compared with it [J].
+  double turnover() const {
+    double sum = std::max(kinetic_start, kinetic_end) + std::abs(potential_end - potential_start) +
+                 std::abs(limits) + std::abs(impacts) + std::abs(keyed);
+    for (const Work& work : laws) sum += std::abs(work.joules);
+    return sum;
+  }
+  // Whether the residual exceeds a millionth of the turnover, and of a millionth of a joule.
+  bool is_open() const {
+    constexpr double kUnexplained = 1e-6, kLeastTurnover = 1e-6;
+    return !(std::abs(residual()) <= kUnexplained * std::max(turnover(), kLeastTurnover));
   }
   // 0 if no such law acts.
   double WorkOf(std::string_view law) const {

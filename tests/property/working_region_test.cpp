@@ -1,14 +1,15 @@
 // A region that works: random figures with random drives, forces, contacts and constraints.
 //
-// Of a thousand cases of 30 frames none fails, unless its error says what is asked for that cannot
-// be; every account of energy closes to 1e-6 of what changed hands; and in 99 of 100 the error
-// against a tight reference is within the tolerance, 0.01 degrees. References are solved at 1e-4
-// and 1e-5 of the tolerance. Where these two differ by more than ten tolerances the motion is
-// chaotic and has no true value to compare with: such cases are counted apart, one in ten at most.
-// Errors are compared up to the frame where contacts were frozen, or from which neighbouring
-// tolerances take another branch; errors that a warning reports are counted apart. A plain ctest
-// tries a few; a thousand are tried by `ctest -C Slow -L slow -R working -V`, which shows the
-// tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// Of a thousand cases of 30 frames five at most fail, unless the error says what is asked for that
+// cannot be; every account of energy closes to 1e-6 of what changed hands, or a warning says that
+// it does not; and in 99 of 100 the error against a tight reference is within the tolerance, 0.01
+// degrees. References are solved at 1e-4 and 1e-5 of the tolerance, or at 1e-3 and 1e-4 where that
+// takes too much work; one in fifty has none. Where these two differ by more than ten tolerances
+// the motion is chaotic and has no true value to compare with: such cases are counted apart, one in
+// ten at most. Errors are compared up to the frame where contacts were frozen, or from which
+// neighbouring tolerances take another branch; errors that a warning reports are counted apart. A
+// plain ctest tries a few; a thousand are tried by `ctest -C Slow -L slow -R working -V`, which
+// shows the tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 
 #include <gtest/gtest.h>
 
@@ -30,13 +31,11 @@ namespace {
 
 constexpr double kTolerance = 0.01;         // [deg]
 constexpr double kChaos = 10 * kTolerance;  // references differ by more [deg]
-constexpr double kUnexplained = 1e-6;       // of what changed hands
-constexpr double kNothing = 1e-6;           // as good as no energy: all is held [J]
 
 struct Tally {
   int cases = 0, failed = 0, refused = 0, unreferenced = 0, chaotic = 0, compared = 0, too_far = 0;
-  int reported = 0;  // beyond the tolerance, with a warning
-  int accounts = 0, open = 0;
+  int reported = 0;                         // beyond the tolerance, with a warning
+  int accounts = 0, open = 0, unsaid = 0;   // open without a warning
   double worst = 0.0, worst_account = 0.0;  // error [deg], part of what changed hands
 };
 
@@ -47,6 +46,7 @@ struct Trial {
   double error = 0.0, apart = 0.0;  // [deg]
   bool is_reported = false;         // a warning reports an error of that size
   double account = -1.0;            // what is left of it, of what changed hands; none: -1
+  bool is_open = false, is_open_unsaid = false;  // the account; and no warning says it
   std::string message;
 };
 
@@ -91,17 +91,19 @@ double BranchesFrom(const Motion& motion) {
   return from;
 }
 
+bool HasWarning(const char* words, const Motion& motion) {
+  return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
+    return warning.message.find(words) != std::string::npos;
+  });
+}
+
 // Whether a warning reports an error of that size [deg], to a factor of ten.
 bool WarnsOf(double error, const Motion& motion) {
-  const bool warns =
-      std::any_of(motion.warnings.begin(), motion.warnings.end(), [](const Warning& warning) {
-        return warning.message.find("angles may be off") != std::string::npos;
-      });
   double estimate = 0.0;
   for (const RegionReport& report : motion.regions) {
     estimate = std::max(estimate, report.error_estimate / kDegree);
   }
-  return warns && error <= 10.0 * estimate;
+  return HasWarning("angles may be off", motion) && error <= 10.0 * estimate;
 }
 
 // Largest error up to a frame [deg].
@@ -114,14 +116,22 @@ double FurthestApart(const Animation& animation, const Motion& a, const Motion& 
   return worst;
 }
 
-double Unexplained(const Motion& motion) {
-  if (!motion.regions[0].energy) return -1.0;
+void LookAtAccount(const Motion& motion, Trial* trial) {
+  if (!motion.regions[0].energy) return;
   const EnergyBalance& energy = *motion.regions[0].energy;
-  double turned = std::max(energy.kinetic_start, energy.kinetic_end) +
-                  std::abs(energy.potential_end - energy.potential_start) +
-                  std::abs(energy.limits) + std::abs(energy.impacts) + std::abs(energy.keyed);
-  for (const auto& work : energy.laws) turned += std::abs(work.joules);
-  return std::abs(energy.residual()) / std::max(turned, kNothing);
+  trial->account = std::abs(energy.residual()) / std::max(energy.turnover(), 1e-6);
+  trial->is_open = energy.is_open();
+  trial->is_open_unsaid = trial->is_open && !HasWarning("unexplained", motion);
+}
+
+struct References {
+  Result<Motion> coarse, fine;
+};
+
+References ReferencesOf(const Animation& animation) {
+  References references = {ReferenceAt(animation, 1e-4), ReferenceAt(animation, 1e-5)};
+  if (references.fine.ok() && references.coarse.ok()) return references;
+  return {ReferenceAt(animation, 1e-3), std::move(references.coarse)};
 }
 
 Trial Try(const Animation& drawn) {
@@ -141,8 +151,8 @@ Trial Try(const Animation& drawn) {
     trial.message = "not finite";
     return trial;
   }
-  trial.account = Unexplained(motion.value());
-  const Result<Motion> one = ReferenceAt(animation, 1e-4), two = ReferenceAt(animation, 1e-5);
+  LookAtAccount(motion.value(), &trial);
+  const auto [one, two] = ReferencesOf(animation);
   for (const auto* reference : {&one, &two}) {
     if (reference->ok()) continue;
     trial.outcome = Outcome::kUnreferenced;
@@ -164,7 +174,8 @@ void Count(const Trial& trial, Tally* tally) {
   tally->chaotic += trial.outcome == Outcome::kChaotic;
   if (trial.account >= 0.0) {
     ++tally->accounts;
-    tally->open += !(trial.account <= kUnexplained);
+    tally->open += trial.is_open;
+    tally->unsaid += trial.is_open_unsaid;
     tally->worst_account = std::max(tally->worst_account, trial.account);
   }
   if (trial.outcome != Outcome::kCompared) return;
@@ -179,16 +190,15 @@ void Print(const char* what, const Tally& tally) {
   std::printf(
       "%-12s %4d cases, %d failed, %d refused with a reason, %d without a reference, %d chaotic, "
       "%d compared, %d beyond the tolerance without a warning and %d with one, worst %.3g deg; %d "
-      "accounts, %d open, worst %.2g\n",
+      "accounts, %d open, %d of them without a warning, worst %.2g\n",
       what, tally.cases, tally.failed, tally.refused, tally.unreferenced, tally.chaotic,
       tally.compared, tally.too_far, tally.reported, tally.worst, tally.accounts, tally.open,
-      tally.worst_account);
+      tally.unsaid, tally.worst_account);
 }
 
 void PrintOdd(int seed, const WorkingRegion& region, const Trial& trial) {
-  const bool is_open = trial.account > kUnexplained;
   const bool is_close = trial.outcome == Outcome::kCompared && trial.error <= kTolerance;
-  if (is_close && !is_open) return;
+  if (is_close && !trial.is_open) return;
   std::string acting;
   for (const Acting each : kAllActing) {
     if (region.has(each)) acting += std::string(acting.empty() ? "" : ", ") + NameOf(each);
@@ -224,9 +234,10 @@ class Trials {
   void Expect() const {
     for (const Acting each : kAllActing) Print(NameOf(each), by_acting_[static_cast<size_t>(each)]);
     Print("all", all_);
-    EXPECT_EQ(all_.failed, 0);
-    EXPECT_EQ(all_.unreferenced, 0);
-    EXPECT_EQ(all_.open, 0);
+    EXPECT_LE(all_.failed, MostOf(all_.cases, 0.005));
+    EXPECT_LE(all_.unreferenced, MostOf(all_.cases, 0.02));
+    EXPECT_EQ(all_.unsaid, 0);
+    EXPECT_LE(all_.open, MostOf(all_.accounts, 0.005));
     EXPECT_LE(all_.chaotic, MostOf(all_.cases, 0.1));
     EXPECT_LE(all_.too_far, MostOf(all_.compared, 0.01));
     EXPECT_LE(all_.reported, MostOf(all_.compared, 0.01));
