@@ -1,7 +1,8 @@
 #!/usr/bin/env -S /usr/bin/python3
 """A member that is added to a struct of which caches, checkpoints, undo or the reach of edits make
 something is not forgotten: the code that has to deal with it does not compile without it. Each
-struct gets one more member, in a copy, and the compiler has to complain about that struct.
+struct gets one more member, in a copy, and the compiler has to complain about that struct. That the
+sources compile as they are is what the build shows.
 
 usage: tests/members_test.py [COMPILER]"""
 
@@ -57,10 +58,9 @@ def with_members(header, structs):
 
 
 def complaints(source, folder):
-    done = subprocess.run(
+    return subprocess.run(
         [COMPILER, "-std=c++20", "-fsyntax-only", "-fmax-errors=0", f"-I{folder}", f"-I{ROOT}",
-         "-isystem", EIGEN, ROOT / source], capture_output=True, text=True, check=False)
-    return done.returncode, done.stderr
+         "-isystem", EIGEN, ROOT / source], capture_output=True, text=True, check=False).stderr
 
 
 class Members(unittest.TestCase):
@@ -71,16 +71,10 @@ class Members(unittest.TestCase):
                     copy = pathlib.Path(folder) / header
                     copy.parent.mkdir(parents=True, exist_ok=True)
                     copy.write_text(with_members(header, structs))
-                _, said = complaints(source, folder)
+                said = complaints(source, folder)
                 for struct in (s for structs in headers.values() for s in structs):
                     with self.subTest(struct):
                         self.assertRegex(said, rf"‘[^’]*\b{struct}’ decomposes into|'[^']*\b{struct}' decomposes into")
-
-    def test_as_they_are_they_compile(self):
-        for source in STRUCTS:
-            with self.subTest(source), tempfile.TemporaryDirectory() as folder:
-                code, said = complaints(source, folder)
-                self.assertEqual(code, 0, said)
 
 
 unittest.main()
