@@ -14,10 +14,14 @@ bool IsEnd(BodyPart part) {
 class Names {
  public:
   explicit Names(const std::vector<NamedBone>& bones) : bones_(bones) {
-    for (const NamedBone& bone : bones) {
-      ReadName name = ReadBoneName(bone.name);
+    std::vector<std::string> names;
+    for (const NamedBone& bone : bones) names.push_back(bone.name);
+    names = WithoutPrefix(std::move(names));
+    for (size_t b = 0; b < bones.size(); ++b) {
+      const int parent = bones[b].parent;
+      ReadName name = ReadBoneName(names[b]);
       BodySide& side = name.body.side;
-      if (side == BodySide::kMiddle && bone.parent >= 0) side = read_[bone.parent].body.side;
+      if (side == BodySide::kMiddle && parent >= 0) side = read_[parent].body.side;
       read_.push_back(name);
       Count(name);
     }

@@ -134,10 +134,29 @@ ReadName ReadBoneName(const std::string& bone) {
   read.body.side = TakeSide(name, &words);
   std::string text;
   for (const std::string& word : words) text += word;
-  read.is_twist = Has(text, "twist") || Has(text, "roll");
+  read.is_twist = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return Has(word, "twist") || Has(word, "roll");
+  });
   read.is_helper = std::any_of(words.begin(), words.end(), IsHelperWord);
   ReadPart(text, &read);
   return read;
+}
+
+std::vector<std::string> WithoutPrefix(std::vector<std::string> names) {
+  if (names.size() < 2) return names;
+  std::string prefix = names[0];
+  for (const std::string& name : names) {
+    const auto ends = std::mismatch(prefix.begin(), prefix.end(), name.begin(), name.end());
+    prefix.erase(ends.first, prefix.end());
+  }
+  const size_t separator = prefix.find_last_of("_:|. -");
+  const size_t length = separator == std::string::npos ? 0 : separator + 1;
+  const bool is_all_of_one = std::any_of(
+      names.begin(), names.end(), [&](const std::string& name) { return name.size() == length; });
+  const bool has_side = ReadBoneName(prefix.substr(0, length)).body.side != BodySide::kMiddle;
+  if (is_all_of_one || has_side) return names;
+  for (std::string& name : names) name.erase(0, length);
+  return names;
 }
 
 double RadiusShareOf(const BodyName& body) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/figure/side_names.h"
 
@@ -47,6 +48,10 @@ struct ReadName {
   bool is_helper = false;  // of a rig, no part of a body: "ik_hand_l", "kneePole.L"
 };
 ReadName ReadBoneName(const std::string& bone);
+
+// Names without what all of them begin with up to a separator, such as "Armature_" or "Hero|",
+// unless that is a side.
+std::vector<std::string> WithoutPrefix(std::vector<std::string> names);
 
 // Of a capsule, as a share of the body's height. Ours.
 double RadiusShareOf(const BodyName& body);

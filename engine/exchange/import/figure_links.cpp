@@ -116,7 +116,7 @@ class LinkMaker {
     const Bone& bone = character_.bones[skeleton_.bones[k].bone];
     if (bone.end_site) {
       add(world_.Placed((k == 0 ? rest.R : Mat3(Mat3::Identity())) *
-                        (rest.scale * *bone.end_site)));
+                        (rest.stretch * *bone.end_site)));
     }
     if (ends.empty() && !vertices_[k].empty()) {
       Vec3 mean = Vec3::Zero();

@@ -6,7 +6,7 @@ namespace {
 
 Eigen::Matrix4d MatrixOf(const BonePose& pose) {
   Eigen::Matrix4d M = Eigen::Matrix4d::Identity();
-  M.topLeftCorner<3, 3>() = pose.scale * pose.R;
+  M.topLeftCorner<3, 3>() = pose.R * pose.stretch;
   M.topRightCorner<3, 1>() = pose.p;
   return M;
 }

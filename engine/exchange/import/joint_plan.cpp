@@ -75,8 +75,11 @@ class Planner {
     const BonePose& parent = skeleton_.rest[bone(k).parent];
     const bool on_root = joint.parent == 0;
     const Mat3 above = on_root ? parent.R : Mat3(Mat3::Identity());
-    joint.orientation = world_.Turned(above * bone(k).rest.R);
-    joint.offset = world_.Placed(above * (parent.scale * Offset(k)));
+    const Mat3 turn = parent.is_even()
+                          ? bone(k).rest.R
+                          : Mat3(parent.R.transpose() * skeleton_.rest[skeleton_.bones[k].bone].R);
+    joint.orientation = world_.Turned(above * turn);
+    joint.offset = world_.Placed(above * (parent.stretch * Offset(k)));
     Turn(k, &joint);
     return joint;
   }
@@ -88,7 +91,7 @@ class Planner {
     if (scales.width() > kSameScale) Drop(bone(k), "scale", scales, 1.0, "");
     if (moved.translations.empty()) return bone(k).rest.p;
     const Range range = RangeOf(moved.translations);
-    const double scale = skeleton_.rest[bone(k).parent].scale;
+    const double scale = skeleton_.rest[bone(k).parent].stretch.diagonal().mean();
     if (range.width() * world_.metres * scale <= kStill) return range.sum / range.num;
     Drop(bone(k), "translation", range, 100.0 * world_.metres * scale, " cm");
     return range.sum / range.num;

@@ -1,5 +1,6 @@
 #include "engine/exchange/import/skeleton.h"
 
+#include <Eigen/SVD>
 #include <algorithm>
 
 namespace hazumi {
@@ -11,8 +12,19 @@ const T& Of(const std::vector<T>& list, int frame, const T& otherwise) {
   return list.empty() ? otherwise : list[frame];
 }
 
+// A = R stretch, the stretch symmetric: the polar decomposition of what stretches parts of it make.
 BonePose Below(const BonePose& parent, const Mat3& R, const Vec3& p, const Vec3& scale) {
-  return {parent.R * R, parent.p + parent.R * (parent.scale * p), parent.scale * scale.mean()};
+  const Vec3 place = parent.At(p);
+  if (parent.is_even()) {
+    const double all = parent.stretch(0, 0);
+    return {parent.R * R, place, (all * scale).asDiagonal().toDenseMatrix()};
+  }
+  const Mat3 A = parent.stretch * R * scale.asDiagonal();
+  const Eigen::JacobiSVD<Mat3> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Mat3 turn = svd.matrixU() * svd.matrixV().transpose();
+  // A scale that mirrors stays in the stretch.
+  const Mat3 proper = turn.determinant() < 0.0 ? Mat3(-turn) : turn;
+  return {parent.R * proper, place, proper.transpose() * A};
 }
 
 std::vector<char> Weighted(const Character& character) {
@@ -40,8 +52,32 @@ std::vector<char> CarriersOf(const Character& character, std::vector<char> these
   return these;
 }
 
-// Without a skin. Helpers of a rig, such as "ik_foot_l", are no part of the body that they move.
-bool IsWantedBare(const Bone& bone) { return bone.is_joint && !ReadBoneName(bone.name).is_helper; }
+bool AreAlike(const ReadName& a, const ReadName& b) {
+  return a.body.part == b.body.part && a.body.side == b.body.side && a.word == b.word;
+}
+
+// Without a skin: what moves, but for handles of a rig, such as "ik_foot_l" beside "foot_l", and
+// "pole_target" beside bones without such words in their names.
+std::vector<char> WantedBare(const Character& character) {
+  std::vector<std::string> written;
+  for (const Bone& bone : character.bones) written.push_back(bone.name);
+  written = WithoutPrefix(std::move(written));
+  std::vector<ReadName> names, plain;
+  for (size_t b = 0; b < written.size(); ++b) {
+    names.push_back(ReadBoneName(written[b]));
+    if (character.bones[b].is_joint && !names.back().is_helper) plain.push_back(names.back());
+  }
+  const auto is_handle = [&](const ReadName& name) {
+    if (!name.is_helper || plain.empty()) return false;
+    return name.body.part == BodyPart::kOther ||
+           std::any_of(plain.begin(), plain.end(),
+                       [&](const ReadName& other) { return AreAlike(name, other); });
+  };
+  std::vector<char> wanted;
+  for (size_t b = 0; b < names.size(); ++b)
+    wanted.push_back(character.bones[b].is_joint && !is_handle(names[b]));
+  return wanted;
+}
 
 // Whether a bone only moves the pelvis about, as game engines have it: it lies on the ground.
 bool IsMover(const Character& character, int bone, int below, const std::vector<char>& weighted) {
@@ -85,6 +121,12 @@ void NameBones(const Character& character, std::vector<KeptBone>* kept) {
 
 }  // namespace
 
+bool BonePose::is_even() const {
+  const Vec3 axes = stretch.diagonal();
+  return stretch.isDiagonal(0.0) &&
+         axes.maxCoeff() - axes.minCoeff() <= 1e-9 * axes.cwiseAbs().maxCoeff();
+}
+
 std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int frame) {
   static const BoneTrack kStill;
   std::vector<BonePose> poses(character.bones.size());
@@ -104,9 +146,7 @@ Result<Skeleton> SkeletonOf(const Character& character) {
   const size_t num = character.bones.size();
   const std::vector<char> weighted = Weighted(character);
   std::vector<char> wanted = weighted;
-  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) {
-    for (size_t b = 0; b < num; ++b) wanted[b] = IsWantedBare(character.bones[b]);
-  }
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) wanted = WantedBare(character);
   const std::vector<char> carriers = CarriersOf(character, wanted);
   const int root = LowestCommon(character, wanted, weighted, carriers);
   if (root < 0) {

@@ -13,11 +13,15 @@
 
 namespace hazumi {
 
-// A bone in the world of the file.
+// A bone in the world of the file: what lies at x in its frame is at p + R stretch x. The stretch
+// is symmetric: the scales of the bone and of those above it, which turn against each other.
 struct BonePose {
   Mat3 R = Mat3::Identity();
   Vec3 p = Vec3::Zero();
-  double scale = 1.0;  // of what lies in its frame; the mean of the axes'
+  Mat3 stretch = Mat3::Identity();
+
+  Vec3 At(const Vec3& x) const { return p + R * (stretch * x); }
+  bool is_even() const;  // stretched alike along all axes
 };
 
 // Of all bones at a frame; without a clip, at rest.

@@ -34,7 +34,7 @@ Extent ExtentOf(const Character& character, const Skeleton& skeleton,
     const BonePose& pose = poses[kept.bone];
     extent.Take(pose.p);
     const auto& end = character.bones[kept.bone].end_site;
-    if (end) extent.Take(pose.p + pose.R * (pose.scale * *end));
+    if (end) extent.Take(pose.At(*end));
   }
   return extent;
 }
@@ -49,7 +49,7 @@ Extent SkinExtent(const Character& character, const Skeleton& skeleton) {
       const SkinMesh::Bind& bind = mesh.binds[mesh.bind_indices[v][most]];
       const BonePose& pose = skeleton.rest[bind.bone];
       const Vec3 p = (bind.inverse_bind * mesh.positions[v].cast<double>().homogeneous()).head<3>();
-      extent.Take(pose.p + pose.R * (pose.scale * p));
+      extent.Take(pose.At(p));
     }
   }
   return extent;

@@ -1,11 +1,26 @@
 #include "engine/exchange/reader/read_here.h"
 
-#include "engine/exchange/assimp/scene_read.h"
+#include "engine/exchange/assimp/assimp_read.h"
 #include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/character/character_check.h"
+#include "engine/exchange/gltf_reader/read_gltf.h"
 #include "engine/exchange/reader/whole_file.h"
+#include "engine/exchange/scene/scene_character.h"
 
 namespace hazumi {
+namespace {
+
+Result<Character> ReadScene(CharacterFormat format, ReadUse use, std::string bytes,
+                            const std::string& path) {
+  SceneFolder folder(path);
+  const bool is_gltf = format == CharacterFormat::kGltf || format == CharacterFormat::kGlb;
+  Result<Scene> scene = is_gltf ? ReadGltf(bytes, path, &folder)
+                                : ReadByAssimp(format, std::move(bytes), path, &folder);
+  if (!scene.ok()) return scene.error();
+  return CharacterOf(use, std::move(scene).value(), &folder, path);
+}
+
+}  // namespace
 
 Result<Character> ReadHere(ReadUse use, const std::string& path) {
   Result<std::string> bytes = WholeFile(path, kLongestFile);

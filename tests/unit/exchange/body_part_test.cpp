@@ -142,6 +142,20 @@ TEST(BodyNames, WordsThatAreNotClearAreToldByTheBonesBesideThem) {
   ExpectChain({{"LeftArm", kUpperArm}, {"LeftArmRoll", kUpperArm}, {"LeftForeArm", kForearm}});
 }
 
+TEST(BodyNames, WhatAllNamesBeginWithSaysNothing) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(WithoutPrefix({"Armature_Hips", "Armature_LeftArm"}), (Names{"Hips", "LeftArm"}));
+  EXPECT_EQ(WithoutPrefix({"Hero|a_b", "Hero|a_c"}), (Names{"b", "c"}));
+  EXPECT_EQ(WithoutPrefix({"Armature", "Armature_Hips"}), (Names{"Armature", "Armature_Hips"}));
+  EXPECT_EQ(WithoutPrefix({"Left_Arm", "Left_Hand"}), (Names{"Left_Arm", "Left_Hand"}));
+  EXPECT_EQ(WithoutPrefix({"Hips", "Head"}), (Names{"Hips", "Head"})) << "no separator";
+  EXPECT_EQ(WithoutPrefix({"root"}), (Names{"root"}));
+  ExpectChain({{"Armature_Chest", kTrunk},
+               {"Armature_LeftArm", kUpperArm},
+               {"Armature_LeftForeArm", kForearm}});
+  EXPECT_FALSE(ReadBoneName("control_LeftLeg").is_twist) << "no \"roll\" in it";
+}
+
 TEST(BodyNames, WordsOfLimbsOnNoSideAreNoLimbs) {
   ExpectChain({{"Hips", kPelvis}, {"Bip01 Footsteps", kOther}, {"LeftUpLeg", kThigh}});
   ExpectChain({{"LeftUpLeg", kThigh}, {"LeftFoot", kFoot}, {"LeftFootThumb1", kFoot}});

@@ -18,8 +18,9 @@ std::vector<BareNode> Body(bool has_moving_legs = true) {
           {"LeftFoot", 5, {0, -0.5, 0}}, {"RightUpLeg", 0, {-0.1, 0, 0}},
           {"RightLeg", 7, {0, -0.5, 0}}, {"RightFoot", 8, {0, -0.5, 0}}};
 }
-const std::vector<std::string> kBody = {"Hips",    "Spine",      "Head",    "LeftUpLeg",
-                                        "LeftLeg", "RightUpLeg", "RightLeg"};
+const std::vector<std::string> kBody = {"Hips",       "Spine",    "Head",
+                                        "LeftUpLeg",  "LeftLeg",  "LeftFoot",
+                                        "RightUpLeg", "RightLeg", "RightFoot"};
 
 std::vector<std::string> BonesOf(const Character& character) {
   std::vector<std::string> names;
@@ -36,12 +37,46 @@ bool Warns(const Character& character, const std::string& text) {
                      [&](const Warning& w) { return w.message.find(text) != std::string::npos; });
 }
 
-TEST(BoneSelection, WhatHangsOnMovedNodesIsTheSkeletonToo) {
+TEST(BoneSelection, WhatKeepsStillIsTheSkeletonToo) {
   EXPECT_EQ(BonesOf(ReadBare(Body())), kBody);
   EXPECT_EQ(BonesOf(ReadBare(Body(false))), kBody);
   const Character character = ReadBare(Body(false));
-  ASSERT_TRUE(character.bones[4].end_site.has_value());
-  EXPECT_TRUE(character.bones[4].end_site->isApprox(Vec3(0, -0.5, 0), 1e-6));
+  ASSERT_TRUE(character.bones[2].end_site.has_value());
+  EXPECT_TRUE(character.bones[2].end_site->isApprox(Vec3(0, 0.2, 0), 1e-6));
+}
+
+TEST(BoneSelection, ASkeletonOfWhichOneArmMovesIsWhole) {
+  std::vector<BareNode> nodes = Body();
+  for (BareNode& node : nodes) node.moves = node.name == "LeftLeg";
+  EXPECT_EQ(BonesOf(ReadBare(nodes)), kBody);
+}
+
+TEST(BoneSelection, ASkeletonWithoutAClipIsReadAtRest) {
+  std::vector<BareNode> nodes = Body();
+  for (BareNode& node : nodes) node.moves = false;
+  const Character character = ReadBare(nodes);
+  EXPECT_EQ(BonesOf(character), kBody);
+  EXPECT_TRUE(character.clips.empty());
+  const Result<Imported> imported = ImportProject(character, {});
+  ASSERT_TRUE(imported.ok()) << imported.error().ToString();
+  EXPECT_EQ(imported.value().report.num_joints, 8);
+}
+
+// Words such as "ik" and "control" make a handle only of what is there twice.
+TEST(BoneSelection, NamesOfHandlesRemoveNoBody) {
+  for (const char* word : {"IK_", "target_", "Hero_control_"}) {
+    std::vector<BareNode> nodes = Body();
+    for (BareNode& node : nodes) node.name = word + node.name;
+    const Result<Imported> imported = ImportProject(ReadBare(nodes), {});
+    ASSERT_TRUE(imported.ok()) << imported.error().ToString();
+    EXPECT_EQ(imported.value().report.num_joints, 8) << word;
+  }
+  std::vector<BareNode> nodes = Body();
+  nodes[6].name = "IK_LeftFoot";
+  nodes.push_back({"ik_RightFoot", 0, {-0.1, -1, 0}, true});
+  const Result<Imported> imported = ImportProject(ReadBare(nodes), {});
+  ASSERT_TRUE(imported.ok()) << imported.error().ToString();
+  EXPECT_EQ(imported.value().report.num_joints, 8) << "the second right foot is a handle";
 }
 
 TEST(BoneSelection, CamerasAndTargetsThatMoveAreNoBones) {

@@ -56,7 +56,7 @@ void AddSkin(Random* random, Character* character) {
   SkinMesh mesh;
   for (size_t b = 0; b < rest.size(); ++b) {
     Eigen::Matrix4d X = Eigen::Matrix4d::Identity();
-    X.topLeftCorner<3, 3>() = rest[b].scale * rest[b].R;
+    X.topLeftCorner<3, 3>() = rest[b].R * rest[b].stretch;
     X.topRightCorner<3, 1>() = rest[b].p;
     mesh.binds.push_back({static_cast<int>(b), X.inverse()});
   }

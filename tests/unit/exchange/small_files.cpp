@@ -43,7 +43,7 @@ constexpr const char* kFbxAfter =
 			P: "Lcl Rotation", "Lcl Rotation", "", "A",10,0,0
 		}
 	}
-	Model: 1001, "Model::Spine", "LimbNode" {
+	Model: 1001, "Model::SpineTip", "LimbNode" {
 		Version: 232
 		Properties70:  {
 			P: "Lcl Translation", "Lcl Translation", "", "A",0.5,0,0
@@ -96,7 +96,7 @@ Connections:  {
 constexpr const char* kCollada = R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="centimeter" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
-<library_visual_scenes><visual_scene id="S" name="S"><node id="Hips" name="Hips" sid="Hips" type="JOINT"><matrix sid="transform">1 0 0 0 0 1 0 0 0 0 1 100 0 0 0 1</matrix><node id="Spine" name="Spine" type="JOINT"><matrix sid="transform">1 0 0 0 0 1 0 0 0 0 1 50 0 0 0 1</matrix></node></node></visual_scene></library_visual_scenes>
+<library_visual_scenes><visual_scene id="S" name="S"><node id="Hips" name="Hips" sid="Hips" type="JOINT"><matrix sid="transform">1 0 0 0 0 1 0 0 0 0 1 100 0 0 0 1</matrix><node id="SpineTip" name="SpineTip" type="JOINT"><matrix sid="transform">1 0 0 0 0 1 0 0 0 0 1 50 0 0 0 1</matrix></node></node></visual_scene></library_visual_scenes>
 <library_animations><animation id="a"><source id="i"><float_array id="ia" count="2">0 1</float_array><technique_common><accessor source="#ia" count="2" stride="1"><param name="TIME" type="float"/></accessor></technique_common></source>
 <source id="o"><float_array id="oa" count="32">1 0 0 0 0 1 0 0 0 0 1 100 0 0 0 1 0 -1 0 0 1 0 0 0 0 0 1 100 0 0 0 1</float_array><technique_common><accessor source="#oa" count="2" stride="16"><param name="TRANSFORM" type="float4x4"/></accessor></technique_common></source>
 <sampler id="s"><input semantic="INPUT" source="#i"/><input semantic="OUTPUT" source="#o"/></sampler><channel source="#s" target="Hips/transform"/></animation></library_animations>
@@ -157,7 +157,7 @@ std::vector<float> Turns(size_t count) {
 
 // `weight_bytes`: 0 for floats.
 Json MakeGltf(const std::vector<double>& weights, size_t weight_bytes,
-              const std::vector<float>& key_times = {0.5f, 1.0f}) {
+              const std::vector<float>& key_times = {0.0f, 0.5f}) {
   Json document = {{"asset", {{"version", "2.0"}}},
                    {"scene", 0},
                    {"scenes", {{{"nodes", {0, 1}}}}},
@@ -204,7 +204,7 @@ Result<Character> Read(const std::string& name, const std::string& contents) {
 
 std::string SmallFbx(const std::string& extra) { return kFbxBefore + extra + kFbxAfter; }
 std::string SmallCollada() { return kCollada; }
-Json SmallGltf() { return SmallGltfWithTimes({0.5f, 1.0f}); }
+Json SmallGltf() { return SmallGltfWithTimes({0.0f, 0.5f}); }
 Json SmallGltfWithTimes(const std::vector<float>& times) {
   return MakeGltf({1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, 0, times);
 }
@@ -254,6 +254,11 @@ Error ErrorOfSmall(const std::string& name, const std::string& contents) {
   const Result<Character> result = Read(name, contents);
   EXPECT_FALSE(result.ok());
   return result.ok() ? Error() : result.error();
+}
+
+double UpperTurnAt(const Character& character, size_t frame) {
+  const Eigen::Quaterniond& q = character.clips.at(0).tracks.at(1).rotations.at(frame);
+  return 2.0 * std::atan2(q.z(), q.w()) * 180.0 / std::numbers::pi;
 }
 
 Pose WorldRest(const Character& character, size_t bone) {

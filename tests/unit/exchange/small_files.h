@@ -13,14 +13,14 @@
 namespace hazumi::test {
 
 // Z up, unit 1 m. "Hips" at (0, 0, 1) with a pre-rotation of 90 degrees about z, turning about its
-// x from 10 to 70 degrees in 30 frames at 30 a second; "Spine" 0.5 along its x. `extra`: more
+// x from 10 to 70 degrees in 30 frames at 30 a second; its end 0.5 along its x. `extra`: more
 // properties of Hips.
 std::string SmallFbx(const std::string& extra = "");
-// Z up, unit 1 cm. "Hips" at z 100, turning about z from 0 to 90 degrees in a second; "Spine" 50
+// Z up, unit 1 cm. "Hips" at z 100, turning about z from 0 to 90 degrees in a second; its end 50
 // above it.
 std::string SmallCollada();
 // Two bones along y, "lower" at the origin and "upper" at y = 1, which turns about z from 0 to 90
-// degrees between 0.5 and 1 s; a strip of four vertices at y = 0, 0, 2, 2, the first two on "lower"
+// degrees in half a second; a strip of four vertices at y = 0, 0, 2, 2, the first two on "lower"
 // and the others on "upper". Everything in the JSON.
 nlohmann::json SmallGltf();
 // The same with these key times [s], the angles going evenly from 0 to 90 degrees.
@@ -41,6 +41,8 @@ nlohmann::json BareGltf(const std::vector<BareNode>& nodes);
 Character ReadSmall(const std::string& name, const std::string& contents);
 Error ErrorOfSmall(const std::string& name, const std::string& contents);
 
+// How far "upper" of SmallGltf is turned about z at a frame of the first clip [deg].
+double UpperTurnAt(const Character& character, size_t frame);
 // A bone's frame at rest in the scene's.
 Pose WorldRest(const Character& character, size_t bone);
 

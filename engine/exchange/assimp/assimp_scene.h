@@ -1,0 +1,17 @@
+#pragma once
+
+#include <assimp/scene.h>
+
+#include "engine/base/result.h"
+#include "engine/exchange/scene/scene.h"
+
+namespace hazumi {
+
+Eigen::Matrix4d ToMatrix(const aiMatrix4x4& matrix);
+
+// Adds what assimp has read to a scene. `ticks_are_frames`: a tick is a frame of the rate that the
+// file states (FBX). Error: meshes whose indices are out of range, nodes without end.
+Result<Done> AddAssimpScene(const aiScene& from, bool ticks_are_frames, const std::string& file,
+                            Scene* scene);
+
+}  // namespace hazumi

@@ -1,0 +1,50 @@
+#include "engine/exchange/gltf_reader/materials.h"
+
+#include "engine/base/base64.h"
+
+namespace hazumi {
+namespace {
+
+using Json = nlohmann::json;
+
+ScenePicture PictureOf(const Json& image, GltfAccessors* accessors) {
+  ScenePicture picture;
+  picture.name = Text(Member(image, "name"));
+  const std::string uri = Text(Member(image, "uri"));
+  if (uri.starts_with("data:")) {
+    const size_t comma = uri.find(";base64,");
+    picture.bytes.emplace();
+    if (comma != std::string::npos) {
+      if (auto bytes = FromBase64(std::string_view(uri).substr(comma + 8)))
+        picture.bytes = std::move(bytes);
+    }
+  } else if (!uri.empty()) {
+    picture.name = uri;
+  } else {
+    const Result<std::string_view> bytes = accessors->View(Member(image, "bufferView"));
+    picture.bytes = bytes.ok() ? std::string(bytes.value()) : std::string();
+  }
+  return picture;
+}
+
+}  // namespace
+
+void AddGltfMaterials(const GltfDocument& document, GltfAccessors* accessors, Scene* scene) {
+  const Json& images = Member(document.json, "images");
+  const Json& textures = Member(document.json, "textures");
+  for (const Json& image : images) scene->pictures.push_back(PictureOf(image, accessors));
+  for (const Json& from : Member(document.json, "materials")) {
+    SceneMaterial material;
+    material.name = Text(Member(from, "name"));
+    material.base_color = {1.0f, 1.0f, 1.0f, 1.0f};
+    const Json& surface = Member(from, "pbrMetallicRoughness");
+    const std::vector<double> color = Numbers(Member(surface, "baseColorFactor"), 4);
+    for (size_t k = 0; k < color.size(); ++k) material.base_color[k] = static_cast<float>(color[k]);
+    const Json& texture = Element(textures, Member(Member(surface, "baseColorTexture"), "index"));
+    const Json& image = Member(texture, "source");
+    if (Element(images, image).is_object()) material.picture = image.get<int>();
+    scene->materials.push_back(std::move(material));
+  }
+}
+
+}  // namespace hazumi
