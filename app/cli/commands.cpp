@@ -144,6 +144,7 @@ Error InterruptedError() { return {ErrorCode::kInterrupted, "", "", "interrupted
 Result<Imported> Import(const std::string& file, const ImportOptions& options) {
   ReadOptions reading;
   reading.is_cancelled = [] { return Interrupted().load(); };
+  reading.character = options.character;
   const Result<Character> character = ReadCharacter(file, reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options);

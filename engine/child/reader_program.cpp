@@ -88,8 +88,12 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
                        "folder: install Hazumi again, or set HAZUMI_READER to where it is");
   }
   const long cpu_seconds = static_cast<long>(std::ceil(options.limits.seconds)) + 1;
-  std::vector<std::string> arguments = {reader, task.kind, std::to_string(options.limits.memory),
-                                        std::to_string(cpu_seconds), task.file};
+  std::vector<std::string> arguments = {reader,
+                                        task.kind,
+                                        std::to_string(options.limits.memory),
+                                        std::to_string(cpu_seconds),
+                                        task.file,
+                                        options.character};
   if (!options.trouble.empty()) arguments.push_back(options.trouble);
   ChildLimits limits;
   limits.seconds = options.limits.seconds;

@@ -22,6 +22,7 @@ struct ReadLimits {
 struct ReadOptions {
   ReadLimits limits;
   std::function<bool()> is_cancelled;  // asked every 20 ms; may be empty
+  std::string character;               // of several in a file, by name; empty: as it comes
   std::string reader;                  // path of hazumi-reader; empty: ReaderPath()
   std::string trouble;                 // for tests: see reader_main.cpp
 };

@@ -14,6 +14,7 @@ from command_line import InFolder, main, run
 
 FIRST, CASES = int(os.environ.get("HAZUMI_FIRST_CASE", 1)), int(os.environ.get("HAZUMI_CASES", 12))
 PATTERNS = ("characters/*.glb", "characters/*.gltf", "characters/*.fbx", "wild/*.fbx", "wild/*.dae")
+BROKEN = ("reports/*.gltf", "reports/*.glb", "reports/*.fbx", "reports/*.dae", "faults/*.gltf")
 SMALL = ("characters/assimp_simple_skin.gltf", "characters/khronos_rigged_simple.gltf")
 
 
@@ -35,6 +36,11 @@ class ImportTwice(InFolder):
         for pattern in PATTERNS:
             for path in self.data_files(*pattern.split("/")):
                 self.assertTrue(self.assert_same(path, path.name), path.name)
+
+    def test_reported_files_give_the_same_bytes_or_the_same_complaint(self):
+        for pattern in BROKEN:
+            for path in self.data_files(*pattern.split("/")):
+                self.assert_same(path, path.name)
 
     def test_changed_characters_give_the_same_bytes_or_the_same_complaint(self):
         """Changes a few bytes of a small character."""

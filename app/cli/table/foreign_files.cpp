@@ -39,6 +39,18 @@ constexpr OptionRule kForeignFileRules[] = {
      .files = kProjectSuffix,
      .remedy = "the name must end in .kfa",
      .read = ReadSaved},
+    {.name = "--character",
+     .tasks = kForeign,
+     .section = Section::kForeignFiles,
+     .value = "NAME",
+     .help = "which of several characters in it",
+     .fallback = "the one that moves most",
+     .remedy = "name a character of the file",
+     .read =
+         [](const std::string& text, Options* o) {
+           o->import.character = text;
+           return !text.empty();
+         }},
     {.name = "--clip",
      .tasks = kForeign,
      .section = Section::kForeignFiles,

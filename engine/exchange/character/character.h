@@ -62,6 +62,10 @@ enum class UpAxis { kY, kZ };
 
 struct Character {
   std::string name;
+  // Which one it is of those in the file, and the others, by names that choose them; empty if it is
+  // the only one.
+  std::string chosen;
+  std::vector<std::string> others;
   std::vector<Bone> bones;
   std::vector<Clip> clips;
   std::vector<SkinMesh> meshes;  // their binds count `bones`

@@ -127,9 +127,16 @@ void Visit(Archive& a, Warning& warning) {
 }
 
 template <typename Archive>
+void Visit(Archive& a, std::string& text) {
+  a.Text(text);
+}
+
+template <typename Archive>
 void Visit(Archive& a, Character& c) {
   bool knows_up = c.up.has_value(), is_z = c.up == UpAxis::kZ;
   a.Text(c.name);
+  a.Text(c.chosen);
+  a.List(c.others);
   a.List(c.bones);
   a.List(c.clips);
   a.List(c.meshes);

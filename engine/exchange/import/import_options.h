@@ -17,6 +17,7 @@ enum class ImportLimits {
 };
 
 struct ImportOptions {
+  std::string character;                  // by name; empty: the one that moves most
   std::string clip;                       // by name; empty: the first one
   std::optional<UpAxis> up;               // not given: the file's, or guessed
   std::optional<double> metres_per_unit;  // not given: the file's, or guessed from the height

@@ -30,8 +30,10 @@ constexpr double kFree = 4.0 * std::numbers::pi;      // beyond the clip, withou
 constexpr double kMetresPerDegree = 0.002;            // tolerance of the root's place
 constexpr double kDwarf = 1e-3;                       // [m]
 constexpr double kPoint = 1e-8;                       // of a file's height, in its unit
-constexpr double kFar = 100.0;                        // from the origin [m]
-constexpr double kWorthAWord = 1e-4;                  // [m]
+constexpr double kLeap = 1.0,
+                 kSudden = 5.0;       // of the root from frame to frame [m], and of its other steps
+constexpr double kFar = 100.0;        // from the origin [m]
+constexpr double kWorthAWord = 1e-4;  // [m]
 
 ProjectKey KeyOf(double frame, double value, std::optional<double> rate = {}) {
   ProjectKey key;
@@ -86,6 +88,7 @@ class Importer {
     plan_ = PlanFigure(character_, skeleton_, clip_, world_, &report_);
     skin_ = SkinFor(character_, skeleton_, plan_, world_);
     SayPlace();
+    SayJump();
     SetTime();
     SetKeys();
     SayError();
@@ -145,6 +148,24 @@ class Importer {
                                                 "is wrong, give the unit or the height"});
   }
 
+  // A root that goes from one frame to the next much farther than before and after it.
+  void SayJump() {
+    const std::vector<Vec3>& at = plan_.root_position;
+    const auto step = [&](size_t f) {
+      return f > 0 && f < at.size() ? (at[f] - at[f - 1]).norm() : 0.0;
+    };
+    for (size_t f = 1; f < at.size(); ++f) {
+      const double length = step(f);
+      if (length <= kLeap || length <= kSudden * std::max(step(f - 1), step(f + 1))) continue;
+      report_.warnings.push_back(
+          {RootName(), "jumps by " + FormatShort(length) + " m from frame " +
+                           std::to_string(f - 1) +
+                           " to the next; a region over it would fling what hangs on it: begin or "
+                           "end regions there, or cut the clip"});
+      return;
+    }
+  }
+
   const std::string& RootName() const { return character_.bones[skeleton_.bones[0].bone].name; }
 
   void SetTime() {
@@ -155,7 +176,8 @@ class Importer {
     project_.frames.last = clip_ ? std::max(num_frames_ - 1, 1) : 60;
     if (!clip_) return report_.facts.push_back("no clip is in it: the figure is at rest");
     report_.facts.push_back("clip \"" + clip_->name + "\", " + std::to_string(num_frames_) +
-                            " frames at " + FormatShort(fps) + " a second");
+                            " frames at " + FormatNumber(std::round(1e3 * fps) / 1e3) +
+                            " a second");
   }
 
   // One curve from its values by frame, in the file's units; these become what the keys say.

@@ -11,30 +11,34 @@ namespace hazumi {
 namespace {
 
 Result<Character> ReadScene(CharacterFormat format, ReadUse use, std::string bytes,
-                            const std::string& path) {
+                            const std::string& path, const std::string& character) {
   SceneFolder folder(path);
   const bool is_gltf = format == CharacterFormat::kGltf || format == CharacterFormat::kGlb;
   Result<Scene> scene = is_gltf ? ReadGltf(bytes, path, &folder)
                                 : ReadByAssimp(format, std::move(bytes), path, &folder);
   if (!scene.ok()) return scene.error();
-  return CharacterOf(use, std::move(scene).value(), &folder, path);
+  return CharacterOf(use, std::move(scene).value(), character, &folder, path);
 }
 
 }  // namespace
 
-Result<Character> ReadHere(ReadUse use, const std::string& path) {
+Result<Character> ReadHere(ReadUse use, const std::string& path, const std::string& character) {
   Result<std::string> bytes = WholeFile(path, kLongestFile);
   if (!bytes.ok()) return bytes.error();
   const Result<CharacterFormat> format = FormatOf(use, bytes.value(), path);
   if (!format.ok()) return format.error();
-  Result<Character> character =
-      format.value() == CharacterFormat::kBvh
-          ? ReadBvh(bytes.value(), path)
-          : ReadScene(format.value(), use, std::move(bytes).value(), path);
-  if (!character.ok()) return character;
-  if (Result<Done> checked = CheckCharacter(character.value(), path); !checked.ok())
+  const bool is_bvh = format.value() == CharacterFormat::kBvh;
+  if (is_bvh && !character.empty()) {
+    return Error{ErrorCode::kSemantics, path, "character",
+                 "a BVH file has one alone; do not name any"};
+  }
+  Result<Character> read =
+      is_bvh ? ReadBvh(bytes.value(), path)
+             : ReadScene(format.value(), use, std::move(bytes).value(), path, character);
+  if (!read.ok()) return read;
+  if (Result<Done> checked = CheckCharacter(read.value(), path); !checked.ok())
     return checked.error();
-  return character;
+  return read;
 }
 
 }  // namespace hazumi

@@ -1,4 +1,5 @@
-// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE [TROUBLE]: under limits, reads a character, or
+// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE CHARACTER [TROUBLE]: under limits, reads a
+// character (of several the one of this name, if it is not empty), or
 // the meshes of a thing, from FILE (character_bytes.h) or decodes the pictures of standard input
 // (picture_bytes.h); writes them, or the error, to descriptor kChildOutput. Started by RunReader.
 
@@ -63,9 +64,10 @@ void MakeTrouble(const char* kind) {
   }
 }
 
-hazumi::Result<hazumi::Character> Read(hazumi::ReadUse use, const char* path) {
+hazumi::Result<hazumi::Character> Read(hazumi::ReadUse use, const char* path,
+                                       const char* character) {
   try {
-    return hazumi::ReadHere(use, path);
+    return hazumi::ReadHere(use, path, character);
   } catch (const std::exception& error) {
     return hazumi::Error{hazumi::ErrorCode::kFailed, path, "",
                          std::string("cannot be read (") + error.what() +
@@ -80,9 +82,9 @@ bool DecodeStandardInput() {
   return request.ok() && hazumi::DecodeHere(request.value(), PassOn);
 }
 
-bool Do(const std::string& task, const char* file) {
-  const auto pass_on = [file](hazumi::ReadUse use) {
-    return PassOn(hazumi::CharacterToBytes(Read(use, file)));
+bool Do(const std::string& task, const char* file, const char* character) {
+  const auto pass_on = [&](hazumi::ReadUse use) {
+    return PassOn(hazumi::CharacterToBytes(Read(use, file, character)));
   };
   if (task == hazumi::kReadCharacter) return pass_on(hazumi::ReadUse::kCharacter);
   if (task == hazumi::kReadThing) return pass_on(hazumi::ReadUse::kThing);
@@ -92,13 +94,13 @@ bool Do(const std::string& task, const char* file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 5) return hazumi::kReaderUsage;
+  if (argc < 6) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
   // Zero most memory that a library reads without setting it, so that few files have more than one
   // result. Small blocks that were freed before keep their contents.
   ::mallopt(M_PERTURB, 0xff);
-  if (argc > 5) MakeTrouble(argv[5]);
-  const bool done = Do(argv[1], argv[4]);
+  if (argc > 6) MakeTrouble(argv[6]);
+  const bool done = Do(argv[1], argv[4], argv[5]);
   // Without destructors: a library's may stumble over what a broken file made of its data.
   ::_exit(done ? hazumi::kReaderAnswered : hazumi::kReaderUsage);
 }

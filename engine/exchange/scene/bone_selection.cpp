@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "engine/base/text.h"
+#include "engine/base/utf8.h"
 
 namespace hazumi {
 
@@ -15,7 +16,7 @@ constexpr std::string_view kEnds[] = {"end", "nub", "tip", "top", "site", "effec
 
 }  // namespace
 
-BoneSelection::BoneSelection(const SceneTree& tree)
+BoneSelection::BoneSelection(const SceneTree& tree, const std::string& wanted)
     : tree_(tree),
       is_bone_(tree.nodes.size(), 0),
       is_needed_(tree.nodes.size(), 0),
@@ -26,6 +27,7 @@ BoneSelection::BoneSelection(const SceneTree& tree)
   Count();
   is_at_rest_ = IsSkeletonAtRest();
   needed_ = All([&](int i) { return tree_[i].is_weighted; });
+  if (!needed_.empty()) TakeOneCharacter(wanted);
   needed_.empty() ? FindBare() : FindSkinned();
   if (!needed_.empty()) Mark();
 }
@@ -62,6 +64,63 @@ int BoneSelection::Meeting(const std::vector<int>& nodes) const {
   for (int b : nodes)
     while (a != b) (a > b ? a : b) = tree_.node(std::max(a, b)).parent;
   return a;
+}
+
+// Whether a mesh has weights on several branches of a group.
+bool BoneSelection::HasMeshAcross(int group) const {
+  const auto branch_of = [&](int node) {
+    while (node != group && tree_.node(node).parent != group) node = tree_.node(node).parent;
+    return node;
+  };
+  for (const SceneMesh& mesh : tree_.scene.meshes) {
+    int branch = -1;
+    for (const SceneMesh::Bind& bind : mesh.binds) {
+      if (bind.weights.empty()) continue;
+      const int own = branch_of(bind.node);
+      if (branch >= 0 && own != branch) return true;
+      branch = own;
+    }
+  }
+  return false;
+}
+
+// By a name that no other has.
+void BoneSelection::AddCharacter(const std::string& name) {
+  const auto is_known =
+      std::find(characters_.begin(), characters_.end(), name) != characters_.end();
+  characters_.push_back(is_known ? name + " (" + std::to_string(characters_.size() + 1) + ")"
+                                 : name);
+}
+
+// Leaves the weights of one character in `needed_`.
+void BoneSelection::TakeOneCharacter(const std::string& wanted) {
+  const int group = Meeting(needed_);
+  if (tree_[group].is_weighted || tree_[group].is_animated || !IsGroup(group)) return;
+  struct Found {
+    int node = 0, num_weighted = 0, num_moved = 0;
+  };
+  std::vector<Found> found;
+  for (int i = group + 1; i < end_[static_cast<size_t>(group)]; ++i) {
+    if (tree_.node(i).parent == group) found.push_back({i});
+    if (!tree_[i].is_weighted) continue;
+    ++found.back().num_weighted;
+    found.back().num_moved += Moves(i);
+  }
+  std::erase_if(found, [](const Found& one) { return one.num_weighted < kFewBones; });
+  if (found.size() < 2 || HasMeshAcross(group)) return;
+  for (const Found& one : found) {
+    AddCharacter(ValidUtf8(tree_.node(one.node).name));
+    const Found& best = found[taken_];
+    const bool is_better = one.num_moved != best.num_moved ? one.num_moved > best.num_moved
+                                                           : one.num_weighted > best.num_weighted;
+    if (is_better) taken_ = characters_.size() - 1;
+  }
+  const auto named = std::find(characters_.begin(), characters_.end(), wanted);
+  is_wanted_ = named != characters_.end();
+  if (is_wanted_) taken_ = static_cast<size_t>(named - characters_.begin());
+  for (size_t k = 0; k < found.size(); ++k)
+    if (k != taken_) SetApart(found[k].node);
+  std::erase_if(needed_, [&](int i) { return is_apart_[static_cast<size_t>(i)] != 0; });
 }
 
 // What moves the skin as a whole is a part of its first bone's motion.

@@ -7,20 +7,27 @@
 
 namespace hazumi {
 
-// Which nodes of a scene are bones. With a skin: those that carry weights, animated ones that carry
-// meshes, what lies between. Without one the skeleton is the branch of the scene that is animated
-// and branches, not what moves beside it (a camera, its target, a cube); in it the animated nodes
-// that carry meshes or, if few of them do, all nodes, also those that keep still, but for the last
-// of a chain whose name says that it is an end. In a scene without meshes in which nothing moves,
-// all nodes count as animated: it is a skeleton at rest.
+// Which nodes of a scene are bones, those of one character. With a skin: those that carry weights,
+// animated ones that carry meshes, what lies between. Without one the skeleton is the branch of the
+// scene that is animated and branches, not what moves beside it (a camera, its target, a cube); in
+// it the animated nodes that carry meshes or, if few of them do, all nodes, also those that keep
+// still, but for the last of a chain whose name says that it is an end. In a scene without meshes
+// in which nothing moves, all nodes count as animated: it is a skeleton at rest.
 class BoneSelection {
  public:
-  explicit BoneSelection(const SceneTree& tree);
+  BoneSelection(const SceneTree& tree, const std::string& wanted);
 
   int top() const { return top_; }  // the lowest node above all bones, itself one; -1: none
   bool is_bone(int node) const { return is_bone_[static_cast<size_t>(node)] != 0; }
   // A bone for its own sake, not only because it lies between others.
   bool is_needed(int node) const { return is_needed_[static_cast<size_t>(node)] != 0; }
+  // Characters, by the name of the node that each of them hangs on, and the one that is taken.
+  // Empty unless there are several: branches of one node, which nothing moves and nothing weighs,
+  // each of them with weights on several nodes, and no mesh on two of them. The one that moves
+  // most, or has most bones, is taken.
+  const std::vector<std::string>& characters() const { return characters_; }
+  size_t taken() const { return taken_; }
+  bool is_wanted() const { return is_wanted_; }
   // By node: beside the skeleton, or on what is.
   const std::vector<char>& is_apart() const { return is_apart_; }
   // Whether a weight or a mesh hangs on a node or below it.
@@ -53,6 +60,9 @@ class BoneSelection {
   bool IsSkeletonAtRest() const;
   void Count();
   int Meeting(const std::vector<int>& nodes) const;
+  void TakeOneCharacter(const std::string& wanted);
+  void AddCharacter(const std::string& name);
+  bool HasMeshAcross(int group) const;
   void FindSkinned();
   void FindBeside(int skin_top);
   void FindBare();
@@ -70,6 +80,9 @@ class BoneSelection {
   std::vector<int> num_children_;
   std::vector<int> end_;  // by node: the first one after all that hang below it
   std::vector<int> needed_;
+  std::vector<std::string> characters_;
+  size_t taken_ = 0;
+  bool is_wanted_ = false;
   bool is_at_rest_ = false;
   int top_ = -1;
 };

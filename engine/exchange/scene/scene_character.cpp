@@ -11,14 +11,17 @@
 namespace hazumi {
 namespace {
 
-Result<Done> AddBones(const SceneTree& tree, const std::string& file, Character* character) {
-  Result<SceneSkeleton> skeleton = FindSkeleton(tree, file, &character->warnings);
+Result<Done> AddBones(const SceneTree& tree, const std::string& wanted, const std::string& file,
+                      Character* character) {
+  Result<SceneSkeleton> skeleton = FindSkeleton(tree, wanted, file, &character->warnings);
   if (!skeleton.ok()) return skeleton.error();
   Result<std::vector<Clip>> clips = ReadClips(tree, skeleton.value(), file, &character->warnings);
   if (!clips.ok()) return clips.error();
   character->clips = std::move(clips).value();
   character->meshes = ReadMeshes(tree, skeleton.value(), &character->warnings);
   character->bones = std::move(skeleton.value().bones);
+  character->chosen = std::move(skeleton.value().chosen);
+  character->others = std::move(skeleton.value().others);
   return Done{};
 }
 
@@ -42,8 +45,8 @@ Result<Done> AddThing(const SceneTree& tree, const std::string& file, Character*
 
 }  // namespace
 
-Result<Character> CharacterOf(ReadUse use, Scene scene, SceneFolder* folder,
-                              const std::string& file) {
+Result<Character> CharacterOf(ReadUse use, Scene scene, const std::string& wanted,
+                              SceneFolder* folder, const std::string& file) {
   Character character;
   character.name = ValidUtf8(std::filesystem::path(file).stem().string());
   character.up = scene.up;
@@ -51,8 +54,9 @@ Result<Character> CharacterOf(ReadUse use, Scene scene, SceneFolder* folder,
   character.warnings = std::move(scene.warnings);
   const Result<SceneTree> tree = LookAtScene(scene, file);
   if (!tree.ok()) return tree.error();
-  const Result<Done> added = use == ReadUse::kThing ? AddThing(tree.value(), file, &character)
-                                                    : AddBones(tree.value(), file, &character);
+  const Result<Done> added = use == ReadUse::kThing
+                                 ? AddThing(tree.value(), file, &character)
+                                 : AddBones(tree.value(), wanted, file, &character);
   if (!added.ok()) return added.error();
   ReadMaterials(scene, folder, &character);
   return character;

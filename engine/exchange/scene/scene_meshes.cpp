@@ -29,8 +29,9 @@ class MeshReader {
       for (const int index : tree_.node(node).meshes) {
         const SceneMesh& mesh = tree_.scene.meshes[static_cast<size_t>(index)];
         // A skin lies where its bones are, not where its node is: once is enough.
-        const bool is_left_out = mesh.is_skinned ? is_read_[static_cast<size_t>(index)]++
-                                                 : skeleton_.is_apart[static_cast<size_t>(node)];
+        const bool is_left_out = mesh.is_skinned
+                                     ? is_read_[static_cast<size_t>(index)]++ || IsOfAnother(mesh)
+                                     : skeleton_.is_apart[static_cast<size_t>(node)];
         if (!is_left_out && !mesh.triangles.empty()) meshes.push_back(ReadOne(mesh, node));
       }
     }
@@ -38,6 +39,14 @@ class MeshReader {
   }
 
  private:
+  // The skin of another character: all that it follows is beside the skeleton.
+  bool IsOfAnother(const SceneMesh& mesh) const {
+    return !mesh.binds.empty() &&
+           std::all_of(mesh.binds.begin(), mesh.binds.end(), [&](const SceneMesh::Bind& bind) {
+             return skeleton_.is_apart[static_cast<size_t>(bind.node)] != 0;
+           });
+  }
+
   SkinMesh ReadOne(const SceneMesh& mesh, int node) {
     SkinMesh skin;
     skin.name = ValidUtf8(tree_.node(node).name);

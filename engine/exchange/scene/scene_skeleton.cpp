@@ -22,6 +22,7 @@ class Builder {
       if (selection_.is_bone(i)) Add(i);
     FindEnds();
     WarnOfRest();
+    WarnOfOthers();
     WarnOfOmissions();
     return std::move(skeleton_);
   }
@@ -101,12 +102,29 @@ class Builder {
     }
   }
 
+  void WarnOfOthers() {
+    const std::vector<std::string>& all = selection_.characters();
+    for (size_t k = 0; k < all.size(); ++k) {
+      if (k == selection_.taken()) {
+        skeleton_.chosen = all[k];
+      } else {
+        skeleton_.others.push_back(all[k]);
+      }
+    }
+    if (all.empty() || selection_.is_wanted()) return;
+    warnings_->push_back({"character", "\"" + skeleton_.chosen + "\" is taken, one of " +
+                                           std::to_string(all.size()) +
+                                           "; left out: " + Listed(skeleton_.others) +
+                                           "; to take another, give its name"});
+  }
+
   void WarnOfOmissions() {
     std::vector<std::string> left, apart;
     for (int i = 0; i < tree_.size(); ++i) {
       if (selection_.is_bone(i)) continue;
       const std::string name = ValidUtf8(tree_.node(i).name);
       const bool is_apart = skeleton_.is_apart[static_cast<size_t>(i)] != 0;
+      if (is_apart && tree_[i].is_weighted) continue;  // another character
       if (is_apart && (tree_[i].is_animated || tree_[i].has_rigid_mesh)) {
         apart.push_back(name);
       } else if (!tree_[i].is_animated) {
@@ -147,13 +165,21 @@ const Eigen::Matrix4d& SceneSkeleton::World(const SceneTree& tree, int bone) con
   return tree[chains[static_cast<size_t>(bone)].back()].world;
 }
 
-Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& file,
-                                   std::vector<Warning>* warnings) {
-  const BoneSelection selection(tree);
+Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& wanted,
+                                   const std::string& file, std::vector<Warning>* warnings) {
+  const BoneSelection selection(tree, wanted);
   if (selection.top() < 0) {
     return Error{ErrorCode::kSemantics, file, "",
                  "has neither a skin nor an animation, so that there is nothing to move; export "
                  "the character with its armature"};
+  }
+  if (!wanted.empty() && !selection.is_wanted()) {
+    std::string names;
+    for (const std::string& name : selection.characters()) names += " \"" + name + "\"";
+    return Error{
+        ErrorCode::kSemantics, file, "character",
+        "there is none called \"" + ValidUtf8(wanted) + "\"; " +
+            (names.empty() ? "there is one alone: do not name any" : "name one of these:" + names)};
   }
   return Builder(tree, selection, warnings).Build();
 }

@@ -6,6 +6,8 @@ namespace hazumi {
 
 // The bones that a scene's nodes make.
 struct SceneSkeleton {
+  std::string chosen;               // of several characters the one that is taken
+  std::vector<std::string> others;  // and the others
   std::vector<Bone> bones;
   // By bone: the nodes whose transforms, multiplied in this order, take the bone to its parent. The
   // last is the bone's own; before it are FBX helpers and, for the first bone, all that lies above.
@@ -23,8 +25,10 @@ struct SceneSkeleton {
 
 // Which nodes are bones: bone_selection.h. What is beside the skeleton, such as a ball that was
 // thrown or a camera, is no part of it. Warns of what is left out, renamed, scaled or sheared.
-// Error: there are none.
-Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& file,
-                                   std::vector<Warning>* warnings);
+// `wanted`: the
+// character to take, by name; empty: bone_selection.h says which. Error: there are no bones, or
+// none of that name.
+Result<SceneSkeleton> FindSkeleton(const SceneTree& tree, const std::string& wanted,
+                                   const std::string& file, std::vector<Warning>* warnings);
 
 }  // namespace hazumi

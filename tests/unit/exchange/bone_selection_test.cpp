@@ -136,6 +136,38 @@ TEST(BoneSelection, PartsThatHangOnNothingAreAllBones) {
   EXPECT_EQ(ReadBare(nodes).bones.size(), 4u);  // and what holds them together
 }
 
+TEST(BoneSelection, OfSeveralCharactersOneIsTakenAndTheOthersAreNamed) {
+  HAZUMI_NEED_DATA("reports");
+  const auto read = [](const char* file, const char* name = "") {
+    ReadOptions options;
+    options.character = name;
+    const Result<Character> character =
+        ReadCharacter(DataPath(std::string("reports/") + file), options);
+    EXPECT_TRUE(character.ok()) << character.error().ToString();
+    return character.ok() ? character.value() : Character();
+  };
+  const std::vector<std::string> alone = BonesOf(read("g00_control.gltf"));
+  for (const char* file : {"g27_two_characters.gltf", "g13_two_characters_same_names.gltf"}) {
+    const Character character = read(file);
+    EXPECT_EQ(BonesOf(character), alone) << file;
+    EXPECT_EQ(character.meshes.size(), 1u) << file;
+    EXPECT_TRUE(Warns(character, "\"Hips\" is taken, one of 2; left out: ")) << file;
+  }
+  const Character other = read("g27_two_characters.gltf", "B_Hips");
+  EXPECT_EQ(other.bones.at(0).name, "B_Hips");
+  EXPECT_EQ(other.chosen, "B_Hips");
+  EXPECT_EQ(other.others, std::vector<std::string>{"Hips"});
+  EXPECT_TRUE(other.warnings.empty());
+  EXPECT_EQ(read("g13_two_characters_same_names.gltf", "Hips (2)").bones.size(), alone.size());
+  ReadOptions nobody;
+  nobody.character = "Nobody";
+  const Result<Character> refused =
+      ReadCharacter(DataPath("reports/g27_two_characters.gltf"), nobody);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("name one of these: \"Hips\" \"B_Hips\""),
+            std::string::npos);
+}
+
 class BoneSelectionData : public testing::Test {
  protected:
   void SetUp() override { HAZUMI_NEED_DATA("wild"); }

@@ -134,6 +134,35 @@ TEST_F(ImportData, AJumpKickIsFoundBesideTheJumpBeforeIt) {
   EXPECT_EQ(kick.time.verdict, TimeVerdict::kTrue);
 }
 
+TEST(ImportReports, ARootThatJumpsIsNamedWithItsFrame) {
+  HAZUMI_NEED_DATA("reports");
+  const auto has_jump = [](const ImportReport& report) {
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [](const Warning& warning) {
+      return warning.message.find("jumps by") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(has_jump(ImportFile("reports/b09_root_jumps_5m.bvh").report));
+  EXPECT_FALSE(has_jump(ImportFile("reports/b00_control.bvh").report));
+}
+
+// The armature is a quarter longer along y: thighs of 0.42 m are of 0.525 m at rest. Where they
+// turn they cannot be so in all frames, which is said.
+TEST(ImportReports, UnevenScalesAreExactAtRest) {
+  HAZUMI_NEED_DATA("reports");
+  const Imported imported = ImportFile("reports/g11_parent_scaled_unevenly.gltf");
+  for (const JointSpec& joint : imported.project.figure.spec.joints) {
+    const bool is_below_thigh = joint.name == "LeftLeg" || joint.name == "LeftFoot";
+    if (is_below_thigh) {
+      EXPECT_NEAR(joint.offset.norm(), 0.525, 1e-6) << joint.name;
+    }
+  }
+  EXPECT_GT(imported.report.position_error_m, 0.1);
+  const auto& facts = imported.report.facts;
+  EXPECT_TRUE(std::any_of(facts.begin(), facts.end(), [](const std::string& fact) {
+    return fact.find("cm from where the file has them") != std::string::npos;
+  }));
+}
+
 TEST_F(ImportData, TheLongClipIsReducedToAnEighthOfItsKeys) {
   const std::string clip = "jump/cmu_mb_02_04_jump_balance.bvh";
   ImportOptions options;

@@ -21,6 +21,7 @@ Result<Done> TakePositive(const Parameters& p, const char* name, std::optional<d
 
 Result<ImportOptions> OptionsFrom(const Parameters& p) {
   ImportOptions options;
+  options.character = p.text("character");
   options.clip = p.text("clip");
   const std::string up = p.text("up"), limits = p.text("limits", "clip");
   if (!up.empty() && up != "y" && up != "z") {
@@ -46,7 +47,9 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
 Result<Done> Import(Session* session, const Parameters& p) {
   const Result<ImportOptions> options = OptionsFrom(p);
   if (!options.ok()) return options.error();
-  const Result<Character> character = ReadCharacter(p.text("path"));
+  ReadOptions reading;
+  reading.character = options.value().character;
+  const Result<Character> character = ReadCharacter(p.text("path"), reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options.value());
   if (!imported.ok()) return imported.error();
@@ -67,6 +70,7 @@ std::vector<Operator> ImportOperators() {
        "Import character",
        "Makes a project of a character and its clip: BVH, FBX, glTF, GLB or Collada.",
        {{"path", kText, true, "a file of another program"},
+        {"character", kText, false, "name of one of several; not given: the one that moves most"},
         {"clip", kText, false, "name of a clip; not given: the first one"},
         {"up", kText, false, "the axis that is up; not given: as the file says, or guessed", "y z"},
         {"unit", kNumber, false, "metres of the file's unit of length"},

@@ -6,6 +6,23 @@ namespace hazumi::ui {
 
 namespace {
 
+// A character that was chosen instead.
+std::optional<std::string> DrawCharacters(const Editor& editor, const Character& character) {
+  if (character.others.empty()) return std::nullopt;
+  ImGui::TextWrapped("%s", Tr("The file has several characters: choose one of the list."));
+  DrawFieldLabel(Tr("Character"), editor);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::BeginCombo("##character", character.chosen.c_str())) return std::nullopt;
+  std::optional<std::string> chosen;
+  for (size_t i = 0; i < character.others.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ListLine(character.others[i], false)) chosen = character.others[i];
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
 // True if another clip was chosen.
 bool DrawClips(const Editor& editor, const Character& character, ImportOptions* options) {
   if (character.clips.empty()) return false;
@@ -127,6 +144,10 @@ void DrawImport(Editor* editor) {
   ImGui::Spacing();
   const Result<Character>* character = state.job->character();
   if (!character) return DrawReading(editor);
+  if (character->ok()) {
+    if (const auto chosen = DrawCharacters(*editor, character->value()))
+      return ChooseCharacter(*chosen, &state);
+  }
   const bool is_changed = character->ok() && DrawOptions(editor, character->value());
   if (is_changed || !state.imported) RefreshImport(&state);
   ImGui::Spacing();

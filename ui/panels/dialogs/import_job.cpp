@@ -8,9 +8,10 @@
 
 namespace hazumi::ui {
 
-ImportJob::ImportJob(std::string path)
-    : path_(std::move(path)), thread_([this] {
+ImportJob::ImportJob(std::string path, std::string character)
+    : path_(std::move(path)), wanted_(std::move(character)), thread_([this] {
         ReadOptions options;
+        options.character = wanted_;
         options.is_cancelled = [this] { return cancel_.load(); };
         character_ = WithinMemory([&] { return ReadCharacter(path_, options); });
         has_ended_ = true;
@@ -21,10 +22,17 @@ ImportJob::~ImportJob() {
   thread_.join();
 }
 
+void ChooseCharacter(const std::string& name, ImportState* state) {
+  state->options.character = name;
+  state->options.clip.clear();
+  state->imported.reset();
+  state->job = std::make_shared<ImportJob>(state->job->path(), name);
+}
+
 void OpenImport(const std::string& path, Editor* editor) {
   ImportState& state = editor->dialogs.import;
   state = {};
-  state.job = std::make_shared<ImportJob>(path);
+  state.job = std::make_shared<ImportJob>(path, "");
   editor->NeedGlyphs(path);
   Open(Modal::kImport, editor);
 }

@@ -16,7 +16,7 @@ class Editor;
 // Reads a character beside the interface. Ends with its object, cancelled.
 class ImportJob {
  public:
-  explicit ImportJob(std::string path);
+  ImportJob(std::string path, std::string character);
   ~ImportJob();
 
   const std::string& path() const { return path_; }
@@ -24,7 +24,7 @@ class ImportJob {
   const Result<Character>* character() const { return has_ended_ ? &*character_ : nullptr; }
 
  private:
-  std::string path_;
+  std::string path_, wanted_;
   std::atomic<bool> cancel_ = false, has_ended_ = false;
   std::optional<Result<Character>> character_;  // written before has_ended_ is
   std::thread thread_;
@@ -40,6 +40,8 @@ struct ImportState {
   std::optional<Result<Imported>> imported;  // with these options; none: not tried yet
 };
 
+// Reads the file again, with another character of it.
+void ChooseCharacter(const std::string& name, ImportState* state);
 // Starts to read a file and shows the dialog.
 void OpenImport(const std::string& path, Editor* editor);
 // Makes the project again that the options ask for, once the character is there.
