@@ -123,9 +123,10 @@ Result<CharacterFormat> FormatOf(ReadUse use, std::string_view bytes, const std:
                      formats + ": export it as one of these"};
   };
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    return Error{ErrorCode::kSyntax, file, "",
-                 "is text in UTF-16, which Hazumi does not read; save it as UTF-8, by a text editor "
-                 "or by the program that it is from"};
+    return Error{
+        ErrorCode::kSyntax, file, "",
+        "is text in UTF-16, which Hazumi does not read; save it as UTF-8, by a text editor "
+        "or by the program that it is from"};
   }
   const std::optional<CharacterFormat> format = Known(bytes);
   if (is_thing && format == CharacterFormat::kBvh) return refused("BVH, which has no meshes");

@@ -15,6 +15,7 @@ class Names {
  public:
   explicit Names(const std::vector<NamedBone>& bones) : bones_(bones) {
     std::vector<std::string> names;
+    names.reserve(bones.size());
     for (const NamedBone& bone : bones) names.push_back(bone.name);
     names = WithoutPrefix(std::move(names));
     for (size_t b = 0; b < bones.size(); ++b) {
