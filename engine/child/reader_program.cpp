@@ -54,15 +54,9 @@ std::optional<Error> Exited(int code, const ReadLimits& limits) {
   return Crashed(exit);
 }
 
-// Where it may be, seen from the folder of this program: beside it; where it is installed; or, in a
-// build tree, up to four folders above.
-std::vector<fs::path> ReaderFolders(fs::path folder) {
-  std::vector<fs::path> folders = {folder, folder.parent_path() / "libexec" / "hazumi"};
-  for (int up = 0; up < 4; ++up) {
-    folder = folder.parent_path();
-    if (folder.has_relative_path()) folders.push_back(folder);
-  }
-  return folders;
+// Where it may be, seen from the folder of this program: beside it, or where it is installed.
+std::vector<fs::path> ReaderFolders(const fs::path& folder) {
+  return {folder, folder.parent_path() / "libexec" / "hazumi"};
 }
 
 }  // namespace

@@ -6,8 +6,10 @@ import base64
 import json
 import os
 import pathlib
+import shutil
 import signal
 import struct
+import subprocess
 import time
 import zlib
 
@@ -185,6 +187,21 @@ class Import(InFolder):
             self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
             self.assertIn(message, done.stderr)
             self.assertNotIn("export it again", done.stderr)
+
+    def test_a_reader_planted_in_a_folder_above_is_not_run(self):
+        program = self.folder / "project/bin/hazumi"
+        program.parent.mkdir(parents=True)
+        shutil.copy(HAZUMI, program)
+        for folder in (self.folder, self.folder / "project"):
+            planted = folder / "hazumi-reader"
+            planted.write_text(f"#!/bin/sh\ntouch {self.folder}/was_run\n")
+            planted.chmod(0o755)
+        clean = {name: value for name, value in os.environ.items() if name != "HAZUMI_READER"}
+        done = subprocess.run([program, "--check", self.walk()], env=clean, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("hazumi-reader is missing", done.stderr)
+        self.assertNotIn("was_run", self.files())
 
     def test_of_many_clips_it_says_which_it_took_and_what_the_others_are(self):
         names = [f"clip{i}" for i in range(120)]

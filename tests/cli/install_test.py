@@ -123,6 +123,20 @@ class Installed(unittest.TestCase):
                                    capture_output=True).stdout
             self.assertNotRegex(shown, "RPATH|RUNPATH")
 
+    @needs("readelf")
+    def test_programs_are_hardened(self):
+        """Loaded at any address, their tables of addresses read-only; the reader with a guard of its
+        stack."""
+        for program in ("bin/hazumi", "libexec/hazumi/hazumi-reader"):
+            shown = subprocess.run(["readelf", "-Whld", self.prefix / program], check=True, text=True,
+                                   capture_output=True).stdout
+            self.assertRegex(shown, r"Type: +DYN", program)
+            self.assertIn("GNU_RELRO", shown, program)
+            self.assertIn("BIND_NOW", shown, program)
+        symbols = subprocess.run(["readelf", "-W", "--dyn-syms", self.prefix / "libexec/hazumi/hazumi-reader"],
+                                 check=True, text=True, capture_output=True).stdout
+        self.assertIn("__stack_chk_fail", symbols)
+
     def test_page_and_completions_are_those_of_the_program(self):
         for name, arguments in (("man/man1/hazumi.1", ["--man"]),
                                 ("bash-completion/completions/hazumi", ["--completion", "bash"]),
