@@ -38,7 +38,9 @@ SLIDING = RandomTest("slide to roll", "property/slide_to_roll_test", 50)
 IMPORTS = RandomTest("import twice", "cli/import_twice_test.py", 20)
 SCRIPTS = RandomTest("random scripts", "ui/ui_headless_test", 60, "RandomScripts.*")
 OPERATORS = RandomTest("random operators", "unit/edit/edit_test", 40, "RandomOperators.*")
-KILLS = RandomTest("kills", "unit/edit/kill_test", 10)
+KILLS = RandomTest("kills", "unit/edit/kill_test", 10,
+                   known="seed 929793001, whose journal begins amid a drag, is recovered as another "
+                         "document in two of three runs")
 TESTS = [OPERATORS, WORKING, FALLS, REGIONS, TRIMMED, TOUCHING, SLIDING, IMPORTS, SCRIPTS, KILLS]  # long ones first
 
 
