@@ -143,26 +143,26 @@ std::string NameOf(const FbxRecord& record) {
   return colons == std::string::npos ? written : written.substr(colons + 2);
 }
 
-// Of a list of properties; `from` numbers behind its name.
-std::optional<Vec3> VectorOf(const FbxRecord& record, std::string_view name) {
+// A property of this name with so many numbers; null: none. Numbers follow four texts.
+const FbxRecord* PropertyOf(const FbxRecord& record, std::string_view name, size_t count) {
   const FbxRecord* list = record.Find("Properties70");
   for (size_t i = 0; list && i < list->children.size(); ++i) {
     const FbxRecord& property = list->children[i];
-    if (property.Text(0) != name || property.values.size() < 7) continue;
-    return Vec3(property.values[4].number(), property.values[5].number(),
-                property.values[6].number());
+    if (property.Text(0) == name && property.values.size() >= 4 + count) return &property;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
-// The first number of a property; `otherwise` if there is none.
+std::optional<Vec3> VectorOf(const FbxRecord& record, std::string_view name) {
+  const FbxRecord* property = PropertyOf(record, name, 3);
+  if (!property) return std::nullopt;
+  return Vec3(property->values[4].number(), property->values[5].number(),
+              property->values[6].number());
+}
+
 double NumberOf(const FbxRecord& record, std::string_view name, double otherwise) {
-  const FbxRecord* list = record.Find("Properties70");
-  for (size_t i = 0; list && i < list->children.size(); ++i) {
-    const FbxRecord& property = list->children[i];
-    if (property.Text(0) == name && property.values.size() > 4) return property.values[4].number();
-  }
-  return otherwise;
+  const FbxRecord* property = PropertyOf(record, name, 1);
+  return property ? property->values[4].number() : otherwise;
 }
 
 FbxModel ModelOf(const FbxRecord& record) {
