@@ -1,7 +1,10 @@
 // Projects opened and saved: names, folders, what cannot be read.
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
+#include "tests/support/data_folder.h"
 #include "tests/ui/dialogs/fixture.h"
 
 namespace hazumi::ui {
@@ -105,6 +108,24 @@ TEST_F(Dialogs, ErrorsInFilesSayFileAndLine) {
   std::ofstream(File("throw.kfa")) << "{\n  bad";
   EXPECT_FALSE(editor_.Do("file.open", {{"path", File("throw.kfa")}}));
   EXPECT_EQ(editor_.message.text.rfind("throw.kfa, line 2", 0), 0u) << editor_.message.text;
+}
+
+// Of two in a file the first is shown, its name in a list with the other's.
+TEST_F(Dialogs, AnotherCharacterOfAFileIsChosen) {
+  HAZUMI_NEED_DATA("reports");
+  ImportState& import = editor_.dialogs.import;
+  const auto read = [&] {
+    while (!import.job->character()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    Frames();
+    return import.job->character()->value();
+  };
+  ASSERT_TRUE(
+      editor_.Do("app.open", {{"path", test::DataPath("reports/g27_two_characters.gltf")}}));
+  EXPECT_EQ(read().chosen, "Hips");
+  ChooseCharacter("B_Hips", &import);
+  EXPECT_EQ(read().chosen, "B_Hips");
+  FinishImport(&editor_);
+  EXPECT_EQ(editor_.session().project().figure.spec.root_name, "B_Hips");
 }
 
 }  // namespace
