@@ -1,3 +1,4 @@
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 
 namespace hazumi::test {
@@ -51,6 +52,28 @@ TEST(ForceOperators, AreUndoneAndNamedOnce) {
   Do(&session, "edit.undo");
   EXPECT_EQ(session.project().forces[0].force_n, 40.0);
   EXPECT_EQ(session.project().forces[0].to_m.x(), 0.5);
+}
+
+// What another kind begins with is in the file: opened again, a project becomes the same.
+TEST(ForceOperators, AnotherKindIsTheSameAfterOpeningAgain) {
+  const TemporaryFolder folder;
+  for (const char* from : {"wind", "attract", "push"}) {
+    for (const char* to : {"wind", "attract", "push"}) {
+      Session session, again;
+      AddSwing(&session);
+      Do(&session, "select.joints", {{"joints", {"r_wrist"}}});
+      Do(&session, "force.add",
+         {{"kind", from}, {"velocity_y", 2}, {"pull", 7}, {"impulse_y", 3}, {"offset_x", 0.1}});
+      Do(&session, "file.save", {{"path", folder / "force.kfa"}});
+      Do(&again, "file.open", {{"path", folder / "force.kfa"}});
+      Do(&again, "select.joints", {{"joints", {"r_wrist"}}});
+      const std::string name = session.project().forces[0].name;
+      for (Session* each : {&session, &again})
+        Do(each, "force.set", {{"force", name}, {"kind", to}, {"first", 2}});
+      EXPECT_TRUE(WriteProject(again.project()) == WriteProject(session.project()))
+          << from << " to " << to;
+    }
+  }
 }
 
 TEST(ForceOperators, AnotherKindGetsWhatItNeeds) {

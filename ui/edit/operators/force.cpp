@@ -27,10 +27,33 @@ ProjectForce NewForce(const Session& session) {
   return force;
 }
 
-// What is given of it, and what its kind cannot do without. As of placements, what only other kinds
-// have says nothing.
+// The force as one of another kind: a new one, but for what both kinds have in the file. What only
+// the kind before had is no part of the file, and so of no use: a project that is opened again has
+// to become the same.
+ProjectForce OfAnotherKind(const ProjectForce& before, ForceKind kind, const Session& session) {
+  ProjectForce force = NewForce(session);
+  force.kind = kind;
+  force.name = before.name;
+  force.first_frame = before.first_frame;
+  force.extra = before.extra;
+  force.identity = before.identity;
+  if (before.kind != ForceKind::kPush) force.last_frame = before.last_frame;
+  if (before.kind == ForceKind::kWind || kind == ForceKind::kWind) return force;
+  force.joint = before.joint;
+  force.offset_m = before.offset_m;
+  return force;
+}
+
+// Sets what is given of a force, and what its kind cannot do without.
 Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectForce* force) {
-  if (Result<Done> set = SetFields(p, force); !set.ok()) return set;
+  const ForceKind before = force->kind;
+  ProjectForce changed = *force;
+  if (Result<Done> set = SetFields(p, &changed); !set.ok()) return set;
+  if (changed.kind != before) {
+    changed = OfAnotherKind(*force, changed.kind, session);
+    if (Result<Done> set = SetFields(p, &changed); !set.ok()) return set;
+  }
+  *force = std::move(changed);
   if (force->kind != ForceKind::kWind && force->joint.empty()) force->joint = LikelyJoint(session);
   const ProjectFrames& all = session.project().frames;
   if (force->kind != ForceKind::kPush && !p.has("last") && !p.has("first") &&
