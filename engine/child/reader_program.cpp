@@ -54,7 +54,7 @@ std::optional<Error> Exited(int code, const ReadLimits& limits) {
   return Crashed(exit);
 }
 
-// Where it may be, seen from the folder of this program: beside it, or where it is installed.
+// Folders in which the reader is looked for: that of this program, and the installed one.
 std::vector<fs::path> ReaderFolders(const fs::path& folder) {
   return {folder, folder.parent_path() / "libexec" / "hazumi"};
 }

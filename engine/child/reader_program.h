@@ -27,8 +27,8 @@ struct ReadOptions {
   std::string trouble;                 // for tests: see reader_main.cpp
 };
 
-// Where it is: $HAZUMI_READER if that is set, else `hazumi-reader` in the folder of this program
-// or, as it is installed, in ../libexec/hazumi from there; nowhere else. Empty: none.
+// Path of the reader: $HAZUMI_READER if that is set, else `hazumi-reader` in the folder of this
+// program or, as it is installed, in ../libexec/hazumi from there; nowhere else. Empty: none.
 std::string ReaderPath();
 
 // What the reader can do: a character or the meshes of a thing, from the file named; pictures, from

@@ -62,8 +62,7 @@ enum class UpAxis { kY, kZ };
 
 struct Character {
   std::string name;
-  // Which one it is of those in the file, and the others, by names that choose them; empty if it is
-  // the only one.
+  // Names that choose this character and the others of the file; empty if it is the only one.
   std::string chosen;
   std::vector<std::string> others;
   std::vector<Bone> bones;

@@ -191,7 +191,7 @@ void SetMatrixKeys(const ColladaSampler& sampler, TransformPart* element) {
   }
 }
 
-// What a channel moves: "node/sid", "node/sid.ANGLE", "node/sid(2)", "node/sid(1)(3)".
+// Target of a channel: "node/sid", "node/sid.ANGLE", "node/sid(2)", "node/sid(1)(3)".
 struct ColladaTarget {
   std::string node, sid, member;
 };
@@ -208,7 +208,7 @@ ColladaTarget TargetOf(const std::string& text) {
   return target;
 }
 
-// Which number of an element a member is; none: all of them.
+// Index of the number that a member names; none: all numbers.
 std::optional<size_t> NumberOf(const TransformPart& element, const std::string& member) {
   if (member == ".ANGLE") return 3;
   if (member == ".X") return 0;

@@ -3,77 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <unordered_map>
 
-#include "engine/exchange/scene/scalar_curve.h"
+#include "engine/exchange/fbx/fbx_objects.h"
 
 namespace hazumi {
 namespace {
 
-constexpr double kTicks = 46186158000.0;  // of FBX in a second
 constexpr std::string_view kHelper = "_$AssimpFbx$_";
-constexpr double kSlopeWeight = 1.0 / 3.0, kWeightOne = 9999.0;
-
-enum KeyFlags : int64_t {
-  kConstant = 0x2,
-  kLinear = 0x4,
-  kConstantNext = 0x100,  // with kConstant
-  kWeightedRight = 0x1000000,
-  kWeightedNextLeft = 0x2000000,
-};
-
-Mat3 About(int axis, double degrees) {
-  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Vec3::Unit(axis)).toRotationMatrix();
-}
-
-// By the order's number in FBX: XYZ turns about X first.
-Mat3 FromAngles(const Vec3& degrees, int order) {
-  constexpr int kOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}};
-  Mat3 R = Mat3::Identity();
-  for (const int axis : kOrders[order >= 0 && order < 6 ? order : 0])
-    R = About(axis, degrees[axis]) * R;
-  return R;
-}
-
-Eigen::Matrix4d Moved(const Vec3& by) {
-  Eigen::Matrix4d M = Eigen::Matrix4d::Identity();
-  M.topRightCorner<3, 1>() = by;
-  return M;
-}
-Eigen::Matrix4d Linear(const Mat3& by) {
-  Eigen::Matrix4d M = Eigen::Matrix4d::Identity();
-  M.topLeftCorner<3, 3>() = by;
-  return M;
-}
-
-// A node's properties as the file has them.
-struct FbxModel {
-  std::string name;
-  Vec3 T = Vec3::Zero(), R = Vec3::Zero(), S = Vec3::Ones();
-  Vec3 rotation_offset = Vec3::Zero(), rotation_pivot = Vec3::Zero();
-  Vec3 scaling_offset = Vec3::Zero(), scaling_pivot = Vec3::Zero();
-  Vec3 pre = Vec3::Zero(), post = Vec3::Zero();  // angles [deg]
-  Vec3 geometric_T = Vec3::Zero(), geometric_R = Vec3::Zero(), geometric_S = Vec3::Ones();
-  int order = 0;
-
-  Eigen::Matrix4d Transform(const Vec3& t, const Vec3& angles, const Vec3& scale) const {
-    const Mat3 turn =
-        FromAngles(pre, 0) * FromAngles(angles, order) * FromAngles(post, 0).transpose();
-    return Moved(t + rotation_offset + rotation_pivot) * Linear(turn) *
-           Moved(-rotation_pivot + scaling_offset + scaling_pivot) *
-           Linear(scale.asDiagonal().toDenseMatrix()) * Moved(-scaling_pivot);
-  }
-  Eigen::Matrix4d Geometry() const {
-    return Moved(geometric_T) * Linear(FromAngles(geometric_R, 0)) *
-           Linear(geometric_S.asDiagonal().toDenseMatrix());
-  }
-};
 
 // Curves of the axes of a property; without one it keeps its value.
 struct FbxAxes {
@@ -135,121 +76,7 @@ class FbxMotion : public NodeMotion {
   std::array<FbxAxes, 3> axes_;
 };
 
-std::string NameOf(const FbxRecord& record) {
-  const std::string written = record.Text(1);
-  const size_t zero = written.find('\0');
-  if (zero != std::string::npos) return written.substr(0, zero);
-  const size_t colons = written.find("::");
-  return colons == std::string::npos ? written : written.substr(colons + 2);
-}
-
-// A property of this name with so many numbers; null: none. Numbers follow four texts.
-const FbxRecord* PropertyOf(const FbxRecord& record, std::string_view name, size_t count) {
-  const FbxRecord* list = record.Find("Properties70");
-  for (size_t i = 0; list && i < list->children.size(); ++i) {
-    const FbxRecord& property = list->children[i];
-    if (property.Text(0) == name && property.values.size() >= 4 + count) return &property;
-  }
-  return nullptr;
-}
-
-std::optional<Vec3> VectorOf(const FbxRecord& record, std::string_view name) {
-  const FbxRecord* property = PropertyOf(record, name, 3);
-  if (!property) return std::nullopt;
-  return Vec3(property->values[4].number(), property->values[5].number(),
-              property->values[6].number());
-}
-
-double NumberOf(const FbxRecord& record, std::string_view name, double otherwise) {
-  const FbxRecord* property = PropertyOf(record, name, 1);
-  return property ? property->values[4].number() : otherwise;
-}
-
-FbxModel ModelOf(const FbxRecord& record) {
-  FbxModel model;
-  model.name = NameOf(record);
-  const auto take = [&](std::string_view name, Vec3* to) {
-    *to = VectorOf(record, name).value_or(*to);
-  };
-  take("Lcl Translation", &model.T);
-  take("Lcl Rotation", &model.R);
-  take("Lcl Scaling", &model.S);
-  take("RotationOffset", &model.rotation_offset);
-  take("RotationPivot", &model.rotation_pivot);
-  take("ScalingOffset", &model.scaling_offset);
-  take("ScalingPivot", &model.scaling_pivot);
-  take("PreRotation", &model.pre);
-  take("PostRotation", &model.post);
-  take("GeometricTranslation", &model.geometric_T);
-  take("GeometricRotation", &model.geometric_R);
-  take("GeometricScaling", &model.geometric_S);
-  model.order = static_cast<int>(NumberOf(record, "RotationOrder", 0.0));
-  return model;
-}
-
-// A half of the number that holds both weights of a segment.
-double WeightOf(double packed, bool is_next_left) {
-  uint32_t bits = 0;
-  const auto number = static_cast<float>(packed);
-  static_assert(sizeof bits == sizeof number);
-  std::memcpy(&bits, &number, sizeof bits);
-  return static_cast<double>(is_next_left ? bits >> 16 : bits & 0xffff) / kWeightOne;
-}
-
-// [FBX: KeyAttrFlags and four KeyAttrDataFloat for as many keys as KeyAttrRefCount says: the slope
-// behind the key, that before the next one, both weights, velocities].
-ScalarCurve CurveOf(const FbxRecord& record) {
-  const auto array = [&](std::string_view name) -> const FbxValue& {
-    static const FbxValue kNone;
-    const FbxRecord* found = record.Find(name);
-    return found && !found->values.empty() ? found->values[0] : kNone;
-  };
-  const std::vector<int64_t>&times = array("KeyTime").wholes, &flags = array("KeyAttrFlags").wholes,
-        &counts = array("KeyAttrRefCount").wholes;
-  const std::vector<double>&values = array("KeyValueFloat").numbers,
-        &data = array("KeyAttrDataFloat").numbers;
-  ScalarCurve curve;
-  if (times.size() != values.size()) return curve;
-  size_t group = 0;
-  int64_t left = counts.empty() ? 0 : counts[0];
-  for (size_t i = 0; i < times.size(); ++i) {
-    while (left <= 0 && group + 1 < counts.size()) left = counts[++group];
-    --left;
-    ScalarKey key;
-    key.t = static_cast<double>(times[i]) / kTicks;
-    key.v = values[i];
-    const int64_t how = group < flags.size() ? flags[group] : kLinear;
-    if (how & kConstant) {
-      key.kind = how & kConstantNext ? ScalarKey::Kind::kStepAtOnce : ScalarKey::Kind::kStep;
-    } else if (!(how & kLinear) && 4 * group + 3 < data.size() && i + 1 < times.size()) {
-      const double d = static_cast<double>(times[i + 1] - times[i]) / kTicks;
-      const double* slopes = data.data() + 4 * group;
-      const double right = how & kWeightedRight ? WeightOf(slopes[2], false) : kSlopeWeight;
-      const double left_weight = how & kWeightedNextLeft ? WeightOf(slopes[2], true) : kSlopeWeight;
-      key.kind = ScalarKey::Kind::kBezier;
-      key.behind = {right * d, slopes[0] * right * d};
-      key.before = {left_weight * d, slopes[1] * left_weight * d};
-    }
-    curve.push_back(key);
-  }
-  return curve;
-}
-
-// An animation: times count from its start.
-struct FbxStack {
-  std::string name;
-  double start = 0.0, stop = 0.0;  // [s]
-
-  // A stack that states no times begins with its first key, as assimp takes it.
-  bool has_times() const { return start != 0.0 || stop != 0.0; }
-};
-
-FbxStack StackOf(const FbxRecord& record) {
-  return {NameOf(record), NumberOf(record, "LocalStart", 0.0) / kTicks,
-          NumberOf(record, "LocalStop", 0.0) / kTicks};
-}
-
-// What a record is connected to, by its id.
+// Connection of a record to another, by ids.
 struct Connection {
   int64_t to = 0;
   std::string property;  // empty: as a child
@@ -303,17 +130,18 @@ class FbxReader {
     for (const FbxRecord& record : objects.children) {
       const int64_t id = record.Whole(0);
       if (record.name == "Model") {
-        models_[id] = ModelOf(record);
+        models_[id] = FbxModelOf(record);
         ++named_[models_[id].name];
       } else if (record.name == "AnimationStack") {
-        stacks_[id] = StackOf(record);
+        stacks_[id] = FbxStackOf(record);
       } else if (record.name == "AnimationLayer") {
         layers_.insert(id);
       } else if (record.name == "AnimationCurveNode") {
-        curve_nodes_[id] = Vec3(NumberOf(record, "d|X", kNone), NumberOf(record, "d|Y", kNone),
-                                NumberOf(record, "d|Z", kNone));
+        curve_nodes_[id] =
+            Vec3(FbxNumberOf(record, "d|X", kNone), FbxNumberOf(record, "d|Y", kNone),
+                 FbxNumberOf(record, "d|Z", kNone));
       } else if (record.name == "AnimationCurve") {
-        curves_[id] = CurveOf(record);
+        curves_[id] = FbxCurveOf(record);
       }
     }
   }

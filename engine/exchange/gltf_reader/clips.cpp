@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What a channel moves.
+// Target of a channel.
 struct Target {
   Json node;  // index in the document; null: none
   std::string path;
