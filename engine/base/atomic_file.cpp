@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "engine/base/file_place.h"
+
 namespace hazumi {
 
 namespace {
@@ -36,13 +38,6 @@ class OpenFile {
  private:
   int fd_;
 };
-
-// The file that a link leads to, so that writing does not replace the link.
-std::string FollowLinks(const std::string& path) {
-  std::error_code failed;
-  const fs::path target = fs::canonical(path, failed);
-  return failed ? path : target.string();
-}
 
 std::string FolderOf(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
@@ -163,7 +158,8 @@ int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode,
 }
 
 Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes, WriteMode mode,
-                                 const std::atomic<bool>* cancel) {
+                                 const std::atomic<bool>* cancel, std::optional<InputKind> kind) {
+  if (const auto kept = WhyKept(path, kind)) return *kept;
   const int reason = ReplaceFile(path, bytes, mode, cancel);
   if (reason == 0) return Done{};
   if (reason == ECANCELED) return Error{ErrorCode::kInterrupted, path, "", "is not written"};

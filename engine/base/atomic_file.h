@@ -1,9 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "engine/base/input_files.h"
 #include "engine/base/result.h"
 
 namespace hazumi {
@@ -19,10 +21,12 @@ enum class WriteMode { kFast, kDurable };
 int ReplaceFile(const std::string& path, std::string_view bytes, WriteMode mode,
                 const std::atomic<bool>* cancel = nullptr);
 
-// The same, with an Error (kCannotWrite, kInterrupted) that names file and reason.
+// ReplaceFile with an Error (kCannotWrite, kInterrupted) that names file and reason. Refuses to
+// replace an input file of this process, unless the input is of the given kind (WhyKept).
 Result<Done> WriteFileAtomically(const std::string& path, std::string_view bytes,
                                  WriteMode mode = WriteMode::kFast,
-                                 const std::atomic<bool>* cancel = nullptr);
+                                 const std::atomic<bool>* cancel = nullptr,
+                                 std::optional<InputKind> kind = std::nullopt);
 
 // For files that are written otherwise. All bytes, however many calls that takes; false: errno.
 bool WriteAll(int fd, std::string_view bytes);

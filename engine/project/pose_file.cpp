@@ -37,6 +37,7 @@ void Describe(Ar& ar, Ref<Ar, PoseFile> file) {
 Result<PoseFile> LoadPoses(const std::string& path) {
   const Result<std::string> text = ReadTextFile(path);
   if (!text.ok()) return text.error();
+  KeepInput(path, InputKind::kPoses);
   return ParsePoses(text.value(), path);
 }
 

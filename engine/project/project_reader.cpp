@@ -11,6 +11,7 @@
 #include "engine/project/figure_reader.h"
 #include "engine/project/json/read_value.h"
 #include "engine/project/json/text_file.h"
+#include "engine/project/project_files.h"
 
 namespace hazumi {
 
@@ -27,13 +28,12 @@ Error InProject(Error error, const std::string& reference) {
                    {Quoted(reference), error.message, failed ? error.file : full.string()});
 }
 
-void ReadFigureFile(ProjectFigure* figure, const std::string& project_file, const Site& site) {
-  const fs::path folder = fs::path(project_file).parent_path();
+void ReadFigureFile(const std::string& project_file, Project* project, const Site& site) {
   std::vector<Warning> warnings, unknown;
-  Result<FigureSpec> spec =
-      LoadFigure((folder / figure->file).lexically_normal().string(), &warnings, &unknown);
-  if (!spec.ok()) return site.errors->Report(InProject(spec.error(), figure->file));
-  figure->spec = std::move(spec).value();
+  Result<FigureSpec> spec = LoadFigure(FigurePath(*project, project_file), &warnings, &unknown);
+  ProjectFigure& figure = project->figure;
+  if (!spec.ok()) return site.errors->Report(InProject(spec.error(), figure.file));
+  figure.spec = std::move(spec).value();
   const auto tell = [](const std::vector<Warning>& list, std::vector<Warning>* all) {
     for (const Warning& warning : list) {
       const std::string place = warning.place.empty() ? "figure" : "figure." + warning.place;
@@ -57,7 +57,7 @@ Project ReadProject(const Json& json, const std::string& file_name, FirstError* 
   if (!ExpectFormat(json, kProjectFormat, kNewestFormat, Check::kNotAProject, site)) return project;
   ReadValue(json, site, project);
   if (errors->ok() && !project.figure.file.empty()) {
-    ReadFigureFile(&project.figure, file_name, site);
+    ReadFigureFile(file_name, &project, site);
   }
   if (errors->ok()) CheckProject(project, errors);
   return project;
@@ -80,7 +80,9 @@ void ReadValue(const Json& json, const Site& site, ProjectFigure& figure) {
 Result<Project> LoadProject(const std::string& path) {
   const Result<std::string> text = ReadTextFile(path);
   if (!text.ok()) return text.error();
-  return ParseProject(text.value(), path);
+  Result<Project> project = ParseProject(text.value(), path);
+  if (project.ok()) KeepFilesOf(project.value(), path);
+  return project;
 }
 
 Result<Project> ParseProject(std::string_view text, const std::string& file_name) {

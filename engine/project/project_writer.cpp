@@ -5,6 +5,7 @@
 #include "engine/project/fields/project_fields.h"
 #include "engine/project/json/field_writer.h"
 #include "engine/project/json/text_file.h"
+#include "engine/project/project_files.h"
 
 namespace hazumi {
 
@@ -51,7 +52,9 @@ Result<Done> SaveProject(const Project& project, const std::string& path,
                          const std::atomic<bool>* cancel) {
   const Result<std::string> text = TextToSave(project, path);
   if (!text.ok()) return text.error();
-  return ReplaceTextFile(path, text.value(), cancel);
+  Result<Done> written = ReplaceTextFile(path, text.value(), InputKind::kProject, cancel);
+  if (written.ok()) KeepFilesOf(project, path);
+  return written;
 }
 
 void RebaseReferences(Project* project, const std::string& from_folder,

@@ -182,6 +182,7 @@ std::vector<const std::string*> FieldsOf(const SweepAxis& axis) {
 Result<SweepPlan> LoadSweep(const std::string& path) {
   const Result<std::string> text = ReadTextFile(path);
   if (!text.ok()) return text.error();
+  KeepInput(path, InputKind::kSweep);
   return ParseSweep(text.value(), path);
 }
 

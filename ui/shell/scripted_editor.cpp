@@ -3,6 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/text.h"
+#include "ui/edit/operators/edits.h"
+
 namespace hazumi::ui {
 
 Result<Done> ScriptedEditor::Do(const std::string& id, const edit::Json& parameters) {
@@ -13,6 +16,9 @@ Result<Done> ScriptedEditor::Do(const std::string& id, const edit::Json& paramet
                    : ParameterInfo{"path", edit::ParameterKind::kText, true, "a .png file"}};
   const auto checked = edit::Parameters::Check(infos, parameters);
   if (!checked.ok()) return checked.error();
+  if (id == "capture" && !LowerCase(checked.value().text("path")).ends_with(".png")) {
+    return edit::Refusal("path", "capture writes pictures; name a .png file");
+  }
   if (!shell_) {
     auto made = OffscreenShell::Create(&editor_, size_);
     if (!made.ok()) return made.error();

@@ -16,8 +16,8 @@ using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 namespace {
 
-constexpr double kTiny = 1e-9;      // [m]
-constexpr double kParallel = 1e-3;  // sine of an angle below which ends tell more than sides
+constexpr double kPointLength = 1e-9;  // [m]
+constexpr double kAlongside = 1e-3;    // sine of an angle below which ends tell more than sides
 
 // The axis of a capsule, with a point of it, `at` from its first end [m].
 struct AxisPoint {
@@ -37,7 +37,7 @@ AxisPoint AxisOf(const MovingCapsule& capsule) {
   axis.capsule = &capsule;
   const V3 ab = capsule.b - capsule.a;
   const double length = std::sqrt(Dot(ab, ab));
-  if (length < kTiny) return axis;
+  if (length < kPointLength) return axis;
   axis.u = (1.0 / length) * ab;
   axis.length = length;
   return axis;
@@ -53,7 +53,7 @@ void Glide(const V3& x, AxisPoint* axis) {
 bool GlideBoth(AxisPoint* a, AxisPoint* b) {
   if (a->length == 0.0 || b->length == 0.0) return false;
   const double k = Dot(a->u, b->u), square = 1.0 - k * k;
-  if (square < kParallel * kParallel) return false;
+  if (square < kAlongside * kAlongside) return false;
   const V3 between = a->capsule->a - b->capsule->a;
   const double of_a = Dot(between, a->u), of_b = Dot(between, b->u);
   a->at = (k * of_b - of_a) / square;
@@ -79,7 +79,7 @@ Glides GlidesOf(const AxisPoint& a, const AxisPoint& b, const V3& d) {
 std::optional<TouchPoint> Meet(const AxisPoint& a, const AxisPoint& b, double beyond) {
   const V3 d = a.place() - b.place();
   const double distance = std::sqrt(Dot(d, d));
-  if (distance < kTiny) return std::nullopt;
+  if (distance < kPointLength) return std::nullopt;
   const MovingCapsule &own = *a.capsule, &other = *b.capsule;
   const Glides glides = GlidesOf(a, b, d);
   TouchPoint point;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/project/checks/checks.h"
+#include "engine/project/json/text_file.h"
 
 namespace hazumi {
 
@@ -15,7 +16,6 @@ using Json = nlohmann::ordered_json;
 
 // Limits beyond which no project goes.
 inline constexpr size_t kMaxJsonDepth = 64;
-inline constexpr size_t kMaxTreeBytes = 600'000'000;
 
 // Memory that a value takes in a tree, without what it contains, and a field's name, about [bytes].
 size_t TreeBytes(const Json& value);

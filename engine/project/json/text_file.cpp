@@ -45,8 +45,9 @@ Result<std::string> ReadTextFile(const std::string& path) {
   return text;
 }
 
-Result<Done> ReplaceTextFile(const std::string& path, std::string_view text,
+Result<Done> ReplaceTextFile(const std::string& path, std::string_view text, InputKind kind,
                              const std::atomic<bool>* cancel) {
+  if (const auto kept = WhyKept(path, kind)) return *kept;
   const auto old = StatusOf(path);
   if (old && !S_ISREG(old->st_mode)) {
     return Fail(path, Check::kCannotReplace, {"it is not a file"});

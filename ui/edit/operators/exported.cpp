@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/bake/bake.h"
+#include "engine/base/input_files.h"
 #include "engine/base/version.h"
 #include "ui/edit/operators/edits.h"
 
@@ -105,7 +106,7 @@ std::optional<Error> CheckPlace(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) {
     return Error{ErrorCode::kCannotWrite, path, "", "is a folder; name a file in it"};
   }
-  return std::nullopt;
+  return WhyKept(path);
 }
 
 }  // namespace hazumi::edit

@@ -42,8 +42,8 @@ ExportSettings UsualSettings(const Session& session, MotionFormat format);
 // The bytes of the file. Errors: a skin that is not there (kSchema), and those of ExportMotion.
 Result<std::string> BytesOf(const ExportSource& source, const ExportSettings& settings);
 
-// Why a file cannot be written there, before anything is computed for it: no folder, or a folder of
-// this name (kCannotWrite).
+// Error (kCannotWrite) if a file cannot be written there: no folder, a folder of this name, or an
+// input of the program. To be asked before anything is computed.
 std::optional<Error> CheckPlace(const std::string& path);
 
 }  // namespace hazumi::edit

@@ -54,7 +54,8 @@ bool PoseLibrary::IsOwn(const std::string& name) const { return FindIn(name, fil
 Result<Done> PoseLibrary::Write(PoseFile file) {
   std::error_code failed;
   fs::create_directories(fs::path(path_).parent_path(), failed);
-  Result<Done> written = WriteFileAtomically(path_, WritePoses(file));
+  Result<Done> written =
+      WriteFileAtomically(path_, WritePoses(file), WriteMode::kFast, nullptr, InputKind::kPoses);
   if (!written.ok()) return written;
   file_ = std::move(file);
   stamp_ = StampNow();
