@@ -175,27 +175,42 @@ ChildOutcome WaitFor(Child* child, int fd, const Watch& watch) {
   }
 }
 
-}  // namespace
-
-Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
-                              const ChildLimits& limits,
-                              const std::function<bool()>& is_cancelled) {
+// Runs a child that reads `input`, a descriptor above the child's own; -1: see errno.
+Result<ChildOutcome> Run(Descriptor* input, const std::vector<std::string>& arguments,
+                         const ChildLimits& limits, const std::function<bool()>& is_cancelled) {
+  if (input->get() < 0) return CannotStart(arguments[0], errno);
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return CannotStart(arguments[0], errno);
   const Descriptor read_end(ends[0]);
   Descriptor write_end(ends[1]);
   ::fcntl(write_end.get(), F_SETPIPE_SZ, kPipeBytes);  // smaller, it is only slower
-  Descriptor output(AboveTheChilds(write_end.get())), content(FileWith(input));
-  if (output.get() < 0 || content.get() < 0) return CannotStart(arguments[0], errno);
+  Descriptor output(AboveTheChilds(write_end.get()));
+  if (output.get() < 0) return CannotStart(arguments[0], errno);
   write_end.Close();
   const Watch watch(limits, is_cancelled);
   pid_t pid = -1;
-  if (const int error = SpawnSettings(content.get(), output.get()).Spawn(arguments, &pid))
+  if (const int error = SpawnSettings(input->get(), output.get()).Spawn(arguments, &pid))
     return CannotStart(arguments[0], error);
   Child child(pid);
   output.Close();
-  content.Close();
+  input->Close();
   return WaitFor(&child, read_end.get(), watch);
+}
+
+}  // namespace
+
+Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
+                              const ChildLimits& limits,
+                              const std::function<bool()>& is_cancelled) {
+  Descriptor content(FileWith(input));
+  return Run(&content, arguments, limits, is_cancelled);
+}
+
+Result<ChildOutcome> RunChildOn(int file, const std::vector<std::string>& arguments,
+                                const ChildLimits& limits,
+                                const std::function<bool()>& is_cancelled) {
+  Descriptor content(AboveTheChilds(file));
+  return Run(&content, arguments, limits, is_cancelled);
 }
 
 }  // namespace hazumi

@@ -30,4 +30,10 @@ constexpr int kChildOutput = 3;
 Result<ChildOutcome> RunChild(const std::vector<std::string>& arguments, std::string_view input,
                               const ChildLimits& limits, const std::function<bool()>& is_cancelled);
 
+// Variant of RunChild whose child reads an open file: its descriptor 0 is a copy of `file` and
+// continues at the same place.
+Result<ChildOutcome> RunChildOn(int file, const std::vector<std::string>& arguments,
+                                const ChildLimits& limits,
+                                const std::function<bool()>& is_cancelled);
+
 }  // namespace hazumi

@@ -8,12 +8,15 @@
 
 namespace hazumi {
 
-Result<Sound> DecodeSound(const std::filesystem::path& file, const SoundFormat& format,
-                          const std::function<bool()>& is_cancelled) {
-  const std::vector<std::string> output = {"-map", "0:a:0",
-                                           "-f",   "s16le",
-                                           "-ac",  std::to_string(format.channels),
-                                           "-ar",  std::to_string(format.rate)};
+namespace {
+
+// Decodes a file through an audio filter of ffmpeg; empty: no filter.
+Result<Sound> Decode(const std::filesystem::path& file, const SoundFormat& format,
+                     const std::string& filter, const std::function<bool()>& is_cancelled) {
+  std::vector<std::string> output = {"-map", "0:a:0", "-f", "s16le"};
+  output.insert(output.end(), {"-ac", std::to_string(format.channels)});
+  output.insert(output.end(), {"-ar", std::to_string(format.rate)});
+  if (!filter.empty()) output.insert(output.end(), {"-af", filter});
   const Result<std::string> bytes =
       RunFfmpeg(file, output, {"sound", "choose another file, or convert it to WAV"}, is_cancelled);
   if (!bytes.ok()) return bytes.error();
@@ -22,6 +25,17 @@ Result<Sound> DecodeSound(const std::filesystem::path& file, const SoundFormat& 
   std::memcpy(sound.samples.data(), bytes.value().data(),
               sound.samples.size() * sizeof(std::int16_t));
   return sound;
+}
+
+}  // namespace
+
+Result<Sound> DecodeSound(const std::filesystem::path& file, const SoundFormat& format,
+                          const std::function<bool()>& is_cancelled) {
+  return Decode(file, format, "", is_cancelled);
+}
+
+Result<Sound> DecodeSoundPart(const SoundPart& part, const std::function<bool()>& is_cancelled) {
+  return Decode(part.file, {kSoundRate, 2}, FilterOf(part), is_cancelled);
 }
 
 }  // namespace hazumi

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/media/sound_part.h"
 
 namespace hazumi {
 
@@ -24,5 +25,9 @@ struct Sound {
 // long, kInterrupted if `is_cancelled`, which may be empty.
 Result<Sound> DecodeSound(const std::filesystem::path& file, const SoundFormat& format,
                           const std::function<bool()>& is_cancelled);
+
+// Decodes a part of a sound file to stereo with kSoundRate samples a second. Errors: as
+// DecodeSound.
+Result<Sound> DecodeSoundPart(const SoundPart& part, const std::function<bool()>& is_cancelled);
 
 }  // namespace hazumi

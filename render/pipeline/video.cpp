@@ -16,8 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/atomic_file.h"
+#include "engine/base/file_place.h"
 #include "engine/media/decode_sound.h"
-#include "engine/media/ffmpeg.h"
 
 extern char** environ;
 
@@ -26,6 +27,8 @@ namespace hazumi::render {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int kUnnamedInFfmpeg = 3, kSoundInFfmpeg = 4;  // descriptors after its input and outputs
 
 std::vector<std::string> Arguments(const VideoFormat& format, const std::string& output) {
   const std::string size = std::to_string(format.width) + "x" + std::to_string(format.height);
@@ -39,9 +42,9 @@ std::vector<std::string> Arguments(const VideoFormat& format, const std::string&
     arguments.insert(arguments.end(), more.begin(), more.end());
   };
   if (format.sound) {
-    add(MediaInput(format.sound->file));
-    add({"-map", "0:v:0", "-map", "1:a:0", "-af", FilterOf(*format.sound), "-c:a", "aac", "-b:a",
-         "192k"});
+    add({"-f", "s16le", "-ac", std::to_string(SoundFormat().channels), "-ar",
+         std::to_string(kSoundRate), "-i", "pipe:" + std::to_string(kSoundInFfmpeg), "-map",
+         "0:v:0", "-map", "1:a:0", "-c:a", "aac", "-b:a", "192k"});
   } else {
     add({"-an"});
   }
@@ -70,13 +73,6 @@ std::vector<std::string> Arguments(const VideoFormat& format, const std::string&
   return arguments;
 }
 
-// The file that a link leads to, so that the video does not replace the link.
-fs::path FollowLinks(const fs::path& path) {
-  std::error_code failed;
-  const fs::path target = fs::canonical(path, failed);
-  return failed ? path : target;
-}
-
 // Hidden beside the file, so that it can take its name at once.
 fs::path TemporaryPath(const fs::path& path) {
   const std::string name = "." + path.filename().string() + "." + std::to_string(getpid());
@@ -92,8 +88,6 @@ int OpenUnnamed(const fs::path& beside) {
 
 // What it is called meanwhile, by the process that has it open.
 std::string OpenFileName(int fd) { return "/proc/self/fd/" + std::to_string(fd); }
-
-constexpr int kUnnamedInFfmpeg = 3;  // behind its input and its outputs
 
 // The lines of a text in one.
 std::string OneLine(const std::string& text) {
@@ -115,8 +109,10 @@ struct VideoWriter::Process {
   pid_t id = -1;     // -1: ended
   int input = -1;    // a socket: writing to it raises no signal when ffmpeg has gone
   int output = -1;   // what it says, a file in memory
+  int sound = -1;    // file in memory with the samples; -1: no sound
 
   ~Process();
+  Result<Done> TakeSound(const std::atomic<bool>* cancel);
   // 0, or errno.
   int Spawn(int its_input);
   // Lets it end by itself. True: it did its work.
@@ -133,6 +129,7 @@ VideoWriter::Process::~Process() {
     Wait();
   }
   if (output >= 0) close(output);
+  if (sound >= 0) close(sound);
   if (unnamed >= 0) close(unnamed);
   std::error_code ignored;
   fs::remove(temporary, ignored);
@@ -150,6 +147,7 @@ int VideoWriter::Process::Spawn(int its_input) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   if (unnamed >= 0) posix_spawn_file_actions_adddup2(&files, unnamed, kUnnamedInFfmpeg);
+  if (sound >= 0) posix_spawn_file_actions_adddup2(&files, sound, kSoundInFfmpeg);
   std::vector<std::string> arguments =
       Arguments(format, unnamed >= 0 ? OpenFileName(kUnnamedInFfmpeg) : temporary.string());
   std::vector<char*> pointers;
@@ -192,14 +190,43 @@ Error VideoWriter::Process::Complaint() const {
           text.empty() ? "ended before the video was whole, and says nothing" : text};
 }
 
-Result<VideoWriter> VideoWriter::Start(const VideoFormat& format) {
+// Writes the samples to a file in memory. Returns its descriptor, which is above those of ffmpeg.
+static Result<int> FileOf(const Sound& sound, const std::string& video) {
+  const int written = memfd_create("sound", MFD_CLOEXEC);
+  const std::string_view bytes(reinterpret_cast<const char*>(sound.samples.data()),
+                               sound.samples.size() * sizeof sound.samples[0]);
+  const bool is_whole =
+      written >= 0 && WriteAll(written, bytes) && lseek(written, 0, SEEK_SET) == 0;
+  const int file = is_whole ? fcntl(written, F_DUPFD_CLOEXEC, kSoundInFfmpeg + 1) : -1;
+  const int failed = errno;
+  if (written >= 0) close(written);
+  if (file >= 0) return file;
+  return Error{ErrorCode::kFailed, video, "",
+               std::string("no room for its sound: ") + std::strerror(failed)};
+}
+
+// Decodes the whole sound before any picture is drawn, so that a bad sound is reported at once.
+Result<Done> VideoWriter::Process::TakeSound(const std::atomic<bool>* cancel) {
+  if (!format.sound) return Done();
+  const Result<Sound> decoded =
+      DecodeSoundPart(*format.sound, [cancel] { return cancel && *cancel; });
+  if (!decoded.ok()) return decoded.error();
+  const Result<int> file = FileOf(decoded.value(), format.path.string());
+  if (!file.ok()) return file.error();
+  sound = file.value();
+  return Done();
+}
+
+Result<VideoWriter> VideoWriter::Start(const VideoFormat& format, const std::atomic<bool>* cancel) {
   const std::string file = format.path.string();
+  if (const auto kept = WhyKept(file)) return *kept;
   if (format.width % 2 != 0 || format.height % 2 != 0) {
     return Error{ErrorCode::kFailed, file, "",
                  "H.264 with 4:2:0 colours has even sizes only; choose a size a pixel larger"};
   }
   auto process = std::make_unique<Process>();
   process->format = format;
+  if (const Result<Done> taken = process->TakeSound(cancel); !taken.ok()) return taken.error();
   process->target = FollowLinks(format.path);
   process->temporary = TemporaryPath(process->target);
   process->unnamed = OpenUnnamed(process->target);
@@ -255,21 +282,9 @@ Result<Done> VideoWriter::Finish(const std::atomic<bool>* cancel) {
                std::string("cannot be written: ") + std::strerror(failed)};
 }
 
-// Reads all of it once, so that nobody waits for pictures that will have no sound.
-static Result<Done> TrySound(const fs::path& file, const std::atomic<bool>* cancel) {
-  const auto is_cancelled = [cancel] { return cancel && *cancel; };
-  const Result<Sound> sound = DecodeSound(file, {.rate = 8000, .channels = 1}, is_cancelled);
-  if (!sound.ok()) return sound.error();
-  return Done{};
-}
-
 Result<int> RenderVideo(const SequenceOptions& options, const Sequence& sequence,
                         const VideoFormat& format) {
-  if (format.sound) {
-    const Result<Done> readable = TrySound(format.sound->file, sequence.cancel);
-    if (!readable.ok()) return readable.error();
-  }
-  Result<VideoWriter> writer = VideoWriter::Start(format);
+  Result<VideoWriter> writer = VideoWriter::Start(format, sequence.cancel);
   if (!writer.ok()) return writer.error();
   Sequence into_video = sequence;
   into_video.write = [&](int, const Image& image) { return writer.value().Write(image); };

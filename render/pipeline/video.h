@@ -24,8 +24,10 @@ struct VideoFormat {
 
 class VideoWriter {
  public:
-  // Errors, kFailed: a size that is odd; ffmpeg is not installed.
-  static Result<VideoWriter> Start(const VideoFormat& format);
+  // Decodes the sound first. Errors: those of DecodeSoundPart and WhyKept; kFailed: a size that
+  // is odd; ffmpeg is not installed.
+  static Result<VideoWriter> Start(const VideoFormat& format,
+                                   const std::atomic<bool>* cancel = nullptr);
   // Without Finish nothing is left of the file.
   ~VideoWriter();
   VideoWriter(VideoWriter&&) noexcept;
