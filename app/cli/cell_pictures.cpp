@@ -12,6 +12,7 @@
 #include "render/pipeline/offscreen.h"
 #include "render/pipeline/video.h"
 #include "render/sheet/draw_text.h"
+#include "ui/edit/media_files.h"
 
 namespace hazumi {
 
@@ -58,11 +59,16 @@ std::optional<Error> CheckFrames(const Sweep& sweep) {
 
 // The options of drawing, with a size and on one thread, once all that is said of pictures is
 // right.
-Result<Options> CheckedOptions(const Sweep& sweep) {
+Result<Options> CheckedOptions(const Sweep& sweep, bool open_outside) {
   Result<Options> options = OptionsOf(sweep);
   if (!options.ok()) return options;
   if (auto error = CheckFrames(sweep)) return *error;
   Options& chosen = options.value();
+  chosen.open_outside = open_outside;  // whatever the sweep says
+  edit::MediaAccess access;
+  if (open_outside) access.AllowAll();
+  if (auto closed = edit::WhyClosedToPictures(sweep.project(), sweep.project_file(), access))
+    return *closed;
   if (!chosen.size) chosen.size = PictureSize{240, 180};
   if (sweep.plan().picture->video &&
       (chosen.size->width % 2 != 0 || chosen.size->height % 2 != 0)) {
@@ -120,14 +126,15 @@ const char* PictureSuffix(const SweepPlan& plan) {
   return plan.picture->video ? ".mp4" : ".png";
 }
 
-Result<Done> CellPictures::Check(const Sweep& sweep) {
-  const Result<Options> options = CheckedOptions(sweep);
+Result<Done> CellPictures::Check(const Sweep& sweep, bool open_outside) {
+  const Result<Options> options = CheckedOptions(sweep, open_outside);
   if (!options.ok()) return options.error();
   return Done();
 }
 
-Result<CellPictures> CellPictures::Create(const Sweep& sweep, const SweepStore& store) {
-  Result<Options> options = CheckedOptions(sweep);
+Result<CellPictures> CellPictures::Create(const Sweep& sweep, const SweepStore& store,
+                                          bool open_outside) {
+  Result<Options> options = CheckedOptions(sweep, open_outside);
   if (!options.ok()) return options.error();
   Options chosen = std::move(options).value();
   const PictureSize size = *chosen.size;
@@ -156,7 +163,7 @@ Result<Done> CellPictures::Parts::DrawFrames(
   if (!skin.ok()) return skin.error();
   Result<render::ThingModels> things = render::ThingCache().Of(baked.animation.held_objects);
   if (!things.ok()) return things.error();
-  Result<render::ReferenceFilm> film = FilmOf(baked, sweep.project_file());
+  Result<render::ReferenceFilm> film = FilmOf(baked, sweep.project_file(), options.open_outside);
   if (!film.ok()) return film.error();
   const FrameRange all = AllFrames(baked.motion);
   Pictures pictures(baked, all, paths.value(), std::move(skin).value(), std::move(things).value(),

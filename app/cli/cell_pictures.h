@@ -16,10 +16,11 @@ class CellPictures {
  public:
   // Whether what the sweep says of pictures is right, before a folder is made. Errors: kSchema,
   // whose place is in the sweep file: options of drawing that are none, or frames that the project
-  // has not.
-  static Result<Done> Check(const Sweep& sweep);
+  // has not; kNoInput: a reference outside of the project's folder, without `open_outside`.
+  static Result<Done> Check(const Sweep& sweep, bool open_outside);
   // Errors: those of Check, and of what draws.
-  static Result<CellPictures> Create(const Sweep& sweep, const SweepStore& store);
+  static Result<CellPictures> Create(const Sweep& sweep, const SweepStore& store,
+                                     bool open_outside);
   ~CellPictures();
   CellPictures(CellPictures&&) noexcept;
   CellPictures& operator=(CellPictures&&) = delete;

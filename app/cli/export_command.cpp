@@ -65,6 +65,10 @@ PictureSize EvenSize(const PictureSize& size) {
 }
 
 int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  edit::MediaAccess access;
+  if (options.open_outside) access.AllowAll();
+  if (const auto closed = edit::WhyClosedToVideo(baked.project, options.files[0], access))
+    return Complain(*closed);
   const Result<Motion> path_motion = PathMotion(baked, options);
   if (!path_motion.ok()) return Complain(path_motion.error());
   const PictureSize size = EvenSize(PictureSizeOf(options));
@@ -72,7 +76,7 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
   if (!skin.ok()) return Complain(skin.error());
   const Result<render::ThingModels> things = ThingsOf(baked, options.files[0]);
   if (!things.ok()) return Complain(things.error());
-  const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0]);
+  const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0], options.open_outside);
   if (!film.ok()) return Complain(film.error());
   Pictures pictures(baked, frames, path_motion.value(), skin.value(), things.value(), film.value(),
                     size, options);

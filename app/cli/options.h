@@ -69,6 +69,7 @@ struct Options {
   render::FigureLook body = render::FigureLook::kSkin;
   bool shadow = true;
   bool frame_number = false;
+  bool open_outside = false;  // sounds and references that lie outside of the project's folder
 
   ImportOptions import;  // how files of other programs are read
   bool all_warnings = false;

@@ -7,6 +7,7 @@
 #include "app/cli/terminal.h"
 #include "engine/bake/bake.h"
 #include "engine/bake/bake_size.h"
+#include "engine/project/project_files.h"
 #include "render/motion/framing.h"
 #include "ui/edit/media_files.h"
 
@@ -133,10 +134,14 @@ Result<render::ThingModels> ThingsOf(const BakedProject& baked, const std::strin
   return things;
 }
 
-Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file) {
+Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file,
+                                     bool open_outside) {
   const Project& project = baked.project;
   if (!edit::RenderedReference(project)) return render::ReferenceFilm();
-  return render::ReferenceFilm::Load(edit::ReferencePath(project, file), baked.motion.rate,
+  edit::MediaAccess access;
+  if (open_outside) access.AllowAll();
+  if (auto closed = edit::WhyClosedToPictures(project, file, access)) return *closed;
+  return render::ReferenceFilm::Load(ReferencePath(project, file), baked.motion.rate,
                                      {project.fps.num, project.fps.den},
                                      [] { return Interrupted().load(); });
 }

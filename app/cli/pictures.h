@@ -34,7 +34,8 @@ Result<render::FigureSkin> SkinOn(const BakedProject& baked, const std::string& 
 Result<render::ThingModels> ThingsOf(const BakedProject& baked, const std::string& file);
 
 // The project's reference, if it is seen in pictures. Errors: of ReferenceFilm::Load.
-Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file);
+Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::string& file,
+                                     bool open_outside);
 
 // Draws the frames of a baked project as the options want them. What is given must outlive it.
 class Pictures {

@@ -46,7 +46,7 @@ int RenderBaked(const BakedProject& baked, const FrameRange& frames, const Optio
   if (!skin.ok()) return Complain(skin.error());
   const Result<render::ThingModels> things = ThingsOf(baked, options.files[0]);
   if (!things.ok()) return Complain(things.error());
-  const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0]);
+  const Result<render::ReferenceFilm> film = FilmOf(baked, options.files[0], options.open_outside);
   if (!film.ok()) return Complain(film.error());
   Pictures pictures(baked, frames, path_motion.value(), skin.value(), things.value(), film.value(),
                     size, options);

@@ -63,9 +63,11 @@ int RunWindow(const Options& options) {
 int RunEdits(const Options& options) {
   const Result<std::string> text = ReadTextFile(options.script);
   if (!text.ok()) return Complain(text.error());
+  KeepInput(options.script, InputKind::kScript);
   const PictureSize size = options.size.value_or(PictureSize{1280, 800});
   ui::ScriptedEditor scripted({size.width, size.height});
   scripted.editor().session().set_saves_checked(true);
+  if (options.open_outside) scripted.editor().session().media().AllowAll();
   scripted.editor().poses.library.set_path(ui::PosesPath());
   const Result<Done> opened = Open(options, &scripted.editor());
   if (!opened.ok()) return Complain(opened.error());

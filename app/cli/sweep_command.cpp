@@ -26,10 +26,11 @@ namespace {
 // Blocks of cells, done by some threads at a time.
 class BlockRun {
  public:
-  BlockRun(const Sweep& sweep, const SweepStore& store, std::vector<long> blocks)
+  BlockRun(const Sweep& sweep, const SweepStore& store, std::vector<long> blocks, bool open_outside)
       : sweep_(sweep),
         store_(store),
         blocks_(std::move(blocks)),
+        open_outside_(open_outside),
         progress_("sweep", static_cast<int>(blocks_.size())) {}
 
   std::optional<Error> Run() {
@@ -53,7 +54,7 @@ class BlockRun {
   Result<Done> DoBlocks() {
     std::optional<CellPictures> pictures;
     if (sweep_.plan().picture) {
-      Result<CellPictures> made = CellPictures::Create(sweep_, store_);
+      Result<CellPictures> made = CellPictures::Create(sweep_, store_, open_outside_);
       if (!made.ok()) return made.error();
       pictures.emplace(std::move(made).value());
     }
@@ -96,6 +97,7 @@ class BlockRun {
   const Sweep& sweep_;
   const SweepStore& store_;
   const std::vector<long> blocks_;
+  const bool open_outside_;
   Progress progress_;
   std::atomic<size_t> next_ = 0;
   std::atomic<bool> has_failed_ = false;
@@ -154,15 +156,14 @@ int RunSweep(const Options& options) {
     return kExitOk;
   }
   if (sweep.plan().picture) {
-    const Result<Done> checked = CellPictures::Check(sweep);
+    const Result<Done> checked = CellPictures::Check(sweep, options.open_outside);
     if (!checked.ok()) return Complain(InFile(checked.error(), options.script));
   }
   const auto store =
       SweepStore::Open(options.output, sweep.cells(), sweep.Identity("Hazumi " + ProgramVersion()));
   if (!store.ok()) return Complain(store.error());
-  if (auto error = BlockRun(sweep, store.value(), MissingBlocks(store.value(), options)).Run()) {
-    return Complain(*error);
-  }
+  BlockRun run(sweep, store.value(), MissingBlocks(store.value(), options), options.open_outside);
+  if (auto error = run.Run()) return Complain(*error);
   return options.tasks > 0 ? kExitOk : Merge(sweep, store.value());
 }
 

@@ -22,7 +22,8 @@ Result<Verdict> VerifyMotion(const std::string& project, const std::string& moti
 
 // Of a folder that --render filled. Every pixel of every picture in it is compared. Errors: of
 // reading the pictures, baking and drawing.
-Result<Verdict> VerifyPictures(const std::string& project, const std::string& folder);
+Result<Verdict> VerifyPictures(const std::string& project, const std::string& folder,
+                               bool open_outside);
 
 // Which program makes things: "Hazumi 0.1.0 (abc1234)".
 std::string MadeByText();

@@ -41,7 +41,7 @@ Result<Options> OptionsToMakeAgain(const std::vector<std::string>& task,
 int RunVerify(const Options& options) {
   const std::string &project = options.files[0], &made = options.files[1];
   const Result<Verdict> verdict = std::filesystem::is_directory(made)
-                                      ? VerifyPictures(project, made)
+                                      ? VerifyPictures(project, made, options.open_outside)
                                       : VerifyMotion(project, made);
   if (!verdict.ok()) return Complain(InFile(verdict.error(), made));
   return PrintVerdict(verdict.value());

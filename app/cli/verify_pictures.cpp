@@ -149,7 +149,7 @@ Result<Done> DrawAgain(const BakedProject& baked, const std::vector<MadePicture>
   if (!skin.ok()) return skin.error();
   const auto things = ThingsOf(baked, options.files[0]);
   if (!things.ok()) return things.error();
-  const auto film = FilmOf(baked, options.files[0]);
+  const auto film = FilmOf(baked, options.files[0], options.open_outside);
   if (!film.ok()) return film.error();
   const PictureSize size = PictureSizeOf(options);
   for (size_t first = 0; first < made.size();) {
@@ -175,12 +175,14 @@ Result<Done> DrawAgain(const BakedProject& baked, const std::vector<MadePicture>
 
 }  // namespace
 
-Result<Verdict> VerifyPictures(const std::string& project, const std::string& folder) {
+Result<Verdict> VerifyPictures(const std::string& project, const std::string& folder,
+                               bool open_outside) {
   const auto made = PicturesIn(folder);
   if (!made.ok()) return made.error();
   const MadePicture& one = made.value().front();
-  const Result<Options> options = OptionsToMakeAgain({"--render", "again"}, one.options, project);
+  Result<Options> options = OptionsToMakeAgain({"--render", "again"}, one.options, project);
   if (!options.ok()) return options.error();
+  options.value().open_outside = open_outside;  // whatever the pictures say
   const Result<BakedProject> baked = LoadAndBake(project, options.value());
   if (!baked.ok()) return baked.error();
   const auto& frames = baked.value().motion.frames;

@@ -2,24 +2,37 @@
 
 #include <filesystem>
 
+#include "engine/base/file_place.h"
+#include "engine/project/project_files.h"
 #include "engine/timeline/frame_time.h"
 
 namespace hazumi::edit {
 
 namespace {
 
-std::string Beside(const std::string& project_path, const std::string& file) {
-  return (std::filesystem::path(project_path).parent_path() / file).string();
+std::optional<Error> In(const char* place, std::optional<Error> error) {
+  if (error) error->place = place;
+  return error;
 }
 
 }  // namespace
 
-std::string SoundPath(const Project& project, const std::string& project_path) {
-  return project.audio ? Beside(project_path, project.audio->file) : "";
+void MediaAccess::Allow(const std::string& path) {
+  if (!path.empty()) allowed_.insert(FollowLinks(path));
 }
 
-std::string ReferencePath(const Project& project, const std::string& project_path) {
-  return project.reference ? Beside(project_path, project.reference->file) : "";
+std::optional<Error> MediaAccess::WhyClosed(const std::string& path,
+                                            const std::string& project_path) const {
+  if (path.empty() || allows_all_ || allowed_.contains(FollowLinks(path))) return std::nullopt;
+  const std::filesystem::path project = FollowLinks(project_path);
+  const bool has_folder = !project_path.empty();
+  if (has_folder && LiesIn(path, project.parent_path().string())) return std::nullopt;
+  // A missing file is reported where it is opened.
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) && !unknown) return std::nullopt;
+  return Error{ErrorCode::kNoInput, path, "",
+               "lies outside of the project's folder and is not opened unasked; copy it there, "
+               "or allow it: the command line with --open-outside, the editor when it asks"};
 }
 
 std::optional<ProjectReference> RenderedReference(const Project& project) {
@@ -34,6 +47,19 @@ std::optional<SoundPart> HeardIn(const Project& project, const std::string& proj
   return SoundPart{SoundPath(project, project_path),
                    first_s - rate.SecondsAt(project.audio->start_frame), length_s,
                    project.audio->gain_db};
+}
+
+std::optional<Error> WhyClosedToPictures(const Project& project, const std::string& project_path,
+                                         const MediaAccess& access) {
+  if (!RenderedReference(project)) return std::nullopt;
+  return In("reference.file", access.WhyClosed(ReferencePath(project, project_path), project_path));
+}
+
+std::optional<Error> WhyClosedToVideo(const Project& project, const std::string& project_path,
+                                      const MediaAccess& access) {
+  if (auto error = WhyClosedToPictures(project, project_path, access)) return error;
+  if (!project.audio || project.audio->mute) return std::nullopt;
+  return In("audio.file", access.WhyClosed(SoundPath(project, project_path), project_path));
 }
 
 }  // namespace hazumi::edit

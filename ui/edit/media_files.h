@@ -1,17 +1,29 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
+#include "engine/base/result.h"
 #include "engine/media/sound_part.h"
 #include "engine/project/project.h"
 
 namespace hazumi::edit {
 
-// Where a project's sound and its reference picture lie; `project_path` is empty of a project that
-// has no file yet. Empty: the project has none.
-std::string SoundPath(const Project& project, const std::string& project_path);
-std::string ReferencePath(const Project& project, const std::string& project_path);
+// Permission to open the sounds and references that projects name. A project may come from a
+// stranger and name any file. Files in the project's folder or below, links followed, are always
+// open; files outside need a person's agreement.
+class MediaAccess {
+ public:
+  void AllowAll() { allows_all_ = true; }
+  void Allow(const std::string& path);
+  // Error (kNoInput) if the file lies outside of the folder and nobody agreed to open it.
+  std::optional<Error> WhyClosed(const std::string& path, const std::string& project_path) const;
+
+ private:
+  bool allows_all_ = false;
+  std::set<std::string> allowed_;  // links followed
+};
 
 // The reference, if it is seen in rendered pictures.
 std::optional<ProjectReference> RenderedReference(const Project& project);
@@ -20,5 +32,11 @@ std::optional<ProjectReference> RenderedReference(const Project& project);
 // it is mute.
 std::optional<SoundPart> HeardIn(const Project& project, const std::string& project_path,
                                  double first_s, double length_s);
+
+// Error if rendering pictures, or a video with sound, needs a file that must not be opened.
+std::optional<Error> WhyClosedToPictures(const Project& project, const std::string& project_path,
+                                         const MediaAccess& access);
+std::optional<Error> WhyClosedToVideo(const Project& project, const std::string& project_path,
+                                      const MediaAccess& access);
 
 }  // namespace hazumi::edit

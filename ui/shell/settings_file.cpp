@@ -68,12 +68,13 @@ std::optional<Error> ReadShares(const Json& json, Shares* shares) {
   return ReadNumber(given, "outliner", 0.05, 0.95, &shares->outliner);
 }
 
-std::optional<Error> ReadFiles(const Json& json, std::vector<std::string>* files) {
-  if (!json.contains("recent_files")) return std::nullopt;
-  const Json& given = json["recent_files"];
+std::optional<Error> ReadFiles(const Json& json, const char* name,
+                               std::vector<std::string>* files) {
+  if (!json.contains(name)) return std::nullopt;
+  const Json& given = json[name];
   const auto is_text = [](const Json& file) { return file.is_string(); };
   if (!given.is_array() || !std::all_of(given.begin(), given.end(), is_text)) {
-    return Wrong("recent_files", "must be a list of paths");
+    return Wrong(name, "must be a list of paths");
   }
   *files = given.get<std::vector<std::string>>();
   return std::nullopt;
@@ -117,7 +118,8 @@ std::optional<Error> ReadAll(const Json& json, Settings* settings) {
   settings->has_chosen_language = json.contains("language");
   if (auto error = ReadNumber(json, "scale", 0.75, 3.0, &settings->scale)) return error;
   if (auto error = ReadShares(json, &settings->shares)) return error;
-  if (auto error = ReadFiles(json, &settings->recent_files)) return error;
+  if (auto error = ReadFiles(json, "recent_files", &settings->recent_files)) return error;
+  if (auto error = ReadFiles(json, "opened_outside", &settings->opened_outside)) return error;
   if (auto error = ReadKeymap(json, &settings->keymap)) return error;
   if (!json.contains("has_seen_first_steps")) return std::nullopt;
   if (!json["has_seen_first_steps"].is_boolean()) {
@@ -141,6 +143,7 @@ std::string WriteSettings(const Settings& settings) {
                  {"bottom", settings.shares.bottom},
                  {"outliner", settings.shares.outliner}}},
                {"recent_files", settings.recent_files},
+               {"opened_outside", settings.opened_outside},
                {"has_seen_first_steps", settings.has_seen_first_steps},
                {"keymap", JsonOf(settings.keymap)}};
   if (settings.has_chosen_language) {
@@ -172,6 +175,7 @@ void SettingsFile::Load(Editor* editor) {
       text.ok() ? ReadSettings(text.value(), editor->settings) : Result<Settings>(text.error());
   if (read.ok()) {
     last_ = editor->settings = read.value();
+    for (const std::string& file : last_.opened_outside) editor->session().media().Allow(file);
   } else {
     const std::string aside = path_ + ".damaged";
     fs::rename(path_, aside, unknown);

@@ -105,6 +105,13 @@ constexpr OptionRule kDrawingRules[] = {
      .section = Section::kDrawing,
      .help = "draw the frame number",
      .read = Set<&Options::frame_number>},
+    {.name = "--open-outside",
+     .tasks = kDraw | kRun | kSweep | kVerify,
+     .section = Section::kDrawing,
+     .help = "open the sound and the reference of the project also where they lie outside of its "
+             "folder",
+     .is_silent = true,
+     .read = Set<&Options::open_outside>},
     {.name = "--no-shadow",
      .tasks = kDraw,
      .section = Section::kDrawing,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/file_place.h"
 #include "engine/exchange/reader/whole_file.h"
 
 namespace hazumi {
@@ -34,13 +35,6 @@ bool IsAbsolute(const std::string& name) {
   return name.starts_with("/") || (name.size() > 1 && name[1] == ':');
 }
 
-// Links followed, so that none of them leads out.
-bool IsWithin(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path inside = fs::relative(fs::canonical(file, error), folder, error);
-  return !error && !inside.empty() && *inside.begin() != "..";
-}
-
 }  // namespace
 
 SceneFolder::SceneFolder(const std::string& scene_path) {
@@ -56,7 +50,7 @@ std::optional<std::string> SceneFolder::Resolve(std::string name) const {
   std::error_code error;
   for (const std::string& candidate : {name, PercentDecoded(name)}) {
     const fs::path file = fs::path(path_) / candidate;
-    if (!candidate.empty() && fs::is_regular_file(file, error) && IsWithin(file, path_))
+    if (!candidate.empty() && fs::is_regular_file(file, error) && LiesIn(file.string(), path_))
       return file.string();
   }
   return std::nullopt;

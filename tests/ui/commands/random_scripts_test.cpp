@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <new>
 
+#include "engine/base/shadow_memory.h"
 #include "tests/support/from_environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/ui/commands/commands.h"
@@ -32,12 +33,6 @@ constexpr double kLongest = 10.0;  // [s] of a command
 constexpr double kLongest = 40.0;  // the engine is a third as fast without optimisation
 #endif
 constexpr double kMostMemory = 1024.0;  // [MiB] of a process, but for a sanitizer's own
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 // What a batch tells, in memory that outlives it.
 struct Told {
@@ -144,7 +139,7 @@ TEST_F(RandomScripts, NeitherCrashNorTakeLongAndHalfOfWhatTheySayIsDone) {
       most_memory_);
   EXPECT_EQ(told_->tried, long{kCommandsAScript} * count);
   EXPECT_GE(2 * told_->done, told_->tried) << "at least half are to be done";
-  if (kIsSanitized) return;
+  if (kHasShadowMemory) return;
   EXPECT_LT(told_->longest_s, kLongest) << told_->slowest;
   EXPECT_LT(most_memory_, kMostMemory);
 }

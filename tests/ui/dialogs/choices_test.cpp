@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "engine/project/project_writer.h"
 #include "tests/ui/dialogs/fixture.h"
 
 namespace hazumi::ui {
@@ -22,6 +23,69 @@ TEST_F(Dialogs, ASoundIsChosenFromAListAndKeptRelativeToTheProject) {
   EXPECT_EQ(modal(), Modal::kNone) << editor_.dialogs.files.error;
   ASSERT_TRUE(editor_.session().project().audio);
   EXPECT_EQ(editor_.session().project().audio->file, "sounds/voice.wav");
+}
+
+// A project that somebody else made names a file elsewhere.
+class OutsideFiles : public Dialogs {
+ protected:
+  void SetUp() override {
+    Dialogs::SetUp();
+    for (const char* name : {"home", "elsewhere"}) fs::create_directories(folder_ / name);
+    std::ofstream(File("elsewhere/voice.wav")) << "a sound";
+    Project project = editor_.session().project();
+    project.audio = ProjectAudio();
+    project.audio->file = "../elsewhere/voice.wav";
+    ASSERT_TRUE(SaveProject(project, File("home/shot.kfa")).ok());
+    Open();
+  }
+  void Open() {
+    ASSERT_TRUE(editor_.Do("file.open", {{"path", File("home/shot.kfa")}}));
+    while (Tick(), editor_.sound.is_busy()) {
+    }
+    Frames();
+  }
+  void Tick() {
+    editor_.Tick(0.0);
+    shell_->Frame();
+  }
+  bool is_closed() {
+    Tick();
+    while (editor_.sound.is_busy()) Tick();
+    return editor_.sound.error().find("outside of the project's folder") != std::string::npos;
+  }
+  bool is_asked() const { return !editor_.dialogs.asked_outside.empty(); }
+};
+
+TEST_F(OutsideFiles, EscAndEnterKeepThemClosed) {
+  for (const int key : {kEscape, kEnter}) {
+    editor_.dialogs.kept_closed.clear();
+    Frames();
+    EXPECT_TRUE(is_asked());
+    EXPECT_TRUE(is_closed());
+    Press({key});
+    EXPECT_FALSE(is_asked());
+    EXPECT_TRUE(is_closed());
+  }
+  EXPECT_TRUE(editor_.settings.opened_outside.empty());
+}
+
+TEST_F(OutsideFiles, AreOpenedOnceItIsAgreed) {
+  EXPECT_TRUE(is_asked());
+  Press({'O'});
+  EXPECT_FALSE(is_asked());
+  EXPECT_FALSE(is_closed());
+  EXPECT_EQ(editor_.settings.opened_outside.size(), 1u);
+  Open();
+  EXPECT_FALSE(is_asked());
+}
+
+TEST_F(OutsideFiles, WhoChoosesOneIsNotAsked) {
+  ASSERT_TRUE(editor_.Do("file.open", {{"path", File("home/shot.kfa")}}));
+  ASSERT_TRUE(editor_.Do("audio.set", {{"file", File("elsewhere/voice.wav")}}));
+  Frames();
+  EXPECT_FALSE(is_asked());
+  EXPECT_FALSE(is_closed());
+  EXPECT_EQ(editor_.settings.opened_outside.size(), 1u);
 }
 
 TEST_F(Dialogs, AMeshIsChosenAndIsInTheSelectedHand) {

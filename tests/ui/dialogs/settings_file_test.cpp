@@ -38,6 +38,7 @@ TEST_F(SettingsFileTest, WhatWasChosenIsThereTheNextTime) {
   editor.settings.scale = 1.5;
   editor.settings.shares.side = 0.3;
   editor.settings.recent_files = {"/a/投げる.kfa"};
+  editor.OpenOutside("/b/声.wav");
   editor.settings.has_seen_first_steps = true;
   editor.settings.keymap = {{Place::kSheet, {'G'}, {'G', true}},
                             {Place::kViewport, {kDelete}, Chord()}};
@@ -45,6 +46,7 @@ TEST_F(SettingsFileTest, WhatWasChosenIsThereTheNextTime) {
   Editor next;
   SettingsFile(path()).Load(&next);
   EXPECT_EQ(next.settings, editor.settings);
+  EXPECT_EQ(next.settings.opened_outside, std::vector<std::string>{"/b/声.wav"});
 }
 
 TEST_F(SettingsFileTest, ADamagedFileIsKeptAsideAndSaid) {

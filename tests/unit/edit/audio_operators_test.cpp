@@ -1,3 +1,9 @@
+#include <filesystem>
+#include <fstream>
+
+#include "engine/base/input_files.h"
+#include "engine/project/project_files.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/sessions.h"
 #include "ui/edit/media_files.h"
 
@@ -42,9 +48,51 @@ TEST(Heard, BeginsOnItsFrameAtTheProjectsRate) {
             (SoundPart{"/shots/sounds/voice.wav", 1.5, 1.5, -6.0}));
   EXPECT_EQ(edit::HeardIn(project, "/shots/a.kfa", 0.0, 1.5)->start_s, -0.5);
   project.audio->file = "/elsewhere/voice.wav";
-  EXPECT_EQ(edit::SoundPath(project, "/shots/a.kfa"), "/elsewhere/voice.wav");
+  EXPECT_EQ(SoundPath(project, "/shots/a.kfa"), "/elsewhere/voice.wav");
   project.audio->mute = true;
   EXPECT_FALSE(edit::HeardIn(project, "/shots/a.kfa", 2.0, 1.5));
+}
+
+// What lies outside of the project's folder is opened once somebody agreed to it.
+TEST(MediaAccess, OpensWhatLiesInTheFolderOrIsAllowed) {
+  const TemporaryFolder home, elsewhere;
+  for (const std::string& file : {home / "a.wav", elsewhere / "b.wav"}) std::ofstream(file) << "-";
+  std::filesystem::create_symlink(elsewhere / "b.wav", home / "link.wav");
+  const std::string project = home / "a.kfa";
+  edit::MediaAccess access;
+  EXPECT_FALSE(access.WhyClosed("", project));
+  EXPECT_FALSE(access.WhyClosed(home / "a.wav", project));
+  EXPECT_FALSE(access.WhyClosed(home / "missing.wav", project));
+  for (const std::string& file : {elsewhere / "b.wav", home / "link.wav"}) {
+    const auto closed = access.WhyClosed(file, project);
+    ASSERT_TRUE(closed) << file;
+    EXPECT_NE(closed->message.find("--open-outside"), std::string::npos);
+  }
+  EXPECT_TRUE(access.WhyClosed(home / "a.wav", ""));  // a project without a file has no folder
+  access.Allow(home / "link.wav");
+  EXPECT_FALSE(access.WhyClosed(elsewhere / "b.wav", project));
+  EXPECT_TRUE(access.WhyClosed(home / "a.wav", ""));
+  access.AllowAll();
+  EXPECT_FALSE(access.WhyClosed(home / "a.wav", ""));
+}
+
+// Who names a file agrees, and saving elsewhere takes nothing back.
+TEST(MediaAccess, FollowsWhatTheUserDoes) {
+  const TemporaryFolder home, elsewhere;
+  for (const std::string& file : {home / "a.wav", elsewhere / "b.png"}) std::ofstream(file) << "-";
+  Session session;
+  Do(&session, "file.save", {{"path", home / "a.kfa"}});
+  Do(&session, "audio.set", {{"file", "a.wav"}});
+  Do(&session, "reference.set", {{"file", elsewhere / "b.png"}});
+  EXPECT_FALSE(session.media().WhyClosed(elsewhere / "b.png", home / "a.kfa"));
+  Do(&session, "file.save", {{"path", elsewhere / "a.kfa"}});
+  const std::string& path = session.document().path();
+  const std::string sound = SoundPath(session.project(), path);
+  EXPECT_TRUE(edit::MediaAccess().WhyClosed(sound, path)) << sound;
+  EXPECT_FALSE(session.media().WhyClosed(sound, path));
+  // Neither is written over.
+  EXPECT_TRUE(WhyKept(sound));
+  EXPECT_FALSE(session.Run("file.save", {{"path", sound}, {"overwrite", true}}).ok());
 }
 
 }  // namespace

@@ -191,7 +191,16 @@ ProjectConstraint NewConstraint(const Session& session) {
   return constraint;
 }
 
+// Resets fields that the file does not say of this kind: a project that is opened again has to be
+// the same.
+void DropHidden(ProjectConstraint* constraint) {
+  if (constraint->kind != ConstraintKind::kDistance) constraint->length_m = 0.0;
+  if (constraint->kind == ConstraintKind::kWeld) return;
+  constraint->a.rotation_deg = constraint->b.rotation_deg = Vec3::Zero();
+}
+
 void Put(ProjectConstraint constraint, const Parameters& p, Project* project) {
+  DropHidden(&constraint);
   if (!p.has("name")) constraint.name = hazumi::NameOf(constraint.kind);
   constraint.name = FreeName(constraint.name, project->constraints);
   project->constraints.push_back(std::move(constraint));
@@ -237,10 +246,12 @@ Result<Done> SetConstraint(Session* session, const Parameters& p) {
         }
         if (Result<Done> set = SetOwnFields(p, &constraint); !set.ok()) return set;
         if (p.has("name")) constraint.name = FreeName(constraint.name, constraints, &constraint);
-        if (!places) return Done();
-        Stay(kOfA, p, before.a, *places, &constraint.a);
-        Stay(kOfB, p, before.b, *places, &constraint.b);
-        if (constraint.kind != before.kind) Fit(p, *places, &constraint);
+        if (places) {
+          Stay(kOfA, p, before.a, *places, &constraint.a);
+          Stay(kOfB, p, before.b, *places, &constraint.b);
+          if (constraint.kind != before.kind) Fit(p, *places, &constraint);
+        }
+        DropHidden(&constraint);
         return Done();
       },
       p.text("drag"));

@@ -44,6 +44,30 @@ ProjectForce OfAnotherKind(const ProjectForce& before, ForceKind kind, const Ses
   return force;
 }
 
+// Resets fields that the file does not say of this kind: a project that is opened again has to be
+// the same.
+void DropHidden(ProjectForce* force) {
+  const ProjectForce none;
+  const bool is_wind = force->kind == ForceKind::kWind;
+  if (!is_wind) {
+    force->velocity_m_s = none.velocity_m_s;
+    force->density_kg_m3 = none.density_kg_m3;
+  } else {
+    force->joint = none.joint;
+    force->offset_m = none.offset_m;
+  }
+  if (force->kind != ForceKind::kAttract) {
+    force->to_m = none.to_m;
+    force->force_n = none.force_n;
+    force->radius_m = none.radius_m;
+  }
+  if (force->kind == ForceKind::kPush) {
+    force->last_frame = none.last_frame;
+  } else {
+    force->impulse_n_s = none.impulse_n_s;
+  }
+}
+
 // Sets what is given of a force, and what its kind cannot do without.
 Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectForce* force) {
   const ForceKind before = force->kind;
@@ -60,6 +84,7 @@ Result<Done> SetOwnFields(const Session& session, const Parameters& p, ProjectFo
       force->last_frame <= force->first_frame) {
     force->last_frame = std::max(all.last, force->first_frame + 1);
   }
+  DropHidden(force);
   return Done();
 }
 

@@ -1,5 +1,6 @@
 // The sound that is heard with the motion, and the picture or video that it is made by.
 
+#include "engine/project/project_files.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 
@@ -7,11 +8,13 @@ namespace hazumi::edit {
 
 namespace {
 
-// What is not given stays; both have a file.
+using PathOfFile = std::string (*)(const Project& project, const std::string& project_path);
+
+// What is not given stays; both have a file. Who names one agrees that it is opened.
 template <typename Item>
 Result<Done> SetItem(Session* session, const Parameters& p, const char* label, const char* what,
-                     std::optional<Item> Project::*item) {
-  return session->Edit(
+                     std::optional<Item> Project::*item, PathOfFile path) {
+  Result<Done> done = session->Edit(
       label,
       [&](Project* project) -> Result<Done> {
         Item changed = (project->*item).value_or(Item());
@@ -21,6 +24,11 @@ Result<Done> SetItem(Session* session, const Parameters& p, const char* label, c
         return Done();
       },
       p.text("drag"));
+  if (!done.ok() || !p.has("file")) return done;
+  const std::string& project = session->document().path();
+  session->media().Allow(path(session->project(), project));
+  KeepFilesOf(session->project(), project);
+  return done;
 }
 
 template <typename Item>
@@ -34,13 +42,14 @@ Result<Done> RemoveItem(Session* session, const char* label, const char* none,
 }
 
 Result<Done> SetAudio(Session* session, const Parameters& p) {
-  return SetItem(session, p, "Set sound", "sound file", &Project::audio);
+  return SetItem(session, p, "Set sound", "sound file", &Project::audio, SoundPath);
 }
 Result<Done> RemoveAudio(Session* session, const Parameters&) {
   return RemoveItem(session, "Remove sound", "the project has no sound", &Project::audio);
 }
 Result<Done> SetReference(Session* session, const Parameters& p) {
-  return SetItem(session, p, "Set reference", "picture or video", &Project::reference);
+  return SetItem(session, p, "Set reference", "picture or video", &Project::reference,
+                 ReferencePath);
 }
 Result<Done> RemoveReference(Session* session, const Parameters&) {
   return RemoveItem(session, "Remove reference", "the project has no reference picture",

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/figure/sides.h"
+#include "engine/project/project_files.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
 #include "ui/edit/check_saved.h"
@@ -50,7 +51,7 @@ bool IsSameFile(const std::string& a, const std::string& b) {
   return a == b || std::filesystem::equivalent(a, b, failed);
 }
 
-// Under another name the figure's file is still found.
+// Under another name the figure's file is still found, and what was open stays so.
 Result<Done> Save(Session* session, const Parameters& p) {
   Document& document = session->document();
   const std::string path = p.text("path", document.path());
@@ -62,6 +63,10 @@ Result<Done> Save(Session* session, const Parameters& p) {
         "again, save under another name, or save with \"overwrite\" to lose what it holds"};
   }
   Project project = document.project();
+  for (const std::string& file :
+       {SoundPath(project, document.path()), ReferencePath(project, document.path())}) {
+    if (!session->media().WhyClosed(file, document.path())) session->media().Allow(file);
+  }
   if (!document.path().empty() && FolderOf(path) != FolderOf(document.path())) {
     RebaseReferences(&project, FolderOf(document.path()), FolderOf(path));
   }

@@ -5,6 +5,7 @@
 
 #include "engine/figure/figure_builder.h"
 #include "engine/project/compile.h"
+#include "engine/project/project_files.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/held/object_curves.h"
@@ -16,6 +17,7 @@ Session::Session() { Replace(NewProject(), ""); }
 
 void Session::Replace(Project project, const std::string& path) {
   document_ = std::make_unique<Document>(std::move(project), path);
+  KeepFilesOf(document_->project(), path);
   ++document_number_;
   selected_joints_.clear();
   hidden_joints_.clear();

@@ -9,6 +9,7 @@
 
 #include "engine/project/compile.h"
 #include "ui/edit/document/document.h"
+#include "ui/edit/media_files.h"
 #include "ui/edit/operator.h"
 #include "ui/edit/session/background_bake.h"
 
@@ -75,6 +76,10 @@ class Session {
   bool saves_checked() const { return saves_checked_; }
   void set_saves_checked(bool checked) { saves_checked_ = checked; }
 
+  // Which sounds and references may be opened.
+  MediaAccess& media() { return media_; }
+  const MediaAccess& media() const { return media_; }
+
   // For files of other programs. Empty unless whoever owns the session can draw capsules.
   const SkinMaker& capsules() const { return capsules_; }
   void set_capsules(SkinMaker maker) { capsules_ = std::move(maker); }
@@ -124,6 +129,7 @@ class Session {
   std::vector<std::weak_ptr<const SessionObserver>> observers_;
   bool is_running_ = false;  // an operator
   bool saves_checked_ = false;
+  MediaAccess media_;
   long document_number_ = 0;
 
   ProjectFigure figure_source_;  // figure_ was built from

@@ -40,6 +40,8 @@ Frame FrameOf(const DialogsState& dialogs) {
       return {"About Hazumi", 430, 0};
     case Modal::kPreferences:
       return {"Preferences", 600, 520};
+    case Modal::kOutsideFile:
+      return {"File outside of the project's folder", 520, 0};
     case Modal::kNone:
       break;
   }
@@ -99,6 +101,8 @@ void DrawContent(Editor* editor) {
       return DrawAbout(editor);
     case Modal::kPreferences:
       return DrawPreferences(editor);
+    case Modal::kOutsideFile:
+      return DrawOutsideFile(editor);
     case Modal::kNone:
       break;
   }
@@ -228,6 +232,7 @@ int DrawButtons(const Editor& editor, std::initializer_list<ButtonText> buttons)
 void DrawDialogs(Editor* editor, const Rect& window) {
   DialogsState& dialogs = editor->dialogs;
   if (dialogs.shows_first_steps && !editor->aims()) DrawFirstSteps(editor, window);
+  AskAboutOutsideFile(editor);
   if (dialogs.modal != Modal::kNone && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   if (!ImGui::IsPopupOpen(kId)) return LetArrowsLead(false);
   const Frame frame = FrameOf(dialogs);

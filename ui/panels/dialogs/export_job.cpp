@@ -111,9 +111,11 @@ Result<RenderTask> VideoTask(Editor* editor) {
   task.project = ProjectNameOf(*editor);
   const edit::Session& session = editor->session();
   const FrameRate rate{session.project().fps.num, session.project().fps.den};
-  task.sound =
-      edit::HeardIn(session.project(), session.document().path(), rate.SecondsAt(task.first),
-                    rate.SecondsAt(task.last - task.first + 1));
+  const std::string& path = session.document().path();
+  if (auto closed = edit::WhyClosedToVideo(session.project(), path, session.media()))
+    return *closed;
+  task.sound = edit::HeardIn(session.project(), path, rate.SecondsAt(task.first),
+                             rate.SecondsAt(task.last - task.first + 1));
   return FilledTask(editor, std::move(task), state.through_project_camera, state.overlays);
 }
 

@@ -16,7 +16,8 @@ enum class Modal {
   kProgress,
   kManual,
   kAbout,
-  kPreferences
+  kPreferences,
+  kOutsideFile
 };
 
 }  // namespace hazumi::ui

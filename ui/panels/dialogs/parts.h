@@ -23,6 +23,10 @@ void DrawViewFields(const Editor& editor, bool* through_project_camera, bool* ov
 void DrawManual(Editor* editor);
 void DrawAbout(Editor* editor);
 void DrawPreferences(Editor* editor);
+// Whether a sound or reference outside of the project's folder is opened. It is asked once nothing
+// else is.
+void AskAboutOutsideFile(Editor* editor);
+void DrawOutsideFile(Editor* editor);
 // Where keys count.
 const char* LabelOf(Place place);
 // What a shortcut does, as the menus call it.

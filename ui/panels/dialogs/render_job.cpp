@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/base/memory.h"
+#include "engine/project/project_files.h"
 #include "engine/project/shown_name.h"
 #include "ui/edit/media_files.h"
 #include "ui/panels/dialogs/dialogs.h"
@@ -163,7 +164,10 @@ Result<RenderTask> FilledTask(Editor* editor, RenderTask task, bool through_proj
   task.motion = *motion.value();
   task.skin = session.project().skin;
   task.reference = edit::RenderedReference(session.project());
-  task.reference_path = edit::ReferencePath(session.project(), session.document().path());
+  const std::string& path = session.document().path();
+  if (auto closed = edit::WhyClosedToPictures(session.project(), path, session.media()))
+    return *closed;
+  task.reference_path = ReferencePath(session.project(), path);
   task.reference_rate = {session.project().fps.num, session.project().fps.den};
   task.overlays.look = LookOf(editor->viewport.overlays);
   task.camera = CameraFor(*editor, through_project_camera);

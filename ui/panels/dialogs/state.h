@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct DialogsState {
   ExportState exporting;
   RenderState render;
   PreferencesState preferences;
+  // Files outside of the project's folder: that which is asked about, and those kept closed.
+  std::string asked_outside;
+  std::set<std::string> kept_closed;
   bool shows_first_steps = false;
   FirstSteps first_steps;
   Rect first_steps_card;  // where it is, as long as it is shown

@@ -2,22 +2,27 @@
 
 #include <utility>
 
-#include "ui/edit/media_files.h"
+#include "engine/project/project_files.h"
 
 namespace hazumi::ui {
 
 void FilmWatch::Look(const edit::Session& session) {
   using Watch = FileWatch<std::shared_ptr<const Film>>;
   const ProjectRate fps = session.project().fps;
+  const std::string& project = session.document().path();
+  const std::string file = ReferencePath(session.project(), project);
+  const std::optional<Error> closed = session.media().WhyClosed(file, project);
   const auto read =
-      [fps](const std::string& path,
-            const Watch::IsCancelled& is_cancelled) -> Result<std::shared_ptr<const Film>> {
+      [fps, closed](const std::string& path,
+                    const Watch::IsCancelled& is_cancelled) -> Result<std::shared_ptr<const Film>> {
+    if (closed) return *closed;
     Result<Film> film = DecodeFilm(path, fps.num, fps.den, is_cancelled);
     if (!film.ok()) return film.error();
     return std::make_shared<const Film>(std::move(film).value());
   };
-  file_.Look(edit::ReferencePath(session.project(), session.document().path()),
-             std::to_string(fps.num) + "/" + std::to_string(fps.den), read);
+  file_.Look(file,
+             std::to_string(fps.num) + "/" + std::to_string(fps.den) + (closed ? " closed" : ""),
+             read);
 }
 
 void FilmWatch::AddTo(const edit::Session& session, int frame, render::Scene* scene) {

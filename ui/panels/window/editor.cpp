@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/file_place.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/project_files.h"
 #include "render/motion/links_skin.h"
 #include "ui/edit/document/changed_frames.h"
 #include "ui/edit/operators/keys/at_frame.h"
@@ -143,6 +145,26 @@ void Editor::SayIfSwung(const std::string& id, const Json& parameters) {
   }
 }
 
+void Editor::OpenOutside(const std::string& path) {
+  constexpr size_t kMost = 100;
+  session_.media().Allow(path);
+  std::vector<std::string>& files = settings.opened_outside;
+  const std::string file = FollowLinks(path);
+  std::erase(files, file);
+  files.insert(files.begin(), file);
+  if (files.size() > kMost) files.resize(kMost);
+}
+
+// Who chose a file outside of the project's folder is not asked about it.
+void Editor::KeepAgreement(const std::string& id, const Json& parameters) {
+  if ((id != "audio.set" && id != "reference.set") || !parameters.contains("file")) return;
+  const Project& project = session_.project();
+  const std::string& path = session_.document().path();
+  const std::string file =
+      id == "audio.set" ? SoundPath(project, path) : ReferencePath(project, path);
+  if (edit::MediaAccess().WhyClosed(file, path)) OpenOutside(file);
+}
+
 // What follows from something that was done.
 void Editor::Note(const std::string& id, const Json& parameters) {
   const ExecutedCommand deed = {id, parameters, session_.frame(), session_.selected_joints()};
@@ -150,6 +172,7 @@ void Editor::Note(const std::string& id, const Json& parameters) {
   DropObject(id);
   SelectAdded(this, id);
   ShowAdded(id);
+  KeepAgreement(id, parameters);
   SayIfSwung(id, parameters);
   FrameNewDocument(this);
   CloseSweepOfOther(this);

@@ -42,7 +42,8 @@ struct Settings {
   bool has_chosen_language = false;  // else it is that of the system, each time anew
   double scale = 1.0;                // of the interface
   Shares shares;
-  std::vector<std::string> recent_files;  // the latest first
+  std::vector<std::string> recent_files;    // the latest first
+  std::vector<std::string> opened_outside;  // sounds and references that may be, the latest first
   bool has_seen_first_steps = false;
   Keymap keymap;  // keys that are not as they come
   bool operator==(const Settings&) const = default;
@@ -95,6 +96,9 @@ class Editor {
   int first_frame() const { return session_.project().frames.first; }
   int last_frame() const { return session_.project().frames.last; }
 
+  // Agrees that a sound or reference outside of a project's folder is opened, now and later.
+  void OpenOutside(const std::string& path);
+
   // A text with letters that fonts may have to be loaded for, such as the name of a file.
   void NeedGlyphs(const std::string& text);
   const std::string& glyphs() const { return glyphs_; }
@@ -132,6 +136,7 @@ class Editor {
   void SayIfSwung(const std::string& id, const Json& parameters);
   void DropObject(const std::string& id);
   void ShowAdded(const std::string& id);
+  void KeepAgreement(const std::string& id, const Json& parameters);
   Json WithMirror(const std::string& id, Json parameters) const;
   double UntilNextFrame() const;  // of playback [s]
   bool ShowsEffort() const;
