@@ -87,7 +87,8 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
                                         std::to_string(options.limits.memory),
                                         std::to_string(cpu_seconds),
                                         task.file,
-                                        options.character};
+                                        options.character,
+                                        FormatNumber(options.rate)};
   if (!options.trouble.empty()) arguments.push_back(options.trouble);
   ChildLimits limits;
   limits.seconds = options.limits.seconds;

@@ -16,6 +16,12 @@ const char* FormatName(CharacterFormat format);
 // on a single bone.
 enum class ReadUse { kCharacter, kThing };
 
+// Parts of a file to read.
+struct ReadChoice {
+  std::string character;  // name of one of several; empty: the one that moves most
+  double rate = 0.0;      // sampling rate of clips [1/s]; 0: the clip's own
+};
+
 // What a file is by its content, whatever it is called; `bytes` is all of it or its beginning, of
 // kContentBytes at least. Of OBJ, which things are read from and characters not, the name decides;
 // BVH has no meshes. Error (kSyntax): none of these; says what else it seems to be, and which are

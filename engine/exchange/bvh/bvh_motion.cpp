@@ -13,6 +13,9 @@ namespace hazumi {
 
 namespace {
 
+// Tolerance of the number of values that is estimated from the first row: rows differ in length.
+constexpr double kMaxBvhTake = 1.2;
+
 // Values on one line of the file.
 struct Row {
   int line = 0;
@@ -45,6 +48,7 @@ class MotionReader {
   Result<Done> ReadHead();
   Result<Done> SetFrameTime(std::string_view written);
   Result<Done> ReadRows();
+  std::optional<Error> WhyTooLong(size_t bytes_of_row) const;
   Result<Done> ReadRow(std::string_view line);
   bool IsCutNumber(std::string_view word) const;
   Result<Done> FitRows();
@@ -128,11 +132,27 @@ Result<Done> MotionReader::SetFrameTime(std::string_view written) {
 }
 
 Result<Done> MotionReader::ReadRows() {
+  size_t left = scanner_.bytes_left();
   for (std::string_view line = scanner_.Line(); !line.empty(); line = scanner_.Line()) {
     Result<Done> read = ReadRow(line);
     if (!read.ok()) return read;
+    if (rows_.size() > 1) continue;
+    if (auto error = WhyTooLong(left - scanner_.bytes_left())) return *error;
   }
   return Done{};
+}
+
+// Refuses a take that is too long, estimated from its first row: reading it would take minutes.
+std::optional<Error> MotionReader::WhyTooLong(size_t bytes_of_row) const {
+  const double rows = 1.0 + static_cast<double>(scanner_.bytes_left()) /
+                                static_cast<double>(bytes_of_row);  // estimate
+  const double values = rows * static_cast<double>(rows_[0].count);
+  if (values <= kMaxBvhTake * static_cast<double>(kMaxBvhValues)) return std::nullopt;
+  return Fault("the take has about " + FormatShort(rows) + " frames (" +
+               FormatShort(rows * motion_.seconds_per_frame / 60.0) + " minutes) of " +
+               std::to_string(rows_[0].count) + " channels, " + FormatShort(1e-6 * values) +
+               " million values; " + FormatShort(1e-6 * static_cast<double>(kMaxBvhValues)) +
+               " million are read: export a stretch of it, or at a lower rate");
 }
 
 Result<Done> MotionReader::ReadRow(std::string_view line) {

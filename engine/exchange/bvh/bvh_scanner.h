@@ -23,6 +23,7 @@ class BvhScanner {
 
   int line() const { return line_; }  // where the last word or line was; the first is 1
   std::string_view text() const { return text_; }
+  size_t bytes_left() const { return text_.size() - at_; }
 
  private:
   void SkipSpace();  // blanks and line ends

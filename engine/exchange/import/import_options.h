@@ -17,13 +17,13 @@ enum class ImportLimits {
 };
 
 struct ImportOptions {
-  std::string character;                  // by name; empty: the one that moves most
+  std::string character;                  // name of one of several; empty: the one that moves most
+  std::optional<double> fps;              // sampling rate of clips; default: the clip's own
   std::string clip;                       // by name; empty: the first one
   std::optional<UpAxis> up;               // not given: the file's, or guessed
   std::optional<double> metres_per_unit;  // not given: the file's, or guessed from the height
   std::optional<double> height_m;         // instead of metres_per_unit: how tall it shall be
   std::optional<double> mass_kg;          // not given: that of a person so tall
-  std::optional<double> fps;              // not given: the clip's
   std::optional<double> reduce_deg;  // fewer keys, this far off at most; not given: every frame
   ImportLimits limits = ImportLimits::kClip;
   bool skin = true;

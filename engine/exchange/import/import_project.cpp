@@ -15,9 +15,11 @@
 #include "engine/exchange/import/key_reduction.h"
 #include "engine/exchange/import/known_bodies.h"
 #include "engine/exchange/import/mass_shares.h"
+#include "engine/exchange/import/one_root.h"
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_writer.h"
+#include "engine/project/json/text_file.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {
@@ -34,6 +36,9 @@ constexpr double kLeap = 1.0,
                  kSudden = 5.0;       // of the root from frame to frame [m], and of its other steps
 constexpr double kFar = 100.0;        // from the origin [m]
 constexpr double kWorthAWord = 1e-4;  // [m]
+// Number of keys that a project file holds, with 250 bytes of its JSON tree each, and the factor
+// beyond which an import is refused before it is tried.
+constexpr double kMostKeys = kMaxTreeBytes / 250.0, kFarTooMany = 1.15;
 
 ProjectKey KeyOf(double frame, double value, std::optional<double> rate = {}) {
   ProjectKey key;
@@ -78,6 +83,7 @@ class Importer {
     if (!clip.ok()) return clip.error();
     clip_ = clip.value();
     if (clip_ && clip_->num_frames < 1) clip_ = nullptr;
+    if (auto error = WhyTooManyKeys()) return *error;
     SayClip();
     report_.warnings.insert(report_.warnings.end(), character_.warnings.begin(),
                             character_.warnings.end());
@@ -102,6 +108,37 @@ class Importer {
   }
 
  private:
+  // Estimated number of hinges that have more than one key.
+  static int NumMoving(const BoneTrack& track) {
+    int moving = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto moves = [&](const Eigen::Quaterniond& q) {
+        return q.coeffs()[axis] != track.rotations[0].coeffs()[axis];
+      };
+      if (std::any_of(track.rotations.begin(), track.rotations.end(), moves)) ++moving;
+    }
+    return moving;
+  }
+
+  // Refuses a clip whose keys, one a frame, are far more than a project holds.
+  std::optional<Error> WhyTooManyKeys() const {
+    if (!clip_ || options_.reduce_deg) return std::nullopt;
+    long curves = 3;  // x, y and z of the root
+    for (const KeptBone& kept : skeleton_.bones) {
+      const BoneTrack& track = clip_->tracks[static_cast<size_t>(kept.bone)];
+      if (!track.rotations.empty()) curves += NumMoving(track);
+    }
+    const double keys = static_cast<double>(curves) * clip_->num_frames;
+    if (keys <= kFarTooMany * kMostKeys) return std::nullopt;
+    return Error{ErrorCode::kSemantics, "", "clip",
+                 "a key on each of its " + std::to_string(clip_->num_frames) + " frames (" +
+                     FormatShort(clip_->num_frames * clip_->seconds_per_frame / 60.0) +
+                     " minutes) makes about " + FormatShort(1e-6 * keys) +
+                     " million keys, of which a project holds " + FormatShort(1e-6 * kMostKeys) +
+                     " million; take keys only where they are needed (--reduce 1), fewer frames a "
+                     "second (--fps), or a stretch of it"};
+  }
+
   void SayClip() {
     const std::vector<Clip>& clips = character_.clips;
     if (!options_.clip.empty() || clips.size() < 2) return;
@@ -170,7 +207,7 @@ class Importer {
 
   void SetTime() {
     project_.name = character_.name;
-    const double fps = options_.fps.value_or(clip_ ? 1.0 / clip_->seconds_per_frame : 30.0);
+    const double fps = clip_ ? 1.0 / clip_->seconds_per_frame : 30.0;
     project_.fps = RateOf(fps);
     num_frames_ = clip_ ? clip_->num_frames : 1;
     project_.frames.last = clip_ ? std::max(num_frames_ - 1, 1) : 60;
@@ -340,7 +377,8 @@ class Importer {
 }  // namespace
 
 Result<Imported> ImportProject(const Character& character, const ImportOptions& options) {
-  return Importer(character, options).Import();
+  const std::optional<Character> hung = WithOneRoot(WantedBones(character), character);
+  return Importer(hung ? *hung : character, options).Import();
 }
 
 }  // namespace hazumi

@@ -142,11 +142,16 @@ std::vector<BonePose> PosesAt(const Character& character, const Clip* clip, int 
   return poses;
 }
 
+std::vector<char> WantedBones(const Character& character) {
+  const std::vector<char> weighted = Weighted(character);
+  const bool has_skin = std::find(weighted.begin(), weighted.end(), 1) != weighted.end();
+  return has_skin ? weighted : WantedBare(character);
+}
+
 Result<Skeleton> SkeletonOf(const Character& character) {
   const size_t num = character.bones.size();
   const std::vector<char> weighted = Weighted(character);
-  std::vector<char> wanted = weighted;
-  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) wanted = WantedBare(character);
+  const std::vector<char> wanted = WantedBones(character);
   const std::vector<char> carriers = CarriersOf(character, wanted);
   const int root = LowestCommon(character, wanted, weighted, carriers);
   if (root < 0) {

@@ -43,6 +43,9 @@ struct Skeleton {
   std::vector<std::string> left_out;
 };
 
+// Flags by bone: the bone carries skin or, in a character without skin, moves and is no rig handle.
+std::vector<char> WantedBones(const Character& character);
+
 // The root is the lowest bone that carries all joints of which anything hangs: what is above it
 // moves it, what stands beside it and carries no skin, such as handles of a rig, is left out.
 // Errors: kSemantics if there is no bone.

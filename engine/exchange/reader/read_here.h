@@ -9,7 +9,7 @@
 namespace hazumi {
 
 // Reads a file in this process, which a broken file may end: for hazumi-reader only, all others
-// call ReadCharacter. `character`: which one of several, by name; empty: the one that moves most.
-Result<Character> ReadHere(ReadUse use, const std::string& path, const std::string& character);
+// call ReadCharacter.
+Result<Character> ReadHere(ReadUse use, const std::string& path, const ReadChoice& choice);
 
 }  // namespace hazumi

@@ -1,7 +1,8 @@
-// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE CHARACTER [TROUBLE]: under limits, reads a
-// character (of several the one of this name, if it is not empty), or
-// the meshes of a thing, from FILE (character_bytes.h) or decodes the pictures of standard input
-// (picture_bytes.h); writes them, or the error, to descriptor kChildOutput. Started by RunReader.
+// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE CHARACTER RATE [TROUBLE]: under limits, reads a
+// character (of several the one of this name, if it is not empty), its clips with so many frames a
+// second (0: as many as they have), or the meshes of a thing, from FILE (character_bytes.h) or
+// decodes the pictures of standard input (picture_bytes.h); writes them, or the error, to
+// descriptor kChildOutput. Started by RunReader.
 
 #include <malloc.h>
 #include <signal.h>
@@ -17,6 +18,7 @@
 #include <string>
 
 #include "engine/base/atomic_file.h"
+#include "engine/base/shadow_memory.h"
 #include "engine/child/child_process.h"
 #include "engine/child/exit_codes.h"
 #include "engine/child/reader_program.h"
@@ -27,12 +29,6 @@
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kHasShadowMemory = true;  // needs terabytes of addresses
-#else
-constexpr bool kHasShadowMemory = false;
-#endif
-
 void Limit(int resource, rlim_t soft, rlim_t hard) {
   const rlimit limit = {soft, hard};
   ::setrlimit(resource, &limit);
@@ -42,7 +38,7 @@ void LimitYourself(rlim_t memory, rlim_t cpu_seconds) {
   Limit(RLIMIT_CORE, 0, 0);
   Limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
   Limit(RLIMIT_FSIZE, 0, 0);  // it writes to a pipe only
-  if (!kHasShadowMemory) Limit(RLIMIT_AS, memory, memory);
+  if (!hazumi::kHasShadowMemory) Limit(RLIMIT_AS, memory, memory);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the program that asked
   // Before any library turns it into something less clear.
   std::set_new_handler([] { ::_exit(hazumi::kReaderOutOfMemory); });
@@ -65,9 +61,9 @@ void MakeTrouble(const char* kind) {
 }
 
 hazumi::Result<hazumi::Character> Read(hazumi::ReadUse use, const char* path,
-                                       const char* character) {
+                                       const hazumi::ReadChoice& choice) {
   try {
-    return hazumi::ReadHere(use, path, character);
+    return hazumi::ReadHere(use, path, choice);
   } catch (const std::exception& error) {
     return hazumi::Error{hazumi::ErrorCode::kFailed, path, "",
                          std::string("cannot be read (") + error.what() +
@@ -82,9 +78,9 @@ bool DecodeStandardInput() {
   return request.ok() && hazumi::DecodeHere(request.value(), PassOn);
 }
 
-bool Do(const std::string& task, const char* file, const char* character) {
+bool Do(const std::string& task, const char* file, const hazumi::ReadChoice& choice) {
   const auto pass_on = [&](hazumi::ReadUse use) {
-    return PassOn(hazumi::CharacterToBytes(Read(use, file, character)));
+    return PassOn(hazumi::CharacterToBytes(Read(use, file, choice)));
   };
   if (task == hazumi::kReadCharacter) return pass_on(hazumi::ReadUse::kCharacter);
   if (task == hazumi::kReadThing) return pass_on(hazumi::ReadUse::kThing);
@@ -94,13 +90,11 @@ bool Do(const std::string& task, const char* file, const char* character) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 6) return hazumi::kReaderUsage;
+  if (argc < 7) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  // Zero most memory that a library reads without setting it, so that few files have more than one
-  // result. Small blocks that were freed before keep their contents.
-  ::mallopt(M_PERTURB, 0xff);
-  if (argc > 6) MakeTrouble(argv[6]);
-  const bool done = Do(argv[1], argv[4], argv[5]);
+  ::mallopt(M_PERTURB, 0xff);  // zeroes new memory of C libraries, except reused blocks
+  if (argc > 7) MakeTrouble(argv[7]);
+  const bool done = Do(argv[1], argv[4], {argv[5], std::strtod(argv[6], nullptr)});
   // Without destructors: a library's may stumble over what a broken file made of its data.
   ::_exit(done ? hazumi::kReaderAnswered : hazumi::kReaderUsage);
 }

@@ -11,11 +11,12 @@
 namespace hazumi {
 namespace {
 
-Result<Done> AddBones(const SceneTree& tree, const std::string& wanted, const std::string& file,
+Result<Done> AddBones(const SceneTree& tree, const ReadChoice& choice, const std::string& file,
                       Character* character) {
-  Result<SceneSkeleton> skeleton = FindSkeleton(tree, wanted, file, &character->warnings);
+  Result<SceneSkeleton> skeleton = FindSkeleton(tree, choice.character, file, &character->warnings);
   if (!skeleton.ok()) return skeleton.error();
-  Result<std::vector<Clip>> clips = ReadClips(tree, skeleton.value(), file, &character->warnings);
+  Result<std::vector<Clip>> clips =
+      ReadClips(tree, skeleton.value(), choice.rate, file, &character->warnings);
   if (!clips.ok()) return clips.error();
   character->clips = std::move(clips).value();
   character->meshes = ReadMeshes(tree, skeleton.value(), &character->warnings);
@@ -45,7 +46,7 @@ Result<Done> AddThing(const SceneTree& tree, const std::string& file, Character*
 
 }  // namespace
 
-Result<Character> CharacterOf(ReadUse use, Scene scene, const std::string& wanted,
+Result<Character> CharacterOf(ReadUse use, Scene scene, const ReadChoice& choice,
                               SceneFolder* folder, const std::string& file) {
   Character character;
   character.name = ValidUtf8(std::filesystem::path(file).stem().string());
@@ -56,7 +57,7 @@ Result<Character> CharacterOf(ReadUse use, Scene scene, const std::string& wante
   if (!tree.ok()) return tree.error();
   const Result<Done> added = use == ReadUse::kThing
                                  ? AddThing(tree.value(), file, &character)
-                                 : AddBones(tree.value(), wanted, file, &character);
+                                 : AddBones(tree.value(), choice, file, &character);
   if (!added.ok()) return added.error();
   ReadMaterials(scene, folder, &character);
   return character;

@@ -10,7 +10,8 @@
 namespace hazumi {
 namespace {
 
-constexpr double kMostSamples = 40e6;
+constexpr double kMostSamples = 20e6;  // of all clips, three for each bone and frame
+constexpr double kStray = 10.0;        // ratio to the time of all other keys, and seconds
 constexpr double kLate = 0.1;  // first key, of which it is said [s]: programs begin at frame 0 or 1
 
 // The times of all keys [s], sorted, once each.
@@ -33,9 +34,9 @@ std::string ClipName(const SceneClip& clip, size_t index, const std::vector<Clip
 
 class ClipReader {
  public:
-  ClipReader(const SceneTree& tree, const SceneSkeleton& skeleton, const std::string& file,
-             std::vector<Warning>* warnings)
-      : tree_(tree), skeleton_(skeleton), file_(file), warnings_(warnings) {}
+  ClipReader(const SceneTree& tree, const SceneSkeleton& skeleton, double rate,
+             const std::string& file, std::vector<Warning>* warnings)
+      : tree_(tree), skeleton_(skeleton), rate_(rate), file_(file), warnings_(warnings) {}
 
   Result<Done> Add(const SceneClip& from, size_t index, std::vector<Clip>* clips) {
     Clip clip;
@@ -67,19 +68,24 @@ class ClipReader {
     std::vector<double> seconds;
     seconds.reserve(times.size());
     for (const double time : times) seconds.push_back(time - times.front());
-    double rate = FrameRateOf(seconds, likely_rate);
+    double rate = rate_ > 0.0 ? rate_ : FrameRateOf(seconds, likely_rate);
     if (rate == 0.0) {
       rate = 30.0;
       warnings_->push_back({"clip " + clip->name,
                             "its keys lie on the frames of no usual rate; sampled 30 times a "
-                            "second, so that what happens between is lost"});
+                            "second, so that what happens between is lost; to sample it otherwise, "
+                            "give a rate (--fps)"});
     }
     const double frames = std::ceil(seconds.back() * rate - 0.02) + 1.0;
     samples_ += frames * 3.0 * static_cast<double>(skeleton_.bones.size());
     if (!(samples_ <= kMostSamples)) {
-      return Wrong(clip->name, "lasts " + FormatShort(seconds.back()) +
-                                   " s, which with the clips before is more than is read");
+      return Error{ErrorCode::kSemantics, file_, "clip " + clip->name,
+                   "lasts " + FormatShort(seconds.back()) + " s: " + FormatShort(frames) +
+                       " frames of " + std::to_string(skeleton_.bones.size()) +
+                       " bones, which with the clips before is more than is read; export a stretch "
+                       "of it, or take fewer frames a second (--fps)"};
     }
+    SayStrayKey(seconds, clip->name);
     if (times.front() >= kLate) {
       warnings_->push_back({"clip " + clip->name, "its first key is at " +
                                                       FormatShort(times.front()) +
@@ -90,8 +96,19 @@ class ClipReader {
     return Done{};
   }
 
+  // Reports a last key that comes so long after all others that it is probably a mistake.
+  void SayStrayKey(const std::vector<double>& seconds, const std::string& clip) {
+    if (seconds.size() < 3) return;
+    const double before = seconds[seconds.size() - 2], after = seconds.back() - before;
+    if (after < kStray * before || after < kStray) return;
+    warnings_->push_back({"clip " + clip, "its last key comes " + FormatShort(after) +
+                                              " s after all others; if it is there by mistake, "
+                                              "delete it and export again"});
+  }
+
   const SceneTree& tree_;
   const SceneSkeleton& skeleton_;
+  const double rate_;  // [1/s]; 0: that of the keys
   const std::string& file_;
   std::vector<Warning>* warnings_;
   double samples_ = 0.0;
@@ -115,8 +132,9 @@ double FrameRateOf(const std::vector<double>& times, double likely) {
 }
 
 Result<std::vector<Clip>> ReadClips(const SceneTree& tree, const SceneSkeleton& skeleton,
-                                    const std::string& file, std::vector<Warning>* warnings) {
-  ClipReader reader(tree, skeleton, file, warnings);
+                                    double rate, const std::string& file,
+                                    std::vector<Warning>* warnings) {
+  ClipReader reader(tree, skeleton, rate, file, warnings);
   std::vector<Clip> clips;
   for (size_t i = 0; i < tree.scene.clips.size(); ++i) {
     if (Result<Done> added = reader.Add(tree.scene.clips[i], i, &clips); !added.ok())

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <thread>
 
+#include "engine/base/shadow_memory.h"
 #include "engine/exchange/read_character.h"
 #include "tests/support/temporary_folder.h"
 
@@ -73,9 +74,9 @@ TEST_F(ReadInChildTest, ALoopEndsAtTheTimeLimitToo) {
 }
 
 TEST_F(ReadInChildTest, FourGigabytesAreAnError) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "not here: the sanitizer's shadow memory rules out a limit";
-#endif
+  if (kHasShadowMemory) {
+    GTEST_SKIP() << "not here: the sanitizer's shadow memory rules out a limit";
+  }
   options_.trouble = "allocate";
   options_.limits.seconds = 120.0;  // to touch it all
   ExpectError(ReadInChild(ReadUse::kCharacter, "some.fbx", options_), ErrorCode::kSyntax,

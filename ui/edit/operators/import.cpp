@@ -49,6 +49,7 @@ Result<Done> Import(Session* session, const Parameters& p) {
   if (!options.ok()) return options.error();
   ReadOptions reading;
   reading.character = options.value().character;
+  reading.rate = options.value().fps.value_or(0.0);
   const Result<Character> character = ReadCharacter(p.text("path"), reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options.value());
@@ -76,7 +77,8 @@ std::vector<Operator> ImportOperators() {
         {"unit", kNumber, false, "metres of the file's unit of length"},
         {"height", kNumber, false, "metres that it is tall, instead of a unit"},
         {"mass", kNumber, false, "kilograms; not given: of a person so tall"},
-        {"fps", kNumber, false, "frames a second; not given: the clip's"},
+        {"fps", kNumber, false,
+         "frames a second, the motion being the same; not given: the clip's"},
         {"reduce", kNumber, false, "degrees that fewer keys may be off the clip"},
         {"limits", kText, false, "clip: a little beyond what it does; none", "clip none"},
         {"skin", kYesNo, false, "false: without its meshes", kOnUnlessGiven}},

@@ -72,6 +72,12 @@ bool DrawMaybe(const Editor& editor, const char* id, const char* label, const ch
   return is_changed;
 }
 
+// True if other frames of the clip are to be taken.
+bool DrawRate(const Editor& editor, ImportState* state) {
+  return DrawMaybe(editor, "##fps", Tr("Frames a second"), "%.3f",
+                   Tr("Of the clip; the motion is the same; 0: as the file has them"), &state->fps);
+}
+
 bool DrawKeys(const Editor& editor, ImportState* state) {
   DrawFieldLabel(Tr("Keys"), editor);
   bool is_changed = ImGui::Checkbox(Tr("few, within"), &state->reduces);
@@ -147,6 +153,7 @@ void DrawImport(Editor* editor) {
   if (character->ok()) {
     if (const auto chosen = DrawCharacters(*editor, character->value()))
       return ChooseCharacter(*chosen, &state);
+    if (!character->value().clips.empty() && DrawRate(*editor, &state)) return ChooseRate(&state);
   }
   const bool is_changed = character->ok() && DrawOptions(editor, character->value());
   if (is_changed || !state.imported) RefreshImport(&state);

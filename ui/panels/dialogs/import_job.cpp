@@ -8,10 +8,14 @@
 
 namespace hazumi::ui {
 
-ImportJob::ImportJob(std::string path, std::string character)
-    : path_(std::move(path)), wanted_(std::move(character)), thread_([this] {
+ImportJob::ImportJob(std::string path, const ImportOptions& how)
+    : path_(std::move(path)),
+      character_name_(how.character),
+      rate_(how.fps.value_or(0.0)),
+      thread_([this] {
         ReadOptions options;
-        options.character = wanted_;
+        options.character = character_name_;
+        options.rate = rate_;
         options.is_cancelled = [this] { return cancel_.load(); };
         character_ = WithinMemory([&] { return ReadCharacter(path_, options); });
         has_ended_ = true;
@@ -22,17 +26,26 @@ ImportJob::~ImportJob() {
   thread_.join();
 }
 
+static void ReadAgain(ImportState* state) {
+  state->imported.reset();
+  state->job = std::make_shared<ImportJob>(state->job->path(), state->options);
+}
+
 void ChooseCharacter(const std::string& name, ImportState* state) {
   state->options.character = name;
   state->options.clip.clear();
-  state->imported.reset();
-  state->job = std::make_shared<ImportJob>(state->job->path(), name);
+  ReadAgain(state);
+}
+
+void ChooseRate(ImportState* state) {
+  state->options.fps = state->fps > 0.0 ? std::optional<double>(state->fps) : std::nullopt;
+  ReadAgain(state);
 }
 
 void OpenImport(const std::string& path, Editor* editor) {
   ImportState& state = editor->dialogs.import;
   state = {};
-  state.job = std::make_shared<ImportJob>(path, "");
+  state.job = std::make_shared<ImportJob>(path, ImportOptions());
   editor->NeedGlyphs(path);
   Open(Modal::kImport, editor);
 }

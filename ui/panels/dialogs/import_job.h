@@ -16,7 +16,7 @@ class Editor;
 // Reads a character beside the interface. Ends with its object, cancelled.
 class ImportJob {
  public:
-  ImportJob(std::string path, std::string character);
+  ImportJob(std::string path, const ImportOptions& options);
   ~ImportJob();
 
   const std::string& path() const { return path_; }
@@ -24,7 +24,8 @@ class ImportJob {
   const Result<Character>* character() const { return has_ended_ ? &*character_ : nullptr; }
 
  private:
-  std::string path_, wanted_;
+  std::string path_, character_name_;
+  double rate_;  // frames a second; 0: the clip's
   std::atomic<bool> cancel_ = false, has_ended_ = false;
   std::optional<Result<Character>> character_;  // written before has_ended_ is
   std::thread thread_;
@@ -36,12 +37,14 @@ struct ImportState {
   bool reduces = false;
   double reduce_deg = 1.0;
   double height_m = 0.0, mass_kg = 0.0;  // 0: as guessed
+  double fps = 0.0;                      // 0: the clip's
   std::shared_ptr<ImportJob> job;
   std::optional<Result<Imported>> imported;  // with these options; none: not tried yet
 };
 
-// Reads the file again, with another character of it.
+// Reads the file again, with another character of it, or with as many frames as the state says.
 void ChooseCharacter(const std::string& name, ImportState* state);
+void ChooseRate(ImportState* state);
 // Starts to read a file and shows the dialog.
 void OpenImport(const std::string& path, Editor* editor);
 // Makes the project again that the options ask for, once the character is there.

@@ -1,0 +1,21 @@
+// Allocation of C++ memory in hazumi-reader. New memory is zero, so that a file has one result even
+// if a library reads memory that it has not set. This file is compiled by itself: g++ takes inlined
+// calls of these functions for mismatched ones.
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "engine/child/exit_codes.h"
+
+void* operator new(size_t size) {
+  void* memory = std::calloc(1, size > 0 ? size : 1);
+  if (!memory) ::_exit(hazumi::kReaderOutOfMemory);
+  return memory;
+}
+void* operator new[](size_t size) { return operator new(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, size_t) noexcept { std::free(memory); }
