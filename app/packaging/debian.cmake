@@ -1,7 +1,11 @@
 # The Debian package: `scripts/package` sets HAZUMI_DEBIAN, builds, and has CPack make it. With it
 # go what Debian wants besides: a compressed manual page, its own folder for zsh, changelogs.
 
+set(HAZUMI_MAINTAINER "" CACHE STRING "who makes the package: Name <address>")
 if(HAZUMI_DEBIAN)
+  if(NOT HAZUMI_MAINTAINER MATCHES "^[^<>]+ <[^<>@ ]+@[^<>@ ]+>$")
+    message(FATAL_ERROR "HAZUMI_MAINTAINER: say who makes the package, as \"Name <address>\"")
+  endif()
   function(hazumi_compressed source name folder)
     add_custom_command(OUTPUT ${made}/${name}.gz DEPENDS ${source} VERBATIM
                        COMMAND gzip -9nc ${source} > ${made}/${name}.gz)
@@ -19,7 +23,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hazumi)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "Hazumi developers <hazumi@example.org>")
+set(CPACK_PACKAGE_CONTACT "${HAZUMI_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "animation editor whose limbs swing by their own inertia")
 set(CPACK_PACKAGE_DESCRIPTION
 "Hazumi is an editor for keyframe animation in which a stretch of time and a
