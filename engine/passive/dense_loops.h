@@ -5,16 +5,23 @@
 // What rounding leaves of a pivot that is zero: of its diagonal, and of the largest.
 constexpr double kLost = 1e-13, kLostOfAll = 1e-17;
 
-typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+typedef double Four __attribute__((vector_size(32)));
+// Four numbers at any address of a double. The alignment is that of the struct: clang drops the
+// alignment of a typedef from references.
+struct __attribute__((packed, aligned(8), may_alias)) FourAnywhere {
+  Four v;
+};
 
-inline Four& FourAt(double* x) { return *reinterpret_cast<Four*>(x); }
-inline const Four& FourAt(const double* x) { return *reinterpret_cast<const Four*>(x); }
+inline FourAnywhere& FourAt(double* x) { return *reinterpret_cast<FourAnywhere*>(x); }
+inline const FourAnywhere& FourAt(const double* x) {
+  return *reinterpret_cast<const FourAnywhere*>(x);
+}
 
 // y -= f x, from `first` on.
 inline void Subtract(double f, const double* x, long first, long n, double* y) {
   long i = first;
   for (; i % 4 != 0 && i < n; ++i) y[i] -= f * x[i];
-  for (; i + 4 <= n; i += 4) FourAt(y + i) -= f * FourAt(x + i);
+  for (; i + 4 <= n; i += 4) FourAt(y + i).v -= f * FourAt(x + i).v;
   for (; i < n; ++i) y[i] -= f * x[i];
 }
 
@@ -26,12 +33,12 @@ inline void SubtractFour(const double* A, long stride, const double* f, long fir
   const double of_a = f[0], of_b = f[1], of_c = f[2], of_d = f[3];
   long i = first & ~3L;
   for (; i + 4 <= n; i += 4) {
-    Four sum = FourAt(y + i);
-    sum -= of_a * FourAt(a + i);
-    sum -= of_b * FourAt(b + i);
-    sum -= of_c * FourAt(c + i);
-    sum -= of_d * FourAt(d + i);
-    FourAt(y + i) = sum;
+    Four sum = FourAt(y + i).v;
+    sum -= of_a * FourAt(a + i).v;
+    sum -= of_b * FourAt(b + i).v;
+    sum -= of_c * FourAt(c + i).v;
+    sum -= of_d * FourAt(d + i).v;
+    FourAt(y + i).v = sum;
   }
   for (; i < n; ++i) {
     y[i] = (((y[i] - of_a * a[i]) - of_b * b[i]) - of_c * c[i]) - of_d * d[i];
@@ -41,7 +48,7 @@ inline void SubtractFour(const double* A, long stride, const double* f, long fir
 inline void Scale(double f, long first, long n, double* y) {
   long i = first;
   for (; i % 4 != 0 && i < n; ++i) y[i] *= f;
-  for (; i + 4 <= n; i += 4) FourAt(y + i) *= f;
+  for (; i + 4 <= n; i += 4) FourAt(y + i).v *= f;
   for (; i < n; ++i) y[i] *= f;
 }
 
@@ -164,7 +171,7 @@ void SubtractThree(const double* F, long stride, const double* abc, long n, doub
   const double *f = F, *g = F + stride, *h = F + 2 * stride;
   long i = 0;
   for (; i + 4 <= n; i += 4) {
-    FourAt(y + i) -= (FourAt(f + i) * a + FourAt(g + i) * b) + FourAt(h + i) * c;
+    FourAt(y + i).v -= (FourAt(f + i).v * a + FourAt(g + i).v * b) + FourAt(h + i).v * c;
   }
   for (; i < n; ++i) y[i] -= (f[i] * a + g[i] * b) + h[i] * c;
 }
@@ -176,10 +183,10 @@ void SubtractThreeRounded(const double* F, long stride, const double* abc, long 
   const double *f = F, *g = F + stride, *h = F + 2 * stride;
   long i = 0;
   for (; i + 4 <= n; i += 4) {
-    const Four part = (FourAt(f + i) * a + FourAt(g + i) * b) + FourAt(h + i) * c;
-    const Four left = FourAt(y + i) - part, none = {};
+    const Four part = (FourAt(f + i).v * a + FourAt(g + i).v * b) + FourAt(h + i).v * c;
+    const Four left = FourAt(y + i).v - part, none = {};
     const Four size = part < none ? -part : part, of_left = left < none ? -left : left;
-    FourAt(y + i) = of_left <= kRounding * size ? none : left;
+    FourAt(y + i).v = of_left <= kRounding * size ? none : left;
   }
   for (; i < n; ++i) {
     const double part = (f[i] * a + g[i] * b) + h[i] * c, left = y[i] - part;
@@ -193,7 +200,7 @@ inline double SumOf(const Four& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 inline double Dot(const double* x, const double* y, long n) {
   Four sum = {};
   long i = 0;
-  for (; i + 4 <= n; i += 4) sum += FourAt(x + i) * FourAt(y + i);
+  for (; i + 4 <= n; i += 4) sum += FourAt(x + i).v * FourAt(y + i).v;
   double rest = 0.0;
   for (; i < n; ++i) rest += x[i] * y[i];
   return SumOf(sum) + rest;
@@ -205,8 +212,8 @@ inline void Dot2x2(const double* x, long x_stride, const double* y, long y_strid
   Four s00 = {}, s01 = {}, s10 = {}, s11 = {};
   long i = 0;
   for (; i + 4 <= n; i += 4) {
-    const Four x0 = FourAt(x + i), x1 = FourAt(x + x_stride + i);
-    const Four y0 = FourAt(y + i), y1 = FourAt(y + y_stride + i);
+    const Four x0 = FourAt(x + i).v, x1 = FourAt(x + x_stride + i).v;
+    const Four y0 = FourAt(y + i).v, y1 = FourAt(y + y_stride + i).v;
     s00 += x0 * y0;
     s01 += x0 * y1;
     s10 += x1 * y0;

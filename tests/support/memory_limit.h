@@ -7,22 +7,11 @@
 
 #include <cstdio>
 
+#include "engine/base/shadow_memory.h"
+
 namespace hazumi::test {
 
-// Not where a sanitizer has memory of its own.
-inline bool CanLimitMemory() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return false;
-#elif defined(__has_feature)  // clang's way to tell
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-  return false;
-#else
-  return true;
-#endif
-#else
-  return true;
-#endif
-}
+inline bool CanLimitMemory() { return !kHasShadowMemory; }
 
 // While it lives, this process gets so many more bytes; what earlier tests freed is given back.
 class MemoryLimit {

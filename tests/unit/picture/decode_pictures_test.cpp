@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "engine/base/shadow_memory.h"
 #include "engine/picture/decode.h"
 #include "engine/picture/decode_here.h"
 #include "engine/picture/picture_bytes.h"
@@ -58,9 +59,9 @@ TEST(DecodePictures, ABrokenOneIsNamedAndTheOthersAreThere) {
 
 // Its pixels alone are 100 MB.
 TEST(DecodePictures, OneThatSwellsIsLeftOutAlone) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "not here: the sanitizer's shadow memory rules out a limit";
-#endif
+  if (kHasShadowMemory) {
+    GTEST_SKIP() << "not here: the sanitizer's shadow memory rules out a limit";
+  }
   ReadOptions options;
   options.limits.memory = 128u << 20;
   const auto images =
