@@ -62,7 +62,7 @@ TEST(ThrowOnto, OnlyTheStartOfTheRegionAndTheBallAreKeyed) {
   Do(&session, "held.throw_onto", Onto(Vec3(1.5, -0.4, 0.0)));
   for (const auto& [name, curve] : session.project().joints) {
     const auto old = std::find_if(before.joints.begin(), before.joints.end(),
-                                  [&](const auto& entry) { return entry.name == name; });
+                                  [&name = name](const auto& entry) { return entry.name == name; });
     for (const ProjectKey& key : curve.keys) {
       if (key.frame == 2.0) continue;
       EXPECT_TRUE(old != before.joints.end() &&

@@ -49,6 +49,7 @@ class History {
       at_ = document.num_steps();
       states_.resize(at_);
       states_.push_back(text);
+      ExpectNothingHidden(id, text);
     }
     num_steps_ = document.num_steps();
     revision_ = document.revision();
@@ -78,12 +79,21 @@ class History {
     at_ = 0;
     states_ = {WriteProject(session_->project())};
   }
+  // The document holds no value that its file does not say: a later operator could bring it to light.
+  void ExpectNothingHidden(const std::string& id, const std::string& text) {
+    const Result<Project> read = ParseProject(text, session_->document().path());
+    ASSERT_TRUE(read.ok()) << id << ": " << read.error().ToString();
+    const bool is_same = read.value() == session_->project();
+    EXPECT_TRUE(is_same || hides_) << id << " hides a value";  // said once
+    hides_ = !is_same;
+  }
   void ExpectState(size_t i) {
     ASSERT_LT(i, states_.size());
     EXPECT_EQ(WriteProject(session_->project()), states_[i]) << "state " << i;
   }
 
   Session* session_;
+  bool hides_ = false;  // the document holds a value that its file does not say
   long number_ = 0, revision_ = 0;
   size_t num_steps_ = 0, at_ = 0;
   std::vector<std::string> states_;
