@@ -54,8 +54,9 @@ TEST(InputFiles, NoneIsWrittenOverByWhateverName) {
     const Result<Done> written = WriteFileAtomically(name, "other");
     ASSERT_FALSE(written.ok());
     EXPECT_EQ(written.error().ToString(),
-              name + ": is the sound of a project that was read; nothing is written over it: name "
-                     "another file");
+              name +
+                  ": is the sound of a project that was read; nothing is written over it: name "
+                  "another file");
     EXPECT_EQ(written.error().code, ErrorCode::kCannotWrite);
   }
   EXPECT_EQ(fs::file_size(sound), 4u);

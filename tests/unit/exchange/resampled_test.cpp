@@ -36,8 +36,8 @@ TEST(Resample, SteadyMotionIsTheSameAtAnyRate) {
     for (size_t f = 0; f < track.translations.size(); ++f) {
       const double t = std::min(static_cast<double>(f) / rate, 2.0);
       EXPECT_NEAR(track.translations[f].x(), 2.0 * t, 1e-12);
-      EXPECT_NEAR(track.rotations[f].angularDistance(Eigen::Quaterniond(
-                      Eigen::AngleAxisd(0.9 * t, Vec3::UnitZ()))),
+      EXPECT_NEAR(track.rotations[f].angularDistance(
+                      Eigen::Quaterniond(Eigen::AngleAxisd(0.9 * t, Vec3::UnitZ()))),
                   0.0, 1e-7);
     }
   }

@@ -79,7 +79,8 @@ class History {
     at_ = 0;
     states_ = {WriteProject(session_->project())};
   }
-  // The document holds no value that its file does not say: a later operator could bring it to light.
+  // The document holds no value that its file does not say: a later operator could bring it to
+  // light.
   void ExpectNothingHidden(const std::string& id, const std::string& text) {
     const Result<Project> read = ParseProject(text, session_->document().path());
     ASSERT_TRUE(read.ok()) << id << ": " << read.error().ToString();
