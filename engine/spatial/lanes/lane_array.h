@@ -23,8 +23,9 @@ class LaneArray {
     return unset;
   }
   size_t size() const { return size_; }
-  double* data() { return chunks_.data()->values; }
-  const double* data() const { return chunks_.data()->values; }
+  // Null if it is empty.
+  double* data() { return reinterpret_cast<double*>(chunks_.data()); }
+  const double* data() const { return reinterpret_cast<const double*>(chunks_.data()); }
 
  private:
   struct alignas(32) Chunk {
