@@ -4,20 +4,19 @@ does nothing that was not asked for. The files that are opened are traced (strac
 folder of secrets. A control opens one, so that the trace would show it.
 usage: attack_test.py HAZUMI"""
 
+import base64
 import json
 import os
 import pathlib
 import re
+import struct
 import subprocess
-import unittest
 
-from command_line import HAZUMI, InFolder, ROOT, main, run
+from command_line import InFolder, ROOT, main, run
 
 def can_trace():
     """Not beside a sanitizer, which traces itself, nor where the system forbids it."""
-    if os.environ.get("HAZUMI_SANITIZE", "") != "":
-        return False
-    return subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], capture_output=True, check=False).returncode == 0
+    return os.environ.get("HAZUMI_SANITIZE", "") == "" and subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], capture_output=True, check=False).returncode == 0
 
 
 IS_TRACED = can_trace()
@@ -223,8 +222,6 @@ class Characters(Attack):
     """Files of other programs that name others."""
 
     def triangle(self, **more):
-        import base64
-        import struct
         data = struct.pack("<9f3Hxx10f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0)
         document = {
             "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
@@ -400,4 +397,4 @@ class Numbers(Attack):
 
 
 if __name__ == "__main__":
-    unittest.main() if not HAZUMI else main()
+    main()

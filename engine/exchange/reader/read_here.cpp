@@ -1,6 +1,8 @@
 #include "engine/exchange/reader/read_here.h"
 
+#include "engine/base/text.h"
 #include "engine/exchange/assimp/assimp_read.h"
+#include "engine/exchange/bvh/bvh_motion.h"
 #include "engine/exchange/bvh/bvh_read.h"
 #include "engine/exchange/character/character_check.h"
 #include "engine/exchange/character/resampled.h"
@@ -29,7 +31,16 @@ Result<Character> ReadMotion(std::string_view bytes, const std::string& path,
   }
   Result<Character> read = ReadBvh(bytes, path);
   if (!read.ok() || choice.rate <= 0.0) return read;
-  for (Clip& clip : read.value().clips) Resample(choice.rate, &clip);
+  for (Clip& clip : read.value().clips) {
+    const double frames = clip.num_frames * clip.seconds_per_frame * choice.rate;
+    if (frames > kMaxBvhFrames) {
+      return Error{ErrorCode::kSemantics, path, "clip",
+                   "would have " + FormatShort(frames) + " frames at " + FormatShort(choice.rate) +
+                       " a second, of which " + std::to_string(kMaxBvhFrames) +
+                       " are read; take fewer (--fps)"};
+    }
+    Resample(choice.rate, &clip);
+  }
   return read;
 }
 

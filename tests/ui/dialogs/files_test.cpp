@@ -110,7 +110,7 @@ TEST_F(Dialogs, ErrorsInFilesSayFileAndLine) {
   EXPECT_EQ(editor_.message.text.rfind("throw.kfa, line 2", 0), 0u) << editor_.message.text;
 }
 
-// Of two in a file the first is shown, its name in a list with the other's.
+// The dialog shows the first of two characters and lists both names.
 TEST_F(Dialogs, AnotherCharacterOfAFileIsChosen) {
   HAZUMI_NEED_DATA("reports");
   ImportState& import = editor_.dialogs.import;

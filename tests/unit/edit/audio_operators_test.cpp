@@ -53,7 +53,7 @@ TEST(Heard, BeginsOnItsFrameAtTheProjectsRate) {
   EXPECT_FALSE(edit::HeardIn(project, "/shots/a.kfa", 2.0, 1.5));
 }
 
-// What lies outside of the project's folder is opened once somebody agreed to it.
+// Files outside of the project's folder are open once somebody agreed.
 TEST(MediaAccess, OpensWhatLiesInTheFolderOrIsAllowed) {
   const TemporaryFolder home, elsewhere;
   for (const std::string& file : {home / "a.wav", elsewhere / "b.wav"}) std::ofstream(file) << "-";

@@ -54,7 +54,7 @@ TEST(ForceOperators, AreUndoneAndNamedOnce) {
   EXPECT_EQ(session.project().forces[0].to_m.x(), 0.5);
 }
 
-// What another kind begins with is in the file: opened again, a project becomes the same.
+// A changed kind starts from values that the file says: the reopened project becomes the same.
 TEST(ForceOperators, AnotherKindIsTheSameAfterOpeningAgain) {
   const TemporaryFolder folder;
   for (const char* from : {"wind", "attract", "push"}) {

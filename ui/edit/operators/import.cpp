@@ -11,6 +11,8 @@ namespace {
 
 using enum ParameterKind;
 
+constexpr double kLeastRate = 0.1, kMostRate = 10000.0;  // as the command line takes them [1/s]
+
 // A positive number, if it is given.
 Result<Done> TakePositive(const Parameters& p, const char* name, std::optional<double>* field) {
   if (!p.has(name)) return Done();
@@ -40,6 +42,9 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
                                     {"reduce", &options.reduce_deg}}) {
     const Result<Done> taken = TakePositive(p, name, field);
     if (!taken.ok()) return taken.error();
+  }
+  if (options.fps && (*options.fps < kLeastRate || *options.fps > kMostRate)) {
+    return Refusal("fps", "must be from 0.1 to 10000");
   }
   return options;
 }

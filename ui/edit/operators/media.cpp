@@ -10,7 +10,8 @@ namespace {
 
 using PathOfFile = std::string (*)(const Project& project, const std::string& project_path);
 
-// What is not given stays; both have a file. Who names one agrees that it is opened.
+// Sets the fields that are given; the others stay. The item needs a file. Naming a file is
+// agreement to open it.
 template <typename Item>
 Result<Done> SetItem(Session* session, const Parameters& p, const char* label, const char* what,
                      std::optional<Item> Project::*item, PathOfFile path) {

@@ -76,7 +76,7 @@ class Session {
   bool saves_checked() const { return saves_checked_; }
   void set_saves_checked(bool checked) { saves_checked_ = checked; }
 
-  // Which sounds and references may be opened.
+  // Permission to open sounds and references.
   MediaAccess& media() { return media_; }
   const MediaAccess& media() const { return media_; }
 

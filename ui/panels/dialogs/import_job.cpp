@@ -1,5 +1,7 @@
 #include "ui/panels/dialogs/import_job.h"
 
+#include <algorithm>
+
 #include "engine/base/memory.h"
 #include "engine/exchange/import/import_project.h"
 #include "engine/exchange/read_character.h"
@@ -38,6 +40,7 @@ void ChooseCharacter(const std::string& name, ImportState* state) {
 }
 
 void ChooseRate(ImportState* state) {
+  if (state->fps > 0.0) state->fps = std::clamp(state->fps, 0.1, 10000.0);
   state->options.fps = state->fps > 0.0 ? std::optional<double>(state->fps) : std::nullopt;
   ReadAgain(state);
 }
