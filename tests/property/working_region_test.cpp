@@ -52,7 +52,7 @@ struct Trial {
 
 // Says that the scene cannot be, and not that it is hard.
 bool IsReason(const Error& error) {
-  for (const char* hard : {"too many evaluations", "faster than any step"}) {
+  for (const char* hard : {"too much work", "faster than any step"}) {
     if (error.message.find(hard) != std::string::npos) return false;
   }
   return error.code == ErrorCode::kSemantics;

@@ -8,6 +8,7 @@
 
 #include "engine/bake/walk/exact_driver.h"
 #include "engine/bake/walk/loose_balls.h"
+#include "engine/bake/walk/walk_work.h"
 #include "engine/base/text.h"
 
 namespace hazumi {
@@ -19,7 +20,7 @@ constexpr double kEstimateShare = 0.2;
 
 // `constraints`: of the island, as the animation counts them.
 std::string CauseOf(const ExactFailure& failure, const Animation& animation,
-                    const std::vector<int>& constraints) {
+                    const std::vector<int>& constraints, const Work& work) {
   if (failure.cause == ExactFailure::Cause::kNoHold) {
     const Constraint& held = animation.constraints[constraints[failure.constraint]];
     const char* or_else = held.kind == ConstraintKind::kWeld ? ", or hold by a point" : "";
@@ -32,9 +33,7 @@ std::string CauseOf(const ExactFailure& failure, const Animation& animation,
     return "constraints cannot all be kept: what they hold stays " + FormatShort(failure.gap) +
            " m or rad apart; take one away, or free more joints";
   }
-  if (failure.cause == ExactFailure::Cause::kTooManyEvaluations) {
-    return "it takes too many evaluations; ask for less accuracy";
-  }
+  if (failure.cause == ExactFailure::Cause::kTooMuchWork) return TooMuch(work);
   return "its motion changes faster than any step can follow; ask for less accuracy, more friction "
          "or lower rates";
 }
@@ -125,7 +124,8 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   const Coordinate c = first->hinges()[first->failure()->hinge];
   const bool is_joint = c < figure_.num_joints();
   return Failure{is_joint ? JointIndex(c) : JointIndex(),
-                 CauseOf(*first->failure(), animation_, of->held.indices), first->time()};
+                 CauseOf(*first->failure(), animation_, of->held.indices, first->work()),
+                 first->time()};
 }
 
 std::vector<int> ExactDriver::constraints() const {

@@ -139,7 +139,7 @@ bool ConeSolver::StepInside() {
   }
   right += pull;
   VecX& change = right;
-  SolveGeneral(K, change);
+  Solve(K, change);
   if (!change.allFinite()) return false;
   VecX dz = VecX::Zero(n);
   // dz = pull - z - W^-2 dl, from what is left of the equations

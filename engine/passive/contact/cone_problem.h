@@ -27,21 +27,23 @@ struct ConeProblem {
   std::vector<Block> blocks;
 };
 
+// Each of the following searches adds its number of multiplications to `products` if that is given.
+
 // False if no forces are found that fulfil all of it to 1e-6 of the largest; `forces` are then the
 // best known ones, which push only, and stay in their cones.
-bool SolveCones(const ConeProblem& problem, VecX* forces);
+bool SolveCones(const ConeProblem& problem, VecX* forces, double* products = nullptr);
 
 // The same, for less: from inside of the cones alone, to 1e-6, and so that velocities that they
 // change do negative work. False: `forces` are as they were.
-bool SolveConesInside(const ConeProblem& problem, VecX* forces);
+bool SolveConesInside(const ConeProblem& problem, VecX* forces, double* products = nullptr);
 
 // The same, from forces of which most push and slide where they should, by Newton's steps alone.
-bool SolveConesNear(const ConeProblem& problem, VecX* forces);
+bool SolveConesNear(const ConeProblem& problem, VecX* forces, double* products = nullptr);
 
 // Goes on from forces that are near, block by block, until a sweep changes them by 1e-6 of the
 // largest force or less, or for `most` sweeps. They push only and stay in their cones; work done by
 // velocities that they change is negative however far they come. Returns what the last one of all
 // changed, of the largest force, and 0 where it was no more than that.
-double SweepCones(const ConeProblem& problem, int most, VecX* forces);
+double SweepCones(const ConeProblem& problem, int most, VecX* forces, double* products = nullptr);
 
 }  // namespace hazumi

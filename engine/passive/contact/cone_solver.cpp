@@ -150,7 +150,14 @@ void ConeSolver::StayInCones() {
   }
 }
 
+void ConeSolver::Solve(MatX& K, VecX& right) {
+  const double n = static_cast<double>(right.size());
+  products_ += n * n * n / 3.0;
+  SolveGeneral(K, right);
+}
+
 void ConeSolver::Sweep() {
+  products_ += static_cast<double>(A_.size());
   for (const Block& block : blocks_) {
     const int i = block.row;
     const double w = A_.row(i).dot(l_) + b_[i];
@@ -215,30 +222,35 @@ bool ConeSolver::Step() {
     by_known.segment<2>(t) = (slide.turn * by_known.segment<2>(t)).eval();
   }
   VecX right = f(active) - by_known;
-  SolveGeneral(own, right);
+  Solve(own, right);
   if (!right.allFinite()) return false;
   l_ -= known;
   l_(active) -= right;
   return true;
 }
 
-bool SolveCones(const ConeProblem& problem, VecX* forces) {
+bool SolveCones(const ConeProblem& problem, VecX* forces, double* products) {
   ConeSolver solver(problem);
   const bool is_solved = solver.Run();
+  if (products) *products += solver.products();
   *forces = solver.forces();
   return is_solved;
 }
 
-bool SolveConesInside(const ConeProblem& problem, VecX* forces) {
+bool SolveConesInside(const ConeProblem& problem, VecX* forces, double* products) {
   ConeSolver solver(problem);
-  if (!solver.RunInside()) return false;
+  const bool is_solved = solver.RunInside();
+  if (products) *products += solver.products();
+  if (!is_solved) return false;
   *forces = solver.forces();
   return true;
 }
 
-bool SolveConesNear(const ConeProblem& problem, VecX* forces) {
+bool SolveConesNear(const ConeProblem& problem, VecX* forces, double* products) {
   ConeSolver solver(problem);
-  if (!solver.RunNear(*forces)) return false;
+  const bool is_solved = solver.RunNear(*forces);
+  if (products) *products += solver.products();
+  if (!is_solved) return false;
   *forces = solver.forces();
   return true;
 }

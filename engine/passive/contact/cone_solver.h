@@ -19,6 +19,8 @@ class ConeSolver {
   bool RunNear(const VecX& start);
 
   const VecX& forces() const { return l_; }
+  // Multiplications so far, but for what grows with less than the square of the rows.
+  double products() const { return products_; }
 
  private:
   void Approach(int sweeps);
@@ -33,6 +35,8 @@ class ConeSolver {
   void StartInside();
   bool StepInside();
   void Finish(double enough, double* left);
+  // Solves K x = right, in place.
+  void Solve(MatX& K, VecX& right);
 
   const ConeProblem& given_;
   MatX A_;  // of the round
@@ -40,6 +44,7 @@ class ConeSolver {
   const std::vector<ConeProblem::Block>& blocks_;
   VecX l_, step_, own_;
   bool hopeless_ = false;
+  double products_ = 0.0;
   VecX z_;  // d, from inside
 };
 

@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-double SweepCones(const ConeProblem& problem, int most, VecX* forces) {
+double SweepCones(const ConeProblem& problem, int most, VecX* forces, double* products) {
   constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
   const MatX& A = problem.A;
   const DenseKernels& kernels = BestDenseKernels();
@@ -21,6 +21,7 @@ double SweepCones(const ConeProblem& problem, int most, VecX* forces) {
     return own > 0.0 ? 1.0 / ((1.0 + kGivesWay) * own) : 0.0;
   };
   double largest = 0.0, change = 0.0;
+  Eigen::Index columns = w.size();  // that were multiplied
   for (int sweep = 0; sweep < most; ++sweep) {
     change = 0.0;
     for (const ConeProblem::Block& block : problem.blocks) {
@@ -32,7 +33,9 @@ double SweepCones(const ConeProblem& problem, int most, VecX* forces) {
       change = std::max(change, std::abs(by));
       largest = std::max(largest, std::abs(to));
       if (block.kind != ConeProblem::Kind::kContact) {
-        if (by != 0.0) w += by * A.col(i);
+        if (by == 0.0) continue;
+        w += by * A.col(i);
+        ++columns;
         continue;
       }
       Vec3 less(-by, 0.0, 0.0);
@@ -51,10 +54,12 @@ double SweepCones(const ConeProblem& problem, int most, VecX* forces) {
       t = across;
       if (less.isZero(0.0)) continue;
       kernels.subtract_three(&A(0, i), A.outerStride(), less.data(), w.size(), w.data());
+      columns += 3;
     }
-    if (change <= kEnough * largest) return 0.0;
+    if (change <= kEnough * largest) break;
   }
-  return change / largest;
+  if (products) *products += static_cast<double>(columns * w.size());
+  return change <= kEnough * largest ? 0.0 : change / largest;
 }
 
 }  // namespace hazumi

@@ -44,10 +44,17 @@ double ContactProblem::WorkOfLimits(const std::vector<int>& side, const VecX& be
   return work;
 }
 
+bool ContactProblem::Solve() {
+  double products = 0.0;
+  const bool is_solved = SolveCones(cones_, &forces_, &products);
+  AddWork(products);
+  return is_solved;
+}
+
 void ContactProblem::SolveBeside(const VecX& known) {
   const VecX b = cones_.b;
   cones_.b += cones_.A * known;
-  SolveCones(cones_, &forces_);
+  Solve();
   forces_ += known;
   cones_.b = b;
 }
@@ -57,9 +64,16 @@ void ContactProblem::Sweep(VecX start, bool is_worth_it) {
   constexpr int kFew = 12, kMost = 60;
   constexpr double kNear = 1e-3;
   forces_ = std::move(start);
-  if (SweepCones(cones_, kFew, &forces_) == 0.0 || SolveConesNear(cones_, &forces_)) return;
-  if (SweepCones(cones_, kMost, &forces_) <= kNear || !is_worth_it) return;
-  if (!SolveConesNear(cones_, &forces_)) SolveConesInside(cones_, &forces_);
+  double products = 0.0;
+  const auto solve = [&] {
+    if (SweepCones(cones_, kFew, &forces_, &products) == 0.0) return;
+    if (SolveConesNear(cones_, &forces_, &products)) return;
+    if (SweepCones(cones_, kMost, &forces_, &products) <= kNear || !is_worth_it) return;
+    if (SolveConesNear(cones_, &forces_, &products)) return;
+    SolveConesInside(cones_, &forces_, &products);
+  };
+  solve();
+  AddWork(products);
 }
 
 void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>& sticks,
@@ -106,8 +120,7 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
     const bool both = sticks[limits_[k - own]];
     cones_.blocks.push_back({both ? Kind::kBoth : Kind::kPush, static_cast<int>(k)});
   }
-  const double products = static_cast<double>(count * count) * static_cast<double>(n + count);
-  dynamics_->AddWork({.contacts = products * 1e-5});
+  AddWork(static_cast<double>(count * count) * static_cast<double>(n + count));
 }
 
 }  // namespace hazumi

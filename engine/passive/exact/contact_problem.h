@@ -28,7 +28,7 @@ class ContactProblem {
   void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,
              const VecX& x_0);
   // As SolveCones.
-  bool Solve() { return SolveCones(cones_, &forces_); }
+  bool Solve();
   // `known` act, and what goes in even so is stopped; forces() are all of them.
   void SolveBeside(const VecX& known);
   // Of velocities that forces() change: the energy that goes into them [J].
@@ -55,6 +55,9 @@ class ContactProblem {
   Eigen::Index RowOfLimit(size_t k) const { return num_rows() + static_cast<Eigen::Index>(k); }
 
  private:
+  // Adds so many multiplications to the work of the island.
+  void AddWork(double products) { dynamics_->AddWork({.contacts = products * 1e-5}); }
+
   RegionDynamics* dynamics_;
   ConeProblem cones_;
   MatX L_, half_answer_;  // L^-1 P^T

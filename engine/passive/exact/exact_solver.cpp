@@ -110,7 +110,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
 
 std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   if (dynamics_->work().total() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
-    return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooManyEvaluations};
+    return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooMuchWork};
   }
   if (next_ == Next::kEvent) MakeEventHappen();
   if (next_ == Next::kGoOnFromCut) {

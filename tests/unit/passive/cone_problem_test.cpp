@@ -87,6 +87,30 @@ TEST(ConeProblem, NearForcesAreFoundByNewtonsStepsAndElseLeftAsTheyAre) {
   EXPECT_GT(found, 800);
 }
 
+// The limit of work of a bake depends on it.
+TEST(ConeProblem, EachSearchCountsItsMultiplicationsEvenIfItFails) {
+  const ConeProblem problem = RandomProblem(1);
+  const double rows = static_cast<double>(problem.b.size());
+  ConeProblem hopeless = problem;
+  hopeless.b.setConstant(NAN);
+  for (const ConeProblem& of : {problem, hopeless}) {
+    VecX forces = VecX::Zero(problem.b.size());
+    double products = 0.0;
+    SweepCones(of, 3, &forces, &products);
+    EXPECT_GE(products, rows * rows);
+    double before = products;
+    SolveConesInside(of, &forces, &products);
+    EXPECT_GE(products - before, rows * rows * rows / 3.0);
+    before = products;
+    SolveCones(of, &forces, &products);
+    EXPECT_GT(products - before, rows * rows);
+    before = products;
+    forces.setOnes();
+    SolveConesNear(of, &forces, &products);
+    EXPECT_GT(products, before);
+  }
+}
+
 TEST(ConeProblem, SweepsComeNearAndStayInTheCones) {
   for (int seed = 1; seed <= 200; ++seed) {
     const ConeProblem problem = RandomProblem(seed);
