@@ -49,8 +49,6 @@ SrgbColor ColorAt(double share) {
   return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
 }
 
-std::vector<std::uint8_t> Bytes(const std::string& text) { return {text.begin(), text.end()}; }
-
 // A grid of the axes' values, or all cells in a row that is broken where it is long.
 class SheetMaker {
  public:
@@ -207,7 +205,7 @@ Result<Done> ReadPictures(const SweepStore& store, const Rows& rows, size_t firs
     const Result<std::string> file =
         ReadTextFile(store.PicturePath(static_cast<long>(cell), ".png"));
     if (!file.ok()) return file.error();
-    files.push_back(Bytes(file.value()));
+    files.push_back(BytesOf(file.value()));
     cells.push_back(cell);
   }
   const std::vector<std::span<const std::uint8_t>> spans(files.begin(), files.end());

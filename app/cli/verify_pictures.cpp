@@ -8,6 +8,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/pictures.h"
 #include "app/cli/verify.h"
+#include "engine/base/text.h"
 #include "engine/picture/decode_pictures.h"
 #include "engine/picture/png_texts.h"
 #include "engine/project/json/text_file.h"
@@ -33,12 +34,10 @@ std::vector<std::string> Words(const std::string& json) {
   return words;
 }
 
-std::vector<std::uint8_t> Bytes(const std::string& text) { return {text.begin(), text.end()}; }
-
 Result<MadePicture> ReadMaking(const std::string& file) {
   const Result<std::string> bytes = ReadTextFile(file);
   if (!bytes.ok()) return bytes.error();
-  auto texts = PngTexts(Bytes(bytes.value()));
+  auto texts = PngTexts(BytesOf(bytes.value()));
   MadePicture made;
   made.file = file;
   const bool says_options = texts.contains("Options");
@@ -133,7 +132,7 @@ class PixelComparison {
 Result<Image> Decoded(const std::string& file) {
   const Result<std::string> text = ReadTextFile(file);
   if (!text.ok()) return text.error();
-  const std::vector<std::uint8_t> bytes = Bytes(text.value());
+  const std::vector<std::uint8_t> bytes = BytesOf(text.value());
   const std::span<const std::uint8_t> spans[] = {bytes};
   Result<Image> image = std::move(DecodePictures(spans).front());
   if (!image.ok()) return InFile(image.error(), file);

@@ -12,13 +12,14 @@ namespace hazumi {
 
 namespace {
 
-enum class At { kStart, kEnd };
+enum class IntervalEnd { kStart, kEnd };
 
 template <typename Vector>
-Vector CubicAcceleration(At at, const Vector& by, const Vector& rate_0, const Vector& rate_1,
-                         double h) {
-  return at == At::kStart ? Vector(6.0 / (h * h) * by - (4.0 * rate_0 + 2.0 * rate_1) / h)
-                          : Vector(-6.0 / (h * h) * by + (2.0 * rate_0 + 4.0 * rate_1) / h);
+Vector CubicAcceleration(IntervalEnd at, const Vector& by, const Vector& rate_0,
+                         const Vector& rate_1, double h) {
+  return at == IntervalEnd::kStart
+             ? Vector(6.0 / (h * h) * by - (4.0 * rate_0 + 2.0 * rate_1) / h)
+             : Vector(-6.0 / (h * h) * by + (2.0 * rate_0 + 4.0 * rate_1) / h);
 }
 
 // From the world axes at the start of a turn r to the rate of r.
@@ -32,17 +33,17 @@ struct Accelerations {
 };
 
 // The angular acceleration at the end is found backwards in time from there, where r is zero.
-Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h, At at) {
+Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h, IntervalEnd at) {
   Accelerations found;
   found.qdd = CubicAcceleration<VecX>(at, end.q - start.q, start.qd, end.qd, h);
-  const MotionLimit& now = at == At::kStart ? start : end;
+  const MotionLimit& now = at == IntervalEnd::kStart ? start : end;
   found.root.w = now.root_w;
   found.root.v = now.root_v;
   found.root.a =
       CubicAcceleration<Vec3>(at, end.X_WR.p - start.X_WR.p, start.root_v, end.root_v, h);
   const Vec3 r = TurnBetween(start.X_WR.R, end.X_WR.R);
   found.root.alpha =
-      at == At::kStart
+      at == IntervalEnd::kStart
           ? CubicAcceleration<Vec3>(at, r, start.root_w, RateOfTurn(r, end.root_w), h)
           : CubicAcceleration<Vec3>(at, r, RateOfTurn(-r, start.root_w), end.root_w, h);
   return found;
@@ -50,12 +51,12 @@ Accelerations Between(const MotionLimit& start, const MotionLimit& end, double h
 
 Accelerations AtFrame(const Motion& motion, size_t i) {
   const std::vector<MotionFrame>& frames = motion.frames;
-  const auto between = [&](size_t a, At at) {
+  const auto between = [&](size_t a, IntervalEnd at) {
     const double h = motion.rate.SecondsAt(frames[a + 1].frame - frames[a].frame);
     return Between(frames[a].after, frames[a + 1].before, h, at);
   };
-  if (i + 1 < frames.size()) return between(i, At::kStart);
-  if (i > 0) return between(i - 1, At::kEnd);
+  if (i + 1 < frames.size()) return between(i, IntervalEnd::kStart);
+  if (i > 0) return between(i - 1, IntervalEnd::kEnd);
   return {VecX::Zero(frames[i].q.size()), {}};
 }
 

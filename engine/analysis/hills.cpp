@@ -34,7 +34,7 @@ std::vector<int> TurningPoints(const std::vector<double>& c, double swing) {
   return points;
 }
 
-std::vector<Hill> Peaks(const std::vector<double>& c, double swing) {
+std::vector<Hill> PeaksOf(const std::vector<double>& c, double swing) {
   const std::vector<int> points = TurningPoints(c, swing);
   std::vector<Hill> hills;
   for (size_t i = 2; i < points.size(); i += 2) {
@@ -113,7 +113,7 @@ Edge EdgeAt(int frame, double ground) {
 
 std::vector<Hill> HillsOf(const std::vector<double>& c, const Heights& heights) {
   std::vector<Hill> merged;
-  for (Hill hill : Peaks(c, heights.hill)) {
+  for (Hill hill : PeaksOf(c, heights.hill)) {
     while (!merged.empty() && BelongTogether(c, merged.back(), hill, heights)) {
       const Hill& before = merged.back();
       hill.left = before.left;

@@ -5,7 +5,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace hazumi {
 
@@ -27,6 +30,10 @@ inline std::string FormatShort(double value) {
                                  std::chars_format::general, digits)
                        .ptr;
   return std::string(buffer.data(), end);
+}
+
+inline std::vector<std::uint8_t> BytesOf(std::string_view text) {
+  return {text.begin(), text.end()};
 }
 
 // Of ASCII; other letters keep their case.

@@ -15,7 +15,7 @@ namespace hazumi {
 
 namespace {
 
-constexpr int kNotFound = 127;  // exit code of env and prlimit if there is no such program
+constexpr int kNoProgram = 127;  // exit code of env and prlimit if there is no such program
 constexpr ChildLimits kLimits = {.seconds = 60.0, .output_bytes = 512ull << 20};
 
 // Formats that contain their sounds and pictures. Left out: playlists and lists of files (hls,
@@ -96,7 +96,7 @@ Result<std::string> RunFfmpeg(const std::filesystem::path& file,
   if (HasHitALimit(outcome)) {
     return error(ErrorCode::kFailed, "is too long a " + name + "; cut it to what is needed");
   }
-  if (outcome.end == End::kExited && outcome.code == kNotFound) {
+  if (outcome.end == End::kExited && outcome.code == kNoProgram) {
     return error(ErrorCode::kFailed,
                  "the program ffmpeg, which reads it, is not installed; "
                  "on Debian: apt install ffmpeg");

@@ -13,7 +13,7 @@ namespace {
 // Those before it belong to the shadow map, the ground and skins.
 constexpr GLenum kPictureUnit = GL_TEXTURE3;
 
-struct Corner {
+struct ScreenCorner {
   float clip[4];
   float u, v;  // from the picture's upper left corner
 };
@@ -21,18 +21,18 @@ struct Corner {
 constexpr std::array<std::array<float, 2>, 6> kCorners = {
     {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}};  // from the lower left one
 
-Corner CornerAt(const Eigen::Vector4d& clip, const std::array<float, 2>& place) {
+ScreenCorner CornerAt(const Eigen::Vector4d& clip, const std::array<float, 2>& place) {
   return {{static_cast<float>(clip[0]), static_cast<float>(clip[1]), static_cast<float>(clip[2]),
            static_cast<float>(clip[3])},
           place[0],
           1.0f - place[1]};
 }
 
-std::vector<Corner> CornersOf(const PicturePlane& plane, const Mat4& clip_from_world,
-                              double aspect) {
+std::vector<ScreenCorner> CornersOf(const PicturePlane& plane, const Mat4& clip_from_world,
+                                    double aspect) {
   const double own = static_cast<double>(plane.image->width) / plane.image->height;
   const double half_x = std::min(1.0, own / aspect), half_y = std::min(1.0, aspect / own);
-  std::vector<Corner> corners;
+  std::vector<ScreenCorner> corners;
   for (const auto& place : kCorners) {
     const double a = place[0], b = place[1];
     const Vec3 at = plane.corner + a * plane.right + b * plane.up;

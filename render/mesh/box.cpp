@@ -1,5 +1,5 @@
 // A box with rounded edges: the sphere of radius `bevel`, cut in eight and moved to the corners of
-// the inner box. Each face is a patch of kSize^2 vertices whose middle quad is the flat face and
+// the inner box. Each face is a patch of kRow^2 vertices whose middle quad is the flat face and
 // whose outer quads lean to 45 degrees, where they meet the neighbouring faces.
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace hazumi::render {
 namespace {
 
 constexpr int kSteps = 2;  // of the rounding, per face and edge
-constexpr int kSize = 2 * (kSteps + 1);
+constexpr int kRow = 2 * (kSteps + 1);
 
 // The side of the face (-1 or 1) and the tangent of the lean there.
 struct Lean {
@@ -31,8 +31,8 @@ void AppendFace(const BoxShape& box, double bevel, int k, double sign, SolidMesh
   const LinearColor color = ToLinear(box.color);
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   const int u = (k + 1) % 3, v = (k + 2) % 3;
-  for (int row = 0; row < kSize; ++row) {
-    for (int i = 0; i < kSize; ++i) {
+  for (int row = 0; row < kRow; ++row) {
+    for (int i = 0; i < kRow; ++i) {
       const Lean lean_u = LeanAt(i), lean_v = LeanAt(row);
       Vec3 corner, n;
       corner[k] = n[k] = sign;
@@ -43,7 +43,7 @@ void AppendFace(const BoxShape& box, double bevel, int k, double sign, SolidMesh
       AppendVertex(box.X_WB * (inner + bevel * n), box.X_WB.R * n, color, mesh);
     }
   }
-  JoinPatch(first, kSize, mesh);
+  JoinPatch(first, kRow, mesh);
 }
 
 }  // namespace

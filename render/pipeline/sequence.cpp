@@ -53,7 +53,7 @@ Result<Done> DrawAll(OffscreenRenderer& renderer, const Sequence& sequence, Fram
   return Done{};
 }
 
-Result<int> WriteAll(const Sequence& sequence, FrameRing& ring) {
+Result<int> WriteFrames(const Sequence& sequence, FrameRing& ring) {
   int frame = 0;
   while (const Image* image = ring.BeginWriting()) {
     const Result<Done> written = WriteFrame(sequence, frame, *image);
@@ -72,7 +72,7 @@ Result<int> RenderSideBySide(OffscreenRenderer& renderer, const SequenceOptions&
   FrameRing ring(options.width, options.height);
   Result<int> written = 0;
   std::thread writer([&] {
-    written = WithinMemory([&] { return WriteAll(sequence, ring); });
+    written = WithinMemory([&] { return WriteFrames(sequence, ring); });
     if (!written.ok()) ring.StopWriting();
   });
   const Result<Done> drawn = WithinMemory([&] { return DrawAll(renderer, sequence, ring); });

@@ -10,9 +10,9 @@ namespace hazumi::ui {
 
 namespace {
 
-constexpr double kOff = 0.06;       // from where it should be, at most [s]
-constexpr double kShortest = 0.06;  // of what is heard of a frame [s]
-constexpr float kLoudest = 16.0f;   // as much as a project's gain can be, 24 dB
+constexpr double kOff = 0.06;            // from where it should be, at most [s]
+constexpr double kShortestHeard = 0.06;  // of what is heard of a frame [s]
+constexpr float kLoudest = 16.0f;        // as much as a project's gain can be, 24 dB
 
 ALenum FormatOf(const SoundFormat& format) {
   return format.channels == 1 ? AL_FORMAT_MONO16 : AL_FORMAT_STEREO16;
@@ -170,7 +170,7 @@ void SoundPlayer::Scrub(Editor* editor) {
   const Project& project = editor->session().project();
   const FrameRate rate{project.fps.num, project.fps.den};
   const double at = rate.SecondsAt(frame_ - project.audio->start_frame);
-  device_->PlayMoment(*sound_, at, at + std::max(kShortest, rate.SecondsAt(1.0)));
+  device_->PlayMoment(*sound_, at, at + std::max(kShortestHeard, rate.SecondsAt(1.0)));
 }
 
 }  // namespace hazumi::ui

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr size_t kHeader = 12, kChunkHeader = 8;
+constexpr size_t kGlbHeader = 12, kChunkHeader = 8;
 
 uint32_t NumberAt(std::string_view bytes, size_t offset) {
   uint32_t number = 0;
@@ -20,7 +20,7 @@ uint32_t NumberAt(std::string_view bytes, size_t offset) {
 
 // The first chunk of a kind; empty: none.
 std::string_view Chunk(std::string_view glb, uint32_t kind) {
-  for (size_t at = kHeader; at + kChunkHeader <= glb.size();) {
+  for (size_t at = kGlbHeader; at + kChunkHeader <= glb.size();) {
     const size_t length = NumberAt(glb, at);
     if (NumberAt(glb, at + 4) == kind) return glb.substr(at + kChunkHeader, length);
     at += kChunkHeader + length;

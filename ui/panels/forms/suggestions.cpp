@@ -103,7 +103,7 @@ Json SelectedLink(const edit::Session& session) {
   return Json();
 }
 
-Json Joint(const ParameterInfo& info, edit::Session* session) {
+Json SuggestedJoint(const ParameterInfo& info, edit::Session* session) {
   if (info.kind == ParameterKind::kNames) {
     return WithSelected({}, session->figure(), session->selected_joints());
   }
@@ -120,7 +120,7 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
   switch (info.offer.thing) {
     case Thing::kJoint:
     case Thing::kJointOrHinge:
-      return Joint(info, session);
+      return SuggestedJoint(info, session);
     case Thing::kJointOrRoot:
       return edit::SelectedNames(*session);
     case Thing::kHinge:

@@ -35,7 +35,7 @@ void Extend(const Ball& ball, Eigen::AlignedBox3d* bounds) {
   bounds->extend(ball.center + Vec3::Constant(ball.radius));
 }
 
-Result<Done> Look(Editor* editor, const Eigen::AlignedBox3d& bounds, double least_radius) {
+Result<Done> LookAt(Editor* editor, const Eigen::AlignedBox3d& bounds, double least_radius) {
   ViewportState& state = editor->viewport;
   state.through_project_camera = false;
   const double aspect = state.rect.h > 0.0f ? state.rect.w / state.rect.h : 1.0;
@@ -63,7 +63,7 @@ Result<Done> FrameSelected(Editor* editor) {
   }
   if (bounds.isEmpty()) Extend(*figure, &bounds);
   constexpr double kLeast = 0.3;  // [m]: a joint with what is around it
-  return Look(editor, bounds, kLeast);
+  return LookAt(editor, bounds, kLeast);
 }
 
 Result<Done> FrameAll(Editor* editor) {
@@ -77,7 +77,7 @@ Result<Done> FrameAll(Editor* editor) {
   for (const SceneObject& object : session.animation()->scene) {
     if (const Box* box = std::get_if<Box>(&object.shape)) Extend(*box, &bounds);
   }
-  return Look(editor, bounds, 0.3);
+  return LookAt(editor, bounds, 0.3);
 }
 
 void FrameNewDocument(Editor* editor) {

@@ -48,7 +48,7 @@ struct Retiming {
   }
 };
 
-void RetimeKeys(const Retiming& retiming, ProjectCurve* curve) {
+void RetimeCurve(const Retiming& retiming, ProjectCurve* curve) {
   std::vector<ProjectKey> moved;
   for (const ProjectKey& key : curve->keys) {
     if (key.frame >= retiming.from.front() && key.frame <= retiming.from.back()) {
@@ -78,7 +78,7 @@ Result<Done> Retime(const Retiming& retiming, const Figure& figure, Project* pro
   for (const std::string& name : CurveNames(*project)) {
     const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
     if (!curve.ok()) return curve.error();
-    RetimeKeys(retiming, curve.value());
+    RetimeCurve(retiming, curve.value());
   }
   return Done();
 }
