@@ -118,9 +118,6 @@ struct Named {
 };
 
 constexpr Named kVariables[] = {
-    {"HAZUMI_READER",
-     "The program that opens files of other programs, if it is not hazumi-reader beside hazumi or "
-     "in libexec/hazumi beside its folder."},
     {"XDG_CONFIG_HOME", "Where the folder hazumi with settings and own poses is; ~/.config."},
     {"XDG_STATE_HOME",
      "Where the folder hazumi with what is kept safe from a crash is; ~/.local/state."},

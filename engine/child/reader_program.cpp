@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -59,10 +58,17 @@ std::vector<fs::path> ReaderFolders(const fs::path& folder) {
   return {folder, folder.parent_path() / "libexec" / "hazumi"};
 }
 
+std::string& ElsewherePath() {
+  static std::string path;
+  return path;
+}
+
 }  // namespace
 
+void SetReaderPath(const std::string& path) { ElsewherePath() = path; }
+
 std::string ReaderPath() {
-  if (const char* named = std::getenv("HAZUMI_READER"); named && *named) return named;
+  if (!ElsewherePath().empty()) return ElsewherePath();
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return "";
@@ -79,7 +85,7 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
                    "cannot be read, because the program " +
                        (reader.empty() ? kReaderName : reader) +
                        " is missing; it belongs beside hazumi, or in libexec/hazumi beside its "
-                       "folder: install Hazumi again, or set HAZUMI_READER to where it is");
+                       "folder: install Hazumi again");
   }
   const long cpu_seconds = static_cast<long>(std::ceil(options.limits.seconds)) + 1;
   std::vector<std::string> arguments = {reader,

@@ -28,9 +28,11 @@ struct ReadOptions {
   std::string trouble;                 // for tests: see reader_main.cpp
 };
 
-// Path of the reader: $HAZUMI_READER if that is set, else `hazumi-reader` in the folder of this
-// program or, as it is installed, in ../libexec/hazumi from there; nowhere else. Empty: none.
+// Path of the reader: `hazumi-reader` in the folder of this program or, as it is installed, in
+// ../libexec/hazumi from there; nowhere else. Empty: none.
 std::string ReaderPath();
+// Path of the reader for a program that lies elsewhere, as the tests do. To be called at its start.
+void SetReaderPath(const std::string& path);
 
 // What the reader can do: a character or the meshes of a thing, from the file named; pictures, from
 // the input (see engine/picture/picture_bytes.h).

@@ -278,8 +278,8 @@ class Characters(Attack):
         (self.home / "libexec/hazumi/hazumi-reader").write_bytes(planted.read_bytes())
         (self.home / "libexec/hazumi/hazumi-reader").chmod(0o755)
         path = self.triangle(images=[])
-        environment = {k: v for k, v in os.environ.items() if k != "HAZUMI_READER"}
-        environment["PATH"] = f".:{self.home}:{environment['PATH']}"
+        environment = {**os.environ, "PATH": f".:{self.home}:{os.environ['PATH']}",
+                       "HAZUMI_READER": str(planted)}
         run("--import", path, "--save", self.home / "out.kfa", cwd=self.home, env=environment)
         self.assertFalse((self.folder / "ran").exists())
 

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -26,14 +27,14 @@ HAZUMI = os.path.abspath(sys.argv.pop(1))
 AS_ANY_USER = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"] if os.geteuid() == 0 else []
 
 
-def run(*arguments, before=(), **more):
-    command = [*before, HAZUMI, *map(str, arguments)]
+def run(*arguments, before=(), program=HAZUMI, **more):
+    command = [*before, program, *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=120, **more)
 
 
-def start(*arguments, inherited=signal.SIG_DFL, **more):
+def start(*arguments, inherited=signal.SIG_DFL, program=HAZUMI, **more):
     """Starts without the signals that the test's own parent may ignore, or with them ignored."""
-    return subprocess.Popen([HAZUMI, *map(str, arguments)], text=True,
+    return subprocess.Popen([program, *map(str, arguments)], text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, inherited), **more)
 
@@ -58,6 +59,16 @@ class InFolder(unittest.TestCase):
     def tearDown(self):
         subprocess.run(["chmod", "-R", "u+w", self.folder], check=True)
         subprocess.run(["rm", "-rf", self.folder], check=True)
+
+    def program_with_reader(self, commands=None):
+        """A copy of hazumi beside a reader that does these shell commands, or beside none."""
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="hazumi-copy-"))
+        self.addCleanup(shutil.rmtree, folder)
+        shutil.copy(HAZUMI, folder / "hazumi")
+        if commands is not None:
+            (folder / "hazumi-reader").write_text(f"#!/bin/sh\n{commands}\n")
+            (folder / "hazumi-reader").chmod(0o755)
+        return folder / "hazumi"
 
     def project(self):
         """The throw, to be changed and written anywhere."""

@@ -162,18 +162,12 @@ class Import(InFolder):
         path.write_text(text)
         return path
 
-    def reader_that(self, commands):
-        """The environment in which files are read by a program that does this instead."""
-        path = self.write("reader", f"#!/bin/sh\n{commands}\n")
-        path.chmod(0o755)
-        return {**os.environ, "HAZUMI_READER": str(path)}
-
     def test_a_reader_that_crashes_swells_or_babbles_is_bad_data(self):
         for commands, message in (("kill -SEGV $$", "crashed on it (Segmentation fault)"),
                                   ("exit 3", "2048 MB of memory"), ("exit 1", "crashed on it (exit 1)"),
                                   ("echo hello >&3", "no usable answer")):
             done = run("--import", self.walk(), "--save", self.folder / "o.kfa",
-                       env=self.reader_that(commands))
+                       program=self.program_with_reader(commands))
             self.assertEqual((done.returncode, done.stdout), (65, ""), done.stderr)
             self.assertIn(message, done.stderr)
             self.assertIn("walk.bvh: ", done.stderr)
@@ -181,9 +175,9 @@ class Import(InFolder):
             self.assertNotIn("o.kfa", self.files())
 
     def test_a_reader_that_is_missing_or_cannot_run_is_no_bad_data(self):
-        for env, message in (({**os.environ, "HAZUMI_READER": "/nowhere/r"}, "/nowhere/r is missing"),
-                             (self.reader_that("exit 127"), "install Hazumi again")):
-            done = run("--check", self.walk(), env=env)
+        for commands, message in ((None, "the program hazumi-reader is missing"),
+                                  ("exit 127", "install Hazumi again")):
+            done = run("--check", self.walk(), program=self.program_with_reader(commands))
             self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
             self.assertIn(message, done.stderr)
             self.assertNotIn("export it again", done.stderr)
@@ -196,9 +190,8 @@ class Import(InFolder):
             planted = folder / "hazumi-reader"
             planted.write_text(f"#!/bin/sh\ntouch {self.folder}/was_run\n")
             planted.chmod(0o755)
-        clean = {name: value for name, value in os.environ.items() if name != "HAZUMI_READER"}
-        done = subprocess.run([program, "--check", self.walk()], env=clean, capture_output=True,
-                              text=True, check=False)
+        done = run("--check", self.walk(), program=program,
+                   env={**os.environ, "HAZUMI_READER": str(self.folder / "hazumi-reader")})
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("hazumi-reader is missing", done.stderr)
         self.assertNotIn("was_run", self.files())
@@ -240,10 +233,10 @@ class Import(InFolder):
         out = self.folder / "sound.kfa"
         self.assertEqual(run("--import", sound, "--save", out).returncode, 0)
         self.assertEqual(self.render(out)[1], whole)
-        done, _ = self.render(out, env={**os.environ, "HAZUMI_READER": "/nowhere/r"})
+        done, _ = self.render(out, program=self.program_with_reader())
         self.assertEqual(done.stderr.count("textures: warning: cannot be read, because the program "
-                                           "/nowhere/r is missing"), 1, done.stderr)
-        done, _ = self.render(out, env=self.reader_that("kill -SEGV $$"))
+                                           "hazumi-reader is missing"), 1, done.stderr)
+        done, _ = self.render(out, program=self.program_with_reader("kill -SEGV $$"))
         for texture in ("textures[0] ", "textures[1] "):
             self.assertIn(texture, done.stderr)
         self.assertIn("crashed on it (Segmentation fault)", done.stderr)
@@ -256,22 +249,21 @@ class Import(InFolder):
 
     def test_an_interrupted_import_ends_its_reader_and_leaves_nothing(self):
         """A reader that never answers says who it is."""
-        reader, number = self.folder / "reader", self.folder / "number"
-        reader.write_text(f"#!/bin/sh\necho $$ > {number}.new; mv {number}.new {number}\n"
-                          "exec sleep 100\n")
-        reader.chmod(0o755)
+        number = self.folder / "number"
+        program = self.program_with_reader(f"echo $$ > {number}.new; mv {number}.new {number}\n"
+                                           "exec sleep 100")
         walk = self.walk()
         for signal_number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             number.unlink(missing_ok=True)
             process = start("--import", walk, "--save", self.folder / "o.kfa",
-                            env={**os.environ, "HAZUMI_READER": str(reader)})
+                            program=program)
             while not number.exists():
                 time.sleep(0.01)
             process.send_signal(signal_number)
             out, complaint = process.communicate(timeout=10)
             self.assertEqual((process.returncode, out), (130, ""), complaint)
             self.assertFalse(pathlib.Path("/proc", number.read_text().strip()).exists())
-            self.assertEqual(self.files(), ["number", "reader", "walk.bvh"])
+            self.assertEqual(self.files(), ["number", "walk.bvh"])
 
     def test_an_import_interrupted_at_any_time_ends_soon_and_leaves_nothing(self):
         """Not only while the file is read."""

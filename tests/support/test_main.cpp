@@ -1,14 +1,16 @@
 // Runs the tests of a program as GTest's own main does, but a skipped test does not count as
 // passed. A skipped test fails if HAZUMI_DATA is set, since all requirements of tests are then
 // available. Skips whose reason begins with "not here: " (a sanitizer, a missing permission) stay
-// skips, which CTest shows because of kSkipped. Test programs do not lie beside hazumi-reader:
-// HAZUMI_READER says where it is.
+// skips, which CTest shows because of kSkipped. Test programs do not lie beside hazumi-reader
+// and name its path.
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include "engine/child/reader_program.h"
 
 namespace {
 
@@ -48,8 +50,7 @@ int NumWronglySkipped(const testing::UnitTest& all) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  constexpr int kUnlessSet = 0;
-  ::setenv("HAZUMI_READER", HAZUMI_BUILT_READER, kUnlessSet);
+  hazumi::SetReaderPath(HAZUMI_BUILT_READER);
   if (const int code = RUN_ALL_TESTS(); code != 0) return code;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   if (IsPromised() && NumWronglySkipped(all) > 0) return 1;
