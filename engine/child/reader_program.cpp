@@ -94,7 +94,8 @@ Result<ChildOutcome> RunReader(const ReaderTask& task, const ReadOptions& option
                                         std::to_string(cpu_seconds),
                                         task.file,
                                         options.character,
-                                        FormatNumber(options.rate)};
+                                        FormatNumber(options.rate),
+                                        options.keys_all_frames ? "1" : "0"};
   if (!options.trouble.empty()) arguments.push_back(options.trouble);
   ChildLimits limits;
   limits.seconds = options.limits.seconds;

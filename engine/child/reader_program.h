@@ -24,6 +24,7 @@ struct ReadOptions {
   std::function<bool()> is_cancelled;  // asked every 20 ms; may be empty
   std::string character;               // of several in a file, by name; empty: as it comes
   double rate = 0.0;                   // frames a second of its clips; 0: as they come
+  bool keys_all_frames = false;        // see ReadChoice
   std::string reader;                  // path of hazumi-reader; empty: ReaderPath()
   std::string trouble;                 // for tests: see reader_main.cpp
 };

@@ -20,6 +20,9 @@ enum class ReadUse { kCharacter, kThing };
 struct ReadChoice {
   std::string character;  // name of one of several; empty: the one that moves most
   double rate = 0.0;      // sampling rate of clips [1/s]; 0: the clip's own
+  // Whether each frame becomes a key: a BVH take with more keys than a project holds is refused by
+  // its first rows.
+  bool keys_all_frames = false;
 };
 
 // What a file is by its content, whatever it is called; `bytes` is all of it or its beginning, of

@@ -283,18 +283,33 @@ class Import(InFolder):
             self.assertEqual(process.returncode, 130, complaint)
             self.assertEqual(self.files(), ["walk.bvh"])
 
-    def test_twenty_thousand_frames_of_ninety_hinges_are_imported_and_read_back(self):
-        """More than five million values."""
-        joints, frames = 30, 20000
+    def long_take(self, frames):
+        """A BVH file of ninety hinges."""
+        joints = 30
         chain = "".join(f"JOINT J{i}\n{{\nOFFSET 0 6 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
                         for i in range(joints))
         rows = [" ".join(str((7 * f + 3 * k) % 20) for k in range(3 * joints)) for f in range(20)]
-        path, out = self.folder / "long.bvh", self.folder / "long.kfa"
-        path.write_text("HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n"
-                        "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
-                        + chain + "End Site\n{\nOFFSET 0 6 0\n}\n" + "}\n" * (joints + 1)
-                        + f"MOTION\nFrames: {frames}\nFrame Time: 0.00833333\n"
-                        + "".join(f"0 90 0 0 0 {f % 9} {rows[f % 20]}\n" for f in range(frames)))
+        return self.write("long.bvh", "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\n"
+                          "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
+                          + chain + "End Site\n{\nOFFSET 0 6 0\n}\n" + "}\n" * (joints + 1)
+                          + f"MOTION\nFrames: {frames}\nFrame Time: 0.00833333\n"
+                          + "".join(f"0 90 0 0 0 {f % 9} {rows[f % 20]}\n" for f in range(frames)))
+
+    def test_a_take_with_too_many_keys_is_refused_by_its_first_rows(self):
+        """A fault in its last row is not reached."""
+        path, out = self.long_take(40000), self.folder / "long.kfa"
+        with open(path, "a", encoding="utf-8") as file:
+            file.write("0 90 no number\n")
+        for more, message in (([], "40000 frames (5.56 minutes) makes about 3.76 million keys"),
+                              (["--fps", "100"], "million keys"), (["--fps", "60"], "line 40"),
+                              (["--reduce", "5"], "line 40")):
+            done = run("--import", path, "--save", out, *more)
+            self.assertEqual(done.returncode, 65)
+            self.assertIn(message, done.stderr)
+
+    def test_twenty_thousand_frames_of_ninety_hinges_are_imported_and_read_back(self):
+        """More than five million values."""
+        path, out = self.long_take(20000), self.folder / "long.kfa"
         for task in (["--import", path, "--save", out], ["--check", out]):
             code, _, complaint, megabytes = self.peak(*task)
             self.assertEqual(code, 0, complaint)

@@ -8,6 +8,7 @@
 
 #include "engine/base/text.h"
 #include "engine/exchange/bvh/frame_time.h"
+#include "engine/exchange/character/key_limit.h"
 
 namespace hazumi {
 
@@ -15,6 +16,8 @@ namespace {
 
 // Tolerance of the number of values that is estimated from the first row: rows differ in length.
 constexpr double kMaxBvhTake = 1.2;
+// Rows by which the number of keys is estimated.
+constexpr size_t kRowsForKeys = 100;
 
 // Values on one line of the file.
 struct Row {
@@ -39,8 +42,9 @@ std::optional<std::string_view> After(std::string_view line, std::string_view he
 
 class MotionReader {
  public:
-  MotionReader(const BvhSkeleton& skeleton, BvhScanner* scanner, std::vector<Warning>* warnings)
-      : skeleton_(skeleton), scanner_(*scanner), warnings_(*warnings) {}
+  MotionReader(const BvhSkeleton& skeleton, const ReadChoice& choice, BvhScanner* scanner,
+               std::vector<Warning>* warnings)
+      : skeleton_(skeleton), choice_(choice), scanner_(*scanner), warnings_(*warnings) {}
 
   Result<BvhMotion> Read();
 
@@ -48,7 +52,8 @@ class MotionReader {
   Result<Done> ReadHead();
   Result<Done> SetFrameTime(std::string_view written);
   Result<Done> ReadRows();
-  std::optional<Error> WhyTooLong(size_t bytes_of_row) const;
+  std::optional<Error> WhyTooLong(double rows) const;
+  std::optional<Error> WhyTooManyKeysIn(double rows) const;
   Result<Done> ReadRow(std::string_view line);
   bool IsCutNumber(std::string_view word) const;
   Result<Done> FitRows();
@@ -66,6 +71,7 @@ class MotionReader {
   Error Fault(std::string message) const { return BvhError(scanner_.line(), std::move(message)); }
 
   const BvhSkeleton& skeleton_;
+  const ReadChoice& choice_;
   BvhScanner& scanner_;
   std::vector<Warning>& warnings_;
   BvhMotion motion_;
@@ -132,20 +138,24 @@ Result<Done> MotionReader::SetFrameTime(std::string_view written) {
 }
 
 Result<Done> MotionReader::ReadRows() {
-  size_t left = scanner_.bytes_left();
+  const size_t bytes = scanner_.bytes_left();
   for (std::string_view line = scanner_.Line(); !line.empty(); line = scanner_.Line()) {
     Result<Done> read = ReadRow(line);
     if (!read.ok()) return read;
-    if (rows_.size() > 1) continue;
-    if (auto error = WhyTooLong(left - scanner_.bytes_left())) return *error;
+    if (rows_.size() > kRowsForKeys) continue;
+    const auto left = static_cast<double>(scanner_.bytes_left());
+    const double part = 1.0 - left / static_cast<double>(bytes);
+    const double rows = static_cast<double>(rows_.size()) / part;  // estimate
+    const auto error = rows_.size() == 1              ? WhyTooLong(rows)
+                       : rows_.size() == kRowsForKeys ? WhyTooManyKeysIn(rows)
+                                                      : std::nullopt;
+    if (error) return *error;
   }
   return Done{};
 }
 
 // Refuses a take that is too long, estimated from its first row: reading it would take minutes.
-std::optional<Error> MotionReader::WhyTooLong(size_t bytes_of_row) const {
-  const double rows = 1.0 + static_cast<double>(scanner_.bytes_left()) /
-                                static_cast<double>(bytes_of_row);  // estimate
+std::optional<Error> MotionReader::WhyTooLong(double rows) const {
   const double values = rows * static_cast<double>(rows_[0].count);
   if (values <= kMaxBvhTake * static_cast<double>(kMaxBvhValues)) return std::nullopt;
   return Fault("the take has about " + FormatShort(rows) + " frames (" +
@@ -153,6 +163,24 @@ std::optional<Error> MotionReader::WhyTooLong(size_t bytes_of_row) const {
                std::to_string(rows_[0].count) + " channels, " + FormatShort(1e-6 * values) +
                " million values; " + FormatShort(1e-6 * static_cast<double>(kMaxBvhValues)) +
                " million are read: export a stretch of it, or at a lower rate");
+}
+
+// Counts the curves of the rotations that move in the first rows, and those of the root's place.
+std::optional<Error> MotionReader::WhyTooManyKeysIn(double rows) const {
+  if (!choice_.keys_all_frames || motion_.values.size() != width() * rows_.size()) {
+    return std::nullopt;
+  }
+  int curves = 3;
+  for (size_t column = 0; column < width(); ++column) {
+    if (!skeleton_.channels[column].is_rotation) continue;
+    bool moves = false;
+    for (size_t at = column; at < motion_.values.size(); at += width()) {
+      moves |= motion_.values[at] != motion_.values[column];
+    }
+    curves += moves;
+  }
+  const double seconds = rows * motion_.seconds_per_frame;
+  return WhyTooManyKeys(curves, choice_.rate > 0.0 ? choice_.rate * seconds : rows, seconds);
 }
 
 Result<Done> MotionReader::ReadRow(std::string_view line) {
@@ -262,9 +290,9 @@ std::string MotionReader::Column(size_t column) const {
 
 }  // namespace
 
-Result<BvhMotion> ReadBvhMotion(const BvhSkeleton& skeleton, BvhScanner* scanner,
-                                std::vector<Warning>* warnings) {
-  return MotionReader(skeleton, scanner, warnings).Read();
+Result<BvhMotion> ReadBvhMotion(const BvhSkeleton& skeleton, const ReadChoice& choice,
+                                BvhScanner* scanner, std::vector<Warning>* warnings) {
+  return MotionReader(skeleton, choice, scanner, warnings).Read();
 }
 
 }  // namespace hazumi

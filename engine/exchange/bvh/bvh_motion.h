@@ -6,6 +6,7 @@
 #include "engine/base/warning.h"
 #include "engine/exchange/bvh/bvh_scanner.h"
 #include "engine/exchange/bvh/bvh_skeleton.h"
+#include "engine/exchange/content.h"
 
 namespace hazumi {
 
@@ -21,7 +22,7 @@ struct BvhMotion {
 
 // What follows the word MOTION. There is at least one frame; the rows that are there count, not
 // what Frames says.
-Result<BvhMotion> ReadBvhMotion(const BvhSkeleton& skeleton, BvhScanner* scanner,
-                                std::vector<Warning>* warnings);
+Result<BvhMotion> ReadBvhMotion(const BvhSkeleton& skeleton, const ReadChoice& choice,
+                                BvhScanner* scanner, std::vector<Warning>* warnings);
 
 }  // namespace hazumi

@@ -111,7 +111,7 @@ void WarnOfPartPositions(const BvhSkeleton& skeleton, const std::vector<BoneColu
   }
 }
 
-Result<Character> Read(std::string_view text, const std::string& name) {
+Result<Character> Read(std::string_view text, const std::string& name, const ReadChoice& choice) {
   if (std::optional<Error> error = WhyNoText(text)) return *error;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (text.ends_with('\x1a')) text.remove_suffix(1);  // the end of a text, once
@@ -119,7 +119,7 @@ Result<Character> Read(std::string_view text, const std::string& name) {
   Character character;
   Result<BvhSkeleton> skeleton = ReadBvhSkeleton(&scanner, &character.warnings);
   if (!skeleton.ok()) return skeleton.error();
-  Result<BvhMotion> motion = ReadBvhMotion(skeleton.value(), &scanner, &character.warnings);
+  Result<BvhMotion> motion = ReadBvhMotion(skeleton.value(), choice, &scanner, &character.warnings);
   if (!motion.ok()) return motion.error();
 
   const std::vector<BoneColumns> columns = ColumnsOfBones(skeleton.value());
@@ -135,8 +135,9 @@ Result<Character> Read(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-Result<Character> ReadBvh(std::string_view text, const std::string& file) {
-  Result<Character> read = Read(text, std::filesystem::path(file).stem().string());
+Result<Character> ReadBvh(std::string_view text, const std::string& file,
+                          const ReadChoice& choice) {
+  Result<Character> read = Read(text, std::filesystem::path(file).stem().string(), choice);
   if (read.ok()) return read;
   Error error = read.error();
   error.file = file;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/text.h"
+#include "engine/exchange/character/key_limit.h"
 #include "engine/exchange/import/clip_names.h"
 #include "engine/exchange/import/figure_links.h"
 #include "engine/exchange/import/figure_names.h"
@@ -19,7 +20,6 @@
 #include "engine/exchange/units.h"
 #include "engine/figure/figure_builder.h"
 #include "engine/project/figure_writer.h"
-#include "engine/project/json/text_file.h"
 #include "engine/spatial/degrees.h"
 
 namespace hazumi {
@@ -36,10 +36,6 @@ constexpr double kLeap = 1.0,
                  kSudden = 5.0;       // of the root from frame to frame [m], and of its other steps
 constexpr double kFar = 100.0;        // from the origin [m]
 constexpr double kWorthAWord = 1e-4;  // [m]
-// Number of keys that a project file holds, with 250 bytes of its JSON tree each, and the factor
-// beyond which an import is refused before it is tried.
-constexpr double kMostKeys = kMaxTreeBytes / 250.0, kFarTooMany = 1.15;
-
 ProjectKey KeyOf(double frame, double value, std::optional<double> rate = {}) {
   ProjectKey key;
   key.frame = frame;
@@ -128,15 +124,8 @@ class Importer {
       const BoneTrack& track = clip_->tracks[static_cast<size_t>(kept.bone)];
       if (!track.rotations.empty()) curves += NumMoving(track);
     }
-    const double keys = static_cast<double>(curves) * clip_->num_frames;
-    if (keys <= kFarTooMany * kMostKeys) return std::nullopt;
-    return Error{ErrorCode::kSemantics, "", "clip",
-                 "a key on each of its " + std::to_string(clip_->num_frames) + " frames (" +
-                     FormatShort(clip_->num_frames * clip_->seconds_per_frame / 60.0) +
-                     " minutes) makes about " + FormatShort(1e-6 * keys) +
-                     " million keys, of which a project holds " + FormatShort(1e-6 * kMostKeys) +
-                     " million; take keys only where they are needed (--reduce 1), fewer frames a "
-                     "second (--fps), or a stretch of it"};
+    return hazumi::WhyTooManyKeys(static_cast<double>(curves), clip_->num_frames,
+                                  clip_->num_frames * clip_->seconds_per_frame);
   }
 
   void SayClip() {

@@ -29,7 +29,7 @@ Result<Character> ReadMotion(std::string_view bytes, const std::string& path,
     return Error{ErrorCode::kSemantics, path, "character",
                  "a BVH file has one alone; do not name any"};
   }
-  Result<Character> read = ReadBvh(bytes, path);
+  Result<Character> read = ReadBvh(bytes, path, choice);
   if (!read.ok() || choice.rate <= 0.0) return read;
   for (Clip& clip : read.value().clips) {
     const double frames = clip.num_frames * clip.seconds_per_frame * choice.rate;

@@ -1,8 +1,9 @@
-// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE CHARACTER RATE [TROUBLE]: under limits, reads a
-// character (of several the one of this name, if it is not empty), its clips with so many frames a
-// second (0: as many as they have), or the meshes of a thing, from FILE (character_bytes.h) or
-// decodes the pictures of standard input (picture_bytes.h); writes them, or the error, to
-// descriptor kChildOutput. Started by RunReader.
+// hazumi-reader TASK MEMORY_BYTES CPU_SECONDS FILE CHARACTER RATE KEYS [TROUBLE]: under limits,
+// reads a character (of several the one of this name, if it is not empty), its clips with so many
+// frames a second (0: as many as they have), or the meshes of a thing, from FILE
+// (character_bytes.h) or decodes the pictures of standard input (picture_bytes.h); writes them, or
+// the error, to descriptor kChildOutput. KEYS: 1 if each frame becomes a key, else 0. Started by
+// RunReader.
 
 #include <malloc.h>
 #include <signal.h>
@@ -90,11 +91,12 @@ bool Do(const std::string& task, const char* file, const hazumi::ReadChoice& cho
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 7) return hazumi::kReaderUsage;
+  if (argc < 8) return hazumi::kReaderUsage;
   LimitYourself(std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
   ::mallopt(M_PERTURB, 0xff);  // zeroes new memory of C libraries, except reused blocks
-  if (argc > 7) MakeTrouble(argv[7]);
-  const bool done = Do(argv[1], argv[4], {argv[5], std::strtod(argv[6], nullptr)});
+  if (argc > 8) MakeTrouble(argv[8]);
+  const bool done =
+      Do(argv[1], argv[4], {argv[5], std::strtod(argv[6], nullptr), argv[7][0] == '1'});
   // Without destructors: a library's may stumble over what a broken file made of its data.
   ::_exit(done ? hazumi::kReaderAnswered : hazumi::kReaderUsage);
 }

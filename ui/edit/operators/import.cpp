@@ -11,7 +11,7 @@ namespace {
 
 using enum ParameterKind;
 
-constexpr double kLeastRate = 0.1, kMostRate = 10000.0;  // as the command line takes them [1/s]
+constexpr double kLeastFps = 0.1, kMostFps = 10000.0;  // as the command line takes them [1/s]
 
 // A positive number, if it is given.
 Result<Done> TakePositive(const Parameters& p, const char* name, std::optional<double>* field) {
@@ -43,7 +43,7 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
     const Result<Done> taken = TakePositive(p, name, field);
     if (!taken.ok()) return taken.error();
   }
-  if (options.fps && (*options.fps < kLeastRate || *options.fps > kMostRate)) {
+  if (options.fps && (*options.fps < kLeastFps || *options.fps > kMostFps)) {
     return Refusal("fps", "must be from 0.1 to 10000");
   }
   return options;
@@ -55,6 +55,7 @@ Result<Done> Import(Session* session, const Parameters& p) {
   ReadOptions reading;
   reading.character = options.value().character;
   reading.rate = options.value().fps.value_or(0.0);
+  reading.keys_all_frames = !options.value().reduce_deg;
   const Result<Character> character = ReadCharacter(p.text("path"), reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options.value());
