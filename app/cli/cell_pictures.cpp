@@ -65,8 +65,7 @@ Result<Options> CheckedOptions(const Sweep& sweep, bool open_outside) {
   if (auto error = CheckFrames(sweep)) return *error;
   Options& chosen = options.value();
   chosen.open_outside = open_outside;  // whatever the sweep says
-  edit::MediaAccess access;
-  if (open_outside) access.AllowAll();
+  const edit::MediaAccess access(open_outside);
   if (auto closed = edit::WhyClosedToPictures(sweep.project(), sweep.project_file(), access))
     return *closed;
   if (!chosen.size) chosen.size = PictureSize{240, 180};

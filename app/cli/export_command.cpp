@@ -65,10 +65,6 @@ PictureSize EvenSize(const PictureSize& size) {
 }
 
 int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Options& options) {
-  edit::MediaAccess access;
-  if (options.open_outside) access.AllowAll();
-  if (const auto closed = edit::WhyClosedToVideo(baked.project, options.files[0], access))
-    return Complain(*closed);
   const Result<Motion> path_motion = PathMotion(baked, options);
   if (!path_motion.ok()) return Complain(path_motion.error());
   const PictureSize size = EvenSize(PictureSizeOf(options));
@@ -80,18 +76,19 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
   if (!film.ok()) return Complain(film.error());
   Pictures pictures(baked, frames, path_motion.value(), skin.value(), things.value(), film.value(),
                     size, options);
+  const FrameRate& rate = baked.motion.rate;
+  const auto sound =
+      edit::HeardIn(baked.project, options.files[0], rate.SecondsAt(pictures.FrameOf(0)),
+                    rate.SecondsAt(pictures.count()), edit::MediaAccess(options.open_outside));
+  if (!sound.ok()) return Complain(sound.error());
   Progress progress("export", pictures.count());
   render::Sequence sequence = pictures.Sequence();
   sequence.progress = [&](int done) {
     progress.Report(done, "frame " + std::to_string(pictures.FrameOf(done - 1)));
   };
-  const FrameRate& rate = baked.motion.rate;
-  const auto sound =
-      edit::HeardIn(baked.project, options.files[0], rate.SecondsAt(pictures.FrameOf(0)),
-                    rate.SecondsAt(pictures.count()));
   const Result<int> drawn =
       RenderVideo(SequenceOptionsOf(options, size), sequence,
-                  {options.output, size.width, size.height, rate.num, rate.den, sound});
+                  {options.output, size.width, size.height, rate.num, rate.den, sound.value()});
   progress.Finish();
   return drawn.ok() ? kExitOk : Complain(drawn.error());
 }

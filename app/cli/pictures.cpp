@@ -138,8 +138,7 @@ Result<render::ReferenceFilm> FilmOf(const BakedProject& baked, const std::strin
                                      bool open_outside) {
   const Project& project = baked.project;
   if (!edit::RenderedReference(project)) return render::ReferenceFilm();
-  edit::MediaAccess access;
-  if (open_outside) access.AllowAll();
+  const edit::MediaAccess access(open_outside);
   if (auto closed = edit::WhyClosedToPictures(project, file, access)) return *closed;
   return render::ReferenceFilm::Load(ReferencePath(project, file), baked.motion.rate,
                                      {project.fps.num, project.fps.den},

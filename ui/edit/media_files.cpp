@@ -40,26 +40,21 @@ std::optional<ProjectReference> RenderedReference(const Project& project) {
   return reference && reference->rendered && !reference->mute ? reference : std::nullopt;
 }
 
-std::optional<SoundPart> HeardIn(const Project& project, const std::string& project_path,
-                                 double first_s, double length_s) {
-  if (!project.audio || project.audio->mute) return std::nullopt;
+Result<std::optional<SoundPart>> HeardIn(const Project& project, const std::string& project_path,
+                                         double first_s, double length_s,
+                                         const MediaAccess& access) {
+  if (!project.audio || project.audio->mute) return std::optional<SoundPart>();
+  const std::string file = SoundPath(project, project_path);
+  if (auto closed = In("audio.file", access.WhyClosed(file, project_path))) return *closed;
   const FrameRate rate{project.fps.num, project.fps.den};
-  return SoundPart{SoundPath(project, project_path),
-                   first_s - rate.SecondsAt(project.audio->start_frame), length_s,
-                   project.audio->gain_db};
+  return std::optional(SoundPart{file, first_s - rate.SecondsAt(project.audio->start_frame),
+                                 length_s, project.audio->gain_db});
 }
 
 std::optional<Error> WhyClosedToPictures(const Project& project, const std::string& project_path,
                                          const MediaAccess& access) {
   if (!RenderedReference(project)) return std::nullopt;
   return In("reference.file", access.WhyClosed(ReferencePath(project, project_path), project_path));
-}
-
-std::optional<Error> WhyClosedToVideo(const Project& project, const std::string& project_path,
-                                      const MediaAccess& access) {
-  if (auto error = WhyClosedToPictures(project, project_path, access)) return error;
-  if (!project.audio || project.audio->mute) return std::nullopt;
-  return In("audio.file", access.WhyClosed(SoundPath(project, project_path), project_path));
 }
 
 }  // namespace hazumi::edit

@@ -15,7 +15,9 @@ namespace hazumi::edit {
 // open; files outside need a person's agreement.
 class MediaAccess {
  public:
-  void AllowAll() { allows_all_ = true; }
+  MediaAccess() = default;
+  explicit MediaAccess(bool allows_all) : allows_all_(allows_all) {}
+
   void Allow(const std::string& path);
   // Error (kNoInput) if the file lies outside of the folder and nobody agreed to open it.
   std::optional<Error> WhyClosed(const std::string& path, const std::string& project_path) const;
@@ -29,14 +31,13 @@ class MediaAccess {
 std::optional<ProjectReference> RenderedReference(const Project& project);
 
 // What is heard for `length_s` from `first_s` on [s since frame 0]; nothing if there is no sound or
-// it is mute.
-std::optional<SoundPart> HeardIn(const Project& project, const std::string& project_path,
-                                 double first_s, double length_s);
+// it is mute. Error if its file must not be opened.
+Result<std::optional<SoundPart>> HeardIn(const Project& project, const std::string& project_path,
+                                         double first_s, double length_s,
+                                         const MediaAccess& access);
 
-// Error if rendering pictures, or a video with sound, needs a file that must not be opened.
+// Error if rendering pictures needs a file that must not be opened.
 std::optional<Error> WhyClosedToPictures(const Project& project, const std::string& project_path,
                                          const MediaAccess& access);
-std::optional<Error> WhyClosedToVideo(const Project& project, const std::string& project_path,
-                                      const MediaAccess& access);
 
 }  // namespace hazumi::edit

@@ -40,17 +40,22 @@ TEST(AudioOperators, WhatCannotBeIsRefused) {
 }
 
 TEST(Heard, BeginsOnItsFrameAtTheProjectsRate) {
+  const edit::MediaAccess none, all(true);
   Project project;
   project.fps = {24, 1, {}};
-  EXPECT_FALSE(edit::HeardIn(project, "/shots/a.kfa", 0.0, 1.0));
+  const auto heard = [&](double first_s) {
+    return edit::HeardIn(project, "/shots/a.kfa", first_s, 1.5, all).value();
+  };
+  EXPECT_FALSE(heard(0.0));
   project.audio = ProjectAudio{"sounds/voice.wav", 12, -6.0, false, {}};
-  EXPECT_EQ(edit::HeardIn(project, "/shots/a.kfa", 2.0, 1.5),
-            (SoundPart{"/shots/sounds/voice.wav", 1.5, 1.5, -6.0}));
-  EXPECT_EQ(edit::HeardIn(project, "/shots/a.kfa", 0.0, 1.5)->start_s, -0.5);
-  project.audio->file = "/elsewhere/voice.wav";
-  EXPECT_EQ(SoundPath(project, "/shots/a.kfa"), "/elsewhere/voice.wav");
+  EXPECT_EQ(heard(2.0), (SoundPart{"/shots/sounds/voice.wav", 1.5, 1.5, -6.0}));
+  EXPECT_EQ(heard(0.0)->start_s, -0.5);
+  project.audio->file = "/bin/sh";
+  EXPECT_EQ(heard(0.0)->file, "/bin/sh");
+  EXPECT_EQ(edit::HeardIn(project, "/shots/a.kfa", 0.0, 1.5, none).error().place, "audio.file");
   project.audio->mute = true;
-  EXPECT_FALSE(edit::HeardIn(project, "/shots/a.kfa", 2.0, 1.5));
+  EXPECT_FALSE(heard(2.0));
+  EXPECT_TRUE(edit::HeardIn(project, "/shots/a.kfa", 0.0, 1.5, none).ok());
 }
 
 // Files outside of the project's folder are open once somebody agreed.
@@ -72,7 +77,7 @@ TEST(MediaAccess, OpensWhatLiesInTheFolderOrIsAllowed) {
   access.Allow(home / "link.wav");
   EXPECT_FALSE(access.WhyClosed(elsewhere / "b.wav", project));
   EXPECT_TRUE(access.WhyClosed(home / "a.wav", ""));
-  access.AllowAll();
+  access = edit::MediaAccess(true);
   EXPECT_FALSE(access.WhyClosed(home / "a.wav", ""));
 }
 

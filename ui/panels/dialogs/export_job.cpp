@@ -112,10 +112,10 @@ Result<RenderTask> VideoTask(Editor* editor) {
   const edit::Session& session = editor->session();
   const FrameRate rate{session.project().fps.num, session.project().fps.den};
   const std::string& path = session.document().path();
-  if (auto closed = edit::WhyClosedToVideo(session.project(), path, session.media()))
-    return *closed;
-  task.sound = edit::HeardIn(session.project(), path, rate.SecondsAt(task.first),
-                             rate.SecondsAt(task.last - task.first + 1));
+  const auto sound = edit::HeardIn(session.project(), path, rate.SecondsAt(task.first),
+                                   rate.SecondsAt(task.last - task.first + 1), session.media());
+  if (!sound.ok()) return sound.error();
+  task.sound = sound.value();
   return FilledTask(editor, std::move(task), state.through_project_camera, state.overlays);
 }
 
