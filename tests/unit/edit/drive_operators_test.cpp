@@ -88,6 +88,24 @@ TEST(DriveOperators, AFrequencyAndAStrengthAreKeyedWhereOneIs) {
   Refused(&session, "drive.key", with({{"frame", 3}}));
 }
 
+// The file of a drive says the fields of its kind alone.
+TEST(DriveOperators, AnotherKindDropsTheFieldsOfTheOneBefore) {
+  Session session;
+  AddLooseArms(&session);
+  Do(&session, "drive.add", {{"region", "arms"}, {"joints", {"r_elbow"}}, {"frequency", 5}});
+  const auto set = [&](const char* kind) {
+    Do(&session, "drive.set", {{"region", "arms"}, {"number", 0}, {"kind", kind}});
+    return DrivesOf(session)[0];
+  };
+  ProjectDrive expected = set("torque");
+  EXPECT_EQ(expected.frequency_hz, ProjectDrive().frequency_hz);
+  expected.kind = DriveKind::kKeys;
+  EXPECT_EQ(set("keys"), expected);
+  Do(&session, "drive.set",
+     {{"region", "arms"}, {"number", 0}, {"kind", "spring"}, {"feed_forward", true}});
+  EXPECT_EQ(set("keys"), expected);
+}
+
 TEST(DriveOperators, WhatCannotBeIsRefused) {
   Session session;
   AddLooseArms(&session);

@@ -47,6 +47,20 @@ void LeaveOutRoot(const Figure& figure, std::vector<JointRef>* refs) {
                 [&](const JointRef& ref) { return !ref.beyond && MeansRoot(ref.name, figure); });
 }
 
+// Resets fields that the file does not say of this kind: a project that is opened again has to be
+// the same.
+void DropHidden(ProjectDrive* drive) {
+  if (drive->kind != DriveKind::kTorque) drive->torque = {};
+  if (drive->kind == DriveKind::kSpring) return;
+  ProjectDrive kept;
+  kept.kind = drive->kind;
+  kept.joints = std::move(drive->joints);
+  kept.torque = std::move(drive->torque);
+  kept.extra = std::move(drive->extra);
+  kept.identity = drive->identity;
+  *drive = std::move(kept);
+}
+
 Result<Done> AddDrive(Session* session, const Parameters& p) {
   return ChangeRegion(session, p, "Add drive",
                       [&](Project*, ProjectRegion* region) -> Result<Done> {
@@ -58,6 +72,7 @@ Result<Done> AddDrive(Session* session, const Parameters& p) {
                         if (drive.joints.empty()) drive.joints = region->joints;
                         LeaveOutRoot(session->figure(), &drive.joints);
                         if (Result<Done> set = SetFields(p, &drive); !set.ok()) return set.error();
+                        DropHidden(&drive);
                         Resolve(session->figure(), &drive.joints);
                         region->drives.push_back(std::move(drive));
                         TakeOver(region->drives.size() - 1, region);
@@ -86,9 +101,7 @@ Result<Done> SetDrive(Session* session, const Parameters& p) {
       drive.strength_over_time = {};
     }
     Result<Done> set = SetFields(p, &drive);
-    for (const DriveCurve& what : kCurves) {
-      if (drive.kind != what.kind) drive.*what.curve = {};
-    }
+    DropHidden(&drive);
     if (p.has("joints")) {
       Resolve(session->figure(), &drive.joints);
       TakeOver(static_cast<size_t>(number), region);
