@@ -142,11 +142,8 @@ Result<Project> LoadOrImport(const std::string& file, const ImportOptions& optio
 Error InterruptedError() { return {ErrorCode::kInterrupted, "", "", "interrupted"}; }
 
 Result<Imported> Import(const std::string& file, const ImportOptions& options) {
-  ReadOptions reading;
+  ReadOptions reading = ReadOptionsFor(options);
   reading.is_cancelled = [] { return Interrupted().load(); };
-  reading.character = options.character;
-  reading.rate = options.fps.value_or(0.0);
-  reading.keys_all_frames = !options.reduce_deg;
   const Result<Character> character = ReadCharacter(file, reading);
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options);

@@ -65,6 +65,11 @@ PictureSize EvenSize(const PictureSize& size) {
 }
 
 int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Options& options) {
+  const FrameRate& rate = baked.motion.rate;
+  const auto sound = edit::HeardIn(baked.project, options.files[0], rate.SecondsAt(frames.first),
+                                   rate.SecondsAt(frames.last - frames.first + 1),
+                                   edit::MediaAccess(options.open_outside));
+  if (!sound.ok()) return Complain(sound.error());
   const Result<Motion> path_motion = PathMotion(baked, options);
   if (!path_motion.ok()) return Complain(path_motion.error());
   const PictureSize size = EvenSize(PictureSizeOf(options));
@@ -76,11 +81,6 @@ int ExportVideo(const BakedProject& baked, const FrameRange& frames, const Optio
   if (!film.ok()) return Complain(film.error());
   Pictures pictures(baked, frames, path_motion.value(), skin.value(), things.value(), film.value(),
                     size, options);
-  const FrameRate& rate = baked.motion.rate;
-  const auto sound =
-      edit::HeardIn(baked.project, options.files[0], rate.SecondsAt(pictures.FrameOf(0)),
-                    rate.SecondsAt(pictures.count()), edit::MediaAccess(options.open_outside));
-  if (!sound.ok()) return Complain(sound.error());
   Progress progress("export", pictures.count());
   render::Sequence sequence = pictures.Sequence();
   sequence.progress = [&](int done) {

@@ -67,7 +67,7 @@ int RunEdits(const Options& options) {
   const PictureSize size = options.size.value_or(PictureSize{1280, 800});
   ui::ScriptedEditor scripted({size.width, size.height});
   scripted.editor().session().set_saves_checked(true);
-  if (options.open_outside) scripted.editor().session().media() = edit::MediaAccess(true);
+  scripted.editor().session().media() = edit::MediaAccess(options.open_outside);
   scripted.editor().poses.library.set_path(ui::PosesPath());
   const Result<Done> opened = Open(options, &scripted.editor());
   if (!opened.ok()) return Complain(opened.error());

@@ -142,14 +142,11 @@ Result<Done> MotionReader::ReadRows() {
   for (std::string_view line = scanner_.Line(); !line.empty(); line = scanner_.Line()) {
     Result<Done> read = ReadRow(line);
     if (!read.ok()) return read;
-    if (rows_.size() > kRowsForKeys) continue;
+    if (rows_.size() != 1 && rows_.size() != kRowsForKeys) continue;
     const auto left = static_cast<double>(scanner_.bytes_left());
     const double part = 1.0 - left / static_cast<double>(bytes);
     const double rows = static_cast<double>(rows_.size()) / part;  // estimate
-    const auto error = rows_.size() == 1              ? WhyTooLong(rows)
-                       : rows_.size() == kRowsForKeys ? WhyTooManyKeysIn(rows)
-                                                      : std::nullopt;
-    if (error) return *error;
+    if (auto error = rows_.size() == 1 ? WhyTooLong(rows) : WhyTooManyKeysIn(rows)) return *error;
   }
   return Done{};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/warning.h"
+#include "engine/child/reader_program.h"
 #include "engine/exchange/character/character.h"
 #include "engine/project/project.h"
 
@@ -15,6 +16,9 @@ enum class ImportLimits {
   kClip,  // as far as the clip goes, and somewhat beyond
   kNone,  // nowhere
 };
+
+// Limits of the sampling rate [1/s].
+inline constexpr double kLeastImportFps = 0.1, kMostImportFps = 1e4;
 
 struct ImportOptions {
   std::string character;                  // name of one of several; empty: the one that moves most
@@ -28,6 +32,15 @@ struct ImportOptions {
   ImportLimits limits = ImportLimits::kClip;
   bool skin = true;
 };
+
+// How the file of an import is read.
+inline ReadOptions ReadOptionsFor(const ImportOptions& options) {
+  ReadOptions reading;
+  reading.character = options.character;
+  reading.rate = options.fps.value_or(0.0);
+  reading.keys_all_frames = !options.reduce_deg;
+  return reading;
+}
 
 // What an import did, for the person who asked for it.
 struct ImportReport {

@@ -11,8 +11,6 @@ namespace {
 
 using enum ParameterKind;
 
-constexpr double kLeastFps = 0.1, kMostFps = 10000.0;  // as the command line takes them [1/s]
-
 // A positive number, if it is given.
 Result<Done> TakePositive(const Parameters& p, const char* name, std::optional<double>* field) {
   if (!p.has(name)) return Done();
@@ -43,7 +41,7 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
     const Result<Done> taken = TakePositive(p, name, field);
     if (!taken.ok()) return taken.error();
   }
-  if (options.fps && (*options.fps < kLeastFps || *options.fps > kMostFps)) {
+  if (options.fps && (*options.fps < kLeastImportFps || *options.fps > kMostImportFps)) {
     return Refusal("fps", "must be from 0.1 to 10000");
   }
   return options;
@@ -52,11 +50,8 @@ Result<ImportOptions> OptionsFrom(const Parameters& p) {
 Result<Done> Import(Session* session, const Parameters& p) {
   const Result<ImportOptions> options = OptionsFrom(p);
   if (!options.ok()) return options.error();
-  ReadOptions reading;
-  reading.character = options.value().character;
-  reading.rate = options.value().fps.value_or(0.0);
-  reading.keys_all_frames = !options.value().reduce_deg;
-  const Result<Character> character = ReadCharacter(p.text("path"), reading);
+  const Result<Character> character =
+      ReadCharacter(p.text("path"), ReadOptionsFor(options.value()));
   if (!character.ok()) return character.error();
   Result<Imported> imported = ImportProject(character.value(), options.value());
   if (!imported.ok()) return imported.error();

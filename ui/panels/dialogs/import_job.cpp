@@ -40,7 +40,7 @@ void ChooseCharacter(const std::string& name, ImportState* state) {
 }
 
 void ChooseRate(ImportState* state) {
-  if (state->fps > 0.0) state->fps = std::clamp(state->fps, 0.1, 10000.0);
+  if (state->fps > 0.0) state->fps = std::clamp(state->fps, kLeastImportFps, kMostImportFps);
   state->options.fps = state->fps > 0.0 ? std::optional<double>(state->fps) : std::nullopt;
   ReadAgain(state);
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/text.h"
 #include "engine/picture/decode_pictures.h"
 #include "engine/project/json/text_file.h"
 
@@ -12,7 +13,7 @@ namespace {
 Result<Image> ReadPicture(const std::string& path) {
   const Result<std::string> text = ReadTextFile(path);
   if (!text.ok()) return text.error();
-  const std::vector<std::uint8_t> bytes(text.value().begin(), text.value().end());
+  const std::vector<std::uint8_t> bytes = BytesOf(text.value());
   const std::span<const std::uint8_t> files[] = {bytes};
   return std::move(DecodePictures(files).front());
 }
