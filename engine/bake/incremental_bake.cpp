@@ -48,6 +48,7 @@ class IncrementalBake::State {
   int fresh_until() const { return fresh_until_; }
   const Motion& motion() const { return motion_; }
   int stretches_baked() const { return stretches_baked_; }
+  double work() const { return work_of_bakers_before_ + (baker_ ? baker_->work() : 0.0); }
 
  private:
   // A stretch, and whether it has to be baked again from its start.
@@ -58,6 +59,7 @@ class IncrementalBake::State {
   using Parts = std::map<int, Part>;  // by first frame
 
   void StartAnew(const Animation& animation);
+  void DropBaker();
   void Forget(const Error& error);
   std::optional<Error> BakeFurther(int frame);
   void ChangeKeys(const Keys& next, Keys* keys, EditReach* reach);
@@ -81,6 +83,7 @@ class IncrementalBake::State {
   KnownLogs known_;  // of stretches that are no more
   std::optional<Error> error_;
   int stretches_baked_ = 0;
+  double work_of_bakers_before_ = 0.0;
 };
 
 IncrementalBake::State::State(Animation animation, const BakeOptions& options)
@@ -94,6 +97,7 @@ void IncrementalBake::State::StartAnew(const Animation& animation) {
   for (const auto& [frame, part] : parts_) KeepLogs(part.stretch);
   parts_.clear();
   MakeStale(EditReach::Everything());
+  DropBaker();
   try {
     baker_ = std::make_unique<Baker>(animation_, options_, &motion_, &pool_);
   } catch (const std::bad_alloc&) {
@@ -101,9 +105,14 @@ void IncrementalBake::State::StartAnew(const Animation& animation) {
   }
 }
 
+void IncrementalBake::State::DropBaker() {
+  work_of_bakers_before_ = work();
+  baker_.reset();
+}
+
 // There is no motion, and what there was of it takes no memory any more.
 void IncrementalBake::State::Forget(const Error& error) {
-  baker_.reset();
+  DropBaker();
   parts_.clear();
   known_.clear();
   motion_ = Motion();
@@ -245,5 +254,6 @@ std::optional<Error> IncrementalBake::Finish() { return state_->BakeTo(state_->l
 int IncrementalBake::fresh_until() const { return state_->fresh_until(); }
 const Motion& IncrementalBake::motion() const { return state_->motion(); }
 int IncrementalBake::stretches_baked() const { return state_->stretches_baked(); }
+double IncrementalBake::work() const { return state_->work(); }
 
 }  // namespace hazumi

@@ -35,6 +35,9 @@ class IncrementalBake {
 
   // Stretches baked so far, by all edits.
   int stretches_baked() const;
+  // Work of all bakes so far (Work), also of those that failed. A solution that is kept counts
+  // again where it is used again.
+  double work() const;
 
  private:
   // The solvers and what they keep, of which whoever shows a motion knows nothing.

@@ -204,6 +204,9 @@ std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end)
       next = std::min(next, driver_->time());
     }
     const std::optional<GravityEvent> event = FirstEvent(t, next, to);
+    if (falls) {
+      if (auto error = CheckWork(context_.animation.rate.FrameAt(t))) return error;
+    }
     if (event) next = event->time;
     if (accounts) driver_->Account(next, event.has_value() && event->is_change());
     if (auto error = RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end)) return error;
@@ -281,6 +284,7 @@ void ExactWalk::RecordPushes(int output, double t) {
 
 std::optional<GravityEvent> ExactWalk::FirstEvent(double t, double next, double to) {
   const auto pose = [this, to](double seconds, FigureMotion* motion) {
+    ++poses_looked_at_;
     const bool at_end = seconds >= context_.Seconds(to);
     const double frame = at_end ? to : std::min(to, context_.animation.rate.FrameAt(seconds));
     PoseWithoutPlace(frame, seconds, at_end ? Side::kBefore : Side::kAfter, Gaps::kLeft, motion);

@@ -24,8 +24,10 @@ class ExactWalk : public RegionWalk {
   // Begins a stretch at this frame. The work of the stretch counts from this frame.
   void BeginStretch(int frame) {
     stretch_start_ = frame;
-    work_before_stretch_ = work_before_;
+    work_before_stretch_ = work_before_.total();
   }
+
+  Work work() const override;
 
   // Moves the logs of what is not solved to its end to the recorder.
   void KeepLogs() {
@@ -60,6 +62,8 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> AdvanceAhead(const std::vector<double>& times, double from, double next,
                                     double to, double end);
   void DropDriver();
+  // Work since the driver began, or since the driver before ended.
+  Work WorkNow() const;
   // Checks the work after a frame; returns an error above the limit.
   std::optional<Error> CheckWork(double frame);
   std::optional<Error> AdvanceRegions(double t, double last);
@@ -94,8 +98,9 @@ class ExactWalk : public RegionWalk {
   ThreadPool* pool_;
   const KnownLogs* known_ = nullptr;
   DrivenCurves curves_;
-  // Work of previous drivers: in total, and before the stretch.
-  double work_before_ = 0.0, work_before_stretch_ = 0.0;
+  Work work_before_;  // of previous drivers
+  double work_before_stretch_ = 0.0;
+  double poses_looked_at_ = 0.0;  // for events of the placement, since the driver began
   int stretch_start_ = 0;
   std::unique_ptr<ExactDriver> driver_;  // null: no region is active
   Arrivals arrivals_;

@@ -77,6 +77,8 @@ std::optional<Error> PaperWalk::StepRegions(double seconds, FigureMotion* next) 
                        seconds, &context_.poses.workspace(), &next->q, &next->qd, &limits);
   const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
   if (failure) return CannotGoOnAfter(now.frame, failure->joint, failure->cause);
+  work_ += static_cast<double>(driver_->solves_of_last_step()) *
+           static_cast<double>(context_.poses.figure().groups().size());
   for (const int r : driver_->active()) {
     RegionReport& report = context_.recorder.report(r);
     ++report.steps;

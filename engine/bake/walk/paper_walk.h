@@ -26,6 +26,7 @@ class PaperWalk : public RegionWalk {
   }
   Result<int> Advance(int frame) override;
   bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j); }
+  Work work() const override { return {.motion = work_}; }
   MotionAcceleration ArrivedWith() override { return Completed(context_.now, step_rate_); }
 
  private:
@@ -43,6 +44,7 @@ class PaperWalk : public RegionWalk {
 
   std::unique_ptr<PaperDriver> driver_;  // null: no region is active
   PaperDrives drives_;
+  double work_ = 0.0;
   VecX step_rate_;  // of free joints in the last step [rad/s^2], by Coordinate
 };
 

@@ -18,6 +18,7 @@ Error RegionWalk::CannotGoOnAfter(double frame, JointIndex joint, const std::str
 }
 
 std::string RegionWalk::PlaceOfRegion(std::optional<JointIndex> joint) const {
+  if (!has_regions()) return "placements";
   std::vector<int> candidates = *active();
   std::erase_if(candidates, [&](int r) {
     const auto& joints = context_.animation.regions[r].joints;

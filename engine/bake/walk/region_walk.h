@@ -41,6 +41,9 @@ class RegionWalk {
   // And rates, which are not those before where something stops joints dead.
   const VecX& began_with_rates() const { return began_with_rates_; }
 
+  // Of everything solved so far.
+  virtual Work work() const = 0;
+
   bool has_regions() const { return active() != nullptr; }
   virtual bool moves(JointIndex j) const = 0;
   // Returns whether contacts of the regions place the figure instead of a placement by gravity.
@@ -54,6 +57,7 @@ class RegionWalk {
   // An invalid joint is the root.
   Error CannotGoOnAfter(double frame, JointIndex joint, const std::string& cause) const;
   // "regions[1]", where it is known which: the one that moves the joint, or the only active one.
+  // Without regions: "placements".
   std::string PlaceOfRegion(std::optional<JointIndex> joint) const;
   // Something that the placement did.
   void AddEvent(EventKind kind, double frame, std::optional<GroupIndex> joint);

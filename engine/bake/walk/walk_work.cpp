@@ -26,6 +26,9 @@ std::string TooMuch(const Work& work) {
     case Work::On::kContacts:
       return "it takes too much work, most of it for contacts that change again and again; let "
              "less of it touch, or take its contacts away";
+    case Work::On::kLandings:
+      return "it takes too much work, most of it to look for where the figure lands; move the "
+             "figure out of what it is inside of, or lower the rates of its joints";
     case Work::On::kMotion:
       break;
   }
@@ -33,20 +36,39 @@ std::string TooMuch(const Work& work) {
          "or forces, or ask for less accuracy";
 }
 
+Work ExactWalk::WorkNow() const {
+  constexpr double kPlacing = 0.3, kPair = 0.4;  // of a link, and of it with an object
+  Work work = driver_ ? driver_->work() : Work();
+  const double links = static_cast<double>(context_.animation.figure->links().size());
+  const double objects = static_cast<double>(context_.animation.scene.size());
+  work.landings += poses_looked_at_ * links * (kPlacing + kPair * objects);
+  return work;
+}
+
+Work ExactWalk::work() const {
+  Work work = work_before_;
+  work += WorkNow();
+  return work;
+}
+
 void ExactWalk::DropDriver() {
-  if (driver_) work_before_ += driver_->work().total();
+  work_before_ = work();
+  poses_looked_at_ = 0.0;
   driver_.reset();
 }
 
 std::optional<Error> ExactWalk::CheckWork(double frame) {
-  const double work = work_before_ + driver_->work().total();
+  const Work work = this->work();
   const double seconds = context_.Seconds(frame) - context_.Seconds(stretch_start_);
-  const double for_bodies = kMostForBody * driver_->num_bodies() * (1.0 + seconds);
-  if (work - work_before_stretch_ > kMostWork + kMostWorkPerSecond * seconds + for_bodies) {
-    return CannotGoOnAfter(frame, driver_->CostliestJoint(), TooMuch(driver_->work()));
-  }
-  if (work <= context_.options.most_work) return std::nullopt;
-  const Error error = CannotGoOnAfter(frame, driver_->CostliestJoint(), TooMuch(driver_->work()));
+  const int bodies = driver_ ? driver_->num_bodies() : 0;
+  const double most =
+      kMostWork + kMostWorkPerSecond * seconds + kMostForBody * bodies * (1.0 + seconds);
+  const bool is_too_much = work.total() - work_before_stretch_ > most;
+  const bool is_enough = work.total() - work.landings > context_.options.most_work;
+  if (!is_too_much && !is_enough) return std::nullopt;
+  const JointIndex joint = driver_ ? driver_->CostliestJoint() : JointIndex();
+  const Error error = CannotGoOnAfter(frame, joint, TooMuch(WorkNow()));
+  if (is_too_much) return error;
   const int last = static_cast<int>(frame);
   context_.ended_early =
       Warning{error.place,

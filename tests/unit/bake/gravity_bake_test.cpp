@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "engine/bake/incremental_bake.h"
+#include "engine/bake/walk/walk_work.h"
 #include "engine/dynamics/kinematics.h"
 #include "engine/figure/figure_builder.h"
 #include "tests/support/animations.h"
@@ -65,6 +67,24 @@ TEST(GravityBake, ApexAndLandingHaveExactTimesAndTheirFrames) {
   EXPECT_TRUE(motion.frames[f].pinned.has_value());
   EXPECT_NEAR(motion.frames[f].X_WR.p.z(), 0.55, 1e-9);
   EXPECT_EQ(motion.frames[f].after.root_v.norm(), 0.0);
+}
+
+// A figure that spins fast, and sinks slowly close to the ground, is looked at each microsecond.
+TEST(GravityBake, ASearchForLandingsCountsAsWork) {
+  const auto work_above = [](double ground) {
+    Animation animation = Thrown(0.55 + ground, 0.0, -1e-6);
+    animation.last_frame = animation.placements[0].last_frame = 1;
+    animation.solver.method = Method::kExact;
+    animation.gravity = 1e-9;
+    animation.root_keys[kRootAngleZ] = {{0, 0.0, {}, Interpolation::kLinear}, {30, 1e4, {}}};
+    IncrementalBake bake(animation);
+    EXPECT_FALSE(bake.Finish());
+    return bake.work();
+  };
+  const double far = work_above(5.0);
+  EXPECT_GT(far, 0.0);
+  EXPECT_GT(work_above(1e-4), 100.0 * far);
+  EXPECT_NE(TooMuch({.landings = 1.0}).find("where the figure lands"), std::string::npos);
 }
 
 TEST(GravityBake, NothingHappensAfterALanding) {

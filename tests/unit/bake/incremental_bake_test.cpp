@@ -234,6 +234,25 @@ TEST(IncrementalBake, BakesOnlyWhatTheEditReaches) {
   EXPECT_LE(bake.stretches_baked() - all, all / 5);
 }
 
+TEST(IncrementalBake, CountsTheWorkOfEachBakeAlsoOfOneThatFails) {
+  Animation animation = Example("throw");
+  IncrementalBake bake(animation);
+  EXPECT_EQ(bake.work(), 0.0);
+  ASSERT_FALSE(bake.Finish());
+  const double first = bake.work();
+  EXPECT_GT(first, 0.0);
+  animation.solver.tolerance /= 1e3;  // begins anew
+  bake.Update(animation);
+  ASSERT_FALSE(bake.Finish());
+  const double second = bake.work();
+  EXPECT_GT(second, 2.0 * first);
+  Keys& keys = KeysOf(&animation, "r_shoulder_flexion");
+  for (Key& key : keys) key.rate = 1e15;
+  bake.Update(animation);
+  ASSERT_TRUE(bake.Finish());
+  EXPECT_GT(bake.work(), second);
+}
+
 TEST(IncrementalBake, BakesNoFurtherThanAskedFor) {
   IncrementalBake bake(LongTimeline(600, 6));
   EXPECT_FALSE(bake.is_fresh(0));
