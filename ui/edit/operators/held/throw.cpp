@@ -100,8 +100,8 @@ void LieUntilTaken(const ThrowCase& of, Project* project) {
   }
 }
 
-// Limits of evaluations of the equations of motion: a few seconds of computing for an arm.
-constexpr long kMostEvaluations = 3'000'000, kMostForAdvice = 1'500'000;
+// Limits of work (Work): a few seconds of computing.
+constexpr double kMostWork = 2.4e7, kMostForAdvice = 1.2e7;
 
 // What would help where a throw misses: a region that takes no speed away, if that does.
 Error WithAdvice(Error error, const Vec3& spot, const std::optional<double>& height,
@@ -167,7 +167,7 @@ Result<Done> ThrowTo(const ThrowTarget& target, ThrowCase of, std::shared_ptr<co
       FreeHinges(animation.regions[of.region], *animation.figure->FindGroup(joint), animation);
   const double radius = InnerRadius(animation.held_objects[of.object]);
   const Vec3 spot = target.ground + radius * Vec3::UnitZ();
-  ThrowAim aim(animation, of, kMostEvaluations);
+  ThrowAim aim(animation, of, kMostWork);
   const Result<AimedThrow> aimed = aim.At(spot, target.height);
   if (!aimed.ok()) return WithAdvice(aimed.error(), spot, target.height, of, animation);
   ClearFlight(std::min(of.release, aimed.value().release), of, project);

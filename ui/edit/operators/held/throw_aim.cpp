@@ -72,10 +72,10 @@ Result<AimedThrow> Given(const std::optional<AimedThrow>& found, const Error& er
 
 }  // namespace
 
-ThrowAim::ThrowAim(const Animation& animation, ThrowCase of, long most_evaluations)
+ThrowAim::ThrowAim(const Animation& animation, ThrowCase of, double most_work)
     : animation_(HeldOn(animation, of)),
       case_(std::move(of)),
-      evaluations_left_(most_evaluations),
+      most_work_(most_work),
       bake_(animation_),
       radius_(InnerRadius(animation_.held_objects[static_cast<size_t>(case_.object)])) {}
 
@@ -123,21 +123,18 @@ void ThrowAim::Set(const VecX& swing) {
   }
 }
 
-bool ThrowAim::IsOver() { return bakes_left_ ? (*bakes_left_)-- <= 0 : evaluations_left_ <= 0; }
+double ThrowAim::work() const {
+  constexpr double kOfABake = 5000.0;  // besides what the bake counts
+  return bake_.work() + kOfABake * bakes_;
+}
 
 // Where it is, and how fast, as it is let go.
 Result<ThrowPath> ThrowAim::Let(const VecX& swing, int release) {
-  constexpr long kOfABake = 500;      // cost of a bake besides its evaluations
-  constexpr long kOfAFailure = 5000;  // cost of a failed bake, which reports no evaluations
-  if (IsOver()) return TooMuchWork();
+  if (work() >= most_work_) return TooMuchWork();
   Set(swing);
   bake_.Update(animation_);
-  evaluations_left_ -= kOfABake;
-  if (const auto error = bake_.BakeTo(release)) {
-    evaluations_left_ -= kOfAFailure;  // the motion may have no reports
-    return *error;
-  }
-  evaluations_left_ -= bake_.motion().regions[static_cast<size_t>(case_.region)].evaluations;
+  bakes_ += 1.0;
+  if (const auto error = bake_.BakeTo(release)) return *error;
   return PathFrom(release);
 }
 
@@ -324,7 +321,8 @@ Result<std::vector<int>> ThrowAim::Releases(const Vec3& spot, const VecX& swing,
 }
 
 Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) {
-  constexpr int kStarts = 4, kMoreTries = 6, kMoreBakes = 1500;
+  constexpr int kStarts = 4, kMoreTries = 6;
+  constexpr double kMoreWork = 1e7;
   if (Result<Done> taken = TakeStart(); !taken.ok()) return taken.error();
   std::optional<Error> error;
   std::optional<AimedThrow> best;
@@ -336,8 +334,8 @@ Result<AimedThrow> ThrowAim::At(const Vec3& spot, std::optional<double> height) 
       Result<AimedThrow> aimed =
           height ? AsHigh(spot, *height, release, Swing(start)) : Over(spot, release, Swing(start));
       if (aimed.ok()) {
+        if (!best) most_work_ = std::min(most_work_, work() + kMoreWork);
         if (!best || aimed.value().cost < best->cost) best = aimed.value();
-        if (!bakes_left_) bakes_left_ = kMoreBakes;
       } else if (aimed.error().code == ErrorCode::kInterrupted) {
         return Given(best, error.value_or(aimed.error()));
       } else if (const bool says_why = aimed.error().code == ErrorCode::kSchema;

@@ -57,16 +57,15 @@ struct ThrowStart {
 
 class ThrowAim {
  public:
-  // Limits the evaluations of the equations of motion, not the time, so that every machine finds
-  // the same throw. Once a throw is found, a limited number of further bakes searches for a better
-  // one.
-  ThrowAim(const Animation& animation, ThrowCase of, long most_evaluations);
+  // Limits the work of its bakes (Work), not the time, so that every machine finds the same throw.
+  // Once a throw is found, a part of it remains to search for a better one.
+  ThrowAim(const Animation& animation, ThrowCase of, double most_work);
 
   // Finds a throw whose object centre reaches `spot`. `height`: rise above the hand [m]; default:
   // the height with the least change; higher if an object of the scene is in the way. The object
   // may be released in another frame of the region. Returns the throw of least cost. Errors:
   // kSchema, with the object in the way; kSemantics, with the distance missed when released in the
-  // given frame; kInterrupted if the search takes too many evaluations.
+  // given frame; kInterrupted if the search takes too much work.
   Result<AimedThrow> At(const Vec3& spot, std::optional<double> height);
 
   // Of the region, once At has found a throw.
@@ -78,7 +77,7 @@ class ThrowAim {
 
   Result<Done> TakeStart();
   void Set(const VecX& swing);
-  bool IsOver();
+  double work() const;
   Result<ThrowPath> Let(const VecX& swing, int release);
   ThrowPath PathFrom(int release) const;  // as it is baked
   Result<std::vector<int>> Releases(const Vec3& spot, const VecX& swing, bool given_first);
@@ -94,8 +93,8 @@ class ThrowAim {
 
   Animation animation_;
   ThrowCase case_;
-  long evaluations_left_;
-  std::optional<int> bakes_left_;  // once a throw is found
+  double most_work_;
+  double bakes_ = 0.0;
   IncrementalBake bake_;
   std::optional<ThrowStart> start_;
   VecX ease_;  // how readily each unknown is changed: its hinge's squared distance from the object
