@@ -51,14 +51,11 @@ class Decoding {
     const Result<ChildOutcome> outcome = RunReader({kDecodePictures, "", request}, options);
     if (!outcome.ok()) return LeaveOutAll(outcome.error());
     for (Result<Image>& image :
-         AnswersFromBytes(outcome.value().output, rest().size(), pixels_left_))
-      Take(std::move(image));
+         AnswersFromBytes(outcome.value().output, rest().size(), pixels_left_)) {
+      if (image.ok()) pixels_left_ -= std::int64_t{image.value().width} * image.value().height;
+      images_.push_back(std::move(image));
+    }
     if (!rest().empty()) BlameTheNext(WhyNoAnswer(outcome.value(), options.limits));
-  }
-
-  void Take(Result<Image> image) {
-    if (image.ok()) pixels_left_ -= std::int64_t{image.value().width} * image.value().height;
-    images_.push_back(std::move(image));
   }
 
   // The process ended, or began to talk nonsense, at the first picture that it has not answered.
