@@ -153,7 +153,7 @@ Result<Imported> Import(const std::string& file, const ImportOptions& options) {
 }
 
 // Work limit of --check, which should take at most a fifth of a second (Work).
-static constexpr double kMostCheckWork = 2e5;
+static constexpr double kMostCheckWork = 1.5e5;
 
 // Energy is what --info and JSON tell.
 static BakeOptions BakeOptionsOf(const Animation& animation, const Options& options) {
