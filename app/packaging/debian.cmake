@@ -1,6 +1,8 @@
 # The Debian package: `scripts/package` sets HAZUMI_DEBIAN, builds, and has CPack make it. With it
 # go what Debian wants besides: a compressed manual page, its own folder for zsh, changelogs.
 
+# Lower than any release of Debian's own, of which the first ends in -1.
+set(HAZUMI_PACKAGE_RELEASE 0hazumi1)
 set(HAZUMI_MAINTAINER "" CACHE STRING "who makes the package: Name <address>")
 if(HAZUMI_DEBIAN)
   if(NOT HAZUMI_MAINTAINER MATCHES "^[^<>]+ <[^<>@ ]+@[^<>@ ]+>$")
@@ -39,7 +41,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
     GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${HAZUMI_PACKAGE_RELEASE})
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 # What is linked, as dpkg-shlibdeps finds it, and what is loaded by its name: pictures need OSMesa;
