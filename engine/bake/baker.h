@@ -29,7 +29,7 @@ class Baker {
   // null: nothing will be asked again, and no logs are kept.
   Result<std::optional<Checkpoint>> BakeStretch(const KnownLogs* known, Stretch* stretch);
 
-  // Of everything baked so far, also of what failed.
+  // Work of everything baked so far, including what failed.
   double work() const { return exact_.work().total() + paper_.work().total(); }
   // Whether BakeStretch returned an error because of BakeOptions::most_work.
   bool ended_early() const { return context_.ended_early.has_value(); }

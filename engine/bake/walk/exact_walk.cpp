@@ -204,9 +204,7 @@ std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end)
       next = std::min(next, driver_->time());
     }
     const std::optional<GravityEvent> event = FirstEvent(t, next, to);
-    if (falls) {
-      if (auto error = CheckWork(context_.animation.rate.FrameAt(t))) return error;
-    }
+    if (auto error = CheckWork(context_.animation.rate.FrameAt(t))) return error;
     if (event) next = event->time;
     if (accounts) driver_->Account(next, event.has_value() && event->is_change());
     if (auto error = RecordUpTo(FrameOf(t, from, to), FrameOf(next, from, to), end)) return error;
@@ -261,7 +259,7 @@ std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   AddHits(last);
   AddTouches();
   AddBreaks();
-  if (!failure) return CheckWork(context_.animation.rate.FrameAt(t));
+  if (!failure) return std::nullopt;
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
 }
 

@@ -41,7 +41,7 @@ class RegionWalk {
   // And rates, which are not those before where something stops joints dead.
   const VecX& began_with_rates() const { return began_with_rates_; }
 
-  // Of everything solved so far.
+  // Work of everything solved so far.
   virtual Work work() const = 0;
 
   bool has_regions() const { return active() != nullptr; }

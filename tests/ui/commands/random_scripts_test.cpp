@@ -30,8 +30,7 @@ constexpr int kScriptsABatch = 250;  // of one set of files, and in one process
 #ifdef NDEBUG
 constexpr double kLongest = 10.0;  // [s] of a command
 #else
-// Without optimisation the engine is a third as fast, and only what hangs is to fail.
-constexpr double kLongest = 100.0;
+constexpr double kLongest = 40.0;  // the engine is a third as fast without optimisation
 #endif
 constexpr double kMostMemory = 1024.0;  // [MiB] of a process, but for a sanitizer's own
 

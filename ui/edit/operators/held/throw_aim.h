@@ -94,7 +94,7 @@ class ThrowAim {
   Animation animation_;
   ThrowCase case_;
   double most_work_;
-  double bakes_ = 0.0;
+  double bakes_ = 0.0;  // number of bakes so far
   IncrementalBake bake_;
   std::optional<ThrowStart> start_;
   VecX ease_;  // how readily each unknown is changed: its hinge's squared distance from the object
