@@ -8,11 +8,10 @@
 
 #include "engine/base/members.h"
 #include "engine/passive/exact/exact_failure.h"
-#include "engine/passive/exact/hinge_state.h"
 #include "engine/passive/exact/impact_log.h"
+#include "engine/passive/exact/instant_report.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
-#include "engine/spatial/wrench.h"
 
 namespace hazumi {
 
@@ -128,8 +127,8 @@ struct IslandProgress {
   std::optional<ExactFailure> failure;
   double microseconds = 0.0;  // that it took
   std::vector<LimitHit> hits;
-  std::vector<ConstraintBreak> breaks = {};  // by index of the task's constraints
-  std::optional<double> frozen_from = {};    // as ExactSolver [s]
+  std::vector<ConstraintBreak> breaks = {};       // by index of the task's constraints
+  std::optional<double> time_stepping_from = {};  // as ExactSolver [s]
   std::vector<TouchDown> touches = {};
   ImpactWork impacts = {};
   std::vector<EventMark> marks = {};
@@ -143,24 +142,13 @@ struct IslandSamples {
   std::vector<OuterMotion> outer;
 };
 
-// What a constraint does to what it holds.
-struct ConstraintPush {
-  double size = 0.0;  // [N]
-  Wrench on_a;        // at the point of its end a, world axes; the opposite is on b
-};
-
 // To AdvanceIsland the progress, to SolveIsland both, to SampleIsland samples of one time, to
-// MeasureIsland the energy, to AccelerateIsland the accelerations, and what constraints and
-// contacts give and drives cannot.
+// MeasureIsland the energy, to AccelerateIsland the instant.
 struct IslandResult {
   IslandProgress progress;
   IslandSamples samples;
   EnergyFlow energy;
-  VecX rates = {}, accelerations = {};      // by free hinge [rad/s, rad/s^2]
-  std::vector<ConstraintPush> pushes = {};  // by index of the task's constraints
-  std::vector<ContactPush> contacts = {};
-  std::vector<SpentDrive> spent = {};
-  Vec3 fall = Vec3::Zero();  // acceleration of the centre of mass, where the fall is solved along
+  InstantReport instant = {};
 };
 
 struct IslandCall {

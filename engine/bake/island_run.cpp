@@ -39,7 +39,7 @@ IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>
 IslandResult IslandRun::Do(const BeginIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
-  solver_.Start(request.t, request.q, request.qd, request.outer);
+  solver_.Start(request.t, {request.q, request.qd, request.outer});
   return {};
 }
 
@@ -56,16 +56,17 @@ IslandResult IslandRun::Do(const StopPin& request) {
 
 void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
   curves_ = curves;
-  dynamics_.SetCurves(curves_.get(), t);
-  const bool is_fitted = dynamics_.needs_moving_base();
+  RegionKinematics& kinematics = dynamics_.kinematics();
+  kinematics.SetCurves(curves_.get(), t, dynamics_.layout());
+  const bool is_fitted = kinematics.needs_moving_base();
   solver_.SetLongestStep(is_fitted && curves_->may_be_cut()
                              ? std::min(longest_step_, DrivenMotion::kLongestCut)
                              : longest_step_);
   if (!is_fitted) return;
   Carrier carrier =
-      CarrierOf(dynamics_.model(), dynamics_.first_moved(), gravity_, *curves_, t, end);
-  dynamics_.UseMovingBase(
-      moving_bases_->Get(std::move(carrier), [&] { return dynamics_.FitMovingBase(t, end); }));
+      CarrierOf(dynamics_.model(), kinematics.first_moved(), gravity_, *curves_, t, end);
+  kinematics.UseMovingBase(moving_bases_->Get(
+      std::move(carrier), [&] { return kinematics.FitMovingBase(t, end, dynamics_.layout()); }));
 }
 
 IslandResult IslandRun::Do(const AdvanceIsland& request) {
@@ -113,30 +114,8 @@ IslandResult IslandRun::Do(const MeasureIsland& request) {
 
 IslandResult IslandRun::Do(const AccelerateIsland& request) {
   IslandResult result;
-  result.fall = solver_.Accelerations(request.t, &result.rates, &result.accelerations);
-  if (!dynamics_.constraints().specs().empty()) {
-    result.pushes = PushesOfConstraints();
-  }
-  if (dynamics_.contacts().is_possible()) result.contacts = dynamics_.ContactPushes();
-  result.spent = solver_.SpentDrives(request.t);
+  result.instant = solver_.Report(request.t);
   return result;
-}
-
-// Where accelerations were asked for last: each row pushes or turns along its n, with its force.
-std::vector<ConstraintPush> IslandRun::PushesOfConstraints() const {
-  const VecX sizes = dynamics_.constraints().SizesOf(dynamics_.row_forces());
-  std::vector<ConstraintPush> pushes(static_cast<size_t>(sizes.size()));
-  for (size_t i = 0; i < pushes.size(); ++i) pushes[i].size = sizes[static_cast<Eigen::Index>(i)];
-  const std::vector<ConstraintRow>& rows = dynamics_.rows();
-  const VecX& forces = dynamics_.row_forces();
-  for (size_t k = 0; k < rows.size(); ++k) {
-    if (rows[k].is_contact()) continue;
-    Wrench& on_a = pushes[static_cast<size_t>(rows[k].constraint)].on_a;
-    const small::V3& n = rows[k].n;
-    (rows[k].turns ? on_a.moment : on_a.force) +=
-        forces[static_cast<Eigen::Index>(k)] * Vec3(n.x, n.y, n.z);
-  }
-  return pushes;
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
@@ -146,17 +125,17 @@ IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
           0.0,
           solver_.TakeHits(),
           solver_.TakeBreaks(),
-          solver_.frozen_from(),
+          solver_.time_stepping_from(),
           solver_.TakeTouches(),
           solver_.TakeImpactWork(),
           solver_.TakeMarks()};
 }
 
 void IslandRun::Sample(double t, Gaps gaps, IslandSamples* samples) {
-  solver_.Sample(t, &q_, &qd_, gaps);
-  samples->hinges.insert(samples->hinges.end(), q_.begin(), q_.end());
-  samples->hinges.insert(samples->hinges.end(), qd_.begin(), qd_.end());
-  if (dynamics_.outer_layout().size() > 0) samples->outer.push_back(solver_.SampledOuter());
+  solver_.Sample(t, &sample_, gaps);
+  samples->hinges.insert(samples->hinges.end(), sample_.q.begin(), sample_.q.end());
+  samples->hinges.insert(samples->hinges.end(), sample_.qd.begin(), sample_.qd.end());
+  if (dynamics_.outer_layout().size() > 0) samples->outer.push_back(sample_.outer);
 }
 
 }  // namespace hazumi

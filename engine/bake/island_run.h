@@ -37,7 +37,6 @@ class IslandRun {
   bool is_cancelled() const { return cancel_ && cancel_->load(std::memory_order_relaxed); }
   IslandProgress Progress(const std::optional<ExactFailure>& failure);
   void Sample(double t, Gaps gaps, IslandSamples* samples);
-  std::vector<ConstraintPush> PushesOfConstraints() const;
 
   double gravity_;
   MovingBaseCache* moving_bases_;
@@ -47,7 +46,7 @@ class IslandRun {
   ExactSolver solver_;
   // Largest step that the force laws allow [s].
   double longest_step_ = std::numeric_limits<double>::infinity();
-  VecX q_, qd_;
+  HingeState sample_;
 };
 
 }  // namespace hazumi

@@ -77,7 +77,7 @@ void IslandSolution::TakeProgress(const IslandProgress& progress) {
   impacts_.Add(progress.impacts);
   for (const EventMark& mark : progress.marks) trail_.Add(mark);
   breaks_.insert(breaks_.end(), progress.breaks.begin(), progress.breaks.end());
-  frozen_from_ = progress.frozen_from;
+  time_stepping_from_ = progress.time_stepping_from;
   if (progress.failure) failure_ = progress.failure;
 }
 
@@ -131,12 +131,12 @@ VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) c
 }
 
 Vec3 IslandSolution::Accelerations(double t, VecX* rates, VecX* accelerations) {
-  const IslandResult& result = answers_.Ask(AccelerateIsland{t});
+  const InstantReport& instant = answers_.Ask(AccelerateIsland{t}).instant;
   for (size_t i = 0; i < hinges().size(); ++i) {
-    (*rates)[hinges()[i]] = result.rates[static_cast<Eigen::Index>(i)];
-    (*accelerations)[hinges()[i]] = result.accelerations[static_cast<Eigen::Index>(i)];
+    (*rates)[hinges()[i]] = instant.qd[static_cast<Eigen::Index>(i)];
+    (*accelerations)[hinges()[i]] = instant.qdd[static_cast<Eigen::Index>(i)];
   }
-  return result.fall;
+  return instant.fall;
 }
 
 EnergyFlow IslandSolution::Energy(double t) { return answers_.Ask(MeasureIsland{t}).energy; }

@@ -57,7 +57,7 @@ class IslandSolution {
   double time() const { return time_; }
   const std::optional<ExactFailure>& failure() const { return failure_; }
   // As ExactSolver [s].
-  const std::optional<double>& frozen_from() const { return frozen_from_; }
+  const std::optional<double>& time_stepping_from() const { return time_stepping_from_; }
   // Start of the step inside which it can be sampled [s].
   double step_start() const { return step_start_; }
 
@@ -71,14 +71,16 @@ class IslandSolution {
   Vec3 Accelerations(double t, VecX* rates, VecX* accelerations);
   // What its constraints do there, by index of the task's.
   std::vector<ConstraintPush> ConstraintPushes(double t) {
-    return answers_.Ask(AccelerateIsland{t}).pushes;
+    return answers_.Ask(AccelerateIsland{t}).instant.constraints;
   }
   // What pushes it where it touches the scene; none if it never does.
   std::vector<ContactPush> ContactPushes(double t) {
     if (island_->task.contacts.empty()) return {};
-    return answers_.Ask(AccelerateIsland{t}).contacts;
+    return answers_.Ask(AccelerateIsland{t}).instant.contacts;
   }
-  std::vector<SpentDrive> SpentDrives(double t) { return answers_.Ask(AccelerateIsland{t}).spent; }
+  std::vector<SpentDrive> SpentDrives(double t) {
+    return answers_.Ask(AccelerateIsland{t}).instant.spent;
+  }
   // Breaks since the last call.
   std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
   // Hits since the last call.
@@ -108,7 +110,7 @@ class IslandSolution {
   IslandAnswers answers_;
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
-  std::optional<double> frozen_from_;
+  std::optional<double> time_stepping_from_;
   std::vector<LimitHit> hits_;
   std::vector<TouchDown> touches_;
   ImpactWork impacts_;

@@ -1,5 +1,6 @@
 #include "engine/passive/region_layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,6 +75,24 @@ void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles
     num_positions_ += ball ? 4 : own.num_dofs;
     num_dofs_ += own.num_dofs;
     is_quaternion_.resize(num_positions_, ball);
+  }
+}
+
+// q' = q (0, w) / 2 of ball joints.
+void RegionLayout::DerivePositions(const double* y, double* dy) const {
+  const double* velocities = y + num_positions_;
+  for (const Node& own : nodes_) {
+    if (own.kind == NodeKind::kHinges) {
+      std::copy_n(velocities + own.dof, own.num_dofs, dy + own.position);
+    }
+    if (own.kind != NodeKind::kBall) continue;
+    const double* q = y + own.position;
+    const double* w = velocities + own.dof;
+    double* qd = dy + own.position;
+    qd[0] = 0.5 * (-q[1] * w[0] - q[2] * w[1] - q[3] * w[2]);
+    qd[1] = 0.5 * (q[0] * w[0] + q[2] * w[2] - q[3] * w[1]);
+    qd[2] = 0.5 * (q[0] * w[1] + q[3] * w[0] - q[1] * w[2]);
+    qd[3] = 0.5 * (q[0] * w[2] + q[1] * w[1] - q[2] * w[0]);
   }
 }
 

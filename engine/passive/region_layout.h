@@ -49,11 +49,14 @@ class RegionLayout {
   const HingeTriple* triple(int node) const;
   int num_positions() const { return num_positions_; }
   int num_dofs() const { return num_dofs_; }
+  bool is_any_locked() const { return num_dofs_ < num_hinges(); }
   int state_size() const { return num_positions_ + num_dofs_; }
   // Which positions are angles.
   const std::vector<int>& angles() const { return angles_; }
   bool is_quaternion(int position) const { return is_quaternion_[position]; }
 
+  // Sets the derivatives of the positions, from the velocities.
+  void DerivePositions(const double* y, double* dy) const;
   // Turns the free joints of a state on by small angles, by dof.
   void Turn(const VecX& change, double* y) const;
   // Angles and rates of the free hinges as a state.

@@ -95,7 +95,7 @@ void PrintFall(double friction, int rounds) {
     std::printf("%g,%s,%s,%.4g,%d,%.4g,%.3g,%.3g,%.4g,%.3g,", friction, method.name.c_str(),
                 method.unit.c_str(), run.setting, std::abs(run.setting / method.usual - 1.0) < 1e-3,
                 account.finished ? run.time.microseconds() : HUGE_VAL, 1e3 * account.depth,
-                account.unaccounted, account.lost, account.frozen_from);
+                account.unaccounted, account.lost, account.time_stepping_from);
     PrintErrors(*fall.figure, method.states(run.setting, kFrames),
                 &method == &methods[0] ? ours : theirs);
     std::putchar('\n');
@@ -109,7 +109,7 @@ void PrintContact(int rounds) {
   DemandThatFlightsAgree();
   std::printf(
       "friction,method,unit,setting,is_usual,microseconds,depth_mm,unaccounted_j,lost_j,"
-      "frozen_from_s,root_m");
+      "time_stepping_from_s,root_m");
   for (const int frame : kFrames) std::printf(",error_rad_at_%.1f_s", frame / 30.0);
   std::putchar('\n');
   for (const double friction : {1.0, 0.8}) PrintFall(friction, rounds);

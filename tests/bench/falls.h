@@ -31,7 +31,7 @@ struct FallAccount {
   double unaccounted = std::numeric_limits<double>::quiet_NaN();
   double lost = std::numeric_limits<double>::quiet_NaN();  // energy in all [J]
   // Since when contacts come too fast to be followed one by one [s] [METHOD 12.4].
-  double frozen_from = std::numeric_limits<double>::quiet_NaN();
+  double time_stepping_from = std::numeric_limits<double>::quiet_NaN();
   bool finished = false;
 };
 

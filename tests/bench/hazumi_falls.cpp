@@ -37,7 +37,7 @@ FallAccount Account(const Animation& fall, double tolerance) {
     account.depth = std::max(account.depth, DepthOf(*fall.figure, frame.before));
   }
   const RegionReport& report = motion.value().regions[0];
-  if (report.estimated_until) account.frozen_from = *report.estimated_until / 30.0;
+  if (report.estimated_until) account.time_stepping_from = *report.estimated_until / 30.0;
   if (const auto& energy = report.energy) {
     account.unaccounted = energy->residual();
     account.lost = energy->kinetic_start + energy->potential_start - energy->kinetic_end -

@@ -74,13 +74,13 @@ class ExactSwing {
   VecX Run(const SwingCase& c, double tolerance) {
     if (!solver_ || name_ != c.name) Prepare(c);
     solver_->SetTolerance(tolerance);
-    solver_->Start(0.0, c.q, c.qd);
+    solver_->Start(0.0, {c.q, c.qd});
     while (solver_->time() < c.seconds) {
       if (solver_->Advance(c.seconds)) {
         return VecX::Constant(c.q.size(), std::numeric_limits<double>::infinity());
       }
     }
-    return solver_->q();
+    return solver_->now().q;
   }
 
   void Prepare(const SwingCase& c) {

@@ -40,10 +40,10 @@ class SpringRegion {
   SpringRun Run(double seconds, double tolerance) {
     const long before = dynamics_->evaluations();
     solver_->SetTolerance(tolerance);
-    solver_->Start(0.0, arm_.q, arm_.qd);
+    solver_->Start(0.0, {arm_.q, arm_.qd});
     bool good = true;
     while (good && solver_->time() < seconds) good = !solver_->Advance(seconds);
-    return {solver_->q(), solver_->qd(), dynamics_->evaluations() - before, good};
+    return {solver_->now().q, solver_->now().qd, dynamics_->evaluations() - before, good};
   }
 
   void Accelerate(const Question& at, VecX* qdd) {

@@ -119,10 +119,10 @@ struct Group {
 
   void Evaluate() { dynamics.Derivative(0.05, state.data(), derivative.data()); }
   void EvaluateDense() {
-    dynamics.AssembleHinges(0.05, q, qd);
-    MatX L = dynamics.M();
+    const HingeEquations equations = dynamics.AssembleHinges(0.05, {q, qd});
+    MatX L = equations.M();
     FactorSemidefinite(L);
-    derivative.tail(q.size()) = -dynamics.b();
+    derivative.tail(q.size()) = -equations.b();
     SolveSemidefinite(L, derivative.tail(q.size()));
   }
 };

@@ -34,10 +34,10 @@ class FreeChain {
       dynamics_->Derivative(0.0, state_.data(), derivative_.data());
     });
     dense_.Round(kBatchSeconds, [this](long) {
-      dynamics_->AssembleHinges(0.0, q_, qd_);
-      L_ = dynamics_->M();
+      const HingeEquations equations = dynamics_->AssembleHinges(0.0, {q_, qd_});
+      L_ = equations.M();
       FactorSemidefinite(L_);
-      x_ = -dynamics_->b();
+      x_ = -equations.b();
       SolveSemidefinite(L_, x_);
     });
   }

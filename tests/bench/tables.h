@@ -22,9 +22,9 @@ void PrintSprings(int rounds);
 // springs, the step of methods with equal steps or the tolerance of the others, evaluations.
 void PrintSpringStability(int rounds);
 // Falls of a human: friction factor, method, setting, microseconds for 2 s, greatest depth in the
-// floor, energy not accounted for and lost, when contacts were frozen first, error of angles at
-// some instants. The rows of references: where the root is at the last instant, and how well they
-// are known.
+// floor, energy not accounted for and lost, when time-stepping mode was entered first, error of
+// angles at some instants. The rows of references: where the root is at the last instant, and how
+// well they are known.
 void PrintContact(int rounds);
 // All evaluations of an example's bake: case, level of modelling, microseconds.
 void PrintModelling(int rounds);

@@ -4,10 +4,10 @@
 // cannot be; every account of energy closes to 1e-6 of what changed hands, or a warning says that
 // it does not; and in 99 of 100 the error against a tight reference is within the tolerance, 0.01
 // degrees. References are solved at 1e-4 and 1e-5 of the tolerance, or at 1e-3 and 1e-4 where that
-// takes too much work; one in fifty has none. Errors are compared up to the frame where contacts
-// were frozen, or from which neighbouring tolerances take another branch. Where the references
-// differ by more than ten tolerances before that frame, the motion is chaotic and has no true value
-// to compare with: such cases are counted apart, one in ten at most. So are errors that a warning
+// takes too much work; one in fifty has none. Errors are compared up to the frame where
+// time-stepping mode was entered, or from which neighbouring tolerances take another branch. Where
+// the references differ by more than ten tolerances before that frame, the motion is chaotic and
+// has no true value to compare with: such cases are counted apart, one in ten at most. So are errors that a warning
 // reports. A plain ctest tries a few; a thousand are tried by `ctest -C Slow -L slow -R working
 // -V`, which shows the tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
 

@@ -76,13 +76,13 @@ Course SwingExactly(const Release& release, double tolerance, long most_steps) {
   SetLimits(release.figure, &lower, &upper);
   ExactSolver solver(&dynamics, lower, upper);
   solver.SetTolerance(tolerance);
-  solver.Start(0.0, release.q, release.qd);
+  solver.Start(0.0, {release.q, release.qd});
   const Judge judge(release);
   Course course;
   bool good = true;
   while (good && solver.time() < release.seconds && course.steps < most_steps) {
     good = !solver.Advance(release.seconds) &&
-           judge.Look(solver.time(), solver.q(), solver.qd(), &course);
+           judge.Look(solver.time(), solver.now().q, solver.now().qd, &course);
   }
   course.finished = good && solver.time() >= release.seconds;
   course.evaluations = dynamics.evaluations();

@@ -61,7 +61,7 @@ BodyMotion Falling(const BodyMotion& start, double seconds, double gravity) {
 ObjectFlight::Run::Run(const RegionModel& model, double gravity, const ContactSpec& contacts)
     : dynamics(model, {}, gravity, {}, contacts), solver(&dynamics, -Infinite(), Infinite()) {
   nothing.angles.resize(kHinges);
-  dynamics.SetCurves(&nothing, 0.0);
+  dynamics.kinematics().SetCurves(&nothing, 0.0, dynamics.layout());
   solver.SetTolerance(kStepTolerance);
   solver.SetLongestStep(kLongestStep);
 }
@@ -83,9 +83,9 @@ void ObjectFlight::Begin() {
   stuck_from_.reset();
   is_stopped_ = false;
   const Vec3 w = from_.X_WB.R.transpose() * from_.w;
-  last_ = {VecX::Zero(kHinges), VecX(kHinges), {from_.X_WB.p, from_.v}};
+  last_ = {VecX::Zero(kHinges), VecX(kHinges), {{from_.X_WB.p, from_.v}, {}}};
   for (int i = 0; i < kHinges; ++i) last_.qd[i] = w[kAxisOf[i]];
-  run_->solver.Start(start_, last_.q, last_.qd, {last_.anchor, {}});
+  run_->solver.Start(start_, last_);
 }
 
 BodyMotion ObjectFlight::At(double seconds) {
@@ -96,18 +96,18 @@ BodyMotion ObjectFlight::At(double seconds) {
     solver = &run_->solver;
   }
   while (solver->time() < seconds && !stuck_from_) Step();
-  return MotionOf(stuck_from_ ? last_ : Look(seconds));
+  return MotionOf(stuck_from_ ? last_ : Sample(seconds));
 }
 
-// Or no step, but what jams is stopped where it is: where frozen forces [METHOD 12.4] of a ball
-// that is wedged do not find together they would make it spin.
+// Or no step, but what jams is stopped where it is: where forces of time stepping [METHOD 12.4] of
+// a ball that is wedged do not find together they would make it spin.
 void ObjectFlight::Step() {
   constexpr double kSlack = 1e-3;
   ExactSolver& solver = run_->solver;
   const double t = solver.time();
   const bool has_failed = solver.Advance(start_ + kNever).has_value();
   if (!has_failed) {
-    State now = Look(solver.time());
+    HingeState now = Sample(solver.time());
     const double weight = model_.mass * gravity_ * radius();
     const double slack = kSlack * (KineticOf(last_) + weight) + GainOfComingOut(DepthOf(last_));
     if (EnergyOf(now) <= EnergyOf(last_) + slack) {
@@ -117,18 +117,18 @@ void ObjectFlight::Step() {
     }
   }
   last_.qd.setZero();
-  last_.anchor.v.setZero();
+  last_.outer.anchor.v.setZero();
   if (has_failed || is_stopped_) {
     stuck_from_ = t;
     return;
   }
   is_stopped_ = true;
-  solver.Start(t, last_.q, last_.qd, {last_.anchor, {}});
+  solver.Start(t, last_);
 }
 
-double ObjectFlight::DepthOf(const State& state) const {
+double ObjectFlight::DepthOf(const HingeState& state) const {
   MovingCapsule ball;
-  ball.a = ball.b = small::V3(state.anchor.p);
+  ball.a = ball.b = small::V3(state.outer.anchor.p);
   ball.radius = radius();
   double depth = 0.0;
   for (const ContactObstacle& obstacle : contacts_.obstacles) {
@@ -137,7 +137,7 @@ double ObjectFlight::DepthOf(const State& state) const {
   return depth;
 }
 
-// What begins inside something is pushed out, slowly: what one frozen step may add to its energy.
+// What begins inside something is pushed out, slowly: what one time step may add to its energy.
 double ObjectFlight::GainOfComingOut(double depth) const {
   constexpr double kShare = 100.0, kFastest = 0.1, kLongest = 8e-3;  // [1/s, m/s, s]
   constexpr double kWays = 4.0;  // that it may be pushed at once, amply
@@ -145,18 +145,17 @@ double ObjectFlight::GainOfComingOut(double depth) const {
   return kWays * model_.mass * v * (0.5 * v + gravity_ * kLongest);
 }
 
-// Inside the present step.
-ObjectFlight::State ObjectFlight::Look(double seconds) {
-  State state;
-  run_->solver.Sample(seconds, &state.q, &state.qd);
-  state.anchor = run_->solver.SampledOuter().anchor;
+// Returns the state inside the present step.
+HingeState ObjectFlight::Sample(double seconds) {
+  HingeState state;
+  run_->solver.Sample(seconds, &state);
   return state;
 }
 
-BodyMotion ObjectFlight::MotionOf(const State& state) const {
+BodyMotion ObjectFlight::MotionOf(const HingeState& state) const {
   BodyMotion now;
-  now.X_WB = {model_.R_root, state.anchor.p};
-  now.v = state.anchor.v;
+  now.X_WB = {model_.R_root, state.outer.anchor.p};
+  now.v = state.outer.anchor.v;
   for (int i = 0; i < kHinges; ++i) {
     const Vec3 axis = Vec3::Unit(kAxisOf[i]);
     now.w += state.qd[i] * (now.X_WB.R * axis);
@@ -165,13 +164,13 @@ BodyMotion ObjectFlight::MotionOf(const State& state) const {
   return now;
 }
 
-double ObjectFlight::KineticOf(const State& state) const {
+double ObjectFlight::KineticOf(const HingeState& state) const {
   const LooseBall ball = {model_.mass, model_.nodes[0].body.I_com(0, 0)};
   return ball.KineticEnergy(MotionOf(state));
 }
 
-double ObjectFlight::EnergyOf(const State& state) const {
-  return KineticOf(state) + model_.mass * gravity_ * state.anchor.p.z();
+double ObjectFlight::EnergyOf(const HingeState& state) const {
+  return KineticOf(state) + model_.mass * gravity_ * state.outer.anchor.p.z();
 }
 
 }  // namespace hazumi

@@ -40,17 +40,13 @@ class ObjectFlight {
     RegionDynamics dynamics;
     ExactSolver solver;
   };
-  struct State {
-    VecX q, qd;
-    PointMotion anchor;
-  };
   void Begin();
   void Step();
-  State Look(double seconds);
-  BodyMotion MotionOf(const State& state) const;
-  double KineticOf(const State& state) const;
-  double EnergyOf(const State& state) const;
-  double DepthOf(const State& state) const;
+  HingeState Sample(double seconds);
+  BodyMotion MotionOf(const HingeState& state) const;
+  double KineticOf(const HingeState& state) const;
+  double EnergyOf(const HingeState& state) const;
+  double DepthOf(const HingeState& state) const;
   double GainOfComingOut(double depth) const;
   double radius() const { return contacts_.capsules[0].radius; }
 
@@ -59,7 +55,7 @@ class ObjectFlight {
   double gravity_, start_;
   BodyMotion from_;
   std::unique_ptr<Run> run_;
-  State last_;               // as the solver's present step ends
+  HingeState last_;          // at the end of the solver's present step
   bool is_stopped_ = false;  // where that began
   std::optional<double> stuck_from_;
 };

@@ -237,7 +237,7 @@ void ExactDriver::Begin(double t, double end, const RotationState& state,
                                      std::move(constraints)});
     island.solution.Begin(t, end, state, curves, known_);
     const auto is_frozen_before = [&](Coordinate c) {
-      return estimated_[region_of_[c]].frozen_from < t;
+      return estimated_[region_of_[c]].time_stepping_from < t;
     };
     const std::vector<Coordinate>& hinges = island.solution.hinges();
     island.has_control = std::none_of(hinges.begin(), hinges.end(), is_frozen_before);
@@ -312,7 +312,8 @@ std::optional<ExactDriver::Failure> ExactDriver::Advance(double t, double end) {
   for (Island& island : islands_) {
     island.solution.Advance(t, end);
     if (island.has_control) island.control.Advance(t, end);
-    if (island.solution.frozen_from() || island.control.frozen_from()) LeaveControl(&island);
+    if (island.solution.time_stepping_from() || island.control.time_stepping_from())
+      LeaveControl(&island);
   }
   return FirstFailure();
 }

@@ -127,8 +127,8 @@ class ExactDriver {
 
   // Compares with the control solutions at time t.
   void Estimate(double t);
-  // Of the error of an active region, by index in active(). What tumbles in the end, its contacts
-  // frozen (ExactSolver), is estimated for as long as its estimate was within the tolerance.
+  // Estimate of the error of an active region, by index in active(). A body that tumbles in the
+  // end, in time-stepping mode, is estimated for as long as its estimate was within the tolerance.
   struct RegionEstimate {
     double error = 0.0;                                      // the largest up to there [rad]
     double until = std::numeric_limits<double>::infinity();  // [s]
@@ -154,7 +154,7 @@ class ExactDriver {
   struct Island {
     IslandSolution solution, control;
     IslandConstraints held;  // of the task
-    // Its contacts have not been frozen: the control solution tells something about it, and runs.
+    // Time-stepping mode has not been entered: the control solution tells something about it, and runs.
     bool has_control = true;
   };
   // Of islands that are no more.
@@ -206,8 +206,8 @@ class ExactDriver {
     double error = 0.0, within = 0.0;  // the largest, and of those before one beyond the tolerance
     double within_until = 0.0;         // [s]
     bool is_beyond = false;
-    double frozen_from = std::numeric_limits<double>::infinity();    // [s]
-    double branches_from = std::numeric_limits<double>::infinity();  // [s]
+    double time_stepping_from = std::numeric_limits<double>::infinity();  // [s]
+    double branches_from = std::numeric_limits<double>::infinity();       // [s]
   };
   std::vector<Estimated> estimated_;  // by index in active()
   EnergyAccount energy_;

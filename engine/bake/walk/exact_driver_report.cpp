@@ -44,9 +44,9 @@ std::string CauseOf(const ExactFailure& failure, const Animation& animation,
 void ExactDriver::LeaveControl(Island* island) {
   if (!island->has_control) return;
   island->has_control = false;
-  const double t = island->solution.frozen_from().value_or(island->solution.time());
+  const double t = island->solution.time_stepping_from().value_or(island->solution.time());
   for (const Coordinate c : island->solution.hinges()) {
-    double& from = estimated_[region_of_[c]].frozen_from;
+    double& from = estimated_[region_of_[c]].time_stepping_from;
     from = std::min(from, t);
   }
 }
@@ -91,11 +91,11 @@ void ExactDriver::Estimate(double t) {
 
 ExactDriver::RegionEstimate ExactDriver::EstimateOf(size_t region) const {
   const Estimated& estimated = estimated_[region];
-  if (estimated.is_beyond && std::isfinite(estimated.frozen_from)) {
-    return {estimated.within, std::min(estimated.within_until, estimated.frozen_from),
+  if (estimated.is_beyond && std::isfinite(estimated.time_stepping_from)) {
+    return {estimated.within, std::min(estimated.within_until, estimated.time_stepping_from),
             estimated.branches_from};
   }
-  return {estimated.error, estimated.frozen_from, estimated.branches_from};
+  return {estimated.error, estimated.time_stepping_from, estimated.branches_from};
 }
 
 std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {

@@ -142,7 +142,7 @@ bool Refinements::SharpenAll(const std::vector<int>& regions, Recorder* recorder
     const double estimate = report.error_estimate, safe = kSafely * report.tolerance;
     if (report.method != Method::kExact || estimate <= safe) continue;
     const double finer = refinement.sharpness * 3.0 * estimate / safe;
-    // What tumbles was that sensitive before its contacts were frozen.
+    // A body that tumbles was that sensitive before time-stepping mode was entered.
     const bool tumbles = report.estimated_until.has_value();
     if (tumbles || finer > kFinest || estimate > 0.3 * refinement.last_estimate) {
       if (estimate > report.tolerance) WarnOfError(r, estimate, kIsSensitive, recorder);

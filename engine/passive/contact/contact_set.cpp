@@ -20,7 +20,18 @@ namespace {
 constexpr double kSlow = 1e-6;
 
 bool ArePairsSame(const ContactPair& a, const ContactPair& b) {
-  return a.capsule == b.capsule && a.obstacle == b.obstacle && a.pair == b.pair;
+  return a.HasBodiesOf(b) && a.feature == b.feature;
+}
+
+// Pairs with obstacles come first, by capsule; then pairs of two capsules, as ContactSpec lists
+// them.
+bool IsBefore(const ContactPair& a, const ContactPair& b) {
+  const auto key = [](const ContactPair& of) {
+    const auto* obstacle = std::get_if<TouchesObstacle>(&of.partner);
+    const int own = obstacle ? 0 : 1 + std::get<TouchesCapsule>(of.partner).own;
+    return std::make_tuple(own, of.capsule, obstacle ? obstacle->obstacle : 0, of.feature);
+  };
+  return key(a) < key(b);
 }
 
 }  // namespace
@@ -58,30 +69,22 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
     moving_.push_back(CapsuleAt(c, state));
   }
-  const auto num_obstacles = static_cast<int>(spec_.obstacles.size());
   for (int c = 0; c < static_cast<int>(spec_.capsules.size()); ++c) {
-    for (int o = 0; o < num_obstacles && spec_.capsules[c].meets_obstacles; ++o) {
+    if (!spec_.capsules[c].meets_obstacles) continue;
+    for (int o = 0; o < static_cast<int>(spec_.obstacles.size()); ++o) {
       if (IsExempt(c, o)) continue;
-      if (LeastGap(moving_[c], spec_.obstacles[o]) <= reach) AddPairs({c, o});
+      if (LeastGap(moving_[c], spec_.obstacles[o]) <= reach) AddPairs({c, TouchesObstacle{o}});
     }
   }
   for (int i = 0; i < static_cast<int>(spec_.own.size()); ++i) {
     const OwnContact& own = spec_.own[i];
-    // Both move.
+    // Both capsules move.
     if (LeastGap(moving_[own.a], moving_[own.b]) > 2.0 * reach) continue;
-    AddPairs({own.a, num_obstacles + i});
+    AddPairs({own.a, TouchesCapsule{i}});
   }
-  // Both are in the same order: those with obstacles first.
-  const auto is_before = [&](const ContactPair& a, const ContactPair& b) {
-    const auto key = [&](const ContactPair& of) {
-      const int own = std::max(0, of.obstacle - num_obstacles + 1);
-      return std::make_tuple(own, of.capsule, of.obstacle, of.pair);
-    };
-    return key(a) < key(b);
-  };
   auto old = before_.begin();
   for (ContactPair& pair : pairs_) {
-    while (old != before_.end() && is_before(*old, pair)) ++old;
+    while (old != before_.end() && IsBefore(*old, pair)) ++old;
     if (old != before_.end() && ArePairsSame(*old, pair)) pair = *old;
   }
   num_closed_ =
@@ -93,16 +96,20 @@ void ContactSet::FindPairs(const RegionState& state, double reach) {
 // Of the features of both, as they move in moving_.
 void ContactSet::AddPairs(ContactPair pair) {
   const auto other = OtherCapsule(pair);
-  for (pair.pair = 0; pair.pair < NumPairsOf(pair); ++pair.pair) {
+  for (pair.feature = 0; pair.feature < NumFeaturesOf(pair); ++pair.feature) {
     const auto point = PointOf(pair, moving_[pair.capsule], other ? &moving_[*other] : nullptr);
-    pair.floor = point ? std::min(0.0, point->gap) : 0.0;
-    if (point || pair.pair >= kPlanePairs) pairs_.push_back(pair);
+    pair.allowed_gap = point ? std::min(0.0, point->gap) : 0.0;
+    if (point || pair.feature >= kPlanePairs) pairs_.push_back(pair);
   }
 }
 
 const OwnContact* ContactSet::OwnOf(const ContactPair& pair) const {
-  const int i = pair.obstacle - static_cast<int>(spec_.obstacles.size());
-  return i < 0 ? nullptr : &spec_.own[i];
+  const auto* touches = std::get_if<TouchesCapsule>(&pair.partner);
+  return touches ? &spec_.own[touches->own] : nullptr;
+}
+
+const ContactObstacle& ContactSet::ObstacleOf(const ContactPair& pair) const {
+  return spec_.obstacles[std::get<TouchesObstacle>(pair.partner).obstacle];
 }
 
 std::optional<int> ContactSet::OtherCapsule(const ContactPair& pair) const {
@@ -116,20 +123,20 @@ ContactParts ContactSet::PartsOf(const ContactPair& pair) const {
     parts.by_link = spec_.capsules[*other].link;
     parts.by_ball = spec_.capsules[*other].ball;
   } else {
-    parts.object = spec_.obstacles[pair.obstacle].object;
+    parts.object = ObstacleOf(pair).object;
   }
   return parts;
 }
 
-int ContactSet::NumPairsOf(const ContactPair& pair) const {
-  return OwnOf(pair) ? kCapsulePairs : NumPairs(spec_.obstacles[pair.obstacle]);
+int ContactSet::NumFeaturesOf(const ContactPair& pair) const {
+  return OwnOf(pair) ? kCapsulePairs : NumPairs(ObstacleOf(pair));
 }
 
 double ContactSet::FrictionOf(int pair) const {
   const OwnContact* own = OwnOf(pairs_[pair]);
   if (own) return own->friction;
   const ContactPair& with = pairs_[pair];
-  return spec_.capsules[with.capsule].friction * spec_.obstacles[with.obstacle].friction;
+  return spec_.capsules[with.capsule].friction * ObstacleOf(with).friction;
 }
 
 // That of the one that bounces more.
@@ -144,11 +151,11 @@ bool ContactSet::MayStayInside(const ContactPair& pair) const {
   return other && spec_.capsules[*other].ball >= 0;
 }
 
-void ContactSet::RaiseFloors(const RegionState& state) {
+void ContactSet::TightenGaps(const RegionState& state) {
   for (int i = 0; i < static_cast<int>(pairs_.size()); ++i) {
-    if (pairs_[i].mode != ContactMode::kOpen || pairs_[i].floor == 0.0) continue;
+    if (pairs_[i].mode != ContactMode::kOpen || pairs_[i].allowed_gap == 0.0) continue;
     const auto point = PointOf(i, state);
-    if (point) pairs_[i].floor = std::clamp(point->gap, pairs_[i].floor, 0.0);
+    if (point) pairs_[i].allowed_gap = std::clamp(point->gap, pairs_[i].allowed_gap, 0.0);
   }
 }
 
@@ -217,7 +224,7 @@ bool ContactSet::IsBuried(int pair, double gap) const {
     return gap < (kNearest - 1.0) * radii;
   }
   if (rules().feels_what_is_deep) return false;
-  return spec_.obstacles[own.obstacle].is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
+  return ObstacleOf(own).is_box && -gap > spec_.capsules[own.capsule].radius + kMost;
 }
 
 std::optional<TouchPoint> ContactSet::PointOf(int pair, const RegionState& state) const {
@@ -234,8 +241,8 @@ std::optional<TouchPoint> ContactSet::PointOf(const ContactPair& pair, const Mov
                                               const MovingCapsule* other) const {
   ++num_samples_;
   const bool is_touching = pair.mode != ContactMode::kOpen;
-  if (other) return TouchPointOf(pair.pair, moving, *other, is_touching);
-  return TouchPointOf(pair.pair, moving, spec_.obstacles[pair.obstacle], is_touching);
+  if (other) return TouchPointOf(pair.feature, moving, *other, is_touching);
+  return TouchPointOf(pair.feature, moving, ObstacleOf(pair), is_touching);
 }
 
 // Direction of sliding for the velocity v of the material across n. After sliding stops within a
@@ -269,7 +276,7 @@ void ContactSet::AppendRows(const RegionState& state, std::vector<ConstraintRow>
       row.r_b = point->p - state.PositionAt(row.b, V3());
     }
     row.n = row.push = point->n;
-    row.gap = point->gap - pair.floor;
+    row.gap = point->gap - pair.allowed_gap;
     row.rate = Dot(point->n, point->v);
     row.bend = Dot(point->n_dot, point->v) + Dot(point->n, point->glides);
     if (pair.mode == ContactMode::kSlide && FrictionOf(i) > 0.0) {

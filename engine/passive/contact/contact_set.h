@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <variant>
 #include <vector>
 
 #include "engine/passive/constraints/constraint_row.h"
@@ -15,28 +17,45 @@ enum class ContactMode : char {
   kSlide,  // they do, against `direction`
 };
 
-// A pair of features that may touch: of a capsule and an obstacle or, numbered after these, of both
-// capsules of one of ContactSpec::own.
+// What a capsule may touch: an obstacle of ContactSpec::obstacles, or the other capsule of a pair
+// of ContactSpec::own.
+struct TouchesObstacle {
+  int obstacle = 0;
+  auto operator<=>(const TouchesObstacle&) const = default;
+};
+struct TouchesCapsule {
+  int own = 0;
+  auto operator<=>(const TouchesCapsule&) const = default;
+};
+using ContactPartner = std::variant<TouchesObstacle, TouchesCapsule>;
+
+// A pair of features that may touch, of a capsule and of its partner.
 struct ContactPair {
-  int capsule = 0, obstacle = 0, pair = 0;
+  int capsule = 0;
+  ContactPartner partner = {};
+  int feature = 0;  // number of the pair of features
   ContactMode mode = ContactMode::kOpen;
-  // So deep is it let in, since it was when it was found; and, once it is closed, at that it is
-  // kept [m].
-  double floor = 0.0;
-  small::V3 direction = {};  // unit, of sliding
-  // Of sliding: it has been fast; or for so many steps it has not.
-  bool was_fast = false;
-  int slow_steps = 0;
-  double load = 0.0;      // that pushed on it when it closed [N]
-  small::V3 frozen = {};  // what it gave for the latest while (FrozenContacts) [N]
+  // Smallest gap that is allowed: 0, or negative where the pair was found that deep inside. While
+  // the contact is active, the gap that it keeps [m].
+  double allowed_gap = 0.0;
+  small::V3 direction = {};   // unit, of sliding
+  bool was_fast = false;      // sliding has been fast
+  int slow_steps = 0;         // number of steps of slow sliding
+  double load = 0.0;          // normal force when the contact became active [N]
+  small::V3 step_force = {};  // in the latest time step [N]
+
+  // Whether both are of the same two bodies.
+  bool HasBodiesOf(const ContactPair& other) const {
+    return capsule == other.capsule && partner == other.partner;
+  }
 };
 
 // Slower than this what slides counts as coming to rest [m/s]: its direction turns faster than
 // steps can follow.
 inline constexpr double kSlowSlide = 1e-4;
 
-// What an island's capsules touch. Between events the modes stay; whoever finds an event sets them
-// anew. [METHOD 12]
+// The contacts of an island's capsules. Between events the modes stay; whoever finds an event sets
+// them. [METHOD 12]
 class ContactSet {
  public:
   explicit ContactSet(ContactSpec spec);
@@ -53,8 +72,8 @@ class ContactSet {
   // Lists the pairs that are nearer than `reach` [m]; keeps what is known of those that were
   // there, and those that are closed.
   void FindPairs(const RegionState& state, double reach);
-  // Pairs that have come out may not go in again.
-  void RaiseFloors(const RegionState& state);
+  // Allows open pairs no deeper gap than the present one.
+  void TightenGaps(const RegionState& state);
   double thinnest() const { return thinnest_; }  // radius of a capsule [m]
   // The fastest that any capsule's end moves [m/s], or any capsule turns [rad/s].
   struct Speed {
@@ -70,33 +89,34 @@ class ContactSet {
   // At the end of a step: directions for the next one. True: something slides too slowly.
   bool FollowSlides(const RegionState& state);
   void SetLoad(int pair, double load) { pairs_[pair].load = load; }
-  void SetFrozen(int pair, const small::V3& force) { pairs_[pair].frozen = force; }
-  void SetFloor(int pair, double floor) { pairs_[pair].floor = floor; }
+  void SetStepForce(int pair, const small::V3& force) { pairs_[pair].step_force = force; }
+  void AllowGap(int pair, double gap) { pairs_[pair].allowed_gap = gap; }
 
   std::optional<TouchPoint> PointOf(int pair, const RegionState& state) const;
-  // So deep inside a box, or a capsule, that there is no telling on which side it comes out: it is
-  // not felt.
+  // Returns whether a pair is too deep inside a box, or a capsule, to tell on which side it comes
+  // out: it has no force.
   bool IsBuried(int pair, double gap) const;
   double FrictionOf(int pair) const;
-  // The capsule that it is with, if it is not with an obstacle.
+  // The other capsule; none with an obstacle.
   std::optional<int> OtherCapsule(const ContactPair& pair) const;
   double RestitutionOf(int pair) const;
   // Returns the held object of the first capsule; -1 for a capsule of the figure.
   int BallOf(int pair) const { return spec_.capsules[pairs_[pair].capsule].ball; }
-  // With a ball that may have been let go inside.
+  // Whether the partner is a ball, which may have been let go inside.
   bool MayStayInside(const ContactPair& pair) const;
 
   ContactParts PartsOf(const ContactPair& pair) const;
 
-  // Of the closed ones: a row each along the normal, and two across of those that stick; the force
-  // of one that slides points backwards as well.
+  // Appends the rows of active contacts: one along the normal, and two across for one that sticks.
+  // The force of one that slides leans backwards.
   void AppendRows(const RegionState& state, std::vector<ConstraintRow>* rows) const;
 
  private:
   bool IsExempt(int capsule, int obstacle) const;
   MovingCapsule CapsuleAt(int capsule, const RegionState& state) const;
   const OwnContact* OwnOf(const ContactPair& pair) const;
-  int NumPairsOf(const ContactPair& pair) const;
+  const ContactObstacle& ObstacleOf(const ContactPair& pair) const;
+  int NumFeaturesOf(const ContactPair& pair) const;
   std::optional<TouchPoint> PointOf(const ContactPair& pair, const MovingCapsule& moving,
                                     const MovingCapsule* other) const;
   void AddPairs(ContactPair pair);

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kChatterWindow = 1.0 / 30.0;  // [s]
 constexpr int kChatter = 24;                   // events in the window before limits become sticky
-constexpr int kContactChatter = 6;             // before contacts are frozen
 // Of contacts: how near is touching, how slow at rest.
 constexpr double kTouchGap = 1e-8;   // [m]
 constexpr double kRestSpeed = 1e-6;  // [m/s]
@@ -29,7 +28,7 @@ ActiveLimits::ActiveLimits(RegionDynamics* dynamics, const LimitRange* limits)
 void ActiveLimits::Begin() {
   touch_ = kTouch;
   events_.clear();
-  dynamics_->contacts().Begin();
+  dynamics_->mode().contacts.Begin();
   std::fill(held_.begin(), held_.end(), 0);
 }
 
@@ -40,10 +39,9 @@ void ActiveLimits::CountEvent(double t) {
   touch_ = kTouch * std::pow(2.0, std::min(excess, 20));
 }
 
-bool ActiveLimits::is_chattering(double t) {
-  if (!dynamics_->contacts().is_possible() || dynamics_->contacts().pairs().empty()) return false;
-  const auto recent = [&](double event) { return event >= t - kChatterWindow; };
-  return std::count_if(events_.begin(), events_.end(), recent) > kContactChatter;
+int ActiveLimits::RecentEvents(double t) const {
+  const auto is_recent = [&](double event) { return event >= t - kChatterWindow; };
+  return static_cast<int>(std::count_if(events_.begin(), events_.end(), is_recent));
 }
 
 uint64_t ActiveLimits::StateSum() const {
@@ -51,19 +49,20 @@ uint64_t ActiveLimits::StateSum() const {
   for (size_t i = 0; i < held_.size(); ++i) {
     if (held_[i]) sum += HashOf(i, side_[i]);
   }
-  const std::vector<ContactPair>& pairs = dynamics_->contacts().pairs();
+  const std::vector<ContactPair>& pairs = dynamics_->mode().contacts.pairs();
   for (size_t i = 0; i < pairs.size();) {  // points of one capsule on one obstacle count once
     bool touches = false, slides = false;
     const ContactPair& first = pairs[i];
-    for (; i < pairs.size() && first.capsule == pairs[i].capsule &&
-           first.obstacle == pairs[i].obstacle;
-         ++i) {
+    for (; i < pairs.size() && first.HasBodiesOf(pairs[i]); ++i) {
       touches |= pairs[i].mode != ContactMode::kOpen;
       slides |= pairs[i].mode == ContactMode::kSlide;
     }
-    if (touches) sum += HashOf(-1, first.capsule, first.obstacle, slides);
+    if (!touches) continue;
+    const auto* obstacle = std::get_if<TouchesObstacle>(&first.partner);
+    sum += obstacle ? HashOf(-1, first.capsule, obstacle->obstacle, slides)
+                    : HashOf(-3, std::get<TouchesCapsule>(first.partner).own, slides);
   }
-  const ConstraintRows& constraints = dynamics_->constraints();
+  const ConstraintSet& constraints = dynamics_->mode().constraints;
   for (int i = 0; i < static_cast<int>(constraints.specs().size()); ++i) {
     if (constraints.is_broken(i)) sum += HashOf(-2, i);
   }
@@ -73,25 +72,24 @@ uint64_t ActiveLimits::StateSum() const {
 void ActiveLimits::LetGo() {
   is_touching_ = false;
   any_ = false;
-  kick_.setZero(dynamics_->outer_layout().num_jumps());
   for (int i = 0; i < static_cast<int>(held_.size()); ++i) held_[i] = limits_->is_fixed(i);
 }
 
 bool ActiveLimits::Touches(double t, const HingeState& state) {
-  if (!dynamics_->contacts().is_possible()) return false;
+  if (!dynamics_->mode().contacts.is_possible()) return false;
   contact_forces_.SetTouch(kTouchGap, kRestSpeed);
-  return contact_forces_.FindTouching(t, state.q, state.qd);
+  return contact_forces_.FindTouching(t, state);
 }
 
 void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                            ImpactLog* log) {
   is_touching_ = Touches(t, *state);
-  const bool with_impulse = !v_pin.isZero(0.0) || dynamics_->constraints().any() || is_touching_;
-  kick_.setZero(dynamics_->outer_layout().num_jumps());
+  const bool with_impulse =
+      !v_pin.isZero(0.0) || dynamics_->mode().constraints.any() || is_touching_;
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, log) : 0;
   const bool is_blocked =
       std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; });
-  dynamics_->SetLeastYield(is_blocked ? RegionDynamics::kBlocked : 0.0);
+  dynamics_->mode().least_compliance = is_blocked ? RegionMode::kBlocked : 0.0;
   if (with_impulse || moving > 0) Collide(t, v_pin, state, log);
   Settle(t, later, state);
 }
@@ -126,7 +124,7 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
 }
 
 void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state, ImpactLog* log) {
-  if (dynamics_->constraints().any() || is_touching_) {
+  if (dynamics_->mode().constraints.any() || is_touching_) {
     CollideTied(t, v_pin, state);
   } else {
     Strike(t, v_pin, state);
@@ -140,7 +138,7 @@ void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state, Impac
 }
 
 void ActiveLimits::TellOfContacts(double t, ImpactLog* log) const {
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   const double limits = contact_forces_.limit_work();
   log->AddWork({limits, contact_forces_.work() - limits, /*has_contacts=*/true});
   for (const int pair : contact_forces_.struck()) {
@@ -162,35 +160,34 @@ bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
     at_rest.q[i] = limits_->limit(static_cast<int>(i), side_[i]);
   }
   std::vector<char> held(side_.size());
-  forces_.Rest(t, at_rest.q, at_rest.qd, side_, fixed_, &held);
+  forces_.Rest(t, at_rest, side_, fixed_, &held);
   if (!held[hinge]) return false;
   held[hinge] = 0;
-  forces_.Hold(t, at_rest.q, at_rest.qd, held);
+  forces_.Hold(t, at_rest, held);
   const double back = side_[hinge] * forces_.x()[hinge], height = 4.0 * touch_;
   return rate * rate <= 2.0 * back * height;
 }
 
 void ActiveLimits::Strike(double t, const Vec3& v_pin, HingeState* state) {
   if (is_touching_) {
-    contact_forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+    contact_forces_.Impact(t, v_pin, side_, sticks_, state);
   } else {
-    forces_.Impact(t, state->q, v_pin, side_, sticks_, &state->qd);
+    forces_.Impact(t, v_pin, side_, sticks_, state);
   }
 }
 
 // Constraints break before they give more than they stand.
 void ActiveLimits::CollideTied(double t, const Vec3& v_pin, HingeState* state) {
-  ConstraintRows& constraints = dynamics_->constraints();
+  ConstraintSet& constraints = dynamics_->mode().constraints;
   const VecX before = state->qd;
   for (;;) {
     Strike(t, v_pin, state);
     const VecX& impulses = is_touching_ ? contact_forces_.row_impulses() : forces_.row_impulses();
-    const auto worst = constraints.WorstOverload(impulses, /*are_impulses=*/true);
+    const std::vector<ConstraintRow>& rows = dynamics_->rows().rows();
+    const auto worst = constraints.WorstOverload(rows, impulses, /*are_impulses=*/true);
     if (worst.excess <= 0.0) {
-      if (!dynamics_->RowsOfImpulses()) return;
-      kick_ = dynamics_->KickOf(impulses);
-      dynamics_->JumpOuter(kick_);
-      return;
+      if (!dynamics_->mode().any_rows()) return;
+      return state->outer.Jump(dynamics_->bodies().VelocityChanges(rows, impulses));
     }
     constraints.Break(worst.constraint, t);
     state->qd = before;
@@ -209,18 +206,15 @@ void ActiveLimits::Settle(double t, const HingeMoment* later, HingeState* state)
     state->q[i] = limits_->limit(i, side_[i]);
   }
   if (is_touching_) {
-    contact_forces_.Rest(t, state->q, state->qd, side_, fixed_, &held_);
+    contact_forces_.Rest(t, *state, side_, fixed_, &held_);
     any_ = std::find(held_.begin(), held_.end(), 1) != held_.end();
     return;
   }
   if (!any_at_limit) return;
   if (later) {
-    const OuterMotion now = dynamics_->outer();
-    dynamics_->SetOuter(later->outer);
-    forces_.Rest(later->time, later->state.q, later->state.qd, side_, fixed_, &held_);
-    dynamics_->SetOuter(now);
+    forces_.Rest(later->time, later->state, side_, fixed_, &held_);
   } else {
-    forces_.Rest(t, state->q, state->qd, side_, fixed_, &held_);
+    forces_.Rest(t, *state, side_, fixed_, &held_);
   }
   any_ = std::find(held_.begin(), held_.end(), 1) != held_.end();
 }
@@ -234,14 +228,14 @@ double ActiveLimits::StrongestPull() const {
 }
 
 double ActiveLimits::PullAt(double t, const HingeState& state) {
-  forces_.Hold(t, state.q, state.qd, held_);
+  forces_.Hold(t, state, held_);
   is_touching_ = false;  // from here on these forces are the latest ones
   return StrongestPull();
 }
 
 bool ActiveLimits::WouldHoldAll(const HingeMoment& moment) {
   for (size_t i = 0; i < side_.size(); ++i) side_[i] = held_[i] ? side_[i] : 0;
-  forces_.Rest(moment.time, moment.state.q, moment.state.qd, side_, fixed_, &held_later_);
+  forces_.Rest(moment.time, moment.state, side_, fixed_, &held_later_);
   return held_later_ == held_;
 }
 

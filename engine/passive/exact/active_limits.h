@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "engine/passive/exact/contact_forces.h"
-#include "engine/passive/exact/hinge_state.h"
 #include "engine/passive/exact/impact_log.h"
 #include "engine/passive/exact/limit_forces.h"
 #include "engine/passive/exact/limit_range.h"
@@ -12,11 +11,8 @@ namespace hazumi {
 
 // Where an island is at a time [s].
 struct HingeMoment {
-  explicit HingeMoment(int num_hinges) : state(num_hinges) {}
-
   double time = 0.0;
   HingeState state;
-  OuterMotion outer;
 };
 
 // Which hinges are at a limit, and which of these it holds: found anew at each event, kept between
@@ -32,8 +28,8 @@ class ActiveLimits {
   // press on their limits in turn come to rest instead of chattering. [METHOD 3.5]
   void CountEvent(double t);
   void ForgetEvents() { events_.clear(); }
-  // So many events that contacts are to be frozen from t on.
-  bool is_chattering(double t);
+  // Returns the number of events in 1/30 s before t.
+  int RecentEvents(double t) const;
   // Returns a hash of the state: hinges held by limits, touching and sliding contacts, and broken
   // constraints.
   uint64_t StateSum() const;
@@ -46,15 +42,13 @@ class ActiveLimits {
   void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
                ImpactLog* log);
 
-  // By how much the impacts changed velocities of the outer motion (OuterMotion) [m/s, rad/s].
-  const VecX& kick() const { return kick_; }
   // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
   bool any() const { return any_; }
   // The latest forces are those of contacts as well.
   bool is_touching() const { return is_touching_; }
   // What rests is told with what touches, and not from a moment later.
-  bool needs_later() const { return !dynamics_->contacts().any_closed(); }
+  bool needs_later() const { return !dynamics_->mode().contacts.any_closed(); }
 
   // The strongest pull that a limit would have to give to hold its hinge [N m]: after Resolve, and
   // at any time.
@@ -79,7 +73,6 @@ class ActiveLimits {
   LimitForces forces_;
   ContactForces contact_forces_;
   bool is_touching_ = false;
-  VecX kick_;
   std::vector<int> side_;  // the limit it is at, as LimitSolver
   std::vector<char> held_, sticks_, fixed_, held_later_;
   bool any_ = false;

@@ -30,44 +30,45 @@ ContactForces::ContactForces(RegionDynamics* dynamics) : dynamics_(dynamics), pr
   T_.setZero(dynamics->num_hinges());
 }
 
-bool ContactForces::FindTouching(double t, const VecX& q, const VecX& qd) {
-  ContactSet& contacts = dynamics_->contacts();
-  const RegionState state = dynamics_->PlaceHinges(t, q, qd);
+bool ContactForces::FindTouching(double t, const HingeState& at) {
+  ContactSet& contacts = dynamics_->mode().contacts;
+  const RegionState state = dynamics_->PlaceHinges(t, at);
   contacts.FindPairs(state, 1e-3 + touch_);
   contacts.OpenAll();
   touching_.clear();
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
     const auto point = contacts.PointOf(i, state);
-    if (point && point->gap <= contacts.pairs()[i].floor + touch_) touching_.push_back(i);
+    if (point && point->gap <= contacts.pairs()[i].allowed_gap + touch_) touching_.push_back(i);
   }
   return !touching_.empty();
 }
 
-void ContactForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
-                           const std::vector<char>& sticks, VecX* qd) {
-  for (const int i : touching_) dynamics_->contacts().SetMode(i, ContactMode::kStick);
-  dynamics_->AssembleHinges(t, q, *qd);
-  problem_.Factor();
-  VecX jump = VecX::Zero(qd->size());
+void ContactForces::Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
+                           const std::vector<char>& sticks, HingeState* state) {
+  for (const int i : touching_) dynamics_->mode().contacts.SetMode(i, ContactMode::kStick);
+  const HingeEquations equations = dynamics_->AssembleHinges(t, *state);
+  problem_.Factor(equations.M());
+  VecX& qd = state->qd;
+  VecX jump = VecX::Zero(qd.size());
   if (!v_pin.isZero(0.0)) {
-    dynamics_->PinImpulse(v_pin, &jump);
+    equations.PinImpulse(v_pin, &jump);
     SolveSemidefinite(problem_.factor(), jump);
   }
-  LimitRows rows = *dynamics_->RowsOfImpulses();
-  // Limits feel rates, not their jump.
+  LimitRows rows = *equations.for_impulses();
+  // Limits respond to rates, not to their change.
   rows.c += rows.J * jump;
-  *qd += jump;
-  problem_.SetUp(side, sticks, rows, *qd);
+  qd += jump;
+  problem_.SetUp(side, sticks, rows, qd);
   Solve();
   Bounce(rows.c);
   ListStruck(rows.c);
-  const VecX before = *qd;
+  const VecX before = qd;
   work_ = problem_.Gain();
-  *qd += problem_.Answer();
-  limit_work_ = problem_.WorkOfLimits(side, before, *qd);
+  qd += problem_.Answer();
+  limit_work_ = problem_.WorkOfLimits(side, before, qd);
   for (size_t k = 0; k < problem_.limits().size(); ++k) {
     const int hinge = problem_.limits()[k];
-    if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 || sticks[hinge]) (*qd)[hinge] = 0.0;
+    if (problem_.forces()[problem_.RowOfLimit(k)] > 0.0 || sticks[hinge]) qd[hinge] = 0.0;
   }
 }
 
@@ -76,7 +77,7 @@ void ContactForces::ListStruck(const VecX& came) {
   for (const ConeProblem::Block& block : problem_.cones().blocks) {
     if (block.kind != Kind::kContact || came[block.row] > -kTouchDownSpeed) continue;
     if (problem_.forces()[block.row] <= 0.0) continue;
-    struck_.push_back(dynamics_->rows()[static_cast<size_t>(block.row)].contact);
+    struck_.push_back(dynamics_->rows().rows()[static_cast<size_t>(block.row)].contact);
   }
 }
 
@@ -98,13 +99,14 @@ void ContactForces::Bounce(const VecX& came) {
 VecX ContactForces::ImpulsesOfBounce(const VecX& came) const {
   constexpr int kMostSweeps = 200;
   constexpr double kEnough = 1e-14;  // of the largest
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   const ConeProblem& cones = problem_.cones();
   const double slow = 0.5 * kShortHop * dynamics_->gravity();
   VecX more = VecX::Zero(cones.b.size());
   for (const ConeProblem::Block& block : cones.blocks) {
     if (block.kind != Kind::kContact || came[block.row] > -slow) continue;
-    const double restitution = contacts.RestitutionOf(dynamics_->rows()[block.row].contact);
+    const double restitution =
+        contacts.RestitutionOf(dynamics_->rows().rows()[static_cast<size_t>(block.row)].contact);
     more[block.row] = restitution * problem_.forces()[block.row];
   }
   const double largest = more.lpNorm<Eigen::Infinity>();
@@ -137,8 +139,8 @@ bool ContactForces::Solve() {
 }
 
 void ContactForces::Close(int pair, const TouchPoint& point, bool may_slide) {
-  ContactSet& contacts = dynamics_->contacts();
-  contacts.SetFloor(pair, point.gap);
+  ContactSet& contacts = dynamics_->mode().contacts;
+  contacts.AllowGap(pair, point.gap);
   const V3 across = point.v - Dot(point.n, point.v) * point.n;
   const double speed = std::sqrt(Dot(across, across));
   if (contacts.FrictionOf(pair) == 0.0) {
@@ -150,12 +152,12 @@ void ContactForces::Close(int pair, const TouchPoint& point, bool may_slide) {
   }
 }
 
-void ContactForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+void ContactForces::Rest(double t, const HingeState& at, const std::vector<int>& side,
                          const std::vector<char>& fixed, std::vector<char>* held) {
-  ContactSet& contacts = dynamics_->contacts();
+  ContactSet& contacts = dynamics_->mode().contacts;
   // Where sliding has no solution (Painleve), what touches is stopped by the force it takes.
   for (const bool may_slide : {true, false}) {
-    const RegionState state = dynamics_->PlaceHinges(t, q, qd);
+    const RegionState state = dynamics_->PlaceHinges(t, at);
     for (const int i : touching_) {
       const auto point = contacts.PointOf(i, state);
       if (point && Dot(point->n, point->v) <= rest_speed_) {
@@ -164,10 +166,10 @@ void ContactForces::Rest(double t, const VecX& q, const VecX& qd, const std::vec
         contacts.SetMode(i, ContactMode::kOpen);
       }
     }
-    dynamics_->AssembleHinges(t, q, qd);
-    problem_.Factor();
+    const HingeEquations equations = dynamics_->AssembleHinges(t, at);
+    problem_.Factor(equations.M());
     VecX x_0;
-    const LimitRows rows = problem_.Unheld(&x_0);
+    const LimitRows rows = problem_.Unheld(equations, equations.b(), &x_0);
     problem_.SetUp(side, fixed, rows, x_0);
     if (Solve()) break;
   }
@@ -190,8 +192,8 @@ bool ContactForces::IsFelt(Eigen::Index row) const {
 }
 
 void ContactForces::SetModes() {
-  ContactSet& contacts = dynamics_->contacts();
-  const std::vector<ConstraintRow>& all = dynamics_->rows();
+  ContactSet& contacts = dynamics_->mode().contacts;
+  const std::vector<ConstraintRow>& all = dynamics_->rows().rows();
   const ConeProblem& cones = problem_.cones();
   const VecX w = cones.A * problem_.forces() + cones.b;
   const double unheld = cones.b.size() > 0 ? cones.b.lpNorm<Eigen::Infinity>() : 0.0;

@@ -21,11 +21,11 @@ class ContactForces {
     rest_speed_ = speed;
   }
   // Pairs that touch at these angles; the others are open from now on. False: none.
-  bool FindTouching(double t, const VecX& q, const VecX& qd);
+  bool FindTouching(double t, const HingeState& state);
   // An impact of everything that touches, inelastic but where capsules have a restitution, and of a
   // pin that moved with v_pin [m/s].
-  void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
-              const std::vector<char>& sticks, VecX* qd);
+  void Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
+              const std::vector<char>& sticks, HingeState* state);
   // Work of the impact [J], the part of limits, and the pairs that touched down with an impulse.
   double work() const { return work_; }
   double limit_work() const { return limit_work_; }
@@ -33,7 +33,7 @@ class ContactForces {
   // Impulses of the rows [N s, N m s].
   const VecX& row_impulses() const { return l_; }
   // Then: which hinges at a limit stay there, and which pairs stay closed, sticking or sliding.
-  void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+  void Rest(double t, const HingeState& state, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);
   // What limits give then, by free hinge [N m].
   const VecX& T() const { return T_; }

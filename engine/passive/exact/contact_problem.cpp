@@ -18,12 +18,12 @@ void ContactProblem::Factor(const MatX& M) {
   FactorSemidefinite(L_);
 }
 
-LimitRows ContactProblem::Unheld(const VecX& b, VecX* x_0) const {
+LimitRows ContactProblem::Unheld(const HingeEquations& equations, const VecX& b, VecX* x_0) const {
   *x_0 = -b;
   SolveSemidefinite(L_, *x_0);
   LimitRows rows;
   rows.J.resize(0, x_0->size());
-  if (const LimitRows* known = dynamics_->RowsOfForces()) rows = *known;
+  if (const LimitRows* known = equations.for_forces()) rows = *known;
   if (rows.c.size() > 0) rows.c += rows.J * *x_0;
   return rows;
 }
@@ -104,15 +104,15 @@ void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>
   }
   cones_.A.topLeftCorner(own, own) += rows.G;
   cones_.blocks.clear();
-  const std::vector<ConstraintRow>& all = dynamics_->rows();
+  const std::vector<ConstraintRow>& all = dynamics_->rows().rows();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   for (int k = 0; k < static_cast<int>(own); ++k) {
     if (!all[k].is_contact()) {
       cones_.blocks.push_back({Kind::kBoth, k});
       continue;
     }
-    const bool sticks_there =
-        dynamics_->contacts().pairs()[all[k].contact].mode == ContactMode::kStick;
-    const double friction = dynamics_->contacts().FrictionOf(all[k].contact);
+    const bool sticks_there = contacts.pairs()[all[k].contact].mode == ContactMode::kStick;
+    const double friction = contacts.FrictionOf(all[k].contact);
     cones_.blocks.push_back({sticks_there ? Kind::kContact : Kind::kPush, k, friction});
     if (sticks_there) k += 2;
   }

@@ -7,22 +7,18 @@
 
 namespace hazumi {
 
-// What contacts, constraints and limits of an island do to each other at one instant, for equations
-// that RegionDynamics has assembled: a row for each that RegionDynamics lists, then one for each
-// hinge that is at a limit. [METHOD 12]
+// What contacts, constraints and limits of an island do to each other at one instant: a row for
+// each that RowSystem lists, then one for each hinge that is at a limit. [METHOD 12]
 class ContactProblem {
  public:
   // `dynamics` must outlive it.
   explicit ContactProblem(RegionDynamics* dynamics) : dynamics_(dynamics) {}
 
-  // Of M; before the others.
-  void Factor() { Factor(dynamics_->M()); }
-  // Factors another matrix instead.
+  // Factors M. Required by the other functions.
   void Factor(const MatX& M);
-  // Returns the rows of forces with their accelerations without constraint forces, and x_0;
-  // optionally for another b.
-  LimitRows Unheld(VecX* x_0) const { return Unheld(dynamics_->b(), x_0); }
-  LimitRows Unheld(const VecX& b, VecX* x_0) const;
+  // Returns the rows of the equations, with their accelerations without constraint forces, and x_0
+  // for this b.
+  LimitRows Unheld(const HingeEquations& equations, const VecX& b, VecX* x_0) const;
   // For rows that would do rows.c. A hinge at a limit, by free hinge as LimitSolver has `side` and
   // `sticks`, would do x_0.
   void SetUp(const std::vector<int>& side, const std::vector<char>& sticks, const LimitRows& rows,

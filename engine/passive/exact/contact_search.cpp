@@ -1,5 +1,5 @@
 // What must not be above zero, of a pair that is
-//   open      floor - gap           sliding   minus the speed along its direction, -push
+//   open      allowed gap - gap           sliding   minus the speed along its direction, -push
 //   sticking  -push, |drag| - friction push
 //   closed    how far it is beyond where it is the nearest: what slides off an edge by its end
 
@@ -32,7 +32,7 @@ ContactSearch::ContactSearch(RegionDynamics* dynamics, ExactStep* step)
 
 bool ContactSearch::Find(bool follows_event) {
   constexpr int kFewestLooks = 4, kMostLooks = 400, kFirstLooks = 4;
-  ContactSet& contacts = dynamics_->contacts();
+  ContactSet& contacts = dynamics_->mode().contacts;
   const double start = step_->start_time(), end = step_->time(), h = end - start;
   has_found_ = found_stop_ = false;
   const double speed =
@@ -66,16 +66,16 @@ bool ContactSearch::Find(bool follows_event) {
 }
 
 bool ContactSearch::FollowToEnd() {
-  ContactSet& contacts = dynamics_->contacts();
+  ContactSet& contacts = dynamics_->mode().contacts;
   if (contacts.pairs().empty()) return false;
   const RegionState state = step_->Glance(step_->time());
-  contacts.RaiseFloors(state);
+  contacts.TightenGaps(state);
   return contacts.FollowSlides(state);
 }
 
 bool ContactSearch::FindBlow(const RegionState& now) {
   constexpr double kSeen = 1e-4;  // [m]
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   const double start = step_->start_time(), end = step_->time();
   const auto gap = [&](int pair, const RegionState& state) {
     const auto point = contacts.PointOf(pair, state);
@@ -83,11 +83,11 @@ bool ContactSearch::FindBlow(const RegionState& now) {
   };
   deep_.clear();
   for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    if (gap(i, now) < contacts.pairs()[i].floor - kSeen) deep_.push_back(i);
+    if (gap(i, now) < contacts.pairs()[i].allowed_gap - kSeen) deep_.push_back(i);
   }
   double first = end;
   for (const int i : deep_) {
-    const double at_first = std::min(contacts.pairs()[i].floor, gap(i, step_->Glance(start)));
+    const double at_first = std::min(contacts.pairs()[i].allowed_gap, gap(i, step_->Glance(start)));
     const auto depth = [&](double t) { return at_first - kSeen - gap(i, step_->Glance(t)); };
     const double f = depth(first);
     if (f > 0.0) first = Narrow({start, -kSeen, first, f}, kSameMoment, depth).b;
@@ -97,7 +97,7 @@ bool ContactSearch::FindBlow(const RegionState& now) {
 }
 
 std::optional<double> ContactSearch::FirstChange(double before, double t, bool looks_at_forces) {
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   changed_.clear();
   step_->Glance(t);
   before_.swap(seen_);
@@ -135,7 +135,7 @@ std::optional<double> ContactSearch::FirstChange(double before, double t, bool l
 // All pairs, where the nodes have been placed by Glance.
 void ContactSearch::See(double t) {
   constexpr double kPoint = 0.03;  // cost of a point in evaluations
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   dynamics_->AddWork({.searches = kPoint * static_cast<double>(contacts.pairs().size())});
   seen_.assign(contacts.pairs().size(), {});
   for (int i = 0; i < static_cast<int>(seen_.size()); ++i) {
@@ -145,7 +145,7 @@ void ContactSearch::See(double t) {
     }
     const auto point = contacts.PointOf(i, step_->Glanced(t));
     if (!point) continue;
-    const double gap = point->gap - contacts.pairs()[i].floor;
+    const double gap = point->gap - contacts.pairs()[i].allowed_gap;
     seen_[i] = {-kDeep - gap, gap, Dot(point->n, point->v), true};
   }
 }
@@ -165,7 +165,7 @@ std::optional<double> ContactSearch::Dip(int pair, double before, double t) {
     const double top = std::clamp(a + (b - a) * rate_a / (rate_a - rate_b), a + margin, b - margin);
     step_->Glance(top);
     if (Change(pair, top) > 0.0) return top;
-    const auto point = dynamics_->contacts().PointOf(pair, step_->Glanced(top));
+    const auto point = dynamics_->mode().contacts.PointOf(pair, step_->Glanced(top));
     if (!point) return std::nullopt;
     const double rate = Dot(point->n, point->v);
     (rate < 0.0 ? a : b) = top;
@@ -177,13 +177,11 @@ std::optional<double> ContactSearch::Dip(int pair, double before, double t) {
 // Of an open pair with all open ones of its capsule and obstacle: what goes in by one of a box's
 // edges may be seen by a face of it later.
 double ContactSearch::ChangeAround(int pair, double t) {
-  const std::vector<ContactPair>& pairs = dynamics_->contacts().pairs();
+  const std::vector<ContactPair>& pairs = dynamics_->mode().contacts.pairs();
   const ContactPair& own = pairs[pair];
   double change = Change(pair, t);
   if (own.mode != ContactMode::kOpen) return change;
-  const auto is_near = [&](const ContactPair& other) {
-    return other.capsule == own.capsule && other.obstacle == own.obstacle;
-  };
+  const auto is_near = [&](const ContactPair& other) { return other.HasBodiesOf(own); };
   int first = pair;
   while (first > 0 && is_near(pairs[first - 1])) --first;
   for (int i = first; i < static_cast<int>(pairs.size()) && is_near(pairs[i]); ++i) {
@@ -194,10 +192,10 @@ double ContactSearch::ChangeAround(int pair, double t) {
 
 // Where the nodes have been placed by Glance.
 double ContactSearch::Change(int pair, double t) {
-  const ContactSet& contacts = dynamics_->contacts();
+  const ContactSet& contacts = dynamics_->mode().contacts;
   const ContactPair& own = contacts.pairs()[pair];
   const auto point = contacts.PointOf(pair, step_->Glanced(t));
-  if (own.mode == ContactMode::kOpen) return point ? own.floor - kDeep - point->gap : -1.0;
+  if (own.mode == ContactMode::kOpen) return point ? own.allowed_gap - kDeep - point->gap : -1.0;
   if (!point) return 1.0;
   const double passed = std::max(-1.0, point->beyond - kPassed);
   const bool may_stop = own.mode == ContactMode::kSlide && contacts.FrictionOf(pair) > 0.0;

@@ -22,8 +22,8 @@ class ContactSearch {
   // After a Find that found nothing, or a cut of the step: updates the contacts to its end. Returns
   // whether a sliding direction has turned too far.
   bool FollowToEnd();
-  // While contacts are frozen: ends the step, at whose end nodes are at `now`, where something new
-  // has come in a little.
+  // In time-stepping mode: ends the step, at whose end nodes are at `now`, where a new contact has
+  // penetrated a little.
   bool FindBlow(const RegionState& now);
 
  private:
@@ -41,7 +41,7 @@ class ContactSearch {
   };
   struct Seen {
     double change = -1.0;
-    double gap = 0.0, rate = 0.0;  // of an open pair, beyond its floor [m], [m/s]
+    double gap = 0.0, rate = 0.0;  // of an open pair, beyond the allowed gap [m], [m/s]
     bool is_open = false;          // and there is a gap
   };
   std::vector<Changed> changed_;

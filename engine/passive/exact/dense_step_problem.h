@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "engine/passive/exact/contact_problem.h"
@@ -15,26 +16,27 @@ class DenseStepProblem : public StepProblem {
   explicit DenseStepProblem(RegionDynamics* dynamics)
       : dynamics_(dynamics), problem_(dynamics), none_(dynamics->hinges().size(), 0) {}
 
-  void Assemble(double t, const VecX& q, const VecX& qd) override {
-    dynamics_->AssembleHinges(t, q, qd);
-    b_ = dynamics_->b();
+  void Assemble(double t, const HingeState& state) override {
+    equations_ = dynamics_->AssembleHinges(t, state);
+    b_ = equations_->b();
   }
-  void Factor() override { problem_.Factor(); }
+  void Factor() override { problem_.Factor(equations_->M()); }
+  const HingeEquations& equations() const { return *equations_; }
   // Factors other equations instead of the assembled ones, until the next Assemble and Factor.
   void FactorInstead(const MatX& M, const VecX& b) {
     problem_.Factor(M);
     b_ = b;
   }
   VecX Rates() const override {
-    const LimitRows* rows = dynamics_->RowsOfImpulses();
+    const LimitRows* rows = equations_->for_impulses();
     return rows ? rows->c : VecX();
   }
-  VecX Accelerations(VecX* x_0) const override { return problem_.Unheld(b_, x_0).c; }
-  double KineticEnergy(const VecX& qd) const override { return 0.5 * qd.dot(dynamics_->M() * qd); }
+  VecX Accelerations(VecX* x_0) const override { return problem_.Unheld(*equations_, b_, x_0).c; }
+  double KineticEnergy(const VecX& qd) const override { return 0.5 * qd.dot(equations_->M() * qd); }
   void SetUp(Acting acting, const std::vector<int>& side, const VecX& rows,
              const VecX& hinges) override {
     const LimitRows* known =
-        acting == Acting::kImpulses ? dynamics_->RowsOfImpulses() : dynamics_->RowsOfForces();
+        acting == Acting::kImpulses ? equations_->for_impulses() : equations_->for_forces();
     LimitRows own;
     own.J.resize(0, hinges.size());
     if (known) own = *known;
@@ -57,6 +59,7 @@ class DenseStepProblem : public StepProblem {
 
  private:
   RegionDynamics* dynamics_;
+  std::optional<HingeEquations> equations_;
   ContactProblem problem_;
   std::vector<char> none_;  // one per hinge
   VecX b_;                  // right-hand side of M x = -b

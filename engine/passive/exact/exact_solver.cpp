@@ -23,25 +23,23 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       release_search_(&step_, &held_),
       contact_search_(dynamics, &step_),
       kink_search_(dynamics, &step_),
-      frozen_(dynamics, &range_),
+      time_stepping_(dynamics, &range_),
+      switch_(dynamics, &held_, &time_stepping_),
       log_(dynamics->num_hinges()) {}
 
-void ExactSolver::Start(double t, const VecX& q, const VecX& qd, const OuterMotion& outer) {
+void ExactSolver::Start(double t, const HingeState& state) {
   if (steps_ == 0) first_start_ = t;
-  step_.Place(t, q, qd, outer);
-  range_.Begin(q);
+  step_.Place(t, state);
+  range_.Begin(state.q);
   held_.Begin();
-  frozen_.Begin();
-  crawl_start_ = t;
-  crawl_steps_ = steps_;
-  frozen_until_.reset();
+  time_stepping_.Begin();
+  switch_.BeginEvents(t, steps_);
+  step_end_.reset();
   release_search_.Begin();
-  dynamics_->SetOuter(outer);
-  const bool is_inside = dynamics_->contacts().is_possible() && frozen_.IsAnyInside(t, step_.now());
-  is_inside ? Freeze() : Resolve(Vec3::Zero());
+  switch_.EntersAtStart(t, step_.now()) ? StepInTime() : Resolve(Vec3::Zero());
 }
 
-void ExactSolver::Restart() { frozen_until_ ? Freeze() : Resolve(Vec3::Zero()); }
+void ExactSolver::Restart() { step_end_ ? StepInTime() : Resolve(Vec3::Zero()); }
 
 void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 
@@ -51,15 +49,13 @@ void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
 void ExactSolver::Resolve(Vec3 v_pin) {
   next_ = Next::kGoOn;
   follows_event_ = true;
-  frozen_until_.reset();
-  dynamics_->frozen().Clear();
-  dynamics_->SetOuter(step_.outer());
-  if (dynamics_->solves_contacts_by_tree() && held_.Touches(time(), step_.now())) return Freeze();
+  step_end_.reset();
+  dynamics_->mode().constant.Clear();
+  if (switch_.EntersAtTouch(time(), step_.now())) return StepInTime();
   do {
     held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &log_);
-    step_.Kick(held_.kick());
     release_search_.Begin();
-    dynamics_->SetLocked(held_.held(), q());
+    dynamics_->mode().layout.SetLocked(held_.held(), now().q);
     step_.Begin();
     v_pin.setZero();
   } while (BreakOverloaded());
@@ -67,9 +63,10 @@ void ExactSolver::Resolve(Vec3 v_pin) {
 }
 
 bool ExactSolver::BreakOverloaded() {
-  ConstraintRows& constraints = dynamics_->constraints();
+  ConstraintSet& constraints = dynamics_->mode().constraints;
   if (!constraints.may_break()) return false;
-  const auto worst = constraints.WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false);
+  const RowSystem& rows = dynamics_->rows();
+  const auto worst = constraints.WorstOverload(rows.rows(), rows.forces(), /*are_impulses=*/false);
   if (worst.excess > 0.0) constraints.Break(worst.constraint, time());
   return worst.excess > 0.0;
 }
@@ -78,17 +75,14 @@ bool ExactSolver::BreakOverloaded() {
 bool ExactSolver::FindBreak() {
   constexpr int kLooks = 4;
   const double start = step_.start_time(), length = time() - start;
-  const auto overload = [&](double t) { return step_.Overload(t); };
+  const auto overload = [&](double t) { return step_.WorstOverload(t).excess; };
   double before = start, f_before = overload(start);
   for (int look = 1; look <= kLooks; ++look) {
     const double t = look == kLooks ? time() : start + length * look / kLooks;
     const double f = overload(t);
     if (f > 0.0) {
       const Bracket at = Narrow({before, std::min(f_before, 0.0), t, f}, kSameTime, overload);
-      overload(at.b);
-      breaks_next_ = dynamics_->constraints()
-                         .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
-                         .constraint;
+      breaks_next_ = step_.WorstOverload(at.b).constraint;
       step_.EndAt(at.b);
       return true;
     }
@@ -98,14 +92,13 @@ bool ExactSolver::FindBreak() {
   return false;
 }
 
-// Where constraints have no hold forces come and go with what rounding leaves of it, and no steps
-// follow.
+// Near a singular pose forces of constraints depend on rounding, and no step succeeds.
 std::optional<ExactFailure> ExactSolver::Advance(double end) {
   std::optional<ExactFailure> failure = TryToAdvance(end);
   if (!failure || failure->cause == ExactFailure::Cause::kEndsApart) return failure;
-  const std::optional<int> lost = step_.LostHold();
-  if (!lost) return failure;
-  return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, *lost};
+  const std::optional<int> singular = step_.SingularConstraint();
+  if (!singular) return failure;
+  return ExactFailure{failure->hinge, ExactFailure::Cause::kNoHold, 0.0, *singular};
 }
 
 std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
@@ -114,29 +107,29 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
   }
   if (next_ == Next::kEvent) MakeEventHappen();
   if (next_ == Next::kGoOnFromCut) {
-    dynamics_->SetLocked(held_.held(), q());  // a ball joint may be on the other side of a pole
+    dynamics_->mode().layout.SetLocked(held_.held(),
+                                       now().q);  // a ball joint may be on the other side of a pole
     step_.GoOn();
   }
   next_ = Next::kGoOn;
-  if (frozen_until_) return AdvanceFrozen(end);
-  if (Crawls()) {
-    Freeze();
-    return AdvanceFrozen(end);
+  if (step_end_) return AdvanceInTime(end);
+  if (switch_.EntersBeforeStep(time(), steps_)) {
+    StepInTime();
+    return AdvanceInTime(end);
   }
-  if (const std::optional<ExactFailure> failure =
-          TakeToFirstContactChange(dynamics_->SmoothUntil(end))) {
-    // Switch to time-stepping mode: sliding contacts may jam, which needs an impulse since no
-    // finite forces prevent it, and springs may be too stiff for any step.
-    if (!may_freeze()) return failure;
-    Freeze();
-    return AdvanceFrozen(end);
+  if (const std::optional<ExactFailure> failure = TakeToFirstContactChange(SmoothUntil(end))) {
+    // Sliding contacts may jam, which needs an impulse since no finite forces prevent it, and
+    // springs may be too stiff for any step.
+    if (!switch_.EntersAfterFailure()) return failure;
+    StepInTime();
+    return AdvanceInTime(end);
   }
   ++steps_;
-  const bool is_cut = time() > end, has_contacts = dynamics_->contacts().is_possible();
-  const bool contacts_go_on = has_contacts && !contact_search_.has_found();
+  const bool is_cut = time() > end;
+  const bool contacts_go_on = has_contacts() && !contact_search_.has_found();
   if (contacts_go_on && !is_cut && contact_search_.FollowToEnd()) next_ = Next::kEvent;
   if (held_.any() && release_search_.Find()) next_ = Next::kEvent;
-  if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
+  if (dynamics_->mode().constraints.may_break() && FindBreak()) next_ = Next::kEvent;
   CutAt(end);
   // Contacts and limits of a cut step go on from what they are at the cut.
   if (is_cut && next_ == Next::kGoOnFromCut) {
@@ -144,7 +137,7 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
     if (held_.any()) release_search_.Cut();
   }
   follows_event_ = false;
-  range_.Tighten(q());
+  range_.Tighten(now().q);
   return std::nullopt;
 }
 
@@ -157,14 +150,14 @@ std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
 std::optional<ExactFailure> ExactSolver::TakeToFirstContactChange(double end) {
   constexpr int kMostTries = 20;
   constexpr double kEarly = 0.5, kBeyond = 1.5;  // of the step; of its part before the stop
-  const bool repeats = dynamics_->contacts().rules().slides_straight_beyond_stop;
+  const bool repeats = dynamics_->mode().contacts.rules().slides_straight_beyond_stop;
   double until = end;
   for (int tries = 0;; ++tries) {
     next_ = Next::kGoOn;
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     const double whole = time() - step_start();
     if (range_.any()) FindHits();
-    if (!dynamics_->contacts().is_possible()) return std::nullopt;
+    if (!has_contacts()) return std::nullopt;
     const bool found = contact_search_.Find(follows_event_);
     if (found) next_ = Next::kEvent;
     if (!repeats || tries == kMostTries) return std::nullopt;
@@ -184,7 +177,7 @@ std::optional<ExactFailure> ExactSolver::TakeToFirstContactChange(double end) {
 bool ExactSolver::HasLargeDefect() {
   constexpr double kMostDefect = 30.0;  // tolerances
   constexpr double kRounding = 1e-13;   // least tolerance for which the defect is not rounding
-  const bool is_pushed = dynamics_->contacts().any_closed() || dynamics_->constraints().any();
+  const bool is_pushed = dynamics_->mode().any_rows();
   return is_pushed && step_.tolerance() > kRounding && step_.Defect() > kMostDefect;
 }
 
@@ -197,10 +190,10 @@ void ExactSolver::CutAt(double end) {
   breaks_next_ = -1;
 }
 
-// One step, which a kink ends: beyond one it would be of no order. While forces are frozen its end
-// is near.
+// One step, which a kink ends: beyond one it would be of no order. In time-stepping mode its end is
+// near.
 std::optional<ExactFailure> ExactSolver::Take(double end) {
-  const bool is_near = frozen_until_.has_value();
+  const bool is_near = step_end_.has_value();
   const std::optional<ExactFailure> failure = step_.Take(end, is_near);
   if (failure || !dynamics_->has_kinks()) return failure;
   const std::optional<double> kink = kink_search_.Find();
@@ -217,77 +210,61 @@ void ExactSolver::FindHits() {
 
 // A limit was hit or lets go, a contact changes, or a constraint breaks.
 void ExactSolver::MakeEventHappen() {
-  if (breaks_next_ >= 0) dynamics_->constraints().Break(breaks_next_, time());
+  if (breaks_next_ >= 0) dynamics_->mode().constraints.Break(breaks_next_, time());
   breaks_next_ = -1;
-  range_.Widen(q());
-  if (frozen_until_) return frozen_.is_calm() ? Thaw() : Freeze();
+  range_.Widen(now().q);
+  if (step_end_) return switch_.Leaves() ? FollowEvents() : StepInTime();
   held_.CountEvent(time());
-  held_.is_chattering(time()) ? Freeze() : Resolve(Vec3::Zero());
+  switch_.EntersAfterEvent(time()) ? StepInTime() : Resolve(Vec3::Zero());
 }
 
-// Returns whether steps are so short that time-stepping mode costs less: sliding directions turn
-// too fast, or springs are stiff and cheaper to integrate implicitly.
-bool ExactSolver::Crawls() {
-  constexpr int kMostSteps = 30, kMostOnSprings = 5;
-  constexpr double kWhile = 5e-3;  // [s]
-  if (!may_freeze()) return false;
-  if (time() > crawl_start_ + kWhile) {
-    crawl_start_ = time();
-    crawl_steps_ = steps_;
-  }
-  return steps_ > crawl_steps_ + (has_implicit_springs() ? kMostOnSprings : kMostSteps);
-}
-
-// Where contacts change again and again, as they do when many of them come to rest together. Where
-// what is found overloads a constraint it breaks.
-void ExactSolver::Freeze() {
-  if (!frozen_until_) {
-    frozen_.Enter(time());
+// Enters time-stepping mode, or takes its next step. Where what is found overloads a constraint it
+// breaks.
+void ExactSolver::StepInTime() {
+  if (!step_end_) {
+    time_stepping_.Enter(time());
     held_.LetGo();
-    if (!frozen_from_) frozen_from_ = time();
+    if (!time_stepping_from_) time_stepping_from_ = time();
   }
   do {
-    dynamics_->SetOuter(step_.outer());
-    frozen_.Set(time(), &step_.now(), &log_);
-    step_.Kick(frozen_.kick());
-    dynamics_->SetLocked(held_.held(), q());
+    time_stepping_.Set(time(), &step_.now(), &log_);
+    dynamics_->mode().layout.SetLocked(held_.held(), now().q);
     step_.Begin();
   } while (BreakOverloaded());
   release_search_.Begin();
-  frozen_until_ = time() + frozen_.length();
+  step_end_ = time() + time_stepping_.length();
   follows_event_ = true;
 }
 
-void ExactSolver::Thaw() {
-  frozen_.Leave(time());
-  crawl_start_ = time();
-  crawl_steps_ = steps_;
+// Leaves time-stepping mode.
+void ExactSolver::FollowEvents() {
+  time_stepping_.Leave(time());
+  switch_.BeginEvents(time(), steps_);
   held_.ForgetEvents();
   Resolve(Vec3::Zero());
 }
 
-std::optional<ExactFailure> ExactSolver::AdvanceFrozen(double end) {
+std::optional<ExactFailure> ExactSolver::AdvanceInTime(double end) {
   bool has_blow = false;
   for (;;) {
-    const double until = std::min(dynamics_->SmoothUntil(end), *frozen_until_);
+    const double until = std::min(SmoothUntil(end), *step_end_);
     if (const std::optional<ExactFailure> failure = Take(until)) return failure;
     const RegionState now = step_.PlaceNow();
-    if (!frozen_.GivesTooMuch(time() - step_start(), now)) {
+    if (!time_stepping_.GivesTooMuch(time() - step_start(), now)) {
       has_blow = contact_search_.FindBlow(now);
       break;
     }
     step_.TakeBack();
-    if (frozen_.Halve()) {
-      Freeze();
+    if (time_stepping_.Halve()) {
+      StepInTime();
       continue;
     }
-    frozen_.GiveNothing();
-    dynamics_->SetOuter(step_.outer());
+    time_stepping_.GiveNothing();
     step_.Begin();
   }
   ++steps_;
-  if (has_blow || time() >= *frozen_until_ - kSameTime) next_ = Next::kEvent;
-  if (dynamics_->constraints().may_break() && FindBreak()) next_ = Next::kEvent;
+  if (has_blow || time() >= *step_end_ - kSameTime) next_ = Next::kEvent;
+  if (dynamics_->mode().constraints.may_break() && FindBreak()) next_ = Next::kEvent;
   CutAt(end);
   return std::nullopt;
 }

@@ -6,9 +6,9 @@
 #include "engine/passive/exact/active_limits.h"
 #include "engine/passive/exact/contact_search.h"
 #include "engine/passive/exact/exact_step.h"
-#include "engine/passive/exact/frozen_contacts.h"
 #include "engine/passive/exact/hit_search.h"
 #include "engine/passive/exact/kink_search.h"
+#include "engine/passive/exact/mode_switch.h"
 #include "engine/passive/exact/release_search.h"
 
 namespace hazumi {
@@ -30,9 +30,9 @@ class ExactSolver {
   void SetTolerance(double radians) { step_.SetTolerance(radians); }
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 
-  // Begins at these angles and rates of the free hinges. A hinge that is outside its limits has a
-  // limit where it is until it has come inside.
-  void Start(double t, const VecX& q, const VecX& qd, const OuterMotion& outer = {});
+  // Begins in this state. A hinge that is outside its limits has a limit where it is until it has
+  // come inside.
+  void Start(double t, const HingeState& state);
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
   // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
@@ -46,24 +46,19 @@ class ExactSolver {
 
   double step_start() const { return step_.start_time(); }
   double time() const { return step_.time(); }
-  // Angles and rates of the free hinges at t in [step_start, time]; at `time` itself from the left.
-  void Sample(double t, VecX* q, VecX* qd, Gaps gaps = Gaps::kClosed) {
-    step_.Sample(t, q, qd, gaps);
+  // Sets the state at t in [step_start, time]; at `time` itself from the left.
+  void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed) {
+    step_.Sample(t, state, gaps);
   }
-  // Of the centre of mass at the same time, if the fall is solved along (RegionDynamics).
-  const OuterMotion& SampledOuter() const { return dynamics_->outer(); }
-  // At `time`, before impacts.
-  const VecX& q() const { return step_.now().q; }
-  const VecX& qd() const { return step_.now().qd; }
+  // The state at `time`, before impacts.
+  const HingeState& now() const { return step_.now(); }
   // Energy and powers at t in [step_start, time], from the left.
   EnergyFlow Energy(double t) { return step_.Energy(t); }
-  // As ExactStep has them; what limits hold has none.
-  Vec3 Accelerations(double t, VecX* qd, VecX* qdd) { return step_.Accelerations(t, qd, qdd); }
-  // At the same t, after it: as RegionDynamics.
-  std::vector<SpentDrive> SpentDrives(double t) { return step_.SpentDrives(t); }
+  // Accelerations and forces at t in [step_start, time].
+  InstantReport Report(double t) { return step_.Report(t); }
 
   // Breaks since the last call.
-  std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->constraints().TakeBreaks(); }
+  std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->mode().constraints.TakeBreaks(); }
 
   // Hits since the last call.
   std::vector<LimitHit> TakeHits() { return log_.TakeHits(); }
@@ -74,25 +69,22 @@ class ExactSolver {
   // Work of impacts since the last call.
   ImpactWork TakeImpactWork() { return log_.TakeWork(); }
   long steps() const { return steps_; }
-  // When contacts came too fast for the first time: from there on motions that begin nearly the
-  // same end differently, however well they are solved.
-  std::optional<double> frozen_from() const { return frozen_from_; }
+  // Time at which time-stepping mode was entered first: from there on motions that begin nearly the
+  // same end differently, however accurately they are solved.
+  std::optional<double> time_stepping_from() const { return time_stepping_from_; }
 
  private:
   // What happens at `time`, before the next step.
   enum class Next { kGoOn, kGoOnFromCut, kEvent };
 
   void MakeEventHappen();
-  bool has_implicit_springs() const {
-    return dynamics_->has_implicit_springs() && dynamics_->contacts().is_possible();
-  }
-  bool may_freeze() const { return has_implicit_springs() || dynamics_->contacts().any_closed(); }
-  bool Crawls();
-  void Freeze();
-  void Thaw();
+  double SmoothUntil(double end) const { return dynamics_->kinematics().SmoothUntil(end); }
+  bool has_contacts() const { return dynamics_->mode().contacts.is_possible(); }
+  void StepInTime();
+  void FollowEvents();
   std::optional<ExactFailure> TryToAdvance(double end);
   std::optional<ExactFailure> Take(double end);
-  std::optional<ExactFailure> AdvanceFrozen(double end);
+  std::optional<ExactFailure> AdvanceInTime(double end);
   void CutAt(double end);
   std::optional<ExactFailure> TakeToFirstContactChange(double end);
   bool HasLargeDefect();
@@ -109,14 +101,14 @@ class ExactSolver {
   ReleaseSearch release_search_;
   ContactSearch contact_search_;
   KinkSearch kink_search_;
-  FrozenContacts frozen_;
+  TimeStepping time_stepping_;
+  ModeSwitch switch_;
   ImpactLog log_;
   Next next_ = Next::kGoOn;
   int breaks_next_ = -1;  // a constraint that is overloaded at `time`
-  // Contacts are frozen until then [s]; none: they are not. When they were the first time.
-  std::optional<double> frozen_until_, frozen_from_;
-  double crawl_start_ = 0.0;  // [s], and the steps up to there
-  long crawl_steps_ = 0;
+  // End of the present step in time-stepping mode; none: event-driven mode [s].
+  std::optional<double> step_end_;
+  std::optional<double> time_stepping_from_;  // when that mode was entered first [s]
   bool follows_event_ = false;  // the step begins with rates or forces that have jumped
   double first_start_ = 0.0;    // [s]
   long steps_ = 0;

@@ -16,27 +16,24 @@ constexpr double kMostGap = 1e-7;     // of what constraints keep together [m, r
 ExactStep::ExactStep(RegionDynamics* dynamics, const LimitRange* limits)
     : dynamics_(dynamics),
       limits_(limits),
-      start_(dynamics->num_hinges()),
-      now_(dynamics->num_hinges()),
-      inside_(dynamics->num_hinges()) {
+      start_(dynamics->NewState()),
+      now_(start_),
+      inside_(start_) {
   const int n = dynamics->num_hinges();
   // The longest state: all in ball joints.
   const int longest = 2 * n + n / 3 + dynamics->outer_layout().size();
   for (VecX* x : {&y_, &scale_, &closed_}) x->resize(longest);
 }
 
-void ExactStep::Place(double t, const VecX& q, const VecX& qd, const OuterMotion& outer) {
+void ExactStep::Place(double t, const HingeState& state) {
   time_ = t;
-  now_.q = q;
-  now_.qd = qd;
-  outer_ = outer;
+  now_ = state;
   next_h_ = 0.0;
 }
 
 void ExactStep::Begin() {
-  dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
-  dynamics_->SetOuter(outer_);
-  dynamics_->PackOuter(y_.data());
+  dynamics_->mode().anchor = now_.outer.anchor;
+  dynamics_->Pack(now_, y_.data());
   is_closed_ = false;
   gap_ = 0.0;
   if (closes_gaps()) {
@@ -91,9 +88,7 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
   if (gap_ > kMostGap) return ExactFailure{worst_hinge(), ExactFailure::Cause::kEndsApart, gap_};
   if (is_closed_) step_.Start(time_, closed_.data(), Field());
   is_closed_ = false;
-  start_.q = now_.q;
-  start_.qd = now_.qd;
-  start_outer_ = outer_;
+  start_ = now_;
   const double wanted = is_near ? end - time_ : next_h_ > 0.0 ? next_h_ : FirstStep(end);
   double h = std::min(longest_step_, wanted);
   for (;;) {
@@ -135,15 +130,12 @@ std::optional<ExactFailure> ExactStep::Take(double end, bool is_near) {
 
 // The branch is that of the state before, which is near by.
 void ExactStep::TakeState(const double* y) {
-  dynamics_->layout().Unpack(y, limits_->lower(), limits_->upper(), &now_.q, &now_.qd);
-  dynamics_->SetOuterOf(y);
-  outer_ = dynamics_->outer();
+  dynamics_->Unpack(y, limits_->lower(), limits_->upper(), &now_);
 }
 
 void ExactStep::EndAt(double t) {
   Sample(t, &inside_);
   now_.swap(inside_);
-  outer_ = dynamics_->outer();
   time_ = t;
 }
 
@@ -162,9 +154,7 @@ double ExactStep::Defect() {
 
 void ExactStep::TakeBack() {
   time_ = step_.start_time();
-  now_.q = start_.q;
-  now_.qd = start_.qd;
-  outer_ = start_outer_;
+  now_ = start_;
   is_closed_ = false;
   gap_ = 0.0;
   std::copy_n(step_.start_y(), dynamics_->state_size(), y_.data());
@@ -179,18 +169,16 @@ void ExactStep::GoOn() {
 
 void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 
-void ExactStep::Sample(double t, VecX* q, VecX* qd, Gaps gaps) {
+void ExactStep::Sample(double t, HingeState* state, Gaps gaps) {
   MakeDense();
   step_.At(t, y_.data());
   if (gaps == Gaps::kClosed && closes_gaps()) {
-    dynamics_->CloseGaps(t, y_.data(), /*only_looked_at=*/true);
+    dynamics_->CloseGaps(t, y_.data(), /*only_sampled=*/true);
   }
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
-  *q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
-  qd->resize(q->size());
-  dynamics_->layout().Unpack(y_.data(), limits_->lower(), limits_->upper(), q, qd);
-  dynamics_->SetOuterOf(y_.data());
+  *state = s < 0.5 ? start_ : now_;  // nearby, to pick the branch
+  dynamics_->Unpack(y_.data(), limits_->lower(), limits_->upper(), state);
 }
 
 void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState* state) {
@@ -201,52 +189,74 @@ void ExactStep::SampleNodes(double t, const std::vector<int>& nodes, HingeState*
   }
 }
 
-Vec3 ExactStep::Accelerations(double t, VecX* qd, VecX* qdd) {
-  VecX dy;
-  LookAt(t, Gaps::kClosed, &dy);
-  *qd = inside_.qd;
-  const RegionLayout& layout = dynamics_->layout();
-  layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd, qdd);
-  if (!dynamics_->is_pushed_in_flight()) return Vec3::Zero();
-  return dy.segment<3>(layout.state_size() + 3);
-}
-
-// The equations at t, where y_ and inside_ are then.
-void ExactStep::LookAt(double t, Gaps gaps, VecX* dy) {
+VecX ExactStep::EvaluateAt(double t, Gaps gaps) {
   if (t >= time_) {
     inside_ = now_;
-    dynamics_->layout().Pack(now_.q, now_.qd, y_.data());
-    dynamics_->SetOuter(outer_);
-    dynamics_->PackOuter(y_.data());
+    dynamics_->Pack(now_, y_.data());
   } else {
     Sample(t, &inside_, gaps);
   }
-  dy->resize(dynamics_->state_size());
-  dynamics_->Look(t, y_.data(), dy->data());
+  VecX dy(dynamics_->state_size());
+  dynamics_->Evaluate(t, y_.data(), dy.data());
+  return dy;
 }
 
-double ExactStep::Overload(double t) {
-  VecX dy;
-  LookAt(t, Gaps::kLeft, &dy);
-  return dynamics_->constraints()
-      .WorstOverload(dynamics_->row_forces(), /*are_impulses=*/false)
-      .excess;
+InstantReport ExactStep::Report(double t) {
+  InstantReport report;
+  const VecX dy = EvaluateAt(t, Gaps::kClosed);
+  const RegionLayout& layout = dynamics_->layout();
+  const RegionMode& mode = dynamics_->mode();
+  report.qd = inside_.qd;
+  layout.UnpackAccelerations(dy.data() + layout.num_positions(), inside_.q, inside_.qd,
+                             &report.qdd);
+  if (dynamics_->is_pushed_in_flight()) report.fall = dy.segment<3>(layout.state_size() + 3);
+  report.constraints = ConstraintPushes();
+  if (mode.contacts.is_possible()) {
+    report.contacts = dynamics_->rows().ContactPushes(mode, dynamics_->PlacedAt(t, y_.data()));
+  }
+  report.spent = dynamics_->SpentDrives(t, inside_);
+  return report;
 }
 
-// Beside here, bent a little, it has hold in one direction more.
-std::optional<int> ExactStep::LostHold() {
-  constexpr double kLost = 1e-6, kLittle = 0.05;  // of a firm one; [rad]
-  VecX dy;
-  LookAt(time_, Gaps::kLeft, &dy);
-  const std::vector<RegionDynamics::Hold> here = dynamics_->Holds();
+// Forces of the latest evaluation. Each row pushes or turns along its n.
+std::vector<ConstraintPush> ExactStep::ConstraintPushes() const {
+  const std::vector<ConstraintRow>& rows = dynamics_->rows().rows();
+  const VecX& forces = dynamics_->rows().forces();
+  const ConstraintSet& constraints = dynamics_->mode().constraints;
+  std::vector<ConstraintPush> pushes(constraints.specs().size());
+  if (pushes.empty()) return pushes;
+  const VecX sizes = constraints.SizesOf(rows, forces);
+  for (size_t i = 0; i < pushes.size(); ++i) pushes[i].size = sizes[static_cast<Eigen::Index>(i)];
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].is_contact()) continue;
+    Wrench& on_a = pushes[static_cast<size_t>(rows[k].constraint)].on_a;
+    (rows[k].turns ? on_a.moment : on_a.force) +=
+        forces[static_cast<Eigen::Index>(k)] * rows[k].n.eigen();
+  }
+  return pushes;
+}
+
+ConstraintSet::Overload ExactStep::WorstOverload(double t) {
+  EvaluateAt(t, Gaps::kLeft);
+  const RowSystem& rows = dynamics_->rows();
+  return dynamics_->mode().constraints.WorstOverload(rows.rows(), rows.forces(),
+                                                     /*are_impulses=*/false);
+}
+
+// Beside a singular pose, bent a little, the constraint has one more direction of full rank.
+std::optional<int> ExactStep::SingularConstraint() {
+  constexpr double kSingular = 1e-6, kLittle = 0.05;  // relative; [rad]
+  EvaluateAt(time_, Gaps::kLeft);
+  const std::vector<RowSystem::Eigenvalue> here = dynamics_->rows().Spectrum();
   for (Eigen::Index i = 0; i < inside_.q.size(); ++i) {
     inside_.q[i] += kLittle * std::sin(1.0 + static_cast<double>(i));
   }
   dynamics_->layout().Pack(inside_.q, inside_.qd, y_.data());
-  dynamics_->Look(time_, y_.data(), dy.data());
-  const std::vector<RegionDynamics::Hold> bent = dynamics_->Holds();
+  VecX dy(dynamics_->state_size());
+  dynamics_->Evaluate(time_, y_.data(), dy.data());
+  const std::vector<RowSystem::Eigenvalue> bent = dynamics_->rows().Spectrum();
   for (size_t k = 0; k < std::min(here.size(), bent.size()); ++k) {
-    if (here[k].firmness < kLost && bent[k].firmness > 10.0 * kLost) return here[k].constraint;
+    if (here[k].value < kSingular && bent[k].value > 10.0 * kSingular) return here[k].constraint;
   }
   return std::nullopt;
 }
@@ -258,9 +268,8 @@ RegionState ExactStep::Glance(double t) {
 }
 
 double ExactStep::ContactExcess(double t) {
-  VecX dy;
-  LookAt(t, Gaps::kLeft, &dy);
-  return dynamics_->ContactExcess();
+  EvaluateAt(t, Gaps::kLeft);
+  return dynamics_->rows().ContactExcess(dynamics_->mode().contacts);
 }
 
 EnergyFlow ExactStep::Energy(double t) {

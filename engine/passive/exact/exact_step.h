@@ -6,7 +6,7 @@
 
 #include "engine/passive/exact/dop853.h"
 #include "engine/passive/exact/exact_failure.h"
-#include "engine/passive/exact/hinge_state.h"
+#include "engine/passive/exact/instant_report.h"
 #include "engine/passive/exact/limit_range.h"
 #include "engine/passive/region_dynamics.h"
 
@@ -31,7 +31,7 @@ class ExactStep {
   void SetLongestStep(double seconds) { longest_step_ = seconds; }
 
   // Another motion, from here on: nothing is known of how long its steps may be.
-  void Place(double t, const VecX& q, const VecX& qd, const OuterMotion& outer);
+  void Place(double t, const HingeState& state);
   // Lays the state out anew after it, locks or curves have changed.
   void Begin();
   // One accepted step, at most to `end` [s]; of order 5 where that is near anyway.
@@ -53,56 +53,42 @@ class ExactStep {
   const HingeState& start() const { return start_; }
   const HingeState& now() const { return now_; }
   HingeState& now() { return now_; }  // for events to change
-  const OuterMotion& outer() const { return outer_; }
-  // An impact changes velocities of the outer motion; before Begin.
-  void Kick(const VecX& jump) { outer_.Jump(jump); }
   // The one that the error is largest of.
   int worst_hinge() const { return dynamics_->layout().HingeOf(step_.worst_component()); }
 
-  // At t in [start_time, time]; RegionDynamics::outer() is of the same time.
-  void Sample(double t, VecX* q, VecX* qd, Gaps gaps = Gaps::kClosed);
-  void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed) {
-    Sample(t, &state->q, &state->qd, gaps);
-  }
-  // Of the time that was sampled last.
-  const OuterMotion& sampled_outer() const { return dynamics_->outer(); }
-  // Of some nodes' hinges alone; the others' are left. MakeDense must have been called.
+  // Sets the state at t in [start_time, time].
+  void Sample(double t, HingeState* state, Gaps gaps = Gaps::kClosed);
+  // The same of some nodes' hinges alone. Requires MakeDense.
   void SampleNodes(double t, const std::vector<int>& nodes, HingeState* state);
   void MakeDense();
   EnergyFlow Energy(double t);
-  // By how much the worst of the constraints is overloaded at t (ConstraintRows).
-  double Overload(double t);
+  // The constraint that is overloaded most at t, or nearest to it.
+  ConstraintSet::Overload WorstOverload(double t);
   // Where nodes are at the ends of a step that nothing has ended earlier, gaps left.
   RegionState PlaceStart() { return dynamics_->PlaceAt(step_.start_time(), step_.start_y()); }
   RegionState PlaceEnd() { return dynamics_->PlaceAt(step_.end_time(), step_.y()); }
-  // The constraint that has no hold where the step ends, as along a limb that is straight.
-  std::optional<int> LostHold();
+  // A constraint that is singular where the step ends, as along a limb that is straight.
+  std::optional<int> SingularConstraint();
   // Where nodes are at t, gaps left; and again, after it at the same t.
   RegionState Glance(double t);
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
   // Where nodes are at time(), with now().
-  RegionState PlaceNow() {
-    dynamics_->SetOuter(outer_);
-    return dynamics_->PlaceHinges(time_, now_.q, now_.qd);
-  }
-  // As RegionDynamics::ContactExcess.
+  RegionState PlaceNow() { return dynamics_->PlaceHinges(time_, now_); }
+  // As RowSystem has it.
   double ContactExcess(double t);
-  // And rates, of the free hinges at t in [start_time, time]; at `time` itself those of now(), with
-  // which the next step begins. The centre of mass's, if the fall is solved along, else zero
-  // [m/s^2].
-  Vec3 Accelerations(double t, VecX* qd, VecX* qdd);
-  // At the same t, after it: as RegionDynamics.
-  std::vector<SpentDrive> SpentDrives(double t) {
-    return dynamics_->SpentDrives(t, inside_.q, inside_.qd);
-  }
+  // Accelerations and forces at t in [start_time, time]; at `time` itself with now(), with which
+  // the next step begins.
+  InstantReport Report(double t);
 
  private:
   auto Field() {
     return [this](double t, const double* y, double* dy) { dynamics_->Derivative(t, y, dy); };
   }
-  bool closes_gaps() const { return dynamics_->closes_gaps(); }
+  bool closes_gaps() const { return dynamics_->mode().any_closed(); }
   void TakeState(const double* y);
-  void LookAt(double t, Gaps gaps, VecX* dy);
+  // Evaluates the equations at t. Sets inside_ and y_.
+  VecX EvaluateAt(double t, Gaps gaps);
+  std::vector<ConstraintPush> ConstraintPushes() const;
   void SetScale();
   double FirstStep(double end) const;
   double Growth(double error) const;
@@ -116,7 +102,6 @@ class ExactStep {
   double last_error_ = 1.0;  // of the step before, in units of the tolerance
   double time_ = 0.0;
   HingeState start_, now_, inside_;
-  OuterMotion start_outer_, outer_;  // at time_
   VecX y_, scale_;
   // Where constraints have closed what the step left, it goes on from there.
   VecX closed_;

@@ -18,9 +18,9 @@ HitSearch::HitSearch(const RegionDynamics* dynamics, const LimitRange* limits, E
     : dynamics_(dynamics),
       limits_(limits),
       step_(step),
-      look_(dynamics->num_hinges()),
-      before_(dynamics->num_hinges()),
-      sample_(dynamics->num_hinges()) {
+      look_(dynamics->NewState()),
+      before_(look_),
+      sample_(look_) {
   suspects_.reserve(dynamics->num_hinges());
 }
 

@@ -24,7 +24,7 @@ struct TouchDown {
 // Work of impacts [J], negative where energy is lost.
 struct ImpactWork {
   // Work of impacts with contacts. Excludes impacts of limits alone, and contacts in time-stepping
-  // mode (FrozenContacts).
+  // mode (TimeStepping).
   double limits = 0.0, contacts = 0.0;
   bool has_contacts = false;
   void Add(const ImpactWork& other) {

@@ -12,14 +12,14 @@
 namespace hazumi {
 
 double KinkSearch::KinkAt(int kink, double t) {
-  dynamics_->KinksIn(step_->Glance(t), &inside_);
+  dynamics_->FindKinks(step_->Glance(t), &inside_);
   return inside_[kink];
 }
 
 std::optional<double> KinkSearch::Find() {
   constexpr double kAtOne = 1e-9;  // what begins so near a kink has passed it, of its change
-  dynamics_->KinksIn(step_->PlaceStart(), &start_);
-  dynamics_->KinksIn(step_->PlaceEnd(), &end_);
+  dynamics_->FindKinks(step_->PlaceStart(), &start_);
+  dynamics_->FindKinks(step_->PlaceEnd(), &end_);
   const double start = step_->start_time();
   std::optional<double> first;
   for (int i = 0; i < static_cast<int>(end_.size()); ++i) {

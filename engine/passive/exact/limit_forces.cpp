@@ -15,69 +15,69 @@ LimitForces::LimitForces(RegionDynamics* dynamics) : dynamics_(dynamics) {
 }
 
 template <typename IsWanted>
-void LimitForces::AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted) {
+SomeHinges LimitForces::AssembleSome(double t, const HingeState& state, IsWanted&& is_wanted) {
   some_.clear();
   for (int i = 0; i < dynamics_->num_hinges(); ++i) {
     if (is_wanted(i)) some_.push_back(i);
   }
-  dynamics_->AssembleSome(some_, t, q, qd);
   solver_.Resize(static_cast<int>(some_.size()));
   held_.assign(some_.size(), 1);
+  return dynamics_->AssembleSome(some_, t, state);
 }
 
-void LimitForces::Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
-                         const std::vector<char>& sticks, VecX* qd) {
+void LimitForces::Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
+                         const std::vector<char>& sticks, HingeState* state) {
   dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
+  VecX& qd = state->qd;
   if (!dynamics_->is_large()) {
-    dynamics_->AssembleHinges(t, q, *qd);
-    dynamics_->PinImpulse(v_pin, &impulse_);
-    return solver_.Impact(dynamics_->M(), impulse_, side, sticks, qd, dynamics_->RowsOfImpulses());
+    const HingeEquations equations = dynamics_->AssembleHinges(t, *state);
+    equations.PinImpulse(v_pin, &impulse_);
+    return solver_.Impact(equations.M(), impulse_, side, sticks, &qd, equations.for_impulses());
   }
-  AssembleSome(t, q, *qd, [&](int i) { return side[i] != 0; });
-  if (!v_pin.isZero(0.0)) *qd += dynamics_->JumpOfPin(v_pin);
+  const SomeHinges equations = AssembleSome(t, *state, [&](int i) { return side[i] != 0; });
+  if (!v_pin.isZero(0.0)) qd += equations.RatesOfPin(v_pin);
   const auto k = static_cast<Eigen::Index>(some_.size());
   VecX before(k), after(k);
   side_.clear();
   flags_.clear();
   for (Eigen::Index c = 0; c < k; ++c) {
-    before[c] = after[c] = (*qd)[some_[c]];
+    before[c] = after[c] = qd[some_[c]];
     side_.push_back(side[some_[c]]);
     flags_.push_back(sticks[some_[c]]);
   }
-  solver_.Impact(dynamics_->M(), VecX::Zero(k), side_, flags_, &after);
-  *qd += dynamics_->JumpOf(dynamics_->M() * (after - before));
-  for (Eigen::Index c = 0; c < k; ++c) (*qd)[some_[c]] = after[c];
+  solver_.Impact(equations.M(), VecX::Zero(k), side_, flags_, &after);
+  qd += equations.RatesOf(equations.M() * (after - before));
+  for (Eigen::Index c = 0; c < k; ++c) qd[some_[c]] = after[c];
 }
 
-void LimitForces::Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+void LimitForces::Rest(double t, const HingeState& state, const std::vector<int>& side,
                        const std::vector<char>& fixed, std::vector<char>* held) {
   dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   if (!dynamics_->is_large()) {
-    dynamics_->AssembleHinges(t, q, qd);
-    return solver_.Rest(dynamics_->M(), dynamics_->b(), side, fixed, held,
-                        dynamics_->RowsOfForces());
+    const HingeEquations equations = dynamics_->AssembleHinges(t, state);
+    return solver_.Rest(equations.M(), equations.b(), side, fixed, held, equations.for_forces());
   }
-  AssembleSome(t, q, qd, [&](int i) { return side[i] != 0; });
+  const SomeHinges equations = AssembleSome(t, state, [&](int i) { return side[i] != 0; });
   side_.clear();
   flags_.clear();
   for (const int i : some_) {
     side_.push_back(side[i]);
     flags_.push_back(fixed[i]);
   }
-  solver_.Rest(dynamics_->M(), dynamics_->b(), side_, flags_, &held_);
+  solver_.Rest(equations.M(), equations.b(), side_, flags_, &held_);
   held->assign(side.size(), 0);
   for (size_t c = 0; c < some_.size(); ++c) (*held)[some_[c]] = held_[c];
   TakeTorques();
 }
 
-void LimitForces::Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held) {
+void LimitForces::Hold(double t, const HingeState& state, const std::vector<char>& held) {
   dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   if (!dynamics_->is_large()) {
-    dynamics_->AssembleHinges(t, q, qd);
-    return solver_.Solve(dynamics_->M(), dynamics_->b(), held, dynamics_->RowsOfForces());
+    const HingeEquations equations = dynamics_->AssembleHinges(t, state);
+    return solver_.Solve(equations.M(), equations.b(), held, equations.for_forces());
   }
-  AssembleSome(t, q, qd, [&](int i) { return held[i] != 0; });
-  solver_.Solve(dynamics_->M(), dynamics_->b(), held_);
+  const SomeHinges equations = AssembleSome(t, state, [&](int i) { return held[i] != 0; });
+  solver_.Solve(equations.M(), equations.b(), held_);
   TakeTorques();
 }
 

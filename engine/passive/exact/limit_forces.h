@@ -14,15 +14,15 @@ class LimitForces {
   // `dynamics` must outlive it.
   explicit LimitForces(RegionDynamics* dynamics);
 
-  // At t, with the angles q: an impact of what goes out, of a pin that moved with v_pin [m/s], and
-  // of ends of constraints that part.
-  void Impact(double t, const VecX& q, const Vec3& v_pin, const std::vector<int>& side,
-              const std::vector<char>& sticks, VecX* qd);
+  // An impact of what goes out, of a pin that moved with v_pin [m/s], and of ends of constraints
+  // that part. Changes the rates.
+  void Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
+              const std::vector<char>& sticks, HingeState* state);
   // Which hinges at rest at a limit stay there.
-  void Rest(double t, const VecX& q, const VecX& qd, const std::vector<int>& side,
+  void Rest(double t, const HingeState& state, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);
   // With the hinges `held` kept still.
-  void Hold(double t, const VecX& q, const VecX& qd, const std::vector<char>& held);
+  void Hold(double t, const HingeState& state, const std::vector<char>& held);
   // After Impact: the impulses of constraints' rows [N s, N m s].
   const VecX& row_impulses() const { return solver_.l(); }
   // After Rest and Hold: accelerations, but of large islands, and what the limits give [N m].
@@ -31,7 +31,7 @@ class LimitForces {
 
  private:
   template <typename IsWanted>
-  void AssembleSome(double t, const VecX& q, const VecX& qd, IsWanted&& is_wanted);
+  SomeHinges AssembleSome(double t, const HingeState& state, IsWanted&& is_wanted);
   void TakeTorques();
 
   RegionDynamics* dynamics_;

@@ -6,10 +6,7 @@
 namespace hazumi {
 
 ReleaseSearch::ReleaseSearch(ExactStep* step, ActiveLimits* limits)
-    : step_(step),
-      limits_(limits),
-      sample_(static_cast<int>(step->now().q.size())),
-      later_(static_cast<int>(step->now().q.size())) {}
+    : step_(step), limits_(limits), sample_(step->now()), later_{0.0, step->now()} {}
 
 void ReleaseSearch::Begin() {
   has_later_ = false;
@@ -80,7 +77,6 @@ void ReleaseSearch::LookLater(double t) {
   for (double later = 1e-6; later_.time < step_->time(); later *= 10.0) {
     later_.time = std::min(t + later, step_->time());
     step_->Sample(later_.time, &later_.state);
-    later_.outer = step_->sampled_outer();
     if (!limits_->WouldHoldAll(later_)) break;
   }
   has_later_ = later_.time > t;

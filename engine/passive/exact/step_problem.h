@@ -8,14 +8,14 @@
 namespace hazumi {
 
 // Problem of one time step [METHOD 12.4]: velocities w = A l + b of the nearby rows for impulses l.
-// One row for each row of RegionDynamics, then one for each hinge near a limit.
+// One row for each row of RowSystem, then one for each hinge near a limit.
 class StepProblem {
  public:
   virtual ~StepProblem() = default;
 
-  // Assembles the rows for angles q and rates qd of the free hinges at t; Factor then prepares
-  // their response to impulses for the same q.
-  virtual void Assemble(double t, const VecX& q, const VecX& qd) = 0;
+  // Assembles the rows for a state at t; Factor then prepares their response to impulses for the
+  // same angles.
+  virtual void Assemble(double t, const HingeState& state) = 0;
   virtual void Factor() = 0;
   // Velocities of the rows except those of limits. Accelerations without the forces of the rows and
   // without friction; x_0: those of the free hinges. Require Assemble and Factor.

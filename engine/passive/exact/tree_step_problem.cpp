@@ -34,26 +34,26 @@ TreeStepProblem::TreeStepProblem(RegionDynamics* dynamics)
   limits_of_.resize(dynamics->model().nodes.size());
 }
 
-void TreeStepProblem::Assemble(double t, const VecX& q, const VecX& qd) {
-  dynamics_->AssembleByTree(t, q, qd, &x_0_, &accelerations_);
+void TreeStepProblem::Assemble(double t, const HingeState& state) {
+  equations_.emplace(dynamics_->AssembleByTree(t, state));
 }
 
-void TreeStepProblem::Factor() { dynamics_->BeginImpulses(&tree_); }
+void TreeStepProblem::Factor() { equations_->Begin(&tree_); }
 
 VecX TreeStepProblem::Rates() const {
-  const std::vector<ConstraintRow>& rows = dynamics_->rows();
-  VecX rates(static_cast<Eigen::Index>(rows.size()));
-  for (size_t k = 0; k < rows.size(); ++k) rates[static_cast<Eigen::Index>(k)] = rows[k].rate;
+  VecX rates(static_cast<Eigen::Index>(all_rows().size()));
+  for (size_t k = 0; k < all_rows().size(); ++k)
+    rates[static_cast<Eigen::Index>(k)] = all_rows()[k].rate;
   return rates;
 }
 
 VecX TreeStepProblem::Accelerations(VecX* x_0) const {
-  *x_0 = x_0_;
-  return accelerations_;
+  *x_0 = equations_->x_0();
+  return equations_->of_rows();
 }
 
 double TreeStepProblem::KineticEnergy(const VecX& qd) const {
-  return dynamics_->KineticEnergyOf(qd);
+  return equations_->KineticEnergy(qd);
 }
 
 void TreeStepProblem::SetUp(Acting, const std::vector<int>& side, const VecX& rows,
@@ -68,8 +68,8 @@ void TreeStepProblem::SetUp(Acting, const std::vector<int>& side, const VecX& ro
   for (auto& contacts : contacts_) contacts.clear();
   for (auto& limits : limits_of_) limits.clear();
   for (int row = 0; row < static_cast<int>(rows.size()); row += 3) {
-    const int contact = dynamics_->rows()[static_cast<size_t>(row)].contact;
-    ListContact(row, dynamics_->contacts().FrictionOf(contact));
+    const int contact = all_rows()[static_cast<size_t>(row)].contact;
+    ListContact(row, dynamics_->mode().contacts.FrictionOf(contact));
   }
   for (size_t k = 0; k < limits().size(); ++k) {
     const int i = limits()[k], row = static_cast<int>(RowOfLimit(k));
@@ -83,7 +83,7 @@ void TreeStepProblem::SetUp(Acting, const std::vector<int>& side, const VecX& ro
 
 // Lists a contact. Nodes that are not dynamic have no response.
 void TreeStepProblem::ListContact(int row, double friction) {
-  const auto rows = dynamics_->rows().begin() + row;
+  const auto rows = all_rows().begin() + row;
   blocks_.push_back({Kind::kContact, row, friction});
   if (!tree_.is_dynamic(rows[0].a)) return;
   Contact contact{row, rows[0].a, friction, rows[0].r_a, rows[0].n, rows[1].n, rows[2].n, {}, {}};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "engine/passive/exact/step_problem.h"
 #include "engine/passive/tree_impulses.h"
 
@@ -12,7 +15,7 @@ class TreeStepProblem : public StepProblem {
   // Requires that `dynamics` outlives this object.
   explicit TreeStepProblem(RegionDynamics* dynamics);
 
-  void Assemble(double t, const VecX& q, const VecX& qd) override;
+  void Assemble(double t, const HingeState& state) override;
   void Factor() override;
   VecX Rates() const override;
   VecX Accelerations(VecX* x_0) const override;
@@ -51,9 +54,11 @@ class TreeStepProblem : public StepProblem {
   void Solve(const Contact& contact);
   void Solve(const Limit& limit);
 
+  const std::vector<ConstraintRow>& all_rows() const { return dynamics_->rows().rows(); }
+
   RegionDynamics* dynamics_;
+  std::optional<HingeTree> equations_;
   TreeImpulses tree_;
-  VecX x_0_, accelerations_;
   VecX b_, own_, compliance_, forces_, w_;
   std::vector<ConeProblem::Block> blocks_;
   std::vector<std::vector<Contact>> contacts_;  // one per node

@@ -172,8 +172,8 @@ def sentence(rows):
         f"{depth_and_energy(usual(theirs))} with MuJoCo's defaults. All of the fall with an error of "
         f"{TARGET:g} rad {AFTER} s after the impact: {ranked(rows)}; as a new file at {soon[0]}, by MuJoCo's "
         f"default at {soon[1]}. The least error measured there: {least(rows, 'hazumi')}, "
-        f"{least(rows, 'mujoco')}. At {LATE} s, after contacts of `exact` were first frozen at "
-        f"{float(usual(ours)['frozen_from_s']):.2g} s, its error is {late(rows, ours)}, "
+        f"{least(rows, 'mujoco')}. At {LATE} s, after `exact` first entered time-stepping mode at "
+        f"{float(usual(ours)['time_stepping_from_s']):.2g} s, its error is {late(rows, ours)}, "
         f"that of MuJoCo Euler {late(rows, theirs)}.*")
     return textwrap.fill(text, 112) + "\n"
 

@@ -98,8 +98,8 @@ std::vector<double> ForcesOf(const Motion& motion) {
   return forces;
 }
 
-// A hand that holds on to the hip is torn off as the fall is broken by the ground, where forces are
-// frozen.
+// A hand that holds on to the hip is torn off as the fall is broken by the ground, in time-stepping
+// mode.
 TEST(TumbleBake, AHoldBreaksWhereItsForceIsMoreThanItStands) {
   Animation animation = LooseHuman(40, 1.4, 1.0);
   Animation bare = animation;

@@ -110,12 +110,12 @@ TEST_F(NoAllocation, InStepsOfTheExactMethod) {
   dynamics.SetDriven(&driven, 0.0, 10.0);
   const VecX limits = VecX::Constant(kArm, 0.5);
   ExactSolver solver(&dynamics, -limits, limits);
-  VecX q = VecX::Constant(kArm, 0.3), qd = VecX::Constant(kArm, 1.0);
-  solver.Start(0.0, q, qd);
+  HingeState state(VecX::Constant(kArm, 0.3), VecX::Constant(kArm, 1.0));
+  solver.Start(0.0, state);
   ExpectNone([&] {
     for (int step = 0; step < 60; ++step) {
       ASSERT_FALSE(solver.Advance(10.0));
-      solver.Sample(0.5 * (solver.step_start() + solver.time()), &q, &qd);
+      solver.Sample(0.5 * (solver.step_start() + solver.time()), &state);
     }
   });
 }

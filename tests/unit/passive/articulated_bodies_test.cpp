@@ -56,8 +56,8 @@ VecX SolvedBy(const RandomIsland& island, const RegionLayout& layout) {
 TEST(ArticulatedBodies, AccelerateChainsOfHingesAsTheDenseEquations) {
   Worst worst("hinges");
   ForEachIsland([&](RandomIsland* island) {
-    const RegionDynamics dense = Assembled(*island);
-    const VecX expected = dense.M().llt().solve(-dense.b());
+    const IslandEquations dense = Assembled(*island);
+    const VecX expected = dense.M.llt().solve(-dense.b);
     const VecX x = SolvedBy(*island, RegionLayout(island->model, /*balls=*/false));
     EXPECT_LE(worst(RelativeDifference(x, expected)), kTreeTolerance);
   });
@@ -67,11 +67,11 @@ TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
   Worst worst("balls");
   int balls = 0;
   ForEachIsland([&](RandomIsland* island) {
-    const RegionDynamics dense = Assembled(*island);
+    const IslandEquations dense = Assembled(*island);
     const RegionLayout hinges(island->model, /*balls=*/false),
         layout(island->model, /*balls=*/true);
     balls += layout.num_positions() - layout.num_dofs();
-    const VecX expected = BodiesAccelerated(*island, hinges, dense.M().llt().solve(-dense.b()));
+    const VecX expected = BodiesAccelerated(*island, hinges, dense.M.llt().solve(-dense.b));
     const VecX actual = BodiesAccelerated(*island, layout, SolvedBy(*island, layout));
     EXPECT_LE(worst(RelativeDifference(actual, expected)), kTreeTolerance);
   });
@@ -79,9 +79,9 @@ TEST(ArticulatedBodies, AccelerateBodiesOnBallJointsAsTheDenseEquations) {
 }
 
 // What is locked stands in equations of its own, x = 0.
-VecX SolveUnlocked(const RegionDynamics& dense, const std::vector<char>& locked) {
-  MatX M = dense.M();
-  VecX right = -dense.b();
+VecX SolveUnlocked(const IslandEquations& dense, const std::vector<char>& locked) {
+  MatX M = dense.M;
+  VecX right = -dense.b;
   for (Eigen::Index i = 0; i < right.size(); ++i) {
     if (!locked[static_cast<size_t>(i)]) continue;
     M.row(i).setZero();
@@ -124,9 +124,9 @@ TEST(ArticulatedBodies, GiveNothingToADirectionThatMovesNoMass) {
     ++massless;
     island->model.mass -= last.body.mass;
     last.body = RigidInertia();
-    const RegionDynamics dense = Assembled(*island);
-    MatX L = dense.M();
-    VecX expected = -dense.b();
+    const IslandEquations dense = Assembled(*island);
+    MatX L = dense.M;
+    VecX expected = -dense.b;
     FactorSemidefinite(L);
     SolveSemidefinite(L, expected);
     const VecX x = SolvedBy(*island, RegionLayout(island->model, /*balls=*/false));
@@ -177,7 +177,7 @@ TEST(ArticulatedBodies, AnswerAPushAsTheDenseEquations) {
     const Vec3 force = island->random.Vector3(50.0);
     const bool flies = island->model.root_answers;
     const VecX x =
-        Assembled(*island).M().llt().solve(PointJacobian(*island, node, r).transpose() * force);
+        Assembled(*island).M.llt().solve(PointJacobian(*island, node, r).transpose() * force);
     Vec3 expected = PointJacobian(*island, other, at) * x;
     if (flies) expected += force / island->model.mass;
     for (const bool balls : {false, true}) {
@@ -238,7 +238,7 @@ TEST(ArticulatedBodies, AnswerATorqueAboutAHingeWithAColumnOfTheInverse) {
     const RegionLayout layout(island->model, /*balls=*/false);
     const NodeKinematics kinematics = MovedBy(*island, layout);
     const MatX inverse =
-        Assembled(*island).M().llt().solve(MatX::Identity(layout.num_dofs(), layout.num_dofs()));
+        Assembled(*island).M.llt().solve(MatX::Identity(layout.num_dofs(), layout.num_dofs()));
     ArticulatedBodies articulated(island->model);
     VecX x(layout.num_dofs());
     articulated.Solve(layout, kinematics.motion(), x.data());

@@ -207,7 +207,7 @@ struct Solved {
           return ExactSolver(&dynamics, -none, none);
         }()) {
     solver.SetTolerance(1e-10);
-    solver.Start(0.0, island.q, island.qd, {AnchorOf(island), {}});
+    solver.Start(0.0, {island.q, island.qd, {AnchorOf(island), {}}});
     is_solved = !solver.Advance(0.002);
   }
 
@@ -222,12 +222,12 @@ TEST(ForceLaw, ActsByVirtualPower) {
     const Push push = AnyPush(island, &random);
     RegionDynamics plain(island.model, {}, RandomIsland::kGravity);
     RegionDynamics pushed(island.model, With(push), RandomIsland::kGravity);
-    for (RegionDynamics* dynamics : {&plain, &pushed}) {
+    const auto b_of = [&](RegionDynamics* dynamics) {
       dynamics->SetDriven(&island.driven, -0.01, 0.01);
-      dynamics->AssembleHinges(0.0, island.q, island.qd);
-    }
-    const VecX forces = plain.b() - pushed.b(), expected = VirtualPower(island, push);
-    EXPECT_LE((forces - expected).norm(), 1e-10 * (1.0 + plain.b().norm() + expected.norm()))
+      return dynamics->AssembleHinges(0.0, {island.q, island.qd}).b();
+    };
+    const VecX b = b_of(&plain), expected = VirtualPower(island, push);
+    EXPECT_LE((b - b_of(&pushed) - expected).norm(), 1e-10 * (1.0 + b.norm() + expected.norm()))
         << what;
   });
 }
@@ -243,8 +243,8 @@ TEST(ForceLaw, AcceleratesAsTheDenseEquationsSay) {
     VecX y(layout.state_size()), dy(y.size());
     layout.Pack(island.q, island.qd, y.data());
     dynamics.Derivative(0.0, y.data(), dy.data());
-    dynamics.AssembleHinges(0.0, island.q, island.qd);
-    const VecX expected = dynamics.M().llt().solve(-dynamics.b());
+    const HingeEquations equations = dynamics.AssembleHinges(0.0, {island.q, island.qd});
+    const VecX expected = equations.M().llt().solve(-equations.b());
     EXPECT_LE((dy.tail(layout.num_dofs()) - expected).norm(), 1e-8 * (1.0 + expected.norm()))
         << what;
   });
@@ -263,9 +263,8 @@ VecX NextToPoles(const RandomIsland& island, const RegionLayout& layout, double 
   return q;
 }
 
-// Next to a pole, where torques that are not found for it act less, what limits were found to give
-// acts in full.
-TEST(ForceLaw, WhatIsFrozenActsInFullNextToAPole) {
+// Torques of limits in time-stepping mode, unlike those of drives, act in full next to a pole.
+TEST(ForceLaw, TorquesOfTimeSteppingActInFullNextToAPole) {
   int balls = 0;
   ForEachLawsIsland([&](const RandomIsland& island, const std::string& what) {
     Random random(6);
@@ -274,11 +273,11 @@ TEST(ForceLaw, WhatIsFrozenActsInFullNextToAPole) {
     const RegionLayout& layout = dynamics.layout();
     balls += layout.num_positions() != layout.num_dofs();
     const VecX q = NextToPoles(island, layout, 0.01), torques = random.Vector(q.size(), 20.0);
-    dynamics.AssembleHinges(0.0, q, island.qd);
-    const VecX free = dynamics.b();
-    dynamics.Freeze(torques);
-    dynamics.AssembleHinges(0.0, q, island.qd);
-    EXPECT_LE((free - dynamics.b() - torques).norm(), 1e-6 * (1.0 + free.norm())) << what;
+    const HingeState state(q, island.qd);
+    const VecX free = dynamics.AssembleHinges(0.0, state).b();
+    dynamics.mode().constant.AddTorques(torques, dynamics.PlacedHinges(0.0, state));
+    const VecX b = dynamics.AssembleHinges(0.0, state).b();
+    EXPECT_LE((free - b - torques).norm(), 1e-6 * (1.0 + free.norm())) << what;
   });
   EXPECT_GE(balls, 10);
 }
@@ -371,9 +370,9 @@ TEST(ForceLaw, FromOutsidePushesAFigureOffItsParabola) {
     ++figures;
     const double c = DragLaw::kRate, left = std::exp(-c * 0.2);
     const Vec3 u = DragLaw::kWind - RandomIsland::kGravity / c * Vec3::UnitZ();
-    VecX q, qd;
-    solver.Sample(0.2, &q, &qd);
-    const PointMotion fall = solver.SampledOuter().anchor;
+    HingeState state;
+    solver.Sample(0.2, &state);
+    const PointMotion& fall = state.outer.anchor;
     EXPECT_LE((fall.v - u - (kAnchor.v - u) * left).norm(), 1e-8) << seed;
     EXPECT_LE((fall.p - kAnchor.p - 0.2 * u - (kAnchor.v - u) * (1.0 - left) / c).norm(), 1e-8)
         << seed;

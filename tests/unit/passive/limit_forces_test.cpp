@@ -16,7 +16,7 @@ constexpr double kForceTolerance = 1e-8;
 // One island of a random model, some of whose hinges are at limits.
 struct Stopped {
   Stopped(const ModelCase& c, const RegionDynamics& dynamics, uint64_t seed)
-      : t(c.t), q(Gather(dynamics, c.q)), qd(Gather(dynamics, c.qd)) {
+      : t(c.t), state(Gather(dynamics, c.q), Gather(dynamics, c.qd)) {
     Random random(seed);
     for (int i = 0; i < dynamics.num_hinges(); ++i) side.push_back(random.Integer(-1, 1));
     v_pin = random.Vector3(1.0);
@@ -29,7 +29,7 @@ struct Stopped {
   }
 
   double t;
-  VecX q, qd;
+  HingeState state;
   Vec3 v_pin;
   std::vector<int> side;
 };
@@ -42,14 +42,15 @@ struct Answers {
 Answers Ask(const Stopped& s, bool with_pin, RegionDynamics* dynamics) {
   LimitForces limits(dynamics);
   Answers answers;
-  limits.Hold(s.t, s.q, s.qd, s.at_limit());
+  limits.Hold(s.t, s.state, s.at_limit());
   answers.held = limits.T();
   answers.stays = s.none();
-  limits.Rest(s.t, s.q, s.qd, s.side, s.none(), &answers.stays);
+  limits.Rest(s.t, s.state, s.side, s.none(), &answers.stays);
   answers.rested = limits.T();
-  answers.after = s.qd;
+  HingeState after = s.state;
   const Vec3 v_pin = with_pin ? s.v_pin : Vec3(Vec3::Zero());
-  limits.Impact(s.t, s.q, v_pin, s.side, s.none(), &answers.after);
+  limits.Impact(s.t, v_pin, s.side, s.none(), &after);
+  answers.after = after.qd;
   return answers;
 }
 
@@ -72,7 +73,7 @@ void ExpectSameForces(const char* claim, RootCoupling coupling) {
           << "seed " << seed;
       EXPECT_LE(worst(RelativeDifference(some.after, dense.after)), kForceTolerance)
           << "seed " << seed;
-      struck += (dense.after - stopped.qd).norm() > 0.0;
+      struck += (dense.after - stopped.state.qd).norm() > 0.0;
     }
   }
   EXPECT_GT(struck, kSamples / 2);

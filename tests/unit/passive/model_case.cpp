@@ -149,8 +149,8 @@ VecX Gather(const RegionDynamics& dynamics, const VecX& all) {
 }
 
 VecX HingeAccelerations(RegionDynamics* dynamics, double t, const VecX& q, const VecX& qd) {
-  dynamics->AssembleHinges(t, q, qd);
-  return dynamics->M().llt().solve(-dynamics->b());
+  const HingeEquations equations = dynamics->AssembleHinges(t, {q, qd});
+  return equations.M().llt().solve(-equations.b());
 }
 
 VecX VelocityDerivatives(RegionDynamics* dynamics, double t, const VecX& q, const VecX& qd) {

@@ -69,13 +69,14 @@ TEST(MovingBase, IsTheChainOfARandomTree) {
     const auto island = RandomIsland::Of(seed, RootCoupling::kPrescribed);
     if (!island) continue;
     RegionDynamics dynamics(island->model, ForceLaws(), RandomIsland::kGravity);
-    dynamics.SetCurves(&island->driven, -0.05);
-    if (!dynamics.needs_moving_base()) continue;
-    ++moved;
-    const auto moving_base = dynamics.FitMovingBase(-0.05, 0.25);
+    RegionKinematics& kinematics = dynamics.kinematics();
     const RegionLayout layout(island->model, /*balls=*/true);
+    kinematics.SetCurves(&island->driven, -0.05, layout);
+    if (!kinematics.needs_moving_base()) continue;
+    ++moved;
+    const auto moving_base = kinematics.FitMovingBase(-0.05, 0.25, layout);
     NodeKinematics chain(island->model);
-    const int first = dynamics.first_moved(), carrier = island->model.nodes[first].parent;
+    const int first = kinematics.first_moved(), carrier = island->model.nodes[first].parent;
     for (double t = -0.05; t <= 0.25; t += 0.01) {
       chain.Move(layout, island->driven, t, nullptr, nullptr, 0, first);
       const NodeMotion& own = chain.motion()[carrier];
@@ -173,12 +174,13 @@ TEST(MovingBase, IsTheSameSharedAsMadeTwice) {
     RegionDynamics own(island->model, ForceLaws(), RandomIsland::kGravity);
     RegionDynamics other(island->model, ForceLaws(), RandomIsland::kGravity);
     own.SetDriven(&island->driven, -0.05, 0.05);
-    other.SetCurves(&island->driven, -0.05);
-    if (!other.needs_moving_base()) continue;
+    const RegionLayout& layout = other.layout();
+    other.kinematics().SetCurves(&island->driven, -0.05, layout);
+    if (!other.kinematics().needs_moving_base()) continue;
     ++shared;
     RegionDynamics third(island->model, ForceLaws(), RandomIsland::kGravity);
-    third.SetCurves(&island->driven, -0.05);
-    other.UseMovingBase(third.FitMovingBase(-0.05, 0.05));
+    third.kinematics().SetCurves(&island->driven, -0.05, layout);
+    other.kinematics().UseMovingBase(third.kinematics().FitMovingBase(-0.05, 0.05, layout));
     VecX y(own.layout().state_size()), dy(y.size()), other_dy(y.size());
     own.layout().Pack(island->q, island->qd, y.data());
     own.Derivative(0.0123, y.data(), dy.data());

@@ -85,11 +85,11 @@ NodeKinematics MovedBy(const RandomIsland& island, const RegionLayout& layout) {
   return kinematics;
 }
 
-RegionDynamics Assembled(const RandomIsland& island) {
+IslandEquations Assembled(const RandomIsland& island) {
   RegionDynamics dynamics(island.model, ForceLaws(), RandomIsland::kGravity);
   dynamics.SetDriven(&island.driven, -0.01, 0.01);
-  dynamics.AssembleHinges(0.0, island.q, island.qd);
-  return dynamics;
+  const HingeEquations equations = dynamics.AssembleHinges(0.0, {island.q, island.qd});
+  return {equations.M(), equations.b()};
 }
 
 }  // namespace hazumi::test

@@ -26,6 +26,6 @@ struct RandomIsland {
 NodeKinematics MovedBy(const RandomIsland& island, const RegionLayout& layout);
 
 // M and b in the coordinates of all free hinges, by the dense equations.
-RegionDynamics Assembled(const RandomIsland& island);
+IslandEquations Assembled(const RandomIsland& island);
 
 }  // namespace hazumi::test

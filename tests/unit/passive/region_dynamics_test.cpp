@@ -147,8 +147,8 @@ TEST(RegionDynamics, FrictionSlowsHingesAndTheFreeRootAnswers) {
     // In hinge coordinates the same: M change has no component along the root.
     VecX hinge_change = VecX::Zero(n + 3);
     hinge_change.tail(n) = -2.5 * qd.tail(n);
-    plain.AssembleHinges(c.t, q, qd);
-    const MatX& M = plain.M();
+    const HingeEquations equations = plain.AssembleHinges(c.t, {q, qd});
+    const MatX& M = equations.M();
     hinge_change.head<3>() =
         M.topLeftCorner<3, 3>().llt().solve(-M.topRightCorner(3, n) * hinge_change.tail(n));
     const VecX zero_rates = VecX::Zero(n + 3);

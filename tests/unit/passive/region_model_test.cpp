@@ -193,7 +193,7 @@ TEST(RegionModel, LockingIsTheSameAsHoldingConstant) {
       if (!locked[i]) qdd[i] = less_qdd[k++];
     }
     const VecX q = Gather(all, c.q), qd = Gather(all, c.qd);
-    all.SetLocked(locked, q);
+    all.mode().layout.SetLocked(locked, q);
     const VecX actual = VelocityDerivatives(&all, c.t, q, qd);
     EXPECT_LE(RelativeDifference(actual, MapUnlocked(all, locked, q, qd, qdd)), 1e-10)
         << "seed " << seed;
@@ -217,10 +217,10 @@ TEST(RegionModel, ABlowAtThePinChangesRatesAsTheWholeFigureSays) {
     for (size_t i = 0; i < c.free.size(); ++i) all[c.free[i].value()] = expected[i];
     for (RegionDynamics& dynamics : c.Models()) {
       const VecX qd = Gather(dynamics, c.qd);
-      dynamics.AssembleHinges(c.t, Gather(dynamics, c.q), qd);
+      const HingeEquations equations = dynamics.AssembleHinges(c.t, {Gather(dynamics, c.q), qd});
       VecX impulse(dynamics.num_hinges());
-      dynamics.PinImpulse(v_pin, &impulse);
-      const VecX after = qd + dynamics.M().llt().solve(impulse);
+      equations.PinImpulse(v_pin, &impulse);
+      const VecX after = qd + equations.M().llt().solve(impulse);
       const double scale = expected.lpNorm<Eigen::Infinity>();
       const double error = (after - Gather(dynamics, all)).lpNorm<Eigen::Infinity>() / scale;
       EXPECT_LE(worst(error), 1e-9) << "seed " << seed;

@@ -4,14 +4,15 @@
 
 #include "engine/passive/contact/contact_push.h"
 #include "engine/passive/forces/force_law.h"
+#include "engine/passive/forces/hinge_moment.h"
 #include "engine/spatial/turn.h"
 
 namespace hazumi {
 
-// Forces of contacts and limits that stay what they are for a while, each with its point of the
-// body and its direction in the world; moments turn with their bodies. On a ball, which may roll,
-// the point stays where it is seen from the centre.
-struct FrozenForces {
+// Forces of contacts and limits in time-stepping mode, constant during a step. A contact force
+// keeps its point on the body and its direction in the world; on a ball, which may roll, it keeps
+// the point relative to the centre. Moments turn with their bodies. [METHOD 12.4]
+struct StepForces {
   struct Push {
     int node;
     Vec3 p_N;                     // in the node's frame; of a ball along the world's axes [m]
@@ -28,25 +29,36 @@ struct FrozenForces {
   };
   std::vector<Push> pushes;
   std::vector<Moment> moments;
-  // Moments of implicit springs, constant for the same time.
+  // Moments of implicit springs, constant during the same step.
   std::vector<Moment> springs;
   bool holds_springs = false;
 
-  bool any() const { return !pushes.empty() || !moments.empty(); }
   void Clear() {
     pushes.clear();
     moments.clear();
     springs.clear();
     holds_springs = false;
   }
-  // They begin to push, with bodies in these places.
+  // Adds moments that give free hinges these torques [N m].
+  void AddTorques(const VecX& torques, const RegionState& state) {
+    const auto& motion = state.kinematics.motion();
+    for (int i = 0; i < state.kinematics.size(); ++i) {
+      const RegionLayout::Node& node = state.layout.node(i);
+      if (node.num_dofs == 0) continue;
+      const auto own = torques.segment(node.first_hinge, node.num_dofs);
+      if (own.isZero(0.0)) continue;
+      const small::V3 moment = FullMomentOfHinges(motion[i], node.num_dofs, own.data());
+      moments.push_back({i, TransposeTimes(motion[i].R, moment).eigen()});
+    }
+  }
+  // Begins a step, with bodies in these places.
   void Begin(const RegionState& state) {
     for (Push& push : pushes) {
       push.from = PlaceOf(push, state);
       push.R_from = OrientationOf(push, state);
     }
   }
-  // What pushes have given since [J].
+  // Returns the work of contact forces since the begin of the step [J].
   double WorkOfPushes(const RegionState& state) const {
     double work = 0.0;
     for (const Push& push : pushes) {
@@ -57,7 +69,7 @@ struct FrozenForces {
     }
     return work;
   }
-  // What moments give to nodes that turn so [W].
+  // Returns the power of the moments on nodes that turn as in `state` [W].
   double PowerOfMoments(const RegionState& state) const {
     const auto& motion = state.kinematics.motion();
     double power = 0.0;
@@ -68,7 +80,7 @@ struct FrozenForces {
     }
     return power;
   }
-  // From a node's origin, in the world.
+  // Returns a point of a node relative to the node's origin, world axes.
   static small::V3 PointOn(const NodeKinematics& kinematics, int node, const Vec3& p_N) {
     const small::V3 p(p_N);
     return kinematics.is_ball(node) ? p : kinematics.motion()[node].R * p;

@@ -6,7 +6,7 @@
 //   C = 1 / (h / s + e) - 1 / (1 / s + e),   so that 1 / (s + C) = h / s but for e
 //   d = -(1 - h) n / s of what damps
 
-#include "engine/passive/constraints/row_forces.h"
+#include "engine/passive/constraints/row_compliance.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -38,8 +38,8 @@ VecX UnitsOf(const std::vector<ConstraintRow>& rows, const std::vector<Eigen::In
 
 }  // namespace
 
-RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const VecX& damping,
-                 double mass, double least) {
+RowCompliance ComplianceOf(const std::vector<ConstraintRow>& rows, const MatX& A,
+                           const VecX& damping, double mass, double least) {
   std::vector<Eigen::Index> closed, others;
   for (size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_contact()) continue;  // which may open, as limits may let go
@@ -65,11 +65,11 @@ RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const Ve
   }
   if (least > 0.0) C.array() += least;
   const VecX back = unit.cwiseInverse();
-  RowYield yield = {MatX::Zero(A.rows(), A.rows()), VecX::Zero(A.rows())};
-  yield.C(others, others) =
+  RowCompliance compliance = {MatX::Zero(A.rows(), A.rows()), VecX::Zero(A.rows())};
+  compliance.C(others, others) =
       back.asDiagonal() * U * C.asDiagonal() * U.transpose() * back.asDiagonal();
-  yield.d(others) = unit.cwiseProduct(U * d);
-  return yield;
+  compliance.d(others) = unit.cwiseProduct(U * d);
+  return compliance;
 }
 
 }  // namespace hazumi

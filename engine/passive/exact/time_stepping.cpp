@@ -8,7 +8,7 @@
 // the step is slowed down to close at the end of the step. A penetrating row (s < 0) is
 // depenetrated slowly. Restitution is zero in this mode.
 
-#include "engine/passive/exact/frozen_contacts.h"
+#include "engine/passive/exact/time_stepping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ constexpr double kGivesWay = 1e-4, kGivesMoreWay = 0.2;
 // times the greatest speed of what may touch.
 constexpr double kMostPush = 1e3, kMostBlow = 10.0;
 constexpr int kCalm = 8, kCalmest = 128;  // steps
-// How long forces stay: until what they were found for is off by so much, as things turn; and not
-// much longer than the last time.
+// Length of a step: until forces are off by so much, as bodies turn; and not much longer than that
+// of the last step.
 constexpr double kShortest = 1e-3, kLongest = 8e-3;  // [s]
 constexpr double kHalved = kShortest / 64.0;         // at least [s]
 constexpr double kOff = 1e-4, kMostTurn = 0.1;       // [m, rad]
@@ -44,14 +44,52 @@ constexpr double kSlides = 1e-3;                     // tangential speed of slid
 constexpr double kGiven = 0.01;                      // largest gain of kinetic energy
 constexpr double kAtRest = 1e-4;                     // largest speed of a body at rest [m/s]
 
+// Axes of the hinges of a spring, world.
+Eigen::Matrix3Xd AxesOf(const JointSpring& spring, const RegionState& state) {
+  const auto& axes = state.kinematics.motion()[spring.node].axis;
+  Eigen::Matrix3Xd all(3, state.layout.node(spring.node).num_dofs);
+  for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = axes[static_cast<size_t>(i)].eigen();
+  return all;
+}
+
+// Angular velocity of the node of a spring relative to the parent [rad/s].
+Vec3 TurningOf(const JointSpring& spring, const RegionState& state) {
+  const auto& motion = state.kinematics.motion();
+  const int parent = state.model.nodes[spring.node].parent;
+  return (motion[spring.node].w - (parent < 0 ? V3() : motion[parent].w)).eigen();
+}
+
+// Returns the force of a contact's row on its end a, or, with a ball, on the ball.
+StepForces::Push PushOf(const ConstraintRow& row, const V3& force, const ContactSet& contacts,
+                        const RegionState& state) {
+  const auto is_ball = [&](int node) { return state.kinematics.is_ball(node); };
+  const auto on_node = [&](int node, const V3& r) -> Vec3 {
+    if (node < 0) return Vec3::Zero();
+    return (is_ball(node) ? r : TransposeTimes(state.kinematics.motion()[node].R, r)).eigen();
+  };
+  StepForces::Push push;
+  push.node = row.a;
+  push.p_N = on_node(row.a, row.r_a);
+  push.force = force.eigen();
+  push.on_other = row.b;
+  push.p_other = on_node(row.b, row.r_b);
+  if (is_ball(row.b)) {
+    std::swap(push.node, push.on_other);
+    std::swap(push.p_N, push.p_other);
+    push.force = -push.force;
+  }
+  push.parts = contacts.PartsOf(contacts.pairs()[row.contact]);
+  return push;
+}
+
 }  // namespace
 
 // With which what has room s, or is so far inside, may go on at most, against the row.
-double FrozenContacts::SpeedFor(double s, double fastest_out) const {
+double TimeStepping::SpeedFor(double s, double fastest_out) const {
   return s >= 0.0 ? s / h_ : std::max(s / kWayOut, -fastest_out);
 }
 
-FrozenContacts::FrozenContacts(RegionDynamics* dynamics, const LimitRange* limits)
+TimeStepping::TimeStepping(RegionDynamics* dynamics, const LimitRange* limits)
     : dynamics_(dynamics), limits_(limits) {
   if (dynamics->solves_contacts_by_tree()) {
     problem_ = std::make_unique<TreeStepProblem>(dynamics);
@@ -64,91 +102,90 @@ FrozenContacts::FrozenContacts(RegionDynamics* dynamics, const LimitRange* limit
   torques_.setZero(dynamics->num_hinges());
 }
 
-void FrozenContacts::Begin() {
+void TimeStepping::Begin() {
   calm_enough_ = kCalm;
   left_ = -HUGE_VAL;
 }
 
-void FrozenContacts::Enter(double t) {
+void TimeStepping::Enter(double t) {
   calm_enough_ = t - left_ < kSoon ? std::min(2 * calm_enough_, kCalmest) : kCalm;
   calm_steps_ = 0;
-  least_yield_ = RegionDynamics::kBlocked;
+  least_compliance_ = RegionMode::kBlocked;
   start_ = t;
   longest_ = kLongest;
   is_inside_ = is_deep_ = has_no_room_ = false;
-  pushes_.clear();
+  pushing_.clear();
   torques_.setZero();
 }
 
-void FrozenContacts::Leave(double t) {
+void TimeStepping::Leave(double t) {
   left_ = t;
-  dynamics_->frozen().Clear();
+  dynamics_->mode().constant.Clear();
 }
 
 // A little of the motion, and what lifts the bodies by what forces may be off by, is no matter; nor
 // what lets them out.
-bool FrozenContacts::GivesTooMuch(double seconds, const RegionState& state) const {
+bool TimeStepping::GivesTooMuch(double seconds, const RegionState& state) const {
   const double out = is_inside_ ? kFastestOut : 0.0;
-  const double still = dynamics_->contacts().rules().rests_without_gravity ? kAtRest : 0.0;
+  const double still = contacts().rules().rests_without_gravity ? kAtRest : 0.0;
   const double lift =
       dynamics_->gravity() * (kOff + out * h_) + 0.5 * out * out + 0.5 * still * still;
-  const FrozenForces& frozen = dynamics_->frozen();
-  const double work = frozen.WorkOfPushes(state) + 0.5 * seconds * frozen.PowerOfMoments(state);
+  const StepForces& constant = dynamics_->mode().constant;
+  const double work = constant.WorkOfPushes(state) + 0.5 * seconds * constant.PowerOfMoments(state);
   return work > kGiven * kinetic_ + dynamics_->model().mass * lift;
 }
 
-bool FrozenContacts::Halve() {
+bool TimeStepping::Halve() {
   if (0.5 * h_ < kHalved) return false;
   longest_ = 0.5 * h_;
   calm_steps_ = 0;
   return true;
 }
 
-void FrozenContacts::GiveNothing() {
-  dynamics_->frozen().Clear();
+void TimeStepping::GiveNothing() {
+  dynamics_->mode().constant.Clear();
   torques_.setZero();
-  pushes_.clear();
+  pushing_.clear();
 }
 
-void FrozenContacts::Set(double t, HingeState* state, ImpactLog* log) {
-  dynamics_->frozen().Clear();
-  dynamics_->SetLeastYield(least_yield_);
-  kick_.setZero(dynamics_->outer_layout().num_jumps());
+void TimeStepping::Set(double t, HingeState* state, ImpactLog* log) {
+  dynamics_->mode().constant.Clear();
+  dynamics_->mode().least_compliance = least_compliance_;
   log->AddWork({0.0, 0.0, /*has_contacts=*/true});
   ListNear(t, *state);
-  problem_->Assemble(t, state->q, state->qd);
+  problem_->Assemble(t, *state);
   problem_->Factor();
   const bool is_struck = Strike(t, state, log);
-  if (is_struck) problem_->Assemble(t, state->q, state->qd);
+  if (is_struck) problem_->Assemble(t, *state);
   kinetic_ = problem_->KineticEnergy(state->qd) +
-             0.5 * dynamics_->model().mass * dynamics_->outer().anchor.v.squaredNorm() +
-             dynamics_->KineticOfBalls();
+             0.5 * dynamics_->model().mass * state->outer.anchor.v.squaredNorm() +
+             dynamics_->bodies().KineticEnergy(state->outer);
   Press(t, *state);
-  dynamics_->frozen().Begin(dynamics_->PlacedHinges(t, state->q, state->qd));
+  dynamics_->mode().constant.Begin(dynamics_->PlacedHinges(t, *state));
   if (is_struck || is_inside_) calm_steps_ = 0;
-  dynamics_->contacts().OpenAll();
+  contacts().OpenAll();
 }
 
-bool FrozenContacts::IsAnyInside(double t, const HingeState& state) {
-  ContactSet& contacts = dynamics_->contacts();
-  const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
-  contacts.FindPairs(places, kInside);
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    const auto point = contacts.PointOf(i, places);
-    const bool may_stay = contacts.MayStayInside(contacts.pairs()[i]);
+bool TimeStepping::IsAnyInside(double t, const HingeState& state) {
+  const RegionState places = dynamics_->PlaceHinges(t, state);
+  contacts().FindPairs(places, kInside);
+  for (int i = 0; i < static_cast<int>(contacts().pairs().size()); ++i) {
+    const auto point = contacts().PointOf(i, places);
+    const bool may_stay = contacts().MayStayInside(contacts().pairs()[i]);
     if (point && !may_stay && point->gap < -kInside) return true;
   }
   return false;
 }
 
-// Contacts give way by a share of what their own force does to them: where there is no room it
-// stays finite. Of what has been inside from the beginning, and is not deeper now, it is more.
-void FrozenContacts::GiveWay() {
-  // Of a body that nothing but it holds: what a joint lets go less far counts as that.
+// The compliance of a contact is a share of its response to its own force, so that forces stay
+// finite where there is no room. It is larger for what has been inside from the beginning, and is
+// not deeper now.
+void TimeStepping::AddCompliance() {
+  // Response of a free body of the whole mass, at least.
   const double least = 1.0 / dynamics_->model().mass;
   for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact) continue;
-    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(block.row)];
+    const ConstraintRow& row = rows()[static_cast<size_t>(block.row)];
     const double sunk = row.gap >= 0.0 ? std::clamp(-GapOf(row) / kSunk, 0.0, 1.0) : 0.0;
     const double hold = problem_->Response(block.row);
     const double more = (kGivesWay + kGivesMoreWay * sunk * sunk) * std::max(hold, least);
@@ -156,9 +193,9 @@ void FrozenContacts::GiveWay() {
   }
 }
 
-// Where keys or limits leave no room forces would have no bound: contacts that push with far more
-// than `most` give way so far that they push with about that.
-void FrozenContacts::SweepUpTo(double most, const VecX& start) {
+// Where keys or limits leave no room forces would have no bound: contacts with far more force than
+// `most` get a compliance that leaves about that much.
+void TimeStepping::SweepUpTo(double most, const VecX& start) {
   constexpr int kMostTimes = 4;
   problem_->Sweep(start, !is_deep_);
   for (int i = 0; i < kMostTimes; ++i) {
@@ -175,10 +212,9 @@ void FrozenContacts::SweepUpTo(double most, const VecX& start) {
   }
 }
 
-void FrozenContacts::ListNear(double t, const HingeState& state) {
-  ContactSet& contacts = dynamics_->contacts();
-  const RegionState places = dynamics_->PlaceHinges(t, state.q, state.qd);
-  const ContactSet::Speed fastest = contacts.Fastest(places);
+void TimeStepping::ListNear(double t, const HingeState& state) {
+  const RegionState places = dynamics_->PlaceHinges(t, state);
+  const ContactSet::Speed fastest = contacts().Fastest(places);
   h_ = std::min({2.0 * (t - start_), std::sqrt(kOff / (fastest.turn * fastest.end + 1e-9)),
                  kMostTurn / (fastest.turn + 1e-9)});
   h_ = std::min(std::clamp(h_, kShortest, kLongest), longest_);
@@ -186,15 +222,15 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
   start_ = t;
   fastest_ = fastest.end;
   const double reach = 2.0 * h_ * fastest.end + 1e-4;
-  contacts.FindPairs(places, reach);
-  contacts.RaiseFloors(places);
-  if (has_no_room_ || is_deep_) YieldMore();
+  contacts().FindPairs(places, reach);
+  contacts().TightenGaps(places);
+  if (has_no_room_ || is_deep_) AllowMoreCompliance();
   is_inside_ = is_deep_ = has_no_room_ = false;
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) {
-    const auto point = contacts.PointOf(i, places);
+  for (int i = 0; i < static_cast<int>(contacts().pairs().size()); ++i) {
+    const auto point = contacts().PointOf(i, places);
     const bool is_near = point && point->gap <= reach;
-    const bool is_felt = is_near && !contacts.IsBuried(i, point->gap);
-    contacts.SetMode(i, is_felt ? ContactMode::kStick : ContactMode::kOpen);
+    const bool is_felt = is_near && !contacts().IsBuried(i, point->gap);
+    contacts().SetMode(i, is_felt ? ContactMode::kStick : ContactMode::kOpen);
     is_inside_ |= is_near && point->gap < -kInside;
     is_deep_ |= is_felt && point->gap < -kSunk;
   }
@@ -209,28 +245,28 @@ void FrozenContacts::ListNear(double t, const HingeState& state) {
 }
 
 // Increases the compliance of constraints that conflict with contacts.
-void FrozenContacts::YieldMore() {
+void TimeStepping::AllowMoreCompliance() {
   constexpr double kMore = 10.0, kMaxCompliance = 1e3;
-  if (!dynamics_->contacts().rules().parts_what_is_tied) return;
-  least_yield_ = std::min(kMore * least_yield_, kMaxCompliance);
+  if (!contacts().rules().parts_what_is_tied) return;
+  least_compliance_ = std::min(kMore * least_compliance_, kMaxCompliance);
 }
 
-double FrozenContacts::RoomOf(int hinge, const VecX& q) const {
+double TimeStepping::RoomOf(int hinge, const VecX& q) const {
   return -limits_->Beyond(hinge, side_[hinge], q[hinge]);
 }
 
 // Where balls begin inside the figure they stay as deep as that until they leave.
-double FrozenContacts::GapOf(const ConstraintRow& row) const {
-  const ContactPair& pair = dynamics_->contacts().pairs()[row.contact];
-  return dynamics_->contacts().MayStayInside(pair) ? row.gap : row.gap + pair.floor;
+double TimeStepping::GapOf(const ConstraintRow& row) const {
+  const ContactPair& pair = contacts().pairs()[row.contact];
+  return contacts().MayStayInside(pair) ? row.gap : row.gap + pair.allowed_gap;
 }
 
-bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
+bool TimeStepping::Strike(double t, HingeState* state, ImpactLog* log) {
   const VecX came = problem_->Rates();
   VecX rates = came;
   bool any = false;
   for (Eigen::Index k = 0; k < rates.size(); ++k) {
-    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
+    const ConstraintRow& row = rows()[static_cast<size_t>(k)];
     if (!row.is_contact() || row.is_across) continue;
     rates[k] += std::max(0.0, GapOf(row)) / h_;
     any |= rates[k] < -kNoBlow;
@@ -247,13 +283,14 @@ bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
   for (size_t k = 0; k < problem_->limits().size(); ++k) {
     b[problem_->RowOfLimit(k)] = speed_left(problem_->limits()[k]);
   }
-  GiveWay();
+  AddCompliance();
   SweepUpTo(kMostBlow * dynamics_->model().mass * std::max(1.0, fastest_), VecX::Zero(b.size()));
-  ConstraintRows& constraints = dynamics_->constraints();
-  const auto worst = constraints.WorstOverload(problem_->row_forces(), /*are_impulses=*/true);
+  ConstraintSet& constraints = dynamics_->mode().constraints;
+  const auto worst =
+      constraints.WorstOverload(rows(), problem_->row_forces(), /*are_impulses=*/true);
   if (worst.excess > 0.0) {
     constraints.Break(worst.constraint, t);
-    problem_->Assemble(t, state->q, state->qd);
+    problem_->Assemble(t, *state);
     problem_->Factor();
     return Strike(t, state, log);
   }
@@ -267,85 +304,86 @@ bool FrozenContacts::Strike(double t, HingeState* state, ImpactLog* log) {
   state->qd += problem_->Jump();
   TellOfContacts(t, came, log);
   log->AddWork({problem_->WorkOfLimits(side_, before, state->qd), 0.0, /*has_contacts=*/true});
-  kick_ = dynamics_->KickOf(problem_->row_forces());
-  dynamics_->JumpOuter(kick_);
+  state->outer.Jump(dynamics_->bodies().VelocityChanges(rows(), problem_->row_forces()));
   return true;
 }
 
 // Adds the springs to the matrix and to b.
-void FrozenContacts::SoftenBySprings() {
-  VecX b = dynamics_->b();
-  MatX M = dynamics_->M();
+void TimeStepping::FactorWithSprings(const RegionState& state) {
+  VecX b = dense_->equations().b();
+  MatX M = dense_->equations().M();
   for (const JointSpring& own : springs_) {
-    const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
-    const Eigen::Index first = dynamics_->FirstHingeOf(own), n = axes.cols();
+    const Eigen::Matrix3Xd axes = AxesOf(own, state);
+    const Eigen::Index first = state.layout.node(own.node).first_hinge, n = axes.cols();
     M.block(first, first, n, n) +=
         axes.transpose() * (h_ * (own.damping + h_ * own.stiffness)) * axes;
-    b.segment(first, n) += axes.transpose() * (h_ * (own.stiffness * dynamics_->TurningOf(own)));
+    b.segment(first, n) += axes.transpose() * (h_ * (own.stiffness * TurningOf(own, state)));
   }
   dense_->FactorInstead(M, b);
 }
 
-// Stores the moments of the springs at the end of the step. Requires solved forces; x_0 are the
-// accelerations of the hinges without them.
-void FrozenContacts::KeepSprings(const VecX& x_0, const RegionState& state) {
+// Stores the moments of the springs at the end of the step, within their limits. Requires solved
+// forces; x_0 are the accelerations of the hinges without them.
+void TimeStepping::KeepSprings(const VecX& x_0, const RegionState& state) {
   const VecX jump = h_ * x_0 + problem_->Jump();
+  StepForces& constant = dynamics_->mode().constant;
+  constant.holds_springs = true;
   for (JointSpring& own : springs_) {
-    const Eigen::Matrix3Xd axes = dynamics_->AxesOf(own);
-    const Vec3 by = axes * jump.segment(dynamics_->FirstHingeOf(own), axes.cols());
-    own.moment -= h_ * (own.stiffness * (dynamics_->TurningOf(own) + by)) + own.damping * by;
+    const Eigen::Matrix3Xd axes = AxesOf(own, state);
+    const Vec3 by = axes * jump.segment(state.layout.node(own.node).first_hinge, axes.cols());
+    own.moment -= h_ * (own.stiffness * (TurningOf(own, state) + by)) + own.damping * by;
+    const Vec3 moment = dynamics_->laws().LimitSprings(state, own.node, own.moment);
+    const Mat3 R_WN = state.kinematics.motion()[own.node].R.eigen();
+    constant.springs.push_back({own.node, R_WN.transpose() * moment});
   }
-  dynamics_->FreezeSprings(springs_, state);
 }
 
 // Reports touch-downs: contacts that approached and received an impulse. `came`: velocities of the
 // rows before the impact.
-void FrozenContacts::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
-  const ContactSet& contacts = dynamics_->contacts();
+void TimeStepping::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
   for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact || came[block.row] > -kNoBlow) continue;
     if (problem_->forces()[block.row] <= 0.0) continue;
-    const int pair = dynamics_->rows()[static_cast<size_t>(block.row)].contact;
-    log->AddTouch(contacts.PartsOf(contacts.pairs()[pair]), contacts.BallOf(pair), t);
+    const int pair = rows()[static_cast<size_t>(block.row)].contact;
+    log->AddTouch(contacts().PartsOf(contacts().pairs()[pair]), contacts().BallOf(pair), t);
   }
 }
 
 // For rates after impacts.
-void FrozenContacts::Press(double t, const HingeState& state) {
+void TimeStepping::Press(double t, const HingeState& state) {
   VecX x_0;
-  const RegionState places = dynamics_->PlacedHinges(t, state.q, state.qd);
+  const RegionState places = dynamics_->PlacedHinges(t, state);
   springs_.clear();
   if (dynamics_->has_implicit_springs()) {
-    springs_ = dynamics_->Springs(places);
-    SoftenBySprings();
+    springs_ = dynamics_->laws().Springs(places);
+    FactorWithSprings(places);
   }
-  VecX rows = problem_->Accelerations(&x_0);
-  rows *= h_;
-  for (Eigen::Index k = 0; k < rows.size(); ++k) {
-    const ConstraintRow& row = dynamics_->rows()[static_cast<size_t>(k)];
+  VecX of_rows = problem_->Accelerations(&x_0);
+  of_rows *= h_;
+  for (Eigen::Index k = 0; k < of_rows.size(); ++k) {
+    const ConstraintRow& row = rows()[static_cast<size_t>(k)];
     if (!row.is_contact()) continue;
-    rows[k] += row.rate;
-    if (!row.is_across) rows[k] += SpeedFor(GapOf(row), kFastestOut);
+    of_rows[k] += row.rate;
+    if (!row.is_across) of_rows[k] += SpeedFor(GapOf(row), kFastestOut);
   }
-  problem_->SetUp(StepProblem::Acting::kForces, side_, rows, state.qd + h_ * x_0);
+  problem_->SetUp(StepProblem::Acting::kForces, side_, of_rows, state.qd + h_ * x_0);
   for (size_t k = 0; k < problem_->limits().size(); ++k) {
     const double room = RoomOf(problem_->limits()[k], state.q);
     problem_->b()[problem_->RowOfLimit(k)] += SpeedFor(room, kFastestTurnOut);
   }
-  GiveWay();
+  AddCompliance();
   SweepUpTo(kMostPush * dynamics_->model().mass * h_, h_ * LastForces());
-  Keep(problem_->forces());
+  Keep(problem_->forces(), places);
   if (dynamics_->has_implicit_springs()) KeepSprings(x_0, places);
 }
 
-// What was found for the while before, of what is there again.
-VecX FrozenContacts::LastForces() const {
+// Forces of the previous step, for contacts and limits that are there again.
+VecX TimeStepping::LastForces() const {
   VecX forces = VecX::Zero(problem_->b().size());
-  const std::vector<ConstraintRow>& rows = dynamics_->rows();
   for (Eigen::Index k = 0; k < problem_->num_rows(); ++k) {
-    const ConstraintRow& row = rows[static_cast<size_t>(k)];
+    const ConstraintRow& row = rows()[static_cast<size_t>(k)];
     if (row.is_contact()) {
-      forces[k] = Dot(dynamics_->contacts().pairs()[row.contact].frozen, row.n);
+      forces[k] = Dot(contacts().pairs()[row.contact].step_force, row.n);
     }
   }
   for (size_t k = 0; k < problem_->limits().size(); ++k) {
@@ -355,25 +393,24 @@ VecX FrozenContacts::LastForces() const {
   return forces;
 }
 
-void FrozenContacts::Keep(const VecX& impulses) {
-  ContactSet& contacts = dynamics_->contacts();
-  FrozenForces& frozen = dynamics_->frozen();
-  const std::vector<ConstraintRow>& rows = dynamics_->rows();
+void TimeStepping::Keep(const VecX& impulses, const RegionState& state) {
   const VecX w = problem_->Velocities();
-  std::vector<Pushing> pushes;
-  for (int i = 0; i < static_cast<int>(contacts.pairs().size()); ++i) contacts.SetFrozen(i, V3());
+  std::vector<Pushing> pushing;
+  for (int i = 0; i < static_cast<int>(contacts().pairs().size()); ++i) {
+    contacts().SetStepForce(i, V3());
+  }
   for (const ConeProblem::Block& block : problem_->blocks()) {
     if (block.kind != Kind::kContact || impulses[block.row] <= 0.0) continue;
-    const ConstraintRow& row = rows[static_cast<size_t>(block.row)];
+    const ConstraintRow& row = rows()[static_cast<size_t>(block.row)];
     V3 force;
     for (int k = block.row; k < block.row + 3; ++k) {
-      force += (impulses[k] / h_) * rows[static_cast<size_t>(k)].n;
+      force += (impulses[k] / h_) * rows()[static_cast<size_t>(k)].n;
     }
-    contacts.SetFrozen(row.contact, force);
-    const ContactPair& pair = contacts.pairs()[row.contact];
-    frozen.pushes.push_back(dynamics_->PushOf(row, force));
+    contacts().SetStepForce(row.contact, force);
+    const ContactPair& pair = contacts().pairs()[row.contact];
+    dynamics_->mode().constant.pushes.push_back(PushOf(row, force, contacts(), state));
     const bool slides = w.segment<2>(block.row + 1).norm() > kSlides;
-    pushes.push_back({pair.capsule, pair.obstacle, slides});
+    pushing.emplace_back(PushingContact{pair.capsule, pair.partner, slides});
   }
   torques_.setZero();
   for (size_t k = 0; k < problem_->limits().size(); ++k) {
@@ -381,13 +418,13 @@ void FrozenContacts::Keep(const VecX& impulses) {
     const double impulse = impulses[problem_->RowOfLimit(k)];
     if (impulse <= 0.0) continue;
     torques_[hinge] = -side_[hinge] * impulse / h_;
-    pushes.push_back({-1, hinge, false});
+    pushing.emplace_back(PushingLimit{hinge});
   }
-  dynamics_->Freeze(torques_);
-  std::sort(pushes.begin(), pushes.end());
-  pushes.erase(std::unique(pushes.begin(), pushes.end()), pushes.end());
-  calm_steps_ = pushes == pushes_ ? calm_steps_ + 1 : 0;
-  pushes_.swap(pushes);
+  dynamics_->mode().constant.AddTorques(torques_, state);
+  std::sort(pushing.begin(), pushing.end());
+  pushing.erase(std::unique(pushing.begin(), pushing.end()), pushing.end());
+  calm_steps_ = pushing == pushing_ ? calm_steps_ + 1 : 0;
+  pushing_.swap(pushing);
 }
 
 }  // namespace hazumi

@@ -2,16 +2,15 @@
 
 #include <vector>
 
-#include "engine/passive/constraints/constraint_rows.h"
+#include "engine/passive/constraints/constraint_row.h"
 
 namespace hazumi {
 
-// How the rows of constraints that have a gap to close give way: l of theirs, asked for errors,
-// follows
+// Compliance of the rows of constraints that have a gap to close. Their forces l follow
 //   (A + C) l = C d - errors
-// so that in directions in which they have next to no hold, as a limb that is straight cannot be
-// drawn in by its end, they only slow down, by d. Both are 0 for closed rows.
-struct RowYield {
+// In directions in which the constraint is nearly singular, as a straight limb cannot be drawn in
+// by its end, it only damps, by d. C and d are 0 for closed rows.
+struct RowCompliance {
   MatX C;
   VecX d;
 };
@@ -21,7 +20,7 @@ struct RowYield {
 // that damps. The rank of a row compares the motion of its end with that of `mass` [kg], and for a
 // torque with that of `mass` at an arm of 0.3 m. `least`: lower bound of C, as a part of 1 / mass.
 // The bound limits the forces where limits and contacts leave no feasible motion.
-RowYield YieldOf(const std::vector<ConstraintRow>& rows, const MatX& A, const VecX& damping,
-                 double mass, double least);
+RowCompliance ComplianceOf(const std::vector<ConstraintRow>& rows, const MatX& A,
+                           const VecX& damping, double mass, double least);
 
 }  // namespace hazumi

@@ -7,7 +7,7 @@
 // of its momenta while the gap is open. A gap closes as a swing damped until it does not overshoot,
 //   e'' = -2 w e' - w^2 e,   e(t) = (e_0 + (v_0 + w e_0) t) exp(-w t)
 
-#include "engine/passive/constraints/constraint_rows.h"
+#include "engine/passive/constraints/constraint_set.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -46,53 +46,50 @@ double Closing(const ConstraintRow& row, double rate) {
 
 }  // namespace
 
-ConstraintRows::ConstraintRows(std::vector<ConstraintSpec> specs)
+ConstraintSet::ConstraintSet(std::vector<ConstraintSpec> specs)
     : specs_(std::move(specs)),
       is_broken_(specs_.size(), 0),
-      num_whole_(static_cast<int>(specs_.size())) {
-  rows_.reserve(6 * specs_.size());
-}
+      num_whole_(static_cast<int>(specs_.size())) {}
 
 template <typename Predicate>
-bool ConstraintRows::AnyWhole(Predicate&& is_one) const {
+bool ConstraintSet::AnyWhole(Predicate&& is_one) const {
   for (size_t i = 0; i < specs_.size(); ++i) {
     if (!is_broken_[i] && is_one(specs_[i])) return true;
   }
   return false;
 }
 
-bool ConstraintRows::any_closed() const {
+bool ConstraintSet::any_closed() const {
   return AnyWhole([](const ConstraintSpec& spec) { return spec.closing_rate == 0.0; });
 }
 
-bool ConstraintRows::any_yielding() const {
+bool ConstraintSet::any_closing() const {
   return AnyWhole([](const ConstraintSpec& spec) { return spec.closing_rate > 0.0; });
 }
 
-bool ConstraintRows::may_break() const {
+bool ConstraintSet::may_break() const {
   return AnyWhole([](const ConstraintSpec& spec) { return spec.break_force.has_value(); });
 }
 
-double ConstraintRows::FastestRate() const {
+double ConstraintSet::FastestRate() const {
   double rate = 0.0;
   for (const ConstraintSpec& spec : specs_) rate = std::max(rate, spec.closing_rate);
   return rate;
 }
 
-void ConstraintRows::Measure(const RegionState& state) {
-  rows_.clear();
+void ConstraintSet::AppendRows(const RegionState& state, Rows* rows) const {
   for (int i = 0; i < static_cast<int>(specs_.size()); ++i) {
     if (is_broken_[i]) continue;
     if (specs_[i].kind == ConstraintKind::kDistance) {
-      AddDistance(i, state);
+      AddDistance(i, state, rows);
       continue;
     }
-    AddPoint(i, state);
-    if (specs_[i].kind == ConstraintKind::kWeld) AddTurn(i, state);
+    AddPoint(i, state, rows);
+    if (specs_[i].kind == ConstraintKind::kWeld) AddTurn(i, state, rows);
   }
 }
 
-ConstraintRow ConstraintRows::RowOf(int i, const V3& r_a, const V3& r_b) const {
+ConstraintRow ConstraintSet::RowOf(int i, const V3& r_a, const V3& r_b) const {
   const ConstraintSpec& spec = specs_[i];
   ConstraintRow row;
   row.constraint = i;
@@ -104,7 +101,7 @@ ConstraintRow ConstraintRows::RowOf(int i, const V3& r_a, const V3& r_b) const {
   return row;
 }
 
-void ConstraintRows::AddPoint(int i, const RegionState& state) {
+void ConstraintSet::AddPoint(int i, const RegionState& state, Rows* rows) const {
   const ConstraintSpec& spec = specs_[i];
   const EndMotion a = MotionOf(spec.a, state), b = MotionOf(spec.b, state);
   const V3 e = a.p - b.p, w_b = AngularVelocityOf(spec.b, state);
@@ -117,11 +114,11 @@ void ConstraintRows::AddPoint(int i, const RegionState& state) {
     row.rate = Dot(row.n, rate);
     row.bend = Dot(row.n, bend);
     row.wanted = Closing(row, spec.closing_rate);
-    rows_.push_back(row);
+    rows->push_back(row);
   }
 }
 
-void ConstraintRows::AddTurn(int i, const RegionState& state) {
+void ConstraintSet::AddTurn(int i, const RegionState& state, Rows* rows) const {
   const ConstraintSpec& spec = specs_[i];
   const Mat3 turn = RotationOf(spec.a, state) * RotationOf(spec.b, state).transpose();
   const Eigen::AngleAxisd phi(turn);
@@ -134,11 +131,11 @@ void ConstraintRows::AddTurn(int i, const RegionState& state) {
     row.gap = phi.angle() * phi.axis()[axis];
     row.rate = Dot(row.n, w);
     row.wanted = Closing(row, spec.closing_rate) + Dot(row.n, Cross(w_b, w));
-    rows_.push_back(row);
+    rows->push_back(row);
   }
 }
 
-void ConstraintRows::AddDistance(int i, const RegionState& state) {
+void ConstraintSet::AddDistance(int i, const RegionState& state, Rows* rows) const {
   constexpr double kNoDirection = 1e-9;  // [m]
   const ConstraintSpec& spec = specs_[i];
   const EndMotion a = MotionOf(spec.a, state), b = MotionOf(spec.b, state);
@@ -150,32 +147,32 @@ void ConstraintRows::AddDistance(int i, const RegionState& state) {
   row.rate = Dot(row.n, v);
   if (length > kNoDirection) row.bend = (Dot(v, v) - row.rate * row.rate) / length;
   row.wanted = Closing(row, spec.closing_rate);
-  rows_.push_back(row);
+  rows->push_back(row);
 }
 
-VecX ConstraintRows::Damping() const {
-  VecX damping = VecX::Zero(static_cast<Eigen::Index>(rows_.size()));
-  for (size_t k = 0; k < rows_.size(); ++k) {
-    if (rows_[k].is_contact()) continue;
+VecX ConstraintSet::Damping(const Rows& rows) const {
+  VecX damping = VecX::Zero(static_cast<Eigen::Index>(rows.size()));
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].is_contact()) continue;
     damping[static_cast<Eigen::Index>(k)] =
-        2.0 * specs_[rows_[k].constraint].closing_rate * rows_[k].rate;
+        2.0 * specs_[rows[k].constraint].closing_rate * rows[k].rate;
   }
   return damping;
 }
 
-VecX ConstraintRows::SizesOf(const VecX& forces) const {
+VecX ConstraintSet::SizesOf(const Rows& rows, const VecX& forces) const {
   VecX sizes = VecX::Zero(static_cast<Eigen::Index>(specs_.size()));
-  for (size_t k = 0; k < rows_.size(); ++k) {
-    if (rows_[k].turns || rows_[k].is_contact()) continue;
-    double& size = sizes[rows_[k].constraint];
+  for (size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].turns || rows[k].is_contact()) continue;
+    double& size = sizes[rows[k].constraint];
     size = std::hypot(size, forces[static_cast<Eigen::Index>(k)]);
   }
   return sizes;
 }
 
-ConstraintRows::Overload ConstraintRows::WorstOverload(const VecX& forces,
-                                                       bool are_impulses) const {
-  const VecX sizes = SizesOf(forces);
+ConstraintSet::Overload ConstraintSet::WorstOverload(const Rows& rows, const VecX& forces,
+                                                     bool are_impulses) const {
+  const VecX sizes = SizesOf(rows, forces);
   Overload worst;
   for (int i = 0; i < static_cast<int>(specs_.size()); ++i) {
     const std::optional<double>& stands =
@@ -187,7 +184,7 @@ ConstraintRows::Overload ConstraintRows::WorstOverload(const VecX& forces,
   return worst;
 }
 
-void ConstraintRows::Break(int constraint, double t) {
+void ConstraintSet::Break(int constraint, double t) {
   is_broken_[constraint] = 1;
   --num_whole_;
   breaks_.push_back({constraint, t});
