@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -37,6 +38,8 @@ IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>
 }
 
 IslandResult IslandRun::Do(const BeginIsland& request) {
+  HAZUMI_ASSERT(request.step_tolerance > 0.0);
+  HAZUMI_ASSERT(IsFinite(request.q) && IsFinite(request.qd));
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
   solver_.Start(request.t, {request.q, request.qd, request.outer});
@@ -55,6 +58,7 @@ IslandResult IslandRun::Do(const StopPin& request) {
 }
 
 void IslandRun::Attach(const std::shared_ptr<const DrivenMotion>& curves, double t, double end) {
+  HAZUMI_ASSERT(curves != nullptr && t <= end);
   curves_ = curves;
   RegionKinematics& kinematics = dynamics_.kinematics();
   kinematics.SetCurves(curves_.get(), t, dynamics_.layout());

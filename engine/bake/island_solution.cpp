@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/bake/island_curves.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -26,6 +27,8 @@ IslandSolution::IslandSolution(std::shared_ptr<const SharedIsland> island, doubl
 
 void IslandSolution::Begin(double t, double end, const RotationState& state,
                            std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known) {
+  HAZUMI_ASSERT(t <= end);
+  HAZUMI_ASSERT(curves != nullptr);
   const auto k = static_cast<Eigen::Index>(hinges().size());
   const IslandTask& task = island_->task;
   BeginIsland request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {island_, &task}};
@@ -49,6 +52,7 @@ void IslandSolution::Drive(double t, double end, std::shared_ptr<const DrivenMot
 void IslandSolution::FeelPin(const Vec3& v_pin) { answers_.Tell(StopPin{v_pin}); }
 
 void IslandSolution::Advance(double t, double end) {
+  HAZUMI_ASSERT(IsFinite(v_pin));
   if (time_ > t || time_ >= end) return;
   times_.reset();
   TakeProgress(answers_.Ask(AdvanceIsland{t, end}).progress);
@@ -103,6 +107,7 @@ std::optional<size_t> IslandSolution::AheadAt(double t) const {
 
 void IslandSolution::Scatter(const IslandSamples& samples, size_t index,
                              RotationState* state) const {
+  HAZUMI_ASSERT(2 * hinges().size() * (index + 1) <= samples.hinges.size());
   const int k = static_cast<int>(hinges().size());
   const double* sample = samples.hinges.data() + 2 * hinges().size() * index;
   for (int i = 0; i < k; ++i) {
@@ -119,6 +124,7 @@ void IslandSolution::Scatter(const IslandSamples& samples, size_t index,
 }
 
 VecX IslandSolution::Distances(const RotationState& a, const RotationState& b) const {
+  HAZUMI_ASSERT(a.q.size() == b.q.size());
   const int k = static_cast<int>(hinges().size());
   VecX q(k), other(k), distances(k);
   for (int i = 0; i < k; ++i) {

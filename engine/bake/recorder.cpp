@@ -7,6 +7,7 @@
 
 #include "engine/bake/pose/limits.h"
 #include "engine/bake/pose/pose_evaluator.h"
+#include "engine/spatial/checks.h"
 #include "engine/timeline/frame_time.h"
 
 namespace hazumi {
@@ -69,6 +70,7 @@ Recorder::Recorder(const Animation& animation, const BakeOptions& options, Motio
 }
 
 void Recorder::BeginStretch(Stretch* stretch) {
+  HAZUMI_ASSERT(stretch != nullptr && stretch->start.frame >= animation_.first_frame);
   stretch_ = stretch;
   stretch->events.clear();
   stretch->warnings.clear();
@@ -118,6 +120,7 @@ size_t Recorder::IndexFrom(int frame) const {
 // Adds an event of the solution before, which lasts until `end` [s] at most. Later impacts that
 // chatter on with it are counted to it.
 void Recorder::Keep(MotionEvent event, double end) {
+  HAZUMI_ASSERT(std::isfinite(event.time) && event.count > 0);
   const size_t index = stretch_->events.size();
   event.last_time = std::min(event.last_time, end);
   stretch_->events.push_back(event);
@@ -140,6 +143,7 @@ void Recorder::DropUnwritten() {
 }
 
 void Recorder::ClearReport(int region) {
+  HAZUMI_ASSERT(0 <= region && region < static_cast<int>(animation_.regions.size()));
   const DynamicsRegion& own = animation_.regions[region];
   RegionReport report;
   report.name = own.name;
@@ -163,6 +167,7 @@ std::optional<int> Recorder::OutputAt(double frame) const {
 }
 
 std::vector<int> Recorder::OutputsUpTo(double from, double to, double end) const {
+  HAZUMI_ASSERT(from <= to);
   const double per_frame = outputs_per_frame();
   const int first = static_cast<int>(std::floor(from * per_frame + kSameFrame)) + 1;
   std::vector<int> outputs;
@@ -283,6 +288,7 @@ void Recorder::Lengthen(std::optional<size_t> event, double last_time, long coun
 
 // Or goes on with the event that it chatters on with.
 void Recorder::AddLimit(JointIndex j, double time, double last_time, long count) {
+  HAZUMI_ASSERT(time <= last_time && count > 0);
   auto& last = last_limit_[j.value()];
   if (stays(animation_.rate.FrameAt(time))) return Lengthen(last, last_time, count);
   if (last && time - stretch_->events[*last].last_time < kChatterGap) {
@@ -300,6 +306,7 @@ void Recorder::AddLimit(JointIndex j, double time, double last_time, long count)
 
 // Adds a touch-down, or counts it to the event that it repeats within kChatterGap.
 void Recorder::AddTouch(const TouchDown& touch) {
+  HAZUMI_ASSERT(touch.time <= touch.last_time && touch.count > 0);
   const double frame = animation_.rate.FrameAt(touch.time);
   MotionEvent event = TouchEvent(touch);
   if (stays(frame)) {

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -41,6 +43,7 @@ ThreadPool::~ThreadPool() {
 }
 
 void ThreadPool::Do(int count, const std::function<void(int)>& job) {
+  HAZUMI_ASSERT(count >= 0 && job);
   next_ = 0;
   thrown_ = nullptr;
   if (count <= 1 || most_ == 0) {

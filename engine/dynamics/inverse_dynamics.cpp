@@ -1,5 +1,7 @@
 #include "engine/dynamics/inverse_dynamics.h"
 
+#include "engine/spatial/checks.h"
+
 // Newton-Euler recursion [Luh, Walker, Paul 1980], for every body i with parent p, world axes:
 //   outwards: w, alpha, a of the joint origins (kinematics.cpp)
 //   body:     F = m (a + alpha x c + w x (w x c)),  N = I alpha + w x I w
@@ -56,6 +58,7 @@ std::vector<JointIndex> EndJoints(const Figure& figure) {
 
 void InverseDynamics(const Figure& figure, const RootMotion& root, const VecX& qd, const VecX& qdd,
                      const EndForces* ends, DynamicsWorkspace* ws) {
+  HAZUMI_ASSERT(qd.size() == figure.num_joints() && qdd.size() == figure.num_joints());
   ComputeMotion(figure, root, qd, qdd, ws);
   SetOwnForces(figure, ws);
   if (ends != nullptr) SubtractEndForces(figure, *ends, ws);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -54,12 +56,15 @@ void MoveRoot(const RootMotion& root, DynamicsWorkspace* ws) {
 
 void ComputePositions(const Figure& figure, const Pose& X_WR, const VecX& q,
                       DynamicsWorkspace* ws) {
+  HAZUMI_ASSERT(q.size() == figure.num_joints());
+  HAZUMI_ASSERT(IsRotation(X_WR.R));
   PlaceRoot(figure, X_WR, ws);
   for (int i = 0; i < figure.num_joints(); ++i) Place(figure, i, q, ws);
 }
 
 void ComputeVelocities(const Figure& figure, const Vec3& w_root, const Vec3& v_root, const VecX& qd,
                        DynamicsWorkspace* ws) {
+  HAZUMI_ASSERT(qd.size() == figure.num_joints());
   ws->bodies[0].w = w_root;
   ws->bodies[0].v = v_root;
   for (int i = 0; i < figure.num_joints(); ++i) SetVelocity(figure, i, qd, ws);
@@ -67,6 +72,7 @@ void ComputeVelocities(const Figure& figure, const Vec3& w_root, const Vec3& v_r
 
 void ComputeMotion(const Figure& figure, const RootMotion& root, const VecX& qd, const VecX& qdd,
                    DynamicsWorkspace* ws) {
+  HAZUMI_ASSERT(qd.size() == figure.num_joints() && qdd.size() == figure.num_joints());
   MoveRoot(root, ws);
   for (int i = 0; i < figure.num_joints(); ++i) {
     SetVelocity(figure, i, qd, ws);

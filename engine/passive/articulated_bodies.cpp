@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
@@ -243,6 +245,7 @@ S3 ArticulatedBodies::RootResponse() const {
 }
 
 void ArticulatedBodies::Begin(const std::vector<NodeMotion>& motion) {
+  HAZUMI_ASSERT(motion.size() >= bodies_.size());
   for (size_t i = 0; i < bodies_.size(); ++i) {
     if (!is_dynamic_[i]) continue;
     const NodeMotion& own = motion[i];

@@ -5,6 +5,7 @@
 // joint, if that is what is asked for.
 
 #include "engine/passive/articulated_bodies.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -79,6 +80,7 @@ void ArticulatedBodies::CopyJoint(int node, std::array<V3, 3>* UI, std::array<V3
 }
 
 V3 ArticulatedBodies::AccelerationAt(int node, const V3& r) const {
+  HAZUMI_ASSERT(0 <= node && node < static_cast<int>(bodies_.size()));
   return bodies_[node].da + Cross(bodies_[node].dalpha, r);
 }
 

@@ -13,6 +13,7 @@
 
 #include "engine/passive/dense_kernels.h"
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -40,6 +41,8 @@ void DenseEquations::MakeRoom() {
 }
 
 void DenseEquations::Assemble(const RegionLayout& layout, std::vector<NodeMotion>* motion) {
+  HAZUMI_ASSERT(motion->size() >= nodes_.size());
+  HAZUMI_ASSERT(layout.num_dofs() <= num_free_);
   MakeRoom();
   for (int i = 0; i < layout.num_dofs(); ++i) {
     std::fill_n(&equations_.M(0, i), layout.num_dofs(), 0.0);
@@ -130,6 +133,8 @@ void DenseEquations::EliminatePin(const RegionLayout& layout,
 }
 
 void DenseEquations::Solve(const RegionLayout& layout, double* x) {
+  HAZUMI_ASSERT(L_.rows() == num_free_ && "assembled before");
+  HAZUMI_ASSERT(IsSymmetric(equations_.M.topLeftCorner(layout.num_dofs(), layout.num_dofs())));
   const int k = layout.num_dofs();
   for (int j = 0; j < k; ++j) std::copy_n(&equations_.M(0, j), k, &L_(0, j));
   FactorSemidefinite(L_.topLeftCorner(k, k));
@@ -163,6 +168,8 @@ void AddRounded(double part, double size, double* sum) {
 void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                               int node, const V3& p, const V3& n, bool turns,
                               Eigen::Ref<VecX> row) const {
+  HAZUMI_ASSERT(0 <= node && node < static_cast<int>(nodes_.size()));
+  HAZUMI_ASSERT(row.size() == layout.num_dofs());
   for (int i = node; i >= 0; i = nodes_[i].parent) {
     const RegionLayout::Node& where = layout.node(i);
     const V3 r = p - motion[i].p, moment = turns ? n : Cross(r, n);
@@ -175,6 +182,7 @@ void DenseEquations::AddToRow(const RegionLayout& layout, const std::vector<Node
 
 void DenseEquations::AddRootToRows(const RegionLayout& layout, const Eigen::Matrix3Xd& along,
                                    Eigen::Ref<MatX> rows) const {
+  HAZUMI_ASSERT(along.cols() == rows.cols());
   if (!root_answers_ || rows.rows() == 0) return;  // no joint is free
   const double share = is_pinned_ ? 1.0 : 1.0 / mass_;
   const Eigen::MatrixX3d unit = (is_pinned_ ? J_ : F_).leftCols(layout.num_dofs()).transpose();
@@ -196,6 +204,8 @@ Vec3 DenseEquations::RootAcceleration(const RegionLayout& layout,
 
 // With Du = -v_pin - J Dy for the root:  H Dy + F^T Du = 0 along what keeps the pin still.
 void DenseEquations::PinImpulse(const Vec3& v_pin, VecX* impulse) const {
+  HAZUMI_ASSERT(impulse->size() == num_free_);
+  HAZUMI_ASSERT(IsFinite(v_pin));
   for (int i = 0; i < num_free_; ++i) {
     (*impulse)[i] = (F_.col(i) - mass_ * J_.col(i)).dot(v_pin);
   }

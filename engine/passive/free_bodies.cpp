@@ -7,11 +7,14 @@
 
 #include "engine/passive/free_bodies.h"
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
 
 void FreeBodies::Accelerate(NodeKinematics* nodes) const {
+  HAZUMI_ASSERT(num_balls() == 0 || nodes->is_ball(model_->NodeOfBall(0)));
   for (int i = 0; i < num_balls(); ++i) {
     const LooseBall& ball = model_->balls[i];
     NodeMotion& own = nodes->motion()[model_->NodeOfBall(i)];
@@ -34,6 +37,7 @@ VecX FreeBodies::Accelerations(const NodeKinematics& nodes, const std::vector<Co
 }
 
 double FreeBodies::KineticEnergy(const OuterMotion& motion) const {
+  HAZUMI_ASSERT(motion.balls.size() == model_->balls.size());
   double kinetic = 0.0;
   for (size_t i = 0; i < model_->balls.size(); ++i) {
     kinetic += model_->balls[i].KineticEnergy(motion.balls[i]);
@@ -42,6 +46,7 @@ double FreeBodies::KineticEnergy(const OuterMotion& motion) const {
 }
 
 void FreeBodies::AddPotentialEnergy(const OuterMotion& motion, double* energy) const {
+  HAZUMI_ASSERT(motion.balls.size() == model_->balls.size());
   for (size_t i = 0; i < model_->balls.size(); ++i) {
     *energy += model_->balls[i].PotentialEnergy(motion.balls[i], gravity_);
   }
@@ -64,6 +69,8 @@ FreeBodies::AtBall FreeBodies::OnBall(int ball, const ConstraintRow& row, const 
 }
 
 void FreeBodies::AddResponse(const std::vector<ConstraintRow>& rows, MatX* response) const {
+  HAZUMI_ASSERT(response->rows() == response->cols());
+  HAZUMI_ASSERT(response->cols() == static_cast<Eigen::Index>(rows.size()));
   const Eigen::Index count = response->cols();
   Eigen::Matrix<double, 6, Eigen::Dynamic> moves(6, count), pushes(6, count);
   for (int i = 0; i < num_balls(); ++i) {
@@ -80,6 +87,7 @@ void FreeBodies::AddResponse(const std::vector<ConstraintRow>& rows, MatX* respo
 
 VecX FreeBodies::VelocityChanges(const std::vector<ConstraintRow>& rows,
                                  const VecX& impulses) const {
+  HAZUMI_ASSERT(impulses.size() <= static_cast<Eigen::Index>(rows.size()));
   VecX changes = VecX::Zero(3 + 6 * num_balls());
   for (Eigen::Index k = 0; k < impulses.size(); ++k) {
     const ConstraintRow& row = rows[static_cast<size_t>(k)];

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/spatial/checks.h"
+
 // For every node i with parent p, with the accelerations of free hinges zero:
 //   outwards  R, p, w, alpha, a of the node (as kinematics.h)
 //   its body  f = m a + alpha x h + w x (w x h),  n = I alpha + w x I w + h x a
@@ -91,6 +93,8 @@ NodeKinematics::NodeKinematics(const RegionModel& model)
 
 void NodeKinematics::Move(const RegionLayout& layout, const DrivenMotion& driven, double t,
                           const double* positions, const double* velocities, int first, int last) {
+  HAZUMI_ASSERT(0 <= first && first <= last && last <= size());
+  HAZUMI_ASSERT((positions == nullptr) == (velocities == nullptr));
   if (positions != nullptr) turns_.Set(positions, layout.angles());
   for (int i = first; i < last; ++i) {
     const Node& node = nodes_[i];
@@ -161,6 +165,7 @@ HAZUMI_INLINE void NodeKinematics::TurnBall(const RegionLayout::Node& layout,
 }
 
 void NodeKinematics::Accelerate(const RegionLayout& layout, const double* x, int first) {
+  HAZUMI_ASSERT(0 <= first && first <= size());
   dalpha_.assign(size(), V3());
   da_.assign(size(), V3());
   for (int i = first; i < size(); ++i) {
@@ -211,6 +216,7 @@ void NodeKinematics::SetOwnForces(const V3& base) {
 
 // What a node is given it does not ask for.
 void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
+  HAZUMI_ASSERT(0 <= node && node < static_cast<int>(motion_.size()));
   if (!is_ball(node)) added_force_ += force;
   motion_[node].f -= force;
   motion_[node].n -= Cross(r, force);
@@ -219,6 +225,7 @@ void NodeKinematics::AddForce(int node, const V3& r, const V3& force) {
 void NodeKinematics::AddTorque(int node, const V3& torque) { motion_[node].n -= torque; }
 
 void NodeKinematics::AddJointMoment(int node, const V3& moment) {
+  HAZUMI_ASSERT(0 <= node && node < size());
   motion_[node].n -= moment;
   if (nodes_[node].parent >= 0) motion_[nodes_[node].parent].n += moment;
 }

@@ -3,6 +3,7 @@
 #include "engine/passive/outer_motion.h"
 
 #include "engine/passive/region_layout.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -26,6 +27,8 @@ Quaternion HalfTurned(const Vec3& w, const double* q) {
 }  // namespace
 
 void OuterMotion::Jump(const VecX& by) {
+  HAZUMI_ASSERT(by.size() == static_cast<Eigen::Index>(3 + 6 * balls.size()));
+  HAZUMI_ASSERT(IsFinite(by));
   anchor.v += by.head<3>();
   for (size_t i = 0; i < balls.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(3 + 6 * i);
@@ -35,6 +38,7 @@ void OuterMotion::Jump(const VecX& by) {
 }
 
 void OuterLayout::Pack(const OuterMotion& motion, double* y) const {
+  HAZUMI_ASSERT(num_balls_ == 0 || motion.balls.size() == static_cast<size_t>(num_balls_));
   if (has_anchor_) {
     Three(y) = motion.anchor.p;
     Three(y + 3) = motion.anchor.v;
@@ -50,6 +54,7 @@ void OuterLayout::Pack(const OuterMotion& motion, double* y) const {
 }
 
 void OuterLayout::Unpack(const double* y, OuterMotion* motion) const {
+  HAZUMI_ASSERT(num_balls_ == 0 || motion->balls.size() == static_cast<size_t>(num_balls_));
   if (has_anchor_) {
     motion->anchor.p = Three(y);
     motion->anchor.v = Three(y + 3);
@@ -64,6 +69,7 @@ void OuterLayout::Unpack(const double* y, OuterMotion* motion) const {
 }
 
 void OuterLayout::MoveOn(const VecX& by, double* y) const {
+  HAZUMI_ASSERT(by.size() == num_jumps());
   if (has_anchor_) Three(y) += by.head<3>();
   for (int i = 0; i < num_balls_; ++i) {
     double* own = y + FirstOf(i);
@@ -73,6 +79,7 @@ void OuterLayout::MoveOn(const VecX& by, double* y) const {
 }
 
 void OuterLayout::Jump(const VecX& by, double* y) const {
+  HAZUMI_ASSERT(by.size() == num_jumps());
   if (has_anchor_) Three(y + 3) += by.head<3>();
   for (int i = 0; i < num_balls_; ++i) {
     RatesAt(y + FirstOf(i) + kRates) += by.segment<6>(3 + 6 * i);
@@ -80,6 +87,7 @@ void OuterLayout::Jump(const VecX& by, double* y) const {
 }
 
 void OuterLayout::Derive(const double* y, const VecX& accelerations, double* dy) const {
+  HAZUMI_ASSERT(accelerations.size() == num_jumps());
   if (has_anchor_) {
     Three(dy) = Three(y + 3);
     Three(dy + 3) = accelerations.head<3>();
@@ -95,6 +103,7 @@ void OuterLayout::Derive(const double* y, const VecX& accelerations, double* dy)
 }
 
 OuterLayout::Part OuterLayout::PartAt(int component) const {
+  HAZUMI_ASSERT(0 <= component && component < size());
   if (component < FirstOf(0)) return component < 3 ? Part::kPlace : Part::kRate;
   const int own = (component - FirstOf(0)) % kBall;
   if (own < kTurn) return Part::kPlace;

@@ -72,12 +72,14 @@ void RegionKinematics::MoveBase(double t, const RegionLayout& layout) {
 
 RegionState RegionKinematics::Place(double t, const RegionLayout& layout, const double* positions,
                                     const double* velocities, const OuterMotion& outer) {
+  HAZUMI_ASSERT(driven_ != nullptr);
   const bool has_base = first_moved_ > 0 && !needs_.rows;
   if (has_base && !is_base_still_) MoveBase(t, layout);
   if (has_base && is_base_still_ && !is_base_placed_) PlaceStillBase(t, layout);
   nodes_.Move(layout, *driven_, t, positions, velocities, has_base ? first_moved_ : 0,
               nodes_.size());
   AskForInertia(t, has_base ? V3() : BaseAcceleration(t), outer);
+  placed_at_ = {t, &layout, positions};
   return Placed(t, layout, positions, velocities);
 }
 
@@ -85,6 +87,7 @@ RegionState RegionKinematics::PlaceWithChain(double t, const RegionLayout& layou
                                              const double* positions, const double* velocities) {
   nodes_.Move(layout, *driven_, t, positions, velocities, 0, nodes_.size());
   is_base_placed_ = false;
+  placed_at_ = {t, &layout, positions};
   return Placed(t, layout, positions, velocities);
 }
 

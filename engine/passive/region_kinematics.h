@@ -7,6 +7,7 @@
 #include "engine/passive/forces/force_law.h"
 #include "engine/passive/moving_base.h"
 #include "engine/passive/outer_motion.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -43,9 +44,11 @@ class RegionKinematics {
   // The same with the chain in place of the moving base.
   RegionState PlaceWithChain(double t, const RegionLayout& layout, const double* positions,
                              const double* velocities);
-  // The state of the latest placement.
+  // The state of the latest placement, which was with these arguments.
   RegionState Placed(double t, const RegionLayout& layout, const double* positions,
                      const double* velocities) const {
+    HAZUMI_ASSERT(t == placed_at_.t && &layout == placed_at_.layout &&
+                  positions == placed_at_.positions);
     return {t, *model_, layout, *driven_, nodes_, positions, velocities, places_};
   }
   // Adds accelerations x of the layout's directions to the motion of the nodes.
@@ -83,6 +86,11 @@ class RegionKinematics {
   int first_moved_ = 0;
   std::shared_ptr<const MovingBase> moving_base_;
   bool is_base_still_ = false, is_base_placed_ = false;
+  struct {
+    double t = 0.0;
+    const RegionLayout* layout = nullptr;
+    const double* positions = nullptr;
+  } placed_at_;
   std::vector<NodePlace> places_;      // empty unless the world is needed
   std::vector<small::V3> velocities_;  // of the nodes' origins, relative to the root
 };

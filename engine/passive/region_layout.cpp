@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -49,6 +51,8 @@ const HingeTriple* RegionLayout::triple(int node) const {
 }
 
 void RegionLayout::SetLocked(const std::vector<char>& locked, const VecX& angles) {
+  HAZUMI_ASSERT(static_cast<int>(locked.size()) == num_hinges());
+  HAZUMI_ASSERT(angles.size() == num_hinges());
   num_positions_ = num_dofs_ = 0;
   is_quaternion_.clear();
   angles_.clear();
@@ -97,6 +101,7 @@ void RegionLayout::DerivePositions(const double* y, double* dy) const {
 }
 
 void RegionLayout::Turn(const VecX& change, double* y) const {
+  HAZUMI_ASSERT(change.size() == num_dofs_);
   for (const Node& own : nodes_) {
     double* q = y + own.position;
     const double* turn = change.data() + own.dof;
@@ -115,6 +120,7 @@ void RegionLayout::Turn(const VecX& change, double* y) const {
 }
 
 void RegionLayout::Pack(const VecX& q, const VecX& qd, double* y) const {
+  HAZUMI_ASSERT(q.size() == num_hinges() && qd.size() == num_hinges());
   for (size_t i = 0; i < nodes_.size(); ++i) {
     const Node& own = nodes_[i];
     double* position = y + own.position;
@@ -136,6 +142,8 @@ void RegionLayout::Pack(const VecX& q, const VecX& qd, double* y) const {
 
 void RegionLayout::Unpack(const double* y, const VecX& lower, const VecX& upper, VecX* q,
                           VecX* qd) const {
+  HAZUMI_ASSERT(lower.size() == num_hinges() && upper.size() == num_hinges());
+  HAZUMI_ASSERT(q->size() == num_hinges() && qd->size() == num_hinges());
   for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) UnpackNode(i, y, lower, upper, q, qd);
 }
 
@@ -163,6 +171,7 @@ void RegionLayout::UnpackNode(int node, const double* y, const VecX& lower, cons
 
 void RegionLayout::UnpackAccelerations(const double* x, const VecX& q, const VecX& qd,
                                        VecX* qdd) const {
+  HAZUMI_ASSERT(q.size() == num_hinges() && qd.size() == num_hinges());
   qdd->resize(num_hinges());
   for (size_t i = 0; i < nodes_.size(); ++i) {
     const int first = nodes_[i].first_hinge;
@@ -179,6 +188,7 @@ void RegionLayout::UnpackAccelerations(const double* x, const VecX& q, const Vec
 }
 
 int RegionLayout::HingeOf(int component) const {
+  HAZUMI_ASSERT(component >= 0);
   int hinge = 0;
   const bool is_position = component < num_positions_;
   for (size_t i = 0; i < nodes_.size(); ++i) {

@@ -6,20 +6,24 @@
 #include <vector>
 
 #include "engine/passive/dense_kernels.h"
+#include "engine/spatial/checks.h"
 #include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
 
 int FactorSemidefinite(Eigen::Ref<MatX> A) {
+  HAZUMI_ASSERT(A.rows() == A.cols());
   return BestDenseKernels().factor(A.data(), A.outerStride(), A.rows());
 }
 
 void SolveSemidefinite(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
+  HAZUMI_ASSERT(L.rows() == L.cols() && x.size() == L.rows());
   BestDenseKernels().solve_lower(L.data(), L.outerStride(), L.rows(), x.data(), x.size(), 1);
   SolveUpper(L, x);
 }
 
 void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
+  HAZUMI_ASSERT(L.rows() == L.cols() && x.size() == L.rows());
   const Eigen::Index n = L.rows();
   for (Eigen::Index k = n - 1; k >= 0; --k) {
     const double* column = L.data() + k * L.outerStride();
@@ -34,16 +38,19 @@ void SolveUpper(const Eigen::Ref<const MatX>& L, Eigen::Ref<VecX> x) {
 }
 
 void SolveLower(const Eigen::Ref<const MatX>& L, Eigen::Ref<MatX> X) {
+  HAZUMI_ASSERT(L.rows() == L.cols() && X.rows() == L.rows());
   BestDenseKernels().solve_lower(L.data(), L.outerStride(), L.rows(), X.data(), X.outerStride(),
                                  X.cols());
 }
 
 void SolveGeneral(Eigen::Ref<MatX> A, Eigen::Ref<VecX> x) {
+  HAZUMI_ASSERT(A.rows() == A.cols() && x.size() == A.rows());
   std::vector<long> exchanged(static_cast<size_t>(A.rows()));
   BestDenseKernels().solve_general(A.data(), A.outerStride(), A.rows(), exchanged.data(), x.data());
 }
 
 MatX ProductOf(const MatX& X, const MatX& Y) {
+  HAZUMI_ASSERT(X.rows() == Y.rows());
   MatX C(X.cols(), Y.cols());
   BestDenseKernels().product(X.data(), X.outerStride(), X.cols(), Y.data(), Y.outerStride(),
                              Y.cols(), X.rows(), C.data(), C.outerStride());
@@ -51,6 +58,8 @@ MatX ProductOf(const MatX& X, const MatX& Y) {
 }
 
 VecX LeastNorm(const MatX& A, const VecX& b) {
+  HAZUMI_ASSERT(A.rows() == b.size() && A.cols() == b.size());
+  HAZUMI_ASSERT(IsSymmetric(A));
   if (b.size() == 0) return b;
   // Of an eigenvalue, against 1: said twice, and, surely, not. In between it counts in part, so
   // that forces do not jump where rows come to say the same.
@@ -77,6 +86,9 @@ VecX LeastNorm(const MatX& A, const VecX& b) {
 }
 
 VecX SolveGivingWay(MatX A, bool is_symmetric, const VecX& b, const VecX& softness) {
+  HAZUMI_ASSERT(A.rows() == b.size() && A.cols() == b.size() && softness.size() == b.size());
+  HAZUMI_ASSERT(!is_symmetric || IsSymmetric(A));
+  HAZUMI_ASSERT(IsNonnegative(softness));
   constexpr double kGivesWay = 1e-9;
   const double largest = A.diagonal().lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < A.rows(); ++i) {

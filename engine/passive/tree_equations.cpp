@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -45,6 +46,8 @@ void TreeEquations::KeepPin(const V3& a, int size, double* x) const {
 //   S^T x = S^T x_0 + A T,   A = S^T W,   that is  A^-1 S^T x - A^-1 S^T x_0 = T
 void TreeEquations::AssembleSome(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                                  const std::vector<int>& hinges) {
+  HAZUMI_ASSERT(layout.num_dofs() == num_free_);
+  HAZUMI_ASSERT(hinges.size() <= static_cast<size_t>(num_free_));
   const auto k = static_cast<Eigen::Index>(hinges.size());
   VecX x(num_free_), free(k);
   Solve(layout, motion, x.data());
@@ -69,6 +72,7 @@ void TreeEquations::AssembleSome(const RegionLayout& layout, const std::vector<N
 // pin all that carries the island is stopped with it.
 VecX TreeEquations::JumpOfPin(const RegionLayout& layout, const std::vector<NodeMotion>& motion,
                               const Vec3& v_pin) {
+  HAZUMI_ASSERT(IsFinite(v_pin));
   VecX jump = VecX::Zero(num_free_);
   if (is_on_pin_) {
     KeepPin(V3(v_pin), num_free_, jump.data());

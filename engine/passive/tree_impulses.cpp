@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
@@ -156,11 +158,14 @@ void TreeImpulses::Clear() {
 }
 
 void TreeImpulses::Add(int node, const Impulse& impulse) {
+  HAZUMI_ASSERT(node == ground_ || is_dynamic(node));
+  HAZUMI_ASSERT(IsFinite(impulse.f) && IsFinite(impulse.n));
   total_[node].n += impulse.n;
   total_[node].f += impulse.f;
 }
 
 void TreeImpulses::AddAboutHinge(int node, int hinge, double impulse) {
+  HAZUMI_ASSERT(is_dynamic(node) && hinge < joints_[node].dofs);
   Entry(&about_hinges_[node], hinge) += impulse;
 }
 
@@ -194,12 +199,15 @@ void TreeImpulses::Push(int node, const Impulse& impulse) {
 }
 
 double TreeImpulses::Rate(int node, int hinge) const {
+  HAZUMI_ASSERT(hinge < joints_[node].dofs);
   const Joint& joint = joints_[node];
   const Motion at = ParentAt(joint, motion_[joint.parent]);
   return Entry(RatesOf(joint, TotalAbout(node), at), hinge);
 }
 
 void TreeImpulses::PushHinge(int node, int hinge, double impulse) {
+  HAZUMI_ASSERT(hinge < joints_[node].dofs);
+  HAZUMI_ASSERT(std::isfinite(impulse));
   AddAboutHinge(node, hinge, impulse);
   Push(joints_[node].parent, Passed(node, {}, impulse * Unit(hinge)));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -63,6 +65,7 @@ std::vector<CurveTrack::Piece> CurveSet::PiecesBefore(double frame) {
 }
 
 void CurveSet::Restart(const std::vector<CurveTrack::Piece>& pieces) {
+  HAZUMI_ASSERT(pieces.size() == joints_.size() + root_.size());
   size_t i = 0;
   for (CurveTrack& track : joints_) track.Restart(pieces[i++]);
   for (CurveTrack& track : root_) track.Restart(pieces[i++]);
@@ -70,6 +73,8 @@ void CurveSet::Restart(const std::vector<CurveTrack::Piece>& pieces) {
 
 void CurveSet::SampleJoints(double frame, Side side, const std::vector<char>& skip,
                             FigureMotion* motion) {
+  HAZUMI_ASSERT(skip.size() == joints_.size());
+  HAZUMI_ASSERT(motion->q.size() == static_cast<Eigen::Index>(joints_.size()));
   for (size_t j = 0; j < joints_.size(); ++j) {
     if (skip[j]) continue;
     const CurveSample sample = Sample(&joints_[j], frame, side);

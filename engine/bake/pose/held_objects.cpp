@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -17,6 +19,8 @@ Pose InHand(const BodyScratch& body, const Holder& holder) {
 }  // namespace
 
 RigidInertia InertiaOf(const HeldObject& object, const Holder& holder) {
+  HAZUMI_ASSERT(object.mass >= 0.0);
+  HAZUMI_ASSERT(IsRotation(holder.rotation));
   if (const auto* sphere = std::get_if<SphereShape>(&object.shape)) {
     return SolidSphere(holder.offset, sphere->radius, object.mass);
   }
@@ -25,6 +29,7 @@ RigidInertia InertiaOf(const HeldObject& object, const Holder& holder) {
 }
 
 Figure WithObject(const Figure& figure, const HeldObject& object, int holder) {
+  HAZUMI_ASSERT(holder < static_cast<int>(object.holders.size()));
   if (holder < 0) return figure;
   const Holder& by = object.holders[holder];
   return figure.WithLoad(figure.group(by.joint).last(), InertiaOf(object, by));

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "engine/bake/pose/contact_obstacles.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -47,6 +48,7 @@ VecX Infinite() { return VecX::Constant(kHinges, std::numeric_limits<double>::in
 }  // namespace
 
 BodyMotion Falling(const BodyMotion& start, double seconds, double gravity) {
+  HAZUMI_ASSERT(std::isfinite(seconds));
   const double t = seconds;
   const Vec3 fall(0.0, 0.0, -0.5 * gravity * t * t);
   BodyMotion now = {{start.X_WB.R, start.X_WB.p + start.v * t + fall},
@@ -79,6 +81,8 @@ ObjectFlight::ObjectFlight(const HeldObject& object, const std::vector<SceneObje
 }
 
 void ObjectFlight::Begin() {
+  HAZUMI_ASSERT(IsRotation(from_.X_WB.R) && IsFinite(from_.v) && IsFinite(from_.w));
+  HAZUMI_ASSERT(model_.mass > 0.0);
   run_ = std::make_unique<Run>(model_, gravity_, contacts_);
   stuck_from_.reset();
   is_stopped_ = false;

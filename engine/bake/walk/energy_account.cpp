@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -83,6 +85,8 @@ void EnergyAccount::Exchange(const Stored& left, const Stored& joined) {
 }
 
 void EnergyAccount::AddStep(size_t index, double t, IslandSolution* solution) {
+  HAZUMI_ASSERT(index < islands_.size());
+  HAZUMI_ASSERT(std::isfinite(t));
   Island& island = islands_[index];
   const double start = std::max(island.until, solution->step_start());
   if (0.5 * (t - start) <= 0.0) return;
@@ -117,6 +121,8 @@ void EnergyAccount::AddStart(const EnergyFlow& first, const Island& island,
 
 void EnergyAccount::AddWork(double start, double end, const EnergyFlow& first,
                             const EnergyFlow& last, IslandSolution* solution) {
+  HAZUMI_ASSERT(start < end);
+  HAZUMI_ASSERT(first.laws.size() == last.laws.size());
   constexpr double kExplained = 1e-9;  // of the energy and of what changes hands
   constexpr int kHalvings = 5;
   Works works = GaussWorks(start, end, solution);

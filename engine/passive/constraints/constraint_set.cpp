@@ -14,6 +14,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
@@ -161,6 +163,7 @@ VecX ConstraintSet::Damping(const Rows& rows) const {
 }
 
 VecX ConstraintSet::SizesOf(const Rows& rows, const VecX& forces) const {
+  HAZUMI_ASSERT(forces.size() == static_cast<Eigen::Index>(rows.size()));
   VecX sizes = VecX::Zero(static_cast<Eigen::Index>(specs_.size()));
   for (size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].turns || rows[k].is_contact()) continue;
@@ -185,6 +188,8 @@ ConstraintSet::Overload ConstraintSet::WorstOverload(const Rows& rows, const Vec
 }
 
 void ConstraintSet::Break(int constraint, double t) {
+  HAZUMI_ASSERT(!is_broken(constraint));
+  HAZUMI_ASSERT(num_whole_ > 0);
   is_broken_[constraint] = 1;
   --num_whole_;
   breaks_.push_back({constraint, t});

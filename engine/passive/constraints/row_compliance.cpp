@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 #include "engine/spatial/smooth_step.h"
 
 namespace hazumi {
@@ -40,6 +41,9 @@ VecX UnitsOf(const std::vector<ConstraintRow>& rows, const std::vector<Eigen::In
 
 RowCompliance ComplianceOf(const std::vector<ConstraintRow>& rows, const MatX& A,
                            const VecX& damping, double mass, double least) {
+  HAZUMI_ASSERT(A.rows() == static_cast<Eigen::Index>(rows.size()) && A.cols() == A.rows());
+  HAZUMI_ASSERT(damping.size() == A.rows());
+  HAZUMI_ASSERT(mass > 0.0 && least >= 0.0);
   std::vector<Eigen::Index> closed, others;
   for (size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_contact()) continue;  // which may open, as limits may let go

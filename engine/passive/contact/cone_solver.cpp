@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -230,6 +231,7 @@ bool ConeSolver::Step() {
 }
 
 bool SolveCones(const ConeProblem& problem, VecX* forces, double* products) {
+  HAZUMI_ASSERT(problem.A.rows() == problem.b.size() && problem.A.cols() == problem.b.size());
   ConeSolver solver(problem);
   const bool is_solved = solver.Run();
   if (products) *products += solver.products();
@@ -247,6 +249,7 @@ bool SolveConesInside(const ConeProblem& problem, VecX* forces, double* products
 }
 
 bool SolveConesNear(const ConeProblem& problem, VecX* forces, double* products) {
+  HAZUMI_ASSERT(forces->size() == problem.b.size());
   ConeSolver solver(problem);
   const bool is_solved = solver.RunNear(*forces);
   if (products) *products += solver.products();

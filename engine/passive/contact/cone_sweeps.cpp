@@ -8,10 +8,13 @@
 
 #include "engine/passive/contact/cone_problem.h"
 #include "engine/passive/dense_kernels.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
 double SweepCones(const ConeProblem& problem, int most, VecX* forces, double* products) {
+  HAZUMI_ASSERT(forces->size() == problem.b.size());
+  HAZUMI_ASSERT(most > 0);
   constexpr double kEnough = 1e-6, kGivesWay = 1e-6;
   const MatX& A = problem.A;
   const DenseKernels& kernels = BestDenseKernels();

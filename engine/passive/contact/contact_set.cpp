@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
@@ -63,6 +65,8 @@ MovingCapsule ContactSet::CapsuleAt(int capsule, const RegionState& state) const
 }
 
 void ContactSet::FindPairs(const RegionState& state, double reach) {
+  HAZUMI_ASSERT(reach >= 0.0);
+  HAZUMI_ASSERT(!state.places.empty());
   before_.swap(pairs_);
   pairs_.clear();
   moving_.clear();
@@ -133,6 +137,7 @@ int ContactSet::NumFeaturesOf(const ContactPair& pair) const {
 }
 
 double ContactSet::FrictionOf(int pair) const {
+  HAZUMI_ASSERT(0 <= pair && pair < static_cast<int>(pairs_.size()));
   const OwnContact* own = OwnOf(pairs_[pair]);
   if (own) return own->friction;
   const ContactPair& with = pairs_[pair];
@@ -175,12 +180,14 @@ void ContactSet::OpenAll() {
 }
 
 void ContactSet::SetMode(int pair, ContactMode mode) {
+  HAZUMI_ASSERT(0 <= pair && pair < static_cast<int>(pairs_.size()));
   ContactMode& own = pairs_[pair].mode;
   num_closed_ += (mode != ContactMode::kOpen) - (own != ContactMode::kOpen);
   own = mode;
 }
 
 void ContactSet::Slide(int pair, const V3& direction) {
+  HAZUMI_ASSERT(IsFinite(direction));
   SetMode(pair, ContactMode::kSlide);
   ContactPair& own = pairs_[pair];
   own.direction = direction;

@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
 using Kind = ConeProblem::Kind;
 
 void ContactProblem::Factor(const MatX& M) {
+  HAZUMI_ASSERT(IsSymmetric(M));
   L_ = M;
   FactorSemidefinite(L_);
 }
@@ -29,6 +31,7 @@ LimitRows ContactProblem::Unheld(const HingeEquations& equations, const VecX& b,
 }
 
 VecX ContactProblem::Answer() const {
+  HAZUMI_ASSERT(half_answer_.cols() == forces_.size());
   VecX x = half_answer_ * forces_;
   SolveUpper(L_, x);
   return x;
@@ -78,6 +81,8 @@ void ContactProblem::Sweep(VecX start, bool is_worth_it) {
 
 void ContactProblem::SetUp(const std::vector<int>& side, const std::vector<char>& sticks,
                            const LimitRows& rows, const VecX& x_0) {
+  HAZUMI_ASSERT(side.size() == static_cast<size_t>(x_0.size()) && sticks.size() == side.size());
+  HAZUMI_ASSERT(rows.J.cols() == x_0.size() && rows.J.rows() == rows.c.size());
   limits_.clear();
   for (int i = 0; i < static_cast<int>(side.size()); ++i) {
     if (side[i] != 0) limits_.push_back(i);

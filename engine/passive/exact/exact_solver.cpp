@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/base/root.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -28,6 +29,8 @@ ExactSolver::ExactSolver(RegionDynamics* dynamics, VecX lower, VecX upper)
       log_(dynamics->num_hinges()) {}
 
 void ExactSolver::Start(double t, const HingeState& state) {
+  HAZUMI_ASSERT(state.q.size() == dynamics_->num_hinges() && IsFinite(state.q) &&
+                IsFinite(state.qd));
   if (steps_ == 0) first_start_ = t;
   step_.Place(t, state);
   range_.Begin(state.q);
@@ -102,6 +105,7 @@ std::optional<ExactFailure> ExactSolver::Advance(double end) {
 }
 
 std::optional<ExactFailure> ExactSolver::TryToAdvance(double end) {
+  HAZUMI_ASSERT(end >= time());
   if (dynamics_->work().total() > kMostWork + kMostWorkPerSecond * (time() - first_start_)) {
     return ExactFailure{step_.worst_hinge(), ExactFailure::Cause::kTooMuchWork};
   }

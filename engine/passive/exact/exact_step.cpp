@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 namespace {
@@ -32,6 +34,7 @@ void ExactStep::Place(double t, const HingeState& state) {
 }
 
 void ExactStep::Begin() {
+  HAZUMI_ASSERT(IsFinite(now_.q) && IsFinite(now_.qd));
   dynamics_->mode().anchor = now_.outer.anchor;
   dynamics_->Pack(now_, y_.data());
   is_closed_ = false;
@@ -134,6 +137,7 @@ void ExactStep::TakeState(const double* y) {
 }
 
 void ExactStep::EndAt(double t) {
+  HAZUMI_ASSERT(start_time() <= t && t <= end_time());
   Sample(t, &inside_);
   now_.swap(inside_);
   time_ = t;
@@ -170,6 +174,7 @@ void ExactStep::GoOn() {
 void ExactStep::MakeDense() { step_.MakeDense(Field()); }
 
 void ExactStep::Sample(double t, HingeState* state, Gaps gaps) {
+  HAZUMI_ASSERT(start_time() - kSameTime <= t && t <= time_ + kSameTime);
   MakeDense();
   step_.At(t, y_.data());
   if (gaps == Gaps::kClosed && closes_gaps()) {

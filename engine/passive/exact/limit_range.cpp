@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/spatial/checks.h"
+
 namespace hazumi {
 
 LimitRange::LimitRange(VecX lower, VecX upper)
@@ -13,11 +15,13 @@ LimitRange::LimitRange(VecX lower, VecX upper)
       any_(lower_.array().isFinite().any() || upper_.array().isFinite().any()) {}
 
 void LimitRange::Begin(const VecX& q) {
+  HAZUMI_ASSERT(q.size() == lower_.size() && IsFinite(q));
   lower_now_ = lower_.cwiseMin(q);
   upper_now_ = upper_.cwiseMax(q);
 }
 
 void LimitRange::Widen(const VecX& q) {
+  HAZUMI_ASSERT(q.size() == lower_.size());
   constexpr double kJump = 10.0 * kTouch;
   for (int i = 0; i < static_cast<int>(q.size()); ++i) {
     if (Outside(i, q[i]) <= kJump) continue;
@@ -27,6 +31,7 @@ void LimitRange::Widen(const VecX& q) {
 }
 
 void LimitRange::Tighten(const VecX& q) {
+  HAZUMI_ASSERT(q.size() == lower_.size());
   lower_now_ = lower_.cwiseMin(lower_now_.cwiseMax(q));
   upper_now_ = upper_.cwiseMax(upper_now_.cwiseMin(q));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/passive/semidefinite.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -79,6 +80,7 @@ void LimitSolver::KeepRows(const LimitRows& rows, const VecX& given,
 
 void LimitSolver::Solve(const MatX& M, const VecX& b, const std::vector<char>& held,
                         const LimitRows* rows) {
+  HAZUMI_ASSERT(M.rows() == b.size() && held.size() == static_cast<size_t>(b.size()));
   SolveMixed(M, b, zero_, held, rows);
 }
 
@@ -100,6 +102,9 @@ int LimitSolver::FirstWrong(const std::vector<int>& side, const VecX& reached,
 
 void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<int>& side,
                          const std::vector<char>& sticks, VecX* v, const LimitRows* rows) {
+  HAZUMI_ASSERT(M.rows() == v->size() && IsSymmetric(M));
+  HAZUMI_ASSERT(impulse.size() == v->size() && side.size() == static_cast<size_t>(v->size()));
+  HAZUMI_ASSERT(sticks.size() == side.size() && IsFinite(*v));
   const int n = static_cast<int>(v->size());
   against_ = -impulse;
   given_ = -*v;
@@ -118,6 +123,9 @@ void LimitSolver::Impact(const MatX& M, const VecX& impulse, const std::vector<i
 void LimitSolver::Rest(const MatX& M, const VecX& b, const std::vector<int>& side,
                        const std::vector<char>& fixed, std::vector<char>* held,
                        const LimitRows* rows) {
+  HAZUMI_ASSERT(M.rows() == b.size() && IsSymmetric(M));
+  HAZUMI_ASSERT(side.size() == static_cast<size_t>(b.size()) && fixed.size() == side.size());
+  HAZUMI_ASSERT(held->size() == side.size() && IsFinite(b));
   const int n = static_cast<int>(b.size());
   for (int i = 0; i < n; ++i) (*held)[i] = side[i] != 0;
   for (int pivots = 0; pivots < 64 * (n + 1); ++pivots) {

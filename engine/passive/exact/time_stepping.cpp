@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/passive/exact/tree_step_problem.h"
+#include "engine/spatial/checks.h"
 
 namespace hazumi {
 
@@ -126,6 +127,7 @@ void TimeStepping::Leave(double t) {
 // A little of the motion, and what lifts the bodies by what forces may be off by, is no matter; nor
 // what lets them out.
 bool TimeStepping::GivesTooMuch(double seconds, const RegionState& state) const {
+  HAZUMI_ASSERT(seconds > 0.0 && h_ > 0.0);
   const double out = is_inside_ ? kFastestOut : 0.0;
   const double still = contacts().rules().rests_without_gravity ? kAtRest : 0.0;
   const double lift =
@@ -394,6 +396,7 @@ VecX TimeStepping::LastForces() const {
 }
 
 void TimeStepping::Keep(const VecX& impulses, const RegionState& state) {
+  HAZUMI_ASSERT(IsFinite(impulses));
   const VecX w = problem_->Velocities();
   std::vector<Pushing> pushing;
   for (int i = 0; i < static_cast<int>(contacts().pairs().size()); ++i) {
