@@ -15,7 +15,7 @@ class IslandRun;
 //
 // It keeps a log. As long as it is asked what a known log holds it answers from there and solves
 // nothing; at the first other request it does all that was asked up to then. A request that gives
-// no result (Begin, Drive, StopPin) waits until one comes that does.
+// no result (Begin, Drive) waits until one comes that does.
 class IslandAnswers {
  public:
   // `moving_bases` must outlive it.

@@ -36,19 +36,18 @@ inline auto MembersOf(const IslandTask& task) {
 // What an island is asked to do, one after the other; its answers depend on nothing else. Times
 // [s].
 //
-// Begins at t with angles q [rad] and rates qd [rad/s] by free hinge, moved by curves that are
-// smooth up to `end` and numbered as CurvesOf does it.
+// Begins at t in this state, moved by curves that are smooth up to `end` and numbered as CurvesOf
+// does it.
 struct BeginIsland {
   double t = 0.0, end = 0.0;
   double step_tolerance = 0.0;  // error of one step [rad]
-  VecX q, qd;
-  OuterMotion outer;  // as RegionDynamics has it; its anchor zero unless laws act from outside
+  HingeState state;             // its anchor is zero unless laws act from outside
   std::shared_ptr<const DrivenMotion> curves;
   std::shared_ptr<const IslandTask> task;
 };
 inline auto MembersOf(const BeginIsland& request) {
-  const auto& [t, end, step_tolerance, q, qd, outer, curves, task] = request;
-  return std::tie(t, end, step_tolerance, q, qd, outer, curves, task);
+  const auto& [t, end, step_tolerance, state, curves, task] = request;
+  return std::tie(t, end, step_tolerance, state, curves, task);
 }
 
 // Goes on from t, where it is, with other curves.
@@ -59,15 +58,6 @@ struct DriveIsland {
 inline auto MembersOf(const DriveIsland& request) {
   const auto& [t, end, curves] = request;
   return std::tie(t, end, curves);
-}
-
-// A pin that moved with v_pin [m/s] was stopped at the time where it began.
-struct StopPin {
-  Vec3 v_pin = Vec3::Zero();
-};
-inline auto MembersOf(const StopPin& request) {
-  const auto& [v_pin] = request;
-  return std::tie(v_pin);
 }
 
 // Takes steps until it is beyond t, at most to `end`.
@@ -118,7 +108,7 @@ inline auto MembersOf(const AccelerateIsland& request) {
   return std::tie(t);
 }
 
-using IslandRequest = std::variant<BeginIsland, DriveIsland, StopPin, AdvanceIsland, SolveIsland,
+using IslandRequest = std::variant<BeginIsland, DriveIsland, AdvanceIsland, SolveIsland,
                                    SampleIsland, MeasureIsland, AccelerateIsland>;
 
 // How far it got, what it hit on the way, and why it cannot go on, if so.

@@ -39,21 +39,16 @@ IslandResult IslandRun::Do(const IslandRequest& request, const std::atomic<bool>
 
 IslandResult IslandRun::Do(const BeginIsland& request) {
   HAZUMI_ASSERT(request.step_tolerance > 0.0);
-  HAZUMI_ASSERT(IsFinite(request.q) && IsFinite(request.qd));
+  HAZUMI_ASSERT(IsFinite(request.state.q) && IsFinite(request.state.qd));
   Attach(request.curves, request.t, request.end);
   solver_.SetTolerance(request.step_tolerance);
-  solver_.Start(request.t, {request.q, request.qd, request.outer});
+  solver_.Start(request.t, request.state);
   return {};
 }
 
 IslandResult IslandRun::Do(const DriveIsland& request) {
   Attach(request.curves, request.t, request.end);
   solver_.Restart();
-  return {};
-}
-
-IslandResult IslandRun::Do(const StopPin& request) {
-  solver_.FeelPin(request.v_pin);
   return {};
 }
 

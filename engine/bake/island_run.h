@@ -25,7 +25,6 @@ class IslandRun {
  private:
   IslandResult Do(const BeginIsland& request);
   IslandResult Do(const DriveIsland& request);
-  IslandResult Do(const StopPin& request);
   IslandResult Do(const AdvanceIsland& request);
   IslandResult Do(const SolveIsland& request);
   IslandResult Do(const SampleIsland& request);

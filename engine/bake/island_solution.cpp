@@ -31,16 +31,17 @@ void IslandSolution::Begin(double t, double end, const RotationState& state,
   HAZUMI_ASSERT(curves != nullptr);
   const auto k = static_cast<Eigen::Index>(hinges().size());
   const IslandTask& task = island_->task;
-  BeginIsland request = {t, end, step_tolerance_, VecX(k), VecX(k), {}, curves, {island_, &task}};
-  if (task.is_placed()) request.outer.anchor = state.anchor;
+  HingeState own{VecX(k), VecX(k)};
+  if (task.is_placed()) own.outer.anchor = state.anchor;
   if (!model().balls.empty()) {
-    for (const LooseObject& loose : state.loose) request.outer.balls.push_back(loose.motion);
+    for (const LooseObject& loose : state.loose) own.outer.balls.push_back(loose.motion);
   }
   for (Eigen::Index i = 0; i < k; ++i) {
-    request.q[i] = state.q[hinges()[i]];
-    request.qd[i] = state.qd[hinges()[i]];
+    own.q[i] = state.q[hinges()[i]];
+    own.qd[i] = state.qd[hinges()[i]];
   }
-  answers_.Begin(std::move(request), known);
+  own.pin_velocity = state.pin_velocity;
+  answers_.Begin({t, end, step_tolerance_, std::move(own), curves, {island_, &task}}, known);
   time_ = step_start_ = t;
 }
 
@@ -49,10 +50,7 @@ void IslandSolution::Drive(double t, double end, std::shared_ptr<const DrivenMot
   answers_.Tell(DriveIsland{t, end, std::move(curves)});
 }
 
-void IslandSolution::FeelPin(const Vec3& v_pin) { answers_.Tell(StopPin{v_pin}); }
-
 void IslandSolution::Advance(double t, double end) {
-  HAZUMI_ASSERT(IsFinite(v_pin));
   if (time_ > t || time_ >= end) return;
   times_.reset();
   TakeProgress(answers_.Ask(AdvanceIsland{t, end}).progress);

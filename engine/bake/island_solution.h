@@ -41,8 +41,6 @@ class IslandSolution {
              std::shared_ptr<const DrivenMotion> curves, const KnownLogs* known);
   // Goes on from t, where it is, with other curves.
   void Drive(double t, double end, std::shared_ptr<const DrivenMotion> curves);
-  // A pin that moved with v_pin [m/s] was stopped at the time where it began.
-  void FeelPin(const Vec3& v_pin);
   // Takes steps until it is beyond t, at most to `end`.
   void Advance(double t, double end);
 

@@ -43,8 +43,8 @@ class KnownLogs {
     };
     add(request.t);
     add(request.step_tolerance);
-    for (const double q : request.q) add(q);
-    for (const double qd : request.qd) add(qd);
+    for (const double q : request.state.q) add(q);
+    for (const double qd : request.state.qd) add(qd);
     return sum;
   }
   static const BeginIsland& FirstOf(const IslandLog& log) {

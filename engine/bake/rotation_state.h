@@ -12,6 +12,7 @@ struct RotationState {
   VecX q, qd;          // [rad, rad/s]
   PointMotion anchor;  // of the pin or, in flight, of the centre of mass
   std::vector<LooseObject> loose = {};
+  Vec3 pin_velocity = Vec3::Zero();  // of a pin that is stopped here [m/s]
 };
 
 }  // namespace hazumi

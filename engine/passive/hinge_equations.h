@@ -17,16 +17,21 @@ class HingeEquations {
   // Rows of constraints and contacts, for accelerations and for impulses; null: there are none.
   const LimitRows* for_forces() const { return for_forces_; }
   const LimitRows* for_impulses() const { return for_impulses_; }
-  // Impulses on the hinges where a pin that moved with v_pin [m/s] is stopped [N m s]. [METHOD 5.7]
-  void PinImpulse(const Vec3& v_pin, VecX* impulse) const { dense_->PinImpulse(v_pin, impulse); }
+  // Impulses on the hinges where the pin is stopped [N m s]. [METHOD 5.7]
+  bool stops_pin() const { return !pin_velocity_.isZero(0.0); }
+  void StopPin(VecX* impulse) const { dense_->PinImpulse(pin_velocity_, impulse); }
 
  private:
   friend class RegionDynamics;
-  HingeEquations(const DenseEquations* dense, const LimitRows* for_forces,
+  HingeEquations(const DenseEquations* dense, const Vec3& pin_velocity, const LimitRows* for_forces,
                  const LimitRows* for_impulses)
-      : dense_(dense), for_forces_(for_forces), for_impulses_(for_impulses) {}
+      : dense_(dense),
+        pin_velocity_(pin_velocity),
+        for_forces_(for_forces),
+        for_impulses_(for_impulses) {}
 
   const DenseEquations* dense_;
+  Vec3 pin_velocity_;
   const LimitRows *for_forces_, *for_impulses_;
 };
 
@@ -38,17 +43,20 @@ class SomeHinges {
   const VecX& b() const { return tree_->some().b; }
   // Changes of the rates of all free hinges due to impulses on those hinges [N m s].
   VecX RatesOf(const VecX& impulses) const { return tree_->JumpOf(impulses); }
-  // The same where a pin that moved with v_pin [m/s] is stopped.
-  VecX RatesOfPin(const Vec3& v_pin) const {
-    return tree_->JumpOfPin(state_.layout, state_.kinematics.motion(), v_pin);
+  // The same where the pin is stopped.
+  bool stops_pin() const { return !pin_velocity_.isZero(0.0); }
+  VecX RatesOfStop() const {
+    return tree_->JumpOfPin(state_.layout, state_.kinematics.motion(), pin_velocity_);
   }
 
  private:
   friend class RegionDynamics;
-  SomeHinges(TreeEquations* tree, const RegionState& state) : tree_(tree), state_(state) {}
+  SomeHinges(TreeEquations* tree, const RegionState& state, const Vec3& pin_velocity)
+      : tree_(tree), state_(state), pin_velocity_(pin_velocity) {}
 
   TreeEquations* tree_;
   RegionState state_;
+  Vec3 pin_velocity_;
 };
 
 // A large island without matrix, for time stepping. Returned by RegionDynamics::AssembleByTree,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tuple>
 #include <utility>
 
 #include "engine/passive/outer_motion.h"
@@ -22,11 +23,18 @@ struct HingeState {
     q.swap(other.q);
     qd.swap(other.qd);
     std::swap(outer, other.outer);
+    std::swap(pin_velocity, other.pin_velocity);
   }
 
   VecX q, qd;
   OuterMotion outer;
+  Vec3 pin_velocity = Vec3::Zero();  // of a pin that the next impact stops [m/s]
 };
+
+inline auto MembersOf(const HingeState& state) {
+  const auto& [q, qd, outer, pin_velocity] = state;
+  return std::tie(q, qd, outer, pin_velocity);
+}
 
 // Gaps of constraints and contacts that a step leaves open by its error: closed in a sample, or
 // left, which is enough for searches.

@@ -150,13 +150,13 @@ HingeEquations RegionDynamics::AssembleHinges(double t, const HingeState& at) {
   ++num_assembled_;
   const RegionState state = PlaceHinges(t, at);
   const AssembledEquations assembled = equations_.Assemble(Load(mode_, state));
-  if (!has_rows_) return {&equations_.dense(), nullptr, nullptr};
+  if (!has_rows_) return {&equations_.dense(), at.pin_velocity, nullptr, nullptr};
   rows_.Measure(mode_, state);
   VecX rules = VecX::Zero(num_hinges());
   assembled.AddRules(laws_, rules.data());
   rows_.AssembleForHinges(mode_, assembled, rules, &kinematics_, &equations_);
-  if (!mode_.any_rows()) return {&equations_.dense(), nullptr, nullptr};
-  return {&equations_.dense(), &rows_.for_forces(), &rows_.for_impulses()};
+  if (!mode_.any_rows()) return {&equations_.dense(), at.pin_velocity, nullptr, nullptr};
+  return {&equations_.dense(), at.pin_velocity, &rows_.for_forces(), &rows_.for_impulses()};
 }
 
 SomeHinges RegionDynamics::AssembleSome(const std::vector<int>& hinges, double t,
@@ -164,7 +164,7 @@ SomeHinges RegionDynamics::AssembleSome(const std::vector<int>& hinges, double t
   ++evaluations_;
   const RegionState state = PlaceHinges(t, at);
   equations_.AssembleSome(Load(mode_, state), hinges);
-  return {&equations_.tree(), state};
+  return {&equations_.tree(), state, at.pin_velocity};
 }
 
 HingeTree RegionDynamics::AssembleByTree(double t, const HingeState& at) {

@@ -7,9 +7,10 @@
 // takes too much work; one in fifty has none. Errors are compared up to the frame where
 // time-stepping mode was entered, or from which neighbouring tolerances take another branch. Where
 // the references differ by more than ten tolerances before that frame, the motion is chaotic and
-// has no true value to compare with: such cases are counted apart, one in ten at most. So are errors that a warning
-// reports. A plain ctest tries a few; a thousand are tried by `ctest -C Slow -L slow -R working
-// -V`, which shows the tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE as everywhere.
+// has no true value to compare with: such cases are counted apart, one in ten at most. So are
+// errors that a warning reports. A plain ctest tries a few; a thousand are tried by `ctest -C Slow
+// -L slow -R working -V`, which shows the tallies by what acts. HAZUMI_CASES and HAZUMI_FIRST_CASE
+// as everywhere.
 
 #include <gtest/gtest.h>
 

@@ -54,9 +54,9 @@ ExactBallisticRoot::ExactBallisticRoot(const PlacementSpan& span, const RootPlac
 
 RootEvent ExactBallisticRoot::Happen(const GravityEvent& event, const FigureMotion& motion) {
   const std::optional<GroupIndex> before = gravity_.pin();
-  const Vec3 v_pin = gravity_.Happen(event, motion, &ws_);
+  const Vec3 pin_velocity = gravity_.Happen(event, motion, &ws_);
   const EventKind kind = KindOf(event.kind);
-  return {kind, event.time, v_pin, JointOf(kind, before, gravity_.pin())};
+  return {kind, event.time, pin_velocity, JointOf(kind, before, gravity_.pin())};
 }
 
 }  // namespace hazumi

@@ -22,9 +22,9 @@ struct RootHold {
 
 // Something that a placement did by itself. `joint`: pinned by it or let go; none at an apex.
 struct RootEvent {
-  EventKind kind;             // take-off, apex or landing
-  double seconds = 0.0;       // since frame 0; by steps: into the step
-  Vec3 v_pin = Vec3::Zero();  // of a pin that the landing stopped in continuous time [m/s]
+  EventKind kind;                    // take-off, apex or landing
+  double seconds = 0.0;              // since frame 0; by steps: into the step
+  Vec3 pin_velocity = Vec3::Zero();  // that a landing stops in continuous time [m/s]
   std::optional<GroupIndex> joint;
 };
 

@@ -297,10 +297,6 @@ void ExactDriver::ForEachSolution(Action&& action) {
   }
 }
 
-void ExactDriver::FeelPin(const Vec3& v_pin) {
-  ForEachSolution([&](IslandSolution& solution) { solution.FeelPin(v_pin); });
-}
-
 bool ExactDriver::Push(const PushForce& push, const RootHold& hold, RotationState* state) {
   DrivenMotion still;
   still.angles.resize(region_of_.size());

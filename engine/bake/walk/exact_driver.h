@@ -62,8 +62,6 @@ class ExactDriver {
   // An impulse acts on the figure, which is at `state`, before it begins: `state` changes. False if
   // no free joint carries the point where it acts.
   bool Push(const PushForce& push, const RootHold& hold, RotationState* state);
-  // A pin that moved with v_pin was stopped at the time where the driver began.
-  void FeelPin(const Vec3& v_pin);
 
   struct Failure {
     JointIndex joint;
@@ -154,7 +152,8 @@ class ExactDriver {
   struct Island {
     IslandSolution solution, control;
     IslandConstraints held;  // of the task
-    // Time-stepping mode has not been entered: the control solution tells something about it, and runs.
+    // Time-stepping mode has not been entered: the control solution tells something about it, and
+    // runs.
     bool has_control = true;
   };
   // Of islands that are no more.

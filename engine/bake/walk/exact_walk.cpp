@@ -134,10 +134,10 @@ std::optional<Error> ExactWalk::Arrive(double frame) {
   return std::nullopt;
 }
 
-void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
+void ExactWalk::Drive(double frame, double to, const Vec3& pin_velocity) {
   if (!driver_) return;
   const double end = context_.Seconds(to);
-  const bool goes_on = has_begun_ && v_pin.isZero(0.0);
+  const bool goes_on = has_begun_ && pin_velocity.isZero(0.0);
   if (!goes_on && driver_->places_root()) {
     context_.poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
   }
@@ -146,13 +146,13 @@ void ExactWalk::Drive(double frame, double to, const Vec3& v_pin) {
     LetLooseFly(context_.Seconds(frame));
     context_.now.loose = context_.poses.objects().LooseAt(frame);
   }
-  const RotationState state = context_.poses.StateAt(context_.now);
+  RotationState state = context_.poses.StateAt(context_.now);
+  state.pin_velocity = pin_velocity;
   if (goes_on) return driver_->Drive(end, state, curves_.motion());
   driver_->Begin(context_.Seconds(frame), end, state, ControlStart(state),
                  context_.poses.placement().hold(), curves_.motion());
   if (!driver_->moves_loose()) context_.now.loose.clear();
   driver_->ExchangeLoose(loose_before, context_.now.loose);
-  if (!v_pin.isZero(0.0)) driver_->FeelPin(v_pin);
   has_begun_ = true;
 }
 
@@ -299,7 +299,7 @@ void ExactWalk::Happen(const GravityEvent& event, double to) {
   control_ = context_.poses.StateAt(context_.now);
   KeepControl(frame);
   has_begun_ = false;
-  Drive(frame, to, happened.v_pin);
+  Drive(frame, to, happened.pin_velocity);
 }
 
 std::optional<Error> ExactWalk::PoseAt(double frame, Side side, FigureMotion* motion) {

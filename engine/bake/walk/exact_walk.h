@@ -50,7 +50,7 @@ class ExactWalk : public RegionWalk {
   const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
 
   // The driver: begins or goes on at `frame` with curves that change at `to`.
-  void Drive(double frame, double to, const Vec3& v_pin);
+  void Drive(double frame, double to, const Vec3& pin_velocity);
   void LetLooseFly(double seconds);
   RotationState ControlStart(const RotationState& state);
   RotationState WithControl(RotationState state) const;

@@ -43,7 +43,7 @@ RowCompliance ComplianceOf(const std::vector<ConstraintRow>& rows, const MatX& A
                            const VecX& damping, double mass, double least) {
   HAZUMI_ASSERT(A.rows() == static_cast<Eigen::Index>(rows.size()) && A.cols() == A.rows());
   HAZUMI_ASSERT(damping.size() == A.rows());
-  HAZUMI_ASSERT(mass > 0.0 && least >= 0.0);
+  HAZUMI_ASSERT(mass >= 0.0 && least >= 0.0);
   std::vector<Eigen::Index> closed, others;
   for (size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].is_contact()) continue;  // which may open, as limits may let go

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <variant>
 #include <vector>
 
@@ -21,11 +20,13 @@ enum class ContactMode : char {
 // of ContactSpec::own.
 struct TouchesObstacle {
   int obstacle = 0;
-  auto operator<=>(const TouchesObstacle&) const = default;
+  bool operator==(const TouchesObstacle&) const = default;
+  bool operator<(const TouchesObstacle& other) const { return obstacle < other.obstacle; }
 };
 struct TouchesCapsule {
   int own = 0;
-  auto operator<=>(const TouchesCapsule&) const = default;
+  bool operator==(const TouchesCapsule&) const = default;
+  bool operator<(const TouchesCapsule& other) const { return own < other.own; }
 };
 using ContactPartner = std::variant<TouchesObstacle, TouchesCapsule>;
 

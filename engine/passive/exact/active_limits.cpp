@@ -81,16 +81,16 @@ bool ActiveLimits::Touches(double t, const HingeState& state) {
   return contact_forces_.FindTouching(t, state);
 }
 
-void ActiveLimits::Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-                           ImpactLog* log) {
+void ActiveLimits::Resolve(double t, const HingeMoment* later, HingeState* state, ImpactLog* log) {
   is_touching_ = Touches(t, *state);
   const bool with_impulse =
-      !v_pin.isZero(0.0) || dynamics_->mode().constraints.any() || is_touching_;
+      !state->pin_velocity.isZero(0.0) || dynamics_->mode().constraints.any() || is_touching_;
   const int moving = limits_->any() ? FindSides(t, with_impulse, *state, log) : 0;
   const bool is_blocked =
       std::any_of(side_.begin(), side_.end(), [](int side) { return side != 0; });
   dynamics_->mode().least_compliance = is_blocked ? RegionMode::kBlocked : 0.0;
-  if (with_impulse || moving > 0) Collide(t, v_pin, state, log);
+  if (with_impulse || moving > 0) Collide(t, state, log);
+  state->pin_velocity.setZero();
   Settle(t, later, state);
 }
 
@@ -123,11 +123,11 @@ int ActiveLimits::FindSides(double t, bool with_impulse, const HingeState& state
   return moving;
 }
 
-void ActiveLimits::Collide(double t, const Vec3& v_pin, HingeState* state, ImpactLog* log) {
+void ActiveLimits::Collide(double t, HingeState* state, ImpactLog* log) {
   if (dynamics_->mode().constraints.any() || is_touching_) {
-    CollideTied(t, v_pin, state);
+    CollideTied(t, state);
   } else {
-    Strike(t, v_pin, state);
+    Strike(t, state);
   }
   if (is_touching_) TellOfContacts(t, log);
   const bool may_fall_back = dynamics_->is_pushed() && !dynamics_->is_large() && !is_touching_;
@@ -168,25 +168,25 @@ bool ActiveLimits::FallsBack(double t, int hinge, const HingeState& state) {
   return rate * rate <= 2.0 * back * height;
 }
 
-void ActiveLimits::Strike(double t, const Vec3& v_pin, HingeState* state) {
+void ActiveLimits::Strike(double t, HingeState* state) {
   if (is_touching_) {
-    contact_forces_.Impact(t, v_pin, side_, sticks_, state);
+    contact_forces_.Impact(t, side_, sticks_, state);
   } else {
-    forces_.Impact(t, v_pin, side_, sticks_, state);
+    forces_.Impact(t, side_, sticks_, state);
   }
 }
 
 // Constraints break before they give more than they stand.
-void ActiveLimits::CollideTied(double t, const Vec3& v_pin, HingeState* state) {
+void ActiveLimits::CollideTied(double t, HingeState* state) {
   ConstraintSet& constraints = dynamics_->mode().constraints;
   const VecX before = state->qd;
   for (;;) {
-    Strike(t, v_pin, state);
+    Strike(t, state);
+    if (!dynamics_->mode().any_rows()) return;
     const VecX& impulses = is_touching_ ? contact_forces_.row_impulses() : forces_.row_impulses();
     const std::vector<ConstraintRow>& rows = dynamics_->rows().rows();
     const auto worst = constraints.WorstOverload(rows, impulses, /*are_impulses=*/true);
     if (worst.excess <= 0.0) {
-      if (!dynamics_->mode().any_rows()) return;
       return state->outer.Jump(dynamics_->bodies().VelocityChanges(rows, impulses));
     }
     constraints.Break(worst.constraint, t);

@@ -37,10 +37,9 @@ class ActiveLimits {
   bool Touches(double t, const HingeState& state);
   // Nothing holds a hinge that has room.
   void LetGo();
-  // From t on, after the impact of hinges that go out and of a pin that moved with v_pin [m/s].
-  // What rests is told from `later`, if there is one.
-  void Resolve(double t, const Vec3& v_pin, const HingeMoment* later, HingeState* state,
-               ImpactLog* log);
+  // From t on, after the impact of hinges that go out and of a pin that is stopped. What rests is
+  // found at `later`, if there is one.
+  void Resolve(double t, const HingeMoment* later, HingeState* state, ImpactLog* log);
 
   // By hinge: whether a limit holds it.
   const std::vector<char>& held() const { return held_; }
@@ -61,10 +60,10 @@ class ActiveLimits {
   double rest_rate() const { return 30.0 * touch_; }  // slow enough to count as at rest [rad/s]
   const VecX& T() const { return is_touching_ ? contact_forces_.T() : forces_.T(); }
   int FindSides(double t, bool with_impulse, const HingeState& state, ImpactLog* log);
-  void Collide(double t, const Vec3& v_pin, HingeState* state, ImpactLog* log);
+  void Collide(double t, HingeState* state, ImpactLog* log);
   void TellOfContacts(double t, ImpactLog* log) const;
-  void CollideTied(double t, const Vec3& v_pin, HingeState* state);
-  void Strike(double t, const Vec3& v_pin, HingeState* state);
+  void CollideTied(double t, HingeState* state);
+  void Strike(double t, HingeState* state);
   bool FallsBack(double t, int hinge, const HingeState& state);
   void Settle(double t, const HingeMoment* later, HingeState* state);
 

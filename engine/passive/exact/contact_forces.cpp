@@ -43,15 +43,15 @@ bool ContactForces::FindTouching(double t, const HingeState& at) {
   return !touching_.empty();
 }
 
-void ContactForces::Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
-                           const std::vector<char>& sticks, HingeState* state) {
+void ContactForces::Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
+                           HingeState* state) {
   for (const int i : touching_) dynamics_->mode().contacts.SetMode(i, ContactMode::kStick);
   const HingeEquations equations = dynamics_->AssembleHinges(t, *state);
   problem_.Factor(equations.M());
   VecX& qd = state->qd;
   VecX jump = VecX::Zero(qd.size());
-  if (!v_pin.isZero(0.0)) {
-    equations.PinImpulse(v_pin, &jump);
+  if (equations.stops_pin()) {
+    equations.StopPin(&jump);
     SolveSemidefinite(problem_.factor(), jump);
   }
   LimitRows rows = *equations.for_impulses();

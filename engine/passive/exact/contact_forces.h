@@ -22,10 +22,10 @@ class ContactForces {
   }
   // Pairs that touch at these angles; the others are open from now on. False: none.
   bool FindTouching(double t, const HingeState& state);
-  // An impact of everything that touches, inelastic but where capsules have a restitution, and of a
-  // pin that moved with v_pin [m/s].
-  void Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
-              const std::vector<char>& sticks, HingeState* state);
+  // An impact of everything that touches, inelastic except where capsules have a restitution, and
+  // of a pin that is stopped.
+  void Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
+              HingeState* state);
   // Work of the impact [J], the part of limits, and the pairs that touched down with an impulse.
   double work() const { return work_; }
   double limit_work() const { return limit_work_; }

@@ -33,34 +33,35 @@ void ExactSolver::Start(double t, const HingeState& state) {
                 IsFinite(state.qd));
   if (steps_ == 0) first_start_ = t;
   step_.Place(t, state);
+  step_.now().pin_velocity.setZero();
   range_.Begin(state.q);
   held_.Begin();
   time_stepping_.Begin();
   switch_.BeginEvents(t, steps_);
   step_end_.reset();
   release_search_.Begin();
-  switch_.EntersAtStart(t, step_.now()) ? StepInTime() : Resolve(Vec3::Zero());
+  switch_.EntersAtStart(t, step_.now()) ? StepInTime() : Resolve();
+  if (state.pin_velocity.isZero(0.0)) return;
+  step_.now().pin_velocity = state.pin_velocity;
+  Resolve();
 }
 
-void ExactSolver::Restart() { step_end_ ? StepInTime() : Resolve(Vec3::Zero()); }
-
-void ExactSolver::FeelPin(const Vec3& v_pin) { Resolve(v_pin); }
+void ExactSolver::Restart() { step_end_ ? StepInTime() : Resolve(); }
 
 // Which limits hold which hinges from now on, after the impact of those that go out and of a pin
 // that was stopped; what they hold is no part of the state. Where that overloads a constraint it
 // breaks.
-void ExactSolver::Resolve(Vec3 v_pin) {
+void ExactSolver::Resolve() {
   next_ = Next::kGoOn;
   follows_event_ = true;
   step_end_.reset();
   dynamics_->mode().constant.Clear();
   if (switch_.EntersAtTouch(time(), step_.now())) return StepInTime();
   do {
-    held_.Resolve(time(), v_pin, release_search_.later(), &step_.now(), &log_);
+    held_.Resolve(time(), release_search_.later(), &step_.now(), &log_);
     release_search_.Begin();
     dynamics_->mode().layout.SetLocked(held_.held(), now().q);
     step_.Begin();
-    v_pin.setZero();
   } while (BreakOverloaded());
   log_.Mark(time(), held_.StateSum());
 }
@@ -219,12 +220,13 @@ void ExactSolver::MakeEventHappen() {
   range_.Widen(now().q);
   if (step_end_) return switch_.Leaves() ? FollowEvents() : StepInTime();
   held_.CountEvent(time());
-  switch_.EntersAfterEvent(time()) ? StepInTime() : Resolve(Vec3::Zero());
+  switch_.EntersAfterEvent(time()) ? StepInTime() : Resolve();
 }
 
 // Enters time-stepping mode, or takes its next step. Where what is found overloads a constraint it
 // breaks.
 void ExactSolver::StepInTime() {
+  step_.now().pin_velocity.setZero();  // contacts carry the figure, not the pin
   if (!step_end_) {
     time_stepping_.Enter(time());
     held_.LetGo();
@@ -245,7 +247,7 @@ void ExactSolver::FollowEvents() {
   time_stepping_.Leave(time());
   switch_.BeginEvents(time(), steps_);
   held_.ForgetEvents();
-  Resolve(Vec3::Zero());
+  Resolve();
 }
 
 std::optional<ExactFailure> ExactSolver::AdvanceInTime(double end) {

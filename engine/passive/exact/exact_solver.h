@@ -30,13 +30,11 @@ class ExactSolver {
   void SetTolerance(double radians) { step_.SetTolerance(radians); }
   void SetLongestStep(double seconds) { step_.SetLongestStep(seconds); }
 
-  // Begins in this state. A hinge that is outside its limits has a limit where it is until it has
-  // come inside.
+  // Begins in this state, after the impulse of a pin that is stopped. A hinge that is outside its
+  // limits has a limit where it is until it has come inside.
   void Start(double t, const HingeState& state);
   // Goes on from the end of the step with driven curves (or locks, or masses) that have changed.
   void Restart();
-  // A pin that moved with v_pin [m/s] was stopped dead: the hinges feel the impulse.
-  void FeelPin(const Vec3& v_pin);
 
   // Advances by one step, at most to `end`. The step ends early where a limit is hit or released,
   // which the next step handles at its beginning. Where the curves hold for longer
@@ -88,7 +86,7 @@ class ExactSolver {
   void CutAt(double end);
   std::optional<ExactFailure> TakeToFirstContactChange(double end);
   bool HasLargeDefect();
-  void Resolve(Vec3 v_pin);
+  void Resolve();
   bool BreakOverloaded();
   bool FindBreak();
   void FindHits();

@@ -137,7 +137,7 @@ void ExactStep::TakeState(const double* y) {
 }
 
 void ExactStep::EndAt(double t) {
-  HAZUMI_ASSERT(start_time() <= t && t <= end_time());
+  HAZUMI_ASSERT(start_time() <= t && t <= end_time() + kSameTime);
   Sample(t, &inside_);
   now_.swap(inside_);
   time_ = t;

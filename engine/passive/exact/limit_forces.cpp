@@ -25,17 +25,17 @@ SomeHinges LimitForces::AssembleSome(double t, const HingeState& state, IsWanted
   return dynamics_->AssembleSome(some_, t, state);
 }
 
-void LimitForces::Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
-                         const std::vector<char>& sticks, HingeState* state) {
+void LimitForces::Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
+                         HingeState* state) {
   dynamics_->AddWork({.limits = solver_.TakeWork()});  // work of the previous call
   VecX& qd = state->qd;
   if (!dynamics_->is_large()) {
     const HingeEquations equations = dynamics_->AssembleHinges(t, *state);
-    equations.PinImpulse(v_pin, &impulse_);
+    equations.StopPin(&impulse_);
     return solver_.Impact(equations.M(), impulse_, side, sticks, &qd, equations.for_impulses());
   }
   const SomeHinges equations = AssembleSome(t, *state, [&](int i) { return side[i] != 0; });
-  if (!v_pin.isZero(0.0)) qd += equations.RatesOfPin(v_pin);
+  if (equations.stops_pin()) qd += equations.RatesOfStop();
   const auto k = static_cast<Eigen::Index>(some_.size());
   VecX before(k), after(k);
   side_.clear();

@@ -14,10 +14,10 @@ class LimitForces {
   // `dynamics` must outlive it.
   explicit LimitForces(RegionDynamics* dynamics);
 
-  // An impact of what goes out, of a pin that moved with v_pin [m/s], and of ends of constraints
-  // that part. Changes the rates.
-  void Impact(double t, const Vec3& v_pin, const std::vector<int>& side,
-              const std::vector<char>& sticks, HingeState* state);
+  // An impact of what goes out, of a pin that is stopped, and of ends of constraints that part.
+  // Changes the rates.
+  void Impact(double t, const std::vector<int>& side, const std::vector<char>& sticks,
+              HingeState* state);
   // Which hinges at rest at a limit stay there.
   void Rest(double t, const HingeState& state, const std::vector<int>& side,
             const std::vector<char>& fixed, std::vector<char>* held);

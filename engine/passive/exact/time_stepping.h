@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <memory>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -53,11 +53,16 @@ class TimeStepping {
     int capsule = 0;
     ContactPartner partner;
     bool slides = false;
-    auto operator<=>(const PushingContact&) const = default;
+    bool operator==(const PushingContact&) const = default;
+    bool operator<(const PushingContact& other) const {
+      return std::tie(capsule, partner, slides) <
+             std::tie(other.capsule, other.partner, other.slides);
+    }
   };
   struct PushingLimit {
     int hinge = 0;
-    auto operator<=>(const PushingLimit&) const = default;
+    bool operator==(const PushingLimit&) const = default;
+    bool operator<(const PushingLimit& other) const { return hinge < other.hinge; }
   };
   using Pushing = std::variant<PushingContact, PushingLimit>;
 

@@ -26,8 +26,8 @@ std::shared_ptr<const IslandLog> LogOf(const BeginIsland& request, double time =
 
 TEST(KnownLogs, FindTheLogThatBeginsWithARequest) {
   BeginIsland with_angle = RequestAt(1.0), with_another = RequestAt(1.0);
-  with_angle.q = VecX::Constant(1, 2.0);
-  with_another.q = VecX::Constant(1, 3.0);
+  with_angle.state.q = VecX::Constant(1, 2.0);
+  with_another.state.q = VecX::Constant(1, 3.0);
   const auto one = LogOf(RequestAt(1.0)), two = LogOf(with_angle), three = LogOf(RequestAt(2.0));
   KnownLogs known;
   known.Add(IslandLogs{one, two});

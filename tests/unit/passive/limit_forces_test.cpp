@@ -48,8 +48,8 @@ Answers Ask(const Stopped& s, bool with_pin, RegionDynamics* dynamics) {
   limits.Rest(s.t, s.state, s.side, s.none(), &answers.stays);
   answers.rested = limits.T();
   HingeState after = s.state;
-  const Vec3 v_pin = with_pin ? s.v_pin : Vec3(Vec3::Zero());
-  limits.Impact(s.t, v_pin, s.side, s.none(), &after);
+  if (with_pin) after.pin_velocity = s.v_pin;
+  limits.Impact(s.t, s.side, s.none(), &after);
   answers.after = after.qd;
   return answers;
 }

@@ -217,9 +217,11 @@ TEST(RegionModel, ABlowAtThePinChangesRatesAsTheWholeFigureSays) {
     for (size_t i = 0; i < c.free.size(); ++i) all[c.free[i].value()] = expected[i];
     for (RegionDynamics& dynamics : c.Models()) {
       const VecX qd = Gather(dynamics, c.qd);
-      const HingeEquations equations = dynamics.AssembleHinges(c.t, {Gather(dynamics, c.q), qd});
+      HingeState start(Gather(dynamics, c.q), qd);
+      start.pin_velocity = v_pin;
+      const HingeEquations equations = dynamics.AssembleHinges(c.t, start);
       VecX impulse(dynamics.num_hinges());
-      equations.PinImpulse(v_pin, &impulse);
+      equations.StopPin(&impulse);
       const VecX after = qd + equations.M().llt().solve(impulse);
       const double scale = expected.lpNorm<Eigen::Infinity>();
       const double error = (after - Gather(dynamics, all)).lpNorm<Eigen::Infinity>() / scale;
