@@ -1,5 +1,6 @@
 #include "ui/panels/text/catalogue.h"
 
+#include <span>
 #include <unordered_map>
 
 namespace hazumi::ui {
@@ -11,9 +12,20 @@ struct Entry {
   const char* japanese;
 };
 
-constexpr Entry kEntries[] = {
-#include "ui/panels/text/catalogue_entries.inc"
-};
+// The translations are a gettext file: lines `msgid "English"` and `msgstr "..."`, whose strings
+// are those of C. It has no comments, so that it can be compiled as it is.
+// clang-format off
+constexpr Entry kFile[] = {{nullptr, nullptr
+#define msgid }, {
+#define msgstr ,
+#include "assets/translations/ja.po"
+#undef msgid
+#undef msgstr
+}};
+// clang-format on
+
+// The first entry of the file is its header.
+constexpr std::span<const Entry> kEntries = std::span(kFile).subspan(2);
 
 Language g_language = Language::kEnglish;  // one interface, one language
 
