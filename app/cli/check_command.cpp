@@ -20,16 +20,19 @@ nlohmann::ordered_json WarningsAsJson(const std::vector<Warning>& warnings) {
   return list;
 }
 
-// Result of checking a file: its warnings and, with --strict, its unknown fields.
+// Result of checking a file: its warnings, problems of the motion and, with --strict, its unknown
+// fields.
 struct Checked {
   std::vector<Warning> warnings, unknown;
+  std::vector<std::string> problems = {};
 };
 
 nlohmann::ordered_json AnswerAsJson(const std::string& file, const Result<Checked>& checked) {
   if (checked.ok()) {
     nlohmann::ordered_json answer = {{"file", file},
                                      {"ok", checked.value().unknown.empty()},
-                                     {"warnings", WarningsAsJson(checked.value().warnings)}};
+                                     {"warnings", WarningsAsJson(checked.value().warnings)},
+                                     {"problems", checked.value().problems}};
     const auto unknown = WarningsAsJson(checked.value().unknown);
     if (!unknown.empty()) answer["unknown"] = unknown;
     return answer;
@@ -71,7 +74,10 @@ Result<Checked> CheckFile(const std::string& file, const Options& options) {
   }
   Result<BakedProject> baked = LoadAndBake(file, options);
   if (!baked.ok()) return baked.error();
-  Checked checked = {std::move(baked.value().warnings), {}};
+  Checked checked;
+  checked.problems =
+      ProblemTexts(baked.value(), EffortOf(baked.value().animation, baked.value().motion));
+  checked.warnings = std::move(baked.value().warnings);
   if (options.strict) checked.unknown = std::move(baked.value().project.read.unknown);
   return checked;
 }
@@ -80,6 +86,9 @@ void Print(const std::string& file, const Checked& checked) {
   PrintWarnings(file, checked.warnings);
   for (const Warning& field : checked.unknown) {
     Complain({ErrorCode::kSchema, file, field.place, field.message});
+  }
+  for (const std::string& problem : checked.problems) {
+    PrintLine(stderr, "hazumi: %s: problem: %s", file.c_str(), problem.c_str());
   }
   if (checked.unknown.empty()) PrintLine(stdout, "%s: ok", file.c_str());
 }

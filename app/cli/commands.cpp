@@ -10,6 +10,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "engine/analysis/held_turn.h"
+#include "engine/analysis/problems.h"
 #include "engine/bake/bake.h"
 #include "engine/bake/bake_size.h"
 #include "engine/base/text.h"
@@ -69,29 +70,32 @@ void WarnAboutSolverOptions(const Options& options, const Animation& animation,
   }
 }
 
-bool IsShort(const Animation& animation, const Options& options) {
-  constexpr double kLong = 100e6;  // [bytes]
-  return MotionBytes(animation, options.rate.value_or(animation.rate)) <= kLong;
+constexpr double kLong = 100e6;     // [bytes]
+constexpr double kLongCheck = 5e6;  // a thousand frames, for --check takes a fifth of a second
+
+// Whether the frames take less memory than this [bytes].
+bool IsShort(const Animation& animation, const Options& options, double most) {
+  return MotionBytes(animation, options.rate.value_or(animation.rate)) <= most;
 }
 
-// Returns whether to compute the effort. --info reports the largest effort of a short animation.
-// The torques are part of the effort.
+// Returns whether to compute the effort. The torques are part of it, and so are problems, which
+// --info and --check report of a short animation.
 bool FindsEffort(const Animation& animation, const Options& options) {
-  const bool asked = options.effort || options.torques;
-  if (asked || options.task != Task::kInfo) return asked;
-  return IsShort(animation, options);
+  if (options.effort || options.torques) return true;
+  if (options.task == Task::kInfo) return IsShort(animation, options, kLong);
+  return options.task == Task::kCheck && IsShort(animation, options, kLongCheck);
 }
 
 // Returns whether to search for residual moments. Long animations are not searched.
 bool FindsHeldTurns(const Animation& animation, const Options& options) {
-  return MayHoldTurns(animation) && IsShort(animation, options);
+  return MayHoldTurns(animation) && IsShort(animation, options, kLong);
 }
 
-// Of --check and --info nobody sees the frames, but effort is of them.
+// Returns whether the bake keeps frames. --check and --info show none, but effort is computed from
+// them.
 bool KeepsFrames(const Animation& animation, const Options& options) {
-  if (FindsHeldTurns(animation, options)) return true;
-  return options.task != Task::kCheck &&
-         (options.task != Task::kInfo || FindsEffort(animation, options));
+  const bool shows_none = options.task == Task::kInfo || options.task == Task::kCheck;
+  return !shows_none || FindsEffort(animation, options) || FindsHeldTurns(animation, options);
 }
 
 // What is made of a frame besides the frame itself, about [bytes].
@@ -199,6 +203,18 @@ Result<BakedProject> LoadAndBake(const std::string& file, const Options& options
   }
   return BakedProject{std::move(project).value(), std::move(animation), std::move(motion).value(),
                       std::move(warnings)};
+}
+
+std::vector<std::string> ProblemTexts(const BakedProject& baked, const Effort& effort) {
+  const Animation& animation = baked.animation;
+  std::vector<std::string> texts;
+  if (baked.motion.frames.empty()) return texts;
+  const Analyses analyses =
+      AnalysesOf(animation, baked.motion, effort, baked.project.size_is_guessed);
+  for (const Finding& finding : FindProblems(animation, baked.motion, analyses)) {
+    if (!IsAWarning(finding)) texts.push_back(TextOf(finding, animation));
+  }
+  return texts;
 }
 
 void PrintNotes(const std::string& file, const Motion& motion) {

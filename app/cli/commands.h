@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/options.h"
+#include "engine/analysis/effort.h"
 #include "engine/bake/motion.h"
 #include "engine/project/project.h"
 
@@ -41,6 +42,8 @@ struct BakedProject {
 Result<BakedProject> LoadAndBake(const std::string& file, const Options& options);
 // A file of another program as a project. Errors: also kInterrupted.
 Result<Imported> Import(const std::string& file, const ImportOptions& options);
+// Problems of the motion besides those that are warnings; none of a motion without frames.
+std::vector<std::string> ProblemTexts(const BakedProject& baked, const Effort& effort);
 // Prints the warnings to standard error.
 void PrintWarnings(const std::string& file, const std::vector<Warning>& warnings);
 // Prints from which frame the motion of a region is one of several likely motions.

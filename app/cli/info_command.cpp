@@ -6,7 +6,6 @@
 #include "app/cli/report_text.h"
 #include "app/cli/terminal.h"
 #include "engine/analysis/effort_report.h"
-#include "engine/analysis/missing_support.h"
 #include "engine/analysis/seam_report.h"
 #include "engine/base/text.h"
 #include "engine/exchange/motion_json.h"
@@ -197,7 +196,7 @@ void Print(const BakedProject& baked, const std::string& name) {
 struct EffortTexts {
   // Largest effort, or all efforts if requested; empty for a motion without frames.
   std::vector<std::string> effort;
-  std::vector<std::string> problems;  // frames with a residual wrench
+  std::vector<std::string> problems;
 };
 
 static EffortTexts EffortTextsOf(const BakedProject& baked, const Options& options) {
@@ -206,9 +205,7 @@ static EffortTexts EffortTextsOf(const BakedProject& baked, const Options& optio
   EffortTexts texts;
   texts.effort = options.effort ? EffortReport(animation, motion, effort)
                                 : BriefEffortReport(animation, motion, effort);
-  for (const MissingSupport& missing : MissingSupports(animation, motion, effort)) {
-    texts.problems.push_back(TextOf(missing, *animation.figure));
-  }
+  texts.problems = ProblemTexts(baked, effort);
   return texts;
 }
 

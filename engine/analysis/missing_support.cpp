@@ -154,43 +154,6 @@ class MissingFinder {
   double weight_, size_;  // [N, m]
 };
 
-std::string FramesText(const MissingSupport& missing) {
-  if (missing.first == missing.last) return "F" + std::to_string(missing.first) + ": ";
-  return "F" + std::to_string(missing.first) + " to F" + std::to_string(missing.last) +
-         ", most at F" + std::to_string(missing.worst) + ": ";
-}
-
-std::string WhatText(const MissingSupport& missing, const std::string& edge) {
-  const std::string force = FormatShort(missing.force) + " N";
-  const std::string moment = FormatShort(missing.moment) + " N m";
-  const std::string distance = FormatShort(100.0 * missing.distance) + " cm";
-  switch (missing.fault) {
-    case SupportFault::kFloats:
-      return "nothing carries the figure, " + force +
-             " come from nowhere; bring it to the ground, pin what stands, or let gravity place it";
-    case SupportFault::kPulled:
-      return "the ground would have to pull the figure down, by " + force +
-             "; slow the drop down, or let it leave the ground";
-    case SupportFault::kSlides:
-      return "the ground would have to push sideways harder than friction can, by " + force +
-             "; move more slowly, or put the feet further out";
-    case SupportFault::kTips:
-      return "the centre of mass is " + distance + " beyond " + edge + ", and " + moment +
-             " that keep it from falling over come from nowhere; move the weight back, or step "
-             "there";
-    case SupportFault::kPushedOff:
-      return "the ground would have to push " + distance + " beyond " + edge + ", and " + moment +
-             " come from nowhere; move more slowly, or step there";
-    case SupportFault::kTurned:
-      return "what touches cannot turn the figure so, " + moment +
-             " come from nowhere; turn more slowly, or give it more to stand on";
-    case SupportFault::kTurnsInAir:
-      return "in the air nothing can turn the figure so, " + moment +
-             " come from nowhere; let the root turn evenly until it lands";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::vector<MissingSupport> MissingSupports(const Animation& animation, const Motion& motion,
@@ -210,13 +173,6 @@ std::vector<MissingSupport> MissingSupports(const Animation& animation, const Mo
     if (finder.Severity(missing) > finder.Severity(found.back())) found.back() = missing;
   }
   return found;
-}
-
-std::string TextOf(const MissingSupport& missing, const Figure& figure) {
-  const std::string edge = missing.joint.is_valid()
-                               ? figure.group(figure.joint(missing.joint).group).name
-                               : figure.root_name();
-  return FramesText(missing) + WhatText(missing, edge);
 }
 
 }  // namespace hazumi

@@ -38,7 +38,4 @@ inline constexpr double kMissing = 0.02;
 std::vector<MissingSupport> MissingSupports(const Animation& animation, const Motion& motion,
                                             const Effort& effort);
 
-// Sentence with the frames, the missing force or moment, and the remedy.
-std::string TextOf(const MissingSupport& missing, const Figure& figure);
-
 }  // namespace hazumi

@@ -60,4 +60,10 @@ struct ConstraintGap {
 };
 ConstraintGap GapBetween(const Constraint& constraint, const Pose& a, const Pose& b);
 
+// A constraint without effect from a frame on, since no region moves its ends there.
+struct OutlastingConstraint {
+  int constraint = 0;  // index of Animation::constraints
+  int from = 0;        // frame
+};
+
 }  // namespace hazumi

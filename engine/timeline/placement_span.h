@@ -54,6 +54,26 @@ bool EndsOnPin(const Span& flight, const Span& after) {
          after.first_frame == flight.last_frame;
 }
 
+// A jump: a flight by gravity from one pin to another, by indices of spans.
+struct JumpSpans {
+  size_t before = 0, flight = 0, after = 0;
+};
+// Returns the jump that a frame is in, its last frame excluded.
+template <typename Span>
+std::optional<JumpSpans> JumpAt(double frame, const std::vector<Span>& all) {
+  for (size_t i = 0; i + 2 < all.size(); ++i) {
+    const Span &before = all[i], &flight = all[i + 1], &after = all[i + 2];
+    // Room for each phase to have a frame of its own.
+    const bool is_long = before.last_frame - before.first_frame >= 2 &&
+                         flight.last_frame - before.last_frame >= 3 &&
+                         after.last_frame - after.first_frame >= 2;
+    const bool is_here = frame >= before.first_frame && frame < after.last_frame;
+    const bool is_flight = LeavesPin(before, flight) && EndsOnPin(flight, after);
+    if (is_flight && is_long && is_here) return JumpSpans{i, i + 1, i + 2};
+  }
+  return std::nullopt;
+}
+
 // Which joints inverse kinematics moves to hold one.
 enum class HoldReach {
   kLimb,  // its limb, which ends before a joint that carries others too (ChainOf)

@@ -127,6 +127,15 @@ class CommandLine(InFolder):
         self.assertIn('regions[0].joints[2]: no joint "r_wirst"; did you mean "r_wrist"?',
                       done.stderr)
 
+    def test_check_and_info_report_the_same_problems(self):
+        info = json.loads(run("--info", "--json", THROW).stdout)["problems"]
+        self.assertIn("Frame 27: ball goes into floor.", info)
+        self.assertEqual(json.loads(run("--check", "--json", THROW).stdout)["problems"], info)
+        told = run("--check", THROW)
+        self.assertEqual(told.stdout, f"{THROW}: ok\n")
+        self.assertEqual(told.stderr,
+                         "".join(f"hazumi: {THROW}: problem: {text}\n" for text in info))
+
     def test_strict_check_names_every_unknown_field(self):
         project = self.project()
         project["regions"][0]["frction"] = project["regions"][0]["friction"]
@@ -145,7 +154,8 @@ class CommandLine(InFolder):
             path.write_text(json.dumps(content))
             done = run("--check", "--strict", path)
             self.assertEqual((done.returncode, done.stdout), (65, ""), name)
-            errors = [line for line in done.stderr.splitlines() if "warning:" not in line]
+            errors = [line for line in done.stderr.splitlines()
+                      if "warning:" not in line and "problem:" not in line]
             self.assertEqual(len(errors), len(expected), done.stderr)
             for wanted in expected:
                 self.assertIn(wanted, done.stderr)

@@ -91,7 +91,7 @@ constexpr OptionRule kTaskRules[] = {
      .tasks = kCheck,
      .help =
          "say of each file, a project or one of another program, whether it can be animated, and "
-         "if not, why",
+         "if not, why; and what is wrong with its motion",
      .call = "[options] FILE...",
      .read = Choose<Task::kCheck>},
     {.name = "--info",

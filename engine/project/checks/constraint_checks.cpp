@@ -153,6 +153,15 @@ std::optional<int> OutlastsFrom(const Constraint& constraint, const Animation& a
   return last && *last < constraint.last_frame ? last : std::nullopt;
 }
 
+std::vector<OutlastingConstraint> FindOutlasting(const Animation& animation) {
+  std::vector<OutlastingConstraint> outlasting;
+  for (size_t i = 0; i < animation.constraints.size(); ++i) {
+    const std::optional<int> from = OutlastsFrom(animation.constraints[i], animation);
+    if (from) outlasting.push_back({static_cast<int>(i), *from});
+  }
+  return outlasting;
+}
+
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings) {
   for (size_t i = 0; i < animation.constraints.size(); ++i) {
     const Constraint& constraint = animation.constraints[i];

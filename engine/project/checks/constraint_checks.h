@@ -30,6 +30,8 @@ bool IsFelt(const Constraint& constraint, const Animation& animation);
 // Returns the frame from which no region moves the ends of a constraint, if that is before its last
 // frame; nullopt if no region moves them at all.
 std::optional<int> OutlastsFrom(const Constraint& constraint, const Animation& animation);
+// Returns the constraints with such a frame.
+std::vector<OutlastingConstraint> FindOutlasting(const Animation& animation);
 // Warns of constraints without effect, whose ends no region moves or only up to a frame before the
 // last one.
 void WarnAboutConstraints(const Animation& animation, std::vector<Warning>* warnings);

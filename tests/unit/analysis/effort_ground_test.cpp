@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/analysis/missing_support.h"
+#include "engine/analysis/problems.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/support/figures.h"
@@ -138,11 +139,11 @@ TEST(MissingSupport, Text_StatesTheDistanceAndTheRemedy) {
   const Animation animation = Leaning(0.24, true);
   const BakedEffort found = BakeEffort(animation);
   const std::string text =
-      TextOf(MissingSupports(animation, found.motion, found.effort).at(0), *animation.figure);
-  EXPECT_TRUE(text.starts_with("F0 to F30, most at F")) << text;
+      TextOf(MissingSupports(animation, found.motion, found.effort).at(0), animation);
+  EXPECT_TRUE(text.starts_with("Frames 0 to 30, most at ")) << text;
   EXPECT_NE(text.find("the centre of mass is "), std::string::npos) << text;
   EXPECT_NE(text.find(" cm beyond "), std::string::npos) << text;
-  EXPECT_TRUE(text.ends_with("; move the weight back, or step there")) << text;
+  EXPECT_TRUE(text.ends_with(" Move the weight back, or step there.")) << text;
 }
 
 TEST(MissingSupport, FloatingFigure_LacksItsWeight) {

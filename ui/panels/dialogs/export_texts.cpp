@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/panels/text/filled.h"
+#include "engine/base/filled.h"
 
 namespace hazumi::ui {
 

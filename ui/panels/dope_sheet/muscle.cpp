@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/base/filled.h"
 #include "engine/project/checks/joint_names.h"
 #include "ui/panels/text/catalogue.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "engine/base/text.h"
 #include "ui/panels/graph/layout.h"
 #include "ui/panels/text/catalogue.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

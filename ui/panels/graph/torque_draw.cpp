@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "engine/base/text.h"
 #include "ui/panels/sheet/drawing.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "engine/base/filled.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
 #include "ui/edit/operators/placement/root_curves.h"
 #include "ui/edit/operators/pose/flipped_pose.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 #include "ui/panels/poses/share_tool.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

@@ -1,315 +1,240 @@
 #include "ui/panels/problems/problems.h"
 
 #include <algorithm>
-#include <charconv>
+#include <utility>
 
+#include "engine/analysis/problems.h"
+#include "engine/base/filled.h"
 #include "engine/base/text.h"
+#include "engine/project/checks/constraint_checks.h"
+#include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/placement/jumps.h"
-#include "ui/panels/problems/contact_jerk.h"
-#include "ui/panels/problems/falls_through.h"
-#include "ui/panels/problems/region_problems.h"
-#include "ui/panels/problems/support_problem.h"
 #include "ui/panels/problems/taken_object.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/flight_text.h"
 
 namespace hazumi::ui {
 
 namespace {
 
-// The number in a place such as "regions[1].joints[0]", if the place is of this list.
-std::optional<size_t> IndexIn(const std::string& list, const std::string& place) {
-  if (!place.starts_with(list + "[")) return std::nullopt;
-  size_t index = 0;
-  const char* first = place.data() + list.size() + 1;
-  const auto read = std::from_chars(first, place.data() + place.size(), index);
-  return read.ec == std::errc() ? std::optional(index) : std::nullopt;
-}
-
-constexpr double kFarSlide = 0.05;  // of a foot; captures have shorter ones in every step [m]
-
-bool SlidesFar(const FlightAnalysis& analysis) {
-  return std::any_of(analysis.skates.begin(), analysis.skates.end(), [](const FootSkate& skate) {
-    return std::any_of(skate.slides.begin(), skate.slides.end(),
-                       [](const FootSlide& slide) { return slide.distance > kFarSlide; });
+// Analyses of the motion, as far as the editor has made them.
+Analyses KnownAnalyses(Editor* editor) {
+  edit::Session& session = editor->session();
+  const Animation& animation = *session.animation();
+  editor->turns.Look(&session);
+  Analyses known;
+  known.turns = editor->turns.turns();
+  std::erase_if(known.turns, [&](const HeldTurn& turn) {
+    return turn.region >= animation.regions.size();  // the current edit removed the region
   });
-}
-
-bool IsOf(const MissingSupport& missing, const Figure& figure) {
-  return missing.joint.value() < figure.num_joints();
-}
-
-// Returns whether the bake warns of a ball that is released inside an object.
-bool IsWarnedOf(const FallThrough& fall, const Motion& motion) {
-  return std::any_of(motion.warnings.begin(), motion.warnings.end(), [&](const Warning& warning) {
-    return IndexIn("held_objects", warning.place) == static_cast<size_t>(fall.object) &&
-           warning.frame == fall.frame;
+  known.outlasting = FindOutlasting(animation);
+  known.sinkings = editor->ground.sinkings();
+  known.flights = editor->flights.analysis();
+  known.missing = editor->effort.missing();
+  std::erase_if(known.missing, [&](const MissingSupport& missing) {
+    return missing.joint.value() >= session.figure().num_joints();  // of another document
   });
+  return known;
 }
 
-class ProblemList {
+// Findings of the motion that is shown; none if there is no motion.
+std::vector<Finding> FindingsOf(Editor* editor) {
+  const Result<const Motion*> motion = editor->session().ShownMotionTo(editor->last_frame());
+  if (!motion.ok()) return {};
+  return FindProblems(*editor->session().animation(), *motion.value(), KnownAnalyses(editor));
+}
+
+// Adds to a problem what leads to it, and its cures.
+class Guide {
  public:
-  explicit ProblemList(Editor* editor) : editor_(*editor), project_(editor->session().project()) {}
+  Guide(edit::Session* session, const Motion* motion, Problem* problem)
+      : session_(*session), project_(session->project()), motion_(motion), problem_(*problem) {}
 
-  std::vector<Problem> Find() {
-    edit::Session& session = editor_.session();
-    if (const std::optional<Error> error = session.KnownError()) {
-      AddPlaced({error->place, error->message}, /*is_error=*/true);
-      return std::move(problems_);
-    }
-    const Result<const Motion*> motion = session.ShownMotionTo(editor_.last_frame());
-    if (!motion.ok()) return {};
-    for (const PlacementJump& jump : motion.value()->placement_jumps) AddJump(jump);
-    for (const Warning& warning : motion.value()->warnings) {
-      // Those of placements are the jumps.
-      if (IndexIn("placements", warning.place)) continue;
-      AddPlaced(warning, false);
-      if (const auto object = IndexIn("held_objects", warning.place)) {
-        AddTaking(static_cast<int>(*object), warning, *motion.value());
-      }
-    }
-    editor_.turns.Look(&session);
-    AddRegionProblems(editor_.turns.turns(), &session, &problems_);
-    for (const Sinking& sinking : editor_.ground.sinkings()) AddSinking(sinking);
-    for (const FootSkate& skate : editor_.flights.analysis().skates) {
-      for (const FootSlide& slide : skate.slides) {
-        if (slide.distance > kFarSlide) AddSlide(skate.foot, slide);
-      }
-    }
-    for (const FallThrough& fall : FallsThrough(*session.animation(), *motion.value())) {
-      if (!IsWarnedOf(fall, *motion.value())) AddFall(fall);
-    }
-    for (const ContactJerk& jerk : ContactJerks(*session.animation(), *motion.value())) {
-      AddJerk(jerk);
-    }
-    for (const MissingSupport& missing : editor_.effort.missing()) {
-      if (!IsOf(missing, session.figure())) continue;  // another one was opened in this frame
-      problems_.push_back(SupportProblem(missing, session.figure()));
-    }
-    AddTime(editor_.flights.analysis().time);
-    return Grouped();
+  void operator()(const PlacementJump& jump) {
+    if (!JumpAt(jump.frame, project_.placements)) return;
+    AddCure("jump.aim", Json::object(), Tr("Aim the jump there again"));
   }
 
- private:
-  // With the name of the region or the joint of the hold that it is about.
-  void AddPlaced(const Warning& warning, bool is_error) {
-    Problem problem{warning.message, editor_.session().frame(), "", {}, is_error, {}};
-    const auto region = IndexIn("regions", warning.place), hold = IndexIn("holds", warning.place);
-    if (region && *region < project_.regions.size()) {
-      const ProjectRegion& of = project_.regions[*region];
-      problem.text = of.name + ": " + warning.message;
-      problem.region = of.identity.id;
-      problem.frame = warning.frame.value_or(of.first_frame);
-      AddRemedy(warning.remedy, of, &problem);
-    } else if (hold && *hold < project_.holds.size()) {
-      const ProjectHold& of = project_.holds[*hold];
-      problem.joint = of.joint;
-      problem.frame = of.first_frame;
-      if (is_error && of.reach == HoldReach::kLimb) {
-        problem.cures.push_back({"hold.set",
-                                 {{"index", *hold}, {"reach", "body"}},
-                                 problem.frame,
-                                 Tr("Let the body reach too")});
-      }
-    }
-    problems_.push_back(std::move(problem));
-  }
-
-  // The last problem is that an object jumps into a hand: that hand may reach for it.
-  void AddTaking(int object, const Warning& warning, const Motion& motion) {
-    if (!warning.frame) return;
-    const auto taking = TakingAt(object, *warning.frame, *editor_.session().animation(), motion);
-    if (!taking) return;
-    Problem& problem = problems_.back();
-    problem.frame = *warning.frame;
-    problem.joint = taking->joint;
-    problem.cures.push_back({"pose.reach",
-                             {{"joint", taking->joint},
-                              {"x", edit::WithoutRoundOff(taking->object.x())},
-                              {"y", edit::WithoutRoundOff(taking->object.y())},
-                              {"z", edit::WithoutRoundOff(taking->object.z())},
-                              {"offset_x", taking->offset.x()},
-                              {"offset_y", taking->offset.y()},
-                              {"offset_z", taking->offset.z()}},
-                             problem.frame,
-                             Tr("Reach for it")});
-  }
-
-  void AddRemedy(Warning::Remedy remedy, const ProjectRegion& region, Problem* problem) {
-    constexpr int kBlendFrames = 5;
-    if (remedy == Warning::Remedy::kBlend) {
-      problem->cures.push_back({"region.set",
-                                {{"region", region.name}, {"blend", kBlendFrames}},
-                                problem->frame,
-                                Filled(Tr("Blend back over %d frames"), kBlendFrames)});
-    } else if (remedy == Warning::Remedy::kLimitTangents) {
-      problem->cures.push_back({"region.set",
-                                {{"region", region.name}, {"limit_tangents", true}},
-                                problem->frame,
-                                Tr("Limit tangents")});
+  void operator()(const Warning& warning) {
+    if (const auto region = IndexIn("regions", warning.place)) Lead(*region, warning);
+    if (const auto hold = IndexIn("holds", warning.place)) LeadToHold(*hold);
+    if (const auto object = IndexIn("held_objects", warning.place)) {
+      OfferToReach(static_cast<int>(*object), warning);
     }
   }
 
-  void AddJump(const PlacementJump& jump) {
-    std::string text;
-    if (jump.speed > 0.0) {
-      text =
-          Filled(Tr("At frame %d the figure's speed jumps by %.2f m/s."), jump.frame, jump.speed);
-    } else {
-      text =
-          Filled(Tr("At frame %d the figure is %.2f m from its keys, and has %.2f s to get there."),
-                 jump.frame, jump.distance, jump.seconds);
-    }
-    Problem problem{text, static_cast<double>(jump.frame), "", {}, false, {}};
-    if (edit::JumpAt(jump.frame, project_)) {
-      if (jump.distance > 0.0) {
-        problem.text = Filled(
-            Tr("Frame %d: the jump comes down %.2f m from where its keys have it, as on a box that "
-               "was changed."),
-            jump.frame, jump.distance);
-      }
-      problem.cures.push_back(
-          {"jump.aim", Json::object(), problem.frame, Tr("Aim the jump there again")});
-    }
-    problems_.push_back(std::move(problem));
+  void operator()(const HeldTurn& turn) {
+    if (turn.region >= project_.regions.size()) return;
+    const ProjectRegion& region = project_.regions[turn.region];
+    problem_.region = region.identity.id;
+    AddCure("region.add_joints",
+            {{"region", region.name}, {"joints", {NameOfRoot(session_.figure())}}},
+            Tr("Let the whole body turn freely"));
   }
 
-  void AddJerk(const ContactJerk& jerk) {
-    constexpr double kOneG = 9.81;  // [m/s^2]
-    const char* text = jerk.is_landing
-                           ? "Frame %d: as it lands the body is braked or thrown with %.1f g."
-                           : "Frame %d: as it takes off the body is braked or thrown with %.1f g.";
-    Problem problem{Filled(Tr(text), jerk.frame, jerk.acceleration / kOneG),
-                    static_cast<double>(jerk.frame),
-                    "",
-                    {},
-                    false,
-                    {}};
-    problem.cures.push_back(
-        {"jump.aim", Json::object(), problem.frame, Tr("Aim the jump there again")});
-    problems_.push_back(std::move(problem));
+  void operator()(const OutlastingConstraint& own) {
+    const std::string& name =
+        session_.animation()->constraints[static_cast<size_t>(own.constraint)].name;
+    AddCure("constraint.set", {{"constraint", name}, {"last", own.from}}, Tr("End it there"));
   }
 
-  void AddSinking(const Sinking& sinking) {
-    const Figure& figure = editor_.session().figure();
-    const std::string& joint = figure.group(sinking.joint).name;
-    Problem problem;
-    problem.text = Filled(Tr("Frames %d to %d: %s is up to %.1f cm in the ground."), sinking.first,
-                          sinking.last, joint.c_str(), 100.0 * sinking.depth);
-    problem.frame = sinking.deepest;
-    problem.joint = joint;
+  void operator()(const Sinking& sinking) {
+    problem_.joint = session_.figure().group(sinking.joint).name;
     const auto places = [&](const ProjectPlacement& span) {
       return span.first_frame <= sinking.deepest && sinking.deepest <= span.last_frame;
     };
     const auto& spans = project_.placements;
     if (std::none_of(spans.begin(), spans.end(), places)) {
-      problem.cures.push_back({"root.to_ground", Json::object(), problem.frame, ""});
+      AddCure("root.to_ground", Json::object(), "");
     }
-    problems_.push_back(std::move(problem));
   }
 
-  // A region's warnings of one kind and frame are one: each of its hinges has one.
-  std::vector<Problem> Grouped() {
-    std::vector<Problem> grouped;
-    std::vector<int> more;
-    for (Problem& problem : problems_) {
-      const auto same = std::find_if(grouped.begin(), grouped.end(), [&](const Problem& other) {
-        return problem.region.is_valid() && other.region == problem.region &&
-               other.frame == problem.frame && !problem.cures.empty() && !other.cures.empty() &&
-               other.cures[0].parameters == problem.cures[0].parameters;
-      });
-      if (same != grouped.end()) {
-        ++more[same - grouped.begin()];
-        continue;
-      }
-      grouped.push_back(std::move(problem));
-      more.push_back(0);
-    }
-    for (size_t i = 0; i < grouped.size(); ++i) {
-      if (more[i] > 0) grouped[i].text += " (" + Filled(Tr("and %d more"), more[i]) + ")";
-    }
-    return grouped;
+  void operator()(const SlidingFoot& foot) {
+    problem_.joint = foot.foot;
+    if (!session_.figure().FindGroup(foot.foot)) return;
+    AddCure("hold.add",
+            {{"joint", foot.foot}, {"first", foot.slide.first}, {"last", foot.slide.last}},
+            Tr("Hold it there"));
   }
 
-  void AddFall(const FallThrough& fall) {
+  void operator()(const FallThrough& fall) {
     constexpr double kFlat = 0.7;  // least slope on which something rests, z of the normal
-    const std::string& name = project_.held_objects[fall.object].name;
-    Problem problem;
-    problem.text =
-        Filled(Tr("Frame %d: %s goes into %s."), fall.frame, name.c_str(), fall.obstacle.c_str());
-    problem.frame = fall.frame;
+    const ProjectHeldObject& object = project_.held_objects[static_cast<size_t>(fall.object)];
     if (fall.normal.z() >= kFlat) {
-      problem.cures.push_back({"held.key",
-                               {{"object", name},
-                                {"x", edit::WithoutRoundOff(fall.outside.x())},
-                                {"y", edit::WithoutRoundOff(fall.outside.y())},
-                                {"z", edit::WithoutRoundOff(fall.outside.z())}},
-                               problem.frame,
-                               Tr("Let it rest there")});
+      AddCure("held.key",
+              {{"object", object.name},
+               {"x", edit::WithoutRoundOff(fall.outside.x())},
+               {"y", edit::WithoutRoundOff(fall.outside.y())},
+               {"z", edit::WithoutRoundOff(fall.outside.z())}},
+              Tr("Let it rest there"));
     }
-    const bool may_touch =
-        std::holds_alternative<ProjectSphereShape>(project_.held_objects[fall.object].shape);
+    const bool may_touch = std::holds_alternative<ProjectSphereShape>(object.shape);
     if (may_touch && project_.solver.method == Method::kExact) {
-      problem.cures.push_back({"held.set",
-                               {{"object", name}, {"contacts", true}},
-                               problem.frame,
-                               Tr("Let it touch the scene")});
+      AddCure("held.set", {{"object", object.name}, {"contacts", true}},
+              Tr("Let it touch the scene"));
     }
-    problems_.push_back(std::move(problem));
   }
 
-  void AddSlide(const std::string& foot, const FootSlide& slide) {
-    Problem problem;
-    problem.text = Filled(Tr("Frames %d to %d: %s slides %.0f cm on the ground."), slide.first,
-                          slide.last, foot.c_str(), 100.0 * slide.distance);
-    problem.frame = slide.first;
-    problem.joint = foot;
-    if (editor_.session().figure().FindGroup(foot)) {
-      problem.cures.push_back({"hold.add",
-                               {{"joint", foot}, {"first", slide.first}, {"last", slide.last}},
-                               problem.frame,
-                               Tr("Hold it there")});
-    }
-    problems_.push_back(std::move(problem));
+  void operator()(const ContactJerk&) {
+    AddCure("jump.aim", Json::object(), Tr("Aim the jump there again"));
   }
 
-  void AddTime(const TimeScale& time) {
-    const std::string alarm = AlarmText(time), repair = RepairText(time);
-    if (alarm.empty()) return;
-    Problem problem{alarm, editor_.session().frame(), "", {}, false, {}};
-    if (!repair.empty()) {
-      problem.cures.push_back({"time.rate",
-                               {{"num", *time.frame_rate}, {"den", 1}, {"keep_shape", true}},
-                               problem.frame,
-                               repair});
-    }
-    problems_.push_back(std::move(problem));
+  void operator()(const MissingSupport&) {}
+
+  void operator()(const TimeScale& time) {
+    const std::string repair = RepairText(time);
+    if (repair.empty()) return;
+    AddCure("time.rate", {{"num", *time.frame_rate}, {"den", 1}, {"keep_shape", true}}, repair);
   }
 
-  Editor& editor_;
+ private:
+  void AddCure(const char* operator_id, Json parameters, std::string label) {
+    problem_.cures.push_back(
+        {operator_id, std::move(parameters), problem_.frame, std::move(label)});
+  }
+
+  void Lead(size_t region, const Warning& warning) {
+    constexpr int kBlendFrames = 5;
+    if (region >= project_.regions.size()) return;
+    const ProjectRegion& own = project_.regions[region];
+    problem_.region = own.identity.id;
+    problem_.frame = warning.frame.value_or(own.first_frame);
+    if (warning.remedy == Warning::Remedy::kBlend) {
+      AddCure("region.set", {{"region", own.name}, {"blend", kBlendFrames}},
+              Filled(Tr("Blend back over %d frames"), kBlendFrames));
+    } else if (warning.remedy == Warning::Remedy::kLimitTangents) {
+      AddCure("region.set", {{"region", own.name}, {"limit_tangents", true}}, Tr("Limit tangents"));
+    }
+  }
+
+  void LeadToHold(size_t hold) {
+    if (hold >= project_.holds.size()) return;
+    const ProjectHold& own = project_.holds[hold];
+    problem_.joint = own.joint;
+    problem_.frame = own.first_frame;
+    if (problem_.is_error && own.reach == HoldReach::kLimb) {
+      AddCure("hold.set", {{"index", hold}, {"reach", "body"}}, Tr("Let the body reach too"));
+    }
+  }
+
+  // An object jumps into a hand: that hand may reach for it.
+  void OfferToReach(int object, const Warning& warning) {
+    if (!warning.frame || motion_ == nullptr) return;
+    const auto taking = TakingAt(object, *warning.frame, *session_.animation(), *motion_);
+    if (!taking) return;
+    problem_.frame = *warning.frame;
+    problem_.joint = taking->joint;
+    AddCure("pose.reach",
+            {{"joint", taking->joint},
+             {"x", edit::WithoutRoundOff(taking->object.x())},
+             {"y", edit::WithoutRoundOff(taking->object.y())},
+             {"z", edit::WithoutRoundOff(taking->object.z())},
+             {"offset_x", taking->offset.x()},
+             {"offset_y", taking->offset.y()},
+             {"offset_z", taking->offset.z()}},
+            Tr("Reach for it"));
+  }
+
+  edit::Session& session_;
   const Project& project_;
-  std::vector<Problem> problems_;
+  const Motion* motion_;
+  Problem& problem_;
 };
+
+// Joins a region's warnings of one kind and frame: each of its hinges has one.
+std::vector<Problem> Grouped(std::vector<Problem> problems) {
+  std::vector<Problem> grouped;
+  std::vector<int> more;
+  for (Problem& problem : problems) {
+    const auto same = std::find_if(grouped.begin(), grouped.end(), [&](const Problem& other) {
+      return problem.region.is_valid() && other.region == problem.region &&
+             other.frame == problem.frame && !problem.cures.empty() && !other.cures.empty() &&
+             other.cures[0].parameters == problem.cures[0].parameters;
+    });
+    if (same != grouped.end()) {
+      ++more[same - grouped.begin()];
+      continue;
+    }
+    grouped.push_back(std::move(problem));
+    more.push_back(0);
+  }
+  for (size_t i = 0; i < grouped.size(); ++i) {
+    if (more[i] > 0) grouped[i].text += " (" + Filled(Tr("and %d more"), more[i]) + ")";
+  }
+  return grouped;
+}
+
+// The error that prevents a motion, with the name of the region that it is about.
+Problem ProblemOf(const Error& error, edit::Session* session) {
+  Problem problem{error.message, session->frame(), "", {}, /*is_error=*/true, {}};
+  const auto region = IndexIn("regions", error.place);
+  if (region && *region < session->project().regions.size()) {
+    problem.text = session->project().regions[*region].name + ": " + error.message;
+  }
+  Guide(session, nullptr, &problem)(Warning{error.place, error.message});
+  return problem;
+}
 
 }  // namespace
 
 bool HasProblems(Editor* editor) {
-  edit::Session& session = editor->session();
-  if (session.KnownError()) return true;
-  const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
-  if (!motion.ok()) return false;
-  editor->turns.Look(&session);
-  // Jumps are among the warnings.
-  return !motion.value()->warnings.empty() || !editor->turns.turns().empty() ||
-         AnyOutlasts(*session.animation()) || !editor->ground.sinkings().empty() ||
-         SlidesFar(editor->flights.analysis()) || !editor->effort.missing().empty() ||
-         !FallsThrough(*session.animation(), *motion.value()).empty() ||
-         !ContactJerks(*session.animation(), *motion.value()).empty() ||
-         !AlarmText(editor->flights.analysis().time).empty();
+  return editor->session().KnownError().has_value() || !FindingsOf(editor).empty();
 }
 
-std::vector<Problem> ProblemsOf(Editor* editor) { return ProblemList(editor).Find(); }
+std::vector<Problem> ProblemsOf(Editor* editor) {
+  edit::Session& session = editor->session();
+  if (const std::optional<Error> error = session.KnownError()) return {ProblemOf(*error, &session)};
+  std::vector<Problem> problems;
+  for (const Finding& finding : FindingsOf(editor)) {
+    Problem problem;
+    problem.text = TextOf(finding, *session.animation(), Tr);
+    const std::optional<int> frame = FrameOf(finding);
+    problem.frame = frame ? *frame : session.frame();
+    const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
+    std::visit(Guide(&session, motion.value(), &problem), finding);
+    problems.push_back(std::move(problem));
+  }
+  return Grouped(std::move(problems));
+}
 
 void GoTo(const Problem& problem, Editor* editor) {
   editor->Do("time.frame", {{"frame", problem.frame}});

@@ -6,10 +6,10 @@
 
 #include <cctype>
 
+#include "engine/base/filled.h"
 #include "engine/timeline/curve_track.h"
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/spatial/degrees.h"
 #include "ui/panels/commands/actions.h"
@@ -11,7 +12,6 @@
 #include "ui/panels/properties/field_rows.h"
 #include "ui/panels/properties/layout.h"
 #include "ui/panels/properties/sections.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/text/friction_text.h"
 
 namespace hazumi::ui {

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/filled.h"
 #include "engine/project/address/field_address.h"
 #include "ui/panels/dialogs/folder_list.h"
 #include "ui/panels/sweep/picture.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/window/editor.h"
 
 namespace hazumi::ui {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "ui/panels/text/catalogue.h"
-#include "ui/panels/text/filled.h"
 
 namespace hazumi::ui {
 

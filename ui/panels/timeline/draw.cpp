@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/base/filled.h"
 #include "ui/panels/commands/actions.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/timeline/layout.h"
 #include "ui/panels/window/panels.h"
 #include "ui/panels/window/widgets.h"

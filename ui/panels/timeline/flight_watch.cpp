@@ -3,31 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analysis/problems.h"
 #include "engine/base/memory.h"
-#include "ui/panels/timeline/flight_text.h"
 
 namespace hazumi::ui {
 
 namespace {
-
-bool IsByGravity(const Flight& flight, const std::vector<PlacementSpan>& placements) {
-  const double middle = 0.5 * (flight.take_off + flight.landing);
-  return std::any_of(placements.begin(), placements.end(), [&](const PlacementSpan& span) {
-    return span.kind == PlacementKind::kGravity && middle > span.first_frame &&
-           middle < span.last_frame;
-  });
-}
-
-// Flights by gravity are right by themselves and say nothing about the rest.
-FlightAnalysis WithoutGravity(FlightAnalysis analysis,
-                              const std::vector<PlacementSpan>& placements) {
-  std::erase_if(analysis.flights,
-                [&](const Flight& flight) { return IsByGravity(flight, placements); });
-  const TimeScale& time = analysis.time;
-  analysis.time =
-      TimeOf(analysis.flights, time.frame_time, time.stature, time.scale_known, time.true_gravity);
-  return analysis;
-}
 
 // Keys made by hand may fly as they like: what no common frame rate explains is not said aloud.
 bool IsAlarming(const TimeScale& time) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/filled.h"
 #include "engine/spatial/degrees.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/nearest_line.h"
 
 namespace hazumi::ui {

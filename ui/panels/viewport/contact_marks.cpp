@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ui/panels/text/filled.h"
+#include "engine/base/filled.h"
 #include "ui/panels/viewport/nearest_line.h"
 #include "ui/panels/viewport/scene.h"
 #include "ui/panels/viewport/strokes.h"

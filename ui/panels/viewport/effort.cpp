@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/text/filled.h"
+#include "engine/base/filled.h"
 #include "ui/panels/viewport/scene.h"
 
 namespace hazumi::ui {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ui/panels/text/filled.h"
+#include "engine/base/filled.h"
 #include "ui/panels/viewport/effort.h"
 #include "ui/panels/viewport/scene.h"
 #include "ui/panels/viewport/strokes.h"

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/base/filled.h"
 #include "engine/dynamics/inverse_dynamics.h"
 #include "engine/dynamics/kinematics.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/marks.h"
 #include "ui/panels/viewport/start_speed.h"
 #include "ui/panels/viewport/strokes.h"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/base/file_place.h"
+#include "engine/base/filled.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
 #include "engine/project/project_files.h"
@@ -15,7 +16,6 @@
 #include "ui/panels/dialogs/dialogs.h"
 #include "ui/panels/poses/thumbnails.h"
 #include "ui/panels/sweep/actions.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/actions.h"
 #include "ui/panels/viewport/object_actions.h"
 

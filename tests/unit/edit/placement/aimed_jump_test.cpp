@@ -54,7 +54,7 @@ TEST(AimedJump, FollowsABoxThatIsRaised) {
   Do(&session, "object.set", {{"object", "box"}, {"z", 0.5 * kHigher}, {"size_z", kHigher}});
   const Motion before = JumpMotion(&session);
   ASSERT_FALSE(before.placement_jumps.empty());
-  ASSERT_TRUE(edit::JumpAt(before.placement_jumps[0].frame, session.project()));
+  ASSERT_TRUE(JumpAt(before.placement_jumps[0].frame, session.project().placements));
   Do(&session, "time.frame", {{"frame", before.placement_jumps[0].frame}});
   Do(&session, "jump.aim");
   ExpectLandsOn({1.15, 0.0, kHigher}, &session);

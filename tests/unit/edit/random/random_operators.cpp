@@ -372,7 +372,7 @@ bool HasWhatItNeeds(const std::string& id, const std::vector<ParameterInfo>& inf
   if (id == "reference.remove") return session.project().reference.has_value();
   if (id == "held.throw_onto") return !Thrown(session).empty();
   if (id == "throw.add") return !InAHand(session).empty();
-  if (id == "jump.aim") return edit::JumpAt(session.frame(), session.project()).has_value();
+  if (id == "jump.aim") return JumpAt(session.frame(), session.project().placements).has_value();
   if (id == "edit.redo") return session.document().redo_label().has_value();
   if (id == "keys.paste") return !session.key_clipboard().empty();
   if (id == "pose.paste") return !session.clipboard().empty();

@@ -228,23 +228,8 @@ Result<Done> Jump(const KnownJump& known, const JumpSpans& spans, const Animatio
 
 }  // namespace
 
-std::optional<JumpSpans> JumpAt(double frame, const Project& project) {
-  const auto& all = project.placements;
-  for (size_t i = 0; i + 2 < all.size(); ++i) {
-    const ProjectPlacement &before = all[i], &flight = all[i + 1], &after = all[i + 2];
-    // Room for each phase to have a frame of its own.
-    const bool is_long = before.last_frame - before.first_frame >= 2 &&
-                         flight.last_frame - before.last_frame >= 3 &&
-                         after.last_frame - after.first_frame >= 2;
-    const bool is_here = frame >= before.first_frame && frame < after.last_frame;
-    const bool is_flight = LeavesPin(before, flight) && EndsOnPin(flight, after);
-    if (is_flight && is_long && is_here) return JumpSpans{i, i + 1, i + 2};
-  }
-  return std::nullopt;
-}
-
 Result<Done> AimJump(Session* session, const Parameters& p) {
-  const auto spans = JumpAt(session->frame(), session->project());
+  const auto spans = JumpAt(session->frame(), session->project().placements);
   if (!spans) {
     return Refusal("", "there is no jump in this frame: a flight by gravity between two pins");
   }

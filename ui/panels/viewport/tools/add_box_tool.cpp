@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/object_actions.h"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "engine/base/filled.h"
 #include "engine/project/checks/constraint_checks.h"
 #include "ui/panels/dope_sheet/bars.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/tools/tools.h"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/filled.h"
 #include "ui/edit/operators/held/holders.h"
 #include "ui/edit/operators/held/throws.h"
 #include "ui/edit/operators/placement/jumps.h"
-#include "ui/panels/text/filled.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/object_actions.h"
@@ -155,7 +155,7 @@ class JumpTool : public SpotTool {
   Told Tell(Editor* editor) const override {
     constexpr double kFewRise = 0.6;  // [m]
     const Project& project = editor->session().project();
-    const auto spans = edit::JumpAt(editor->session().frame(), project);
+    const auto spans = JumpAt(editor->session().frame(), project.placements);
     const Result<const Motion*> motion = editor->session().WholeMotion();
     if (!spans || !motion.ok()) return {};
     const int take_off = project.placements[spans->before].last_frame;
@@ -239,7 +239,7 @@ bool HasHolder(const ProjectHeldObject& object, const edit::Session& session) {
 
 Result<Done> TakeJumpTool(Editor* editor) {
   const edit::Session& session = editor->session();
-  const bool is_there = edit::JumpAt(session.frame(), session.project()).has_value();
+  const bool is_there = JumpAt(session.frame(), session.project().placements).has_value();
   editor->Take(std::make_unique<JumpTool>(editor, is_there));
   return Done();
 }

@@ -5,7 +5,7 @@
 #include "engine/bake/motion.h"
 #include "engine/timeline/animation.h"
 
-namespace hazumi::ui {
+namespace hazumi {
 
 // Beside a flight, where it stands on a pin before and after it, the figure is thrown forward or
 // braked harder than legs can.
@@ -19,4 +19,4 @@ struct ContactJerk {
 // motion at the animation's frame rate.
 std::vector<ContactJerk> ContactJerks(const Animation& animation, const Motion& motion);
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace hazumi::ui {
+namespace hazumi {
 
 // A text of the catalogue with its places filled, as printf does it; 300 bytes at most.
 template <typename... Values>
@@ -14,4 +14,4 @@ std::string Filled(const char* format, Values... values) {
   return text.data();
 }
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

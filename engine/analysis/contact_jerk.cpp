@@ -2,11 +2,11 @@
 // the feet grip and the body does not topple: sprinters at the start reach 1 g, long jumpers at
 // take-off a few. Its acceleration is the second difference of its places from frame to frame.
 
-#include "ui/panels/problems/contact_jerk.h"
+#include "engine/analysis/contact_jerk.h"
 
 #include <algorithm>
 
-namespace hazumi::ui {
+namespace hazumi {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::vector<ContactJerk> ContactJerks(const Animation& animation, const Motion& 
   return jerks;
 }
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

@@ -1,11 +1,11 @@
-#include "ui/panels/problems/falls_through.h"
+#include "engine/analysis/fall_through.h"
 
 #include <optional>
 
 #include "engine/analysis/object_landing.h"
 #include "engine/collision/distance.h"
 
-namespace hazumi::ui {
+namespace hazumi {
 
 namespace {
 
@@ -43,4 +43,4 @@ std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& 
   return falls;
 }
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

@@ -1,11 +1,13 @@
-#include "ui/panels/timeline/ground_watch.h"
+#include "engine/analysis/sinking.h"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 
-namespace hazumi::ui {
+namespace hazumi {
 
 namespace {
 
@@ -16,50 +18,48 @@ bool IsByGravity(const std::vector<PlacementSpan>& placements, int frame) {
   });
 }
 
-// A hand that has something is in it by as much as its fingers are drawn straight.
-bool IsHeldOnTo(const SceneObject& object, const Project& project) {
-  if (std::holds_alternative<Plane>(object.shape)) return false;
-  return std::any_of(project.constraints.begin(), project.constraints.end(),
-                     [&](const ProjectConstraint& constraint) {
-                       return constraint.a.object == object.name ||
-                              constraint.b.object == object.name;
+// Whether a constraint ties an object to the figure: a hand that grips it is inside it by as much
+// as its fingers are drawn straight.
+bool IsTied(int object, const Animation& animation) {
+  if (std::holds_alternative<Plane>(animation.scene[static_cast<size_t>(object)].shape)) {
+    return false;
+  }
+  return std::any_of(animation.constraints.begin(), animation.constraints.end(),
+                     [&](const Constraint& constraint) {
+                       return constraint.a.object == object || constraint.b.object == object;
                      });
 }
 
 }  // namespace
 
-void GroundWatch::Look(edit::Session* session, int most) {
-  const Version now = {session->document_number(), session->document().revision()};
-  if (is_done_ && now == seen_) return;
-  is_done_ = true;
-  const Result<const Motion*> motion = session->WholeMotion();
-  if (!motion.ok()) return;  // it may be there the next time
-  seen_ = now;
-  const Animation& animation = *session->animation();
-  Begin(animation, session->project(), motion.value()->frames.size());
+bool SinkingFinder::Look(const Animation& animation, const Motion& motion, int most) {
+  Begin(animation, motion.frames.size());
   std::optional<DynamicsWorkspace> ws;
   for (size_t i = 0; i < known_.size(); ++i) {
-    const MotionFrame& frame = motion.value()->frames[i];
+    const MotionFrame& frame = motion.frames[i];
     if (known_[i] && known_[i]->q == frame.q && known_[i]->X_WR == frame.X_WR) continue;
     known_[i].reset();
     if (most-- <= 0) continue;
     if (!ws) ws.emplace(*figure_);
     known_[i] = LookAt(frame, &*ws);
   }
-  is_done_ = most >= 0;
   Collect(animation.placements, animation.first_frame);
+  return most >= 0;
 }
 
-void GroundWatch::Begin(const Animation& animation, const Project& project, size_t num_frames) {
-  std::vector<SceneObject> scene = animation.scene;
-  std::erase_if(scene, [&](const SceneObject& object) { return IsHeldOnTo(object, project); });
+// Forgets what is known of another figure or scene.
+void SinkingFinder::Begin(const Animation& animation, size_t num_frames) {
+  std::vector<SceneObject> scene;
+  for (int i = 0; i < static_cast<int>(animation.scene.size()); ++i) {
+    if (!IsTied(i, animation)) scene.push_back(animation.scene[static_cast<size_t>(i)]);
+  }
   if (figure_ != animation.figure || scene_ != scene) known_.clear();
   figure_ = animation.figure;
   scene_ = std::move(scene);
   known_.resize(num_frames);
 }
 
-GroundWatch::Known GroundWatch::LookAt(const MotionFrame& frame, DynamicsWorkspace* ws) const {
+SinkingFinder::Known SinkingFinder::LookAt(const MotionFrame& frame, DynamicsWorkspace* ws) const {
   Known known = {frame.q, frame.X_WR, 0.0, GroupIndex()};
   ComputePositions(*figure_, frame.X_WR, frame.q, ws);
   const std::optional<Contact> contact = NearestContact(*figure_, scene_, *ws);
@@ -69,8 +69,8 @@ GroundWatch::Known GroundWatch::LookAt(const MotionFrame& frame, DynamicsWorkspa
   return known;
 }
 
-// Frames in a row become one.
-void GroundWatch::Collect(const std::vector<PlacementSpan>& placements, int first_frame) {
+// Joins frames in a row.
+void SinkingFinder::Collect(const std::vector<PlacementSpan>& placements, int first_frame) {
   sinkings_.clear();
   for (size_t i = 0; i < known_.size(); ++i) {
     const int frame = first_frame + static_cast<int>(i);
@@ -87,4 +87,4 @@ void GroundWatch::Collect(const std::vector<PlacementSpan>& placements, int firs
   }
 }
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

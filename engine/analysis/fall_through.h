@@ -6,7 +6,7 @@
 #include "engine/bake/motion.h"
 #include "engine/timeline/animation.h"
 
-namespace hazumi::ui {
+namespace hazumi {
 
 // What nobody holds goes into something of the scene: nothing stops it but keys.
 struct FallThrough {
@@ -20,4 +20,4 @@ struct FallThrough {
 // The first of each object. A box counts as the sphere in it.
 std::vector<FallThrough> FallsThrough(const Animation& animation, const Motion& motion);
 
-}  // namespace hazumi::ui
+}  // namespace hazumi

@@ -1,0 +1,72 @@
+#pragma once
+
+// Everything about a motion that an animator would not want: one list and one sentence each, for
+// the window, the command line and scripts.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/analysis/contact_jerk.h"
+#include "engine/analysis/fall_through.h"
+#include "engine/analysis/flights.h"
+#include "engine/analysis/held_turn.h"
+#include "engine/analysis/missing_support.h"
+#include "engine/analysis/sinking.h"
+#include "engine/base/warning.h"
+
+namespace hazumi {
+
+// A foot that slides far while it is on the ground.
+struct SlidingFoot {
+  std::string foot;
+  FootSlide slide;
+};
+
+// A problem of a motion, with its numbers.
+using Finding = std::variant<PlacementJump, Warning, HeldTurn, OutlastingConstraint, Sinking,
+                             SlidingFoot, FallThrough, ContactJerk, MissingSupport, TimeScale>;
+
+// Analyses of a motion that take long: a window makes them one after the other.
+struct Analyses {
+  std::vector<HeldTurn> turns;
+  std::vector<OutlastingConstraint> outlasting;
+  std::vector<Sinking> sinkings;
+  FlightAnalysis flights;  // WithoutGravity
+  std::vector<MissingSupport> missing;
+};
+
+// Makes all of them at once, except those of which the command line warns. `effort` is that of the
+// motion.
+Analyses AnalysesOf(const Animation& animation, const Motion& motion, const Effort& effort,
+                    bool size_is_guessed);
+
+// Removes flights by gravity, which are right by themselves and say nothing about the rest.
+FlightAnalysis WithoutGravity(FlightAnalysis analysis,
+                              const std::vector<PlacementSpan>& placements);
+// The common frame rate that the clip should be played at [1/s]; none if no such rate is near, or
+// if lengths are wrong.
+std::optional<int> RateToSet(const TimeScale& time);
+
+// Returns the problems in the order in which they are shown. `motion` is at the animation's frame
+// rate.
+std::vector<Finding> FindProblems(const Animation& animation, const Motion& motion,
+                                  const Analyses& analyses);
+
+// Whether the command line tells it as a warning.
+bool IsAWarning(const Finding& finding);
+// The frame that shows a problem; none if it is about all frames.
+std::optional<int> FrameOf(const Finding& finding);
+
+// Returns the translation of an English text.
+using Translate = const char* (*)(const char* english);
+inline const char* Untranslated(const char* english) { return english; }
+
+// What flights say of a wrong time or length of a clip; empty if nothing is wrong.
+std::string AlarmText(const TimeScale& time, Translate translate);
+// A sentence with the frames, the numbers, and for some problems the remedy.
+std::string TextOf(const Finding& finding, const Animation& animation,
+                   Translate translate = Untranslated);
+
+}  // namespace hazumi
