@@ -10,7 +10,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "engine/analysis/held_turn.h"
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/bake/bake.h"
 #include "engine/bake/bake_size.h"
 #include "engine/base/text.h"

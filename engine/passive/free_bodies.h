@@ -8,8 +8,8 @@
 
 namespace hazumi {
 
-// What moves besides the hinges of an island: in flight the centre of mass of the figure, and
-// balls, rigid bodies of their own. Knows how they respond to forces and impulses on rows.
+// Responses of everything that moves besides the hinges of an island to forces and impulses on
+// rows: in flight the centre of mass of the figure, and balls, rigid bodies of their own.
 class FreeBodies {
  public:
   // `model` must outlive this object. `gravity`: along -z [m/s^2].

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/passive/energy_meter.h"
-#include "engine/passive/hinge_equations.h"
+#include "engine/passive/equations/hinge_equations.h"
 #include "engine/passive/hinge_state.h"
 #include "engine/passive/work.h"
 

@@ -11,7 +11,7 @@
 
 namespace hazumi {
 
-// What acts on an island, as far as it decides which nodes have to be placed, and where.
+// Kinds of what acts on an island, which decide which nodes have to be placed, and where.
 struct IslandNeeds {
   bool forces = false;  // laws add forces to nodes
   bool rows = false;    // constraints or contacts, which may hang on several moving bases

@@ -8,8 +8,8 @@
 
 namespace hazumi {
 
-// What stays the same between two events of an island: with it accelerations are a function of time
-// and state.
+// Everything about an island that stays the same between two events: with it accelerations are a
+// function of time and state.
 struct RegionMode {
   RegionLayout layout;        // which hinges limits lock
   ConstraintSet constraints;  // which constraints are broken

@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "engine/base/assert.h"
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/semidefinite.h"
 
 namespace hazumi {
 

@@ -4,7 +4,7 @@
 
 #include "engine/passive/constraints/row_compliance.h"
 #include "engine/passive/contact/contact_push.h"
-#include "engine/passive/equations_of_motion.h"
+#include "engine/passive/equations/equations_of_motion.h"
 #include "engine/passive/exact/limit_rows.h"
 #include "engine/passive/free_bodies.h"
 #include "engine/passive/region_kinematics.h"
@@ -61,7 +61,7 @@ class RowSystem {
   const LimitRows& for_forces() const { return for_forces_; }
   const LimitRows& for_impulses() const { return for_impulses_; }
 
-  // Of the latest measurement, and the forces in the latest Constrain [N, N m].
+  // Rows of the latest measurement, and their forces in the latest Constrain [N, N m].
   const std::vector<ConstraintRow>& rows() const { return rows_; }
   const VecX& forces() const { return forces_; }
   enum class Kind { kAll, kConstraints, kContacts };

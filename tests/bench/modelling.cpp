@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/bake/bake.h"
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/passive/forces/force_spec.h"
 #include "engine/passive/region_dynamics.h"
-#include "engine/passive/semidefinite.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/bench/stopwatch.h"

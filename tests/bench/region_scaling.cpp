@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/passive/region_dynamics.h"
-#include "engine/passive/semidefinite.h"
 #include "tests/bench/growing_figures.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/bench/tables.h"

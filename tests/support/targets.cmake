@@ -6,7 +6,7 @@ set(_support ${CMAKE_CURRENT_LIST_DIR})
 
 add_library(hazumi_test_support STATIC ${_support}/arm7_cases.cpp ${_support}/data_folder.cpp
             ${_support}/dense_dynamics.cpp ${_support}/figures.cpp ${_support}/free_figure.cpp
-            ${_support}/multipliers.cpp ${_support}/path.cpp ${_support}/random.cpp
+            ${_support}/path.cpp ${_support}/random.cpp
             ${_support}/random_tree.cpp)
 target_link_libraries(hazumi_test_support PUBLIC hazumi_engine GTest::gtest PRIVATE hazumi_flags)
 target_compile_definitions(hazumi_test_support PRIVATE HAZUMI_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -103,8 +103,8 @@ BodyMotion ObjectFlight::At(double seconds) {
   return MotionOf(stuck_from_ ? last_ : Sample(seconds));
 }
 
-// Or no step, but what jams is stopped where it is: where forces of time stepping [METHOD 12.4] of
-// a ball that is wedged do not find together they would make it spin.
+// Takes a step, or stops a ball that jams where it is: where forces of time stepping [METHOD 12.4]
+// of a ball that is wedged do not find together they would make it spin.
 void ObjectFlight::Step() {
   constexpr double kSlack = 1e-3;
   ExactSolver& solver = run_->solver;
@@ -141,7 +141,8 @@ double ObjectFlight::DepthOf(const HingeState& state) const {
   return depth;
 }
 
-// What begins inside something is pushed out, slowly: what one time step may add to its energy.
+// Returns the energy that one time step may add to a ball that begins inside something and is
+// pushed out slowly.
 double ObjectFlight::GainOfComingOut(double depth) const {
   constexpr double kShare = 100.0, kFastest = 0.1, kLongest = 8e-3;  // [1/s, m/s, s]
   constexpr double kWays = 4.0;  // that it may be pushed at once, amply

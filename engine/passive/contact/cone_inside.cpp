@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/passive/contact/cone_solver.h"
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/semidefinite.h"
 
 namespace hazumi {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/passive/contact/cone_problem.h"
-#include "engine/passive/dense_kernels.h"
+#include "engine/passive/equations/dense_kernels.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

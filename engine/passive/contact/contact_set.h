@@ -16,8 +16,8 @@ enum class ContactMode : char {
   kSlide,  // they do, against `direction`
 };
 
-// What a capsule may touch: an obstacle of ContactSpec::obstacles, or the other capsule of a pair
-// of ContactSpec::own.
+// Partner of a capsule: an obstacle of ContactSpec::obstacles, or the other capsule of a pair of
+// ContactSpec::own.
 struct TouchesObstacle {
   int obstacle = 0;
   bool operator==(const TouchesObstacle&) const = default;

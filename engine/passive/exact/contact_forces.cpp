@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/passive/exact/impact_log.h"
-#include "engine/passive/semidefinite.h"
 
 namespace hazumi {
 

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

@@ -7,7 +7,7 @@
 
 namespace hazumi {
 
-// What contacts, constraints and limits of an island do to each other at one instant: a row for
+// Problem of the forces of contacts, constraints and limits of an island at one instant: a row for
 // each that RowSystem lists, then one for each hinge that is at a limit. [METHOD 12]
 class ContactProblem {
  public:

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/passive/equations/tree_impulses.h"
 #include "engine/passive/exact/step_problem.h"
-#include "engine/passive/tree_impulses.h"
 
 namespace hazumi {
 

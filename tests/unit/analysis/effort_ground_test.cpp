@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/analysis/missing_support.h"
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/project/compile.h"
 #include "engine/project/project_reader.h"
 #include "tests/support/figures.h"

@@ -1,14 +1,14 @@
 // Articulated bodies against the dense equations M x = -b of the same island: what they make the
 // bodies do, whatever the layout of the joints is.
 
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/equations/articulated_bodies.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/semidefinite.h"
 #include "tests/support/compare.h"
 #include "tests/unit/passive/random_island.h"
 

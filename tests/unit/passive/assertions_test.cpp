@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/passive/exact/exact_solver.h"
-#include "engine/passive/semidefinite.h"
 #include "tests/unit/passive/random_island.h"
 
 #ifndef NDEBUG

@@ -6,8 +6,8 @@
 #include <Eigen/Cholesky>
 
 #include "tests/support/compare.h"
-#include "tests/support/multipliers.h"
 #include "tests/unit/passive/model_case.h"
+#include "tests/unit/passive/multipliers.h"
 
 namespace hazumi::test {
 namespace {

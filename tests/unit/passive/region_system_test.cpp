@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "tests/support/compare.h"
-#include "tests/support/multipliers.h"
 #include "tests/support/sample.h"
+#include "tests/unit/passive/multipliers.h"
 
 namespace hazumi::test {
 namespace {

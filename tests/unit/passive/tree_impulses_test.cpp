@@ -1,7 +1,7 @@
 // Impulses on several bodies of a tree, all at once and one after the other on a tour, against
 // impulses on articulated bodies one at a time.
 
-#include "engine/passive/tree_impulses.h"
+#include "engine/passive/equations/tree_impulses.h"
 
 #include <gtest/gtest.h>
 

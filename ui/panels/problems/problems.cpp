@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/base/filled.h"
 #include "engine/base/text.h"
 #include "engine/project/checks/constraint_checks.h"
@@ -28,7 +28,8 @@ Analyses KnownAnalyses(Editor* editor) {
   });
   known.outlasting = FindOutlasting(animation);
   known.sinkings = editor->ground.sinkings();
-  known.flights = editor->flights.analysis();
+  known.skates = editor->flights.analysis().skates;
+  known.time = editor->flights.analysis().time;
   known.missing = editor->effort.missing();
   std::erase_if(known.missing, [&](const MissingSupport& missing) {
     return missing.joint.value() >= session.figure().num_joints();  // of another document
@@ -223,13 +224,14 @@ bool HasProblems(Editor* editor) {
 std::vector<Problem> ProblemsOf(Editor* editor) {
   edit::Session& session = editor->session();
   if (const std::optional<Error> error = session.KnownError()) return {ProblemOf(*error, &session)};
+  const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
+  if (!motion.ok()) return {};
   std::vector<Problem> problems;
   for (const Finding& finding : FindingsOf(editor)) {
     Problem problem;
     problem.text = TextOf(finding, *session.animation(), Tr);
     const std::optional<int> frame = FrameOf(finding);
     problem.frame = frame ? *frame : session.frame();
-    const Result<const Motion*> motion = session.ShownMotionTo(editor->last_frame());
     std::visit(Guide(&session, motion.value(), &problem), finding);
     problems.push_back(std::move(problem));
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/base/filled.h"
 #include "ui/panels/text/catalogue.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "ui/panels/text/catalogue.h"
 
 namespace hazumi::ui {
@@ -11,7 +11,7 @@ namespace hazumi::ui {
 // What a flight is, in the language of the interface: "0.58 s, 9.92 m/s² (9.48 – 10.4)", which is
 // the range of 95 % confidence.
 std::string FlightText(const Flight& flight, double frame_time);
-// What they say of a wrong time or length, in the language of the interface.
+// Sentence about a wrong time or length, in the language of the interface.
 inline std::string AlarmText(const TimeScale& time) { return hazumi::AlarmText(time, Tr); }
 // Why they say nothing; empty if they do, or if there are none.
 std::string UndecidedText(const TimeScale& time);

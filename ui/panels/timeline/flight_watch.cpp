@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/base/memory.h"
 
 namespace hazumi::ui {

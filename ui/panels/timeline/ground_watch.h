@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/analysis/sinking.h"
+#include "engine/analysis/problems/sinking.h"
 #include "ui/edit/session/session.h"
 
 namespace hazumi::ui {

@@ -1,6 +1,6 @@
 // Sentences about problems. Their English is the key of the catalogue of the editor.
 
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 #include "engine/base/filled.h"
 
 namespace hazumi {

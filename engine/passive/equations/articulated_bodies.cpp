@@ -1,4 +1,4 @@
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/equations/articulated_bodies.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/passive/equations_of_motion.h"
+#include "engine/passive/equations/equations_of_motion.h"
+#include "engine/passive/equations/tree_impulses.h"
 #include "engine/passive/exact/limit_rows.h"
-#include "engine/passive/tree_impulses.h"
 
 namespace hazumi {
 

@@ -4,7 +4,7 @@
 // with the inertia I of all bodies about their centre of mass, or in general the root's block of M,
 // and the moment that the accelerations of the others need.
 
-#include "engine/passive/equations_of_motion.h"
+#include "engine/passive/equations/equations_of_motion.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,11 +1,11 @@
 // With x and a of the flight, X_k and A_k of a unit force along axis k on the pin,
 //   a + A l = 0,   x := x + X l
 
-#include "engine/passive/tree_equations.h"
+#include "engine/passive/equations/tree_equations.h"
 
 #include <Eigen/Cholesky>
 
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

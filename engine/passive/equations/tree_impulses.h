@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/equations/articulated_bodies.h"
 
 namespace hazumi {
 

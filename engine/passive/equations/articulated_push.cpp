@@ -4,7 +4,7 @@
 // and through the joint to its parent; then the accelerations follow from the root on. tau: of the
 // joint, if that is what is asked for.
 
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/equations/articulated_bodies.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

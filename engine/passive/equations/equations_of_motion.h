@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/passive/dense_equations.h"
+#include "engine/passive/equations/dense_equations.h"
+#include "engine/passive/equations/tree_equations.h"
 #include "engine/passive/region_laws.h"
-#include "engine/passive/tree_equations.h"
 
 namespace hazumi {
 
@@ -31,8 +31,8 @@ class AssembledEquations {
   // without what the root responds.
   void AddToRow(int node, const small::V3& r, const small::V3& n, bool turns,
                 Eigen::Ref<VecX> column) const;
-  // By matrix: adds what the root responds. `along`, by row, is how the points of a row move with
-  // the root.
+  // Adds what the root responds, by matrix only. `along`, by row, is how the points of a row move
+  // with the root.
   void AddRootToRows(const Eigen::Matrix3Xd& along, Eigen::Ref<MatX> rows) const;
   // The root's acceleration in flight less gravity's, with accelerations x, which the nodes have.
   small::V3 RootAcceleration(const double* x) const;

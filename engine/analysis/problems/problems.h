@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "engine/analysis/contact_jerk.h"
-#include "engine/analysis/fall_through.h"
 #include "engine/analysis/flights.h"
 #include "engine/analysis/held_turn.h"
 #include "engine/analysis/missing_support.h"
-#include "engine/analysis/sinking.h"
+#include "engine/analysis/problems/contact_jerk.h"
+#include "engine/analysis/problems/fall_through.h"
+#include "engine/analysis/problems/sinking.h"
 #include "engine/base/warning.h"
 
 namespace hazumi {
@@ -33,7 +33,8 @@ struct Analyses {
   std::vector<HeldTurn> turns;
   std::vector<OutlastingConstraint> outlasting;
   std::vector<Sinking> sinkings;
-  FlightAnalysis flights;  // WithoutGravity
+  std::vector<FootSkate> skates;
+  TimeScale time;  // of flights WithoutGravity
   std::vector<MissingSupport> missing;
 };
 
@@ -63,7 +64,8 @@ std::optional<int> FrameOf(const Finding& finding);
 using Translate = const char* (*)(const char* english);
 inline const char* Untranslated(const char* english) { return english; }
 
-// What flights say of a wrong time or length of a clip; empty if nothing is wrong.
+// Sentence about a wrong time or length of a clip, as its flights show it; empty if nothing is
+// wrong.
 std::string AlarmText(const TimeScale& time, Translate translate);
 // A sentence with the frames, the numbers, and for some problems the remedy.
 std::string TextOf(const Finding& finding, const Animation& animation,

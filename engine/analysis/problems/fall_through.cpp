@@ -1,4 +1,4 @@
-#include "engine/analysis/fall_through.h"
+#include "engine/analysis/problems/fall_through.h"
 
 #include <optional>
 

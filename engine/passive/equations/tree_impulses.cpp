@@ -8,7 +8,7 @@
 // node to its parent therefore transmits only the impulses added beyond the parent, and a step to a
 // node only the motion of its parent.
 
-#include "engine/passive/tree_impulses.h"
+#include "engine/passive/equations/tree_impulses.h"
 
 #include <algorithm>
 #include <utility>

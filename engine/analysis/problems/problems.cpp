@@ -1,4 +1,4 @@
-#include "engine/analysis/problems.h"
+#include "engine/analysis/problems/problems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +60,10 @@ Analyses AnalysesOf(const Animation& animation, const Motion& motion, const Effo
   analyses.sinkings = finder.sinkings();
   MotionSeries series = SeriesOf(*animation.figure, motion);
   series.scale_known = !size_is_guessed;
-  analyses.flights =
+  const FlightAnalysis flights =
       WithoutGravity(AnalyseFlights(series, animation.gravity), animation.placements);
+  analyses.skates = flights.skates;
+  analyses.time = flights.time;
   return analyses;
 }
 
@@ -79,7 +81,7 @@ std::vector<Finding> FindProblems(const Animation& animation, const Motion& moti
   add(analyses.turns);
   add(analyses.outlasting);
   add(analyses.sinkings);
-  for (const FootSkate& skate : analyses.flights.skates) {
+  for (const FootSkate& skate : analyses.skates) {
     for (const FootSlide& slide : skate.slides) {
       if (slide.distance > kFarSlide) findings.emplace_back(SlidingFoot{skate.foot, slide});
     }
@@ -89,7 +91,7 @@ std::vector<Finding> FindProblems(const Animation& animation, const Motion& moti
   }
   add(ContactJerks(animation, motion));
   add(analyses.missing);
-  if (IsTimeOrLengthWrong(analyses.flights.time)) findings.emplace_back(analyses.flights.time);
+  if (IsTimeOrLengthWrong(analyses.time)) findings.emplace_back(analyses.time);
   return findings;
 }
 

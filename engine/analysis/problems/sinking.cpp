@@ -1,4 +1,4 @@
-#include "engine/analysis/sinking.h"
+#include "engine/analysis/problems/sinking.h"
 
 #include <algorithm>
 #include <utility>

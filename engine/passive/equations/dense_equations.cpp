@@ -6,13 +6,13 @@
 // force on the root for unit accelerations of all e and u the root's own acceleration,
 //   in flight  F x + f + m u = 0,     on a pin  u = -J x.
 
-#include "engine/passive/dense_equations.h"
+#include "engine/passive/equations/dense_equations.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/passive/dense_kernels.h"
-#include "engine/passive/semidefinite.h"
+#include "engine/passive/equations/dense_kernels.h"
+#include "engine/passive/equations/semidefinite.h"
 #include "engine/spatial/checks.h"
 
 namespace hazumi {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "engine/passive/articulated_bodies.h"
+#include "engine/passive/equations/articulated_bodies.h"
 
 namespace hazumi {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/passive/articulated_bodies.h"
-#include "engine/passive/dense_equations.h"
+#include "engine/passive/equations/articulated_bodies.h"
+#include "engine/passive/equations/dense_equations.h"
 
 namespace hazumi {
 

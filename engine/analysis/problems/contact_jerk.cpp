@@ -2,7 +2,7 @@
 // the feet grip and the body does not topple: sprinters at the start reach 1 g, long jumpers at
 // take-off a few. Its acceleration is the second difference of its places from frame to frame.
 
-#include "engine/analysis/contact_jerk.h"
+#include "engine/analysis/problems/contact_jerk.h"
 
 #include <algorithm>
 

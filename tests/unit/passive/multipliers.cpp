@@ -1,4 +1,4 @@
-#include "tests/support/multipliers.h"
+#include "tests/unit/passive/multipliers.h"
 
 #include <Eigen/LU>
 
