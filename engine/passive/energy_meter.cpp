@@ -7,8 +7,6 @@
 
 #include "engine/passive/energy_meter.h"
 
-#include <algorithm>
-
 namespace hazumi {
 
 using namespace small;  // NOLINT(google-build-using-namespace): operators
@@ -165,8 +163,7 @@ EnergyFlow EnergyMeter::Measure() {
     const double power = law->is_rule() ? in_joints - PowerWithout(*law) : PowerOf(*law);
     flow.laws.push_back({std::string(law->name()), power});
   }
-  const std::vector<char> weightless = WeightlessNodes(at_.model);
-  if (std::find(weightless.begin(), weightless.end(), 1) != weightless.end()) {
+  if (at_.has_weightless) {
     const double lost = at_.laws.any_rules() ? PowerWithoutRules() : in_joints;
     flow.laws.push_back({"weightless joints", lost});
   }

@@ -34,7 +34,7 @@ class EnergyMeter {
     const SolvedEquations& equations;
     const OuterMotion& outer;
     VecX x;
-    bool has_rows;
+    bool has_rows, has_weightless;  // there are rows; joints that move no mass
   };
   // `kinematics`: of the instant; moves the whole figure there.
   EnergyMeter(const Instant& at, RegionKinematics* kinematics);

@@ -33,6 +33,8 @@ RegionDynamics::RegionDynamics(RegionModel model, ForceLaws laws, double gravity
       rows_(model_.get(), bodies_),
       contacts_by_tree_(SolvesContactsByTree()) {
   outer_.balls.resize(model_->balls.size());
+  const std::vector<char> weightless = WeightlessNodes(*model_);
+  has_weightless_ = std::find(weightless.begin(), weightless.end(), 1) != weightless.end();
 }
 
 void RegionDynamics::SetDriven(const DrivenMotion* driven, double start, double end) {
@@ -265,9 +267,9 @@ EnergyFlow RegionDynamics::MeasureEnergy(double t, const double* y) {
   ++evaluations_;
   const SolvedEquations equations = Evaluate(t, y, dy.data());
   const EnergyMeter::Instant at = {
-      *model_,  laws_,     mode_,  bodies_,
-      rows_,    equations, outer_, dy.segment(layout().num_positions(), layout().num_dofs()),
-      has_rows_};
+      *model_,   laws_,          mode_,  bodies_,
+      rows_,     equations,      outer_, dy.segment(layout().num_positions(), layout().num_dofs()),
+      has_rows_, has_weightless_};
   return EnergyMeter(at, &kinematics_).Measure();
 }
 

@@ -32,11 +32,11 @@ class RegionDynamics {
   const RegionLayout& layout() const { return mode_.layout; }
   const std::vector<FreeHinge>& hinges() const { return hinge_layout_.hinges(); }
   int num_hinges() const { return hinge_layout_.num_hinges(); }
-  // Layout of states: the directions of the layout, then this.
+  // Layout of the end of a state, after the positions and velocities of layout().
   const OuterLayout& outer_layout() const { return outer_layout_; }
   int state_size() const { return layout().state_size() + outer_layout_.size(); }
 
-  // What stays the same between two events.
+  // Everything that stays the same between two events.
   RegionMode& mode() { return mode_; }
   const RegionMode& mode() const { return mode_; }
   // The first stage. Its curves have to be set before anything is evaluated.
@@ -93,8 +93,8 @@ class RegionDynamics {
   SomeHinges AssembleSome(const std::vector<int>& hinges, double t, const HingeState& state);
   HingeTree AssembleByTree(double t, const HingeState& state);
 
-  // Places the nodes; not counted as an evaluation. And the latest placement, with the same
-  // arguments.
+  // Places the nodes; not counted as an evaluation. Placed... returns the latest placement, which
+  // was with the same arguments.
   RegionState PlaceAt(double t, const double* y);
   RegionState PlacedAt(double t, const double* y) const {
     return kinematics_.Placed(t, layout(), y, y + layout().num_positions());
@@ -142,6 +142,7 @@ class RegionDynamics {
   OuterMotion outer_;  // in the latest evaluation
   int most_dense_ = 64;
   bool contacts_by_tree_ = false;
+  bool has_weightless_ = false;  // some free joint moves no mass
   long evaluations_ = 0;
   double num_assembled_ = 0.0;  // evaluations by AssembleHinges
   Work other_work_;

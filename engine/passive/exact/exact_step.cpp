@@ -182,7 +182,9 @@ void ExactStep::Sample(double t, HingeState* state, Gaps gaps) {
   }
   const double length = time_ - step_.start_time();
   const double s = length > 0.0 ? (t - step_.start_time()) / length : 0.0;
-  *state = s < 0.5 ? start_ : now_;  // nearby, to pick the branch
+  state->q = s < 0.5 ? start_.q : now_.q;  // nearby, to pick the branch
+  state->qd.resize(state->q.size());
+  state->outer.balls.resize(now_.outer.balls.size());
   dynamics_->Unpack(y_.data(), limits_->lower(), limits_->upper(), state);
 }
 

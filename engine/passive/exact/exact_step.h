@@ -74,7 +74,7 @@ class ExactStep {
   RegionState Glanced(double t) const { return dynamics_->PlacedAt(t, y_.data()); }
   // Where nodes are at time(), with now().
   RegionState PlaceNow() { return dynamics_->PlaceHinges(time_, now_); }
-  // As RowSystem has it.
+  // Excess of contact forces over their friction cones (RowSystem).
   double ContactExcess(double t);
   // Accelerations and forces at t in [start_time, time]; at `time` itself with now(), with which
   // the next step begins.

@@ -2,11 +2,9 @@
 // velocities of the nearby rows, each with a gap (or a hinge's distance to its limit) s >= 0:
 //   impulses p at the beginning   w+ = w + A p         w+ >= -s / h,  p >= 0, complementary
 //   forces l up to the end        w+ + h (J x_0 + c + A l)            likewise
-// both within the friction cones. Springs in joints give the moment M - K phi - D (w - w_0) as they
-// turn by phi and with w. They are implicit: M + h D + h^2 K replaces the mass matrix, and the
-// moment at the end acts during the whole step [Baraff, Witkin 1998]. A row that would close within
-// the step is slowed down to close at the end of the step. A penetrating row (s < 0) is
-// depenetrated slowly. Restitution is zero in this mode.
+// both within the friction cones. Springs in joints are implicit (ImplicitSprings). A row that
+// would close within the step is slowed down to close at the end of the step. A penetrating row (s
+// < 0) is depenetrated slowly. Restitution is zero in this mode.
 
 #include "engine/passive/exact/time_stepping.h"
 
@@ -45,21 +43,6 @@ constexpr double kSlides = 1e-3;                     // tangential speed of slid
 constexpr double kGiven = 0.01;                      // largest gain of kinetic energy
 constexpr double kAtRest = 1e-4;                     // largest speed of a body at rest [m/s]
 
-// Axes of the hinges of a spring, world.
-Eigen::Matrix3Xd AxesOf(const JointSpring& spring, const RegionState& state) {
-  const auto& axes = state.kinematics.motion()[spring.node].axis;
-  Eigen::Matrix3Xd all(3, state.layout.node(spring.node).num_dofs);
-  for (Eigen::Index i = 0; i < all.cols(); ++i) all.col(i) = axes[static_cast<size_t>(i)].eigen();
-  return all;
-}
-
-// Angular velocity of the node of a spring relative to the parent [rad/s].
-Vec3 TurningOf(const JointSpring& spring, const RegionState& state) {
-  const auto& motion = state.kinematics.motion();
-  const int parent = state.model.nodes[spring.node].parent;
-  return (motion[spring.node].w - (parent < 0 ? V3() : motion[parent].w)).eigen();
-}
-
 // Returns the force of a contact's row on its end a, or, with a ball, on the ball.
 StepForces::Push PushOf(const ConstraintRow& row, const V3& force, const ContactSet& contacts,
                         const RegionState& state) {
@@ -85,7 +68,7 @@ StepForces::Push PushOf(const ConstraintRow& row, const V3& force, const Contact
 
 }  // namespace
 
-// With which what has room s, or is so far inside, may go on at most, against the row.
+// Returns the largest speed against a row with room s, or that far inside.
 double TimeStepping::SpeedFor(double s, double fastest_out) const {
   return s >= 0.0 ? s / h_ : std::max(s / kWayOut, -fastest_out);
 }
@@ -195,8 +178,8 @@ void TimeStepping::AddCompliance() {
   }
 }
 
-// Where keys or limits leave no room forces would have no bound: contacts with far more force than
-// `most` get a compliance that leaves about that much.
+// Gives contacts with far more force than `most` a compliance that leaves about that much: forces
+// would have no bound where keys or limits leave no room.
 void TimeStepping::SweepUpTo(double most, const VecX& start) {
   constexpr int kMostTimes = 4;
   problem_->Sweep(start, !is_deep_);
@@ -310,36 +293,6 @@ bool TimeStepping::Strike(double t, HingeState* state, ImpactLog* log) {
   return true;
 }
 
-// Adds the springs to the matrix and to b.
-void TimeStepping::FactorWithSprings(const RegionState& state) {
-  VecX b = dense_->equations().b();
-  MatX M = dense_->equations().M();
-  for (const JointSpring& own : springs_) {
-    const Eigen::Matrix3Xd axes = AxesOf(own, state);
-    const Eigen::Index first = state.layout.node(own.node).first_hinge, n = axes.cols();
-    M.block(first, first, n, n) +=
-        axes.transpose() * (h_ * (own.damping + h_ * own.stiffness)) * axes;
-    b.segment(first, n) += axes.transpose() * (h_ * (own.stiffness * TurningOf(own, state)));
-  }
-  dense_->FactorInstead(M, b);
-}
-
-// Stores the moments of the springs at the end of the step, within their limits. Requires solved
-// forces; x_0 are the accelerations of the hinges without them.
-void TimeStepping::KeepSprings(const VecX& x_0, const RegionState& state) {
-  const VecX jump = h_ * x_0 + problem_->Jump();
-  StepForces& constant = dynamics_->mode().constant;
-  constant.holds_springs = true;
-  for (JointSpring& own : springs_) {
-    const Eigen::Matrix3Xd axes = AxesOf(own, state);
-    const Vec3 by = axes * jump.segment(state.layout.node(own.node).first_hinge, axes.cols());
-    own.moment -= h_ * (own.stiffness * (TurningOf(own, state) + by)) + own.damping * by;
-    const Vec3 moment = dynamics_->laws().LimitSprings(state, own.node, own.moment);
-    const Mat3 R_WN = state.kinematics.motion()[own.node].R.eigen();
-    constant.springs.push_back({own.node, R_WN.transpose() * moment});
-  }
-}
-
 // Reports touch-downs: contacts that approached and received an impulse. `came`: velocities of the
 // rows before the impact.
 void TimeStepping::TellOfContacts(double t, const VecX& came, ImpactLog* log) const {
@@ -355,10 +308,12 @@ void TimeStepping::TellOfContacts(double t, const VecX& came, ImpactLog* log) co
 void TimeStepping::Press(double t, const HingeState& state) {
   VecX x_0;
   const RegionState places = dynamics_->PlacedHinges(t, state);
-  springs_.clear();
   if (dynamics_->has_implicit_springs()) {
-    springs_ = dynamics_->laws().Springs(places);
-    FactorWithSprings(places);
+    VecX b = dense_->equations().b();
+    MatX M = dense_->equations().M();
+    springs_.List(dynamics_->laws(), places);
+    springs_.AddTo(h_, places, &M, &b);
+    dense_->FactorInstead(M, b);
   }
   VecX of_rows = problem_->Accelerations(&x_0);
   of_rows *= h_;
@@ -376,7 +331,10 @@ void TimeStepping::Press(double t, const HingeState& state) {
   AddCompliance();
   SweepUpTo(kMostPush * dynamics_->model().mass * h_, h_ * LastForces());
   Keep(problem_->forces(), places);
-  if (dynamics_->has_implicit_springs()) KeepSprings(x_0, places);
+  if (dynamics_->has_implicit_springs()) {
+    springs_.Keep(h_, h_ * x_0 + problem_->Jump(), dynamics_->laws(), places,
+                  &dynamics_->mode().constant);
+  }
 }
 
 // Forces of the previous step, for contacts and limits that are there again.

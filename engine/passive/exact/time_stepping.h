@@ -7,6 +7,7 @@
 
 #include "engine/passive/exact/dense_step_problem.h"
 #include "engine/passive/exact/impact_log.h"
+#include "engine/passive/exact/implicit_springs.h"
 #include "engine/passive/exact/limit_range.h"
 
 namespace hazumi {
@@ -72,8 +73,6 @@ class TimeStepping {
   bool Strike(double t, HingeState* state, ImpactLog* log);
   void TellOfContacts(double t, const VecX& came, ImpactLog* log) const;
   void Press(double t, const HingeState& state);
-  void FactorWithSprings(const RegionState& state);
-  void KeepSprings(const VecX& x_0, const RegionState& state);
   void Keep(const VecX& impulses, const RegionState& state);
   VecX LastForces() const;
   double SpeedFor(double s, double fastest_out) const;
@@ -91,7 +90,7 @@ class TimeStepping {
   std::vector<int> side_;              // limit that each hinge may reach, as in LimitSolver
   VecX torques_;                       // latest torques of limits, by hinge [N m]
   std::vector<Pushing> pushing_;
-  std::vector<JointSpring> springs_;          // implicit springs
+  ImplicitSprings springs_;
   bool is_inside_ = false, is_deep_ = false;  // something is inside, or more than that
   bool has_no_room_ = false;  // contact forces reached their bound in the latest step
   double least_compliance_ = RegionMode::kBlocked;  // of constraints
