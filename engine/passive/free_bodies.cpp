@@ -72,6 +72,7 @@ void FreeBodies::AddResponse(const std::vector<ConstraintRow>& rows, MatX* respo
   HAZUMI_ASSERT(response->rows() == response->cols());
   HAZUMI_ASSERT(response->cols() == static_cast<Eigen::Index>(rows.size()));
   const Eigen::Index count = response->cols();
+  if (count == 0) return;
   Eigen::Matrix<double, 6, Eigen::Dynamic> moves(6, count), pushes(6, count);
   for (int i = 0; i < num_balls(); ++i) {
     for (Eigen::Index k = 0; k < count; ++k) {

@@ -1,6 +1,6 @@
-// Allocation of C++ memory in hazumi-reader. New memory is zero, so that a file has one result even
-// if a library reads memory that it has not set. This file is compiled by itself: g++ takes inlined
-// calls of these functions for mismatched ones.
+// Allocation of C++ memory in hazumi-reader, in all forms but over-aligned ones. New memory is
+// zero, so that a file has one result even if a library reads memory that it has not set. This file
+// is compiled by itself: g++ takes inlined calls of these functions for mismatched ones.
 
 #include <unistd.h>
 
@@ -15,7 +15,15 @@ void* operator new(size_t size) {
   return memory;
 }
 void* operator new[](size_t size) { return operator new(size); }
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
+  return std::calloc(1, size > 0 ? size : 1);
+}
+void* operator new[](size_t size, const std::nothrow_t&) noexcept {
+  return std::calloc(1, size > 0 ? size : 1);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }

@@ -213,7 +213,8 @@ Json SmallGltfWithIntegerWeights(size_t bytes) {
 }
 
 Json BareGltf(const std::vector<BareNode>& nodes) {
-  Json document = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {Json::object()}}};
+  Json document = {
+      {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", Json::array({Json::object()})}};
   Buffer buffer(&document);
   const size_t triangle = buffer.Floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3);
   const size_t times = buffer.Floats({0.0f, 0.5f, 1.0f}, 1);
@@ -237,10 +238,12 @@ Json BareGltf(const std::vector<BareNode>& nodes) {
                                      {"target", {{"node", i}, {"path", "translation"}}}});
   }
   buffer.Close();
-  document["animations"] = {animation};
-  document["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", triangle}}}}}}}};
-  document["cameras"] = {
-      {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}}};
+  // Braces alone mean an array of one to g++ and its entry to clang++.
+  document["animations"] = Json::array({animation});
+  const Json primitive = Json::object({{"attributes", {{"POSITION", triangle}}}});
+  document["meshes"] = Json::array({Json::object({{"primitives", Json::array({primitive})}})});
+  document["cameras"] = Json::array(
+      {Json::object({{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}})});
   return document;
 }
 
