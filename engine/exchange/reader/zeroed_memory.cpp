@@ -9,18 +9,18 @@
 
 #include "engine/child/exit_codes.h"
 
+namespace {
+void* Zeroed(size_t size) { return std::calloc(1, size > 0 ? size : 1); }
+}  // namespace
+
 void* operator new(size_t size) {
-  void* memory = std::calloc(1, size > 0 ? size : 1);
+  void* memory = Zeroed(size);
   if (!memory) ::_exit(hazumi::kReaderOutOfMemory);
   return memory;
 }
 void* operator new[](size_t size) { return operator new(size); }
-void* operator new(size_t size, const std::nothrow_t&) noexcept {
-  return std::calloc(1, size > 0 ? size : 1);
-}
-void* operator new[](size_t size, const std::nothrow_t&) noexcept {
-  return std::calloc(1, size > 0 ? size : 1);
-}
+void* operator new(size_t size, const std::nothrow_t&) noexcept { return Zeroed(size); }
+void* operator new[](size_t size, const std::nothrow_t&) noexcept { return Zeroed(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, size_t) noexcept { std::free(memory); }
