@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,6 +15,9 @@
 #include "engine/timeline/keyframe.h"
 
 namespace hazumi {
+
+// Returns the coefficient of friction between surfaces with the coefficients a and b: sqrt(a b).
+inline double MixFriction(double a, double b) { return std::sqrt(a * b); }
 
 // Something that stands in the world and can be touched.
 struct SceneObject {

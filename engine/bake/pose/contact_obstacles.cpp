@@ -1,8 +1,4 @@
-// Between two surfaces with coefficients of friction a and b that of both is sqrt(a b).
-
 #include "engine/bake/pose/contact_obstacles.h"
-
-#include <cmath>
 
 namespace hazumi {
 
@@ -12,7 +8,7 @@ std::vector<ContactObstacle> ObstaclesOf(const std::vector<SceneObject>& scene, 
     const SceneObject& object = scene[i];
     ContactObstacle obstacle;
     obstacle.object = static_cast<int>(i);
-    obstacle.friction = std::sqrt(friction * object.friction);
+    obstacle.friction = MixFriction(friction, object.friction);
     if (const auto* plane = std::get_if<Plane>(&object.shape)) {
       obstacle.normal = plane->normal;
       obstacle.offset = plane->offset;

@@ -1,5 +1,3 @@
-// Between two surfaces with coefficients of friction a and b that of both is sqrt(a b).
-
 #include "engine/bake/walk/contacts_of.h"
 
 #include <algorithm>
@@ -53,7 +51,7 @@ class Lister {
     }
     if (!IsMoved(*a)) return;
     const int own = CapsuleOf(pair.a, *a), other = CapsuleOf(pair.b, *b);
-    spec_->own.push_back({own, other, SceneObject::kFriction});
+    spec_->own.push_back({own, other, MixFriction(SceneObject::kFriction, SceneObject::kFriction)});
   }
 
   void MeetBall(int ball, const HeldObject& object) {
@@ -63,13 +61,14 @@ class Lister {
     own.radius = std::get<SphereShape>(object.shape).radius;
     own.restitution = object.restitution;
     own.ball = model_.balls[ball].object;
+    // Obstacles have the coefficients that they have with a figure: sqrt(0.8 a) sqrt(b / 0.8).
     own.friction = std::sqrt(object.friction / SceneObject::kFriction);
     spec_->capsules.push_back(own);
     for (const auto& [other, other_friction] : balls_) {
-      spec_->own.push_back({other, capsule, std::sqrt(object.friction * other_friction)});
+      spec_->own.push_back({other, capsule, MixFriction(object.friction, other_friction)});
     }
     if (spec_->rules.keeps_balls_apart) balls_.emplace_back(capsule, object.friction);
-    const double friction = std::sqrt(object.friction * SceneObject::kFriction);
+    const double friction = MixFriction(object.friction, SceneObject::kFriction);
     for (size_t i = 0; i < figure_.links().size(); ++i) {
       const int link = static_cast<int>(i);
       if (const NodeJoint* seat = SeatOf(link)) {
