@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
@@ -40,6 +41,13 @@ void PrintTrace(const ui::WindowTrace& trace) {
             1e3 * trace.TimeOf(0.5), 1e3 * trace.TimeOf(0.99), trace.behind());
 }
 
+// A line of JSON: the operator, the addresses of what it made, and what it measured.
+void PrintOutcome(const std::string& id, const edit::Outcome& outcome) {
+  edit::Json json = {{"op", id}, {"made", outcome.made}, {"measured", edit::Json::object()}};
+  for (const Named<double>& each : outcome.measured) json["measured"][each.name] = each.value;
+  std::printf("%s\n", json.dump(-1, ' ', false, edit::Json::error_handler_t::replace).c_str());
+}
+
 }  // namespace
 
 // A signal ends it at once, as a crash does: its journal is there when it is started again.
@@ -75,7 +83,12 @@ int RunEdits(const Options& options) {
       edit::RunScript(text.value(), options.script,
                       [&](const std::string& id, const edit::Json& p) -> Result<Done> {
                         if (Interrupted()) return InterruptedError();
-                        return scripted.Do(id, p);
+                        scripted.editor().session().ForgetOutcome();
+                        Result<Done> step = scripted.Do(id, p);
+                        if (step.ok() && options.json) {
+                          PrintOutcome(id, scripted.editor().session().outcome());
+                        }
+                        return step;
                       });
   if (!done.ok()) return Complain(done.error());
   if (!scripted.editor().session().document().is_saved()) {
@@ -90,7 +103,7 @@ namespace {
 void PrintParameters(const std::vector<edit::ParameterInfo>& infos) {
   for (const edit::ParameterInfo& info : infos) {
     std::string what = edit::Describe(info.kind);
-    const std::string named = edit::Describe(info.offer.thing), range = edit::Describe(info.range);
+    const std::string named = Describe(info.offer.thing), range = edit::Describe(info.range);
     if (info.unit[0] != '\0') what += std::string(" in ") + info.unit;
     if (!range.empty()) what += " " + range;
     if (!named.empty()) what += ", " + named;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/project/edits/entries.h"
 #include "engine/project/figure_reader.h"
 #include "engine/project/json/json.h"
 #include "engine/project/json/text_file.h"
@@ -10,10 +11,6 @@
 namespace hazumi {
 
 namespace {
-
-Error Refusal(const std::string& place, const std::string& message) {
-  return {ErrorCode::kSchema, "", place, message};
-}
 
 // The name itself, or that of the side that is mirrored.
 std::string OriginalName(const std::string& name, const FigureSpec& spec) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -242,5 +243,17 @@ struct Project {
   ReadReport read;
   bool operator==(const Project&) const = default;
 };
+
+// The parts of a project that an edit changes as a whole; curves of the root are compared one by
+// one. Every member is named, so that a new one is not forgotten here.
+template <typename AnyProject>
+auto PartsOfProject(AnyProject& project) {
+  auto& [name, fps, frames, solver, figure, skin, size_is_guessed, scene, root, joints, regions,
+         placements, holds, held_objects, camera, audio, reference, markers, preview,
+         selection_sets, forces, constraints, extra, read] = project;
+  return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, scene,
+                  root.extra, regions, placements, holds, held_objects, camera, audio, reference,
+                  markers, preview, selection_sets, forces, constraints, extra);
+}
 
 }  // namespace hazumi

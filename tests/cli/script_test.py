@@ -43,6 +43,26 @@ class Scripts(InFolder):
         self.assertEqual(done.returncode, 65)
         self.assertIn("[0]: key.delete.frame: \"r_knee\" has no key on frame 6", done.stderr)
 
+    def test_a_script_says_in_json_what_its_operators_made_and_measured(self):
+        script = self.folder / "script.json"
+        script.write_text(json.dumps([
+            {"op": "held.add_ball", "joint": "r_wrist"},
+            {"op": "key.set", "curve": "r_knee", "frame": 5, "value": 40},
+            {"op": "throw.add", "object": "ball", "x": 2.0, "y": 0.3},
+            {"op": "time.frame", "frame": 0}]))
+        done = run("--run", script, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        ball, key, throw, go = map(json.loads, done.stdout.splitlines())
+        self.assertEqual(ball, {"op": "held.add_ball", "made": ["held_objects[ball]"], "measured": {}})
+        self.assertEqual((key["made"], key["measured"]), ([], {}))
+        self.assertEqual(throw["made"], ["regions[throw]", "placements[0]"])
+        measured = throw["measured"]
+        self.assertLess(measured["release_frame"], measured["down_frame"])
+        # What has to fly 2 m under gravity is no slower than sqrt(g x) from the ground up, and an
+        # underarm throw is no faster than twice that.
+        self.assertTrue(2.0 < measured["speed_m_s"] < 9.0, measured)
+        self.assertEqual(go["made"], [])
+
     def test_a_script_draws_the_editor_without_a_display(self):
         picture = self.folder / "editor.png"
         steps = [{"op": "view.theme", "dark": False}, {"op": "capture", "path": str(picture)}]

@@ -35,29 +35,6 @@ std::vector<std::string> WordsOf(const Offer& offer) {
   return words;
 }
 
-const char* Describe(Thing thing) {
-  static constexpr const char* kThings[] = {"",
-                                            "names a joint",
-                                            "names a hinge",
-                                            "names a joint or hinge",
-                                            "names a joint or the root",
-                                            "names a curve",
-                                            "names a region",
-                                            "names an object",
-                                            "names a held object",
-                                            "names a link",
-                                            "number of a marker",
-                                            "number of a span of placement",
-                                            "number of a hold",
-                                            "names a selection set",
-                                            "names a force",
-                                            "names an object, of the scene or held",
-                                            "names a constraint",
-                                            "a colour"};
-  static_assert(std::size(kThings) == static_cast<size_t>(Thing::kColor) + 1);
-  return kThings[static_cast<int>(thing)];
-}
-
 std::string Describe(const NumberRange& range) {
   const std::string lower = FormatShort(range.lower), upper = FormatShort(range.upper);
   if (range == NumberRange()) return "";

@@ -30,8 +30,6 @@ inline constexpr Offer kOnUnlessGiven = [] {
   offer.is_on = true;
   return offer;
 }();
-// What a parameter may name, or each entry of a list of names: "names a joint"; empty: nothing.
-const char* Describe(Thing thing);
 std::vector<std::string> WordsOf(const Offer& offer);
 
 // One parameter of an operator.

@@ -17,7 +17,7 @@ Result<Done> ScriptedEditor::Do(const std::string& id, const edit::Json& paramet
   const auto checked = edit::Parameters::Check(infos, parameters);
   if (!checked.ok()) return checked.error();
   if (id == "capture" && !LowerCase(checked.value().text("path")).ends_with(".png")) {
-    return edit::Refusal("path", "capture writes pictures; name a .png file");
+    return Refusal("path", "capture writes pictures; name a .png file");
   }
   if (!shell_) {
     auto made = OffscreenShell::Create(&editor_, size_);

@@ -76,9 +76,10 @@ constexpr OptionRule kOutputRules[] = {
      .is_silent = true,
      .read = Set<&Options::strict>},
     {.name = "--json",
-     .tasks = kCheck | kInfo | kFlight,
+     .tasks = kCheck | kInfo | kFlight | kRun,
      .section = Section::kOutput,
-     .help = "with --check, --info, --flight: answer in JSON",
+     .help = "with --check, --info, --flight: answer in JSON; with --run: a line of JSON for each "
+             "operator, with the items that it made and what it measured",
      .is_silent = true,
      .read = Set<&Options::json>},
 };

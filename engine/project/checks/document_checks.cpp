@@ -90,7 +90,7 @@ void CheckPosition(const ProjectPosition& position, const Site& site) {
 
 void CheckCurves(const Project& project, const Site& site) {
   for (int i = 0; i < kNumRootCurves; ++i) {
-    CheckCurve(project.root.curves[i], kRootCurveNames[i], site.Field("root"));
+    CheckCurve(project.root.curves[i], kRootFieldNames[i], site.Field("root"));
   }
   for (const auto& joint : project.joints) {
     CheckCurve(joint.value, joint.name, site.Field("joints"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 // What is said once of a field of the document. From it follow the reader, the writer, the checks,
@@ -39,8 +40,33 @@ enum class Thing {
   kForce,
   kSceneOrHeldObject,
   kConstraint,
-  kColor,  // "#rrggbb"
+  kHolder,  // of an object; no parameter names it
+  kColor,   // "#rrggbb"
 };
+// "names a joint" and so on.
+constexpr const char* Describe(Thing thing) {
+  constexpr const char* kThings[] = {"",
+                                     "names a joint",
+                                     "names a hinge",
+                                     "names a joint or hinge",
+                                     "names a joint or the root",
+                                     "names a curve",
+                                     "names a region",
+                                     "names an object",
+                                     "names a held object",
+                                     "names a link",
+                                     "number of a marker",
+                                     "number of a span of placement",
+                                     "number of a hold",
+                                     "names a selection set",
+                                     "names a force",
+                                     "names an object, of the scene or held",
+                                     "names a constraint",
+                                     "",
+                                     "a colour"};
+  static_assert(sizeof kThings / sizeof *kThings == static_cast<size_t>(Thing::kColor) + 1);
+  return kThings[static_cast<size_t>(thing)];
+}
 
 struct Field {
   const char* name;            // in the file

@@ -101,7 +101,7 @@ void Describe(Ar& ar, Ref<Ar, ProjectSolver> solver) {
 }
 
 // By RootCurve.
-inline constexpr const char* kRootCurveNames[kNumRootCurves] = {"x",       "y",       "z",
+inline constexpr const char* kRootFieldNames[kNumRootCurves] = {"x",       "y",       "z",
                                                                 "angle_z", "angle_y", "angle_x"};
 
 inline const KeyFields& KeyFieldsOf(int root_curve) {
@@ -114,7 +114,7 @@ inline constexpr StructInfo kStructInfo<ProjectRoot> = {
 template <typename Ar>
 void Describe(Ar& ar, Ref<Ar, ProjectRoot> root) {
   for (int i = 0; i < kNumRootCurves; ++i) {
-    ar.Nested({kRootCurveNames[i]}, root.curves[i],
+    ar.Nested({kRootFieldNames[i]}, root.curves[i],
               [i](auto& item, auto& curve) { DescribeCurve(item, curve, KeyFieldsOf(i)); });
   }
 }

@@ -79,9 +79,9 @@ TEST_F(DopeSheet, DuplicatesAndDeletes) {
 TEST_F(DopeSheet, ABoxSelectsWhatIsInIt) {
   const Point key = Key("limb r_hip", 15);
   user.Drag({key.x - 9.0f, key.y - 10.0f}, {key.x + 9.0f, key.y + 8.0f});
-  const edit::KeySelection& keys = user.session().selected_keys();
-  EXPECT_TRUE(edit::Contains(keys, "r_knee", 15));
-  EXPECT_FALSE(edit::Contains(keys, "l_knee", 15));
+  const KeySelection& keys = user.session().selected_keys();
+  EXPECT_TRUE(Contains(keys, "r_knee", 15));
+  EXPECT_FALSE(Contains(keys, "l_knee", 15));
   for (const auto& [curve, frames] : keys) EXPECT_EQ(frames, std::set<double>{15}) << curve;
   user.Click({X(27), key.y});
   EXPECT_TRUE(user.session().selected_keys().empty());
@@ -112,15 +112,15 @@ TEST_F(DopeSheet, NamesSelectJointsAndArrowsOpenRows) {
 TEST_F(DopeSheet, AltClickSelectsAColumn) {
   const Point key = Key("limb r_hip", 15);
   user.ClickWith(ui::kLeftAlt, key);
-  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+  EXPECT_TRUE(Contains(user.session().selected_keys(), "l_knee", 15));
   user.Press('A', ui::kLeftAlt);
   EXPECT_TRUE(user.session().selected_keys().empty());
   user.ClickWith(ui::kLeftShift, key);
-  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "r_knee", 15));
-  EXPECT_FALSE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+  EXPECT_TRUE(Contains(user.session().selected_keys(), "r_knee", 15));
+  EXPECT_FALSE(Contains(user.session().selected_keys(), "l_knee", 15));
   user.ClickWith(ui::kLeftShift, Key("limb l_hip", 15));
-  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "r_knee", 15));
-  EXPECT_TRUE(edit::Contains(user.session().selected_keys(), "l_knee", 15));
+  EXPECT_TRUE(Contains(user.session().selected_keys(), "r_knee", 15));
+  EXPECT_TRUE(Contains(user.session().selected_keys(), "l_knee", 15));
 }
 
 TEST_F(DopeSheet, BracketsSelectBeforeAndAfterThePlayhead) {

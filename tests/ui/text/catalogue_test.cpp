@@ -123,7 +123,7 @@ TEST(Catalogue, HasTheTextsOfForms) {
 // Of transactions that are called otherwise than their operator.
 TEST(Catalogue, HasEveryUndoLabel) {
   static const std::regex call(
-      R"re((?:Edit|Change|KeyPose|Commit)\(\s*(?:session, (?:p, )?)?"([^"]*)")re");
+      R"re((?:Edit|Change|KeyPose|Commit|Put)\(\s*(?:session, (?:p, )?)?"([^"]*)")re");
   int num_labels = 0;
   const std::filesystem::path folder = HAZUMI_SOURCE_DIR "/ui/edit";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

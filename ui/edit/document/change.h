@@ -11,18 +11,6 @@
 
 namespace hazumi::edit {
 
-// The parts that an edit changes as a whole; the root's curves are compared one by one. Every
-// member is named, so that one that is added is not forgotten here.
-template <typename AnyProject>
-auto PartsOfProject(AnyProject& project) {
-  auto& [name, fps, frames, solver, figure, skin, size_is_guessed, scene, root, joints, regions,
-         placements, holds, held_objects, camera, audio, reference, markers, preview,
-         selection_sets, forces, constraints, extra, read] = project;
-  return std::tie(joints, name, fps, frames, solver, figure, skin, size_is_guessed, scene,
-                  root.extra, regions, placements, holds, held_objects, camera, audio, reference,
-                  markers, preview, selection_sets, forces, constraints, extra);
-}
-
 // What an edit did to a project: the parts that differ, before and after.
 class Change {
  public:

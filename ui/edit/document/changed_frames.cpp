@@ -5,15 +5,18 @@
 #include <string>
 #include <utility>
 
+#include "engine/project/items.h"
+
 namespace hazumi::edit {
 
 namespace {
 
 using Spans = std::vector<FrameSpan>;
 
-template <typename Item>
+template <SpanItem Item>
 FrameSpan SpanOf(const Item& item) {
-  return {static_cast<double>(item.first_frame), static_cast<double>(item.last_frame)};
+  const int last = IsOneFrame(item) ? item.first_frame : item.last_frame;
+  return {static_cast<double>(item.first_frame), static_cast<double>(last)};
 }
 
 FrameSpan SpanOf(const ProjectHolder& holder) {
@@ -21,15 +24,10 @@ FrameSpan SpanOf(const ProjectHolder& holder) {
   return {static_cast<double>(holder.first_frame), static_cast<double>(last)};
 }
 
-FrameSpan SpanOf(const ProjectForce& force) {
-  const bool is_push = force.kind == ForceKind::kPush;
-  const int last = is_push ? force.first_frame : force.last_frame;
-  return {static_cast<double>(force.first_frame), static_cast<double>(last)};
-}
-
 void AddFrame(double frame, Spans* spans) { spans->push_back({frame, frame}); }
 
 void AddWhole(const ProjectMarker& marker, Spans* spans) { AddFrame(marker.frame, spans); }
+void AddWhole(const ProjectSceneObject&, Spans*) {}  // has no frames
 // An object that is never let go has no frame.
 void AddWhole(const ProjectHeldObject& object, Spans* spans) {
   if (object.release_frame) AddFrame(*object.release_frame, spans);
@@ -121,13 +119,8 @@ std::vector<FrameSpan> ChangedFrames(const Project& before, const Project& after
   for (size_t i = 0; i < before.root.curves.size(); ++i) {
     Compare(before.root.curves[i], after.root.curves[i], &spans);
   }
-  Compare(before.regions, after.regions, &spans);
-  Compare(before.placements, after.placements, &spans);
-  Compare(before.holds, after.holds, &spans);
-  Compare(before.held_objects, after.held_objects, &spans);
-  Compare(before.markers, after.markers, &spans);
-  Compare(before.forces, after.forces, &spans);
-  Compare(before.constraints, after.constraints, &spans);
+  ForEachItemList([&](auto, const auto& old, const auto& now) { Compare(old, now, &spans); },
+                  before, after);
   return spans;
 }
 

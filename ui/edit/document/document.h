@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/project/edits/key_selection.h"
 #include "ui/edit/document/change.h"
-#include "ui/edit/session/key_selection.h"
 
 namespace hazumi::edit {
 

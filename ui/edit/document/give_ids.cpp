@@ -2,25 +2,20 @@
 
 #include <vector>
 
+#include "engine/project/items.h"
+
 namespace hazumi::edit {
 
 namespace {
 
 template <typename Action>
 void ForEachIdentity(Project* project, Action&& action) {
-  const auto all = [&](auto* items) {
-    for (auto& item : *items) action(&item.identity.id);
+  const auto all = [&](auto& items) {
+    for (auto& item : items) action(&item.identity.id);
   };
-  all(&project->regions);
-  for (ProjectRegion& region : project->regions) all(&region.drives);
-  all(&project->placements);
-  all(&project->holds);
-  all(&project->held_objects);
-  for (ProjectHeldObject& object : project->held_objects) all(&object.holders);
-  all(&project->scene.objects);
-  all(&project->markers);
-  all(&project->forces);
-  all(&project->constraints);
+  ForEachItemList([&](auto, auto& items) { all(items); }, *project);
+  for (ProjectRegion& region : project->regions) all(region.drives);
+  for (ProjectHeldObject& object : project->held_objects) all(object.holders);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using enum ParameterKind;
 
 const ParameterInfo kNumberOf = {"number", kInteger, true, "of its drives, from 0"};
-const ParameterInfo kFrame = {"frame", kNumber, false, "not given: the current one"};
+const ParameterInfo kDriveFrame = {"frame", kNumber, false, "not given: the current one"};
 
 template <typename Action>
 Result<Done> ChangeDrive(Session* session, const Parameters& p, const char* label, Action action) {
@@ -86,7 +86,7 @@ struct DriveCurve {
   ProjectCurve ProjectDrive::*curve;
   DriveKind kind;  // of drives that have it
 };
-constexpr DriveCurve kCurves[] = {
+constexpr DriveCurve kDriveCurves[] = {
     {"torque", &ProjectDrive::torque, DriveKind::kTorque},
     {"frequency", &ProjectDrive::frequency_over_time, DriveKind::kSpring},
     {"strength", &ProjectDrive::strength_over_time, DriveKind::kSpring},
@@ -136,7 +136,7 @@ Result<Done> PutKeyOf(const DriveCurve& what, const Parameters& p, double frame,
 Result<Done> KeyDrive(Session* session, const Parameters& p) {
   return ChangeDrive(session, p, "Key drive", [&](ProjectRegion* region, int number) {
     Result<Done> done = Refusal("torque", "give a torque, a frequency or a strength");
-    for (const DriveCurve& what : kCurves) {
+    for (const DriveCurve& what : kDriveCurves) {
       if (!p.has(what.parameter)) continue;
       done = PutKeyOf(what, p, p.number("frame", session->frame()), &region->drives[number]);
       if (!done.ok()) break;
@@ -151,7 +151,7 @@ Result<Done> RemoveDriveKey(Session* session, const Parameters& p) {
         const double frame = p.number("frame", session->frame());
         const std::string of = p.text("of");
         size_t gone = 0;
-        for (const DriveCurve& what : kCurves) {
+        for (const DriveCurve& what : kDriveCurves) {
           if (!of.empty() && of != what.parameter) continue;
           gone += std::erase_if((region->drives[number].*what.curve).keys,
                                 [frame](const ProjectKey& key) { return key.frame == frame; });
@@ -185,7 +185,7 @@ std::vector<Operator> DriveOperators() {
        Joined(
            {{kOfRegion,
              kNumberOf,
-             kFrame,
+             kDriveFrame,
              {"torque", kNumber, false, "positive accelerates the angle positively", {}, "", "N m"},
              {"frequency",
               kNumber,
@@ -204,7 +204,7 @@ std::vector<Operator> DriveOperators() {
        "Takes keys of a drive on a frame away.",
        {kOfRegion,
         kNumberOf,
-        kFrame,
+        kDriveFrame,
         {"of", kText, false, "torque, frequency or strength; not given: all"}},
        RemoveDriveKey}};
 }

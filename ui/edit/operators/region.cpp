@@ -4,10 +4,10 @@
 #include <cstdint>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/edits/root_values.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/start_keys.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/edit/operators/regions.h"
 
 namespace hazumi::edit {

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "engine/figure/figure_builder.h"
+#include "engine/project/address/item_addresses.h"
 #include "engine/project/compile.h"
+#include "engine/project/edits/curves.h"
+#include "engine/project/edits/root_values.h"
+#include "engine/project/items.h"
 #include "engine/project/project_files.h"
 #include "ui/edit/new_project.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/object_curves.h"
-#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -71,15 +73,43 @@ void Session::Tell(const std::function<void(const SessionObserver&)>& what) cons
   }
 }
 
+namespace {
+
+std::set<ItemId> IdsOf(const Project& project) {
+  std::set<ItemId> ids;
+  ForEachItemList(
+      [&](auto, const auto& items) {
+        for (const auto& item : items) ids.insert(item.identity.id);
+      },
+      project);
+  return ids;
+}
+
+// Returns the addresses of the items that are not among the known ones.
+std::vector<std::string> NewItems(const std::set<ItemId>& known, const Project& project) {
+  if (IdsOf(project) == known) return {};
+  std::vector<std::string> addresses;
+  for (const ItemAddress& item : ItemAddresses(project)) {
+    if (!known.contains(item.id)) addresses.push_back(item.address);
+  }
+  return addresses;
+}
+
+}  // namespace
+
 Result<Done> Session::Run(const std::string& id, const Json& parameters) {
   if (is_running_) return RunUnobserved(id, parameters);
   Tell([](const SessionObserver& observer) {
     if (observer.before) observer.before();
   });
   is_running_ = true;
+  outcome_ = Outcome();
+  const std::set<ItemId> before = IdsOf(project());
+  const long document = document_number_;
   Result<Done> done = RunUnobserved(id, parameters);
   is_running_ = false;
   if (!done.ok()) return done;
+  if (document == document_number_) outcome_.made = NewItems(before, project());
   Tell([&](const SessionObserver& observer) {
     if (observer.after) observer.after(id, parameters);
   });

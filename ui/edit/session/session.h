@@ -11,6 +11,7 @@
 #include "ui/edit/document/document.h"
 #include "ui/edit/media_files.h"
 #include "ui/edit/operator.h"
+#include "ui/edit/outcome.h"
 #include "ui/edit/session/background_bake.h"
 
 namespace hazumi::edit {
@@ -50,6 +51,13 @@ class Session {
 
   // Does it, or says why not and leaves everything as it was.
   Result<Done> Run(const std::string& id, const Json& parameters = Json::object());
+  // Returns what the latest operator made and measured.
+  const Outcome& outcome() const { return outcome_; }
+  void ForgetOutcome() { outcome_ = Outcome(); }
+  // Operators tell it what they measured.
+  void Measured(const std::string& name, double value) {
+    outcome_.measured.push_back({name, value});
+  }
   // Tells of each operator, but not of those that an operator runs itself, as long as what this
   // returns is kept.
   [[nodiscard]] std::shared_ptr<const SessionObserver> Observe(SessionObserver observer);
@@ -128,6 +136,7 @@ class Session {
   std::vector<Named<ProjectKey>> key_clipboard_;  // by curve
   std::vector<std::weak_ptr<const SessionObserver>> observers_;
   bool is_running_ = false;  // an operator
+  Outcome outcome_;
   bool saves_checked_ = false;
   MediaAccess media_;
   long document_number_ = 0;

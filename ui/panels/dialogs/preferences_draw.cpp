@@ -62,7 +62,7 @@ void DrawLook(Editor* editor) {
       {scale("100 %", 1.0), scale("125 %", 1.25), scale("150 %", 1.5), scale("200 %", 2.0)});
 }
 
-bool Contains(const std::string& text, const std::string& part) {
+bool HasPart(const std::string& text, const std::string& part) {
   const auto equal = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
   return std::search(text.begin(), text.end(), part.begin(), part.end(), equal) != text.end();
 }
@@ -117,7 +117,7 @@ void DrawKeys(Editor* editor) {
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const std::string label = LabelOf(all[i]);
     const std::string key = NameOf(AllShortcuts()[i].chord);
-    if (!Contains(label, state.filter) && !Contains(key, state.filter)) continue;
+    if (!HasPart(label, state.filter) && !HasPart(key, state.filter)) continue;
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());

@@ -10,7 +10,7 @@ namespace hazumi::ui {
 
 namespace {
 
-// Where a bar comes to lie when the mouse is `by` frames from where it took hold of a part of it.
+// Returns the frames of a bar whose part was dragged by `by` frames.
 ProjectFrames Dragged(ProjectFrames bar, SheetPart part, int by, const ProjectFrames& all) {
   if (part == SheetPart::kBarStart) {
     bar.first = std::clamp(bar.first + by, std::min(all.first, bar.first), bar.last - 1);
@@ -24,22 +24,6 @@ ProjectFrames Dragged(ProjectFrames bar, SheetPart part, int by, const ProjectFr
   return bar;
 }
 
-const char* HintOf(BarKind kind, bool moves) {
-  switch (kind) {
-    case BarKind::kRegion:
-      return moves ? "Move region" : "Stretch region";
-    case BarKind::kPlacement:
-      return moves ? "Move placement" : "Stretch placement";
-    case BarKind::kHolder:
-      return "Change frames of holder";
-    case BarKind::kConstraint:
-      return moves ? "Move constraint" : "Stretch constraint";
-    case BarKind::kHold:
-      break;
-  }
-  return moves ? "Move hold" : "Stretch hold";
-}
-
 class DragBarTool : public SheetDrag {
  public:
   DragBarTool(Editor* editor, Point start, const BarRef& bar, SheetPart part)
@@ -51,8 +35,10 @@ class DragBarTool : public SheetDrag {
         wanted_(before_) {}
 
   std::string hint() const override {
-    const std::string text = std::string(Tr(HintOf(bar_.kind, part_ == SheetPart::kBar))) + "  " +
-                             title_ + "  " + SpanText(wanted_.first, wanted_.last);
+    const BarTexts& texts = TypeOf(bar_.kind).texts;
+    const std::string text =
+        std::string(Tr(part_ == SheetPart::kBar ? texts.move : texts.stretch)) + "  " + title_ +
+        "  " + SpanText(wanted_.first, wanted_.last);
     return text + "   " + (trouble_.empty() ? DragKeys(false) : "! " + trouble_);
   }
 

@@ -3,17 +3,17 @@
 #include <optional>
 #include <string>
 
-#include "ui/panels/window/editor.h"
+#include "ui/panels/dope_sheet/bar_types.h"
 
 namespace hazumi::ui {
 
-// What bars of the dope sheet stand for, whatever kind they are of.
+// Bars of the dope sheet, whatever kind they are of.
 
 // First and last frame, half open.
 ProjectFrames FramesOf(const Project& project, const BarRef& bar);
-// What a bar is called: "arms", "pinned: l_toe", "gravity", "held: l_wrist".
+// Title of a bar: "arms", "pinned: l_toe", "gravity", "held: l_wrist".
 std::string TitleOf(const Project& project, const BarRef& bar);
-// What there is no room for in the bar; empty if nothing.
+// Sentences that the bar has no room for; empty: none.
 std::string DetailsOf(const Project& project, const BarRef& bar);
 
 // The bar that was clicked last, if what it stands for is still there.

@@ -106,17 +106,8 @@ class DopeSheetPainter {
   }
 
   SrgbColor ColorOf(const RowBar& bar) const {
-    switch (bar.ref.kind) {
-      case BarKind::kRegion:
-        return IsMuted(bar.ref) ? theme_.faint_text : colors::kDynamics;
-      case BarKind::kPlacement:
-        return theme_.faint_text;
-      case BarKind::kHolder:
-      case BarKind::kConstraint:
-      case BarKind::kHold:
-        break;
-    }
-    return colors::kHeld;
+    if (IsMuted(bar.ref)) return theme_.faint_text;
+    return TypeOf(bar.ref.kind).color.value_or(theme_.faint_text);
   }
 
   void DrawBar(const RowBar& bar) {

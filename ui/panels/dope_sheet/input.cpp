@@ -60,26 +60,10 @@ void ClickKey(Editor* editor, const DopeSheetLayout& layout, const RowKey& key, 
   editor->Take(MakeMoveKeys(editor, mouse, options));
 }
 
-SheetPopup PopupOf(BarKind kind) {
-  switch (kind) {
-    case BarKind::kRegion:
-      return SheetPopup::kRegion;
-    case BarKind::kPlacement:
-      return SheetPopup::kPlacement;
-    case BarKind::kHolder:
-      return SheetPopup::kHolder;
-    case BarKind::kConstraint:
-      return SheetPopup::kConstraint;
-    case BarKind::kHold:
-      break;
-  }
-  return SheetPopup::kHold;
-}
-
 // Opens the menu of a bar on the row where it was clicked.
 void OpenBar(Editor* editor, const DopeSheetLayout& layout, const RowBar& bar) {
   ChooseBar(editor, bar.ref);
-  editor->sheet.popup = PopupOf(bar.ref.kind);
+  editor->sheet.popup = SheetPopup::kBar;
   editor->sheet.bar_row = layout.rows[bar.row].id;
 }
 

@@ -6,7 +6,6 @@
 
 #include "engine/project/checks/joint_names.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 
 namespace hazumi::ui {
@@ -36,27 +35,22 @@ class BarList {
       held_.push_back(JointsOf(region, figure_));
       drives_.push_back(DrivesByJoint(region, figure_));
     }
-    holders_ = edit::AllHolders(project_);
+    for (const BarType* type : AllBarTypes()) {
+      for (int i = 0; i < type->Num(project_); ++i) {
+        entries_.push_back({{type->kind, i}, type->Rows(project_, i)});
+      }
+    }
   }
 
   std::vector<RowBar> On(const SheetRow& row) const {
     std::vector<RowBar> bars;
     if (row.kind == RowKind::kSummary) return bars;
-    for (int i = 0; i < NumOf(project_.placements); ++i) {
-      if (row.kind == RowKind::kPlacement) bars.push_back({0, {BarKind::kPlacement, i}});
-    }
-    for (int i = 0; i < NumOf(holders_); ++i) {
-      const ProjectHeldObject& object = project_.held_objects[holders_[i].first];
-      if (row.object.is_valid() && row.object == object.identity.id) {
-        bars.push_back({0, {BarKind::kHolder, i}});
+    for (const Entry& entry : entries_) {
+      if (entry.bar.kind == BarKind::kRegion) {
+        AddRegion(row, entry.bar.index, &bars);
+      } else if (IsOn(entry.rows, row)) {
+        bars.push_back({0, entry.bar});
       }
-    }
-    for (int i = 0; i < NumOf(project_.regions); ++i) AddRegion(row, i, &bars);
-    for (int i = 0; i < NumOf(project_.holds); ++i) {
-      if (IsOn(project_.holds[i].joint, row)) bars.push_back({0, {BarKind::kHold, i}});
-    }
-    for (int i = 0; i < NumOf(project_.constraints); ++i) {
-      if (IsOn(project_.constraints[i], row)) bars.push_back({0, {BarKind::kConstraint, i}});
     }
     return bars;
   }
@@ -89,25 +83,27 @@ class BarList {
     });
   }
 
-  // Returns whether a constraint is shown on a row: on those of both its joints, or of the objects
-  // that it ties.
-  bool IsOn(const ProjectConstraint& constraint, const SheetRow& row) const {
-    return IsOn(constraint.a, row) || IsOn(constraint.b, row);
-  }
-  bool IsOn(const ProjectConstraintEnd& end, const SheetRow& row) const {
+  bool IsOn(const BarRows& rows, const SheetRow& row) const {
+    if (row.kind == RowKind::kPlacement) return rows.of_placement;
     if (row.object.is_valid()) {
       const int held = IndexOf(row.object, project_.held_objects);
-      return held >= 0 && project_.held_objects[held].name == end.object;
+      return held >= 0 && std::count(rows.objects.begin(), rows.objects.end(),
+                                     project_.held_objects[held].name) > 0;
     }
-    if (end.joint.empty()) return false;
-    return row.kind == RowKind::kRoot ? MeansRoot(end.joint, figure_) : IsOn(end.joint, row);
+    return std::any_of(rows.joints.begin(), rows.joints.end(), [&](const std::string& joint) {
+      return row.kind == RowKind::kRoot ? MeansRoot(joint, figure_) : IsOn(joint, row);
+    });
   }
 
   const Figure& figure_;
   const Project& project_;
   std::vector<std::vector<bool>> held_;   // by region and joint
   std::vector<std::vector<int>> drives_;  // likewise, -1 where it is limp
-  std::vector<std::pair<int, edit::HolderSpan>> holders_;
+  struct Entry {
+    BarRef bar;
+    BarRows rows;
+  };
+  std::vector<Entry> entries_;  // in the order in which they lie on a row
 };
 
 // Puts bars that overlap in time into lanes of their own. Returns how many lanes there are.
@@ -140,7 +136,7 @@ Rect PlaceOf(const RowBar& bar, const Project& project, int num_lanes,
     rect.y += lane * static_cast<float>(bar.lane);
     rect.h = lane - 1.0f;
   }
-  if (bar.ref.kind == BarKind::kHold || bar.ref.kind == BarKind::kConstraint) {
+  if (TypeOf(bar.ref.kind).is_thin) {
     rect.h = std::min(rect.h, Px(layout, is_tall ? kTallHold : kHold));
   }
   return rect;
@@ -171,12 +167,12 @@ void PlaceKeys(const edit::Session& session, int row, DopeSheetLayout* layout) {
   const double reach = 8.0 * layout->frame.scale / axis.px_per_frame();
   std::map<double, RowKey> keys;
   for (const std::string& name : layout->rows[row].curves) {
-    const ProjectCurve* curve = edit::FindCurve(name, session.project());
+    const ProjectCurve* curve = FindCurve(name, session.project());
     if (!curve) continue;
     const auto before = [](const ProjectKey& key, double frame) { return key.frame < frame; };
     auto key = std::lower_bound(curve->keys.begin(), curve->keys.end(), axis.first - reach, before);
     for (; key != curve->keys.end() && key->frame <= axis.last + reach; ++key) {
-      const bool is_selected = edit::Contains(session.selected_keys(), name, key->frame);
+      const bool is_selected = Contains(session.selected_keys(), name, key->frame);
       const auto [entry, is_new] = keys.try_emplace(key->frame, RowKey{row, key->frame});
       RowKey& mark = entry->second;
       if (is_new) mark.interpolation = key->interpolation;
@@ -308,8 +304,8 @@ int NearestRow(const DopeSheetLayout& layout, float y) {
 KeyList KeysOf(const DopeSheetLayout& layout, const RowKey& key, const Project& project) {
   KeyList keys;
   for (const std::string& name : layout.rows[key.row].curves) {
-    const ProjectCurve* curve = edit::FindCurve(name, project);
-    if (!curve || !edit::KeyOn(key.frame, *curve)) continue;
+    const ProjectCurve* curve = FindCurve(name, project);
+    if (!curve || !KeyOn(key.frame, *curve)) continue;
     keys.curves.push_back(name);
     keys.frames.push_back(key.frame);
   }

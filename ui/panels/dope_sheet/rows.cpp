@@ -4,9 +4,8 @@
 #include <cctype>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/edits/curves.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/object_curves.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/text/catalogue.h"
@@ -32,7 +31,7 @@ class RowList {
  private:
   void AddSummary() {
     SheetRow row{RowKind::kSummary, "summary", Tr("Summary")};
-    row.curves = edit::CurveNames(session_.project());
+    row.curves = CurveNames(session_.project());
     std::erase_if(row.curves, [&](const std::string& name) { return !IsShown(name); });
     rows_.push_back(std::move(row));
   }
@@ -43,7 +42,7 @@ class RowList {
 
   // Adds the orientation of the root. Regions move it like a limb.
   void AddRoot() {
-    if (!IsShown(edit::kRootCurveNames[kRootAngleZ])) return;
+    if (!IsShown(kRootCurveNames[kRootAngleZ])) return;
     SheetRow row{RowKind::kRoot, "root", Tr("Root")};
     if (const std::string name = NameOfRoot(figure_); !name.empty()) row.refs = {name};
     AddOfRoot(std::move(row), kRootAngleZ, kNumRootCurves);
@@ -53,7 +52,7 @@ class RowList {
   void AddOfRoot(SheetRow row, int first, int end) {
     row.has_parts = true;
     row.is_open = state_.open.contains(row.id);
-    row.curves.assign(edit::kRootCurveNames + first, edit::kRootCurveNames + end);
+    row.curves.assign(kRootCurveNames + first, kRootCurveNames + end);
     const bool is_open = row.is_open;
     const std::vector<std::string> curves = row.curves;
     rows_.push_back(std::move(row));
@@ -67,12 +66,12 @@ class RowList {
     if (state_.only_selected) return;
     SheetRow row{RowKind::kObject, "held " + object.name, object.name};
     row.object = object.identity.id;
-    for (int axis = 0; axis < 3; ++axis) row.curves.push_back(edit::NameOfCurve(object, axis));
+    for (int axis = 0; axis < 3; ++axis) row.curves.push_back(NameOfCurve(object, axis));
     rows_.push_back(std::move(row));
   }
 
   bool IsShown(const std::string& curve) const {
-    const std::string& owner = edit::RootCurveNamed(curve) ? figure_.root_name() : curve;
+    const std::string& owner = RootCurveNamed(curve) ? figure_.root_name() : curve;
     return !state_.only_selected || session_.selected_joints().contains(owner);
   }
 

@@ -5,7 +5,8 @@
 
 #include "engine/base/text.h"
 #include "engine/project/checks/joint_names.h"
-#include "ui/edit/operators/placement/root_curves.h"
+#include "engine/project/edits/curves.h"
+#include "engine/project/items.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/outliner/limbs.h"
 #include "ui/panels/sheet/drag.h"
@@ -54,7 +55,7 @@ std::vector<FormOption> JointsAndRoot(const Figure& figure) {
 
 std::vector<FormOption> Curves(const Figure& figure) {
   std::vector<FormOption> options = Joints(figure, false, true);
-  for (const char* name : edit::kRootCurveNames) options.push_back({name, name, "Root"});
+  for (const char* name : kRootCurveNames) options.push_back({name, name, "Root"});
   return options;
 }
 
@@ -66,24 +67,35 @@ std::vector<FormOption> NamesIn(const std::vector<T>& list) {
   return options;
 }
 
-std::vector<FormOption> Markers(const Project& project) {
+// Lists markers and spans by their numbers: names of markers need not differ, spans have none.
+std::vector<FormOption> NamesIn(const std::vector<ProjectMarker>& markers) {
   std::vector<FormOption> options;
-  for (const ProjectMarker& marker : project.markers) {
+  for (const ProjectMarker& marker : markers) {
     options.push_back({std::to_string(options.size()),
                        marker.name + " (" + std::to_string(marker.frame) + ")", ""});
   }
   return options;
 }
-
-std::vector<FormOption> Spans(const Project& project, BarKind kind, size_t count) {
+template <typename T>
+requires requires(T span) { TitleOf(span); }
+std::vector<FormOption> NamesIn(const std::vector<T>& spans) {
   std::vector<FormOption> options;
-  for (size_t i = 0; i < count; ++i) {
-    const BarRef bar = {kind, static_cast<int>(i)};
-    const ProjectFrames frames = FramesOf(project, bar);
-    options.push_back({std::to_string(i),
-                       TitleOf(project, bar) + " (" + SpanText(frames.first, frames.last) + ")",
+  for (const T& span : spans) {
+    options.push_back({std::to_string(options.size()),
+                       TitleOf(span) + " (" + SpanText(span.first_frame, span.last_frame) + ")",
                        ""});
   }
+  return options;
+}
+
+// Items of the kind that a parameter names; none if it names another thing.
+std::vector<FormOption> Items(Thing thing, const Project& project) {
+  std::vector<FormOption> options;
+  ForEachItemList(
+      [&](auto kind, const auto& items) {
+        if (kind.kThing == thing) options = NamesIn(items);
+      },
+      project);
   return options;
 }
 
@@ -102,36 +114,20 @@ std::vector<FormOption> OptionsOf(const edit::ParameterInfo& info, const edit::S
       return JointsAndRoot(session.figure());
     case Thing::kCurve:
       return Curves(session.figure());
-    case Thing::kRegion:
-      return NamesIn(project.regions);
-    case Thing::kObject:
-      return NamesIn(project.scene.objects);
-    case Thing::kHeldObject:
-      return NamesIn(project.held_objects);
     case Thing::kLink:
       return NamesIn(session.figure().links());
-    case Thing::kMarker:
-      return Markers(project);
-    case Thing::kPlacement:
-      return Spans(project, BarKind::kPlacement, project.placements.size());
-    case Thing::kHold:
-      return Spans(project, BarKind::kHold, project.holds.size());
     case Thing::kSelectionSet:
       return NamesIn(project.selection_sets);
-    case Thing::kForce:
-      return NamesIn(project.forces);
-    case Thing::kConstraint:
-      return NamesIn(project.constraints);
     case Thing::kSceneOrHeldObject: {
       std::vector<FormOption> objects = NamesIn(project.scene.objects);
       for (FormOption& held : NamesIn(project.held_objects)) objects.push_back(std::move(held));
       return objects;
     }
-    case Thing::kColor:
-    case Thing::kAny:
+    default:
       break;
   }
-  return Words(info.offer);
+  std::vector<FormOption> items = Items(info.offer.thing, project);
+  return items.empty() ? Words(info.offer) : items;
 }
 
 std::vector<FormOption> Filtered(const std::vector<FormOption>& options, const std::string& typed) {

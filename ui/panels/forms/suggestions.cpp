@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "engine/base/text.h"
+#include "engine/project/items.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
@@ -52,7 +53,7 @@ Json Present(const std::string& id, const std::string& name, const Project& proj
   if (id == "solver.set" && name == "method") return NameOf(project.solver.method);
   if (id == "region.add" && name == "contacts") return TouchesWhenMade(project);
   if (id.starts_with("object.add_") && name == "name")
-    return edit::FreeObjectName(id.substr(11), project);
+    return FreeObjectName(id.substr(11), project);
   if (id.starts_with("object.add_") && name == "color") return kDefaultObjectColor;
   if (id == "object.add_box" && name.starts_with("size_")) return 1.0;
   if (id == "object.add_box" && name.size() == 1) return name == "z" ? 0.5 : 0.0;  // on the ground
@@ -115,6 +116,23 @@ Json SuggestedJoint(const ParameterInfo& info, edit::Session* session) {
   return std::string(info.name) == "pin" ? LowestFoot(session) : Json();
 }
 
+// Name of the item of a kind that was made last; the first number of items without names.
+template <typename Item>
+Json LikelyItem(const std::vector<Item>& items) {
+  if (items.empty()) return Json();
+  if constexpr (HasUniqueName<Item>) return items.back().name;
+  return 0;
+}
+Json LikelyItem(Thing thing, const Project& project) {
+  Json item;
+  ForEachItemList(
+      [&](auto kind, const auto& items) {
+        if (kind.kThing == thing) item = LikelyItem(items);
+      },
+      project);
+  return item;
+}
+
 Json Named(const ParameterInfo& info, edit::Session* session) {
   const Project& project = session->project();
   switch (info.offer.thing) {
@@ -130,10 +148,6 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       const auto shown = ShownRegion(project, ItemId(), session->frame());
       return shown ? Json(project.regions[*shown].name) : Json();
     }
-    case Thing::kObject:
-      return project.scene.objects.empty() ? Json() : Json(project.scene.objects.back().name);
-    case Thing::kHeldObject:
-      return project.held_objects.empty() ? Json() : Json(project.held_objects.back().name);
     case Thing::kSceneOrHeldObject: {
       if (!info.is_required) return Json();
       if (!project.scene.objects.empty()) return project.scene.objects.back().name;
@@ -143,18 +157,10 @@ Json Named(const ParameterInfo& info, edit::Session* session) {
       return project.selection_sets.empty() ? Json() : Json(project.selection_sets.back().name);
     case Thing::kLink:
       return SelectedLink(*session);
-    case Thing::kMarker:
-    case Thing::kPlacement:
-    case Thing::kHold:
-      return OptionsOf(info, *session).empty() ? Json() : Json(0);
-    case Thing::kForce:
-      return project.forces.empty() ? Json() : Json(project.forces.back().name);
-    case Thing::kConstraint:
-      return project.constraints.empty() ? Json() : Json(project.constraints.back().name);
-    case Thing::kColor:
-    case Thing::kAny:
+    default:
       break;
   }
+  if (Json item = LikelyItem(info.offer.thing, project); !item.is_null()) return item;
   const std::vector<std::string> words = edit::WordsOf(info.offer);
   return words.empty() || !info.is_required ? Json() : Json(words.front());
 }
@@ -167,7 +173,7 @@ std::string OfHinge(const hazumi::Joint& hinge, const std::string& name) {
 // The entry of a list that a form changes, by its name or number; null: none.
 template <typename T>
 const T* Chosen(const std::vector<T>& list, const std::string& subject) {
-  if constexpr (requires(T item) { item.name; }) {
+  if constexpr (HasUniqueName<T>) {
     for (const T& item : list) {
       if (item.name == subject) return &item;
     }
@@ -180,18 +186,15 @@ const T* Chosen(const std::vector<T>& list, const std::string& subject) {
 
 // What the item that a form changes says now.
 Json Present(const FormState& form, const std::string& name, const Project& project) {
-  const std::string& subject = form.fields.front().text;
-  const auto of = [&](const auto& list) {
-    const auto* item = Chosen(list, subject);
-    return item ? edit::FieldValue(*item, name) : Json();
-  };
-  if (form.id == "region.set") return of(project.regions);
-  if (form.id == "object.set") return of(project.scene.objects);
-  if (form.id == "held.set") return of(project.held_objects);
-  if (form.id == "placement.edit") return of(project.placements);
-  if (form.id == "force.set") return of(project.forces);
-  if (form.id == "constraint.set") return of(project.constraints);
-  return form.id == "hold.set" ? of(project.holds) : Json();
+  Json present;
+  ForEachItemList(
+      [&](auto kind, const auto& items) {
+        if (form.id != kind.kSet) return;
+        const auto* item = Chosen(items, form.fields.front().text);
+        if (item) present = edit::FieldValue(*item, name);
+      },
+      project);
+  return present;
 }
 
 // A box that is put into the scene: half a metre high, on the ground, a step ahead of the figure.

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/edits/curves.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::ui {
 
@@ -42,7 +42,7 @@ Limit LimitOf(const MotionLimit& at, const GraphCurve& curve) {
 }
 
 // Of an object, from frame i to the next: straight.
-Limit ObjectLimit(const Motion& motion, size_t i, bool is_before, const edit::ObjectCurve& curve) {
+Limit ObjectLimit(const Motion& motion, size_t i, bool is_before, const ObjectCurve& curve) {
   const auto at = [&](size_t frame) {
     const std::vector<ObjectPose>& objects = motion.frames[frame].objects;
     return curve.object < objects.size() ? objects[curve.object].X_WO.p[curve.axis] : 0.0;
@@ -89,7 +89,7 @@ double NearTo(double other, double angle) {
 
 // The value of a curve's first key.
 double FirstKey(const edit::Session& session, const GraphCurve& curve) {
-  const ProjectCurve* keyed = edit::FindCurve(curve.name, session.project());
+  const ProjectCurve* keyed = FindCurve(curve.name, session.project());
   return keyed && !keyed->keys.empty() ? keyed->keys.front().value : 0.0;
 }
 
@@ -97,15 +97,15 @@ double FirstKey(const edit::Session& session, const GraphCurve& curve) {
 
 std::vector<std::string> ShownCurves(const edit::Session& session, const SheetState& state) {
   std::vector<std::string> names;
-  const edit::KeySelection& keys = session.selected_keys();
+  const KeySelection& keys = session.selected_keys();
   for (const Joint& joint : session.figure().joints()) {
     if (session.selected_joints().contains(joint.name)) names.push_back(joint.name);
   }
   if (session.is_root_selected()) {
-    names.insert(names.end(), std::begin(edit::kRootCurveNames), std::end(edit::kRootCurveNames));
+    names.insert(names.end(), std::begin(kRootCurveNames), std::end(kRootCurveNames));
   }
   if (!names.empty()) return names;
-  for (const std::string& name : edit::CurveNames(session.project())) {
+  for (const std::string& name : CurveNames(session.project())) {
     if (keys.contains(name)) names.push_back(name);
   }
   // What is shown stays as long as that has the keys that are selected.
@@ -115,8 +115,8 @@ std::vector<std::string> ShownCurves(const edit::Session& session, const SheetSt
   if (!are_shown) return names;
   names = state.curves;
   std::erase_if(names, [&](const std::string& name) {
-    return !edit::RootCurveNamed(name) && !session.figure().FindJoint(name) &&
-           !edit::ObjectCurveNamed(name, session.project());
+    return !RootCurveNamed(name) && !session.figure().FindJoint(name) &&
+           !ObjectCurveNamed(name, session.project());
   });
   return names;
 }
@@ -125,9 +125,9 @@ GraphCurve CurveFor(const edit::Session& session, const std::string& name) {
   GraphCurve curve;
   curve.name = name;
   curve.hinge = session.figure().FindJoint(name);
-  const std::vector<std::string> all = edit::CurveNames(session.project());
+  const std::vector<std::string> all = CurveNames(session.project());
   const auto found = std::find(all.begin(), all.end(), name);
-  curve.object = edit::ObjectCurveNamed(name, session.project());
+  curve.object = ObjectCurveNamed(name, session.project());
   if (!curve.hinge && !curve.object) curve.root_curve = static_cast<int>(found - all.begin());
   return curve;
 }

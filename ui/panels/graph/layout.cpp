@@ -35,12 +35,12 @@ Extent ExtentOf(const GraphLayout& layout, int curve) {
 
 void AddKeys(const edit::Session& session, const Motion* motion, int index, GraphLayout* layout) {
   const GraphCurve& curve = layout->curves[index];
-  const ProjectCurve* keyed = edit::FindCurve(curve.name, session.project());
+  const ProjectCurve* keyed = FindCurve(curve.name, session.project());
   if (!keyed) return;
   for (const ProjectKey& from : keyed->keys) {
     GraphKey key{index, from.frame, from.value};
     key.interpolation = from.interpolation;
-    key.is_selected = edit::Contains(session.selected_keys(), curve.name, from.frame);
+    key.is_selected = Contains(session.selected_keys(), curve.name, from.frame);
     if (motion) RatesAt(*motion, curve, &key);
     if (from.rate) key.rate_before = key.rate = *from.rate;
     if (from.rate_in) key.rate_before = *from.rate_in;
@@ -234,12 +234,12 @@ double ValuePerPx(Editor* editor) {
   return (layout.values.high - layout.values.low) / std::max(1.0f, layout.frame.tracks.h) / stretch;
 }
 
-void FrameValues(Editor* editor, const edit::KeySelection& keys) {
+void FrameValues(Editor* editor, const KeySelection& keys) {
   const GraphLayout layout = CurrentGraph(editor);
   Extent extent;
   for (const GraphKey& key : layout.keys) {
     const GraphCurve& curve = layout.curves[key.curve];
-    if (!edit::Contains(keys, curve.name, key.frame)) continue;
+    if (!Contains(keys, curve.name, key.frame)) continue;
     extent.Include((key.value - curve.middle) * curve.stretch);
   }
   if (extent.is_empty()) return;

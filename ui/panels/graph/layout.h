@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/edit/operators/held/object_curves.h"
+#include "engine/project/edits/curves.h"
 #include "ui/panels/dope_sheet/layout.h"
 #include "ui/panels/graph/torque.h"
 #include "ui/panels/window/editor.h"
@@ -18,7 +18,7 @@ struct GraphCurve {
   int color = 0;  // index of CurveColor
   bool is_hidden = false;
   std::optional<JointIndex> hinge;
-  std::optional<edit::ObjectCurve> object;  // neither: of the root
+  std::optional<ObjectCurve> object;  // neither: of the root
   int root_curve = 0;
   // Shown at (value - middle) * stretch: as it is, or normalized to [-1, 1].
   double middle = 0.0, stretch = 1.0;
@@ -97,6 +97,6 @@ KeyList GraphKeysIn(const GraphLayout& layout, const Rect& box);
 // What a pixel upwards adds to the values of the selected keys.
 double ValuePerPx(Editor* editor);
 // Shows the values of these keys.
-void FrameValues(Editor* editor, const edit::KeySelection& keys);
+void FrameValues(Editor* editor, const KeySelection& keys);
 
 }  // namespace hazumi::ui

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "engine/base/filled.h"
+#include "engine/project/edits/root_values.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/edit/operators/pose/flipped_pose.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 #include "ui/panels/poses/share_tool.h"
@@ -14,7 +14,6 @@ namespace hazumi::ui {
 
 namespace {
 
-using edit::kRootCurveNames;
 using edit::Parameters;
 
 // Without where it stands and where it looks; where a placement says how high it is, that neither.
@@ -46,7 +45,7 @@ edit::Pose KnownPart(const SavedPose& pose, edit::Session* session,
 bool IsSelected(const std::string& curve, const edit::Session& session) {
   const std::set<std::string>& selected = session.selected_joints();
   if (selected.empty()) return true;
-  return edit::RootCurveNamed(curve) ? session.is_root_selected() : selected.contains(curve);
+  return RootCurveNamed(curve) ? session.is_root_selected() : selected.contains(curve);
 }
 
 // A root that has no mirror plane along an axis is left as it is: its image would stand elsewhere.
@@ -56,7 +55,7 @@ Result<edit::Pose> Mirrored(const edit::Pose& pose, edit::Session* session) {
   edit::Pose kept = std::move(flipped).value();
   std::erase_if(kept, [&](const Named<double>& angle) {
     const auto is_same = [&](const Named<double>& other) { return other.name == angle.name; };
-    return edit::RootCurveNamed(angle.name) && std::none_of(pose.begin(), pose.end(), is_same);
+    return RootCurveNamed(angle.name) && std::none_of(pose.begin(), pose.end(), is_same);
   });
   return kept;
 }
@@ -71,7 +70,7 @@ Result<SavedPose> PoseNamed(const std::string& name, PoseLibrary* library) {
   const std::optional<Error> error = library->Refresh();
   if (const SavedPose* pose = library->Find(name)) return *pose;
   if (error) return *error;
-  return edit::Refusal("name", "there is no pose \"" + name + "\" in the library");
+  return Refusal("name", "there is no pose \"" + name + "\" in the library");
 }
 
 Result<Done> ApplyPose(Editor* editor, const Parameters& p) {
@@ -104,8 +103,7 @@ Result<Done> SavePose(Editor* editor, const Parameters& p) {
   if (session.selected_joints().empty() || session.is_root_selected()) {
     const Result<const MotionFrame*> now = session.FrameNow();
     if (!now.ok()) return now.error();
-    const auto values =
-        edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
+    const auto values = RootValues(now.value()->X_WR, session.project().root, session.frame());
     pose.root = SavedRoot{values[kRootZ], values[kRootAngleY], values[kRootAngleX], {}};
   }
   Result<Done> saved = editor->poses.library.Save(std::move(pose), p.yes("replace"));
@@ -134,8 +132,8 @@ Result<PoseOnFigure> OnFigure(const SavedPose& pose, bool is_flipped, edit::Sess
   PoseOnFigure on;
   edit::Pose known = KnownPart(pose, session, &on.unknown);
   if (!pose.joints.empty() && on.unknown.size() == pose.joints.size()) {
-    return edit::Refusal("name", "the figure has none of the joints of \"" + pose.name + "\" (" +
-                                     Listed(on.unknown) + "); it was made for another figure");
+    return Refusal("name", "the figure has none of the joints of \"" + pose.name + "\" (" +
+                               Listed(on.unknown) + "); it was made for another figure");
   }
   if (is_flipped) {
     Result<edit::Pose> mirrored = Mirrored(known, session);
@@ -148,9 +146,9 @@ Result<PoseOnFigure> OnFigure(const SavedPose& pose, bool is_flipped, edit::Sess
     on.values.push_back(angle.value);
   }
   if (!on.curves.empty()) return on;
-  return edit::Refusal("", "\"" + pose.name +
-                               "\" has nothing of what is selected; select other joints, "
-                               "or none for all of it");
+  return Refusal("", "\"" + pose.name +
+                         "\" has nothing of what is selected; select other joints, "
+                         "or none for all of it");
 }
 
 std::vector<Action> PoseLibraryActions() {

@@ -65,12 +65,12 @@ Result<Done> PoseLibrary::Write(PoseFile file) {
 
 Result<Done> PoseLibrary::Save(SavedPose pose, bool replaces) {
   if (path_.empty()) {
-    return edit::Refusal("", "there is no folder for poses; set XDG_CONFIG_HOME or HOME to one");
+    return Refusal("", "there is no folder for poses; set XDG_CONFIG_HOME or HOME to one");
   }
-  if (pose.name.empty()) return edit::Refusal("name", "must not be empty");
+  if (pose.name.empty()) return Refusal("name", "must not be empty");
   if (const auto error = Refresh()) return *error;
   if (FindIn(pose.name, ShippedPoses())) {
-    return edit::Refusal("name", "\"" + pose.name + "\" comes with Hazumi; choose another name");
+    return Refusal("name", "\"" + pose.name + "\" comes with Hazumi; choose another name");
   }
   PoseFile file = file_;
   const auto there = std::find_if(file.poses.begin(), file.poses.end(),
@@ -80,8 +80,8 @@ Result<Done> PoseLibrary::Save(SavedPose pose, bool replaces) {
   } else if (replaces) {
     *there = std::move(pose);
   } else {
-    return edit::Refusal("name", "there is a pose \"" + pose.name +
-                                     "\" already; choose another name, or replace it");
+    return Refusal("name", "there is a pose \"" + pose.name +
+                               "\" already; choose another name, or replace it");
   }
   return Write(std::move(file));
 }
@@ -92,17 +92,17 @@ Result<SavedPose*> PoseLibrary::OwnNamed(const std::string& name, PoseFile* file
   for (SavedPose& pose : file->poses) {
     if (pose.name == name) return &pose;
   }
-  return edit::Refusal("name", FindIn(name, ShippedPoses())
-                                   ? "\"" + name + "\" comes with Hazumi and stays as it is"
-                                   : "there is no pose \"" + name + "\" of your own");
+  return Refusal("name", FindIn(name, ShippedPoses())
+                             ? "\"" + name + "\" comes with Hazumi and stays as it is"
+                             : "there is no pose \"" + name + "\" of your own");
 }
 
 Result<Done> PoseLibrary::Rename(const std::string& name, const std::string& to) {
   PoseFile file;
   const Result<SavedPose*> pose = OwnNamed(name, &file);
   if (!pose.ok()) return pose.error();
-  if (to.empty()) return edit::Refusal("to", "must not be empty");
-  if (to != name && Find(to)) return edit::Refusal("to", "there is a pose \"" + to + "\" already");
+  if (to.empty()) return Refusal("to", "must not be empty");
+  if (to != name && Find(to)) return Refusal("to", "there is a pose \"" + to + "\" already");
   pose.value()->name = to;
   return Write(std::move(file));
 }

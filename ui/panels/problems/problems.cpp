@@ -103,9 +103,9 @@ class Guide {
     if (fall.normal.z() >= kFlat) {
       AddCure("held.key",
               {{"object", object.name},
-               {"x", edit::WithoutRoundOff(fall.outside.x())},
-               {"y", edit::WithoutRoundOff(fall.outside.y())},
-               {"z", edit::WithoutRoundOff(fall.outside.z())}},
+               {"x", WithoutRoundOff(fall.outside.x())},
+               {"y", WithoutRoundOff(fall.outside.y())},
+               {"z", WithoutRoundOff(fall.outside.z())}},
               Tr("Let it rest there"));
     }
     const bool may_touch = std::holds_alternative<ProjectSphereShape>(object.shape);
@@ -166,9 +166,9 @@ class Guide {
     problem_.joint = taking->joint;
     AddCure("pose.reach",
             {{"joint", taking->joint},
-             {"x", edit::WithoutRoundOff(taking->object.x())},
-             {"y", edit::WithoutRoundOff(taking->object.y())},
-             {"z", edit::WithoutRoundOff(taking->object.z())},
+             {"x", WithoutRoundOff(taking->object.x())},
+             {"y", WithoutRoundOff(taking->object.y())},
+             {"z", WithoutRoundOff(taking->object.z())},
              {"offset_x", taking->offset.x()},
              {"offset_y", taking->offset.y()},
              {"offset_z", taking->offset.z()}},

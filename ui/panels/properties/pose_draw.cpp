@@ -6,9 +6,10 @@
 
 #include "engine/base/text.h"
 #include "engine/figure/mirror.h"
+#include "engine/project/edits/curves.h"
+#include "engine/project/edits/root_values.h"
 #include "engine/spatial/degrees.h"
 #include "ui/edit/operators/keys/at_frame.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/properties/fields.h"
 #include "ui/panels/properties/layout.h"
@@ -202,8 +203,8 @@ void DrawRoot(Editor* editor) {
   edit::Session& session = editor->session();
   const Result<const MotionFrame*> now = session.ShownFrame();
   if (!now.ok()) return DrawNote(now.error().ToString());
-  const auto values = edit::RootValues(now.value()->X_WR, session.project().root, session.frame());
-  const auto& names = edit::kRootCurveNames;
+  const auto values = RootValues(now.value()->X_WR, session.project().root, session.frame());
+  const auto& names = kRootCurveNames;
   const double frame = session.frame();
   const bool is_placed = edit::IsPlaced(*session.animation(), frame);
   const char* labels[] = {"Position  X", "Y", "Z", "Rotation  Z", "Y", "X"};

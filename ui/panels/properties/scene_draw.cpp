@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/project/edits/holders.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/held/holders.h"
 #include "ui/panels/commands/actions.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
@@ -122,7 +122,7 @@ void DrawObjects(Editor* editor) {
   ImGui::SameLine();
   if (DrawButton(LabelOf("object.add_plane"), HelpOf("object.add_plane"), 2)) {
     editor->Do("object.add_plane",
-               {{"name", edit::FreeObjectName("plane", editor->session().project())}});
+               {{"name", FreeObjectName("plane", editor->session().project())}});
   }
   DrawFieldRows(editor, scene, {}, SetBy(editor, "scene.gravity"));
 }
@@ -143,7 +143,7 @@ void DrawRelease(Editor* editor, const ProjectHeldObject& object, const SetItem&
 // Who has it later, and what can be done in the current frame.
 void DrawHolders(Editor* editor, const ProjectHeldObject& object) {
   const long revision = editor->session().document().revision();
-  const auto all = edit::AllHolders(editor->session().project());
+  const auto all = AllHolders(editor->session().project());
   for (size_t i = 0; i < all.size(); ++i) {
     const auto& [of, span] = all[i];
     if (span.number < 0 || editor->session().project().held_objects[of].name != object.name)

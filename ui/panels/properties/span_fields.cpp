@@ -1,6 +1,8 @@
 #include "ui/panels/properties/span_fields.h"
 
-#include "ui/edit/operators/held/holders.h"
+#include <functional>
+
+#include "engine/project/edits/holders.h"
 #include "ui/panels/dope_sheet/bars.h"
 #include "ui/panels/properties/field_rows.h"
 
@@ -63,23 +65,28 @@ void DrawSpanFields(Editor* editor) {
     Set(editor, change);
   };
   if (bar->kind == BarKind::kHolder) {
-    const auto [index, span] = edit::AllHolders(project)[bar->index];
+    const auto [index, span] = AllHolders(project)[bar->index];
     const ProjectHeldObject object = project.held_objects[index];
     if (span.number >= 0) {
       return DrawFieldRows(editor, ProjectHolder(object.holders[span.number]), {}, set);
     }
     return DrawRowsOf({"joint", "offset_?", "angle_?", "release"}, editor, object, set);
   }
-  if (bar->kind == BarKind::kConstraint) {
-    return DrawFieldRows(editor, ProjectConstraint(project.constraints[bar->index]), {}, set);
-  }
   if (bar->kind == BarKind::kPlacement) {
     const ProjectPlacement span = project.placements[bar->index];
     DrawPlacement(editor, span);
-    DrawFieldRows(editor, span, {"kind", "pin", "landing_pin"}, set);
-  } else {
-    DrawFieldRows(editor, ProjectHold(project.holds[bar->index]), {}, set);
+    return DrawFieldRows(editor, span, {"kind", "pin", "landing_pin"}, set);
   }
+  std::function<void()> draw;
+  ForEachItemList(
+      [&]<typename Item>(ItemKind<Item> kind, const std::vector<Item>& items) {
+        if constexpr (SpanItem<Item>) {
+          if (kind.kThing != bar->kind) return;
+          draw = [=, item = items[bar->index]] { DrawFieldRows(editor, item, {}, set); };
+        }
+      },
+      project);
+  if (draw) draw();
 }
 
 }  // namespace hazumi::ui

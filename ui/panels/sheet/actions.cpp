@@ -59,7 +59,7 @@ Result<Done> SelectAll(Editor* editor, const Parameters&) {
     }
   }
   std::erase_if(curves, [&](const std::string& name) {
-    return !edit::FindCurve(name, editor->session().project());
+    return !FindCurve(name, editor->session().project());
   });
   return editor->session().Run("keys.select_all", {{"curves", curves}});
 }
@@ -100,7 +100,7 @@ Result<Done> Rename(Editor* editor, const Parameters&) {
     return Error{ErrorCode::kSchema, "", "",
                  Tr("There is no marker on this frame; go to one, or click the bar of a region.")};
   }
-  editor->sheet.popup = SheetPopup::kRegion;
+  editor->sheet.popup = SheetPopup::kBar;
   return Done();
 }
 
@@ -138,7 +138,7 @@ Result<Done> FrameAll(Editor* editor, const Parameters&) {
 }
 
 Result<Done> FrameSelected(Editor* editor, const Parameters&) {
-  const edit::KeySelection& keys = editor->session().selected_keys();
+  const KeySelection& keys = editor->session().selected_keys();
   if (keys.empty()) return NoKeys();
   double first = *keys.begin()->second.begin(), last = first;
   for (const auto& [curve, frames] : keys) {

@@ -26,16 +26,8 @@ const char* IdOf(SheetPopup popup) {
       return "##handles";
     case SheetPopup::kKeyType:
       return "##key_type";
-    case SheetPopup::kRegion:
-      return "##region";
-    case SheetPopup::kPlacement:
-      return "##placement";
-    case SheetPopup::kHold:
-      return "##hold";
-    case SheetPopup::kHolder:
-      return "##holder";
-    case SheetPopup::kConstraint:
-      return "##constraint";
+    case SheetPopup::kBar:
+      return "##bar";
     case SheetPopup::kKeys:
       return "##keys";
     case SheetPopup::kMarker:
@@ -174,23 +166,11 @@ void RegionItems(Editor* editor) {
   Item(editor, LabelOf("region.remove"), "region.remove", {{"region", name}});
 }
 
-struct SpanTexts {
-  BarKind kind;
-  const char *title, *remove;
-};
-SpanTexts TextsOf(SheetPopup popup) {
-  if (popup == SheetPopup::kHold) return {BarKind::kHold, "Held joint", "hold.remove"};
-  if (popup == SheetPopup::kHolder) return {BarKind::kHolder, "Holder", "held.remove_holder"};
-  if (popup == SheetPopup::kConstraint) {
-    return {BarKind::kConstraint, "Constraint", "constraint.remove"};
-  }
-  return {BarKind::kPlacement, "Placement", "placement.remove"};
-}
-
-void SpanItems(Editor* editor, SheetPopup popup) {
+void BarItems(Editor* editor) {
   const std::optional<BarRef> bar = ChosenBar(editor->session().project(), editor->sheet);
-  const SpanTexts texts = TextsOf(popup);
-  if (!bar || bar->kind != texts.kind) return ImGui::CloseCurrentPopup();
+  if (!bar) return ImGui::CloseCurrentPopup();
+  if (bar->kind == BarKind::kRegion) return RegionItems(editor);
+  const BarTexts& texts = TypeOf(bar->kind).texts;
   Title(Tr(texts.title));
   ImGui::Dummy({18.0f * ImGui::GetFontSize(), 0.0f});
   DrawSpanFields(editor);
@@ -212,13 +192,8 @@ void Items(Editor* editor, SheetPopup popup) {
     case SheetPopup::kKeyType:
       Title(Tr("Key type"));
       return ChoiceItems(editor, KeyTypeChoices());
-    case SheetPopup::kRegion:
-      return RegionItems(editor);
-    case SheetPopup::kPlacement:
-    case SheetPopup::kHold:
-    case SheetPopup::kHolder:
-    case SheetPopup::kConstraint:
-      return SpanItems(editor, popup);
+    case SheetPopup::kBar:
+      return BarItems(editor);
     case SheetPopup::kKeys:
       return KeyItems(editor);
     case SheetPopup::kMarker:
@@ -235,8 +210,7 @@ void DrawSheetPopups(Editor* editor) {
   if (wanted != SheetPopup::kNone) ImGui::OpenPopup(IdOf(wanted));
   wanted = SheetPopup::kNone;
   using enum SheetPopup;
-  for (const SheetPopup popup : {kInterpolation, kHandles, kKeyType, kRegion, kPlacement, kHold,
-                                 kHolder, kConstraint, kKeys, kMarker}) {
+  for (const SheetPopup popup : {kInterpolation, kHandles, kKeyType, kBar, kKeys, kMarker}) {
     if (!ImGui::BeginPopup(IdOf(popup))) continue;
     Items(editor, popup);
     ImGui::EndPopup();

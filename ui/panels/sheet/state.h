@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/project/fields/field.h"
 #include "engine/project/item_id.h"
 #include "ui/panels/window/geometry.h"
 
@@ -19,26 +20,21 @@ enum class SheetPopup {
   kInterpolation,
   kHandles,
   kKeyType,
-  kRegion,
-  kPlacement,
-  kHold,
-  kHolder,
-  kConstraint,
+  kBar,  // of the chosen bar
   kKeys,
   kMarker
 };
 
-// What a bar of the dope sheet stands for: a region, what places the figure, a held joint, who
-// holds an object, a constraint.
-enum class BarKind { kRegion, kPlacement, kHold, kHolder, kConstraint };
-// One of them, by its index in the project's list of them (of holders, in that of all objects'):
+// A kind of bar of the dope sheet, by what a bar stands for: bar_types.cpp.
+using BarKind = Thing;
+// A bar, by its index in the project's list of them (of holders, in that of all objects'):
 // until something is edited.
 struct BarRef {
   BarKind kind = BarKind::kRegion;
   int index = 0;
   bool operator==(const BarRef&) const = default;
 };
-// And for longer.
+// A bar for longer.
 struct BarId {
   BarKind kind = BarKind::kRegion;
   ItemId id;

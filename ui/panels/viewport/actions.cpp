@@ -108,7 +108,7 @@ Result<Done> SetCameraToView(Editor* editor) {
   const double wider = rect.h > 0.0f ? rect.w / rect.h / kPictureAspect : 1.0;
   if (wider > 1.0) {
     const double half = wider * std::tan(0.5 * kDegree * view.vertical_fov_deg);
-    view.vertical_fov_deg = edit::WithoutRoundOff(2.0 * std::atan(half) / kDegree);
+    view.vertical_fov_deg = WithoutRoundOff(2.0 * std::atan(half) / kDegree);
   }
   Result<Done> set = editor->session().Run("camera.set", {{"eye_x", view.eye.x()},
                                                           {"eye_y", view.eye.y()},

@@ -58,7 +58,7 @@ class CopyTool : public ObjectTool {
  public:
   CopyTool(Editor* editor, const Solid& solid)
       : ObjectTool(editor, solid, "object.duplicate", std::nullopt),
-        copy_(edit::FreeObjectName(solid.name, editor->session().project())) {}
+        copy_(FreeObjectName(solid.name, editor->session().project())) {}
 
  private:
   std::string moved() const override { return copy_; }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/makers/throws/throw_path.h"
 #include "engine/spatial/degrees.h"
 #include "tests/unit/edit/held/throws.h"
-#include "ui/edit/operators/held/throw_path.h"
 
 namespace hazumi::test {
 namespace {
@@ -26,16 +26,16 @@ void AddThrow(Session* session) {
 
 TEST(ThrowOnto, TheSlowestThrowLeavesAtTheAngleOfTheTextbook) {
   // On the level: 45 degrees, v^2 = g d, so that it rises by d / 4.
-  EXPECT_NEAR(edit::HeightOfSlowestThrow(Vec3::Zero(), Vec3(3.0, 4.0, 0.0), 9.81), 1.25, 1e-9);
+  EXPECT_NEAR(makers::HeightOfSlowestThrow(Vec3::Zero(), Vec3(3.0, 4.0, 0.0), 9.81), 1.25, 1e-9);
   // Any other height takes more speed.
   const Vec3 from(0.0, 0.0, 1.3), spot(2.0, 1.0, 0.4);
-  const double best = edit::HeightOfSlowestThrow(from, spot, 9.81);
+  const double best = makers::HeightOfSlowestThrow(from, spot, 9.81);
   const auto speed = [&](double height) {
-    return edit::ThrowOver(from, spot, height, 9.81).velocity.norm();
+    return makers::ThrowOver(from, spot, height, 9.81).velocity.norm();
   };
   EXPECT_LT(speed(best), speed(0.95 * best));
   EXPECT_LT(speed(best), speed(1.05 * best));
-  const edit::ThrowPath path = edit::ThrowOver(from, spot, best, 9.81);
+  const makers::ThrowPath path = makers::ThrowOver(from, spot, best, 9.81);
   const Vec3 down = from + path.seconds * path.velocity -
                     Vec3(0.0, 0.0, 0.5 * 9.81 * path.seconds * path.seconds);
   EXPECT_LE((down - spot).norm(), 1e-12);

@@ -6,7 +6,6 @@ namespace hazumi::test {
 namespace {
 
 using edit::Json;
-using edit::KeySelection;
 using edit::Session;
 
 // Knees with keys on frames 0, 5 and 10 (left: 0, 5 and 12).
@@ -37,7 +36,7 @@ TEST(KeySelection, SelectsByCurveAndFrame) {
 TEST(KeySelection, SelectsAllColumnsAndSides) {
   Session session = Knees();
   Do(&session, "keys.select_all");
-  EXPECT_EQ(edit::NumKeys(session.selected_keys()), 7u);  // and the root's
+  EXPECT_EQ(NumKeys(session.selected_keys()), 7u);  // and the root's
   Do(&session, "keys.select_all", {{"curves", {"l_knee"}}});
   EXPECT_EQ(session.selected_keys(), (KeySelection{{"l_knee", {0, 5, 12}}}));
   SelectKeys(&session, "r_knee", {5});

@@ -1,9 +1,9 @@
 // Tangents, easing and types of keys by operators.
 
+#include "engine/project/edits/keys.h"
 #include "engine/spatial/degrees.h"
 #include "engine/timeline/curve_track.h"
 #include "tests/unit/edit/keys/keys_of.h"
-#include "ui/edit/operators/keys/key_rates.h"
 
 namespace hazumi::test {
 namespace {
@@ -151,7 +151,7 @@ TEST(RatesOf, AreTheLimitsOnBothSides) {
   Session session = Knee();
   Do(&session, "keys.interpolation", {{"interpolation", "linear"}});
   const ProjectCurve* curve = &session.project().joints.front().value;
-  const std::vector<edit::RatesOfKey> rates = edit::RatesOf(*curve, session.project().fps);
+  const std::vector<RatesOfKey> rates = RatesOf(*curve, session.project().fps);
   ASSERT_EQ(rates.size(), 4u);
   EXPECT_NEAR(rates[1].after, 10.0 / (5.0 / 30.0), 1e-9);
   EXPECT_NEAR(rates[2].before, 10.0 / (5.0 / 30.0), 1e-9);

@@ -4,7 +4,6 @@ namespace hazumi::test {
 namespace {
 
 using edit::Json;
-using edit::KeySelection;
 using edit::Session;
 
 const Points kPoints = {{0, 0}, {5, 50}, {10, 10}, {20, 20}};

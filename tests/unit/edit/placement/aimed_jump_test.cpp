@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/project/edits/curves.h"
 #include "tests/unit/edit/placement/jumps.h"
 
 namespace hazumi::test {
@@ -71,7 +72,7 @@ TEST(AimedJump, KeepsPosesThatWereChanged) {
   const JumpPhases now = PhasesOf(session);
   EXPECT_GT(now.landing - now.take_off, first.landing - first.take_off + 4);
   EXPECT_EQ(session.project().markers[0].frame, now.landing);
-  const auto& keys = edit::FindCurve("r_shoulder_abduction", session.project())->keys;
+  const auto& keys = FindCurve("r_shoulder_abduction", session.project())->keys;
   const auto changed = std::find_if(keys.begin(), keys.end(),
                                     [](const ProjectKey& key) { return key.value == 80.0; });
   ASSERT_NE(changed, keys.end());
@@ -88,7 +89,7 @@ TEST(AimedJump, LeavesWhatComesAfterItWhereItIs) {
   Do(&session, "key.set", {{"curve", "neck_rotation"}, {"frame", end + 1}, {"value", 40}});
   Do(&session, "jump.aim", {{"x", 0.5}, {"y", 0.0}, {"height", 0.6}});
   EXPECT_EQ(PhasesOf(session).end, end);
-  const auto& keys = edit::FindCurve("neck_rotation", session.project())->keys;
+  const auto& keys = FindCurve("neck_rotation", session.project())->keys;
   EXPECT_EQ(keys.back().frame, end + 1);
   EXPECT_EQ(keys.back().value, 40);
   const std::string error =

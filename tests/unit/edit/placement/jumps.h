@@ -3,8 +3,8 @@
 // What tests of jumps share.
 
 #include "engine/dynamics/kinematics.h"
+#include "engine/makers/jumps/jumps.h"
 #include "tests/unit/edit/sessions.h"
-#include "ui/edit/operators/placement/jumps.h"
 
 namespace hazumi::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/edit/operators/held/holders.h"
+#include "engine/project/edits/holders.h"
 
 namespace hazumi::test {
 
@@ -36,8 +36,8 @@ std::vector<ProjectHeldObject> InAHand(const Session& session) {
   const int now = static_cast<int>(std::lround(session.frame()));
   std::vector<ProjectHeldObject> held;
   for (const ProjectHeldObject& object : project.held_objects) {
-    const std::vector<edit::HolderSpan> spans = edit::HoldersOf(object, project.frames);
-    const edit::HolderSpan* holder = edit::HolderAt(now, spans);
+    const std::vector<HolderSpan> spans = HoldersOf(object, project.frames);
+    const HolderSpan* holder = HolderAt(now, spans);
     const bool is_hand = holder && (holder->joint == "r_wrist" || holder->joint == "l_wrist");
     if (is_hand && project.regions.empty()) held.push_back(object);
   }

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <map>
 
+#include "engine/makers/jumps/jumps.h"
 #include "tests/unit/edit/random/drives_of_regions.h"
 #include "tests/unit/edit/random/held_by_hands.h"
 #include "tests/unit/edit/random/likely_numbers.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/placement/jumps.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 
 namespace hazumi::test {
@@ -79,7 +79,7 @@ std::vector<std::string> NamesOf(Thing thing, const Session& session) {
       return names;
     }
     case Thing::kCurve:
-      return edit::CurveNames(project);
+      return CurveNames(project);
     case Thing::kRegion:
       return NamesOf(project.regions);
     case Thing::kObject:
@@ -347,7 +347,7 @@ Json RandomParameters(const std::string& id, const std::vector<ParameterInfo>& i
 // Whether a posed curve has a key before the current frame and another after it.
 static bool IsBetweenKeys(const Session& session) {
   for (const std::string& name : edit::PosedCurves(session)) {
-    const ProjectCurve* curve = edit::FindCurve(name, session.project());
+    const ProjectCurve* curve = FindCurve(name, session.project());
     if (!curve || curve->keys.empty()) continue;
     if (curve->keys.front().frame < session.frame() && curve->keys.back().frame > session.frame()) {
       return true;

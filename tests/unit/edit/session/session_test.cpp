@@ -114,5 +114,17 @@ TEST(Session, SavesOverWhatWasOpenedAndWhereTheFileIsGone) {
   EXPECT_EQ(LoadProject(path).value().name, "again");
 }
 
+TEST(Session, SaysWhatAnOperatorMadeByAddresses) {
+  Session session;
+  Do(&session, "marker.add", {{"frame", 3}, {"name", "hit"}});
+  EXPECT_EQ(session.outcome().made, std::vector<std::string>{"markers[hit]"});
+  Do(&session, "object.add_plane", {{"name", "wall"}});
+  EXPECT_EQ(session.outcome().made, std::vector<std::string>{"scene.objects[wall]"});
+  Do(&session, "object.set", {{"object", "wall"}, {"color", "#112233"}});
+  EXPECT_TRUE(session.outcome().made.empty());
+  Do(&session, "object.remove", {{"object", "wall"}});
+  EXPECT_TRUE(session.outcome().made.empty());
+}
+
 }  // namespace
 }  // namespace hazumi::test

@@ -16,12 +16,6 @@ Vec3 InThePalm(const Figure& figure, GroupIndex holder, const ProjectHeldObject&
 // R = Rz Ry Rx of a turn in a hand.
 Mat3 TurnOf(const Vec3& rotation_deg);
 
-// When this holder (of the object's later ones; -1: who has it at first) lets go of it; not given:
-// never.
-std::optional<int>& EndOf(int number, ProjectHeldObject* object);
-// Keys where its centre is while nobody holds it [m].
-void PutPosition(const Vec3& at, double frame, ProjectHeldObject* object);
-
 // One undo step on the object of the parameter "object".
 Result<Done> ChangeHeld(Session* session, const Parameters& p, const char* label,
                         const std::function<Result<Done>(ProjectHeldObject*)>& change);

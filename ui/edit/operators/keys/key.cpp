@@ -190,13 +190,6 @@ Result<Done> InsertKeys(Session* session, const Parameters& p) {
 
 }  // namespace
 
-void SetAutomatic(ProjectKey* key) {
-  key->rate.reset();
-  key->rate_in.reset();
-  key->length_in.reset();
-  key->length_out.reset();
-}
-
 std::vector<std::string> ChosenCurves(const Session& session, const Parameters& p) {
   if (p.has("curves")) return p.names("curves");
   if (session.selected_joints().empty()) return CurveNames(session.project());

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/project/edits/carried_along.h"
+#include "engine/project/edits/keys.h"
 #include "ui/edit/fields/item_fields.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/keys/carried_along.h"
-#include "ui/edit/operators/keys/key_rates.h"
 
 namespace hazumi::edit {
 

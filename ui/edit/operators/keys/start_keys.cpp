@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/project/checks/joint_names.h"
+#include "engine/project/edits/curves.h"
+#include "engine/project/edits/keys.h"
 #include "engine/timeline/curve_track.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/keys/key_rates.h"
-#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 namespace {

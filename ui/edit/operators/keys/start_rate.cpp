@@ -1,19 +1,17 @@
 // How fast the joints of a dynamics region are let go: the rate of the key on its first frame.
 
-#include "ui/edit/operators/keys/start_rate.h"
-
 #include <algorithm>
+
+#include "engine/timeline/region_start.h"
+#include "ui/edit/operators/edits.h"
 
 namespace hazumi::edit {
 
-bool IsTakenOver(const DynamicsRegion& region, JointIndex hinge, const Animation& animation) {
-  return std::any_of(animation.regions.begin(), animation.regions.end(),
-                     [&](const DynamicsRegion& other) {
-                       return other.last_frame == region.first_frame &&
-                              std::binary_search(other.joints.begin(), other.joints.end(), hinge);
-                     });
-}
+namespace {
 
+using enum ParameterKind;
+
+// Returns the key on a frame, or a new one with the value that is seen there.
 Result<ProjectKey> KeyAtStart(const std::string& hinge, int frame, Session* session) {
   const ProjectCurve* curve = FindCurve(hinge, session->project());
   if (const ProjectKey* key = curve ? KeyOn(frame, *curve) : nullptr) return *key;
@@ -25,10 +23,6 @@ Result<ProjectKey> KeyAtStart(const std::string& hinge, int frame, Session* sess
   key.value = ShortestDegrees(at.q[session->figure().FindJoint(hinge)->value()]);
   return key;
 }
-
-namespace {
-
-using enum ParameterKind;
 
 // The region that was found in the project, as it is animated. Errors: the hinge is not in it, or
 // starts as fast as another region leaves it.

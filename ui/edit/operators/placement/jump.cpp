@@ -1,15 +1,7 @@
-// A jump from where the figure stands onto a spot, as ordinary keys: crouch, take-off, apex,
-// landing, and back to how it stood. The feet are pinned until take-off and after the landing; the
-// flight between is gravity's (jump_plan.cpp).
+// Jumps that are made (MakeJump) and aimed (AimJump).
 
-#include <algorithm>
-#include <cmath>
-
+#include "engine/makers/jumps/jumps.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/keys/keyed_moves.h"
-#include "ui/edit/operators/placement/jump_contacts.h"
-#include "ui/edit/operators/placement/jumps.h"
-#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 
@@ -17,113 +9,35 @@ namespace {
 
 using enum ParameterKind;
 
-constexpr double kCrouchSeconds = 0.4, kRiseSeconds = 0.6;
-
-std::optional<Error> CheckFigure(const Figure& figure) {
-  std::vector<std::string> names;
-  for (const auto& [name, hinge] : HingesOfJump()) names.push_back(name);
-  return CheckHinges(names, "jump", figure);
+makers::JumpTarget TargetOf(const Parameters& p) {
+  return {p.maybe_number("x"), p.maybe_number("y"), p.maybe_number("height")};
 }
 
-Stance StanceOf(JumpPhase phase, const Stance& start, const Figure& figure) {
-  Stance stance = start;
-  for (const auto& [name, hinge] : HingesOfJump()) {
-    stance.q[figure.FindJoint(name)->value()] = hinge->angles[phase] * kDegree;
-  }
-  stance.angles[1] = kJumpLean[phase];
-  return stance;
-}
-
-Result<JumpPlan> PlanJump(const Animation& animation, const MotionFrame& now, int frame,
-                          const Vec3& target, double height, const ProjectRoot& root) {
-  const Figure& figure = *animation.figure;
-  Stage stage(animation);
-  JumpPlan plan;
-  plan.start = frame;
-  const auto values = RootValues(now.X_WR, root, frame);
-  plan.before = {now.q, Vec3(values[kRootAngleZ], values[kRootAngleY], values[kRootAngleX])};
-  plan.after = plan.before;
-  plan.root_before = now.X_WR.p;
-  for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    plan.stances[phase] = StanceOf(static_cast<JumpPhase>(phase), plan.before, figure);
-  }
-  const JumpSpots spots = {stage.ToesOf(plan.before, now.X_WR.p), target};
-  const JumpLengths lengths = {FramesOf(kCrouchSeconds, 2, animation),
-                               FramesOf(kRiseSeconds, 3, animation)};
-  const Result<Done> planned = PlanContacts(animation, spots, height, lengths, &stage, &plan);
-  if (!planned.ok()) return planned.error();
-  return plan;
-}
-
-void KeyHinge(const JumpPlan& plan, int hinge, bool bears, ProjectCurve* curve) {
-  const auto angle = [&](const Stance& stance) { return stance.q[hinge] / kDegree; };
-  RemoveKeysIn(plan.start, plan.end, curve);
-  KeyMove(plan.start, angle(plan.before), 0.0, curve);
-  for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    std::optional<double> rate;
-    if (phase == kCrouch || (phase == kAbsorbed && bears)) rate = 0.0;
-    if (plan.rates[phase]) rate = angle(*plan.rates[phase]);
-    KeyMove(plan.frames[phase], angle(plan.stances[phase]), rate, curve);
-  }
-  KeyMove(plan.end, angle(plan.after), 0.0, curve);
-}
-
-void KeyRootAngle(const JumpPlan& plan, int angle, ProjectCurve* curve) {
-  RemoveKeysIn(plan.start, plan.end, curve);
-  KeyMove(plan.start, plan.before.angles[angle], 0.0, curve);
-  for (int phase = 0; phase < kNumJumpPhases; ++phase) {
-    std::optional<double> rate;
-    if (phase == kCrouch || phase == kAbsorbed) rate = 0.0;
-    if (plan.rates[phase]) rate = plan.rates[phase]->angles[angle];
-    KeyMove(plan.frames[phase], plan.stances[phase].angles[angle], rate, curve);
-  }
-  KeyMove(plan.end, plan.after.angles[angle], 0.0, curve);
-}
-
-// Nothing else may move what the jump moves.
-std::optional<Error> CheckFree(const JumpPlan& plan, const Project& project) {
-  for (const ProjectPlacement& span : project.placements) {
-    const bool is_in_way = span.first_frame < plan.end && span.last_frame > plan.start;
-    if (span.kind == PlacementKind::kKeyed || !is_in_way) continue;
-    return Refusal("", "frames " + std::to_string(span.first_frame) + " to " +
-                           std::to_string(span.last_frame) +
-                           " are placed by a pin or by gravity already; jump after them");
-  }
-  return CheckFreeOfRegions(plan.start, plan.end, "jump before or after it", project);
-}
-
-Result<Done> KeyJump(const JumpPlan& plan, const Figure& figure, Project* project) {
-  if (const auto error = CheckFree(plan, *project)) return *error;
-  for (const auto& [name, hinge] : HingesOfJump()) {
-    const Result<ProjectCurve*> curve = CurveNamed(name, figure, project);
-    if (!curve.ok()) return curve.error();
-    KeyHinge(plan, figure.FindJoint(name)->value(), hinge->bears, curve.value());
-  }
-  for (int i = 0; i < 3; ++i) KeyRootAngle(plan, i, &project->root.curves[kRootAngleZ + i]);
-  JumpPins pins;
-  pins.before.kind = pins.after.kind = PlacementKind::kPinned;
-  pins.before.pin = pins.after.pin = kToes[0];
-  return PutJump(plan, std::move(pins), project);
+void Tell(const makers::JumpReport& report, Session* session) {
+  session->Measured("take_off_frame", report.take_off);
+  session->Measured("landing_frame", report.landing);
+  session->Measured("last_frame", report.last);
+  session->Measured("height_m", report.height);
 }
 
 Result<Done> AddJump(Session* session, const Parameters& p) {
   const Result<const MotionFrame*> now = session->FrameNow();
   if (!now.ok()) return now.error();
-  const Figure& figure = session->figure();
-  if (const auto error = CheckFigure(figure)) return *error;
-  const int frame = static_cast<int>(std::lround(session->frame()));
-  const Vec3 ahead = now.value()->X_WR.p + now.value()->X_WR.R * Vec3(0.8, 0.0, 0.0);
-  const Vec3 target(p.number("x", ahead.x()), p.number("y", ahead.y()), 0.0);
-  const auto jump = [&](double height, Project* project) -> Result<Done> {
-    const Result<JumpPlan> plan = PlanJump(*session->animation(), *now.value(), frame, target,
-                                           height, session->project().root);
-    if (!plan.ok()) return plan.error();
-    return KeyJump(plan.value(), figure, project);
-  };
-  return session->Edit(
-      "Add jump",
-      [&](Project* project) { return JumpAsLow(p.maybe_number("height"), jump, project); },
-      p.text("drag"));
+  Result<makers::MadeJump> made =
+      makers::MakeJump(TargetOf(p), *now.value(), *session->animation(), session->project());
+  if (!made.ok()) return made.error();
+  Tell(made.value().report, session);
+  return Put(session, "Add jump", std::move(made.value().project), p.text("drag"));
+}
+
+Result<Done> AimJump(Session* session, const Parameters& p) {
+  const Result<const Motion*> motion = session->WholeMotion();
+  if (!motion.ok()) return motion.error();
+  Result<makers::MadeJump> made = makers::AimJump(
+      TargetOf(p), session->frame(), *session->animation(), *motion.value(), session->project());
+  if (!made.ok()) return made.error();
+  Tell(made.value().report, session);
+  return Put(session, "Aim jump", std::move(made.value().project), p.text("drag"));
 }
 
 }  // namespace

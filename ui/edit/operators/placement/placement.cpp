@@ -23,19 +23,6 @@ Result<T*> EntryAt(const Parameters& p, const std::string& what, std::vector<T>*
                               std::to_string(num) + ", counted from 0");
 }
 
-// Taken out of the way of a new span of placement.
-void MakeRoom(int first, int last, Spans* spans) {
-  Spans kept;
-  for (ProjectPlacement& span : *spans) {
-    ProjectPlacement before = span, after = span;
-    before.last_frame = std::min(span.last_frame, first);
-    after.first_frame = std::max(span.first_frame, last);
-    if (before.first_frame < before.last_frame) kept.push_back(before);
-    if (after.first_frame < after.last_frame) kept.push_back(after);
-  }
-  *spans = std::move(kept);
-}
-
 Result<Done> AddPlacement(Session* session, const Parameters& p) {
   return session->Edit("Place figure", [&](Project* project) -> Result<Done> {
     ProjectPlacement span;
@@ -121,21 +108,6 @@ const ParameterInfo kHold = {"index", kInteger, true, "which of them, counted fr
                              Thing::kHold};
 
 }  // namespace
-
-Result<Done> PutPlacement(ProjectPlacement span, bool is_said,
-                          std::vector<ProjectPlacement>* spans) {
-  if (span.first_frame >= span.last_frame) {
-    return Refusal(
-        "last", "must be later than the first frame, which is " + std::to_string(span.first_frame));
-  }
-  MakeRoom(span.first_frame, span.last_frame, spans);
-  if (!is_said) return Done();
-  const auto later = [](const ProjectPlacement& a, const ProjectPlacement& b) {
-    return a.first_frame < b.first_frame;
-  };
-  spans->insert(std::upper_bound(spans->begin(), spans->end(), span, later), std::move(span));
-  return Done();
-}
 
 std::vector<Operator> PlacementOperators() {
   return {

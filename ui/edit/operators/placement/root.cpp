@@ -8,9 +8,9 @@
 #include "engine/dynamics/kinematics.h"
 #include "engine/placement/contact.h"
 #include "engine/placement/reach.h"
+#include "engine/project/edits/root_values.h"
 #include "ui/edit/operators/edits.h"
 #include "ui/edit/operators/keys/at_frame.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/edit/operators/pose/limb_chain.h"
 #include "ui/edit/operators/pose/turned_hinges.h"
 

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "engine/figure/pose_mirror.h"
+#include "engine/project/edits/root_values.h"
 #include "engine/spatial/euler_angles.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/placement/root_curves.h"
 
 namespace hazumi::edit {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/project/edits/curves.h"
 #include "ui/edit/operators/edits.h"
-#include "ui/edit/operators/placement/root_curves.h"
 #include "ui/edit/operators/pose/flipped_pose.h"
 #include "ui/edit/operators/pose/posed_curves.h"
 

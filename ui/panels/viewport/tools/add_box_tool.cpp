@@ -35,7 +35,7 @@ class AddBoxTool : public DragTool {
  public:
   explicit AddBoxTool(Editor* editor)
       : DragTool(editor, "object.add_box ", false),
-        name_(edit::FreeObjectName("box", editor->session().project())) {}
+        name_(FreeObjectName("box", editor->session().project())) {}
 
   bool aims() const override { return true; }
   std::string hint() const override;

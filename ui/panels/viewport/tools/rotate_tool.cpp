@@ -140,7 +140,7 @@ JointIndex RotateTool::HingeOf(const std::vector<JointIndex>& hinges,
 void RotateTool::AddTurn(Editor* editor, JointIndex hinge, const PosedFigure& figure,
                          const View& view) {
   const Joint& joint = figure.figure().joint(hinge);
-  const double now = edit::WithoutRoundOff(figure.frame().q[hinge.value()] / kDegree);
+  const double now = WithoutRoundOff(figure.frame().q[hinge.value()] / kDegree);
   turns_.push_back({joint.name, now, now, ShortestDegrees(joint.lower),
                     ShortestDegrees(joint.upper), SignOf(hinge, figure, view),
                     figure.frame().in_region[hinge.value()] != 0});

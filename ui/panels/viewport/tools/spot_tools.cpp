@@ -6,9 +6,10 @@
 #include <numbers>
 
 #include "engine/base/filled.h"
-#include "ui/edit/operators/held/holders.h"
-#include "ui/edit/operators/held/throws.h"
-#include "ui/edit/operators/placement/jumps.h"
+#include "engine/makers/jumps/jumps.h"
+#include "engine/makers/throws/throws.h"
+#include "engine/project/edits/holders.h"
+#include "engine/spatial/degrees.h"
 #include "ui/panels/text/number_text.h"
 #include "ui/panels/viewport/hit_test.h"
 #include "ui/panels/viewport/object_actions.h"
@@ -219,7 +220,7 @@ class ThrowTool : public SpotTool {
   static void Warn(const Vec3& ahead, const Vec3& way, Told* told) {
     const double turn = std::remainder(
         std::atan2(way.y(), way.x()) - std::atan2(ahead.y(), ahead.x()), 2.0 * std::numbers::pi);
-    if (std::abs(turn) <= edit::kWidestThrow) return;
+    if (std::abs(turn) <= makers::kWidestThrow) return;
     told->is_caution = true;
     told->text += " " + Filled(Tr("That is %.0f degrees to the side of where the figure faces: "
                                   "turn the figure to it."),
@@ -231,8 +232,8 @@ class ThrowTool : public SpotTool {
 };
 
 bool HasHolder(const ProjectHeldObject& object, const edit::Session& session) {
-  const auto holders = edit::HoldersOf(object, session.project().frames);
-  return edit::HolderAt(static_cast<int>(session.frame()), holders) != nullptr;
+  const auto holders = HoldersOf(object, session.project().frames);
+  return HolderAt(static_cast<int>(session.frame()), holders) != nullptr;
 }
 
 }  // namespace
@@ -254,7 +255,10 @@ Result<Done> TakeThrowTool(Editor* editor) {
                              : Tr("click on what is to be thrown")};
   }
   const int object = static_cast<int>(thrown - all.data());
-  const bool is_made = edit::HasThrow(object, &editor->session());
+  edit::Session& session = editor->session();
+  const Animation* animation = session.animation();
+  const bool is_made =
+      animation && makers::HasThrow(object, session.frame(), *animation, session.project());
   if (!is_made && !HasHolder(*thrown, editor->session())) {
     return Error{ErrorCode::kSchema, "", "",
                  Filled(Tr("no hand has \"%s\" in this frame: click a wrist, then Scene > Pass on "

@@ -1,0 +1,105 @@
+#pragma once
+
+// Internal: the frames of a jump, how the figure stands in each of its phases, and where. The
+// equations are in jump_plan.cpp.
+
+#include <array>
+#include <optional>
+
+#include "engine/base/result.h"
+#include "engine/dynamics/kinematics.h"
+#include "engine/makers/jumps/jump_poses.h"
+#include "engine/makers/jumps/jumps.h"
+#include "engine/project/project.h"
+#include "engine/timeline/animation.h"
+
+namespace hazumi::makers {
+
+inline constexpr const char* kToes[] = {"r_toe", "l_toe"};
+inline constexpr double kStretchSeconds = 0.07;  // of going on to stretch after take-off
+
+// A pose by hinge and the root's orientation.
+struct Stance {
+  VecX q;       // [rad]
+  Vec3 angles;  // of the root: z, y, x [degrees]
+};
+
+// A stance after so many seconds at these rates.
+inline Stance Going(const Stance& stance, double seconds, const Stance& rates) {
+  return {stance.q + seconds * rates.q, stance.angles + seconds * rates.angles};
+}
+
+// Every hinge that a jump keys, by its name in the figure.
+std::vector<std::pair<std::string, const JumpHinge*>> HingesOfJump();
+
+// Stances of a figure, put onto the scene. The animation must outlive it.
+class Stage {
+ public:
+  explicit Stage(const Animation& animation);
+
+  // Returns the place of the root where the middle of the toes is above `spot` and the figure, come
+  // down from above, touches the scene [m]. Errors: kSchema if there is nothing to stand on.
+  Result<Vec3> RootOn(const Stance& stance, const Vec3& spot);
+  Vec3 ComOf(const Stance& stance, const Vec3& root);
+  // Returns the middle of the toes.
+  Vec3 ToesOf(const Stance& stance, const Vec3& root);
+  // Returns the CoM if the middle of the toes is there.
+  Vec3 ComOver(const Vec3& toes, const Stance& stance);
+
+ private:
+  void Place(const Stance& stance, const Vec3& root);
+  Vec3 Toes() const;
+
+  const Animation& animation_;
+  const Figure& figure_;
+  DynamicsWorkspace ws_;
+};
+
+using JumpFrames = std::array<int, kNumJumpPhases>;
+using JumpStances = std::array<Stance, kNumJumpPhases>;
+
+// Which frame each phase is on, and where the root is.
+struct JumpPlan {
+  int start = 0, end = 0;
+  JumpFrames frames{};
+  JumpStances stances;
+  std::array<Vec3, kNumJumpPhases> roots;
+  Stance before, after;          // how it stands on the first and on the last frame
+  Vec3 root_before, root_after;  // and where
+  // Rates of the stances at take-off and landing, per second; others have none.
+  std::array<std::optional<Stance>, kNumJumpPhases> rates;
+};
+
+JumpReport ReportOf(const JumpPlan& plan, double height);
+
+// Durations of a jump besides its stretch, its flight and its landing.
+struct JumpLengths {
+  int crouch = 0, rise = 0;  // frames to the crouch, and from the lowest pose until it stands
+};
+
+// Places of the middle of its toes until take-off, and from the landing on [m].
+struct JumpSpots {
+  Vec3 from, onto;
+};
+
+// Sets the roots of a plan with its stances. Errors: kSchema if there is nothing to stand on.
+Result<Done> SetRoots(const JumpSpots& spots, Stage* stage, JumpPlan* plan);
+// Sets the frames of a plan with its roots, for an apex so high above take-off [m]. Errors:
+// kSchema.
+Result<Done> SetTimes(const Animation& animation, double height, const JumpLengths& lengths,
+                      Stage* stage, JumpPlan* plan);
+
+// Whether every hinge that bears a jump has a key on this frame.
+bool HasPose(int frame, const Project& project);
+// Whether the keys on these frames say how fast it takes off and lands.
+bool HasContacts(const JumpFrames& frames, const Project& project);
+
+// The pins on which a jump stands before and after its flight; their frames are the plan's.
+struct JumpPins {
+  ProjectPlacement before, after;
+};
+// Keys where the root is (not its angles), and gives the flight to gravity. Nothing else places the
+// figure then.
+Result<Done> PutJump(const JumpPlan& plan, JumpPins pins, Project* project);
+
+}  // namespace hazumi::makers

@@ -1,0 +1,132 @@
+#pragma once
+
+// The kinds of items of a project: entries of its lists that have an identity. A kind is declared
+// once, here; who handles all kinds (ids, undo's changed frames, what keys carry along, options of
+// forms) goes through ForEachItemList.
+
+#include <tuple>
+#include <type_traits>
+
+#include "engine/project/fields/field.h"
+#include "engine/project/project.h"
+
+namespace hazumi {
+
+// Declaration of a kind: the operator that changes an item and its parameter that says which, what
+// parameters name, and the list in a file and in a project. An item with first_frame and last_frame
+// is a span; an item of another kind has the frames that ForEachFrame visits.
+template <typename Item>
+struct ItemKind;
+
+template <>
+struct ItemKind<ProjectRegion> {
+  static constexpr const char* kSet = "region.set";
+  static constexpr const char* kParameter = "region";
+  static constexpr Thing kThing = Thing::kRegion;
+  static constexpr const char* kList = "regions";
+  static auto& In(auto& project) { return project.regions; }
+};
+template <>
+struct ItemKind<ProjectPlacement> {
+  static constexpr const char* kSet = "placement.edit";
+  static constexpr const char* kParameter = "index";
+  static constexpr Thing kThing = Thing::kPlacement;
+  static constexpr const char* kList = "placements";
+  static auto& In(auto& project) { return project.placements; }
+};
+template <>
+struct ItemKind<ProjectHold> {
+  static constexpr const char* kSet = "hold.set";
+  static constexpr const char* kParameter = "index";
+  static constexpr Thing kThing = Thing::kHold;
+  static constexpr const char* kList = "holds";
+  static auto& In(auto& project) { return project.holds; }
+};
+template <>
+struct ItemKind<ProjectHeldObject> {
+  static constexpr const char* kSet = "held.set";
+  static constexpr const char* kParameter = "object";
+  static constexpr Thing kThing = Thing::kHeldObject;
+  static constexpr const char* kList = "held_objects";
+  static auto& In(auto& project) { return project.held_objects; }
+  // Frames in which the object is taken and let go.
+  static void ForEachFrame(auto& object, auto&& action) {
+    if (object.release_frame) action(*object.release_frame);
+    for (auto& holder : object.holders) {
+      action(holder.first_frame);
+      if (holder.last_frame) action(*holder.last_frame);
+    }
+  }
+};
+template <>
+struct ItemKind<ProjectSceneObject> {
+  static constexpr const char* kSet = "object.set";
+  static constexpr const char* kParameter = "object";
+  static constexpr Thing kThing = Thing::kObject;
+  static constexpr const char* kList = "scene.objects";
+  static auto& In(auto& project) { return project.scene.objects; }
+  static void ForEachFrame(auto&, auto&&) {}
+};
+template <>
+struct ItemKind<ProjectMarker> {
+  static constexpr const char* kSet = "";
+  static constexpr const char* kParameter = "index";
+  static constexpr Thing kThing = Thing::kMarker;
+  static constexpr const char* kList = "markers";
+  static auto& In(auto& project) { return project.markers; }
+  static void ForEachFrame(auto& marker, auto&& action) { action(marker.frame); }
+};
+template <>
+struct ItemKind<ProjectForce> {
+  static constexpr const char* kSet = "force.set";
+  static constexpr const char* kParameter = "force";
+  static constexpr Thing kThing = Thing::kForce;
+  static constexpr const char* kList = "forces";
+  static auto& In(auto& project) { return project.forces; }
+};
+template <>
+struct ItemKind<ProjectConstraint> {
+  static constexpr const char* kSet = "constraint.set";
+  static constexpr const char* kParameter = "constraint";
+  static constexpr Thing kThing = Thing::kConstraint;
+  static constexpr const char* kList = "constraints";
+  static auto& In(auto& project) { return project.constraints; }
+};
+
+using ItemTypes = std::tuple<ProjectRegion, ProjectPlacement, ProjectHold, ProjectHeldObject,
+                             ProjectSceneObject, ProjectMarker, ProjectForce, ProjectConstraint>;
+
+// Calls action(kind, list of each project ...) for each kind; `kind` is an ItemKind<Item>.
+template <typename Action, typename... Projects>
+void ForEachItemList(Action&& action, Projects&... projects) {
+  const auto each = [&]<typename Item>(const Item*) {
+    action(ItemKind<Item>(), ItemKind<Item>::In(projects)...);
+  };
+  const auto all = [&]<typename... Items>(const std::tuple<Items...>*) {
+    (each(static_cast<const Items*>(nullptr)), ...);
+  };
+  all(static_cast<const ItemTypes*>(nullptr));
+}
+
+// An item that messages and parameters call by a name of its own; others go by their number.
+template <typename Item>
+concept HasUniqueName = requires(Item item) {
+  item.name;
+}
+&&!std::is_same_v<Item, ProjectMarker>;
+
+// An item from a first to a last frame, half open.
+template <typename Item>
+concept SpanItem = requires(Item item) {
+  item.first_frame;
+  item.last_frame;
+  requires !requires { item.last_frame.has_value(); };
+};
+// Whether its first frame alone counts.
+template <SpanItem Item>
+bool IsOneFrame(const Item& item) {
+  if constexpr (std::is_same_v<Item, ProjectForce>) return item.kind == ForceKind::kPush;
+  return false;
+}
+
+}  // namespace hazumi

@@ -1,0 +1,187 @@
+// Makers: what they report is what the project that they make does, and nothing else decides.
+
+#include <algorithm>
+
+#include "engine/bake/bake.h"
+#include "engine/makers/flights/flights.h"
+#include "engine/makers/jumps/jumps.h"
+#include "engine/makers/throws/throws.h"
+#include "engine/makers/trial_bakes.h"
+#include "engine/project/compile.h"
+#include "tests/unit/edit/placement/keyed_jump.h"
+#include "tests/unit/edit/sessions.h"
+
+namespace hazumi::test {
+namespace {
+
+using edit::Session;
+
+// A project with its animation and motion.
+struct Baked {
+  explicit Baked(Project of) : project(std::move(of)) {
+    Result<Compiled> compiled = CompileAnimation(project);
+    EXPECT_TRUE(compiled.ok());
+    animation = std::move(compiled.value().animation);
+    Result<Motion> baked = Bake(animation);
+    EXPECT_TRUE(baked.ok());
+    motion = std::move(baked).value();
+  }
+  Project project;
+  Animation animation;
+  Motion motion;
+};
+
+Baked Standing() { return Baked(Session().project()); }
+
+Baked WithBall() {
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
+  return Baked(session.project());
+}
+
+template <typename T>
+const T& Good(const Result<T>& result) {
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().ToString());
+  return result.value();
+}
+
+TEST(MakeJump, ReportsTheFramesAndTheRiseOfItsMotion) {
+  const Baked start = Standing();
+  const auto made = makers::MakeJump({0.9, 0.0, 0.4}, start.motion.frames.front(), start.animation,
+                                     start.project);
+  const makers::JumpReport& report = Good(made).report;
+  const Baked jump(made.value().project);
+  const auto& spans = jump.project.placements;
+  ASSERT_EQ(spans.size(), 3u);
+  EXPECT_EQ(report.first, spans[0].first_frame);
+  EXPECT_EQ(report.take_off, spans[0].last_frame);
+  EXPECT_EQ(report.landing, spans[2].first_frame);
+  EXPECT_EQ(report.last, spans[2].last_frame);
+  double highest = 0.0;
+  for (const MotionFrame& frame : jump.motion.frames) {
+    highest = std::max(highest, frame.com.z());
+  }
+  // The flight is a whole number of frames, and its apex lies between two.
+  EXPECT_NEAR(highest - jump.motion.frames[static_cast<size_t>(report.take_off)].com.z(),
+              report.height, 0.06);
+}
+
+TEST(MakeJump, IsAsLowAsItGetsThereIfNoHeightIsGiven) {
+  const Baked start = Standing();
+  const MotionFrame& now = start.motion.frames.front();
+  const auto low = makers::MakeJump({2.4, 0.0, {}}, now, start.animation, start.project);
+  const double height = Good(low).report.height;
+  ASSERT_GT(height, 0.16);  // the lowest that is tried is 0.15
+  EXPECT_FALSE(
+      makers::MakeJump({2.4, 0.0, height - 0.05}, now, start.animation, start.project).ok());
+  const auto as_high = makers::MakeJump({2.4, 0.0, height}, now, start.animation, start.project);
+  EXPECT_EQ(Good(as_high).project, low.value().project);
+}
+
+TEST(AimJump, OntoWhereItLandsLeavesItWhereItWas) {
+  const Baked start = Standing();
+  const auto made = makers::MakeJump({0.9, 0.0, 0.4}, start.motion.frames.front(), start.animation,
+                                     start.project);
+  const Baked jump(Good(made).project);
+  const auto aimed = makers::AimJump({{}, {}, 0.4}, made.value().report.take_off, jump.animation,
+                                     jump.motion, jump.project);
+  const makers::JumpReport &before = made.value().report, &after = Good(aimed).report;
+  EXPECT_EQ(after.take_off, before.take_off);
+  EXPECT_EQ(after.landing, before.landing);
+  EXPECT_EQ(makers::AimJump({}, before.last, jump.animation, jump.motion, jump.project).ok(),
+            false);
+}
+
+TEST(MakeThrow, ReportsWhenAndHowFastTheBallIsLetGo) {
+  constexpr double kRadius = 0.037, g = 9.81;
+  const Baked start = WithBall();
+  const Vec3 spot(2.0, 0.3, 0.0);
+  const auto made =
+      makers::MakeThrow({0, spot, {}}, start.motion.frames.front(), start.animation, start.project);
+  const makers::ThrowReport& report = Good(made).report;
+  const Baked thrown(made.value().project);
+  EXPECT_EQ(report.release, thrown.project.held_objects[0].release_frame);
+  EXPECT_EQ(report.region, thrown.project.regions.back().name);
+  EXPECT_GT(report.work, 0.0);
+  const auto ball = [&](int frame) {
+    return thrown.motion.frames[static_cast<size_t>(frame)].objects[0].X_WO.p;
+  };
+  const double dt = thrown.motion.rate.SecondsAt(1);
+  const Vec3 velocity =
+      (ball(report.release + 1) - ball(report.release)) / dt + Vec3(0.0, 0.0, 0.5 * g * dt);
+  EXPECT_LT((velocity - report.velocity).norm(), 1e-3);  // keys are rounded
+  EXPECT_LT((ball(report.down) - spot - kRadius * Vec3::UnitZ()).norm(), 1e-9);
+}
+
+TEST(AimThrow, IsFoundByHasThrowAloneOnceItIsThrown) {
+  const Baked held = WithBall();
+  EXPECT_FALSE(makers::HasThrow(0, 0.0, held.animation, held.project));
+  EXPECT_FALSE(
+      makers::AimThrow({0, Vec3(2.0, 0.0, 0.0), {}}, 0.0, held.animation, held.motion, held.project)
+          .ok());
+  const auto made = makers::MakeThrow({0, Vec3(2.0, 0.3, 0.0), {}}, held.motion.frames.front(),
+                                      held.animation, held.project);
+  const Baked thrown(Good(made).project);
+  EXPECT_TRUE(makers::HasThrow(0, 0.0, thrown.animation, thrown.project));
+  const Vec3 other(2.6, 0.0, 0.0);
+  const auto aimed =
+      makers::AimThrow({0, other, {}}, 0.0, thrown.animation, thrown.motion, thrown.project);
+  const Baked again(Good(aimed).project);
+  const Vec3 lies =
+      again.motion.frames[static_cast<size_t>(aimed.value().report.down)].objects[0].X_WO.p;
+  EXPECT_LT((lies - other).head<2>().norm(), 1e-9);
+}
+
+TEST(MakeFlight, ReportsTheSpeedWithWhichGravityTakesOver) {
+  Session session;
+  KeyJump(7.0, &session);
+  const makers::FlightSpan span = {kJumpTakeOff + 1, kJumpLanding - 1};
+  const auto made = makers::MakeFlight(span, session.project());
+  const makers::FlightReport& report = Good(made).report;
+  EXPECT_GE(report.trials, 1);
+  const Baked flown(made.value().project);
+  const MotionFrame& first = flown.motion.frames[static_cast<size_t>(report.by_gravity)];
+  EXPECT_LT((first.after.root_v - report.root_velocity).norm(), 1e-9);
+  EXPECT_EQ(flown.project.placements.back().first_frame, report.by_gravity);
+}
+
+TEST(MakeFlight, RefusesAFlightOfTwoFramesAndOneBeyondTheProject) {
+  Session session;
+  KeyJump(7.0, &session);
+  EXPECT_FALSE(makers::MakeFlight({5, 6}, session.project()).ok());
+  EXPECT_FALSE(makers::MakeFlight({5, 100000}, session.project()).ok());
+}
+
+// The window and a script find the same project as whoever calls the maker.
+TEST(Makers, AnOperatorPutsTheProjectOfItsMaker) {
+  const Baked start = WithBall();
+  const MotionFrame& now = start.motion.frames.front();
+  Session session;
+  Do(&session, "held.add_ball", {{"joint", "r_wrist"}});
+  Do(&session, "throw.add", {{"object", "ball"}, {"x", 2.0}, {"y", 0.3}});
+  const auto thrown =
+      makers::MakeThrow({0, Vec3(2.0, 0.3, 0.0), {}}, now, start.animation, start.project);
+  EXPECT_EQ(session.project(), Good(thrown).project);
+  Do(&session, "edit.undo");
+  Do(&session, "jump.add", {{"x", 0.9}, {"y", 0.0}});
+  const auto jumped = makers::MakeJump({0.9, 0.0, {}}, now, start.animation, start.project);
+  EXPECT_EQ(session.project(), Good(jumped).project);
+}
+
+TEST(TrialBakes, BakeAsBakeDoesAndEndWithTheirError) {
+  const Baked start = Standing();
+  makers::TrialBakes trials(1e300, {ErrorCode::kInterrupted, "", "here", "enough"});
+  const int last = start.animation.last_frame;
+  const auto first = trials.BakeTo(last, start.animation);
+  EXPECT_EQ(Good(first)->frames.back().q, start.motion.frames.back().q);
+  const double work = trials.work();
+  Good(trials.BakeTo(last, start.animation));
+  EXPECT_GT(trials.work(), work);
+  trials.LeaveWork(0.0);
+  const auto after = trials.BakeTo(last, start.animation);
+  ASSERT_FALSE(after.ok());
+  EXPECT_EQ(after.error().place, "here");
+}
+
+}  // namespace
+}  // namespace hazumi::test
