@@ -111,17 +111,13 @@ inline auto MembersOf(const AccelerateIsland& request) {
 using IslandRequest = std::variant<BeginIsland, DriveIsland, AdvanceIsland, SolveIsland,
                                    SampleIsland, MeasureIsland, AccelerateIsland>;
 
-// How far it got, what it hit on the way, and why it cannot go on, if so.
+// How far it got, what happened on the way, and why it cannot go on, if so.
 struct IslandProgress {
   double time = 0.0, step_start = 0.0;  // end and start of its last step [s]
   std::optional<ExactFailure> failure;
-  double microseconds = 0.0;  // that it took
-  std::vector<LimitHit> hits;
-  std::vector<ConstraintBreak> breaks = {};       // by index of the task's constraints
+  double microseconds = 0.0;                      // that it took
   std::optional<double> time_stepping_from = {};  // as ExactSolver [s]
-  std::vector<TouchDown> touches = {};
-  ImpactWork impacts = {};
-  std::vector<EventMark> marks = {};
+  IslandEvents events = {};
 };
 
 // Fewer times than asked for where it could not go on.

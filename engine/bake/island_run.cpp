@@ -118,16 +118,8 @@ IslandResult IslandRun::Do(const AccelerateIsland& request) {
 }
 
 IslandProgress IslandRun::Progress(const std::optional<ExactFailure>& failure) {
-  return {solver_.time(),
-          solver_.step_start(),
-          failure,
-          0.0,
-          solver_.TakeHits(),
-          solver_.TakeBreaks(),
-          solver_.time_stepping_from(),
-          solver_.TakeTouches(),
-          solver_.TakeImpactWork(),
-          solver_.TakeMarks()};
+  return {solver_.time(),      solver_.step_start(), failure, 0.0, solver_.time_stepping_from(),
+          solver_.TakeEvents()};
 }
 
 void IslandRun::Sample(double t, Gaps gaps, IslandSamples* samples) {

@@ -74,13 +74,16 @@ void IslandSolution::TakeProgress(const IslandProgress& progress) {
   time_ = progress.time;
   step_start_ = progress.step_start;
   microseconds_ += progress.microseconds;
-  hits_.insert(hits_.end(), progress.hits.begin(), progress.hits.end());
-  touches_.insert(touches_.end(), progress.touches.begin(), progress.touches.end());
-  impacts_.Add(progress.impacts);
-  for (const EventMark& mark : progress.marks) trail_.Add(mark);
-  breaks_.insert(breaks_.end(), progress.breaks.begin(), progress.breaks.end());
+  events_.Append(progress.events);
+  for (const EventMark& mark : std::exchange(events_.marks, {})) trail_.Add(mark);
   time_stepping_from_ = progress.time_stepping_from;
   if (progress.failure) failure_ = progress.failure;
+}
+
+IslandEvents IslandSolution::TakeEvents() {
+  IslandEvents events = std::exchange(events_, {});
+  events_.impacts = std::exchange(events.impacts, {});
+  return events;
 }
 
 void IslandSolution::TakeAhead(const IslandResult& result) {

@@ -79,16 +79,12 @@ class IslandSolution {
   std::vector<SpentDrive> SpentDrives(double t) {
     return answers_.Ask(AccelerateIsland{t}).instant.spent;
   }
-  // Breaks since the last call.
-  std::vector<ConstraintBreak> TakeBreaks() { return std::exchange(breaks_, {}); }
-  // Hits since the last call.
-  std::vector<LimitHit> TakeHits() { return std::exchange(hits_, {}); }
-  // Touch-downs since the last call.
-  std::vector<TouchDown> TakeTouches() { return std::exchange(touches_, {}); }
+  // Returns the events since the last call, without marks and the work of impacts.
+  IslandEvents TakeEvents();
+  // Returns the work of impacts since the last call.
+  ImpactWork TakeImpactWork() { return std::exchange(events_.impacts, {}); }
   // All events since the beginning.
   const EventTrail& trail() const { return trail_; }
-  // Work of impacts since the last call.
-  ImpactWork TakeImpactWork() { return std::exchange(impacts_, {}); }
 
   long evaluations() const { return answers_.evaluations(); }
   long steps() const { return answers_.steps(); }
@@ -109,11 +105,8 @@ class IslandSolution {
   double time_ = 0.0, step_start_ = 0.0;
   std::optional<ExactFailure> failure_;
   std::optional<double> time_stepping_from_;
-  std::vector<LimitHit> hits_;
-  std::vector<TouchDown> touches_;
-  ImpactWork impacts_;
+  IslandEvents events_;  // not taken yet
   EventTrail trail_;
-  std::vector<ConstraintBreak> breaks_;
   // What was looked ahead to, null if nothing was, and the samples there.
   double ahead_end_ = 0.0;
   std::shared_ptr<const std::vector<double>> times_;

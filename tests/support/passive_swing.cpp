@@ -86,7 +86,7 @@ Course SwingExactly(const Release& release, double tolerance, long most_steps) {
   }
   course.finished = good && solver.time() >= release.seconds;
   course.evaluations = dynamics.evaluations();
-  course.hits = solver.TakeHits();
+  course.hits = solver.TakeEvents().hits;
   return course;
 }
 

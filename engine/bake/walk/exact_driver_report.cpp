@@ -44,64 +44,36 @@ std::string CauseOf(const ExactFailure& failure, const Animation& animation,
 void ExactDriver::LeaveControl(Island* island) {
   if (!island->has_control) return;
   island->has_control = false;
-  const double t = island->solution.time_stepping_from().value_or(island->solution.time());
-  for (const Coordinate c : island->solution.hinges()) {
-    double& from = estimated_[region_of_[c]].time_stepping_from;
-    from = std::min(from, t);
-  }
-}
-
-void ExactDriver::NoteBranches(const Island& island, double t) {
-  const std::optional<double> from =
-      EventTrail::Part(island.solution.trail(), island.control.trail(), t);
-  if (!from) return;
-  for (const Coordinate c : island.solution.hinges()) {
-    double& first = estimated_[region_of_[c]].branches_from;
-    first = std::min(first, *from);
-  }
+  estimates_.NoteTimeStepping(
+      island->solution.hinges(),
+      island->solution.time_stepping_from().value_or(island->solution.time()));
 }
 
 void ExactDriver::Estimate(double t) {
-  const int n = figure_.num_joints() + kRootAngles;
+  const int n = regions_.num_coordinates();
   RotationState state{VecX(n), VecX(n), {}}, control = state;
   Sample(t, &state);
   SampleControl(t, &control);
-  std::vector<double> errors(active_.size(), 0.0);
+  std::vector<double> errors(regions_.size(), 0.0);
   for (const Island& island : islands_) {
     if (!island.has_control) continue;
-    NoteBranches(island, t);
-    const VecX distances = island.solution.Distances(state, control);
     const auto& hinges = island.solution.hinges();
+    if (const auto from = EventTrail::Part(island.solution.trail(), island.control.trail(), t)) {
+      estimates_.NoteBranches(hinges, *from);
+    }
+    const VecX distances = island.solution.Distances(state, control);
     for (size_t i = 0; i < hinges.size(); ++i) {
-      double& error = errors[region_of_[hinges[i]]];
+      double& error = errors[regions_.PlaceOf(hinges[i])];
       error = std::max({error, island.solution.step_tolerance(), kEstimateShare * distances[i]});
     }
   }
-  for (size_t a = 0; a < active_.size(); ++a) {
-    const DynamicsRegion& region = animation_.regions[active_[a]];
-    Estimated& estimated = estimated_[a];
-    estimated.error = std::max(estimated.error, errors[a]);
-    estimated.is_beyond |= errors[a] > region.tolerance.value_or(animation_.solver.tolerance);
-    if (!estimated.is_beyond) {
-      estimated.within = estimated.error;
-      estimated.within_until = t;
-    }
-  }
-}
-
-ExactDriver::RegionEstimate ExactDriver::EstimateOf(size_t region) const {
-  const Estimated& estimated = estimated_[region];
-  if (estimated.is_beyond && std::isfinite(estimated.time_stepping_from)) {
-    return {estimated.within, std::min(estimated.within_until, estimated.time_stepping_from),
-            estimated.branches_from};
-  }
-  return {estimated.error, estimated.time_stepping_from, estimated.branches_from};
+  estimates_.Add(t, errors);
 }
 
 std::vector<ExactDriver::SpentSpring> ExactDriver::SpentSprings(double t) {
   std::vector<SpentSpring> all;
+  if (!regions_.has_drives()) return all;
   for (Island& island : islands_) {
-    if (drives_.empty()) break;
     for (const SpentDrive& drive : island.solution.SpentDrives(t)) {
       all.push_back({JointIndex(island.solution.hinges()[drive.hinge]), drive});
     }
@@ -122,9 +94,9 @@ std::optional<ExactDriver::Failure> ExactDriver::FirstFailure() const {
   }
   if (!first) return std::nullopt;
   const Coordinate c = first->hinges()[first->failure()->hinge];
-  const bool is_joint = c < figure_.num_joints();
+  const bool is_joint = c < regions_.figure().num_joints();
   return Failure{is_joint ? JointIndex(c) : JointIndex(),
-                 CauseOf(*first->failure(), animation_, of->held.indices, first->work()),
+                 CauseOf(*first->failure(), regions_.animation(), of->held.indices, first->work()),
                  first->time()};
 }
 
@@ -137,7 +109,7 @@ std::vector<int> ExactDriver::constraints() const {
 }
 
 std::vector<ConstraintPush> ExactDriver::ConstraintPushes(double t) {
-  std::vector<ConstraintPush> all(animation_.constraints.size());
+  std::vector<ConstraintPush> all(regions_.animation().constraints.size());
   for (Island& island : islands_) {
     const IslandConstraints& held = island.held;
     if (held.indices.empty()) continue;
@@ -151,54 +123,43 @@ std::vector<ConstraintPush> ExactDriver::ConstraintPushes(double t) {
   return all;
 }
 
-std::vector<ConstraintBreak> ExactDriver::TakeBreaks() {
-  std::vector<ConstraintBreak> breaks;
+ExactDriver::Events ExactDriver::TakeEvents() {
+  Events events;
   for (Island& island : islands_) {
-    for (const ConstraintBreak& of : island.solution.TakeBreaks()) {
-      breaks.push_back({island.held.indices[of.constraint], of.time});
-      broken_.push_back(breaks.back().constraint);
-    }
-  }
-  return breaks;
-}
-
-std::vector<ExactDriver::Hit> ExactDriver::TakeHits() {
-  std::vector<Hit> hits;
-  for (Island& island : islands_) {
-    for (const LimitHit& hit : island.solution.TakeHits()) {
+    const IslandEvents of_island = island.solution.TakeEvents();
+    for (const LimitHit& hit : of_island.hits) {
       const Coordinate c = island.solution.hinges()[hit.hinge];
-      hits.push_back({hit.time, hit.last_time, hit.count, c});
+      events.hits.push_back({hit.time, hit.last_time, hit.count, c});
+    }
+    events.touches.insert(events.touches.end(), of_island.touches.begin(), of_island.touches.end());
+    for (const ConstraintBreak& of : of_island.breaks) {
+      events.breaks.push_back({island.held.indices[of.constraint], of.time});
+      broken_.push_back(events.breaks.back().constraint);
     }
   }
-  return hits;
-}
-
-std::vector<TouchDown> ExactDriver::TakeTouches() {
-  std::vector<TouchDown> touches;
-  for (Island& island : islands_) {
-    const std::vector<TouchDown> of_island = island.solution.TakeTouches();
-    touches.insert(touches.end(), of_island.begin(), of_island.end());
-  }
-  return touches;
+  return events;
 }
 
 void ExactDriver::ExchangeLoose(const std::vector<LooseObject>& before,
                                 const std::vector<LooseObject>& now) {
+  const Animation& animation = regions_.animation();
   const auto energy_of = [&](const std::vector<LooseObject>& balls,
                              const std::vector<LooseObject>& others) {
-    return EnergyOfBalls(animation_.held_objects, balls, others, animation_.gravity);
+    return EnergyOfBalls(animation.held_objects, balls, others, animation.gravity);
   };
   energy_.Exchange(energy_of(before, now), energy_of(now, before));
 }
 
 SceneContacts ExactDriver::ContactsAt(double t) {
   SceneContacts contacts;
-  if (!has_contacts_) return contacts;
+  if (!regions_.has_contacts()) return contacts;
   for (Island& island : islands_) {
     const std::vector<ContactPush> of_island = island.solution.ContactPushes(t);
     contacts.pushes.insert(contacts.pushes.end(), of_island.begin(), of_island.end());
   }
-  for (const Link& link : figure_.links()) contacts.is_known.push_back(Touches(link.joint));
+  for (const Link& link : regions_.figure().links()) {
+    contacts.is_known.push_back(regions_.Touches(link.joint));
+  }
   return contacts;
 }
 
@@ -227,7 +188,7 @@ JointIndex ExactDriver::CostliestJoint() const {
     const Coordinate first = island.solution.hinges().front();
     if (work.total() <= most) continue;
     most = work.total();
-    costliest = first < figure_.num_joints() ? JointIndex(first) : JointIndex();
+    costliest = first < regions_.figure().num_joints() ? JointIndex(first) : JointIndex();
   }
   return costliest;
 }

@@ -41,9 +41,9 @@ void ExactWalk::Begin(const std::vector<int>& regions, int /*frame*/) {
   curves_.SetRegions(regions);
   arrivals_.Forget();
   DropDriver();
-  driver_ = std::make_unique<ExactDriver>(context_.animation, context_.poses.figure(), regions,
-                                          context_.starts, refinements_.SharpnessOf(regions),
-                                          context_.now.broken, known_, pool_);
+  driver_ = std::make_unique<ExactDriver>(
+      ActiveRegions(context_.animation, context_.poses.figure(), regions, context_.starts),
+      refinements_.SharpnessOf(regions), context_.now.broken, known_, pool_);
   has_begun_ = false;
 }
 
@@ -119,9 +119,9 @@ Result<int> ExactWalk::Advance(int frame) {
 // Returns an error where a finer solution does not exist; the refinement is then abandoned.
 std::optional<Error> ExactWalk::EstimateAt(int frame) {
   driver_->Estimate(context_.Seconds(frame));
-  for (size_t a = 0; a < driver_->active().size(); ++a) {
-    refinements_.Note(driver_->active()[a], frame, driver_->LargestEstimateOf(a),
-                      driver_->active());
+  const std::vector<int>& active = driver_->regions().indices();
+  for (size_t a = 0; a < active.size(); ++a) {
+    refinements_.Note(active[a], frame, driver_->estimates().LargestOf(a), active);
   }
   if (!refinements_.is_no_help()) return std::nullopt;
   return Error{ErrorCode::kInterrupted, "", "", "finer steps do not help"};
@@ -138,11 +138,11 @@ void ExactWalk::Drive(double frame, double to, const Vec3& pin_velocity) {
   if (!driver_) return;
   const double end = context_.Seconds(to);
   const bool goes_on = has_begun_ && pin_velocity.isZero(0.0);
-  if (!goes_on && driver_->places_root()) {
+  if (!goes_on && driver_->regions().places_root()) {
     context_.poses.placement().LeaveToContacts(context_.Seconds(frame), context_.now);
   }
   const std::vector<LooseObject> loose_before = context_.now.loose;
-  if (!goes_on && driver_->has_contacts()) {
+  if (!goes_on && driver_->regions().has_contacts()) {
     LetLooseFly(context_.Seconds(frame));
     context_.now.loose = context_.poses.objects().LooseAt(frame);
   }
@@ -166,7 +166,7 @@ void ExactWalk::LetLooseFly(double seconds) {
 
 // Control solutions go on from where they were; others begin with the solution.
 RotationState ExactWalk::ControlStart(const RotationState& state) {
-  for (size_t c = 0; c < has_control_.size(); ++c) has_control_[c] &= driver_->is_free(c);
+  for (size_t c = 0; c < has_control_.size(); ++c) has_control_[c] &= driver_->regions().is_free(c);
   return WithControl(state);
 }
 
@@ -183,7 +183,7 @@ RotationState ExactWalk::WithControl(RotationState state) const {
 void ExactWalk::KeepControl(double frame) {
   driver_->SampleControl(context_.Seconds(frame), &control_);
   for (size_t c = 0; c < has_control_.size(); ++c) {
-    has_control_[c] = driver_->is_free(static_cast<int>(c));
+    has_control_[c] = driver_->regions().is_free(static_cast<int>(c));
   }
 }
 
@@ -192,7 +192,8 @@ std::optional<Error> ExactWalk::AdvancePiece(double from, double to, double end)
   const bool falls = context_.poses.placement().is_ballistic();
   const bool accounts = driver_ && context_.options.energy;
   const bool is_bounded = std::isfinite(context_.options.most_work);  // work is checked by steps
-  const bool looks_on = falls || accounts || is_bounded || (driver_ && driver_->has_contacts()) ||
+  const bool looks_on = falls || accounts || is_bounded ||
+                        (driver_ && driver_->regions().has_contacts()) ||
                         context_.options.accelerations || !context_.animation.constraints.empty();
   if (driver_ && !looks_on) return AdvanceUndisturbed(from, to, end);
   const double last = context_.Seconds(to);
@@ -248,7 +249,7 @@ std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, d
   const auto failure = driver_->AdvanceAhead(times, context_.Seconds(to), context_.options.cancel);
   if (auto error = context_.CheckCancelled()) return error;
   const double reached = failure ? failure->time : context_.Seconds(to);
-  AddHits(reached);
+  AddEvents(reached);
   if (auto error = RecordUpTo(from, std::min(next, FrameOf(reached, from, to)), end)) return error;
   if (!failure) return CheckWork(context_.animation.rate.FrameAt(reached));
   return CannotGoOnAfter(context_.animation.rate.FrameAt(reached), failure->joint, failure->cause);
@@ -256,9 +257,7 @@ std::optional<Error> ExactWalk::AdvanceAhead(const std::vector<double>& times, d
 
 std::optional<Error> ExactWalk::AdvanceRegions(double t, double last) {
   const auto failure = driver_->Advance(t, last);
-  AddHits(last);
-  AddTouches();
-  AddBreaks();
+  AddEvents(last);
   if (!failure) return std::nullopt;
   return CannotGoOnAfter(context_.animation.rate.FrameAt(t), failure->joint, failure->cause);
 }
@@ -275,7 +274,8 @@ SceneContacts ExactWalk::ContactsThere() {
 
 void ExactWalk::RecordPushes(int output, double t) {
   if (!driver_ || !context_.recorder.keeps_frames()) return;
-  if (driver_->has_contacts()) context_.recorder.SetContacts(output, driver_->ContactsAt(t));
+  if (driver_->regions().has_contacts())
+    context_.recorder.SetContacts(output, driver_->ContactsAt(t));
   if (context_.animation.constraints.empty()) return;
   context_.recorder.SetConstraintPushes(output, driver_->ConstraintPushes(t));
 }
@@ -317,8 +317,8 @@ void ExactWalk::PoseWithoutPlace(double frame, double seconds, Side side, Gaps g
     driver_->Sample(seconds, &sample_, gaps);
     for (int j = 0; j < static_cast<int>(motion->q.size()); ++j) {
       if (!context_.poses.free()[j]) continue;
-      motion->q[j] = driver_->is_frozen(j) ? now.q[j] : sample_.q[j];
-      motion->qd[j] = driver_->is_frozen(j) ? 0.0 : sample_.qd[j];
+      motion->q[j] = driver_->regions().is_frozen(j) ? now.q[j] : sample_.q[j];
+      motion->qd[j] = driver_->regions().is_frozen(j) ? 0.0 : sample_.qd[j];
     }
     context_.poses.TurnFreeRoot(sample_);
     motion->fall = driver_->solves_fall() ? std::optional(sample_.anchor) : std::nullopt;

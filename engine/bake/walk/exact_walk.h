@@ -40,14 +40,20 @@ class ExactWalk : public RegionWalk {
   void Interrupt() override { has_begun_ = false; }
   bool Push(const PushForce& push) override;
   Result<int> Advance(int frame) override;
-  bool moves(JointIndex j) const override { return driver_ && driver_->is_free(j.value()); }
-  bool leaves_root_to_contacts() const override { return driver_ && driver_->places_root(); }
+  bool moves(JointIndex j) const override {
+    return driver_ && driver_->regions().is_free(j.value());
+  }
+  bool leaves_root_to_contacts() const override {
+    return driver_ && driver_->regions().places_root();
+  }
   MotionAcceleration ArrivedWith() override { return AccelerationOf(context_.now); }
   std::vector<ConstraintPush> ConstraintPushesThere() override;
   SceneContacts ContactsThere() override;
 
  private:
-  const std::vector<int>* active() const override { return driver_ ? &driver_->active() : nullptr; }
+  const std::vector<int>* active() const override {
+    return driver_ ? &driver_->regions().indices() : nullptr;
+  }
 
   // The driver: begins or goes on at `frame` with curves that change at `to`.
   void Drive(double frame, double to, const Vec3& pin_velocity);
@@ -68,9 +74,8 @@ class ExactWalk : public RegionWalk {
   std::optional<Error> CheckWork(double frame);
   std::optional<Error> AdvanceRegions(double t, double last);
   std::optional<Error> Arrive(double frame);
-  void AddHits(double until);
-  void AddTouches();
-  void AddBreaks();
+  void AddEvents(double until);
+  void AddBreak(const ConstraintBreak& broken);
   std::optional<Error> CheckGaps();
   void WarnOfInside();
   void WarnOfOverlap();

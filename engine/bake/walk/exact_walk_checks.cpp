@@ -43,11 +43,11 @@ void ExactWalk::WarnOfInside() {
       return IsParted(link, object, *constraint, figure);
     });
   };
-  for (const int r : driver_->active()) {
+  for (const int r : driver_->regions().indices()) {
     const DynamicsRegion& region = context_.animation.regions[r];
     if (!region.touches_scene || region.first_frame != frame) continue;
     const auto counts = [&](int link, int object) {
-      return driver_->Touches(figure.links()[link].joint) && !is_parted(link, object);
+      return driver_->regions().Touches(figure.links()[link].joint) && !is_parted(link, object);
     };
     const auto inside =
         TellOfInside(context_.animation, figure, context_.now, counts, &context_.poses.workspace());
@@ -59,11 +59,11 @@ void ExactWalk::WarnOfInside() {
 
 void ExactWalk::WarnOfOverlap() {
   const Figure& figure = context_.poses.figure();
-  std::vector<LinkPair> pairs = driver_->own_pairs();
+  std::vector<LinkPair> pairs = driver_->regions().own_pairs();
   for (const Constraint* parting : PartingConstraints(context_.animation, driver_->constraints())) {
     std::erase_if(pairs, [&](const LinkPair& pair) { return AreParted(pair, *parting, figure); });
   }
-  for (const int r : driver_->active()) {
+  for (const int r : driver_->regions().indices()) {
     const DynamicsRegion& region = context_.animation.regions[r];
     if (!region.touches_self || region.first_frame != context_.now.frame) continue;
     const auto overlap = TellOfOverlap(pairs, figure, context_.now, &context_.poses.workspace());
@@ -77,7 +77,7 @@ void ExactWalk::WarnOfOverlap() {
 void ExactWalk::WarnOfWeightless() {
   const Animation& animation = context_.animation;
   for (const JointIndex joint : driver_->WeightlessJoints()) {
-    const int r = driver_->RegionOf(joint);
+    const int r = driver_->regions().RegionOf(joint);
     if (animation.forces.empty() && animation.regions[r].drives.empty()) continue;
     const int frame = static_cast<int>(context_.now.frame);
     context_.recorder.AddWarning(
@@ -96,9 +96,10 @@ void ExactWalk::WarnOfSpentSprings(int frame) {
   const Animation& animation = context_.animation;
   const Figure& figure = context_.poses.figure();
   const auto ends = [&](int r) { return animation.regions[r].last_frame == frame; };
-  if (std::none_of(driver_->active().begin(), driver_->active().end(), ends)) return;
+  if (std::none_of(driver_->regions().indices().begin(), driver_->regions().indices().end(), ends))
+    return;
   for (const auto& [joint, drive] : driver_->SpentSprings(context_.Seconds(frame))) {
-    const int r = driver_->RegionOf(joint);
+    const int r = driver_->regions().RegionOf(joint);
     if (!ends(r) || drive.lag < kNotice || kSoon * drive.approach > drive.lag) continue;
     const std::string& name =
         drive.is_ball ? figure.group(figure.joint(joint).group).name : figure.joint(joint).name;

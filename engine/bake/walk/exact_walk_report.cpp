@@ -9,30 +9,26 @@
 
 namespace hazumi {
 
-// Records the hits of limits up to a time [s].
-void ExactWalk::AddHits(double until) {
-  for (const ExactDriver::Hit& hit : driver_->TakeHits()) {
+// Records what happened, hits of limits up to a time [s].
+void ExactWalk::AddEvents(double until) {
+  const ExactDriver::Events events = driver_->TakeEvents();
+  for (const ExactDriver::Hit& hit : events.hits) {
     if (hit.time > until) continue;
     context_.recorder.AddLimit(JointIndex(hit.coordinate), hit.time, hit.last_time, hit.count);
   }
+  for (const TouchDown& touch : events.touches) context_.recorder.AddTouch(touch);
+  for (const ConstraintBreak& broken : events.breaks) AddBreak(broken);
 }
 
-void ExactWalk::AddTouches() {
-  for (const TouchDown& touch : driver_->TakeTouches()) context_.recorder.AddTouch(touch);
-}
-
-void ExactWalk::AddBreaks() {
-  for (const ConstraintBreak& of : driver_->TakeBreaks()) {
-    const Constraint& constraint = context_.animation.constraints[of.constraint];
-    context_.now.broken.push_back(of.constraint);
-    // Islands list their contacts where they begin; what the constraint parted collides from now
-    // on.
-    if (context_.animation.solver.rules().parts_what_is_tied && constraint.parts()) Interrupt();
-    const double frame = context_.animation.rate.FrameAt(of.time);
-    context_.recorder.AddEvent(EventKind::kBreak, frame, constraint.name);
-    for (Warning& warning : arrivals_.Break(of.constraint, frame)) {
-      context_.recorder.AddWarning(std::move(warning));
-    }
+void ExactWalk::AddBreak(const ConstraintBreak& broken) {
+  const Constraint& constraint = context_.animation.constraints[broken.constraint];
+  context_.now.broken.push_back(broken.constraint);
+  // Islands list their contacts where they begin; what the constraint parted collides from now on.
+  if (context_.animation.solver.rules().parts_what_is_tied && constraint.parts()) Interrupt();
+  const double frame = context_.animation.rate.FrameAt(broken.time);
+  context_.recorder.AddEvent(EventKind::kBreak, frame, constraint.name);
+  for (Warning& warning : arrivals_.Break(broken.constraint, frame)) {
+    context_.recorder.AddWarning(std::move(warning));
   }
 }
 
@@ -49,17 +45,17 @@ void ExactWalk::LookAtArrivals(const FigureMotion& motion) {
 }
 
 void ExactWalk::WriteReports() {
-  const auto regions = static_cast<double>(driver_->active().size());
+  const std::vector<int>& active = driver_->regions().indices();
   driver_->MoveLogsTo(&context_.recorder.logs());
-  for (size_t a = 0; a < driver_->active().size(); ++a) {
-    RegionReport& report = context_.recorder.report(driver_->active()[a]);
+  for (size_t a = 0; a < active.size(); ++a) {
+    RegionReport& report = context_.recorder.report(active[a]);
     report.steps += static_cast<int>(driver_->steps());
     report.evaluations += static_cast<int>(driver_->evaluations());
-    report.microseconds += driver_->microseconds() / regions;
+    report.microseconds += driver_->microseconds() / static_cast<double>(active.size());
     report.islands = driver_->island_sizes();
     report.bodies = driver_->num_bodies();
     report.energy = driver_->energy();
-    const ExactDriver::RegionEstimate estimate = driver_->EstimateOf(a);
+    const RegionEstimates::Estimate estimate = driver_->estimates().Of(a);
     report.error_estimate = std::max(report.error_estimate, estimate.error);
     if (!report.estimated_until && std::isfinite(estimate.until)) {
       report.estimated_until = context_.animation.rate.FrameAt(estimate.until);

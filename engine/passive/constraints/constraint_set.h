@@ -8,12 +8,6 @@
 
 namespace hazumi {
 
-// A constraint that gave way [s].
-struct ConstraintBreak {
-  int constraint;
-  double time;
-};
-
 // The constraints of an island, and which of them are broken. [METHOD 11]
 class ConstraintSet {
  public:

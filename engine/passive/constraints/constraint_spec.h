@@ -32,4 +32,10 @@ inline auto MembersOf(const ConstraintSpec& spec) {
   return std::tie(kind, a, b, length, closing_rate, break_force, break_impulse);
 }
 
+// A constraint that broke, at a time [s].
+struct ConstraintBreak {
+  int constraint;
+  double time;
+};
+
 }  // namespace hazumi

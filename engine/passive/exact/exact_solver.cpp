@@ -46,6 +46,12 @@ void ExactSolver::Start(double t, const HingeState& state) {
   Resolve();
 }
 
+IslandEvents ExactSolver::TakeEvents() {
+  IslandEvents events = log_.Take();
+  events.breaks = dynamics_->mode().constraints.TakeBreaks();
+  return events;
+}
+
 void ExactSolver::Restart() { step_end_ ? StepInTime() : Resolve(); }
 
 // Which limits hold which hinges from now on, after the impact of those that go out and of a pin

@@ -55,17 +55,8 @@ class ExactSolver {
   // Accelerations and forces at t in [step_start, time].
   InstantReport Report(double t) { return step_.Report(t); }
 
-  // Breaks since the last call.
-  std::vector<ConstraintBreak> TakeBreaks() { return dynamics_->mode().constraints.TakeBreaks(); }
-
-  // Hits since the last call.
-  std::vector<LimitHit> TakeHits() { return log_.TakeHits(); }
-  // Touch-downs since the last call.
-  std::vector<TouchDown> TakeTouches() { return log_.TakeTouches(); }
   // Events since the last call.
-  std::vector<EventMark> TakeMarks() { return log_.TakeMarks(); }
-  // Work of impacts since the last call.
-  ImpactWork TakeImpactWork() { return log_.TakeWork(); }
+  IslandEvents TakeEvents();
   long steps() const { return steps_; }
   // Time at which time-stepping mode was entered first: from there on motions that begin nearly the
   // same end differently, however accurately they are solved.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/passive/constraints/constraint_spec.h"
 #include "engine/passive/contact/contact_push.h"
 #include "engine/passive/exact/event_trail.h"
 #include "engine/passive/exact/limit_hits.h"
@@ -34,6 +35,23 @@ struct ImpactWork {
   }
 };
 
+// What happened to an island between two reports, in order.
+struct IslandEvents {
+  std::vector<LimitHit> hits;
+  std::vector<TouchDown> touches;
+  std::vector<ConstraintBreak> breaks;  // by index of the island's constraints
+  std::vector<EventMark> marks;         // of all of these
+  ImpactWork impacts;
+
+  void Append(const IslandEvents& later) {
+    hits.insert(hits.end(), later.hits.begin(), later.hits.end());
+    touches.insert(touches.end(), later.touches.begin(), later.touches.end());
+    breaks.insert(breaks.end(), later.breaks.begin(), later.breaks.end());
+    marks.insert(marks.end(), later.marks.begin(), later.marks.end());
+    impacts.Add(later.impacts);
+  }
+};
+
 // Impacts since the last report.
 class ImpactLog {
  public:
@@ -43,9 +61,7 @@ class ImpactLog {
     happened_ |= BitOf(static_cast<uint64_t>(hinge));
     hits_.Add(hinge, time);
   }
-  std::vector<LimitHit> TakeHits() { return hits_.Take(); }
   void AddWork(const ImpactWork& work) { work_.Add(work); }
-  ImpactWork TakeWork() { return std::exchange(work_, {}); }
 
   void AddTouch(const ContactParts& parts, int ball, double time) {
     happened_ |= BitOf(HashOf(parts.link, parts.object, parts.by_link, parts.by_ball, ball));
@@ -61,8 +77,14 @@ class ImpactLog {
   void Mark(double time, uint64_t state) {
     marks_.push_back({time, time, std::exchange(happened_, 0), state});
   }
-  std::vector<EventMark> TakeMarks() { return std::exchange(marks_, {}); }
-  std::vector<TouchDown> TakeTouches() { return std::exchange(touches_, {}); }
+  // Returns the events since the last call, without breaks, which constraints tell of.
+  IslandEvents Take() {
+    return {hits_.Take(),
+            std::exchange(touches_, {}),
+            {},
+            std::exchange(marks_, {}),
+            std::exchange(work_, {})};
+  }
 
  private:
   LimitHits hits_;
